@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { Plugin } from 'vite';
 import { pathOf } from './tools/lib/compose.mjs';
+import { licences } from './tools/lib/licences.mjs';
 
 /** What the built page has beside it. */
 const beside: Plugin = {
@@ -19,6 +20,6 @@ const beside: Plugin = {
 
 export default defineConfig({
   root: fileURLToPath(new URL('./www', import.meta.url)),
-  plugins: [beside],
+  plugins: [beside, licences],
   server: { fs: { allow: [fileURLToPath(new URL('.', import.meta.url))] } },
 });

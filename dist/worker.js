@@ -1,6 +1,64 @@
 (function() {
 	// pkg/wasm/tiepoint.js
 	/**
+	* The images of an oriented block while they are placed on an orthophoto, one after the other, in wasm memory. Call `free` when it is no longer
+	* needed.
+	*/
+	var BlockOnOrthophoto = class {
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			BlockOnOrthophotoFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_blockonorthophoto_free(ptr, 0);
+		}
+		/**
+		* The block in the system of the orthophoto, adjusted by places of its ground; what came of it stands in the summary. Where it could not be
+		* linked it is as it was.
+		* @param {FinishedBlock} block
+		* @param {OrthophotoReference} reference
+		* @returns {FinishedBlock}
+		*/
+		linked(block, reference) {
+			_assertClass(block, FinishedBlock);
+			_assertClass(reference, OrthophotoReference);
+			const ret = wasm.blockonorthophoto_linked(this.__wbg_ptr, block.__wbg_ptr, reference.__wbg_ptr);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return FinishedBlock.__wrap(ret[0]);
+		}
+		/**
+		* None is placed yet.
+		*/
+		constructor() {
+			const ret = wasm.blockonorthophoto_new();
+			this.__wbg_ptr = ret;
+			BlockOnOrthophotoFinalization.register(this, this.__wbg_ptr, this);
+			return this;
+		}
+		/**
+		* Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
+		* @param {FinishedBlock} block
+		* @param {number} index
+		* @param {Uint8Array | number[]} file
+		* @param {OrthophotoReference} reference
+		* @returns {PlacingVerdict | null}
+		*/
+		place(block, index, file, reference) {
+			_assertClass(block, FinishedBlock);
+			_assertClass(reference, OrthophotoReference);
+			const val2 = +index;
+			const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.blockonorthophoto_place(this.__wbg_ptr, block.__wbg_ptr, val2, ptr0, len0, reference.__wbg_ptr);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+	};
+	if (Symbol.dispose) BlockOnOrthophoto.prototype[Symbol.dispose] = BlockOnOrthophoto.prototype.free;
+	/**
 	* The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
 	*/
 	var BlockScene = class {
@@ -140,6 +198,63 @@
 			wasm.__wbg_finishedblock_free(ptr, 0);
 		}
 		/**
+		* The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
+		* error, then its covariances with all of them.
+		* @param {readonly string[]} names
+		* @returns {string}
+		*/
+		covariances(names) {
+			let deferred2_0;
+			let deferred2_1;
+			try {
+				const ret = wasm.finishedblock_covariances(this.__wbg_ptr, names);
+				var ptr1 = ret[0];
+				var len1 = ret[1];
+				if (ret[3]) {
+					ptr1 = 0;
+					len1 = 0;
+					throw takeFromExternrefTable0(ret[2]);
+				}
+				deferred2_0 = ptr1;
+				deferred2_1 = len1;
+				return getStringFromWasm0(ptr1, len1);
+			} finally {
+				wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+			}
+		}
+		/**
+		* The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found.
+		* @param {readonly BlockEdit[]} edits
+		* @returns {FinishedBlock}
+		*/
+		edited(edits) {
+			const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return FinishedBlock.__wrap(ret[0]);
+		}
+		/**
+		* The edits that it has.
+		* @returns {BlockEdit[]}
+		*/
+		edits() {
+			return wasm.finishedblock_edits(this.__wbg_ptr);
+		}
+		/**
+		* The epipolar line of a place of one image in another one: x, y in px, stride 2, as far as that shows it, from near to far.
+		* @param {number} from
+		* @param {number} x_px
+		* @param {number} y_px
+		* @param {number} to
+		* @returns {Float64Array}
+		*/
+		epipolar_line(from, x_px, y_px, to) {
+			const ret = wasm.finishedblock_epipolar_line(this.__wbg_ptr, from, x_px, y_px, to);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+			return v1;
+		}
+		/**
 		* Writes it in one format.
 		* @param {ExportFormat} format
 		* @param {Emit} emit
@@ -160,11 +275,28 @@
 			return BlockWriting.__wrap(ret[0]);
 		}
 		/**
+		* The observations of an image.
+		* @param {number} image
+		* @returns {ImagePoints}
+		*/
+		image_points(image) {
+			const ret = wasm.finishedblock_image_points(this.__wbg_ptr, image);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
 		* The model that is written.
 		* @returns {BlockModel}
 		*/
 		model() {
 			return wasm.finishedblock_model(this.__wbg_ptr);
+		}
+		/**
+		* What came of the orthophoto that the block was given; null where it was given none.
+		* @returns {OnOrthophoto | null}
+		*/
+		on_orthophoto() {
+			return wasm.finishedblock_on_orthophoto(this.__wbg_ptr);
 		}
 		/**
 		* Opens a project file; one that is damaged or of another kind is refused whole.
@@ -186,6 +318,23 @@
 			const ret = wasm.finishedblock_overview(this.__wbg_ptr);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* All that is known of a point of the model that is written.
+		* @param {number} point
+		* @returns {PointDetail}
+		*/
+		point(point) {
+			const ret = wasm.finishedblock_point(this.__wbg_ptr, point);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* The points of the model that is written by what they are, whatever their indices; empty for a block that is not oriented.
+		* @returns {PointSource[]}
+		*/
+		point_ids() {
+			return wasm.finishedblock_point_ids(this.__wbg_ptr);
 		}
 		/**
 		* The text of its project file.
@@ -268,6 +417,20 @@
 			return v1;
 		}
 		/**
+		* The heights on which it lies, as GeoTIFF; absent where these are one for all.
+		* @returns {Uint8Array | undefined}
+		*/
+		heights() {
+			const ret = wasm.orthomosaic_heights(this.__wbg_ptr);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			let v1;
+			if (ret[0] !== 0) {
+				v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+				wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+			}
+			return v1;
+		}
+		/**
 		* The names of the block's images.
 		* @returns {string[]}
 		*/
@@ -326,6 +489,80 @@
 			wasm.__wbg_orthophotoreference_free(ptr, 0);
 		}
 		/**
+		* Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
+		* links. The file tells its camera. `options`: as of `search`; absent: those that it had.
+		* @param {string} name
+		* @param {Uint8Array | number[]} file
+		* @param {readonly GivenLink[]} links
+		* @param {Placement | null} start
+		* @param {string | null | undefined} cameras
+		* @param {Given<PlacingOptions>} [options]
+		* @returns {PlacedImage}
+		*/
+		adjust(name, file, links, start, cameras, options) {
+			let ptr0, len0, ptr1, len1, ptr2, len2;
+			try {
+				ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				len0 = WASM_VECTOR_LEN;
+				ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+				len1 = WASM_VECTOR_LEN;
+				ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				len2 = WASM_VECTOR_LEN;
+			} catch (e) {
+				if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
+				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+				throw e;
+			}
+			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
+		* @param {Placement} placement
+		* @param {Float64Array | number[]} positions
+		* @returns {Float64Array}
+		*/
+		ground_positions(placement, positions) {
+			const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.orthophotoreference_ground_positions(this.__wbg_ptr, placement, ptr0, len0);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+			return v2;
+		}
+		/**
+		* The heights of places X, Y, stride 2; no number where there is none.
+		* @param {Float64Array | number[]} places
+		* @returns {Float64Array}
+		*/
+		heights_at(places) {
+			const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.orthophotoreference_heights_at(this.__wbg_ptr, ptr0, len0);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+			return v2;
+		}
+		/**
+		* Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.
+		* @param {Placement} placement
+		* @param {Float64Array | number[]} places
+		* @returns {Float64Array}
+		*/
+		image_positions(placement, places) {
+			const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.orthophotoreference_image_positions(this.__wbg_ptr, placement, ptr0, len0);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+			return v2;
+		}
+		/**
 		* Size, place and heights.
 		* @returns {OrthophotoInfo}
 		*/
@@ -353,6 +590,23 @@
 			const ret = wasm.orthophotoreference_open(ptr0, len0, ptr1, len1);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return OrthophotoReference.__wrap(ret[0]);
+		}
+		/**
+		* Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
+		* picture on, 0 where it shows nothing.
+		* @param {number} column
+		* @param {number} row
+		* @param {number} width
+		* @param {number} height
+		* @param {number} halvings
+		* @returns {Uint8Array}
+		*/
+		picture(column, row, width, height, halvings) {
+			const ret = wasm.orthophotoreference_picture(this.__wbg_ptr, column, row, width, height, halvings);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+			return v1;
 		}
 		/**
 		* Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
@@ -842,6 +1096,13 @@
 		return takeFromExternrefTable0(ret[0]);
 	}
 	/**
+	* The defaults of all options.
+	* @returns {PairSettings}
+	*/
+	function defaults() {
+		return wasm.defaults();
+	}
+	/**
 	* Where a point of one image may be seen in the other, by the geometry that `match_photos` gave with the same interior orientations:
 	* positions x, y in px along its epipolar line, or the one place that the map of a plane or a rotation gives; stride 2. Empty where the
 	* line passes the other image, whose width and height are given.
@@ -995,40 +1256,45 @@
 		}
 	}
 	/**
-	* The English text of a message, or, by its name, another text that belongs to it, as its `label`.
+	* The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
+	* that there is a catalogue of.
 	* @param {keyof Messages} family
 	* @param {Messages[keyof Messages]} message
 	* @param {string | null} [attribute]
+	* @param {string | null} [language]
 	* @returns {string}
 	*/
-	function message(family, message, attribute) {
-		let deferred4_0;
-		let deferred4_1;
+	function message$1(family, message, attribute, language) {
+		let deferred5_0;
+		let deferred5_1;
 		try {
-			let ptr0, len0, ptr1, len1;
+			let ptr0, len0, ptr1, len1, ptr2, len2;
 			try {
 				ptr0 = passStringToWasm0(family, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 				len0 = WASM_VECTOR_LEN;
 				ptr1 = isLikeNone(attribute) ? 0 : passStringToWasm0(attribute, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 				len1 = WASM_VECTOR_LEN;
+				ptr2 = isLikeNone(language) ? 0 : passStringToWasm0(language, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				len2 = WASM_VECTOR_LEN;
 			} catch (e) {
+				if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
 				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
 				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 				throw e;
 			}
-			const ret = wasm.message(ptr0, len0, message, ptr1, len1);
-			var ptr3 = ret[0];
-			var len3 = ret[1];
+			const ret = wasm.message(ptr0, len0, message, ptr1, len1, ptr2, len2);
+			var ptr4 = ret[0];
+			var len4 = ret[1];
 			if (ret[3]) {
-				ptr3 = 0;
-				len3 = 0;
+				ptr4 = 0;
+				len4 = 0;
 				throw takeFromExternrefTable0(ret[2]);
 			}
-			deferred4_0 = ptr3;
-			deferred4_1 = len3;
-			return getStringFromWasm0(ptr3, len3);
+			deferred5_0 = ptr4;
+			deferred5_1 = len4;
+			return getStringFromWasm0(ptr4, len4);
 		} finally {
-			wasm.__wbindgen_free(deferred4_0, deferred4_1, 1);
+			wasm.__wbindgen_free(deferred5_0, deferred5_1, 1);
 		}
 	}
 	/**
@@ -1440,7 +1706,7 @@
 					arg0.stroke();
 				},
 				__wbindgen_generic_0000000000000001: function(arg0, arg1) {
-					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c);
+					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c);
 				},
 				__wbindgen_generic_0000000000000002: function(arg0) {
 					return arg0;
@@ -1459,9 +1725,13 @@
 			}
 		};
 	}
-	function wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c(arg0, arg1, arg2, arg3) {
-		return wasm.wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c(arg0, arg1, arg2, arg3);
+	function wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c(arg0, arg1, arg2, arg3) {
+		return wasm.wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c(arg0, arg1, arg2, arg3);
 	}
+	var BlockOnOrthophotoFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_blockonorthophoto_free(ptr, 1));
 	var BlockSceneFinalization = typeof FinalizationRegistry === "undefined" ? {
 		register: () => {},
 		unregister: () => {}
@@ -1747,6 +2017,321 @@
 	/** What a worker does for a block, of whatever kind it is, on the module that its host has initialised. */
 	/** @type {import('./jobs.js').Jobs} */
 	var jobs = { block: async ({ task, inputs }) => execute_job(task, inputs) };
+	// www/block/state/links.ts
+	var USES = [
+		"used",
+		"check",
+		"rejected"
+	];
+	function inColumns({ placement, ...image }, size) {
+		return {
+			...image,
+			size,
+			placement: placement === null ? null : {
+				...placement,
+				links: columnsOf(placement.links)
+			}
+		};
+	}
+	function columnsOf(links) {
+		return {
+			count: links.length,
+			at: Float64Array.from(links.flatMap(({ at }) => at)),
+			places: Float64Array.from(links.flatMap(({ place }) => place)),
+			residuals: Float64Array.from(links.flatMap(({ residual_px: residual }) => residual ?? [NaN, NaN])),
+			uses: Uint8Array.from(links, ({ role }) => USES.indexOf(role)),
+			byHand: Uint8Array.from(links, ({ by_hand: byHand }) => byHand ? 1 : 0)
+		};
+	}
+	// www/block/engine/orthophoto.ts
+	/** An orthophoto in a worker: its picture in tiles, and images that are placed on it. The worker opens it when another one is asked about, and keeps it. */
+	var held$2 = null;
+	async function opened$2({ picture, heights, keys }) {
+		if (held$2?.keys.picture !== keys.picture) {
+			held$2?.reference.free();
+			held$2 = null;
+			const reference = OrthophotoReference.open(await bytesOf(picture.file), picture.world);
+			held$2 = {
+				keys: {
+					picture: keys.picture,
+					heights: ""
+				},
+				reference,
+				info: reference.info(),
+				searched: ""
+			};
+		}
+		if (held$2.keys.heights !== keys.heights) {
+			const { reference } = held$2;
+			if (typeof heights === "number") reference.set_heights(heights);
+			else reference.set_heights(await bytesOf(heights.file), heights.world);
+			held$2 = {
+				keys,
+				reference,
+				info: reference.info(),
+				searched: ""
+			};
+		}
+		return held$2;
+	}
+	async function bytesOf(file) {
+		return new Uint8Array(await file.arrayBuffer());
+	}
+	/** Size, place and heights; refuses what is no orthophoto, or no heights. */
+	async function orthoInfo(ground) {
+		return (await opened$2(ground)).info;
+	}
+	async function orthoTile({ ground, level, column, row }) {
+		const { info, reference } = await opened$2(ground);
+		const step = 2 ** level;
+		const [left, top] = [column * 256 * step, row * 256 * step];
+		const width = Math.min(256, Math.ceil((info.width - left) / step));
+		const height = Math.min(256, Math.ceil((info.height - top) / step));
+		return transparentWhereEmpty(reference.picture(column * 256, row * 256, width, height, level), width, height);
+	}
+	/** What shows nothing is 0. */
+	function transparentWhereEmpty(grey, width, height) {
+		const pixels = Uint32Array.from(grey, (value) => value === 0 ? 0 : 4278190080 | value * 65793);
+		return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height));
+	}
+	/** Finds the points among which images are sought; refuses options and heights with which none can be. */
+	async function orthoSearch({ ground, options }) {
+		const now = await opened$2(ground);
+		const points = now.reference.search(options);
+		now.searched = JSON.stringify(options);
+		return points;
+	}
+	/** The orthophoto with the points among which images are sought. */
+	async function orthoReference(input) {
+		const now = await opened$2(input.ground);
+		if (now.searched !== JSON.stringify(input.options)) await orthoSearch(input);
+		return now.reference;
+	}
+	async function orthoPlace({ ground, options, name, file, cameras }) {
+		const reference = await orthoReference({
+			ground,
+			options
+		});
+		const bytes = await bytesOf(file);
+		const placed = reference.place(name, bytes, cameras);
+		return inColumns(placed, sizeOf(placed, bytes));
+	}
+	/** Width and height of an image, placed or not. */
+	function sizeOf({ placement }, file) {
+		if (placement !== null) return [placement.camera.width_px, placement.camera.height_px];
+		const photo = Photo.decode(file);
+		const size = [photo.width, photo.height];
+		photo.free();
+		return size;
+	}
+	/** An image by links that are given; nothing is matched. */
+	async function orthoAdjust({ ground, options, name, file, cameras, links, start, size }) {
+		const { reference } = await opened$2(ground);
+		return inColumns(reference.adjust(name, await bytesOf(file), links, start, cameras, options), size);
+	}
+	/** Where a position of a placed image is on the ground, or a place of the ground in the image: X, Y or px; null where it shows none. */
+	async function orthoPredict({ ground, placement, at, place }) {
+		const { reference } = await opened$2(ground);
+		const [x = NaN, y = NaN] = at === null ? reference.image_positions(placement, Float64Array.from(place ?? [])) : reference.ground_positions(placement, Float64Array.from(at));
+		return Number.isNaN(x) ? null : [x, y];
+	}
+	/** A placed image on the ground, as GeoTIFF. */
+	async function orthoRectified({ ground, file, placement }) {
+		const { reference } = await opened$2(ground);
+		return reference.rectified(await bytesOf(file), placement);
+	}
+	/** A placed image on the ground as a picture, with where it lies: halved until its sides are no longer than so many px. */
+	async function orthoLaid({ ground, file, placement, side }) {
+		const { reference } = await opened$2(ground);
+		const laid = OrthophotoReference.open(reference.rectified(await bytesOf(file), placement));
+		try {
+			const { width, height, georeference } = laid.info();
+			const halvings = Math.max(0, Math.ceil(Math.log2(Math.max(width, height) / side)));
+			const step = 2 ** halvings;
+			const [columns, rows] = [Math.floor(width / step), Math.floor(height / step)];
+			return {
+				bitmap: await transparentWhereEmpty(laid.picture(0, 0, columns, rows, halvings), columns, rows),
+				step,
+				georeference
+			};
+		} finally {
+			laid.free();
+		}
+	}
+	var mosaic = null;
+	/** Lays out the orthomosaic of a project file; gives the names of its images. */
+	async function mosaicOpen({ project, heights }) {
+		mosaic?.free();
+		mosaic = null;
+		const model = typeof heights === "object" && heights !== null ? await bytesOf(heights.file) : heights;
+		const world = typeof heights === "object" && heights !== null ? heights.world : null;
+		mosaic = OrthoMosaic.open(await bytesOf(project), model, world);
+		return mosaic.names;
+	}
+	async function mosaicAdd({ index, file }) {
+		mosaic?.add(index, await bytesOf(file));
+		return null;
+	}
+	/** The mosaic as GeoTIFF. */
+	function mosaicFinish() {
+		const made = mosaic;
+		mosaic = null;
+		if (made === null) throw new Error("no mosaic is laid out");
+		return made.finish();
+	}
+	/** The orthophoto of a simulated flight, and its heights. */
+	function sceneOrthophoto({ flight, gsd }) {
+		const scene = new BlockScene(flight);
+		try {
+			return scene.orthophoto(gsd);
+		} finally {
+			scene.free();
+		}
+	}
+	// www/block/engine/block-links.ts
+	/** A block that is placed on an orthophoto, in a worker: its images one after the other, then all of it. */
+	/** The worker ends with the block: nothing of it is freed before. */
+	var placing = null;
+	/** Names of the images, null for those that are not oriented; refuses an orthophoto on which none can be sought. */
+	async function linksOpen({ project, ground, options }) {
+		const reference = await orthoReference({
+			ground,
+			options
+		});
+		const block = FinishedBlock.open(new Uint8Array(await project.arrayBuffer()));
+		placing = {
+			block,
+			links: new BlockOnOrthophoto(),
+			reference
+		};
+		return block.model().images.map(({ name, pose }) => pose == null ? null : name);
+	}
+	/** Places an image of the block, near where those that were placed before have it. */
+	async function linksPlace({ index, file }) {
+		const { block, links, reference } = opened$1();
+		return links.place(block, index, new Uint8Array(await file.arrayBuffer()), reference);
+	}
+	/** The project file of the block in the system of the orthophoto, or as it was, with the reason. */
+	function linksFinish() {
+		const { block, links, reference } = opened$1();
+		return new TextEncoder().encode(links.linked(block, reference).project());
+	}
+	function opened$1() {
+		if (placing === null) throw new Error("no block is held");
+		return placing;
+	}
+	// www/shared/engine/fit.ts
+	/** Least squares matching of one place that was pointed at. */
+	/** How far around the given place is searched: a window of so many px. */
+	var SEARCH_PX = 9;
+	/** What the matching of a left place near a right one is given. */
+	function fitInput(left, right, settings) {
+		return {
+			left: Float64Array.of(...left, 0),
+			offset: constant_offset(right[0] - left[0], right[1] - left[1]),
+			settings: {
+				...settings,
+				matching: {
+					...settings.matching,
+					strategy: "least-squares",
+					refine: null,
+					epipolar: false,
+					search: SEARCH_PX,
+					left_right: false
+				}
+			}
+		};
+	}
+	/** The right place of the match that was found; null where none was confirmed. */
+	function placeOfFit(matches) {
+		const [, , x, y] = matches;
+		return x === void 0 || y === void 0 ? null : [x, y];
+	}
+	// www/shared/engine/tiles.ts
+	/** Grey values to bitmaps, whole or in tiles of a reduced image, and between pixels. */
+	/** A bitmap of a grey image. */
+	function bitmapOf(grey, width, height) {
+		const pixels = new Uint32Array(width * height);
+		for (let i = 0; i < pixels.length; i++) pixels[i] = 4278190080 | (grey[i] ?? 0) * 65793;
+		return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height));
+	}
+	/**
+	* The tile of `side` px at `column`, `row` (counted in tiles) of the image reduced by 2^level: each pixel is the mean of a block.
+	* Tiles at the right and lower edge are smaller.
+	*/
+	function tileOf(grey, width, height, level, column, row, side) {
+		const step = 2 ** level;
+		const left = column * side * step;
+		const top = row * side * step;
+		const columns = Math.min(side, Math.ceil((width - left) / step));
+		const rows = Math.min(side, Math.ceil((height - top) / step));
+		const tile = new Uint8Array(columns * rows);
+		for (let r = 0; r < rows; r++) for (let c = 0; c < columns; c++) tile[r * columns + c] = blockMean(grey, width, height, left + c * step, top + r * step, step);
+		return bitmapOf(tile, columns, rows);
+	}
+	function blockMean(grey, width, height, x, y, step) {
+		const right = Math.min(x + step, width);
+		const bottom = Math.min(y + step, height);
+		let sum = 0;
+		for (let row = y; row < bottom; row++) for (let col = x; col < right; col++) sum += grey[row * width + col] ?? 0;
+		return Math.round(sum / ((right - x) * (bottom - y)));
+	}
+	/** Bilinear between the centres of pixels; beyond the border counts what lies nearest to it. */
+	function greyAt(grey, width, height, x, y) {
+		const [px, py] = [Math.min(width - 1, Math.max(0, x - .5)), Math.min(height - 1, Math.max(0, y - .5))];
+		const [col, row] = [Math.min(Math.floor(px), Math.max(0, width - 2)), Math.min(Math.floor(py), Math.max(0, height - 2))];
+		const [right, below] = [Math.min(1, width - 1), height > 1 ? width : 0];
+		const at = row * width + col;
+		const [a = 0, b = 0, c = 0, d = 0] = [
+			grey[at],
+			grey[at + right],
+			grey[at + below],
+			grey[at + below + right]
+		];
+		const [fx, fy] = [px - col, py - row];
+		return (a * (1 - fx) + b * fx) * (1 - fy) + (c * (1 - fx) + d * fx) * fy;
+	}
+	// www/block/engine/match.ts
+	/** Least squares matching of a place in one image to another one: by windows of both, the second turned and scaled as the first. */
+	/** Side of a window, px. */
+	var SIDE = 81;
+	/** The grey values around a place, a px a sample, along a step across and a step down. */
+	function blockWindow({ file, at, turn }) {
+		return file.arrayBuffer().then((bytes) => {
+			const photo = Photo.decode(new Uint8Array(bytes));
+			const { width, height } = photo;
+			const grey = photo.grey();
+			photo.free();
+			const shift = turn === null ? [at[0] - Math.floor(at[0]) - .5, at[1] - Math.floor(at[1]) - .5] : [0, 0];
+			const [ax, ay, bx, by] = turn ?? [
+				1,
+				0,
+				0,
+				1
+			];
+			const half = 40;
+			return {
+				grey: Uint8Array.from({ length: 6561 }, (_, i) => {
+					const [u, v] = [i % SIDE - half - shift[0], Math.floor(i / SIDE) - half - shift[1]];
+					return Math.round(greyAt(grey, width, height, at[0] + u * ax + v * bx, at[1] + u * ay + v * by));
+				}),
+				at: [40.5 + shift[0], 40.5 + shift[1]]
+			};
+		});
+	}
+	/** How far, in steps of the second window, the place of the first one lies from the place of the second; null where no match is confirmed. */
+	function blockFit({ left, right }) {
+		const [first, second] = [left, right].map(({ grey }) => Photo.from_grey(SIDE, SIDE, grey));
+		if (first === void 0 || second === void 0) return null;
+		try {
+			const { left: point, offset, settings } = fitInput(left.at, right.at, defaults());
+			const found = placeOfFit(match_photos(first, second, { points: point }, { points: /* @__PURE__ */ new Float64Array() }, offset, null, settings, void 0).matches);
+			return found === null ? null : [found[0] - right.at[0], found[1] - right.at[1]];
+		} finally {
+			first.free();
+			second.free();
+		}
+	}
 	// pkg/block/photo.js
 	/** Photos of a simulated block as image files. A worker keeps the scene from one photo to the next: building it takes longer than a photo. */
 	/** @typedef {import('../wasm/tiepoint.js').BlockFlight} BlockFlight */
@@ -1786,6 +2371,16 @@
 	}
 	function blockPhoto(job) {
 		return photoFile(job);
+	}
+	// www/block/engine/grey.ts
+	/** Images that the browser cannot decode, as the crate decodes them. */
+	async function blockGrey({ file }) {
+		const photo = Photo.decode(new Uint8Array(await file.arrayBuffer()));
+		try {
+			return await bitmapOf(photo.grey(), photo.width, photo.height);
+		} finally {
+			photo.free();
+		}
 	}
 	// pkg/block/faults.js
 	/** What a call of the module ended with, where it was no refusal: memory that ran out, or a fault of the program. */
@@ -1962,15 +2557,77 @@
 		};
 	}
 	var messageOf$1 = (error) => error instanceof Error ? error.message : String(error);
-	// www/shared/text/words.ts
-	/** Texts of the page itself, from the catalogue of the crate. */
-	/** The text of a kind, with the minus sign that typography has. Numbers that are not finite are none. */
-	function page(kind, figures = {}) {
-		const known = Object.entries(figures).map(([name, value]) => [name, typeof value === "number" && !Number.isFinite(value) ? null : value]);
-		return message("page", {
-			kind,
-			...Object.fromEntries(known)
-		}).replace(/(?<!\w)-(?=\d)/gu, "−");
+	// www/shared/choices.ts
+	/** Choices of the page's looks that last from one visit to the next. */
+	/** Storage may be switched off, or absent on file://: a choice then lasts as long as the page. */
+	function keptChoice(name) {
+		try {
+			return localStorage.getItem(name);
+		} catch {
+			return null;
+		}
+	}
+	// www/shared/text/language.ts
+	/** The language of the page: the one that was chosen, or the first of the browser's that there are texts in. */
+	/** By their tags: how each calls itself, and which way it runs. */
+	var LANGUAGES = {
+		en: {
+			name: "English",
+			direction: "ltr"
+		},
+		ar: {
+			name: "العربية",
+			direction: "rtl"
+		}
+	};
+	var NAME = "tiepoint-language";
+	function isLanguage(tag) {
+		return typeof tag === "string" && Object.hasOwn(LANGUAGES, tag);
+	}
+	/** The one that all texts are written in, as long as the document lasts. A worker is told it at the end of its name. */
+	var LANGUAGE = typeof document === "undefined" ? told() : preferred(keptChoice(NAME), navigator.languages);
+	function told() {
+		const tag = String(globalThis.name ?? "").split(" ").at(-1);
+		return isLanguage(tag) ? tag : "en";
+	}
+	/** A choice comes before what the browser is set to, in whose order the languages are liked. */
+	function preferred(chosen, liked) {
+		if (isLanguage(chosen)) return chosen;
+		return liked.map((tag) => tag.split("-")[0]).find(isLanguage) ?? "en";
+	}
+	// www/shared/text/direction.ts
+	/** Which way parts of a text run in a language from right to left, by marks of direction (Unicode UAX 9). */
+	var IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === "rtl";
+	/** The beginning of a part from right to left, and its end. */
+	var [RLI, PDI] = ["⁧", "⁩"];
+	/** What a text writes is set apart as its first letter runs. A clause, which a space or a comma begins, goes on as the sentence does. */
+	function asClauses(text) {
+		return IS_FROM_RIGHT ? text.replaceAll(/\u2068(?=[\s،؛,;:·(])/gu, RLI) : text;
+	}
+	// www/shared/text/format.ts
+	/** A whole number in groups of three, set apart by narrow spaces. */
+	function count(value) {
+		return value == null ? "–" : String(value).replace(/\B(?=(\d{3})+$)/gu, " ");
+	}
+	/** A sentence with its whole numbers in such groups; digits of names and of decimals stay as they are. */
+	function grouped(text) {
+		return text.replaceAll(/(?<![\p{L}\d_.,−-])\d{4,}(?![\p{L}\d_-]|[.,]\d|\.\p{L})/gu, (digits) => count(Number(digits)));
+	}
+	// www/shared/text/messages.ts
+	/** Messages of the crate in the language of the page. */
+	/** The text of a message, or, by its name, another text that belongs to it, as its `label`; its figures as the page writes them. */
+	function message(family, of, attribute = null) {
+		const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀");
+		return asClauses(family.endsWith("verdict") ? grouped(text) : text);
+	}
+	/** What is said of whatever was thrown. Errors of the crate come with their figures. */
+	function messageOf(thrown) {
+		if (!(thrown instanceof Error)) return String(thrown);
+		const error = "error" in thrown && LANGUAGE !== "en" ? thrown.error : null;
+		return typeof error?.kind === "string" ? message("error", {
+			...error,
+			kind: error.kind
+		}) : thrown.message;
 	}
 	// www/block/engine/layout.ts
 	/** Where the images of a block are drawn: from above where their poses or recorded positions are known, else by who is connected with whom. */
@@ -2080,14 +2737,104 @@
 		moves[2 * b] = (moves[2 * b] ?? 0) - by * x;
 		moves[2 * b + 1] = (moves[2 * b + 1] ?? 0) - by * y;
 	}
+	// www/shared/state/remember.ts
+	/** Remembers the last result of a function of a few arguments, compared by identity. */
+	function remember(compute) {
+		let last = null;
+		return (...args) => {
+			if (last === null || last.args.some((arg, i) => !Object.is(arg, args[i]))) last = {
+				args,
+				result: compute(...args)
+			};
+			return last.result;
+		};
+	}
+	// www/block/state/edits.ts
+	/** A name of a point: the same for the same one. */
+	function keyOfPoint(point) {
+		const [[kind, number] = []] = Object.entries(point);
+		return `${kind ?? ""} ${String(number)}`;
+	}
+	var SOURCES = [
+		"tie_point",
+		"ground_control",
+		"manual"
+	];
+	/** A number for what a point is: a block has many. */
+	function codeOfSource(source) {
+		const kind = SOURCES.findIndex((name) => name in source);
+		const [number = 0] = Object.values(source);
+		return SOURCES.length * number + kind;
+	}
+	var keyOfObservation = ({ point, image }) => `${keyOfPoint(point)} ${String(image)}`;
+	var standingOf = remember((edits) => {
+		const observations = /* @__PURE__ */ new Map();
+		const points = /* @__PURE__ */ new Map();
+		const images = /* @__PURE__ */ new Set();
+		const unused = /* @__PURE__ */ new Set();
+		const measured = /* @__PURE__ */ new Map();
+		const measure = (image, point) => {
+			measured.set(image, (measured.get(image) ?? /* @__PURE__ */ new Set()).add(codeOfSource(point)));
+			observations.delete(keyOfObservation({
+				point,
+				image
+			}));
+		};
+		let added = 0;
+		for (const edit of edits) switch (edit.kind) {
+			case "reject_observations":
+				for (const one of edit.observations) observations.set(keyOfObservation(one), one);
+				break;
+			case "restore_observations":
+				for (const one of edit.observations) observations.delete(keyOfObservation(one));
+				break;
+			case "reject_points":
+				for (const point of edit.points) points.set(keyOfPoint(point), point);
+				break;
+			case "restore_points":
+				for (const point of edit.points) {
+					points.delete(keyOfPoint(point));
+					if ("ground_control" in point) unused.delete(point.ground_control);
+				}
+				break;
+			case "reject_images":
+				for (const image of edit.images) images.add(image);
+				break;
+			case "restore_images":
+				for (const image of edit.images) images.delete(image);
+				break;
+			case "measure":
+				measure(edit.image, edit.point);
+				break;
+			case "add_point":
+				for (const { image } of edit.observations) measure(image, { manual: added });
+				added += 1;
+				break;
+			case "set_use": if (edit.use == null) unused.add(edit.point);
+			else unused.delete(edit.point);
+		}
+		return {
+			observations,
+			points,
+			images,
+			unused,
+			measured
+		};
+	});
 	// www/block/engine/outcome.ts
 	/** What of a block, finished or under way, the page shows. */
 	function viewOf(block) {
-		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict: { kind, text }, checks, points } = block.overview();
+		const onOrthophoto = block.on_orthophoto();
+		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, points } = block.overview();
 		const connections = pairs.map(connectionOf);
+		const ids = block.point_ids();
+		const controls = ids.flatMap((id, point) => "ground_control" in id ? [{
+			control: id.ground_control,
+			point
+		}] : []);
 		return {
 			partial: false,
-			images: images.map(({ name, width_px: width, height_px: height, camera, features, positions: places, observations: rays, rmse_px: rmsePx, is_oriented, exif_orientation: exifOrientation, reason: why }) => ({
+			images: images.map(({ name, width_px: width, height_px: height, camera, features, positions: places, observations: rays, rmse_px: rmsePx, is_oriented, position, exif_orientation: exifOrientation, reason: why }) => ({
 				name,
 				width,
 				height,
@@ -2097,16 +2844,17 @@
 				rays,
 				rmsePx,
 				oriented: is_oriented,
+				position,
 				exifOrientation,
-				why: why?.text ?? ""
+				why: why === null ? "" : message("image_reason", why)
 			})),
 			leftOut: skipped.map(({ name, reason }) => ({
 				name,
-				reason: reason.text
+				reason: message("failure", reason)
 			})),
 			strayMasks: unused_masks,
 			strayMarks: unknown_images,
-			remarks: remarks.map(({ text }) => text),
+			remarks: remarks.map((remark) => message("remark", remark)),
 			cameras: cameras.map(({ label, images: count, given, calibrated, focal_error_px: focalErrorPx }) => ({
 				label,
 				images: count,
@@ -2119,6 +2867,8 @@
 			layout: layoutOf(images.map(({ position }) => position), images.map(({ gnss }) => gnss), connections),
 			points: {
 				count: points.rays.length,
+				taking: points.rays.length,
+				sources: Float64Array.from(ids, codeOfSource),
 				rays: points.rays,
 				rmsePx: points.rmse_px,
 				positions: points.positions,
@@ -2134,14 +2884,26 @@
 			})),
 			oriented,
 			verdict: {
-				kind,
-				text
+				kind: verdict.kind,
+				text: message("block_verdict", verdict)
+			},
+			orthophoto: onOrthophoto === null ? null : {
+				kind: onOrthophoto.kind,
+				text: message("on_orthophoto", onOrthophoto)
 			},
 			rmsePx: rmse_px,
 			sigma0Px: sigma0_px,
 			checks,
+			surveyed: surveyed.map((known, i) => ({
+				...known,
+				...controls[i] ?? {
+					control: -1,
+					point: -1
+				},
+				isUsed: true
+			})),
 			score: null,
-			warnings: warnings.map(({ text }) => text),
+			warnings: warnings.map((warning) => message("overview_warning", warning)),
 			formats: export_formats()
 		};
 	}
@@ -2153,7 +2915,7 @@
 		const links = connections.map((connection, i) => ({
 			...connection,
 			reason: message("connection", connection),
-			geometry: geometryName(geometries[i] ?? null),
+			geometry: geometryOf(geometries[i] ?? null),
 			shared: 0,
 			chosen: 0
 		}));
@@ -2170,8 +2932,9 @@
 				rays: 0,
 				rmsePx: null,
 				oriented: false,
+				position: null,
 				exifOrientation: exif.orientation,
-				why: "not oriented yet"
+				why: null
 			})),
 			leftOut: [],
 			strayMasks: [],
@@ -2192,6 +2955,8 @@
 			layout: layoutOf(read.map(() => null), read.map(({ exif }) => exif.position), links),
 			points: {
 				count: 0,
+				taking: 0,
+				sources: none,
 				rays: /* @__PURE__ */ new Uint16Array(),
 				rmsePx: none,
 				positions: none,
@@ -2203,34 +2968,39 @@
 			byRays: [],
 			oriented: 0,
 			verdict: null,
+			orthophoto: null,
 			rmsePx: null,
 			sigma0Px: null,
 			checks: null,
+			surveyed: [],
 			score: null,
 			warnings: [],
 			formats: export_formats()
 		};
 	}
-	function connectionOf({ images, rule, outcome, reason, geometry, common_points: shared, chosen_points: chosen }) {
+	function connectionOf({ images, rule, outcome, geometry, common_points: shared, chosen_points: chosen }) {
 		return {
 			images,
 			rule,
 			outcome,
-			reason,
-			geometry: geometryName(geometry),
+			reason: message("connection", {
+				images,
+				rule,
+				outcome
+			}),
+			geometry: geometryOf(geometry),
 			shared,
 			chosen
 		};
 	}
-	function geometryName(geometry) {
-		if (geometry === null) return "";
-		const { model: { kind }, sigma_px: sigma, degenerate } = geometry;
-		const weak = degenerate === null ? null : message("degeneracy", degenerate, "short");
-		return page("geometry", {
-			model: message("two_view_model", { kind }, "short"),
-			weak,
-			sigma_px: sigma
-		});
+	function geometryOf(geometry) {
+		if (geometry === null) return null;
+		const { model, degenerate, sigma_px: sigmaPx } = geometry;
+		return {
+			kind: model.kind,
+			degenerate,
+			sigmaPx
+		};
 	}
 	// www/block/engine/coming.ts
 	/** Views follow one another no faster, in ms. */
@@ -2282,6 +3052,87 @@
 			};
 		}
 	};
+	// www/block/engine/ground.ts
+	/** Footprints, ground sample distances and recorded positions of an oriented block, in its worker. */
+	/** A corner that lies farther away than so many times the height above ground is not drawn: its ray hardly goes down. */
+	var FARTHEST = 12;
+	function groundOf(block) {
+		const model = block.model();
+		const heights = heightsOf(model);
+		const count = model.images.length;
+		const footprints = new Float64Array(8 * count).fill(NaN);
+		const gsd = new Float64Array(count).fill(NaN);
+		model.images.forEach(({ camera: index, pose }, i) => {
+			const camera = model.cameras[index];
+			if (pose == null || camera === void 0) return;
+			footprints.set(footprintOf(camera, pose, heights[i] ?? NaN), 8 * i);
+			gsd[i] = Math.abs(pose.position[2] - (heights[i] ?? NaN)) / camera.focal_px;
+		});
+		return {
+			footprints,
+			gsd,
+			gnss: gnssOf(block, model),
+			origin: model.origin ?? null
+		};
+	}
+	/** Of each image the median height of the points that it shows; where it shows none that of all. */
+	function heightsOf({ images, points }) {
+		const own = images.map(() => []);
+		const all = [];
+		for (const { position, rays } of points) {
+			if (position == null) continue;
+			all.push(position[2]);
+			for (const { image } of rays) own[image]?.push(position[2]);
+		}
+		const usual = median(all);
+		return Float64Array.from(own, (heights) => heights.length === 0 ? usual : median(heights));
+	}
+	function median(values) {
+		const sorted = Float64Array.from(values).sort();
+		return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+	}
+	/** The corners of an image on the level plane at a height, its distortion left aside; all NaN where one of them does not meet the plane. */
+	function footprintOf({ width_px: width, height_px: height, focal_px: focal, principal_point_px: [cx, cy] }, { rotation, position }, ground) {
+		const places = [
+			[0, 0],
+			[width, 0],
+			[width, height],
+			[0, height]
+		].flatMap(([column, row]) => {
+			const photo = [
+				column - cx,
+				cy - row,
+				-focal
+			];
+			const [x = 0, y = 0, z = 0] = [
+				0,
+				1,
+				2
+			].map((axis) => rotation.reduce((sum, line, i) => sum + (line[axis] ?? 0) * (photo[i] ?? 0), 0));
+			const along = (ground - position[2]) / z;
+			return along > 0 && Math.hypot(x, y) < FARTHEST * Math.abs(z) ? [position[0] + along * x, position[1] + along * y] : [NaN, NaN];
+		});
+		return places.some(Number.isNaN) ? places.map(() => NaN) : places;
+	}
+	/** Recorded positions from the origin of the block. */
+	function gnssOf(block, { origin, images }) {
+		if (origin == null) return new Float64Array(3 * images.length).fill(NaN);
+		const recorded = block.overview().images.flatMap(({ gnss }) => gnss === null ? [
+			NaN,
+			NaN,
+			NaN
+		] : [
+			gnss.longitude_deg,
+			gnss.latitude_deg,
+			gnss.height_m ?? NaN
+		]);
+		return local_positions(Float64Array.from([
+			origin.longitude_deg,
+			origin.latitude_deg,
+			origin.height_m,
+			...recorded
+		])).subarray(3);
+	}
 	// node_modules/fflate/esm/browser.js
 	var u8 = Uint8Array;
 	var u16 = Uint16Array;
@@ -3248,12 +4099,218 @@
 			bytes: new Uint8Array(await new Blob(chunks).arrayBuffer())
 		};
 	}
+	// www/block/engine/rejected.ts
+	/** How `ImagePoints` has what was rejected by hand. */
+	var BY_HAND = 2;
+	/** A block as it was found, of which edits leave something out. */
+	var Found = class {
+		block;
+		places;
+		columns;
+		surveyed;
+		/** `surveyed`: as its view has them. */
+		constructor(block, surveyed) {
+			this.block = block;
+			this.places = new Map(block.point_ids().map((id, point) => [codeOfSource(id), point]));
+			this.columns = block.overview().points;
+			this.surveyed = new Map(surveyed.map((known) => [known.control, known]));
+		}
+		/** Index of a point; -1 of one that was not found. */
+		indexOf(code) {
+			return this.places.get(code) ?? -1;
+		}
+		/** What a column has of a point. */
+		column(name, index) {
+			return this.columns[name][index] ?? NaN;
+		}
+		surveyedPoint(control) {
+			return this.surveyed.get(control);
+		}
+	};
+	/** What was rejected by hand of a block, as long as it is held with these edits. */
+	var Rejected = class {
+		found;
+		edits;
+		taking;
+		gone;
+		/** Places among them by their indices in the block as it was found. */
+		byIndex;
+		constructor(found, edits, taking, sources) {
+			this.found = found;
+			this.edits = edits;
+			this.taking = taking;
+			const { points, unused, observations } = standingOf(edits);
+			const named = [
+				...points.values(),
+				...[...unused].map((control) => ({ ground_control: control })),
+				...[...observations.values()].map(({ point }) => point)
+			];
+			const has = new Set(sources);
+			const codes = new Map(named.map((source) => [codeOfSource(source), source]));
+			this.gone = [...codes].filter(([code]) => !has.has(code)).map(([code, source]) => ({
+				source,
+				index: found.indexOf(code)
+			}));
+			this.byIndex = new Map(this.gone.flatMap(({ index }, place) => index < 0 ? [] : [[index, place]]));
+		}
+		/** The view of the edited block, and behind its points those that were rejected. */
+		inView(view) {
+			const { gone, taking, found } = this;
+			if (gone.length === 0) return view;
+			const { points } = view;
+			const all = {
+				...points,
+				count: taking + gone.length,
+				sources: longer(points.sources, gone.length),
+				rays: longer(points.rays, gone.length),
+				rmsePx: longer(points.rmsePx, gone.length),
+				positions: longer(points.positions, 3 * gone.length),
+				errors: longer(points.errors, 3 * gone.length),
+				confidence: longer(points.confidence, gone.length)
+			};
+			gone.forEach(({ source, index }, place) => {
+				const at = taking + place;
+				all.sources[at] = codeOfSource(source);
+				all.rays[at] = index < 0 ? this.byHand(source).length : found.column("rays", index);
+				all.rmsePx[at] = NaN;
+				all.confidence[at] = index < 0 ? 1 : found.column("confidence", index);
+				for (const axis of [
+					0,
+					1,
+					2
+				]) {
+					all.positions[3 * at + axis] = index < 0 ? NaN : found.column("positions", 3 * index + axis);
+					all.errors[3 * at + axis] = NaN;
+				}
+			});
+			return {
+				...view,
+				points: all,
+				surveyed: [...view.surveyed, ...this.surveyed(taking)]
+			};
+		}
+		/** The observations of an image, with those of rejected points. */
+		inImage(of, image) {
+			const { gone, byIndex, taking } = this;
+			if (gone.length === 0) return of;
+			const points = [];
+			const places = [];
+			const add = (place, x, y) => {
+				points.push(taking + place);
+				places.push(x, y);
+			};
+			const before = this.found.block.image_points(image);
+			before.points.forEach((index, row) => {
+				const place = byIndex.get(index);
+				if (place !== void 0) add(place, before.places[2 * row] ?? NaN, before.places[2 * row + 1] ?? NaN);
+			});
+			gone.forEach(({ source, index }, place) => {
+				if (index >= 0) return;
+				for (const { image: own, x_px, y_px } of this.byHand(source)) if (own === image) add(place, x_px, y_px);
+			});
+			const rows = of.points.length;
+			const all = {
+				points: longer(of.points, points.length),
+				places: longer(of.places, places.length),
+				residuals: longer(of.residuals, places.length).fill(NaN, 2 * rows),
+				parts: longer(of.parts, points.length).fill(BY_HAND, rows)
+			};
+			all.points.set(points, rows);
+			all.places.set(places, 2 * rows);
+			return all;
+		}
+		/** What is known of a rejected point; null of one that takes part. */
+		detail(point) {
+			const gone = this.gone[point - this.taking];
+			if (gone === void 0) return null;
+			const { source, index } = gone;
+			if (index < 0) return {
+				id: source,
+				name: null,
+				role: null,
+				position: null,
+				errors: null,
+				rmse_px: null,
+				confidence: 1,
+				observations: this.byHand(source).map(({ image, x_px, y_px }) => ({
+					...UNADJUSTED,
+					image,
+					x_px,
+					y_px,
+					by_hand: true
+				})),
+				elsewhere: []
+			};
+			const detail = this.found.block.point(index);
+			return {
+				...detail,
+				role: null,
+				errors: null,
+				rmse_px: null,
+				observations: detail.observations.map(({ image, x_px, y_px, by_hand }) => ({
+					...UNADJUSTED,
+					image,
+					x_px,
+					y_px,
+					by_hand
+				})),
+				elsewhere: []
+			};
+		}
+		/** Surveyed points that are not used, where the block was found with them. */
+		surveyed(taking) {
+			return this.gone.flatMap(({ source }, place) => {
+				const known = "ground_control" in source ? this.found.surveyedPoint(source.ground_control) : void 0;
+				return known === void 0 ? [] : [{
+					...known,
+					rays: 0,
+					difference_m: [
+						NaN,
+						NaN,
+						NaN
+					],
+					standard_errors_m: [
+						null,
+						null,
+						null
+					],
+					point: taking + place,
+					isUsed: false
+				}];
+			});
+		}
+		/** The places of a point that was added by hand. */
+		byHand(source) {
+			if (!("manual" in source)) return [];
+			const places = new Map(this.edits.filter((edit) => edit.kind === "add_point")[source.manual]?.observations.map((one) => [one.image, one]));
+			for (const edit of this.edits) if (edit.kind === "measure" && "manual" in edit.point && edit.point.manual === source.manual) places.set(edit.image, edit);
+			return [...places.values()];
+		}
+	};
+	var UNADJUSTED = {
+		part: "rejected_by_hand",
+		by_hand: false,
+		residual_px: null,
+		redundancy: null,
+		w: null,
+		detectable_px: [null, null],
+		predicted_px: null
+	};
+	/** A copy with room for more at its end. */
+	function longer(of, more) {
+		const copy = new of.constructor(of.length + more);
+		copy.set(of);
+		return copy;
+	}
 	// www/block/engine/session.ts
 	/** The block in a worker: runs it, its jobs done elsewhere and its records kept by the page, and holds what came of it for exports. */
 	var held$1 = null;
+	/** The block as it was found, once edits have left something out; what they left out. */
+	var found = null;
+	var rejected = null;
 	/** The block that was run or opened last. */
 	function heldBlock() {
-		if (held$1 === null) throw new Error("no block is held: run it again");
+		if (held$1 === null) throw new Error("no block is held");
 		return held$1;
 	}
 	async function blockRun({ files, options, masks, truth, workers, kept, port }) {
@@ -3263,7 +4320,7 @@
 			view
 		}));
 		try {
-			const finished = await runBlock(files.map(sourceOf), {
+			return hold$1(await runBlock(files.map(sourceOf), {
 				...options,
 				masks: masks.map(sourceOf)
 			}, {
@@ -3275,11 +4332,7 @@
 				}),
 				news: (news) => coming.take(news),
 				signal: link.stopped.signal
-			});
-			return {
-				...hold$1(finished),
-				score: truth === null ? null : finished.score(truth)
-			};
+			}), truth, "another");
 		} catch (error) {
 			coming.tell();
 			throw error;
@@ -3288,13 +4341,82 @@
 			port.close();
 		}
 	}
-	function blockOpen({ bytes }) {
-		return hold$1(FinishedBlock.open(bytes));
+	function blockOpen({ bytes, truth }) {
+		const block = FinishedBlock.open(bytes);
+		return {
+			view: hold$1(block, truth, "another"),
+			edits: block.edits()
+		};
 	}
-	function hold$1(block) {
-		held$1?.free();
-		held$1 = block;
-		return viewOf(block);
+	/** The former block stays where the edits are refused. */
+	function blockEdited({ edits, truth }) {
+		return hold$1(heldBlock().edited(edits), truth, "edited");
+	}
+	/** Takes the place of the former block, which stays where anything of this one is refused. */
+	function hold$1(block, truth, kind) {
+		try {
+			const view = {
+				...viewOf(block),
+				score: truth === null ? null : block.score(truth)
+			};
+			const edits = block.edits();
+			const before = kind === "edited" ? found : null;
+			const own = edits.length === 0 ? null : before ?? foundOf(block);
+			const gone = own === null ? null : new Rejected(own, edits, view.points.count, view.points.sources);
+			const shown = gone === null ? view : gone.inView(view);
+			held$1?.free();
+			if (found !== own) found?.block.free();
+			[held$1, found, rejected] = [
+				block,
+				own,
+				gone
+			];
+			return shown;
+		} catch (error) {
+			block.free();
+			throw error;
+		}
+	}
+	function foundOf(block) {
+		const before = block.edited([]);
+		return new Found(before, viewOf(before).surveyed);
+	}
+	function imagePoints(image) {
+		const of = heldBlock().image_points(image);
+		return rejected === null ? of : rejected.inImage(of, image);
+	}
+	function blockImagePoints({ image }) {
+		return imagePoints(image);
+	}
+	function blockObservations({ images }) {
+		const each = Array.from({ length: images }, (_, image) => imagePoints(image));
+		const total = each.reduce((sum, { points }) => sum + points.length, 0);
+		const all = {
+			images: new Uint32Array(total),
+			points: new Uint32Array(total),
+			places: new Float64Array(2 * total),
+			residuals: new Float64Array(2 * total),
+			parts: new Uint8Array(total)
+		};
+		let at = 0;
+		each.forEach(({ points, places, residuals, parts }, image) => {
+			all.images.fill(image, at, at + points.length);
+			all.points.set(points, at);
+			all.places.set(places, 2 * at);
+			all.residuals.set(residuals, 2 * at);
+			all.parts.set(parts, at);
+			at += points.length;
+		});
+		return all;
+	}
+	function blockGround() {
+		return groundOf(heldBlock());
+	}
+	function blockPoint({ point }) {
+		return rejected?.detail(point) ?? heldBlock().point(point);
+	}
+	function blockLine({ from, x, y, to }) {
+		return heldBlock().epipolar_line(from, x, y, to);
 	}
 	async function blockExport({ kind, name, stop }) {
 		const stopped = new AbortController();
@@ -3413,22 +4535,38 @@
 		blockJob,
 		blockPlan,
 		blockPhoto,
+		blockGrey,
+		blockWindow,
+		blockFit,
 		blockRun,
 		blockOpen,
-		blockExport
+		blockEdited,
+		blockImagePoints,
+		blockObservations,
+		blockGround,
+		blockPoint,
+		blockLine,
+		blockExport,
+		orthoInfo,
+		orthoTile,
+		orthoSearch,
+		orthoPlace,
+		orthoRectified,
+		orthoAdjust,
+		orthoPredict,
+		orthoLaid,
+		linksOpen,
+		linksPlace,
+		linksFinish,
+		mosaicOpen,
+		mosaicAdd,
+		mosaicFinish,
+		sceneOrthophoto
 	};
-	// www/pair/engine/colour.ts
-	/** Larger images are shown in grey: their colours would take more memory than a tab has to spare. */
-	var MOST_PIXELS = 5e7;
+	// www/shared/engine/colour.ts
+	/** An image in its colours, as the browser decodes it. They are only looked at: nothing is computed from them. */
+	/** Larger files are shown in grey: their colours would take more memory than a tab has to spare. */
 	var MOST_BYTES = 2 ** 25;
-	/** Pixels of the reduced image that are looked at, one in so many. */
-	var STRIDE = 7;
-	/** Channels that differ by no more are grey, but for the noise of compression. */
-	var GREY = 6;
-	/** A share of pixels that differ by more makes an image coloured. */
-	var LEAST_COLOURED = .001;
-	/** The decoded pixels lie as the crate's do where their brightness correlates so well. */
-	var LEAST_CORRELATION = .9;
 	/** The image as it is stored: the crate too leaves its EXIF orientation aside. Null where the browser cannot decode it. */
 	async function decodeColour(bytes) {
 		if (bytes.length > MOST_BYTES) return null;
@@ -3453,6 +4591,17 @@
 		}
 		return [...kept, bytes.subarray(from)];
 	}
+	// www/pair/engine/colour.ts
+	/** Larger images are shown in grey: their colours would take more memory than a tab has to spare. */
+	var MOST_PIXELS = 5e7;
+	/** Pixels of the reduced image that are looked at, one in so many. */
+	var STRIDE = 7;
+	/** Channels that differ by no more are grey, but for the noise of compression. */
+	var GREY = 6;
+	/** A share of pixels that differ by more makes an image coloured. */
+	var LEAST_COLOURED = .001;
+	/** The decoded pixels lie as the crate's do where their brightness correlates so well. */
+	var LEAST_CORRELATION = .9;
 	/** The coloured copy of a reduced image; null where it has no colours, or other pixels than the crate decoded. */
 	function reducedColour(colour, grey, width, height) {
 		if (colour.width !== width || colour.height !== height || width * height > MOST_PIXELS) return null;
@@ -3472,7 +4621,7 @@
 		const [width, height] = [Math.min(side * step, colour.width - left), Math.min(side * step, colour.height - top)];
 		const canvas = new OffscreenCanvas(Math.ceil(width / step), Math.ceil(height / step));
 		const context = canvas.getContext("2d");
-		if (context === null) throw new Error("this browser offers no canvas to draw on");
+		if (context === null) throw new Error("no canvas can be drawn on here");
 		context.imageSmoothingQuality = "high";
 		context.drawImage(colour, left, top, width, height, 0, 0, width / step, height / step);
 		return canvas.transferToImageBitmap();
@@ -3533,21 +4682,7 @@
 		return zeros / grey.length;
 	}
 	// www/pair/engine/patch.ts
-	/** Bilinear between the centres of pixels; beyond the border counts what lies nearest to it. */
-	function greyAt(grey, width, height, x, y) {
-		const [px, py] = [Math.min(width - 1, Math.max(0, x - .5)), Math.min(height - 1, Math.max(0, y - .5))];
-		const [col, row] = [Math.min(Math.floor(px), Math.max(0, width - 2)), Math.min(Math.floor(py), Math.max(0, height - 2))];
-		const [right, below] = [Math.min(1, width - 1), height > 1 ? width : 0];
-		const at = row * width + col;
-		const [a = 0, b = 0, c = 0, d = 0] = [
-			grey[at],
-			grey[at + right],
-			grey[at + below],
-			grey[at + below + right]
-		];
-		const [fx, fy] = [px - col, py - row];
-		return (a * (1 - fx) + b * fx) * (1 - fy) + (c * (1 - fx) + d * fx) * fy;
-	}
+	/** Grey values on a turned and scaled grid around a place of an image. */
 	/** The samples of a grid, row by row. Where they lie farther apart than pixels each is the mean of several. */
 	function patchOf(grey, width, height, { x, y, direction, reach, side }) {
 		const fine = Math.max(1, Math.round(reach / side));
@@ -3563,35 +4698,6 @@
 			}
 			return Math.round(sum / (fine * fine));
 		});
-	}
-	// www/pair/engine/tiles.ts
-	/** Grey values to bitmaps, whole or in tiles of a reduced image. */
-	/** A bitmap of a grey image. */
-	function bitmapOf(grey, width, height) {
-		const pixels = new Uint32Array(width * height);
-		for (let i = 0; i < pixels.length; i++) pixels[i] = 4278190080 | (grey[i] ?? 0) * 65793;
-		return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height));
-	}
-	/**
-	* The tile of `side` px at `column`, `row` (counted in tiles) of the image reduced by 2^level: each pixel is the mean of a block.
-	* Tiles at the right and lower edge are smaller.
-	*/
-	function tileOf(grey, width, height, level, column, row, side) {
-		const step = 2 ** level;
-		const left = column * side * step;
-		const top = row * side * step;
-		const columns = Math.min(side, Math.ceil((width - left) / step));
-		const rows = Math.min(side, Math.ceil((height - top) / step));
-		const tile = new Uint8Array(columns * rows);
-		for (let r = 0; r < rows; r++) for (let c = 0; c < columns; c++) tile[r * columns + c] = blockMean(grey, width, height, left + c * step, top + r * step, step);
-		return bitmapOf(tile, columns, rows);
-	}
-	function blockMean(grey, width, height, x, y, step) {
-		const right = Math.min(x + step, width);
-		const bottom = Math.min(y + step, height);
-		let sum = 0;
-		for (let row = y; row < bottom; row++) for (let col = x; col < right; col++) sum += grey[row * width + col] ?? 0;
-		return Math.round(sum / ((right - x) * (bottom - y)));
 	}
 	// www/pair/engine/handlers.ts
 	/** What a worker does for a pair: unpacks a call, asks the crate, packs the answer. It holds the image opened last, the grey values of a pair, or a report in the making. */
@@ -3759,10 +4865,21 @@
 		projectWrite: (project) => write_pair_project(project),
 		matchesCsv: ({ matches }) => matches_csv(matches)
 	};
-	// www/shared/text/format.ts
-	/** What is said of whatever was thrown. */
-	function messageOf(error) {
-		return error instanceof Error ? error.message : String(error);
+	// www/shared/engine/compile.ts
+	async function compiled(address) {
+		try {
+			const response = await fetch(address);
+			if (!response.ok) return {
+				status: response.status,
+				message: ""
+			};
+			return { compiled: response.headers.get("content-type")?.startsWith("application/wasm") === true ? await WebAssembly.compileStreaming(response) : await WebAssembly.compile(await response.arrayBuffer()) };
+		} catch (error) {
+			return {
+				status: null,
+				message: messageOf(error)
+			};
+		}
 	}
 	// www/shared/engine/serve.ts
 	/** The worker's end of the calls: answers them in their order, each by the handler of its name. */
@@ -3818,7 +4935,8 @@
 		let queue = Promise.resolve();
 		addEventListener("message", (event) => {
 			const message = event.data;
-			if ("module" in message) start(message);
+			if ("compile" in message) compiled(message.compile).then((made) => postMessage(made));
+			else if ("module" in message) start(message);
 			else queue = queue.then(() => answer(message));
 		});
 	}

@@ -5,12 +5,16 @@
 
 #[path = "../tests/scene/normal.rs"]
 mod normal;
+#[path = "../tests/scene/surveyed.rs"]
+mod surveyed;
 
 use normal::Normal;
 use std::error::Error;
+use surveyed::{MARK_PX, surveyed};
 use tiepoint::{
-    BlockDescription, BlockFlight, BlockOptions, BlockView, Conflicts, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,
-    ReconstructionOptions, SelectOptions, SimulatedBlock, TiePoints, angles_from_rotation, reconstruct_block, simulate_block, tie_points,
+    BlockDescription, BlockFlight, BlockOptions, BlockView, Conflicts, ControlRole, ObservationVerdict, ObservedPosition, PointSource,
+    Reconstruction, ReconstructionOptions, SelectOptions, SimulatedBlock, TiePoints, angles_from_rotation, reconstruct_block,
+    simulate_block, tie_points,
 };
 
 /// Standard error in m of the positions that place the blocks.
@@ -21,10 +25,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut plain = words.iter().filter(|word| !word.starts_with("--"));
     let seeds = plain.next().map_or(Ok(10), |word| word.parse())?;
     let wanted = plain.next().map_or("", String::as_str);
-    for (name, flight) in kinds().into_iter().filter(|(name, _)| name.contains(wanted)) {
+    for (name, flight, is_surveyed) in kinds().into_iter().filter(|(name, ..)| name.contains(wanted)) {
         let mut sums = Sums::default();
         for seed in 1..=seeds {
-            sums.add(&BlockFlight { seed, ..flight.clone() })?;
+            sums.add(&BlockFlight { seed, ..flight.clone() }, is_surveyed)?;
         }
         if words.iter().any(|word| word == "--json") {
             println!("{}", sums.json(name, seeds));
@@ -35,14 +39,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn kinds() -> Vec<(&'static str, BlockFlight)> {
+/// Control points and check points of a surveyed block.
+const CONTROL: usize = 8;
+const CHECKS: usize = 20;
+
+/// Each with its name, its flight, and whether it has control and check points.
+fn kinds() -> Vec<(&'static str, BlockFlight, bool)> {
     let nadir = BlockFlight::default();
     // Views to all sides meet on the ground only where the block is longer than it is high.
     let oblique =
         BlockFlight { view: BlockView::Oblique, exposures: 9, forward_overlap: 0.5, side_overlap: 0.4, features: 1200, ..nadir.clone() };
     let two_heights = BlockFlight { view: BlockView::TwoHeights, ..nadir.clone() };
     let wrong = BlockFlight { wrong: 0.4, ..nadir.clone() };
-    vec![("5 x 6 nadir", nadir), ("five cameras, oblique", oblique), ("two heights", two_heights), ("40 % of the matches wrong", wrong)]
+    vec![
+        ("5 x 6 nadir", nadir.clone(), false),
+        ("five cameras, oblique", oblique, false),
+        ("two heights", two_heights, false),
+        ("40 % of the matches wrong", wrong, false),
+        ("with control and check points", nadir, true),
+    ]
 }
 
 /// A sum of squares.
@@ -97,11 +112,13 @@ struct Sums {
     positions: Squares,
     angles: Squares,
     points: Squares,
+    cameras: Squares,
+    checks: Squares,
     sigma0: Squares,
 }
 
 impl Sums {
-    fn add(&mut self, flight: &BlockFlight) -> Result<(), tiepoint::Error> {
+    fn add(&mut self, flight: &BlockFlight, is_surveyed: bool) -> Result<(), tiepoint::Error> {
         let block = simulate_block(flight)?;
         let matches = block.matches()?;
         let join = |conflicts| tie_points(&matches, &BlockOptions { conflicts, ..BlockOptions::default() });
@@ -111,8 +128,10 @@ impl Sums {
         self.joined.add(pure, points.len());
         self.resolved.add(right_rays(&block, &points), points.ray_count());
         self.dropped.add(right_rays(&block, &fewer), fewer.ray_count());
-        let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
-        let reconstruction = reconstruct_block(&describe(&block, flight.seed), &points, &block.image_features(), &options)?;
+        let selection = Some(SelectOptions::default());
+        let options = ReconstructionOptions { selection, mark_sigma_px: MARK_PX, ..ReconstructionOptions::default() };
+        let description = describe(&block, flight.seed, is_surveyed);
+        let reconstruction = reconstruct_block(&description, &points, &block.image_features(), &options)?;
         self.compare(&block, &reconstruction);
         Ok(())
     }
@@ -124,6 +143,21 @@ impl Sums {
         };
         self.images.add(model.images.len(), block.exposures.len());
         self.sigma0.add(model.adjusted.sigma0_px);
+        for ((camera, adjusted), told) in model.cameras.iter().zip(&model.adjusted.block.cameras).zip(&model.adjusted.cameras) {
+            let (f, [cx, cy], [k1, k2, _]) = (adjusted.focal_px, adjusted.principal_point_px, adjusted.radial);
+            let truth = &block.truth.cameras[*camera];
+            let off = [
+                f - truth.focal_px,
+                cx - truth.principal_point_px[0],
+                cy - truth.principal_point_px[1],
+                k1 - truth.radial[0],
+                k2 - truth.radial[1],
+            ];
+            self.cameras.add(off.iter().zip(&told.standard_errors).filter_map(|(off, told)| Some(off / (*told)?)));
+        }
+        for point in model.surveyed.iter().filter(|point| point.role == ControlRole::Check) {
+            self.checks.add((0..3).filter_map(|i| Some(point.difference_m[i] / point.standard_errors_m[i]?)));
+        }
         for ((k, image), told) in model.images.iter().zip(&model.adjusted.block.images).zip(&model.adjusted.images) {
             let exposure = &block.exposures[*k];
             let off = |at: [f64; 3], wanted: [f64; 3]| [0, 1, 2].map(|i| at[i] - wanted[i]);
@@ -168,10 +202,12 @@ impl Sums {
             println!("  conflicts {what}: {} rays, {:.3} % right", share.all, 100.0 * share.value());
         }
         println!(
-            "  squares of errors by standard errors: positions {:.3}, angles {:.3}, points {:.3}; sigma0 {:.4} px",
+            "  squares of errors by standard errors: positions {:.3}, angles {:.3}, points {:.3}, cameras {:.3}, check points {:.3}; sigma0 {:.4} px",
             self.positions.mean(),
             self.angles.mean(),
             self.points.mean(),
+            self.cameras.mean(),
+            self.checks.mean(),
             self.sigma0.mean().sqrt()
         );
     }
@@ -193,6 +229,8 @@ impl Sums {
             "variance_of_positions": self.positions.mean(),
             "variance_of_angles": self.angles.mean(),
             "variance_of_points": self.points.mean(),
+            "variance_of_cameras": self.cameras.mean(),
+            "variance_of_checks": self.checks.mean(),
             "sigma0_px": self.sigma0.mean().sqrt(),
         })
     }
@@ -214,12 +252,15 @@ fn right_rays(block: &SimulatedBlock, points: &TiePoints) -> usize {
     points.iter().map(of_point).sum()
 }
 
-fn describe(block: &SimulatedBlock, seed: u32) -> BlockDescription {
+fn describe(block: &SimulatedBlock, seed: u32, is_surveyed: bool) -> BlockDescription {
     let mut normal = Normal(u64::from(seed) << 32);
     let mut description = block.description(Some(1.0));
     for (image, exposure) in description.images.iter_mut().zip(&block.exposures) {
         let position = exposure.centre.map(|v| v + GNSS_SIGMA_M * normal.next());
         image.position = Some(ObservedPosition::Local { position, sigma: [GNSS_SIGMA_M; 3] });
+    }
+    if is_surveyed {
+        description.control = surveyed(block, CONTROL, CHECKS, &mut normal);
     }
     description
 }

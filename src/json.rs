@@ -59,6 +59,23 @@ pub(crate) fn constant<'de, D: Deserializer<'de>>(from: D) -> Result<Constant, D
     Ok(kept)
 }
 
+/// Numbers that may be none; one that is not finite stands as its text.
+pub(crate) mod number {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serializer};
+    use serde_json::Value;
+
+    pub(crate) fn serialize<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+        if value.is_finite() { to.serialize_f64(*value) } else { to.collect_str(value) }
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+        let value = Value::deserialize(from)?;
+        let number = value.as_f64().or_else(|| value.as_str()?.parse().ok());
+        number.ok_or_else(|| D::Error::custom("expected a number"))
+    }
+}
+
 /// Numbers that may be infinite, for which JSON has null.
 pub(crate) mod infinite {
     use serde::{Deserialize, Deserializer, Serializer};

@@ -4,12 +4,19 @@
 //! coordinates are in mm, x to the right, y up, origin at the principal point. Angles are in radians inside and in degrees
 //! where a name ends in `_deg`.
 
+// Integration tests that run as wasm, too, name the crate as its users do.
+#[cfg(all(test, target_arch = "wasm32"))]
+extern crate self as tiepoint;
+
 mod adjustment;
 mod camera;
 mod catalogue;
+mod crs;
 mod descriptors;
+mod editing;
 mod error;
 mod formats;
+mod html;
 mod image;
 mod json;
 mod matching;
@@ -34,8 +41,8 @@ mod wasm;
 
 pub use adjustment::{
     AdjustmentOptions, AdjustmentResult, AxisPrior, Block, BlockImage, BlockObservation, CameraPrior, CameraStatistics, ControlPoint,
-    Datum, FixedParameter, ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PositionPrior,
-    PriorStatistics, RayCountRmse, Similarity, adjust_block,
+    Datum, FixedParameter, GroupWeighting, ImageStatistics, LeftOut, Loss, ObjectPointStatistics, ObservationGroup, ObservationStatistics,
+    ObservationVerdict, PositionPrior, PriorStatistics, RayCountRmse, Similarity, VarianceComponent, adjust_block,
 };
 pub use camera::{
     Attitude, Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, DroneRecord, ExifCamera, ExifImage, ExifPosition, Fiducial,
@@ -47,7 +54,11 @@ pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,
 };
-pub use error::{CameraParameter, Cause, Computation, Error, Failure, FileFault, ImageFault, Interruption, Side, Unsettled};
+pub use editing::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
+pub use error::{
+    CameraParameter, Cause, Computation, Damage, DescribedBy, Element, Error, Failure, FileFault, ImageFault, Input, Interruption,
+    Location, PointName, Refusal, Side, Unsettled, Unsupported,
+};
 pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
     parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
@@ -66,28 +77,31 @@ pub use model::{
     NamedCamera, ObjectPoint, ObservedPosition,
 };
 pub use orientation::{
-    ErrorEllipse, ErrorModel, EstimatedCamera, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions,
-    PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
+    ErrorEllipse, ErrorModel, EstimatedCamera, FiveParameters, GlobalTest, ModelPoint, Observation, OrientationMethod, OrientationOptions,
+    PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, model_points, orient_relative, orient_relative_with,
 };
 pub use orthophoto::{
-    Georeference, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced, Orthophoto, PlacedImage, Placement, PlacingCamera,
-    PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, SearchArea, heights_of_points, links_table, place_image, placed_table,
-    rectify, rectify_placed, write_geotiff, write_heights,
+    BlockLinks, Georeference, GivenLink, GivenUse, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced, Orthophoto,
+    PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, SearchArea, ground_positions,
+    heights_of_points, image_positions, links_table, place_by_links, place_image, placed_table, rectify, rectify_placed, write_geotiff,
+    write_heights,
 };
 pub use outputs::{
-    BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, Coverage, ExportOutcome, FoundPoints, ImageReason, ImageRow,
-    OverviewWarning, PROJECT_VERSION, PairPhoto, PairRow, PairRun, PairTruth, PointColumns, Project, ProjectKind, RayCount, Summary,
-    WithText, block_files, coverage, planned_files, project_kind, read_project, write_block_project, write_pair_project,
+    BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances, Coverage, ExportOutcome, FoundPoints,
+    ImagePlace, ImagePoint, ImageReason, ImageRow, ObservationDetail, ObservationPart, OverviewWarning, PROJECT_VERSION, PairPhoto,
+    PairRow, PairRun, PairTruth, PointColumns, PointDetail, Project, ProjectKind, RayCount, ResultSystem, Summary, WithText,
+    block_covariances, block_epipolar_line, block_files, covariance_table, coverage, image_points, planned_files, point_detail, point_ids,
+    project_kind, read_project, write_block_project, write_pair_project,
 };
 pub use pair::{
-    DescribedImage, FeatureMatchOptions, NoOrientation, PairHint, PairImage, PairInput, PairInterior, PairMatching, PairResult,
+    DescribedImage, FeatureMatchOptions, NoOrientation, PairHint, PairImage, PairInput, PairInterior, PairMatching, PairPreset, PairResult,
     PairSettings, PairVerdict, PhotoInput, VerifiedMatches, describe_image, epipolar_line, judged, match_described_pair, match_features,
     match_in_rounds, match_pair, match_weights, observations, orient_matches, photo_interior,
 };
 pub use pipeline::{
-    BlockRun, CameraRules, ControlTables, ControlTexts, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News, ReadImage,
-    RefinedObservation, RefinementTable, Remark, Run, RunImage, RunInput, SkippedImage, StageName, Step, Task, Work, digest, execute,
-    masks_of,
+    BlockRun, CameraRules, ControlTables, ControlTexts, EditedRun, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News,
+    NotLinked, OnOrthophoto, ReadImage, RefinedObservation, RefinementTable, Remark, Run, RunImage, RunInput, SkippedImage, StageName,
+    Step, Task, Work, digest, execute, masks_of,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use pipeline::{images_in, replace_file, run_block};
@@ -97,7 +111,8 @@ pub use points::{
 };
 pub use reconstruction::{
     BlockWarning, LengthUnit, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction, ReconstructionOptions,
-    RejectedObservation, RejectedPosition, SurveyedPoint, UnorientedImage, UnorientedReason, reconstruct_block,
+    RejectedObservation, RejectedPosition, SupportingPoint, SupportingRay, SurveyedPoint, UnorientedImage, UnorientedReason,
+    reconstruct_block,
 };
 pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportImage, ReportTruth};
 pub use simulate::{
@@ -105,7 +120,7 @@ pub use simulate::{
     Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block, score_matches,
     simulate, simulate_block, simulate_network,
 };
-pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
+pub use tables::{matches_csv, model_points_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 pub use tracks::{
     BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, FeatureObservation,
     GeoreferencingOptions, ImageFeatures, JoinCounts, MatchReliability, ObservationRefinement, ObservationWindow, ObservationWindows,

@@ -1,8 +1,9 @@
 //! Small files of text: fiducials, observations and a camera in; points and matches out.
 
+use crate::error::refuse;
 use crate::json;
 use crate::text::{Row, records, shorten, table};
-use crate::{CameraMm, Error, Fiducial, Observation};
+use crate::{CameraMm, Error, Fiducial, Input, ModelPoint, Observation, Refusal};
 use csv::StringRecord;
 
 /// Reads fiducial marks: columns `col`, `row` (px, the centre of the top-left pixel at (0.5, 0.5)), `x_mm`, `y_mm`.
@@ -13,7 +14,7 @@ use csv::StringRecord;
 /// # Errors
 /// [`Error::InvalidInput`], naming the line and the column.
 pub fn parse_fiducials(csv: &str) -> Result<Vec<Fiducial>, Error> {
-    let rows = read_table("the table of fiducials", csv, ["col", "row", "x_mm", "y_mm"])?;
+    let rows = read_table(Input::FiducialTable, csv, ["col", "row", "x_mm", "y_mm"])?;
     Ok(rows.into_iter().map(|[col, row, x_mm, y_mm]| Fiducial { col, row, x_mm, y_mm }).collect())
 }
 
@@ -22,7 +23,7 @@ pub fn parse_fiducials(csv: &str) -> Result<Vec<Fiducial>, Error> {
 /// # Errors
 /// [`Error::InvalidInput`], naming the line and the column.
 pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
-    let rows = read_table("the table of observations", csv, ["x_left_mm", "y_left_mm", "x_right_mm", "y_right_mm"])?;
+    let rows = read_table(Input::ObservationTable, csv, ["x_left_mm", "y_left_mm", "x_right_mm", "y_right_mm"])?;
     Ok(rows.into_iter().map(|[xl, yl, xr, yr]| Observation::new([xl, yl], [xr, yr])).collect())
 }
 
@@ -47,35 +48,45 @@ pub fn points_csv(points: &[[f64; 3]]) -> String {
     write_table(&["x_px", "y_px", "value"], points)
 }
 
+/// Writes object points of a pair with their standard errors, one a line under a line of column names: `point` counts the observations from
+/// 0, `use` says whether the observation took part; what is not known is empty.
+pub fn model_points_csv(points: &[Option<ModelPoint>]) -> String {
+    let rows = points.iter().enumerate().map(|(index, point)| {
+        let row = Row::default().number(index).numbers(point.map(|point| point.position));
+        let row = row.numbers(point.and_then(|point| point.errors));
+        row.known(point.map(|point| if point.accepted { "used" } else { "rejected" }))
+    });
+    table(&["point", "x", "y", "z", "sigma_x", "sigma_y", "sigma_z", "use"], rows)
+}
+
 fn write_table<const N: usize>(columns: &[&str; N], rows: &[[f64; N]]) -> String {
     table(columns, rows.iter().map(|row| Row::default().numbers(Some(*row))))
 }
 
-fn read_table<const N: usize>(what: &'static str, text: &str, columns: [&'static str; N]) -> Result<Vec<[f64; N]>, Error> {
-    let mut records = records(what, text)?.into_iter();
+fn read_table<const N: usize>(input: Input, text: &str, columns: [&'static str; N]) -> Result<Vec<[f64; N]>, Error> {
+    let mut records = records(input, text)?.into_iter();
     let header = records.next().map(|(_, names)| names).unwrap_or_default();
-    let places = find_columns(what, &header, columns)?;
-    records.map(|(line, record)| read_row(what, &record, columns, places, line)).collect()
+    let places = find_columns(input, &header, columns)?;
+    records.map(|(line, record)| read_row(input, &record, columns, places, line)).collect()
 }
 
-fn find_columns<const N: usize>(what: &'static str, header: &StringRecord, columns: [&'static str; N]) -> Result<[usize; N], Error> {
-    let allowed = || format!("a first line that names the columns {}", columns.join(","));
+fn find_columns<const N: usize>(input: Input, header: &StringRecord, columns: [&'static str; N]) -> Result<[usize; N], Error> {
     let mut places = [0; N];
     for (place, column) in places.iter_mut().zip(columns) {
         let mut found = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(index, _)| index);
         *place = found.next().ok_or_else(|| {
-            let names = header.iter().collect::<Vec<_>>().join(",");
-            Error::InvalidInput { what, got: format!("no column {column} in the first line '{}'", shorten(&names)), allowed: allowed() }
+            let names = shorten(&header.iter().collect::<Vec<_>>().join(","));
+            Refusal::NoColumn { input, column: column.into(), names, columns: columns.join(",") }.into_error()
         })?;
         if found.next().is_some() {
-            return Err(Error::InvalidInput { what, got: format!("column {column} twice"), allowed: allowed() });
+            return refuse(Refusal::ColumnAgain { input, column: column.into(), columns: columns.join(",") });
         }
     }
     Ok(places)
 }
 
 fn read_row<const N: usize>(
-    what: &'static str,
+    input: Input,
     record: &StringRecord,
     columns: [&'static str; N],
     places: [usize; N],
@@ -83,10 +94,10 @@ fn read_row<const N: usize>(
 ) -> Result<[f64; N], Error> {
     let mut row = [0.0; N];
     for ((value, column), place) in row.iter_mut().zip(columns).zip(places) {
-        let refused = |got: String| Error::InvalidInput { what, got, allowed: "finite numbers with a decimal point".into() };
-        let field = record.get(place).ok_or_else(|| refused(format!("no value for {column} in line {line}")))?;
+        let own = || column.to_string();
+        let field = record.get(place).ok_or_else(|| Refusal::NoValue { input, column: own(), line }.into_error())?;
         let number = field.parse().ok().filter(|number: &f64| number.is_finite());
-        *value = number.ok_or_else(|| refused(format!("'{}' for {column} in line {line}", shorten(field))))?;
+        *value = number.ok_or_else(|| Refusal::NoNumber { input, word: shorten(field), column: own(), line }.into_error())?;
     }
     Ok(row)
 }
@@ -141,6 +152,11 @@ mod tests {
     fn written_numbers_read_back_as_they_were() {
         let text = matches_csv(&[[0.5, 1.25, 1.0 / 3.0, 1e-7, 2.5]]);
         assert_eq!(text, format!("x_left_px,y_left_px,x_right_px,y_right_px,measure\n0.5,1.25,{},{},2.5\n", 1.0 / 3.0, 1e-7));
+        let point = |errors, accepted| Some(ModelPoint { position: [1.0, -0.5, -2.0], errors, accepted });
+        assert_eq!(
+            model_points_csv(&[point(Some([0.25; 3]), true), None, point(None, false)]),
+            "point,x,y,z,sigma_x,sigma_y,sigma_z,use\n0,1,-0.5,-2,0.25,0.25,0.25,used\n1,,,,,,,\n2,1,-0.5,-2,,,,rejected\n"
+        );
         assert_eq!(points_csv(&[[0.5, 1.5, 40.0]]), "x_px,y_px,value\n0.5,1.5,40\n");
     }
 }

@@ -1,6 +1,6 @@
 //! Text that people and spreadsheets write: its records with their lines, and its pieces in messages.
 
-use crate::Error;
+use crate::{Error, Input, Refusal};
 use csv::{ReaderBuilder, StringRecord, Trim, WriterBuilder};
 #[cfg(not(target_arch = "wasm32"))]
 use std::cmp::Ordering;
@@ -11,8 +11,8 @@ use std::fmt::Display;
 /// [`Row::text`] has guarded reads back as it was.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] of `what`, where no records can be told.
-pub(crate) fn records(what: &'static str, text: &str) -> Result<Vec<(usize, StringRecord)>, Error> {
+/// [`Error::InvalidInput`] of `input`, where no records can be told.
+pub(crate) fn records(input: Input, text: &str) -> Result<Vec<(usize, StringRecord)>, Error> {
     let text = text.trim_start_matches('\u{feff}');
     let first = text.lines().find(|line| is_data(line)).unwrap_or("");
     let delimiter = *[b';', b',', b'\t'].iter().find(|byte| first.as_bytes().contains(byte)).unwrap_or(&b',');
@@ -26,11 +26,7 @@ pub(crate) fn records(what: &'static str, text: &str) -> Result<Vec<(usize, Stri
     let mut records = Vec::new();
     let mut lines = Lines { text, place: 0, line: 1 };
     for record in reader.records() {
-        let record = record.map_err(|error| Error::InvalidInput {
-            what,
-            got: error.to_string(),
-            allowed: "lines of fields between commas, semicolons or tabs".into(),
-        })?;
+        let record = record.map_err(|error| Refusal::NoRecords { input, words: error.to_string() }.into_error())?;
         let line = lines.of(&record);
         if record.iter().any(|field| !field.is_empty()) {
             records.push((line, record.iter().map(unguarded).collect()));
@@ -49,7 +45,7 @@ impl Row {
     /// # Source
     /// OWASP, CSV injection.
     pub(crate) fn text(mut self, text: &str) -> Self {
-        self.0.push(if is_formula(text) { format!("'{text}") } else { text.into() });
+        self.0.push(guarded(text));
         self
     }
 
@@ -88,6 +84,11 @@ pub(crate) fn table(columns: &[&str], rows: impl IntoIterator<Item = Row>) -> St
 /// what would be run.
 fn is_formula(text: &str) -> bool {
     text.trim_start_matches('\'').starts_with(['=', '+', '-', '@', '\t', '\r'])
+}
+
+/// A text as a cell or a head holds it: with an apostrophe in front where a spreadsheet would run it.
+pub(crate) fn guarded(text: &str) -> String {
+    if is_formula(text) { format!("'{text}") } else { text.into() }
 }
 
 /// The text that [`Row::text`] has guarded.
@@ -158,7 +159,7 @@ mod tests {
     use super::*;
 
     fn lines(text: &str) -> Vec<(usize, Vec<String>)> {
-        let records = records("the text", text).unwrap();
+        let records = records(Input::Text, text).unwrap();
         records.iter().map(|(line, record)| (*line, record.iter().map(String::from).collect())).collect()
     }
 

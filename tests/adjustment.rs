@@ -47,6 +47,14 @@ fn mean_square(values: &[f64]) -> f64 {
     values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64
 }
 
+/// The square of standardised errors by their correlations, for each of them: 1 on average.
+fn together(errors: &[f64], correlation: impl Fn(usize, usize) -> f64) -> f64 {
+    let n = errors.len();
+    let errors = nalgebra::DVector::from_column_slice(errors);
+    let inverse = nalgebra::DMatrix::from_fn(n, n, correlation).try_inverse().unwrap();
+    (errors.transpose() * inverse * &errors)[0] / n as f64
+}
+
 /// Errors of a block go together, so that a mean square tells something only over many blocks.
 const RUNS: u64 = 30;
 
@@ -90,6 +98,7 @@ fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
     };
     let options = AdjustmentOptions { datum: Datum::GnssAndControl, sigma0_px: Some(flight.noise_px), ..squares() };
     let mut all: [Vec<f64>; 4] = Default::default();
+    let (mut of_cameras, mut of_positions) = (Vec::new(), Vec::new());
     for seed in 1..=runs(4 * RUNS) {
         let flight = BlockFlight { seed: seed as u32, control_points: 5, ..flight.clone() };
         let mut simulated = simulate_network(&flight).unwrap();
@@ -111,7 +120,15 @@ fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
             own.tangential[1] - wanted.tangential[1],
         ];
         let told = [0, 1, 2, 3, 4, 6, 7].map(|k| result.cameras[0].standard_errors[k].unwrap());
-        all[3].extend(errors.iter().zip(told).map(|(error, told)| error / told));
+        let standard: Vec<f64> = errors.iter().zip(told).map(|(error, told)| error / told).collect();
+        of_cameras.push(together(&standard, |i, j| result.cameras[0].correlations[i][j]));
+        all[3].extend(standard);
+        for ((image, truth), statistics) in result.block.images.iter().zip(&simulated.truth.images).zip(&result.images) {
+            let error = |k: usize| (image.pose.position[k] - truth.pose.position[k]) / statistics.position_errors.unwrap()[k];
+            let [xy, xz, yz] = statistics.position_correlations.unwrap();
+            let correlations = [[1.0, xy, xz], [xy, 1.0, yz], [xz, yz, 1.0]];
+            of_positions.push(together(&[0, 1, 2].map(error), |i, j| correlations[i][j]));
+        }
         for (all, own) in all.iter_mut().zip(standardised(&result, &simulated.truth)) {
             all.extend(own);
         }
@@ -119,6 +136,11 @@ fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
     let camera = mean_square(&all[3]);
     println!("camera: {camera:.3}");
     assert!(about_one(0.4).contains(&camera), "{camera}");
+    for (what, squares) in [("camera", of_cameras), ("positions", of_positions)] {
+        let mean = squares.iter().sum::<f64>() / squares.len() as f64;
+        println!("{what}, with correlations: {mean:.3}");
+        assert!(about_one(0.4).contains(&mean), "{what}: {mean}");
+    }
     within("two heights, self-calibrated", [0, 1, 2].map(|k| mean_square(&all[k])));
 }
 
@@ -435,4 +457,34 @@ fn no_significance_of_data_snooping_lets_sigma0_collapse() {
         let most = if alpha0 > 0.02 { 0.5 } else { 0.1 };
         assert!((sigma0(alpha0) / usual - 1.0).abs() < most, "{alpha0}: {} for {usual}", sigma0(alpha0));
     }
+}
+
+#[test]
+fn a_control_point_left_out_is_where_an_adjustment_without_it_has_it() {
+    let flight = BlockFlight { control_points: 8, seed: 5, ..BlockPreset::Network.flight() };
+    let simulated = simulate_network(&flight).unwrap();
+    let alone = AdjustmentOptions { datum: Datum::Control, sigma0_px: Some(flight.noise_px), ..squares() };
+    let whole = adjust_block(&simulated.observed, &alone).unwrap();
+    // Errors that the rays of an image share are those of its place without it, too.
+    let options = AdjustmentOptions { shared_errors: 1.0, ..alone };
+    let sharing = adjust_block(&simulated.observed, &options).unwrap();
+    let mut compared = 0;
+    for (index, control) in simulated.observed.control.iter().enumerate() {
+        let Some(told) = sharing.control[index].unwrap().left_out else { continue };
+        let independent = whole.control[index].unwrap().left_out.unwrap();
+        assert!((0..3).all(|k| told.standard_errors[k] > 1.05 * independent.standard_errors[k]), "{index}: {told:?} {independent:?}");
+        assert_eq!(told.difference, independent.difference);
+        let mut without = simulated.observed.clone();
+        without.control.remove(index);
+        let without = adjust_block(&without, &options).unwrap();
+        let errors = without.points[control.point].unwrap().errors.unwrap();
+        for k in 0..3 {
+            let difference = without.block.points[control.point][k] - control.position[k];
+            let error = (errors[k] * errors[k] + control.sigma[k] * control.sigma[k]).sqrt();
+            assert!((told.difference[k] - difference).abs() < 0.02 * error, "{index}: {} {difference} ± {error}", told.difference[k]);
+            assert!((told.standard_errors[k] / error - 1.0).abs() < 0.02, "{index}: {} {error}", told.standard_errors[k]);
+        }
+        compared += 1;
+    }
+    assert!(compared >= 5, "{compared}");
 }

@@ -1,7 +1,7 @@
 //! Records of another build are never mixed in: their keys hold a digest of the sources.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[path = "../build.rs"]
 #[allow(dead_code)]
@@ -28,4 +28,15 @@ fn builds_that_differ_in_the_detector_alone_have_different_digests() {
     fs::write(trees[0].join("Cargo.lock"), "version = 5").unwrap();
     assert_ne!(build::digest_of(&trees[0]).unwrap(), one);
     trees.iter().for_each(|tree| fs::remove_dir_all(tree).unwrap());
+}
+
+#[test]
+fn the_tracked_module_is_built_from_these_sources() {
+    // While one works on the crate the module is older: only `npm test` asks for it.
+    let Some(module) = std::env::var_os("TIEPOINT_MODULE") else {
+        return println!("skipped: sources of the tracked module (TIEPOINT_MODULE names none)");
+    };
+    let digest = build::digest_of(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let bytes = fs::read(module).unwrap();
+    assert!(bytes.windows(digest.len()).any(|window| window == digest.as_bytes()), "npm run build makes it anew");
 }

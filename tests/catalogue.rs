@@ -15,6 +15,7 @@ fn conditions_name_options_and_their_words() {
                     _ if word == "absent" => !parameter.absent.is_empty(),
                     ParameterKind::Choice { values, .. } => values.contains(&word),
                     ParameterKind::Flag => ["true", "false"].contains(&word),
+                    ParameterKind::Text => true,
                     ParameterKind::Integer { .. } | ParameterKind::Real { .. } => word.parse::<f64>().is_ok(),
                 };
                 assert!(known, "{condition}: {key} has no value {word}");
@@ -58,7 +59,7 @@ fn what_has_no_effect_is_known() {
     assert!(!by_gradients.contains("points.threshold") && !by_gradients.contains("matching.search"), "{by_gradients:?}");
     assert!(!by_gradients.contains("matching.min_correlation"), "{by_gradients:?}");
     settings.matching.strategy = tiepoint::Strategy::Auto;
-    let with_refinement = ["matching.template", "matching.min_correlation", "matching.max_standard_error"];
+    let with_refinement = ["matching.fill_in", "matching.template", "matching.min_correlation", "matching.max_standard_error"];
     assert_eq!(keys(&settings), by_gradients.iter().copied().chain(with_refinement).collect());
     settings.geometry.threshold_px = Some(1.0);
     assert!(!keys(&settings).contains("geometry.largest_threshold_px"));

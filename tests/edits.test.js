@@ -1,59 +1,34 @@
 /** Edits of the matches of a pair by hand, as the page's own code applies them: without a browser. */
 
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-import { build } from 'vite';
+import { before, test } from 'node:test';
 import { defaults, match_pair, open_pair_project, orient_matches, Photo, simulate, version, write_pair_project } from '../pkg/node.js';
+import { pageModules } from './www.js';
 
-const ROOT = fileURLToPath(new URL('..', import.meta.url));
-const WASM = pathToFileURL(join(ROOT, 'pkg', 'wasm', 'tiepoint.js')).href;
 const MODULES = [
-  'state/choice',
-  'state/codes',
-  'state/draft',
-  'state/edited',
-  'state/edits',
-  'state/project',
-  'state/reducer',
-  'state/select',
-  'state/state',
-  'files/journal',
+  'pair/state/choice',
+  'pair/state/codes',
+  'pair/state/draft',
+  'pair/state/edited',
+  'pair/state/edits',
+  'pair/state/project',
+  'pair/state/reducer',
+  'pair/state/select',
+  'pair/state/state',
+  'pair/files/journal',
+  'shared/state/history',
+  'shared/state/neighbours',
 ];
 
 /** The modules of the page's state.  @type {Record<string, any>} */
 const page = {};
-const folder = mkdtempSync(join(tmpdir(), 'tiepoint-edits-'));
 
 /** Rules as the page has them. */
 const MATCHED = 0;
 
 before(async () => {
-  const entry = join(folder, 'entry.ts');
-  writeFileSync(entry, MODULES.map((name) => `export * as ${name.split('/')[1]} from '${join(ROOT, 'www', 'pair', name)}';`).join('\n'));
-  const result = await build({
-    configFile: false,
-    root: folder,
-    logLevel: 'warn',
-    build: {
-      write: false,
-      minify: false,
-      lib: { entry, formats: ['es'] },
-      // The module that Node has loaded already.
-      rollupOptions: { external: (id) => id.includes('pkg/wasm/tiepoint.js') },
-    },
-  });
-  const [built] = Array.isArray(result) ? result : [result];
-  const chunk = built && 'output' in built ? built.output[0] : undefined;
-  const file = join(folder, 'state.mjs');
-  writeFileSync(file, chunk?.type === 'chunk' ? chunk.code.replaceAll(/from "[^"]*tiepoint\.js"/gu, `from '${WASM}'`) : '');
-  Object.assign(page, await import(pathToFileURL(file).href));
+  Object.assign(page, await pageModules(MODULES));
 });
-
-after(() => rmSync(folder, { recursive: true }));
 
 /** The sample pair as the page opens it of its project file. */
 function sampleProject() {
@@ -288,9 +263,9 @@ test('a point is expected where the matches around it lie, on its epipolar line'
   }).sort((a, b) => a - b);
   assert.ok((errors[100] ?? NaN) < 1, `median ${errors[100]} px`);
   const line = { side: 'right', positions: Float64Array.of(0, 10, 100, 10, 200, 110) };
-  assert.deepEqual(page.draft.onLine(line, [40, 30]), [40, 10]);
-  assert.deepEqual(page.draft.onLine(line, [150, 60]), [150, 60]);
-  assert.deepEqual(page.draft.onLine(line, [-5, 0]), [0, 10]);
+  assert.deepEqual(page.neighbours.onLine(line.positions, [40, 30]), [40, 10]);
+  assert.deepEqual(page.neighbours.onLine(line.positions, [150, 60]), [150, 60]);
+  assert.deepEqual(page.neighbours.onLine(line.positions, [-5, 0]), [0, 10]);
   // A new match waits for its second point, a moved one keeps what was not moved.
   let measuring = page.reducer.reduce(state, { type: 'draft', draft: page.draft.begun(state, 'left', [100.123, 200]) });
   const edit = page.draft.editOfDraft(measuring);
@@ -310,7 +285,7 @@ test('a pair that is opened again has its edits again', () => {
   const show = (/** @type {any} */ state, /** @type {string} */ left, /** @type {string} */ right) =>
     page.reducer.reduce(state, { type: 'images', images: { left: image(left, 1), right: image(right, 2) } });
   let state = show(opened(), 'a.jpg', 'b.jpg');
-  assert.equal(state.history, page.edits.NO_HISTORY);
+  assert.equal(state.history, page.history.NO_HISTORY);
   state = page.reducer.reduce(state, { type: 'edit', edit: { kind: 'reject', of: [[1, 2, 3, 4]] } });
   const { history } = state;
   state = show(state, 'c.jpg', 'd.jpg');

@@ -6,7 +6,7 @@ mod scene;
 use nalgebra::{Matrix3, Vector3};
 use scene::{CONVERGENT, FLAT, FOCAL, RELIEF, SIZE, Scene, TOWN, TURNED, cameras};
 use tiepoint::{
-    Degeneracy, Error, Guide, GuidedOptions, Located, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point,
+    Degeneracy, Error, Guide, GuidedOptions, Located, Pinhole, Refusal, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point,
     fundamental_seven_point, guided_matches, homography_direct, two_view,
 };
 
@@ -271,12 +271,12 @@ fn input_that_is_none_is_refused() {
     for wrong in [f64::NAN, f64::INFINITY, -2e6] {
         let mut points = points.clone();
         points[7][2] = wrong;
-        assert!(matches!(refused(&points, &default), Error::InvalidInput { what: "positions of matches", .. }));
+        assert!(matches!(refused(&points, &default), Error::InvalidInput { refusal: Refusal::MatchPosition { .. } }));
     }
     let one = TwoViewOptions { right: None, ..cameras(None) };
-    assert!(matches!(refused(&points, &one), Error::InvalidInput { what: "the cameras", .. }));
+    assert!(matches!(refused(&points, &one), Error::InvalidInput { refusal: Refusal::OneCamera }));
     let one = TwoViewOptions { right: cameras(None).right, ..cameras(Some(FOCAL)) };
-    assert!(matches!(refused(&points, &one), Error::InvalidInput { what: "the cameras", .. }));
+    assert!(matches!(refused(&points, &one), Error::InvalidInput { refusal: Refusal::OneFocalLength }));
     for (options, named) in [
         (TwoViewOptions { threshold_px: Some(f64::NAN), ..default.clone() }, "geometry.threshold_px"),
         (TwoViewOptions { largest_threshold_px: 0.0, ..default.clone() }, "geometry.largest_threshold_px"),

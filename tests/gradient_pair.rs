@@ -123,7 +123,7 @@ fn points_under_a_mask_are_left_out() {
         let wrong = PairImage { mask: Some(small.view()), ..right };
         assert!(matches!(
             match_pair(left, wrong, &PairInput::default(), &settings),
-            Err(tiepoint::Error::InvalidInput { what: "mask", .. })
+            Err(tiepoint::Error::InvalidInput { refusal: tiepoint::Refusal::MaskSize { .. } })
         ));
     }
 }
@@ -152,7 +152,7 @@ fn nearest_neighbours_found_in_pieces_give_the_same_matches() {
     let some = Expectation { nearest: Some(&table), ..Expectation::from(&offset) };
     assert!(matches!(
         match_in_rounds(images, some, None, &settings),
-        Err(tiepoint::Error::InvalidInput { what: "nearest neighbours", .. })
+        Err(tiepoint::Error::InvalidInput { refusal: tiepoint::Refusal::NeighboursOfOthers { .. } })
     ));
     table.join(nearest_of(&left.gradients, 700..rows, &right.gradients).unwrap()).unwrap();
     let all = Expectation { nearest: Some(&table), ..Expectation::from(&offset) };

@@ -9,13 +9,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 26] = [
+const ORDER: [&str; 29] = [
     "message",
     "json",
     "error",
     "text",
     "catalogue",
     "math",
+    "crs",
     "camera",
     "model",
     "image",
@@ -28,11 +29,13 @@ const ORDER: [&str; 26] = [
     "tracks",
     "adjustment",
     "reconstruction",
+    "editing",
     "formats",
     "pipeline",
     "orthophoto",
     "tables",
     "simulate",
+    "html",
     "outputs",
     "report",
     "wasm",

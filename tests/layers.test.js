@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url';
 const WWW = join(dirname(dirname(fileURLToPath(import.meta.url))), 'www');
 
 /** The rooms of a part, from the first to the last: a file imports its own room and those before it. */
-const ROOMS = ['crate', 'text', 'state', 'engine', 'view', 'files', 'panel', 'mount'];
+const ROOMS = ['crate', 'choices', 'text', 'state', 'engine', 'view', 'files', 'panel', 'mount'];
 
 /** The parts; a part imports `shared` and itself. */
 const PARTS = ['shared', 'pair', 'block'];
@@ -17,21 +17,29 @@ const PARTS = ['shared', 'pair', 'block'];
 /** Files that may look into another part. */
 const SEAMS = new Set(['block/pair.ts']);
 
-/** What puts the parts together. */
-const TOP = new Set(['main.ts', 'worker.ts']);
+/** What puts the parts together, and what runs apart from them. */
+const TOP = new Set(['main.ts', 'program.ts', 'block.ts', 'worker.ts', 'service-worker.ts']);
 
 const files = readdirSync(WWW, { recursive: true, encoding: 'utf8' })
   .map((file) => file.replaceAll('\\', '/'))
   .filter((file) => /\.ts$/.test(file));
 
-/** The files of the page that each file names, types too. */
-const imports = new Map(
-  files.map((file) => {
-    const text = readFileSync(join(WWW, file), 'utf8');
-    const named = [...text.matchAll(/(?:\bfrom |\bimport |\bimport\()'(\.[^']+)'/g)].map(([, name = '']) => posix.join(posix.dirname(file), name));
-    return [file, named.map((name) => [name, `${name}.ts`, `${name}.d.ts`].find((path) => files.includes(path))).filter((path) => path !== undefined)];
-  }),
-);
+/**
+ * The files of the page that each file names in certain ways.
+ * @param {RegExp} way
+ */
+const namedBy = (way) =>
+  new Map(
+    files.map((file) => {
+      const named = [...readFileSync(join(WWW, file), 'utf8').matchAll(way)].map(([, name = '']) => posix.join(posix.dirname(file), name));
+      return [file, named.map((name) => [name, `${name}.ts`, `${name}.d.ts`].find((path) => files.includes(path))).filter((path) => path !== undefined)];
+    }),
+  );
+
+/** All that each file imports, types too. */
+const imports = namedBy(/(?:\bfrom |\bimport |\bimport\()'(\.[^']+)'/g);
+/** What each file has loaded before itself. */
+const loads = namedBy(/^(?:import|export) (?!type )(?:[^;]*? from )?'(\.[^']+)';/gm);
 
 const partOf = (/** @type {string} */ file) => file.split('/')[0] ?? '';
 const roomOf = (/** @type {string} */ file) => (SEAMS.has(file) ? 'mount' : (file.split('/')[1] ?? '').replace(/\.ts$/, ''));
@@ -60,6 +68,21 @@ test('a room imports only rooms before it', () => {
     wrong.map((edge) => edge.join(' imports ')),
     [],
   );
+});
+
+/** A file with all that is loaded before it.  @param {string} file @param {Set<string>} seen */
+function reach(file, seen = new Set()) {
+  if (seen.has(file)) return seen;
+  seen.add(file);
+  for (const to of loads.get(file) ?? []) reach(to, seen);
+  return seen;
+}
+
+test('the worker says no texts of the page, and the pair needs none of the block', () => {
+  assert.equal(reach('worker.ts').has('shared/text/words.ts'), false);
+  // What files hold is told before the block is loaded.
+  const ofBlock = [...reach('program.ts')].filter((file) => partOf(file) === 'block' && file !== 'block/files/rasters.ts');
+  assert.deepEqual(ofBlock, []);
 });
 
 test('no files import each other in a circle', () => {

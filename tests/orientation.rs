@@ -8,6 +8,8 @@ mod coverage;
 mod few;
 #[path = "orientation/fiducials.rs"]
 mod fiducials;
+#[path = "orientation/model_points.rs"]
+mod points;
 #[path = "orientation/refusals.rs"]
 mod refusals;
 mod sampling;

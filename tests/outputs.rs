@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::sync::OnceLock;
 use tiepoint::{
-    BlockFlight, BlockOverview, BlockRun, BlockScene, BlockSettings, ExportFormat, MultiscaleOptions, PointColumns, Project,
-    RefinementMethod, RunInput, block_files, coverage, images_in, planned_files, read_project, run_block, write_block_project,
+    BlockEdit, BlockFlight, BlockOverview, BlockRun, BlockScene, BlockSettings, ExportFormat, HandMeasurement, ImagePlace, MeasuredBy,
+    MultiscaleOptions, ObservationDetail, ObservationPart, PointColumns, PointImage, PointSource, Project, RefinementMethod, RunInput,
+    UnorientedReason, block_covariances, block_epipolar_line, block_files, covariance_table, coverage, image_points, images_in,
+    planned_files, point_detail, point_ids, read_project, run_block, write_block_project,
 };
 
 /// A small simulated block, one image of which has nothing in common with the others.
@@ -43,7 +45,8 @@ fn files(run: &BlockRun) -> BTreeMap<String, String> {
     };
     // A name with blanks is none for COLMAP.
     let summary = block_files(run, &[ExportFormat::Colmap, ExportFormat::Csv, ExportFormat::Json], None, &mut emit).unwrap();
-    assert_eq!(summary.exports.iter().map(|export| export.refused.is_some()).collect::<Vec<_>>(), [true, false, false]);
+    let has_blanks = run.images.iter().any(|image| image.name.contains(' '));
+    assert_eq!(summary.exports.iter().map(|export| export.refused.is_some()).collect::<Vec<_>>(), [has_blanks, false, false]);
     files
 }
 
@@ -56,8 +59,8 @@ fn opened(text: &str) -> BlockRun {
 
 #[test]
 fn a_block_that_was_saved_is_shown_as_before() {
-    let older = opened(include_str!("project/version-1.tiepoint"));
-    for run in [finished(), &older] {
+    let older = [include_str!("project/version-1.tiepoint"), include_str!("project/version-2.tiepoint")].map(opened);
+    for run in older.iter().chain([finished()]) {
         let text = write_block_project(run).unwrap();
         let again = opened(&text);
         assert_eq!(again, *run);
@@ -67,6 +70,19 @@ fn a_block_that_was_saved_is_shown_as_before() {
         assert_eq!(format!("{:?}", PointColumns::new(&again)), format!("{:?}", PointColumns::new(run)));
         assert_eq!(files(&again), files(run));
     }
+}
+
+#[test]
+fn a_block_that_an_earlier_release_saved_shows_what_that_release_printed_and_is_edited() {
+    let run = opened(include_str!("project/version-2.tiepoint"));
+    let adjusted = &run.reconstruction.as_ref().unwrap().models[0].adjusted;
+    assert_eq!(adjusted.sigma0_px, Some(0.08684089863409522));
+    let files = files(&run);
+    assert_eq!(["points.csv", "rays.csv"].map(|name| files[name].lines().count() - 1), [58, 130]);
+    assert_eq!(BlockOverview::new(&run).unwrap().skipped.len(), 3);
+    let edited = run.with_edits(&[BlockEdit::RejectImages { images: vec![2] }]).unwrap();
+    assert_eq!(BlockOverview::new(&edited).unwrap().oriented, 2);
+    assert_eq!(edited.with_edits(&[]).unwrap(), run);
 }
 
 #[test]
@@ -92,6 +108,31 @@ fn all_files_give_the_same_numbers_of_points_and_observations() {
     assert!(2 * refined > rows("points.csv"), "{refined}");
 }
 
+/// The cells of a column of a table whose texts have no line breaks and no commas in that column's way: counted from the end of each line.
+fn cells(table: &str, column: &str) -> Vec<String> {
+    let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let from_end = names.iter().rev().position(|name| *name == column).unwrap();
+    table.lines().skip(1).map(|line| line.rsplit(',').nth(from_end).unwrap().to_string()).collect()
+}
+
+#[test]
+fn tables_have_the_standard_errors_of_the_adjustment() {
+    let run = finished();
+    let files = files(run);
+    let adjusted = &run.reconstruction.as_ref().unwrap().models[0].adjusted;
+    let written = |value: f64| value.to_string();
+    for (k, [at, turn]) in [["sigma_x", "sigma_omega_deg"], ["sigma_y", "sigma_phi_deg"], ["sigma_z", "sigma_kappa_deg"]].iter().enumerate()
+    {
+        // The first image is not oriented.
+        let positions = adjusted.images.iter().map(|image| written(image.position_errors.unwrap()[k]));
+        assert_eq!(cells(&files["images.csv"], at), [String::new()].into_iter().chain(positions).collect::<Vec<_>>());
+        let angles = adjusted.images.iter().map(|image| written(image.angle_errors_deg.unwrap()[k]));
+        assert_eq!(cells(&files["images.csv"], turn), [String::new()].into_iter().chain(angles).collect::<Vec<_>>());
+        let points: Vec<String> = adjusted.points.iter().flatten().map(|point| written(point.errors.unwrap()[k])).collect();
+        assert_eq!(cells(&files["points.csv"], at), points);
+    }
+}
+
 #[test]
 fn the_files_are_known_before_the_run() {
     let run = finished();
@@ -99,5 +140,253 @@ fn the_files_are_known_before_the_run() {
     let planned = planned_files(&names, &[ExportFormat::Csv, ExportFormat::Json]).unwrap();
     for path in files(run).keys().filter(|path| !path.starts_with("colmap/")) {
         assert!(planned.contains(path), "{path}: {planned:?}");
+    }
+}
+
+#[test]
+fn points_and_images_tell_the_same_observations() {
+    let run = finished();
+    let ids = point_ids(run);
+    assert_eq!(ids.len(), run.model.points.len());
+    let of_images: Vec<_> = (0..run.images.len()).map(|image| image_points(run, image).unwrap()).collect();
+    let mut accepted = 0;
+    for (index, known) in run.model.points.iter().enumerate() {
+        let detail = point_detail(run, index).unwrap();
+        assert_eq!((detail.id, detail.position), (Some(ids[index]), known.position));
+        let errors = detail.errors.unwrap();
+        assert!(errors.iter().all(|error| *error > 0.0 && error.is_finite()), "{errors:?}");
+        let taking_part: Vec<_> = detail.observations.iter().filter(|seen| seen.part == ObservationPart::Accepted).collect();
+        assert_eq!(taking_part.len(), known.rays.len());
+        accepted += taking_part.len();
+        let squares = taking_part.iter().flat_map(|seen| seen.residual_px.unwrap()).map(|v| v * v).sum::<f64>();
+        assert!(((squares / taking_part.len() as f64).sqrt() - known.rmse_px.unwrap()).abs() < 1e-9);
+        for seen in &detail.observations {
+            let of_image = of_images[seen.image].iter().find(|other| other.point == index).unwrap();
+            assert_eq!((of_image.place_px, of_image.part), ([seen.x_px, seen.y_px], seen.part));
+            let [x, y] = seen.predicted_px.unwrap();
+            let [dx, dy] = seen.residual_px.unwrap();
+            assert!((seen.x_px - x - dx).abs() < 1e-6 && (seen.y_px - y - dy).abs() < 1e-6);
+        }
+        for place in &detail.elsewhere {
+            assert!(run.model.images[place.image].pose.is_some() && detail.observations.iter().all(|seen| seen.image != place.image));
+            assert!((0.0..=480.0).contains(&place.x_px) && (0.0..=360.0).contains(&place.y_px));
+        }
+    }
+    let of_images: usize = of_images.iter().flatten().filter(|seen| seen.part == ObservationPart::Accepted).count();
+    assert!(accepted > 50 && of_images == accepted, "{accepted} {of_images}");
+    assert!(point_detail(run, ids.len()).unwrap_err().to_string().contains("point"));
+    assert!(image_points(run, 99).unwrap_err().to_string().contains("image"));
+}
+
+#[test]
+fn the_epipolar_line_of_an_observation_passes_by_the_others_of_its_point() {
+    let run = finished();
+    let mut tried = 0;
+    for index in 0..run.model.points.len() {
+        let seen = point_detail(run, index).unwrap().observations;
+        let [a, b, ..] = &seen[..] else { continue };
+        if [a, b].iter().any(|seen| seen.part != ObservationPart::Accepted) {
+            continue;
+        }
+        let line = block_epipolar_line(run, a.image, [a.x_px, a.y_px], b.image).unwrap();
+        let steps = line.windows(2).map(|ends| distance([b.x_px, b.y_px], ends[0], ends[1]));
+        let least = steps.fold(f64::INFINITY, f64::min);
+        assert!(least < 3.0, "point {index}: {least} px");
+        tried += 1;
+    }
+    assert!(tried > 20, "{tried}");
+    // The first image is not oriented.
+    assert_eq!(block_epipolar_line(run, 3, [10.0, 10.0], 0).unwrap(), Vec::<[f64; 2]>::new());
+    assert_eq!(block_epipolar_line(run, 0, [10.0, 10.0], 3).unwrap(), Vec::<[f64; 2]>::new());
+}
+
+/// From a place to a piece of a line.
+fn distance(at: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let along = (((at[0] - from[0]) * dx + (at[1] - from[1]) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+    (at[0] - from[0] - along * dx).hypot(at[1] - from[1] - along * dy)
+}
+
+/// An observation that takes part, of a point of three rays.
+fn an_observation(run: &BlockRun) -> (usize, PointSource, ObservationDetail) {
+    let of = |index| point_detail(run, index).unwrap();
+    let is_of_three = |index: &usize| of(*index).observations.iter().filter(|seen| seen.part == ObservationPart::Accepted).count() == 3;
+    let index = (0..run.model.points.len()).find(is_of_three).unwrap();
+    (index, point_ids(run)[index], of(index).observations[1].clone())
+}
+
+/// The detail of a point by what it is.
+fn detail_of(run: &BlockRun, point: PointSource) -> tiepoint::PointDetail {
+    point_detail(run, point_ids(run).iter().position(|id| *id == point).unwrap()).unwrap()
+}
+
+fn measure(point: PointSource, image: usize, [x_px, y_px]: [f64; 2]) -> BlockEdit {
+    BlockEdit::Measure { point, image, x_px, y_px, by: MeasuredBy::Hand }
+}
+
+#[test]
+fn the_support_of_a_block_repeats_its_adjustment() {
+    let run = finished();
+    let (_, point, _) = an_observation(run);
+    let model = |run: &BlockRun| run.reconstruction.as_ref().unwrap().models[0].clone();
+    assert!(!model(run).supporting.is_empty());
+    let again = run.with_edits(&[BlockEdit::RestorePoints { points: vec![point] }]).unwrap();
+    let (before, after) = (model(run), model(&again));
+    assert!((before.adjusted.sigma0_px.unwrap() - after.adjusted.sigma0_px.unwrap()).abs() < 1e-6);
+    for (a, b) in before.adjusted.block.images.iter().zip(&after.adjusted.block.images) {
+        let moved = [0, 1, 2].map(|k| (a.pose.position[k] - b.pose.position[k]).abs());
+        let errors = before.adjusted.images[0].position_errors.unwrap();
+        assert!((0..3).all(|k| moved[k] < 1e-3 * errors[k]), "{moved:?} of {errors:?}");
+    }
+    assert_eq!((before.points, before.supporting.len()), (after.points, after.supporting.len()));
+}
+
+#[test]
+fn covariances_of_an_opened_block_are_those_of_its_standard_errors() {
+    let run = &opened(&write_block_project(finished()).unwrap());
+    let model = &run.reconstruction.as_ref().unwrap().models[0];
+    let names = ["c.pgm", "point:1", "a.pgm"].map(String::from);
+    let found = block_covariances(run, &names).unwrap();
+    let statistics = |image: usize| &model.adjusted.images[image];
+    let of_image = |image: usize| [statistics(image).angle_errors_deg.unwrap(), statistics(image).position_errors.unwrap()].concat();
+    let of_point = model.adjusted.points.iter().flatten().nth(1).unwrap().errors.unwrap();
+    let printed = [of_image(2), of_point.to_vec(), of_image(0)].concat();
+    assert_eq!(found.unknowns.len(), printed.len());
+    for (k, (one, printed)) in found.unknowns.iter().zip(&printed).enumerate() {
+        assert!((found.rows[k][k].sqrt() / printed - 1.0).abs() < 1e-5, "{one:?}: {} for {printed}", found.rows[k][k].sqrt());
+        assert!((0..k).all(|other| found.rows[k][other] == found.rows[other][k] && found.rows[k][other] != 0.0), "{one:?}");
+    }
+    assert_eq!((&found.unknowns[1].name[..], found.unknowns[1].unit, found.unknowns[8].unit), ("phi", "deg", "unit"));
+    let text = covariance_table(&found);
+    assert!(text.starts_with("of,unknown,unit,value,standard_error,c.pgm omega [deg],"), "{text}");
+    assert_eq!(text.lines().count(), 1 + printed.len());
+    for wrong in [&["z.pgm"][..], &["point:99999"], &["broken.pgm"], &["a.pgm", "a.pgm"], &[]] {
+        let names: Vec<String> = wrong.iter().map(ToString::to_string).collect();
+        assert_eq!(block_covariances(run, &names).unwrap_err().code(), "invalid-input", "{wrong:?}");
+    }
+}
+
+#[test]
+fn a_rejected_observation_takes_no_part_until_it_is_restored() {
+    let run = finished();
+    let (_, point, seen) = an_observation(run);
+    let observations = vec![PointImage { point, image: seen.image }];
+    let rejected = run.with_edits(&[BlockEdit::RejectObservations { observations: observations.clone() }]).unwrap();
+    let part = |run: &BlockRun| detail_of(run, point).observations.iter().find(|o| o.image == seen.image).unwrap().part;
+    assert_eq!((part(run), part(&rejected)), (ObservationPart::Accepted, ObservationPart::RejectedByHand));
+    let count = |run: &BlockRun| run.model.points.iter().map(|point| point.rays.len()).sum::<usize>();
+    assert_eq!(count(&rejected) + 1, count(run));
+    let both = [BlockEdit::RejectObservations { observations: observations.clone() }, BlockEdit::RestoreObservations { observations }];
+    let restored = run.with_edits(&both).unwrap();
+    assert_eq!(part(&restored), ObservationPart::Accepted);
+    let untouched = run.with_edits(&[BlockEdit::RestorePoints { points: vec![point] }]).unwrap();
+    assert_eq!(restored.model, untouched.model);
+}
+
+#[test]
+fn an_observation_that_is_moved_far_off_is_found_by_its_test() {
+    let run = finished();
+    let (_, point, seen) = an_observation(run);
+    let to = [seen.x_px + 25.0, seen.y_px - 20.0];
+    let moved = run.with_edits(&[measure(point, seen.image, to)]).unwrap();
+    let now = detail_of(&moved, point).observations.into_iter().find(|o| o.image == seen.image).unwrap();
+    assert_eq!(([now.x_px, now.y_px], now.by_hand, now.part), (to, true, ObservationPart::GrossError));
+    let back = run.with_edits(&[measure(point, seen.image, to), measure(point, seen.image, [seen.x_px, seen.y_px])]).unwrap();
+    let now = detail_of(&back, point).observations.into_iter().find(|o| o.image == seen.image).unwrap();
+    assert_eq!((now.by_hand, now.part), (true, ObservationPart::Accepted));
+}
+
+#[test]
+fn a_point_that_is_measured_in_three_images_lies_where_its_rays_meet() {
+    let run = finished();
+    let (index, ..) = an_observation(run);
+    let known = point_detail(run, index).unwrap();
+    let place = known.position.unwrap().map(|value| value + 0.01);
+    let near = |image: &ImagePlace| HandMeasurement { image: image.image, x_px: image.x_px, y_px: image.y_px, by: MeasuredBy::Hand };
+    let predicted = known.observations.iter().map(|seen| {
+        let [x_px, y_px] = seen.predicted_px.unwrap();
+        near(&ImagePlace { image: seen.image, x_px, y_px })
+    });
+    let observations: Vec<HandMeasurement> = predicted.collect();
+    let added = run.with_edits(&[BlockEdit::AddPoint { observations: observations.clone() }]).unwrap();
+    let manual = detail_of(&added, PointSource::Manual(0));
+    let errors = manual.errors.unwrap();
+    let apart = [0, 1, 2].map(|k| (manual.position.unwrap()[k] - place[k]).abs());
+    assert!((0..3).all(|k| apart[k] < 0.2 * errors[k] + 0.05), "{apart:?} of {errors:?}");
+    assert!(manual.observations.iter().all(|seen| seen.by_hand && seen.part == ObservationPart::Accepted));
+    // What is pointed at weighs less than what is matched.
+    assert!((0..3).all(|k| errors[k] > known.errors.unwrap()[k]), "{errors:?}");
+    let mut apart = observations;
+    apart[0].y_px += 80.0;
+    apart.truncate(2);
+    let refused = run.with_edits(&[BlockEdit::AddPoint { observations: apart }]).unwrap_err().to_string();
+    assert!(refused.contains("manual point 0"), "{refused}");
+}
+
+#[test]
+fn a_rejected_image_is_not_oriented_and_says_why() {
+    let run = finished();
+    let without = run.with_edits(&[BlockEdit::RejectImages { images: vec![2] }]).unwrap();
+    assert_eq!(without.model.images.iter().map(|image| image.pose.is_some()).collect::<Vec<_>>(), [false, true, false, true]);
+    let unoriented = &without.reconstruction.as_ref().unwrap().unoriented;
+    assert!(unoriented.iter().any(|image| (image.image, image.reason) == (2, UnorientedReason::RejectedByHand)));
+    let overview = BlockOverview::new(&without).unwrap();
+    assert_eq!(overview.images[2].reason.as_ref().unwrap().text, "it was rejected by hand");
+    assert!(image_points(&without, 2).unwrap().is_empty());
+}
+
+#[test]
+fn edits_of_what_is_not_there_are_refused_by_name() {
+    let run = finished();
+    let (_, point, seen) = an_observation(run);
+    let refused = |edit: BlockEdit| run.with_edits(&[edit]).err().unwrap().to_string();
+    let of = |text: String, words: &[&str]| assert!(words.iter().all(|word| text.contains(word)), "{text}");
+    of(refused(BlockEdit::RejectPoints { points: vec![PointSource::TiePoint(u32::MAX)] }), &["tie point 4294967295"]);
+    of(refused(BlockEdit::RejectImages { images: vec![0] }), &["=other, \"d\".pgm", "not oriented"]);
+    of(refused(BlockEdit::RejectImages { images: vec![77] }), &["index 77"]);
+    of(refused(measure(point, seen.image, [480.5, 10.0])), &["outside the image", "480 x 360"]);
+    of(refused(measure(point, seen.image, [f64::NAN, 10.0])), &["outside the image"]);
+    of(refused(measure(PointSource::GroundControl(0), seen.image, [1.0, 1.0])), &["surveyed point 0"]);
+    of(refused(BlockEdit::AddPoint { observations: Vec::new() }), &["images of a new point"]);
+    of(refused(BlockEdit::SetUse { point: 0, role: None }), &["surveyed point", "index 0"]);
+    let all: Vec<PointSource> = point_ids(run);
+    assert!(run.with_edits(&[BlockEdit::RejectImages { images: vec![1, 2, 3] }]).is_err());
+    // The support holds the block without any of the points that are given.
+    run.with_edits(&[BlockEdit::RejectPoints { points: all }]).unwrap();
+}
+
+#[test]
+fn edits_are_kept_with_the_block_and_undone_to_the_byte() {
+    let run = finished();
+    let text = write_block_project(run).unwrap();
+    let ids = point_ids(run);
+    let mut edits = Vec::new();
+    for k in 0..24 {
+        let point = ids[(k * 7) % ids.len()];
+        let seen = detail_of(run, point).observations[k % 2].clone();
+        let observations = vec![PointImage { point, image: seen.image }];
+        edits.push(match k % 4 {
+            0 => BlockEdit::RejectObservations { observations },
+            1 => measure(point, seen.image, [(seen.x_px + 0.3).min(479.0), (seen.y_px - 0.2).max(1.0)]),
+            2 => BlockEdit::RejectPoints { points: vec![point] },
+            _ => BlockEdit::RestoreObservations { observations },
+        });
+        if k % 8 != 7 {
+            continue;
+        }
+        let edited = run.with_edits(&edits).unwrap();
+        assert_eq!(edited.edits(), edits);
+        let saved = write_block_project(&edited).unwrap();
+        let again = opened(&saved);
+        assert_eq!(again, edited);
+        assert_eq!(BlockOverview::new(&again).unwrap(), BlockOverview::new(&edited).unwrap());
+        // Edits are applied to the block as it was found, in one step or in several.
+        assert_eq!(again.with_edits(&edits).unwrap(), edited);
+        assert_eq!(write_block_project(&again.with_edits(&[]).unwrap()).unwrap(), text);
+        let files = files(&edited);
+        let measured = files["rays.csv"].lines().skip(1).filter(|line| line.ends_with(",1")).count();
+        let summary: serde_json::Value = serde_json::from_str(&files["summary.json"]).unwrap();
+        assert_eq!(summary["edits"], edits.len());
+        assert!(measured > 0 && measured <= edits.len(), "{measured}");
     }
 }

@@ -185,6 +185,7 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
     let control = GroundControlPoint {
         name: "church".into(),
         role: ControlRole::Control,
+        sigma_px: None,
         position: ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: [0.02; 3] },
         measurements: rays.iter().map(ray).collect(),
     };
@@ -235,7 +236,7 @@ fn what_does_not_fit_together_is_refused() {
     };
     let local = |z: f64| Some(ObservedPosition::Local { position: [0.0, 0.0, z], sigma: [1.0; 3] });
     let geographic = ObservedPosition::Geographic { longitude_deg: 8.0, latitude_deg: 50.0, height_m: Some(0.0), sigma_m: [1.0; 3] };
-    refused(&|d, _| d.images[2].camera = 1, "index 1 for photo_00002");
+    refused(&|d, _| d.images[2].camera = 1, "index 1 for 'photo_00002'");
     refused(&|d, _| d.cameras[0].focal_px = Some(f64::NAN), "focal length of a camera: got NaN");
     refused(&|d, _| d.cameras[0].focal_px = Some(0.0), "focal length of a camera: got 0");
     refused(&|d, _| d.cameras[0].radial[1] = f64::INFINITY, "distortion");
@@ -249,8 +250,13 @@ fn what_does_not_fit_together_is_refused() {
     refused(&|_, o| o.adjustment.alpha0 = 2.0, "adjustment.alpha0");
     refused(&|_, o| o.datum = Some(Datum::Gnss), "GNSS positions or control points");
     let ray = ImageObservation { image: 9, x_px: 1.0, y_px: 1.0, confidence: 1.0 };
-    let control =
-        GroundControlPoint { name: "a".into(), role: ControlRole::Control, position: local(0.0).unwrap(), measurements: vec![ray] };
+    let control = GroundControlPoint {
+        name: "a".into(),
+        role: ControlRole::Control,
+        sigma_px: None,
+        position: local(0.0).unwrap(),
+        measurements: vec![ray],
+    };
     refused(&|d, _| d.control.push(control.clone()), "index 9 as image of GCP a");
     for (x_px, y_px) in [(-500.0, 99_999.0), (-0.5, 10.0), (10.0, 3000.5), (f64::NAN, 10.0)] {
         let ray = ImageObservation { image: 1, x_px, y_px, confidence: 1.0 };

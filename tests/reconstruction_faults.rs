@@ -183,6 +183,7 @@ fn surveyed(scene: &Scene, most_px: f64) -> Vec<GroundControlPoint> {
         control.push(GroundControlPoint {
             name: format!("gcp {index}"),
             role: ControlRole::Control,
+            sigma_px: None,
             position: ObservedPosition::Local { position, sigma: [0.02, 0.02, 0.03] },
             measurements: rays,
         });

@@ -124,9 +124,9 @@ fn gradients_match_the_sample_without_an_offset() {
     assert!(sigma0_px < 0.17 && errors[0] < 0.02 && errors[1] < 0.06, "σ0 {sigma0_px} px, errors {errors:?}");
     let Reached { matches, right, sigma0_px: refined, .. } = reached(&sample, by(Refinement::LeastSquares));
     assert!(matches > 1500 && right > 0.97 && refined < 0.7 * sigma0_px, "{matches} matches, {right} right, σ0 {refined} px");
-    // What least squares matching does not confirm stays, with its own weight.
+    // What least squares matching does not confirm stays, with its own weight, and points beside are filled in.
     let all = reached(&sample, MatchOptions::default());
-    assert!(all.matches > 2500 && all.right > 0.985 && all.sigma0_px < 0.7 * sigma0_px, "{} matches, {} right", all.matches, all.right);
+    assert!(all.matches > 4500 && all.right > 0.98 && all.sigma0_px < 0.7 * sigma0_px, "{} matches, {} right", all.matches, all.right);
     println!("errors {errors:?}, refined {:?}", all.errors);
     assert!(all.errors[0] < 0.02 && all.errors[1] < 0.06, "{:?}", all.errors);
 }

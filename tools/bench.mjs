@@ -1,11 +1,12 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default verdict accuracy speed features geometry rivals refinement sizes workers page blocks memory kills`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default presets verdict accuracy speed features geometry rivals refinement sizes workers map page blocks orthophoto components rendered memory former kills`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
   strategies: async () => (await import('./bench/strategies.mjs')).strategies(),
   calibration: async () => (await import('./bench/calibration.mjs')).calibration(),
   default: async () => (await import('./bench/default.mjs')).byDefault(),
+  presets: async () => (await import('./bench/presets.mjs')).presets(),
   verdict: async () => (await import('./bench/verdict.mjs')).verdict(),
   statistics: async () => (await import('./bench/statistics.mjs')).statistics(),
   accuracy: async () => (await import('./bench/accuracy.mjs')).accuracy(),
@@ -16,9 +17,14 @@ const PARTS = {
   refinement: async () => (await import('./bench/refinement.mjs')).refinementBench(),
   sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),
   workers: async () => (await import('./bench/workers.mjs')).workers(),
+  map: async () => (await import('./bench/map.mjs')).map(),
   page: async () => (await import('./bench/page.mjs')).page(),
   blocks: async () => (await import('./bench/blocks.mjs')).blocks(),
+  orthophoto: async () => (await import('./bench/orthophoto.mjs')).orthophoto(),
+  components: async () => (await import('./bench/components.mjs')).components(),
+  rendered: async () => (await import('./bench/rendered.mjs')).rendered(),
   memory: async () => (await import('./bench/memory.mjs')).memory(),
+  former: async () => (await import('./bench/former.mjs')).former(),
   kills: async () => (await import('./bench/kills.mjs')).kills(),
 };
 

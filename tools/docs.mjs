@@ -73,7 +73,7 @@ export function optionsPage() {
       ),
       ...chapter(
         'Placing on an orthophoto',
-        '`tiepoint place`; in the package and the crate: `PlacingOptions`. Lengths are in the unit of the map.',
+        '`tiepoint place`, and `tiepoint block` beside `--orthophoto`, where `--points` and `--seed` are `--orthophoto-points` and `--orthophoto-seed`; in the package and the crate: `PlacingOptions`. Lengths are in the unit of the map.',
         placing_parameters(),
         { placing: placing_defaults() },
       ),

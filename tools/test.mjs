@@ -2,9 +2,11 @@
 /**
  * `npm test`: sets up what is missing and runs every check; the last line gives the totals. Names of groups run these alone:
  * `npm test -- rust wasm build types package command page`; `npm test -- quick` is the inner loop: formatting, lints, types, unit tests.
+ *
+ * Without `build` the tracked module is not built anew, which takes ten minutes: a native test compares the digest of the sources that it holds.
  */
 
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { compareFolders } from './lib/compare.mjs';
 import { cargoCounts, tapCounts } from './lib/counts.mjs';
@@ -14,8 +16,8 @@ import { cargo, ensureBindgen, ensureToolchain, WASM_TARGET } from './lib/rust.m
 import { ensureChromium, ensurePackages } from './lib/setup.mjs';
 import { Steps } from './lib/steps.mjs';
 
-/** Files of tests of the command that run at the same time: as many as the processors of a small machine. */
-const COMMAND_FILES = 2;
+/** Files of tests of the command, and of the page, that run at the same time: as many as the processors of a small machine. */
+const FILES = 2;
 
 const GROUPS = ['rust', 'wasm', 'build', 'types', 'package', 'command', 'page'];
 
@@ -37,7 +39,8 @@ async function rustLints(steps, toolchain) {
 async function rustTests(steps, toolchain) {
   await steps.check('rust', 'rustdoc', mustCargo(toolchain, ['doc', '--locked', '--no-deps', '--lib'], { RUSTDOCFLAGS: '-D warnings' }));
   // Examples are compiled by clippy: linking them takes longer than all tests of a module.
-  await steps.check('rust', 'tests, native', () => cargoTest(toolchain, ['--lib', '--tests', '--', '--show-output']));
+  const env = { TIEPOINT_MODULE: join(PKG_WASM, 'tiepoint_bg.wasm') };
+  await steps.check('rust', 'tests, native', () => cargoTest(toolchain, ['--lib', '--tests', '--', '--show-output'], env));
   await steps.check('rust', 'examples of the documentation', () => cargoTest(toolchain, ['--doc']));
 }
 
@@ -55,23 +58,18 @@ async function cargoTest(toolchain, args, env = {}) {
   return cargoCounts(output, code);
 }
 
-/** The library and those integration tests that have tests for wasm: the others need not be compiled for it.  @returns {string[]} */
-function wasmTargets() {
-  const tests = readdirSync(join(ROOT, 'tests')).filter(
-    (file) => file.endsWith('.rs') && readFileSync(join(ROOT, 'tests', file), 'utf8').includes('wasm_bindgen_test'),
-  );
-  return ['--target', WASM_TARGET, '--lib', ...tests.sort().flatMap((file) => ['--test', file.replace(/\.rs$/, '')])];
-}
+/** The library alone: it holds those integration tests that run as wasm (`src/wasm/everywhere.rs`). In a folder of its own: cargo locks one while it compiles for the other target. */
+const WASM_TARGETS = ['--target', WASM_TARGET, '--lib', '--target-dir', join(TARGET, 'wasm-tests')];
 
 /** @param {Steps} steps @param {Toolchain} toolchain @param {BindgenPrograms} programs */
 async function wasmTests(steps, toolchain, programs) {
   const env = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: programs.runner, WASM_BINDGEN_TEST_TIMEOUT: '600' };
-  await steps.check('wasm', 'clippy, wasm', mustCargo(toolchain, ['clippy', '--locked', ...wasmTargets(), '--', '-D', 'warnings']));
-  await steps.check('wasm', 'tests, wasm under Node', () => cargoTest(toolchain, wasmTargets(), env));
+  await steps.check('wasm', 'clippy, wasm', mustCargo(toolchain, ['clippy', '--locked', ...WASM_TARGETS, '--', '-D', 'warnings']));
+  await steps.check('wasm', 'tests, wasm under Node', () => cargoTest(toolchain, WASM_TARGETS, env));
 }
 
-/** Builds from source beside the tracked files and compares the bytes.  @param {Steps} steps @param {Toolchain} toolchain @param {BindgenPrograms} programs */
-async function rebuild(steps, toolchain, programs) {
+/** Builds the module beside the tracked one and compares the bytes.  @param {Steps} steps @param {Toolchain} toolchain @param {BindgenPrograms} programs */
+async function rebuiltModule(steps, toolchain, programs) {
   await steps.check('build', 'pkg/wasm is what its source gives', async () => {
     const record = existsSync(join(PKG_WASM, 'BUILD.json')) ? readJson(join(PKG_WASM, 'BUILD.json')) : {};
     const { buildWasm } = await import('./lib/wasm.mjs');
@@ -82,6 +80,10 @@ async function rebuild(steps, toolchain, programs) {
     }
     return compareFolders('pkg/wasm', PKG_WASM, out);
   });
+}
+
+/** @param {Steps} steps */
+async function rebuiltPage(steps) {
   await steps.check('build', 'dist is what its source gives', async () => {
     const { buildPage } = await import('./lib/page.mjs');
     const out = join(TARGET, 'rebuilt', 'dist');
@@ -100,19 +102,19 @@ async function typeChecks(steps) {
   await steps.check('types', 'format and lints of JavaScript and TypeScript', program(['@biomejs', 'biome', 'bin', 'biome'], 'ci', '--error-on-warnings'));
   await steps.check('types', 'types of the page', tsc('tsconfig.json'));
   await steps.check('types', 'types of package, tools and tests', tsc('tsconfig.node.json'));
-  await steps.check('types', 'layers, texts and edits of the page, judge of the bench', () =>
-    nodeTest(['layers', 'words', 'judge', 'edits'].map((name) => join(ROOT, 'tests', `${name}.test.js`))),
-  );
+  // What needs neither browser nor command: layers, texts and states of the page, judge of the bench.
+  await steps.check('types', 'tests without a browser', () => nodeTest(testsIn(join(ROOT, 'tests'))));
+}
+
+/** The files of Node's tests in a folder.  @param {string} folder */
+function testsIn(folder) {
+  const files = readdirSync(folder).filter((file) => file.endsWith('.test.js'));
+  return files.sort().map((file) => join(folder, file));
 }
 
 /** `concurrency`: so many files at the same time.  @param {Steps} steps @param {string} group @param {string} name @param {Record<string, string>} env */
 async function nodeTests(steps, group, name, env, concurrency = 1) {
-  const folder = join(ROOT, 'tests', group);
-  const files = readdirSync(folder)
-    .filter((file) => file.endsWith('.test.js'))
-    .sort()
-    .map((file) => join(folder, file));
-  await steps.check(group, name, () => nodeTest(files, env, concurrency));
+  await steps.check(group, name, () => nodeTest(testsIn(join(ROOT, 'tests', group)), env, concurrency));
 }
 
 /** Runs Node's tests without their chatter; a failure shows all of it.  @param {string[]} files @param {Record<string, string>} [env] */
@@ -139,32 +141,33 @@ async function quick(steps) {
   await steps.check('rust', 'unit tests, native', () => cargoTest(toolchain, ['--lib']));
 }
 
-/** @param {Steps} steps */
-async function everything(steps) {
+/** @param {Steps} steps @param {boolean} rebuilds the module too */
+async function everything(steps, rebuilds) {
   const needs = (/** @type {string[]} */ ...groups) => groups.some((group) => steps.wanted(group));
   const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', () => ensurePackages().then(() => true)));
   const toolchain = needs('rust', 'wasm', 'build', 'package') ? await steps.prepare('Rust', ensureToolchain) : null;
 
-  // Linking the module and optimising it keep one core busy for minutes: the native tests take the other one.
-  const building = (async () => {
-    const programs = toolchain && needs('wasm', 'build') ? await steps.prepare('wasm-bindgen', () => ensureBindgen(toolchain)) : null;
-    if (toolchain && programs && packages) await rebuild(steps, toolchain, programs);
-    return programs;
-  })();
-  const testing = (async () => {
+  // Two lanes for two processors: the native compiler and its tests, and what needs neither of them nor a quiet machine.
+  const native = async () => {
     if (!toolchain) return;
     await rustLints(steps, toolchain);
     await rustTests(steps, toolchain);
-  })();
-  const [programs] = await Promise.all([building, testing]);
+  };
+  const others = async () => {
+    if (packages) await typeChecks(steps);
+    if (packages) await rebuiltPage(steps);
+    const programs = toolchain && (needs('wasm') || rebuilds) ? await steps.prepare('wasm-bindgen', () => ensureBindgen(toolchain)) : null;
+    if (toolchain && programs) await wasmTests(steps, toolchain, programs);
+    if (toolchain && programs && rebuilds) await rebuiltModule(steps, toolchain, programs);
+    if (toolchain) await nodeTests(steps, 'package', 'tests, contents of crate and package', { CARGO_TOOLCHAIN: toolchain.name });
+    // The files of its tests share nothing, as those of the page do not, and each waits for one process or page at a time.
+    await nodeTests(steps, 'command', 'tests, command', {}, FILES);
+  };
+  await Promise.all([native(), others()]);
 
-  if (toolchain && programs) await wasmTests(steps, toolchain, programs);
-  if (packages) await typeChecks(steps);
-  if (toolchain) await nodeTests(steps, 'package', 'tests, contents of crate and package', { CARGO_TOOLCHAIN: toolchain.name });
-  // The files of its tests share nothing, and each waits for one process at a time.
-  await nodeTests(steps, 'command', 'tests, command', {}, COMMAND_FILES);
   const chromium = needs('page') ? await steps.prepare('Chromium', ensureChromium) : null;
-  if (packages) await nodeTests(steps, 'page', 'tests, page in Chromium', { CHROMIUM: chromium?.path ?? '', NO_CHROMIUM: chromium?.reason ?? '' });
+  const program = { CHROMIUM: chromium?.path ?? '', NO_CHROMIUM: chromium?.reason ?? '' };
+  if (packages) await nodeTests(steps, 'page', 'tests, page in Chromium', program, FILES);
 }
 
 async function main() {
@@ -176,7 +179,7 @@ async function main() {
     return 2;
   }
   const steps = new Steps((group) => isQuick || named.length === 0 || named.includes(group));
-  await (isQuick ? quick(steps) : everything(steps));
+  await (isQuick ? quick(steps) : everything(steps, named.includes('build')));
   return steps.report() === 0 ? 0 : 1;
 }
 

@@ -9,7 +9,7 @@ const NAMED = 5;
 /** @typedef {import('../node.js').Summary} Summary */
 
 /** @param {string} out @param {Summary} summary @returns {string[]} */
-export function describe(out, { verdict, images, cameras, pairs, groups, points, selection, refinement, orientation, score }) {
+export function describe(out, { verdict, images, cameras, pairs, groups, points, selection, refinement, orientation, orthophoto, score }) {
   const models = 'models' in orientation ? orientation.models : [];
   const [first] = models;
   return [
@@ -43,6 +43,12 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
             ['residuals, RMS [px]', fixed(first.rmse_px, 3)],
           ]
         : []),
+      ...(first?.components ?? []).map(({ name, factor, interval, applied }) => [
+        `standard errors by residuals / stated, ${name}`,
+        interval
+          ? `${fixed(factor, 2)} (95 %: ${interval.map((v) => fixed(v, 2)).join(' to ')})${applied ? ', weights follow' : ''}`
+          : 'held at 1: too little redundancy',
+      ]),
       ...(first?.checks
         ? [
             ['check points', first.checks.points],
@@ -58,6 +64,7 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
         : []),
       ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((v) => fixed(v, 3)).join(' ')]] : []),
     ]),
+    ...(orthophoto ? ['', orthophoto.text] : []),
     ...(models.length > 1 ? ['', ...models.flatMap(describeModel)] : (first?.warnings ?? []).map(warning)),
     ...(pairs.connected > 0 ? reasons(orientation) : []),
     '',

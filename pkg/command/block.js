@@ -10,22 +10,18 @@ import {
   parse_camera_rules,
   parse_ground_control_points,
   parse_image_measurements,
-  planned_files,
 } from '../node.js';
-import { describe } from './block-text.js';
-import { about, DataError, UsageError, VERDICT_CODES } from './errors.js';
-import { exists, filesIn, isFile, isFolder, readText, reasonOf, removeUnfinished } from './files.js';
+import { BlockFolder, formatsOf } from './block-folder.js';
+import { about, DataError, UsageError } from './errors.js';
+import { exists, filesIn, isFile, isFolder, readText, reasonOf } from './files.js';
 import { FolderStore } from './folder-store.js';
-import { lockFolder } from './lock.js';
+import { onOrthophoto, ORTHOPHOTO_OPTIONS, orthophotoOf } from './on-orthophoto.js';
 import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, workersOption } from './options.js';
-import { note, print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
 import { Progress } from './progress.js';
-import { Written } from './written.js';
 
 /**
  * @typedef {import('./args.js').Call} Call
- * @typedef {import('../node.js').ExportFormat} ExportFormat
  * @typedef {import('../block/index.js').Source} Source
  */
 
@@ -51,7 +47,7 @@ export const block = {
     path(
       'control',
       'points.csv',
-      'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; a column use has control, check or off; needs --marks.',
+      'Surveyed points that place the block, in place of recorded positions, or beside them with --crs: name,x,y,z and perhaps standard errors, in m; a column use has control, check or off; needs --marks.',
     ),
     path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
     path(
@@ -63,10 +59,11 @@ export const block = {
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
     workersOption('the result is'),
     JSON_FLAG,
+    ...ORTHOPHOTO_OPTIONS,
     ...OPTIONS,
   ],
   details:
-    'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, surveyed.csv (surveyed points beside their adjusted places), rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a ' +
+    'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, surveyed.csv (surveyed points beside their adjusted places), rays.csv, orientation.json (the adjustment in full), report.html (a page with figures and drawings), summary.json. Images of one make, model, focal length and size share a ' +
     'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. ' +
     'A file that would be written over and that no run wrote, or that was changed since, is refused before anything is computed. The exit code is that of the verdict: 0 oriented, 3 weak, 4 where no image could be oriented; the files are written in any case. ' +
     'Models count from 1; what other programs read holds the first of them. JSON: what summary.json holds.',
@@ -80,11 +77,7 @@ async function run(call) {
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
   const sources = sourcesOf(call.positionals);
   const settings = settingsOf(OPTIONS, values, block_settings({}));
-  const formats = /** @type {ExportFormat[]} */ (
-    String(values.get('export') ?? '')
-      .split(',')
-      .filter(Boolean)
-  );
+  const formats = formatsOf(values);
   const cameras = values.get('cameras');
   const options = {
     settings,
@@ -97,43 +90,23 @@ async function run(call) {
   const known = typeof truth === 'string' ? truthOf(truth) : null;
   // What can be refused before anything is computed.
   const names = sources.map(({ name }) => name);
-  const planned = planned_files(names, formats);
   if (known) about(String(truth), () => check_block_truth(known, names));
-  const release = lockFolder(out);
-  removeUnfinished(out);
-  const written = new Written(out);
-  written.refuseOthers(planned, formats);
+  if (values.has('orthophoto') && values.has('crs')) throw new UsageError('--orthophoto gives the block its own system: leave out --crs');
+  const reference = orthophotoOf(values);
+  const folder = new BlockFolder(out, names, formats);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new Progress({ quiet: values.has('json') });
   try {
-    const finished = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.stage(step) });
+    const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.stage(step) });
     shown.end();
-    const summary = writeFiles(finished.files(formats, known && about(String(truth), () => finished.score(known))), written);
-    written.finish();
-    for (const { path: was, kept } of written.setAside) note(`${was} was changed while the run went on: what it held is now ${kept}`);
-    const { images, remarks } = summary;
-    for (const { name, reason } of images.left_out) note(`${name} is left out: ${reason.text}`);
-    for (const name of images.stray_masks) note(`the mask ${name} belongs to none of the images`);
-    for (const name of images.stray_marks) note(`the marks name ${name}, which is none of the images`);
-    for (const { text } of remarks) note(text);
-    if (values.has('json')) printJson(summary);
-    else print(...describe(out, summary));
-    const refused = summary.exports.filter((e) => e.refused !== null);
-    if (refused.length > 0)
-      throw new DataError(`not exported: ${refused.map(({ format, refused: why }) => `${format} (${why})`).join('; ')}; all other files were written`);
-    return VERDICT_CODES[summary.verdict.kind];
+    const finished = reference ? await onOrthophoto(found, sources, reference) : found;
+    const score = known && about(String(truth), () => finished.score(known));
+    return folder.tell(folder.write(finished, score), values.has('json'));
   } finally {
     shown.end();
     await pool.close();
-    release();
-  }
-}
-
-/** @param {import('../node.js').BlockWriting} writing @param {Written} written @returns {import('../node.js').Summary} */
-function writeFiles(writing, written) {
-  for (;;) {
-    const summary = writing.step((path, text) => written.put(path, text));
-    if (summary) return summary;
+    folder.release();
+    reference?.free();
   }
 }
 

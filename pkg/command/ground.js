@@ -1,13 +1,19 @@
 // @ts-check
-/** The heights of the ground, as commands are given them, and the world files beside pictures. */
+/** Orthophotos and the heights of their ground, as commands are given them, and the world files beside pictures. */
 
 import { statSync } from 'node:fs';
 import { basename, dirname, extname, join } from 'node:path';
-import { UsageError } from './errors.js';
+import { OrthophotoReference } from '../node.js';
+import { about, UsageError } from './errors.js';
 import { filesIn, isFolder, readBytes, readText } from './files.js';
 import { path, real } from './options.js';
 
 /** @typedef {{ file: string | undefined, heights: Uint8Array | number, world: string | undefined }} Ground `file`: where the heights come from */
+
+export const ORTHOPHOTO_HELP = 'The reference: a GeoTIFF in a projected system, or an image with a world file beside it (.tfw, .jgw, .pgw, .wld);';
+
+/** What is said where no heights are given. */
+export const NO_HEIGHTS = 'no heights are given: the ground is taken as level at 0; positions are above it';
 
 export const GROUND_OPTIONS = [
   path('heights', 'FILE', 'Height model of the ground: a GeoTIFF or an ESRI ASCII grid, in the same system.'),
@@ -20,6 +26,24 @@ export function groundOf(values) {
   if (typeof file === 'string' && level !== undefined) throw new UsageError('--heights and --level are both given; allowed: one of them');
   if (typeof file === 'string') return { file, heights: readBytes(file), world: worldOf(file) };
   return level === undefined ? null : { file: undefined, heights: Number(level), world: undefined };
+}
+
+/**
+ * Opens an orthophoto, and finds the points among which images are sought.
+ * @param {string} file @param {Ground | null} ground @param {import('../node.js').PlacingOptions} placing
+ * @returns {OrthophotoReference} which the caller frees
+ */
+export function openReference(file, ground, placing) {
+  const bytes = readBytes(file);
+  const reference = about(file, () => OrthophotoReference.open(bytes, worldOf(file)));
+  try {
+    if (ground) about(ground.file ?? '--level', () => reference.set_heights(ground.heights, ground.world));
+    reference.search(placing);
+    return reference;
+  } catch (error) {
+    reference.free();
+    throw error;
+  }
 }
 
 /** A world file has six numbers. */

@@ -4,11 +4,13 @@
 import { version } from '../node.js';
 import { nearest, parse } from './args.js';
 import { block } from './block.js';
+import { covariances } from './covariances.js';
 import { explain, oneLine, UsageError } from './errors.js';
 import { helpOf, overview } from './help.js';
 import { interior } from './interior.js';
 import { match } from './match.js';
 import { moments } from './moments.js';
+import { edit } from './edit.js';
 import { mosaic } from './mosaic.js';
 import { HELP_FLAG, withOptionNames } from './options.js';
 import { orient } from './orient.js';
@@ -21,7 +23,7 @@ import { sample, simulate } from './simulate.js';
 /** @typedef {import('./args.js').Command} Command */
 
 /** @type {Command[]} */
-const COMMANDS = [points, match, interior, orient, moments, report, block, mosaic, place, sample, simulate].map(withHelp);
+const COMMANDS = [points, match, interior, orient, moments, report, block, edit, covariances, mosaic, place, sample, simulate].map(withHelp);
 
 /** @param {Command} command @returns {Command} */
 function withHelp(command) {

@@ -1,11 +1,11 @@
 // @ts-check
 import { withText } from '../messages.js';
-import { acting_parameters, defaults, matches_csv, message, pair_hint, points_csv, resolved, write_pair_project } from '../node.js';
+import { acting_parameters, defaults, matches_csv, message, pair_hint, pair_preset, pair_presets, points_csv, resolved, write_pair_project } from '../node.js';
 import { checkSize } from './block-camera.js';
 import { VERDICT_CODES } from './errors.js';
 import { describeFileCameras, fileCamerasOf } from './file-cameras.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
-import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, workersOption } from './options.js';
+import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, word, workersOption } from './options.js';
 import { describeOrientation, orientationOf, UNKNOWNS } from './orient.js';
 import { note, print, printJson, rows } from './output.js';
 import { inputOf, MASK_OPTIONS, maskPaths, masksOf, PAIR_OPTIONS } from './pair.js';
@@ -26,6 +26,13 @@ const OPTIONS = [
     'out',
     'DIR',
     'Folder that receives project.tiepoint (all of the pair, which the page opens), matches.csv, left-points.csv, right-points.csv and result.json.',
+  ),
+  word(
+    'preset',
+    pair_presets(),
+    'Ready-made settings, of which other options change some: many-points has twice as many points, little-in-common larger windows for least squares matching (long bases, ' +
+      "other scales), zahran-2007 the paper's method with its values.",
+    'the defaults',
   ),
   workersOption('the result is'),
   JSON_FLAG,
@@ -49,7 +56,7 @@ export const match = {
       values,
     } = call;
     const { input, ofBlock } = inputOf(call);
-    const settings = settingsOf(OPTIONS, values, defaults());
+    const settings = settingsOf(OPTIONS, values, presetOf(values.get('preset')));
     noteNotActing(values, settings);
     const [out, truthPath] = [values.get('out'), values.get('truth')];
     const truth = typeof truthPath === 'string' ? readTruth(truthPath) : null;
@@ -81,6 +88,9 @@ export const match = {
     return VERDICT_CODES[output.verdict.kind];
   },
 };
+
+/** The settings that a preset starts from.  @param {import('./options.js').Value | undefined} name */
+const presetOf = (name) => (name === undefined ? defaults() : pair_preset(/** @type {import('../node.js').PairPreset} */ (name)));
 
 /**
  * Says which options have no effect beside the others, as those of moments where gradients are compared.

@@ -1,6 +1,6 @@
 // @ts-check
 import { basename, dirname, join } from 'node:path';
-import { OrthoMosaic } from '../node.js';
+import { check_heights, OrthoMosaic } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
 import { filesIn, isFolder, makeFolder, readBytes, writeInto } from './files.js';
 import { GROUND_OPTIONS, groundOf } from './ground.js';
@@ -31,7 +31,8 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   if (!isFolder(folder)) throw new DataError(`${folder}: it is no folder; name that of the images`);
   const ground = groundOf(values);
   const bytes = readBytes(project);
-  const made = about(ground?.file ?? project, () => OrthoMosaic.open(bytes, ground?.heights ?? null, ground?.world, typeof gsd === 'number' ? gsd : undefined));
+  if (ground) about(ground.file ?? '--level', () => check_heights(ground.heights, ground.world));
+  const made = about(project, () => OrthoMosaic.open(bytes, ground?.heights ?? null, ground?.world, typeof gsd === 'number' ? gsd : undefined));
   const { names } = made;
   const files = new Set(filesIn(folder));
   const missing = names.filter((name) => !files.has(name));

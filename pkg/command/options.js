@@ -28,6 +28,9 @@ function number(name, text) {
   return value;
 }
 
+/** Whether its value is a text, which the check of the settings reads.  @param {{ kind: string }} p */
+const isText = ({ kind }) => kind === 'text';
+
 /** What a parameter allows, in words.  @param {Parameter} p @returns {string} */
 function allowed(p) {
   switch (p.kind) {
@@ -38,7 +41,7 @@ function allowed(p) {
     case 'choice':
       return p.values.join(', ');
     default:
-      return '';
+      return isText(p) ? 'text' : '';
   }
 }
 
@@ -52,8 +55,12 @@ function oneOf(name, words, text) {
 /** @param {string} name @param {Parameter} p @param {string} text @returns {Value} */
 function read(name, p, text) {
   if (p.kind === 'choice') return oneOf(name, p.values, text);
+  if (isText(p)) {
+    if (text.trim() === '') throw new UsageError(`--${name} is empty; allowed: a text`);
+    return text.trim();
+  }
   const value = number(name, text);
-  const { min, max } = p.kind === 'flag' ? { min: -Infinity, max: Infinity } : p;
+  const { min, max } = 'min' in p ? p : { min: -Infinity, max: Infinity };
   const whole = p.kind !== 'integer' || (Number.isInteger(value) && (!p.odd || value % 2 !== 0));
   if (!whole || value < min || value > max) throw new UsageError(`--${name} is ${text}; allowed: ${allowed(p)}`);
   return value;
@@ -71,7 +78,7 @@ function parameterOption(p, standard, called) {
   const negates = standard === true;
   const name = called ?? (p.named || `${negates ? 'no-' : ''}${key.replace(/^.*\./, '').replaceAll('_', '-')}`);
   if (p.kind === 'flag') return { ...flag(name, negates ? `Switches this off: ${p.help}` : p.help), key, section, negates };
-  const placeholder = p.kind === 'choice' ? 'NAME' : PLACEHOLDERS[p.unit];
+  const placeholder = { choice: 'NAME', text: 'TEXT' }[/** @type {string} */ (p.kind)] ?? PLACEHOLDERS[p.unit];
   const help = placeholder ? p.help : `${p.help} Its unit is ${p.unit}.`;
   const fallback = typeof standard === 'number' || typeof standard === 'string' ? standard : p.absent;
   return { name, placeholder: placeholder ?? 'N', key, section, range: allowed(p), fallback, help, read: (text) => read(name, p, text) };

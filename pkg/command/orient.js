@@ -1,16 +1,28 @@
 // @ts-check
+import { basename, dirname } from 'node:path';
 import { withText } from '../messages.js';
-import { defaults, message, orient_relative, parse_observations } from '../node.js';
+import { defaults, message, model_points, model_points_csv, orient_relative, parse_observations } from '../node.js';
 import { about, UsageError } from './errors.js';
-import { readText } from './files.js';
-import { groupOptions, JSON_FLAG, real, settingsOf } from './options.js';
+import { readText, writeInto } from './files.js';
+import { groupOptions, JSON_FLAG, path, real, settingsOf } from './options.js';
 import { print, printJson, rows } from './output.js';
 import { fixed, significant, table } from './text.js';
 
 /** @typedef {import('../node.js').RelativeOrientation} RelativeOrientation */
 
 const FOCAL = { ...real('focal-mm', 'focal_mm', 'Focal length (principal distance) in mm; required.', (f) => f > 0, 'a number above 0'), placeholder: 'F' };
-const OPTIONS = [FOCAL, ...groupOptions('orientation'), JSON_FLAG];
+const POINTS = path('points', 'FILE', 'Writes the object points with their standard errors as CSV, in the system of the left photo.');
+const BASE = {
+  ...real(
+    'base-length',
+    'base_length',
+    'Length of the base in the unit that --points gets, by default 1: the base is the unit.',
+    (b) => b > 0,
+    'a number above 0',
+  ),
+  placeholder: 'B',
+};
+const OPTIONS = [FOCAL, POINTS, BASE, ...groupOptions('orientation'), JSON_FLAG];
 
 /** @type {import('./args.js').Command} */
 export const orient = {
@@ -22,7 +34,8 @@ export const orient = {
     'OBSERVATIONS.csv: columns x_left_mm,y_left_mm,x_right_mm,y_right_mm, x to the right and y up, principal point at 0, 0. ' +
     '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), half_widths_95 (of the intervals that hold the unknowns in 95 % of cases), sigma0_mm, degrees_of_freedom, ' +
     'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, warnings, global_test, base_ellipse_mm, base_ellipse_95_mm, noncentrality (delta0 of the minimal detectable size), residuals_mm [[vxl, vyl, vxr, vyr], …], ' +
-    'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0).',
+    'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0). ' +
+    '--points FILE: columns point (index from 0), x, y, z, sigma_x, sigma_y, sigma_z, use (used or rejected); x and y along the axes of the left photo, which looks along -z from 0, 0, 0; the standard errors include those of the orientation.',
   run({ positionals: [file = ''], values }) {
     const focal = values.get('focal-mm');
     if (typeof focal !== 'number') throw new UsageError('--focal-mm is missing: give the focal length in mm');
@@ -31,6 +44,11 @@ export const orient = {
     const text = readText(file);
     const observations = about(file, () => parse_observations(text));
     const result = orient_relative(observations, focal, settings.orientation);
+    const out = values.get('points');
+    if (typeof out === 'string') {
+      const points = model_points(observations, focal, settings.orientation, Number(values.get('base-length') ?? 1));
+      writeInto(dirname(out), basename(out), model_points_csv(points));
+    } else if (values.has('base-length')) throw new UsageError('--base-length needs --points');
     if (values.has('json')) printJson(orientationOf(result));
     else print(...describeOrientation(result, null));
   },

@@ -1,13 +1,13 @@
 // @ts-check
 import { basename, extname } from 'node:path';
-import { check_cameras, message, OrthophotoReference, placed_tables, placing_defaults, placing_parameters } from '../node.js';
+import { check_cameras, message, placed_tables, placing_defaults, placing_parameters } from '../node.js';
 import { about, DataError, UsageError, VERDICT_CODES } from './errors.js';
 import { makeFolder, readBytes, readText, writeInto } from './files.js';
 import { flag, JSON_FLAG, optionsOf, path, settingsOf } from './options.js';
 import { note, print, printJson } from './output.js';
 import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
-import { GROUND_OPTIONS, groundOf, worldOf } from './ground.js';
+import { GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP } from './ground.js';
 
 /** @typedef {import('../node.js').PlacedImage} PlacedImage */
 
@@ -20,7 +20,7 @@ export const place = {
   positionals: [],
   rest: 'IMAGE…',
   options: [
-    path('orthophoto', 'FILE', 'The reference: a GeoTIFF in a projected system, or an image with a world file beside it (.tfw, .jgw, .pgw, .wld); required.'),
+    path('orthophoto', 'FILE', `${ORTHOPHOTO_HELP} required.`),
     ...GROUND_OPTIONS,
     path('cameras', 'cameras.json', 'Cameras in place of those of EXIF, as `tiepoint block` takes them; one with "fixed": true is calibrated.'),
     path('out', 'DIR', 'Folder that receives placed.csv, links.csv and result.json.'),
@@ -47,7 +47,7 @@ async function run({ positionals, values }) {
   const ground = groundOf(values);
   if (typeof out === 'string') makeFolder(out);
   const shown = new Progress({ steps: positionals.length + 2 });
-  const reference = shown.step(`reading ${file}`, () => open(file, ground, placing));
+  const reference = shown.step(`reading ${file}`, () => openReference(file, ground, placing));
   try {
     /** @type {Result['images']} */
     const images = [];
@@ -72,7 +72,8 @@ async function run({ positionals, values }) {
     const result = { orthophoto: { name: basename(file), ...reference.info() }, images };
     const written = shown.step('writing', () => (typeof out === 'string' && images.length > 0 ? [...write(out, result), ...pictures] : []));
     shown.end();
-    if (!ground) note('no heights are given: the ground is taken as level at 0; positions are above it');
+    if (placing.check_share === 0) note('--check-share is 0: no link checks the result');
+    if (!ground) note(NO_HEIGHTS);
     if (failed.length < positionals.length) {
       if (values.has('json')) printJson(result);
       else print(...describe(result), ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []));
@@ -92,20 +93,6 @@ const stemOf = (image) => basename(image, extname(image));
 function refuseTwice(images, named) {
   const twice = images.find((image, index) => images.findIndex((other) => named(other) === named(image)) !== index);
   if (twice !== undefined) throw new UsageError(`two images are named ${named(twice)}: place them one after the other, into two folders`);
-}
-
-/** @param {string} file @param {import('./ground.js').Ground | null} ground @param {import('../node.js').PlacingOptions} placing */
-function open(file, ground, placing) {
-  const bytes = readBytes(file);
-  const reference = about(file, () => OrthophotoReference.open(bytes, worldOf(file)));
-  try {
-    if (ground) about(ground.file ?? '--level', () => reference.set_heights(ground.heights, ground.world));
-    reference.search(placing);
-    return reference;
-  } catch (error) {
-    reference.free();
-    throw error;
-  }
 }
 
 /** @param {unknown} cameras @param {readonly string[]} images */

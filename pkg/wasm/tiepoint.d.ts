@@ -30,6 +30,8 @@ export interface OrthophotoInfo {
     georeference: Georeference;
     epsg: number | null;
     heights: [number, number];
+    /** Share of the picture that has a height, 0 to 1. */
+    heights_share: number;
 }
 
 
@@ -159,10 +161,10 @@ export interface Messages {
     camera_origin: CameraOrigin;
     camera_parameter: CameraParameter;
     error: { kind: string };
-    /** Texts of the page itself: `kind` names one, the other fields are its figures. */
-    page: { kind: string };
     overview_warning: OverviewWarning;
     placing_verdict: PlacingVerdict;
+    image_reason: ImageReason;
+    on_orthophoto: OnOrthophoto;
 }
 
 
@@ -236,6 +238,18 @@ export interface PointColumns {
     errors: Float64Array;
     /** Probability, 0..1, that all rays belong together. */
     confidence: Float64Array;
+}
+
+/** The observations of an image. */
+export interface ImagePoints {
+    /** Index of the point of each in the model that is written. */
+    points: Uint32Array;
+    /** Column and row in px; stride 2. */
+    places: Float64Array;
+    /** Observed minus computed in px; NaN where there is none; stride 2. */
+    residuals: Float64Array;
+    /** 0: it takes part; 1: it was rejected; 2: it was rejected by hand. */
+    parts: Uint8Array;
 }
 
 /** A message and its text. */
@@ -535,6 +549,11 @@ export interface CameraRule {
 }
 
 /**
+ * A change of a finished block by hand. Images count as those of the block.
+ */
+export type BlockEdit = { kind: "reject_observations"; observations: PointImage[] } | { kind: "restore_observations"; observations: PointImage[] } | { kind: "reject_points"; points: PointSource[] } | { kind: "restore_points"; points: PointSource[] } | { kind: "reject_images"; images: number[] } | { kind: "restore_images"; images: number[] } | { kind: "measure"; point: PointSource; image: number; x_px: number; y_px: number; by?: MeasuredBy } | { kind: "add_point"; observations: HandMeasurement[] } | { kind: "set_use"; point: number; use?: ControlRole | null };
+
+/**
  * A column of Table 3.
  */
 export interface PrintedOrientation {
@@ -626,6 +645,10 @@ export interface ModelSummary {
      */
     position_rmse_m: [number, number, number] | null;
     /**
+     * How large errors are beside the stated standard errors, by the residuals.
+     */
+    components: ComponentSummary[];
+    /**
      * Absent without check points.
      */
     checks: CheckSummary | null;
@@ -661,6 +684,10 @@ export interface ReconstructedModel {
      */
     rejected: RejectedObservation[];
     adjusted: AdjustmentResult;
+    /**
+     * Tie points by which it was adjusted, too, and which are not given: with those of the adjusted block they repeat the adjustment.
+     */
+    supporting?: SupportingPoint[];
     /**
      * The surveyed points, where it lies in their system.
      */
@@ -755,6 +782,34 @@ export interface PairPhoto {
 export type Side = "left" | "right";
 
 /**
+ * A place in an image that was measured.
+ */
+export interface HandMeasurement {
+    image: number;
+    /**
+     * Column and row in px.
+     */
+    x_px: number;
+    y_px: number;
+    by?: MeasuredBy;
+}
+
+/**
+ * A place in an image.
+ */
+export interface ImagePlace {
+    /**
+     * Index of the image in the block.
+     */
+    image: number;
+    /**
+     * Column and row in px.
+     */
+    x_px: number;
+    y_px: number;
+}
+
+/**
  * A place on the earth as a receiver had it.
  */
 export interface ExifPosition {
@@ -777,6 +832,25 @@ export interface ExifPosition {
 }
 
 /**
+ * A point of an image and the place of the orthophoto that shows it, as somebody gives them.
+ */
+export interface GivenLink {
+    /**
+     * Column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+     */
+    at: [number, number];
+    /**
+     * X and Y in the system of the orthophoto; its height is looked up.
+     */
+    place: [number, number];
+    use: GivenUse;
+    /**
+     * Whether it was measured by eye, to about a pixel of both pictures.
+     */
+    by_hand?: boolean;
+}
+
+/**
  * A point of the image and the place that the orthophoto has for it.
  */
 export interface Link {
@@ -789,10 +863,47 @@ export interface Link {
      */
     place: [number, number, number];
     /**
-     * Observed minus computed column and row in px.
+     * Observed minus computed column and row in px; absent where the image does not see the place.
      */
-    residual_px: [number, number];
+    residual_px: [number, number] | null;
     role: LinkUse;
+    /**
+     * Whether it was measured by eye.
+     */
+    by_hand?: boolean;
+}
+
+/**
+ * A point of the model that is written, with its observations.
+ */
+export interface PointDetail {
+    /**
+     * What it is, whatever its index; absent in a block that is not oriented.
+     */
+    id: PointSource | null;
+    /**
+     * Of a surveyed point.
+     */
+    name: string | null;
+    role: ControlRole | null;
+    /**
+     * X, Y, Z; absent where it is not intersected.
+     */
+    position: [number, number, number] | null;
+    /**
+     * Their standard errors.
+     */
+    errors: [number, number, number] | null;
+    rmse_px: number | null;
+    /**
+     * Probability, 0..1, that its observations belong together.
+     */
+    confidence: number;
+    observations: ObservationDetail[];
+    /**
+     * Where the other oriented images should show it.
+     */
+    elsewhere: ImagePlace[];
 }
 
 /**
@@ -812,6 +923,10 @@ export interface GroundControlRow {
      * What it is for; absent where it is not used at all.
      */
     role?: ControlRole | null;
+    /**
+     * Standard error of a coordinate of its image measurements in px, above 0; absent where the file has none.
+     */
+    sigma_px?: number | null;
 }
 
 /**
@@ -836,6 +951,10 @@ export interface GroundControlPoint {
     name: string;
     position: ObservedPosition;
     role?: ControlRole;
+    /**
+     * Standard error of a coordinate of its image measurements in px, above 0; absent: that of the options.
+     */
+    sigma_px?: number;
     /**
      * Inside their images, one in each.
      */
@@ -870,6 +989,14 @@ export interface RejectedObservation {
      * Length of its residual before the bundle adjustment in px; absent where the point lies behind the image.
      */
     residual_px: number | null;
+    /**
+     * Whether it was rejected by hand.
+     */
+    by_hand?: boolean;
+    /**
+     * Whether it had been measured by hand.
+     */
+    measured?: boolean;
 }
 
 /**
@@ -914,6 +1041,11 @@ export interface SurveyedPoint {
      * statistics, and for coordinates that nothing checks.
      */
     standard_errors_m: [number | null, number | null, number | null];
+    /**
+     * Of a control point: the same where it takes no part, which tells what it is worth as a check point would; absent where the other
+     * observations do not determine it.
+     */
+    left_out?: LeftOut;
 }
 
 /**
@@ -940,6 +1072,21 @@ export interface ObjectPoint {
 }
 
 /**
+ * A tie point that took part in the adjustment and is not given.
+ */
+export interface SupportingPoint {
+    /**
+     * Index of the tie point.
+     */
+    point: number;
+    /**
+     * Adjusted.
+     */
+    position: [number, number, number];
+    rays: SupportingRay[];
+}
+
+/**
  * An adjusted block with its precision and reliability.
  *
  * Standard errors are with σ₀ a priori where that is given, else with the estimated one, enlarged by what rejections took from the
@@ -957,6 +1104,19 @@ export interface AdjustmentResult {
      */
     sigma0_px: number | null;
     sigma0_a_priori_px: number | null;
+    /**
+     * Standard error of a coordinate of weight 1 by which everything was weighted whose standard error is stated: the weight of a GNSS coordinate
+     * that is stated as σ is the square of this by σ and the factor of its group. Absent in older projects.
+     */
+    weighted_by_px?: number | null;
+    /**
+     * Standard error of a coordinate of weight 1 by which cofactors become the covariances of what was estimated. Absent in older projects.
+     */
+    unit_error_px?: number | null;
+    /**
+     * Standard deviation of the shared errors that standard errors hold, in standard errors of an observation.
+     */
+    shared_errors?: number;
     degrees_of_freedom: number;
     /**
      * Root mean square length of the residuals of all accepted rays in px.
@@ -967,13 +1127,16 @@ export interface AdjustmentResult {
      * out.
      */
     rmse_by_rays: RayCountRmse[];
+    /**
+     * Those of `weighting` not counted.
+     */
     iterations: number;
     /**
      * Root mean square of the last step in standard errors of the unknowns.
      */
     last_step: number;
     /**
-     * Adjustments until the set of accepted rays had settled.
+     * Adjustments until the set of accepted rays had settled; those of `weighting` not counted.
      */
     rounds: number;
     cameras: CameraStatistics[];
@@ -987,6 +1150,14 @@ export interface AdjustmentResult {
      * One for each control point; absent where the datum does not use it.
      */
     control: (PriorStatistics | null)[];
+    /**
+     * How large the errors of observations are beside their stated standard errors, group by group; empty where no group states any.
+     */
+    components?: VarianceComponent[];
+    /**
+     * How weights by the residuals were reached; absent where variance components were not to be estimated.
+     */
+    weighting?: GroupWeighting;
 }
 
 /**
@@ -1214,6 +1385,79 @@ export interface ModelImage {
 }
 
 /**
+ * An observation of a point.
+ */
+export interface ObservationDetail {
+    /**
+     * Index of the image in the block.
+     */
+    image: number;
+    /**
+     * Column and row in px.
+     */
+    x_px: number;
+    y_px: number;
+    part: ObservationPart;
+    /**
+     * Whether it was measured by hand.
+     */
+    by_hand: boolean;
+    /**
+     * Observed minus computed.
+     */
+    residual_px: [number, number] | null;
+    /**
+     * r, 0..1, of column and row: the share of an error that shows in the residual.
+     */
+    redundancy: [number, number] | null;
+    /**
+     * Residuals by their standard errors (Baarda's w).
+     */
+    w: [number, number] | null;
+    /**
+     * The error that its test finds with a probability of 0.80.
+     */
+    detectable_px: [number | null, number | null];
+    /**
+     * Where the adjusted point is in the image; absent behind it.
+     */
+    predicted_px: [number, number] | null;
+}
+
+/**
+ * An observation of such a point.
+ */
+export interface SupportingRay {
+    /**
+     * Index of the image in the adjusted block.
+     */
+    image: number;
+    /**
+     * Column and row in px, in the precision of features.
+     */
+    x_px: number;
+    y_px: number;
+    /**
+     * Whether the adjustment rejected it; older projects do not say, and hold few that it did.
+     */
+    rejected?: boolean;
+}
+
+/**
+ * An observed position beside where its point is without it.
+ */
+export interface LeftOut {
+    /**
+     * Adjusted without it minus observed.
+     */
+    difference: [number, number, number];
+    /**
+     * Standard errors of that difference.
+     */
+    standard_errors: [number, number, number];
+}
+
+/**
  * An observed position with the standard error of each of its coordinates.
  */
 export interface PositionPrior {
@@ -1282,6 +1526,11 @@ export interface ControlTexts {
     points: string;
     marks: string;
 }
+
+/**
+ * How a place was measured, which says what it weighs.
+ */
+export type MeasuredBy = "hand" | "least_squares";
 
 /**
  * How a point's position is found between the pixels.
@@ -1442,6 +1691,24 @@ export type BlockView = "nadir" | "oblique" | "two-heights";
 export type Strategy = "auto" | "moments" | "invariants" | "correlation" | "least-squares" | "gradient";
 
 /**
+ * How the weights of groups of observations were found.
+ */
+export interface GroupWeighting {
+    /**
+     * Times that a group was weighted anew.
+     */
+    rounds: number;
+    /**
+     * Of all adjustments after the first of these.
+     */
+    iterations: number;
+    /**
+     * Whether nothing was left to change; otherwise weights still changed when the rounds were spent.
+     */
+    converged: boolean;
+}
+
+/**
  * Images that were read and those that were not.
  */
 export interface ImageCounts {
@@ -1461,6 +1728,11 @@ export interface ImageCounts {
      */
     features: number | null;
 }
+
+/**
+ * Observations whose standard errors are stated together.
+ */
+export type ObservationGroup = "marks" | "gnss_plan" | "gnss_height" | "control_plan" | "control_height";
 
 /**
  * One image.
@@ -1522,6 +1794,16 @@ export interface AdjustmentOptions {
      * estimates more parameters.
      */
     calibration_limit_px: number;
+    /**
+     * Estimates how much larger or smaller the errors of image measurements, GNSS positions and control points are than stated, and weights
+     * them by it where that is certain.
+     */
+    variance_components: boolean;
+    /**
+     * The standard deviation, in standard errors of an observation, of errors that the observations of an image share, as those of matches do:
+     * standard errors hold it. 0: observations are independent.
+     */
+    shared_errors: number;
     /**
      * The maximum number of iterations of one adjustment.
      */
@@ -1877,6 +2159,11 @@ export interface MatchOptions {
      */
     refine: Refinement | null;
     /**
+     * Points without a match are matched by least squares from where the matches around them foretell them, if they lie near their
+     * epipolar lines.
+     */
+    fill_in: boolean;
+    /**
      * Once the pair is oriented, it is matched again near the epipolar lines, until nothing changes; this needs a camera. Gradient always
      * does so once, with a camera or without.
      */
@@ -2129,6 +2416,10 @@ export interface CameraStatistics {
      * Of f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂; absent for what was not estimated.
      */
     standard_errors: [number | null, number | null, number | null, number | null, number | null, number | null, number | null, number | null];
+    /**
+     * Between the parameters that were estimated, in their order, row by row; empty without any.
+     */
+    correlations?: number[][];
     fixed: FixedParameter[];
 }
 
@@ -2152,6 +2443,10 @@ export interface ImageStatistics {
      * Standard errors of X₀; absent without statistics.
      */
     position_errors: [number, number, number] | null;
+    /**
+     * Correlations of X₀ with Y₀, of X₀ with Z₀, of Y₀ with Z₀; absent without statistics.
+     */
+    position_correlations?: [number, number, number] | null;
     /**
      * Of its GNSS position, where the datum uses it.
      */
@@ -2204,6 +2499,11 @@ export interface Paper {
 }
 
 /**
+ * Ready-made settings for tasks that the defaults serve less well.
+ */
+export type PairPreset = "many-points" | "little-in-common" | "zahran-2007";
+
+/**
  * Residuals of the points of one number of rays.
  */
 export interface RayCountRmse {
@@ -2232,29 +2532,6 @@ export interface CameraUncertainty {
      * Of the first term of the radial distortion, in units of the focal length: the share by which it moves a point at 45°.
      */
     k1: number;
-}
-
-/**
- * Standard errors of GNSS positions and control points that state none.
- */
-export interface GeoreferencingOptions {
-    /**
-     * The standard error of east and of north of GNSS positions that state none, some metres, or centimetres where they were corrected:
-     * higher gives them less weight.
-     */
-    receiver_across_m: number;
-    /**
-     * The standard error of the height of GNSS positions that state none: higher gives it less weight.
-     */
-    receiver_up_m: number;
-    /**
-     * The standard error of x and of y of control points that state none: higher gives them less weight.
-     */
-    surveyed_across_m: number;
-    /**
-     * The standard error of the height of control points that state none: higher gives it less weight.
-     */
-    surveyed_up_m: number;
 }
 
 /**
@@ -2360,6 +2637,83 @@ export interface CameraMm {
      * What is not known of these; absent: the camera is calibrated.
      */
     uncertainty?: CameraUncertainty;
+}
+
+/**
+ * The coordinate reference system of the results of a block.
+ */
+export interface ResultSystem {
+    /**
+     * As the EPSG registry has it, or the text.
+     */
+    name: string;
+    /**
+     * As it was given.
+     */
+    definition: string;
+    /**
+     * What the registry calls the operation to WGS 84; absent for what the text states, and where none is needed.
+     */
+    operation: string | null;
+    /**
+     * Accuracy of this operation, as the registry states it.
+     */
+    accuracy_m: number | null;
+    /**
+     * The height of the zero of its heights above the ellipsoid of WGS 84; absent where it is not known.
+     */
+    geoid_m: number | null;
+    /**
+     * How much higher the GNSS positions are than where the block has them, where their heights took no part.
+     */
+    gnss_above_m: number | null;
+}
+
+/**
+ * The coordinate system; standard errors of GNSS positions and control points that state none, of image measurements, and what errors share.
+ */
+export interface GeoreferencingOptions {
+    /**
+     * The coordinate reference system of the control points, in which tables give the results, too: an EPSG code (EPSG:25832), PROJ text or WKT. GNSS positions and control points then georeference the block together.
+     */
+    crs: string | null;
+    /**
+     * The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights.
+     * Heights of GNSS positions, which are above the ellipsoid, then take part beside those of control points.
+     */
+    geoid_m: number | null;
+    /**
+     * The standard error of east and of north of GNSS positions that state none, some metres, or centimetres where they were corrected:
+     * higher gives them less weight.
+     */
+    receiver_across_m: number;
+    /**
+     * The standard error of the height of GNSS positions that state none: higher gives it less weight.
+     */
+    receiver_up_m: number;
+    /**
+     * The standard error of x and of y of control points that state none: higher gives them less weight.
+     */
+    surveyed_across_m: number;
+    /**
+     * The standard error of the height of control points that state none: higher gives it less weight.
+     */
+    surveyed_up_m: number;
+    /**
+     * The standard error of a coordinate of an image measurement of a control or check point: higher gives it less weight beside tie points.
+     * Measurements beyond five times as much do not fit.
+     */
+    mark_sigma_px: number;
+    /**
+     * Whether standard errors of image measurements, GNSS positions and control points are estimated from the residuals, and weights follow
+     * them where they differ from what is stated by more than chance.
+     */
+    variance_components: boolean;
+    /**
+     * The standard deviation of errors that the observations of an image share, as matches do, in standard errors of an observation: higher
+     * makes the printed standard errors larger. 0: observations are independent.
+     */
+    shared_errors: number;
 }
 
 /**
@@ -2507,6 +2861,18 @@ export interface Summary {
      */
     refinement: RefinementCounts | null;
     orientation: OrientationSummary;
+    /**
+     * The coordinate reference system of images.csv, points.csv and surveyed.csv; absent where it is that of the adjustment.
+     */
+    crs?: ResultSystem;
+    /**
+     * What came of the orthophoto that the block was given; absent where it was given none.
+     */
+    orthophoto?: WithText<OnOrthophoto>;
+    /**
+     * Changes by hand.
+     */
+    edits: number;
     exports: ExportOutcome[];
     settings: BlockSettings;
     /**
@@ -2647,6 +3013,10 @@ export interface BlockObservation {
      * Above 0; the variance of both coordinates is σ₀² / weight.
      */
     weight?: number;
+    /**
+     * Standard error of both coordinates in px, above 0, where it is known beside that of the other rays: the weight follows from it and σ₀.
+     */
+    sigma_px?: number;
 }
 
 /**
@@ -2691,6 +3061,14 @@ export interface Reconstruction {
      * Where (0, 0, 0) of the models that lie in the system of geographic positions is.
      */
     origin: GeographicOrigin | null;
+}
+
+/**
+ * The observation of a point in an image.
+ */
+export interface PointImage {
+    point: PointSource;
+    image: number;
 }
 
 /**
@@ -2972,6 +3350,11 @@ export interface DroneRecord {
 export type BlockVerdict = { kind: "oriented"; oriented: number; images: number; points: number; sigma0_px: number | null } | { kind: "weak"; oriented: number; images: number; points: number; overview_warning: OverviewWarning } | { kind: "not_oriented"; connected: number; failure: Failure | null };
 
 /**
+ * What a given link is for.
+ */
+export type GivenUse = "used" | "check" | "rejected";
+
+/**
  * What a link is for.
  */
 export type LinkUse = "used" | "rejected" | "check";
@@ -2979,7 +3362,7 @@ export type LinkUse = "used" | "rejected" | "check";
 /**
  * What a point of an adjusted block is.
  */
-export type PointSource = { tie_point: number } | { ground_control: number };
+export type PointSource = { tie_point: number } | { ground_control: number } | { manual: number };
 
 /**
  * What a project file holds.
@@ -2998,6 +3381,10 @@ export interface ObservationSource {
      * Probability, 0..1, that it belongs to its point, as the matches have it.
      */
     confidence: number;
+    /**
+     * Whether it was measured by hand.
+     */
+    by_hand?: boolean;
 }
 
 /**
@@ -3108,6 +3495,11 @@ export interface JoinedPoints {
  * What came of matching a pair.
  */
 export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: number } | { kind: "too_few_matches"; matches: number; needed: number } | { kind: "not_oriented"; no_geometry: NoGeometry } | { kind: "failed"; failure: Failure };
+
+/**
+ * What came of the orthophoto that a block was given.
+ */
+export type OnOrthophoto = { kind: "linked"; linked: number; images: number; points: number; checks: number; rejected: number } | { kind: "not_linked"; not_linked: NotLinked };
 
 /**
  * What check points say of a model: differences, adjusted minus surveyed.
@@ -3365,6 +3757,10 @@ export interface BlockOverview {
      */
     surveyed: SurveyedPoint[];
     /**
+     * Changes by hand.
+     */
+    edits: number;
+    /**
      * What is weak about the block.
      */
     warnings: WithText<OverviewWarning>[];
@@ -3373,12 +3769,12 @@ export interface BlockOverview {
 /**
  * What is weak about a block at a glance.
  */
-export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | { kind: "few_oriented"; oriented: number; images: number } | { kind: "apart"; images: number } | { kind: "none_oriented" } | { kind: "failed"; failure: Failure };
+export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | { kind: "few_oriented"; oriented: number; images: number } | { kind: "apart"; images: number } | { kind: "none_oriented" } | { kind: "not_on_orthophoto"; not_linked: NotLinked } | { kind: "failed"; failure: Failure };
 
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
@@ -3434,6 +3830,10 @@ export interface PriorStatistics {
      * The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
      */
     detectable?: [number | null, number | null, number | null];
+    /**
+     * Of a control point: its place by all other observations; absent where these do not determine it, and without statistics.
+     */
+    left_out?: LeftOut;
 }
 
 /**
@@ -3534,6 +3934,47 @@ export interface RtkSolution {
 }
 
 /**
+ * What the residuals of a group say of its stated standard errors.
+ */
+export interface VarianceComponent {
+    group: ObservationGroup;
+    /**
+     * Coordinates that took part.
+     */
+    observations: number;
+    /**
+     * Sum of their redundancies.
+     */
+    redundancy: number;
+    /**
+     * Standard errors by the residuals are so many times those that were stated; 1 where it is held.
+     */
+    factor: number;
+    /**
+     * That holds the true factor in 95 of 100 cases at least; absent where it is held.
+     */
+    interval: [number, number] | null;
+    /**
+     * Whether the observations are weighted by it; otherwise by what was stated.
+     */
+    applied: boolean;
+    /**
+     * Whether it was not estimated, since the redundancy does not determine it.
+     */
+    held?: boolean;
+}
+
+/**
+ * What the residuals say of the stated standard errors of some observations.
+ */
+export interface ComponentSummary extends VarianceComponent {
+    /**
+     * Of which, in words.
+     */
+    name: string;
+}
+
+/**
  * What the result of a pair is worth.
  */
 export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number; kappa_deg: number; half_width_deg: number } | { kind: "weak"; points: number; warning: Warning } | { kind: "not_oriented"; no_orientation: NoOrientation };
@@ -3541,7 +3982,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -3551,7 +3992,7 @@ export type Measure = "dm" | "di";
 /**
  * What values a parameter takes.
  */
-export type ParameterKind = { kind: "integer"; min: number; max: number; odd: boolean } | { kind: "real"; min: number; max: number } | { kind: "choice"; values: string[]; labels: string[] } | { kind: "flag" };
+export type ParameterKind = { kind: "integer"; min: number; max: number; odd: boolean } | { kind: "real"; min: number; max: number } | { kind: "choice"; values: string[]; labels: string[] } | { kind: "flag" } | { kind: "text" };
 
 /**
  * What was observed of positions.
@@ -3567,6 +4008,11 @@ export type PairHint = { kind: "other_strategy" };
  * Where the focal length in px of a file's camera comes from, the most certain first.
  */
 export type CameraOrigin = "xmp_calibration" | "xmp_dewarped" | "xmp_design" | "exif_focal_plane" | "exif35_mm" | "sensor_table" | "focal_length_alone" | "panorama";
+
+/**
+ * Whether an observation takes part in the adjustment, or why not.
+ */
+export type ObservationPart = "accepted" | "gross_error" | "behind" | "lost_point" | "does_not_fit" | "rejected_by_hand" | "not_adjusted";
 
 /**
  * Whether and how observations are refined before the block is oriented.
@@ -3629,6 +4075,11 @@ export interface PairChoice {
 }
 
 /**
+ * Why a block is not in the system of an orthophoto.
+ */
+export type NotLinked = { kind: "not_oriented" } | { kind: "own_system"; crs: string } | { kind: "few_images"; placed: number; images: number; needed: number } | { kind: "few_points"; points: number; needed: number } | { kind: "disagreement"; rejected: number; points: number } | { kind: "contradiction"; x_m: number; y_m: number; z_m: number } | { kind: "failed"; failure: Failure };
+
+/**
  * Why a job of a run, or the reading of a file that it needs, failed.
  */
 export type Failure = { kind: "unreadable"; message: string } | { kind: "refused"; code: string; message: string; usage: boolean } | { kind: "broke_off"; message: string } | { kind: "out_of_memory"; message: string };
@@ -3661,7 +4112,7 @@ export type ImageReason = { kind: "apart"; images: number } | { kind: "unoriente
 /**
  * Why an image is not oriented.
  */
-export type UnorientedReason = { kind: "no_points" } | { kind: "too_few_points"; points: number; needed: number } | { kind: "no_agreement"; agreeing: number; points: number; needed: number } | { kind: "narrow"; agreeing: number } | { kind: "no_partner" } | { kind: "lost"; rays: number } | { kind: "undetermined"; rays: number };
+export type UnorientedReason = { kind: "no_points" } | { kind: "too_few_points"; points: number; needed: number } | { kind: "no_agreement"; agreeing: number; points: number; needed: number } | { kind: "narrow"; agreeing: number } | { kind: "no_partner" } | { kind: "lost"; rays: number } | { kind: "undetermined"; rays: number } | { kind: "rejected_by_hand" };
 
 /**
  * Why matches give no geometry of two views.
@@ -3678,6 +4129,28 @@ export type Cause = { kind: "points_on_line"; side: Side; width: number; least: 
  */
 export type Degeneracy = "plane" | "pure-rotation";
 
+
+/**
+ * The images of an oriented block while they are placed on an orthophoto, one after the other, in wasm memory. Call `free` when it is no longer
+ * needed.
+ */
+export class BlockOnOrthophoto {
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * The block in the system of the orthophoto, adjusted by places of its ground; what came of it stands in the summary. Where it could not be
+     * linked it is as it was.
+     */
+    linked(block: FinishedBlock, reference: OrthophotoReference): FinishedBlock;
+    /**
+     * None is placed yet.
+     */
+    constructor();
+    /**
+     * Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
+     */
+    place(block: FinishedBlock, index: number, file: Uint8Array | number[], reference: OrthophotoReference): PlacingVerdict | null;
+}
 
 /**
  * The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
@@ -3736,6 +4209,23 @@ export class FinishedBlock {
     free(): void;
     [Symbol.dispose](): void;
     /**
+     * The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
+     * error, then its covariances with all of them.
+     */
+    covariances(names: readonly string[]): string;
+    /**
+     * The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found.
+     */
+    edited(edits: readonly BlockEdit[]): FinishedBlock;
+    /**
+     * The edits that it has.
+     */
+    edits(): BlockEdit[];
+    /**
+     * The epipolar line of a place of one image in another one: x, y in px, stride 2, as far as that shows it, from near to far.
+     */
+    epipolar_line(from: number, x_px: number, y_px: number, to: number): Float64Array;
+    /**
      * Writes it in one format.
      */
     export(format: ExportFormat, emit: Emit): void;
@@ -3744,9 +4234,17 @@ export class FinishedBlock {
      */
     files(formats: readonly ExportFormat[], score?: BlockScore | null): BlockWriting;
     /**
+     * The observations of an image.
+     */
+    image_points(image: number): ImagePoints;
+    /**
      * The model that is written.
      */
     model(): BlockModel;
+    /**
+     * What came of the orthophoto that the block was given; null where it was given none.
+     */
+    on_orthophoto(): OnOrthophoto | null;
     /**
      * Opens a project file; one that is damaged or of another kind is refused whole.
      */
@@ -3755,6 +4253,14 @@ export class FinishedBlock {
      * What is shown of it.
      */
     overview(): BlockOverview & { points: PointColumns };
+    /**
+     * All that is known of a point of the model that is written.
+     */
+    point(point: number): PointDetail;
+    /**
+     * The points of the model that is written by what they are, whatever their indices; empty for a block that is not oriented.
+     */
+    point_ids(): PointSource[];
     /**
      * The text of its project file.
      */
@@ -3782,6 +4288,10 @@ export class OrthoMosaic {
      */
     finish(): Uint8Array;
     /**
+     * The heights on which it lies, as GeoTIFF; absent where these are one for all.
+     */
+    heights(): Uint8Array | undefined;
+    /**
      * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
      * pixel; absent: that of the images.
      */
@@ -3800,6 +4310,23 @@ export class OrthophotoReference {
     free(): void;
     [Symbol.dispose](): void;
     /**
+     * Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
+     * links. The file tells its camera. `options`: as of `search`; absent: those that it had.
+     */
+    adjust(name: string, file: Uint8Array | number[], links: readonly GivenLink[], start: Placement | null, cameras: string | null | undefined, options?: Given<PlacingOptions>): PlacedImage;
+    /**
+     * The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
+     */
+    ground_positions(placement: Placement, positions: Float64Array | number[]): Float64Array;
+    /**
+     * The heights of places X, Y, stride 2; no number where there is none.
+     */
+    heights_at(places: Float64Array | number[]): Float64Array;
+    /**
+     * Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.
+     */
+    image_positions(placement: Placement, places: Float64Array | number[]): Float64Array;
+    /**
      * Size, place and heights.
      */
     info(): OrthophotoInfo;
@@ -3807,6 +4334,11 @@ export class OrthophotoReference {
      * Reads a GeoTIFF, or an image with its world file. Its ground is level at 0 until heights are given.
      */
     static open(file: Uint8Array | number[], world_file?: string | null): OrthophotoReference;
+    /**
+     * Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
+     * picture on, 0 where it shows nothing.
+     */
+    picture(column: number, row: number, width: number, height: number, halvings: number): Uint8Array;
     /**
      * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
      * of its EXIF and XMP, or a usual one.
@@ -4014,6 +4546,11 @@ export function check_control(points: string, marks: string, names: string[], pl
 export function check_flight(flight: Given<Flight>): void;
 
 /**
+ * Refuses what is no height of the ground, nor a file of heights.
+ */
+export function check_heights(heights: number | Uint8Array, world_file?: string | null): void;
+
+/**
  * Refuses two masks of one image.
  */
 export function check_masks(names: string[], masks: string[]): void;
@@ -4178,9 +4715,22 @@ export function match_points(left_points: Float64Array | number[], left_descript
 export function matches_csv(matches: Float64Array | number[]): string;
 
 /**
- * The English text of a message, or, by its name, another text that belongs to it, as its `label`.
+ * The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
+ * that there is a catalogue of.
  */
-export function message(family: keyof Messages, message: Messages[keyof Messages], attribute?: string | null): string;
+export function message(family: keyof Messages, message: Messages[keyof Messages], attribute?: string | null, language?: string | null): string;
+
+/**
+ * Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are
+ * none), 1 where the observation took part and 0 where it was rejected; stride 7, NaN for parallel rays. `base`: the length of the base in
+ * the unit that the points shall have; 1: the base is the unit.
+ */
+export function model_points(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>, base: number, weights?: Float64Array | number[] | null): Float64Array;
+
+/**
+ * Writes object points of a pair (stride 7, as `model_points` gives them) as CSV.
+ */
+export function model_points_csv(points: Float64Array | number[]): string;
 
 /**
  * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
@@ -4218,6 +4768,16 @@ export function orient_relative(observations: Float64Array | number[], focal_mm:
  * What else would do for a pair of this verdict and these settings; null where nothing is known to.
  */
 export function pair_hint(verdict: PairVerdict, settings: Given<PairSettings>): PairHint | null;
+
+/**
+ * Ready-made settings.
+ */
+export function pair_preset(name: PairPreset): PairSettings;
+
+/**
+ * The names of ready-made settings.
+ */
+export function pair_presets(): PairPreset[];
 
 /**
  * What the paper printed for its own pair.
@@ -4358,6 +4918,7 @@ export type InitInput = RequestInfo | URL | Response | BufferSource | WebAssembl
 
 export interface InitOutput {
     readonly memory: WebAssembly.Memory;
+    readonly __wbg_blockonorthophoto_free: (a: number, b: number) => void;
     readonly __wbg_blockscene_free: (a: number, b: number) => void;
     readonly __wbg_blockwriting_free: (a: number, b: number) => void;
     readonly __wbg_finishedblock_free: (a: number, b: number) => void;
@@ -4373,6 +4934,9 @@ export interface InitOutput {
     readonly block_flight_preset: (a: any) => [number, number, number];
     readonly block_parameters: () => any;
     readonly block_settings: (a: any) => [number, number, number];
+    readonly blockonorthophoto_linked: (a: number, b: number, c: number) => [number, number, number];
+    readonly blockonorthophoto_new: () => number;
+    readonly blockonorthophoto_place: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
     readonly blockscene_new: (a: any) => [number, number, number];
     readonly blockscene_orthophoto: (a: number, b: number) => [number, number, number];
     readonly blockscene_photo: (a: number, b: number) => [number, number, number];
@@ -4387,6 +4951,7 @@ export interface InitOutput {
     readonly check_cameras: (a: number, b: number, c: number, d: number) => [number, number];
     readonly check_control: (a: number, b: number, c: number, d: number, e: number, f: number, g: any) => [number, number];
     readonly check_flight: (a: any) => [number, number];
+    readonly check_heights: (a: any, b: number, c: number) => [number, number];
     readonly check_masks: (a: number, b: number, c: number, d: number) => [number, number];
     readonly connected_groups: (a: number, b: any) => [number, number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
@@ -4400,11 +4965,19 @@ export interface InitOutput {
     readonly export_block: (a: any, b: any, c: any) => [number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
+    readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
+    readonly finishedblock_edited: (a: number, b: any) => [number, number, number];
+    readonly finishedblock_edits: (a: number) => any;
+    readonly finishedblock_epipolar_line: (a: number, b: number, c: number, d: number, e: number) => [number, number, number, number];
     readonly finishedblock_export: (a: number, b: any, c: any) => [number, number];
     readonly finishedblock_files: (a: number, b: any, c: any) => [number, number, number];
+    readonly finishedblock_image_points: (a: number, b: number) => [number, number, number];
     readonly finishedblock_model: (a: number) => any;
+    readonly finishedblock_on_orthophoto: (a: number) => any;
     readonly finishedblock_open: (a: number, b: number) => [number, number, number];
     readonly finishedblock_overview: (a: number) => [number, number, number];
+    readonly finishedblock_point: (a: number, b: number) => [number, number, number];
+    readonly finishedblock_point_ids: (a: number) => any;
     readonly finishedblock_project: (a: number) => [number, number, number, number];
     readonly finishedblock_score: (a: number, b: any) => [number, number, number];
     readonly flight_parameters: () => any;
@@ -4423,7 +4996,9 @@ export interface InitOutput {
     readonly match_photos: (a: number, b: number, c: any, d: any, e: any, f: any, g: any, h: any) => [number, number, number];
     readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly matches_csv: (a: number, b: number) => [number, number, number, number];
-    readonly message: (a: number, b: number, c: any, d: number, e: number) => [number, number, number, number];
+    readonly message: (a: number, b: number, c: any, d: number, e: number, f: number, g: number) => [number, number, number, number];
+    readonly model_points: (a: number, b: number, c: number, d: any, e: number, f: number, g: number) => [number, number, number, number];
+    readonly model_points_csv: (a: number, b: number) => [number, number, number, number];
     readonly nearest_piece: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
     readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
     readonly open_pair_project: (a: number, b: number) => [number, number, number];
@@ -4432,15 +5007,23 @@ export interface InitOutput {
     readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
     readonly orthomosaic_add: (a: number, b: number, c: number, d: number) => [number, number];
     readonly orthomosaic_finish: (a: number) => [number, number, number, number];
+    readonly orthomosaic_heights: (a: number) => [number, number, number, number];
     readonly orthomosaic_names: (a: number) => [number, number];
     readonly orthomosaic_open: (a: number, b: number, c: any, d: number, e: number, f: number, g: number) => [number, number, number];
+    readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: number, e: number, f: any, g: any, h: number, i: number, j: any) => [number, number, number];
+    readonly orthophotoreference_ground_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
+    readonly orthophotoreference_heights_at: (a: number, b: number, c: number) => [number, number, number, number];
+    readonly orthophotoreference_image_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
     readonly orthophotoreference_info: (a: number) => any;
     readonly orthophotoreference_open: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly orthophotoreference_picture: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly orthophotoreference_place: (a: number, b: number, c: number, d: number, e: number, f: number, g: number) => [number, number, number];
     readonly orthophotoreference_rectified: (a: number, b: number, c: number, d: any) => [number, number, number, number];
     readonly orthophotoreference_search: (a: number, b: any) => [number, number, number];
     readonly orthophotoreference_set_heights: (a: number, b: any, c: number, d: number) => [number, number];
     readonly pair_hint: (a: any, b: any) => [number, number, number];
+    readonly pair_preset: (a: any) => [number, number, number];
+    readonly pair_presets: () => any;
     readonly paper: () => any;
     readonly parameters: () => any;
     readonly parse_camera: (a: number, b: number) => [number, number, number];
@@ -4492,7 +5075,7 @@ export interface InitOutput {
     readonly two_view: (a: number, b: number, c: any) => [number, number, number];
     readonly version: () => [number, number];
     readonly write_pair_project: (a: any) => [number, number, number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c: (a: number, b: number, c: any, d: any) => any;
+    readonly wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

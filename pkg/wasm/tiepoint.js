@@ -1,6 +1,69 @@
 /* @ts-self-types="./tiepoint.d.ts" */
 
 /**
+ * The images of an oriented block while they are placed on an orthophoto, one after the other, in wasm memory. Call `free` when it is no longer
+ * needed.
+ */
+export class BlockOnOrthophoto {
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        BlockOnOrthophotoFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_blockonorthophoto_free(ptr, 0);
+    }
+    /**
+     * The block in the system of the orthophoto, adjusted by places of its ground; what came of it stands in the summary. Where it could not be
+     * linked it is as it was.
+     * @param {FinishedBlock} block
+     * @param {OrthophotoReference} reference
+     * @returns {FinishedBlock}
+     */
+    linked(block, reference) {
+        _assertClass(block, FinishedBlock);
+        _assertClass(reference, OrthophotoReference);
+        const ret = wasm.blockonorthophoto_linked(this.__wbg_ptr, block.__wbg_ptr, reference.__wbg_ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return FinishedBlock.__wrap(ret[0]);
+    }
+    /**
+     * None is placed yet.
+     */
+    constructor() {
+        const ret = wasm.blockonorthophoto_new();
+        this.__wbg_ptr = ret;
+        BlockOnOrthophotoFinalization.register(this, this.__wbg_ptr, this);
+        return this;
+    }
+    /**
+     * Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
+     * @param {FinishedBlock} block
+     * @param {number} index
+     * @param {Uint8Array | number[]} file
+     * @param {OrthophotoReference} reference
+     * @returns {PlacingVerdict | null}
+     */
+    place(block, index, file, reference) {
+        _assertClass(block, FinishedBlock);
+        _assertClass(reference, OrthophotoReference);
+        const val2 = +index;
+        const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.blockonorthophoto_place(this.__wbg_ptr, block.__wbg_ptr, val2, ptr0, len0, reference.__wbg_ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+}
+if (Symbol.dispose) BlockOnOrthophoto.prototype[Symbol.dispose] = BlockOnOrthophoto.prototype.free;
+
+/**
  * The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
  */
 export class BlockScene {
@@ -156,6 +219,67 @@ export class FinishedBlock {
         wasm.__wbg_finishedblock_free(ptr, 0);
     }
     /**
+     * The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
+     * error, then its covariances with all of them.
+     * @param {readonly string[]} names
+     * @returns {string}
+     */
+    covariances(names) {
+        let deferred2_0;
+        let deferred2_1;
+        try {
+            const ret = wasm.finishedblock_covariances(this.__wbg_ptr, names);
+            var ptr1 = ret[0];
+            var len1 = ret[1];
+            if (ret[3]) {
+                ptr1 = 0; len1 = 0;
+                throw takeFromExternrefTable0(ret[2]);
+            }
+            deferred2_0 = ptr1;
+            deferred2_1 = len1;
+            return getStringFromWasm0(ptr1, len1);
+        } finally {
+            wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+        }
+    }
+    /**
+     * The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found.
+     * @param {readonly BlockEdit[]} edits
+     * @returns {FinishedBlock}
+     */
+    edited(edits) {
+        const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return FinishedBlock.__wrap(ret[0]);
+    }
+    /**
+     * The edits that it has.
+     * @returns {BlockEdit[]}
+     */
+    edits() {
+        const ret = wasm.finishedblock_edits(this.__wbg_ptr);
+        return ret;
+    }
+    /**
+     * The epipolar line of a place of one image in another one: x, y in px, stride 2, as far as that shows it, from near to far.
+     * @param {number} from
+     * @param {number} x_px
+     * @param {number} y_px
+     * @param {number} to
+     * @returns {Float64Array}
+     */
+    epipolar_line(from, x_px, y_px, to) {
+        const ret = wasm.finishedblock_epipolar_line(this.__wbg_ptr, from, x_px, y_px, to);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+        return v1;
+    }
+    /**
      * Writes it in one format.
      * @param {ExportFormat} format
      * @param {Emit} emit
@@ -180,11 +304,31 @@ export class FinishedBlock {
         return BlockWriting.__wrap(ret[0]);
     }
     /**
+     * The observations of an image.
+     * @param {number} image
+     * @returns {ImagePoints}
+     */
+    image_points(image) {
+        const ret = wasm.finishedblock_image_points(this.__wbg_ptr, image);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
      * The model that is written.
      * @returns {BlockModel}
      */
     model() {
         const ret = wasm.finishedblock_model(this.__wbg_ptr);
+        return ret;
+    }
+    /**
+     * What came of the orthophoto that the block was given; null where it was given none.
+     * @returns {OnOrthophoto | null}
+     */
+    on_orthophoto() {
+        const ret = wasm.finishedblock_on_orthophoto(this.__wbg_ptr);
         return ret;
     }
     /**
@@ -211,6 +355,26 @@ export class FinishedBlock {
             throw takeFromExternrefTable0(ret[1]);
         }
         return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * All that is known of a point of the model that is written.
+     * @param {number} point
+     * @returns {PointDetail}
+     */
+    point(point) {
+        const ret = wasm.finishedblock_point(this.__wbg_ptr, point);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * The points of the model that is written by what they are, whatever their indices; empty for a block that is not oriented.
+     * @returns {PointSource[]}
+     */
+    point_ids() {
+        const ret = wasm.finishedblock_point_ids(this.__wbg_ptr);
+        return ret;
     }
     /**
      * The text of its project file.
@@ -299,6 +463,22 @@ export class OrthoMosaic {
         return v1;
     }
     /**
+     * The heights on which it lies, as GeoTIFF; absent where these are one for all.
+     * @returns {Uint8Array | undefined}
+     */
+    heights() {
+        const ret = wasm.orthomosaic_heights(this.__wbg_ptr);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        let v1;
+        if (ret[0] !== 0) {
+            v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+            wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+        }
+        return v1;
+    }
+    /**
      * The names of the block's images.
      * @returns {string[]}
      */
@@ -360,6 +540,88 @@ export class OrthophotoReference {
         wasm.__wbg_orthophotoreference_free(ptr, 0);
     }
     /**
+     * Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
+     * links. The file tells its camera. `options`: as of `search`; absent: those that it had.
+     * @param {string} name
+     * @param {Uint8Array | number[]} file
+     * @param {readonly GivenLink[]} links
+     * @param {Placement | null} start
+     * @param {string | null | undefined} cameras
+     * @param {Given<PlacingOptions>} [options]
+     * @returns {PlacedImage}
+     */
+    adjust(name, file, links, start, cameras, options) {
+        let ptr0, len0, ptr1, len1, ptr2, len2;
+        try {
+            ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+            len1 = WASM_VECTOR_LEN;
+            ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len2 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
+            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+            throw e;
+        }
+        const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
+     * @param {Placement} placement
+     * @param {Float64Array | number[]} positions
+     * @returns {Float64Array}
+     */
+    ground_positions(placement, positions) {
+        const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.orthophotoreference_ground_positions(this.__wbg_ptr, placement, ptr0, len0);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+        return v2;
+    }
+    /**
+     * The heights of places X, Y, stride 2; no number where there is none.
+     * @param {Float64Array | number[]} places
+     * @returns {Float64Array}
+     */
+    heights_at(places) {
+        const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.orthophotoreference_heights_at(this.__wbg_ptr, ptr0, len0);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+        return v2;
+    }
+    /**
+     * Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.
+     * @param {Placement} placement
+     * @param {Float64Array | number[]} places
+     * @returns {Float64Array}
+     */
+    image_positions(placement, places) {
+        const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.orthophotoreference_image_positions(this.__wbg_ptr, placement, ptr0, len0);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+        return v2;
+    }
+    /**
      * Size, place and heights.
      * @returns {OrthophotoInfo}
      */
@@ -390,6 +652,25 @@ export class OrthophotoReference {
             throw takeFromExternrefTable0(ret[1]);
         }
         return OrthophotoReference.__wrap(ret[0]);
+    }
+    /**
+     * Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
+     * picture on, 0 where it shows nothing.
+     * @param {number} column
+     * @param {number} row
+     * @param {number} width
+     * @param {number} height
+     * @param {number} halvings
+     * @returns {Uint8Array}
+     */
+    picture(column, row, width, height, halvings) {
+        const ret = wasm.orthophotoreference_picture(this.__wbg_ptr, column, row, width, height, halvings);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+        return v1;
     }
     /**
      * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
@@ -1069,6 +1350,20 @@ export function check_flight(flight) {
 }
 
 /**
+ * Refuses what is no height of the ground, nor a file of heights.
+ * @param {number | Uint8Array} heights
+ * @param {string | null} [world_file]
+ */
+export function check_heights(heights, world_file) {
+    var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+    var len0 = WASM_VECTOR_LEN;
+    const ret = wasm.check_heights(heights, ptr0, len0);
+    if (ret[1]) {
+        throw takeFromExternrefTable0(ret[0]);
+    }
+}
+
+/**
  * Refuses two masks of one image.
  * @param {string[]} names
  * @param {string[]} masks
@@ -1711,39 +2006,104 @@ export function matches_csv(matches) {
 }
 
 /**
- * The English text of a message, or, by its name, another text that belongs to it, as its `label`.
+ * The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
+ * that there is a catalogue of.
  * @param {keyof Messages} family
  * @param {Messages[keyof Messages]} message
  * @param {string | null} [attribute]
+ * @param {string | null} [language]
  * @returns {string}
  */
-export function message(family, message, attribute) {
-    let deferred4_0;
-    let deferred4_1;
+export function message(family, message, attribute, language) {
+    let deferred5_0;
+    let deferred5_1;
     try {
-        let ptr0, len0, ptr1, len1;
+        let ptr0, len0, ptr1, len1, ptr2, len2;
         try {
             ptr0 = passStringToWasm0(family, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
             len0 = WASM_VECTOR_LEN;
             ptr1 = isLikeNone(attribute) ? 0 : passStringToWasm0(attribute, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
             len1 = WASM_VECTOR_LEN;
+            ptr2 = isLikeNone(language) ? 0 : passStringToWasm0(language, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len2 = WASM_VECTOR_LEN;
         } catch (e) {
+            if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
             if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
             if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
             throw e;
         }
-        const ret = wasm.message(ptr0, len0, message, ptr1, len1);
-        var ptr3 = ret[0];
-        var len3 = ret[1];
+        const ret = wasm.message(ptr0, len0, message, ptr1, len1, ptr2, len2);
+        var ptr4 = ret[0];
+        var len4 = ret[1];
         if (ret[3]) {
-            ptr3 = 0; len3 = 0;
+            ptr4 = 0; len4 = 0;
             throw takeFromExternrefTable0(ret[2]);
         }
-        deferred4_0 = ptr3;
-        deferred4_1 = len3;
-        return getStringFromWasm0(ptr3, len3);
+        deferred5_0 = ptr4;
+        deferred5_1 = len4;
+        return getStringFromWasm0(ptr4, len4);
     } finally {
-        wasm.__wbindgen_free(deferred4_0, deferred4_1, 1);
+        wasm.__wbindgen_free(deferred5_0, deferred5_1, 1);
+    }
+}
+
+/**
+ * Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are
+ * none), 1 where the observation took part and 0 where it was rejected; stride 7, NaN for parallel rays. `base`: the length of the base in
+ * the unit that the points shall have; 1: the base is the unit.
+ * @param {Float64Array | number[]} observations
+ * @param {number} focal_mm
+ * @param {Given<OrientationOptions>} options
+ * @param {number} base
+ * @param {Float64Array | number[] | null} [weights]
+ * @returns {Float64Array}
+ */
+export function model_points(observations, focal_mm, options, base, weights) {
+    const val3 = +focal_mm;
+    const val4 = +base;
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArrayF64ToWasm0(observations, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = isLikeNone(weights) ? 0 : passArrayF64ToWasm0(weights, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        throw e;
+    }
+    const ret = wasm.model_points(ptr0, len0, val3, options, val4, ptr1, len1);
+    if (ret[3]) {
+        throw takeFromExternrefTable0(ret[2]);
+    }
+    var v5 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+    wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+    return v5;
+}
+
+/**
+ * Writes object points of a pair (stride 7, as `model_points` gives them) as CSV.
+ * @param {Float64Array | number[]} points
+ * @returns {string}
+ */
+export function model_points_csv(points) {
+    let deferred3_0;
+    let deferred3_1;
+    try {
+        const ptr0 = passArrayF64ToWasm0(points, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.model_points_csv(ptr0, len0);
+        var ptr2 = ret[0];
+        var len2 = ret[1];
+        if (ret[3]) {
+            ptr2 = 0; len2 = 0;
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        deferred3_0 = ptr2;
+        deferred3_1 = len2;
+        return getStringFromWasm0(ptr2, len2);
+    } finally {
+        wasm.__wbindgen_free(deferred3_0, deferred3_1, 1);
     }
 }
 
@@ -1894,6 +2254,28 @@ export function pair_hint(verdict, settings) {
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Ready-made settings.
+ * @param {PairPreset} name
+ * @returns {PairSettings}
+ */
+export function pair_preset(name) {
+    const ret = wasm.pair_preset(name);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The names of ready-made settings.
+ * @returns {PairPreset[]}
+ */
+export function pair_presets() {
+    const ret = wasm.pair_presets();
+    return ret;
 }
 
 /**
@@ -2536,7 +2918,7 @@ function __wbg_get_imports() {
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
             // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 9, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c);
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -2564,11 +2946,14 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c(arg0, arg1, arg2, arg3);
     return ret;
 }
 
+const BlockOnOrthophotoFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_blockonorthophoto_free(ptr, 1));
 const BlockSceneFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_blockscene_free(ptr, 1));

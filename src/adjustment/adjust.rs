@@ -1,15 +1,18 @@
 //! The bundle adjustment as it is called: checks, adjusts, describes.
 
-use super::block::Block;
+use super::block::{Block, BlockObservation};
 use super::check::check_block;
+use super::left_out::{Known, left_out};
 use super::options::AdjustmentOptions;
-use super::precision::image_errors;
+use super::precision::{Matrix3, image_errors};
 use super::reliability::{Scale, of_position};
 use super::result::{
-    AdjustmentResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict,
+    AdjustmentResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PriorStatistics,
 };
 use super::snooping::{Settled, settle};
+use super::sparse::Block6;
 use super::squares::{Squares, Sums};
+use super::statistics::{Statistics, correlation, correlations_of_position};
 use super::weighted::observed;
 use crate::Error;
 use crate::math::{detectable_shift, variance_left};
@@ -48,7 +51,7 @@ const POWER: f64 = 0.8;
 
 /// A settled adjustment with what its description needs.
 struct Description<'a> {
-    block: &'a Block,
+    given: &'a Block,
     options: &'a AdjustmentOptions,
     settled: Settled,
     estimated: Option<f64>,
@@ -59,10 +62,19 @@ struct Description<'a> {
     /// The error that a test detects, in standard errors of a residual.
     shift: f64,
     residuals: Vec<[f64; 2]>,
+    /// Cofactors of what is estimated, with those of shared errors.
+    total: Option<Total>,
+}
+
+/// Cofactors of images, camera columns and points.
+struct Total {
+    images: Vec<Block6>,
+    cameras: Vec<f64>,
+    points: Vec<Option<Matrix3>>,
 }
 
 impl<'a> Description<'a> {
-    fn new(block: &'a Block, options: &'a AdjustmentOptions, settled: Settled) -> Self {
+    fn new(given: &'a Block, options: &'a AdjustmentOptions, settled: Settled) -> Self {
         let number = |verdict| settled.verdicts.iter().filter(|given| **given == verdict).count();
         // The four coordinates of a point with two rays are one test: no more residuals are apart from each other than there is redundancy. Of a
         // rejected observation one coordinate was beyond the limit: the other was cut by nothing.
@@ -73,17 +85,24 @@ impl<'a> Description<'a> {
         let sigma = options.sigma0_px.or(estimated).unwrap_or(0.0);
         let shift = detectable_shift(options.alpha0, POWER, options.sigma0_px.is_none().then_some(settled.redundancy));
         let state = &settled.adjusted.state;
-        let residual = |ray: &super::block::BlockObservation| {
-            let camera = block.images[ray.image].camera;
+        let residual = |ray: &BlockObservation| {
+            let camera = settled.block.images[ray.image].camera;
             let at = super::collinearity::project(&state.cameras[camera], &state.images[ray.image], &state.points[ray.point]);
             [ray.x_px - at[0], ray.y_px - at[1]]
         };
-        let residuals = block.rays.iter().map(residual).collect();
-        Self { block, options, settled, estimated, sigma, unit_error: sigma / cut, shift, residuals }
+        let residuals = settled.block.rays.iter().map(residual).collect();
+        let total = settled.statistics.as_ref().map(|Statistics { images, cameras, points, .. }| {
+            let mut total = Total { images: images.clone(), cameras: cameras.clone(), points: points.clone() };
+            if let Some(shared) = &settled.shared {
+                shared.add_to(&mut total.images, &mut total.cameras, &mut total.points, options.shared_errors);
+            }
+            total
+        });
+        Self { given, options, settled, estimated, sigma, unit_error: sigma / cut, shift, residuals, total }
     }
 
     fn result(&self) -> AdjustmentResult {
-        let (settled, block) = (&self.settled, self.block);
+        let (settled, block) = (&self.settled, &self.settled.block);
         let of_rays = block.rays.iter().zip(&self.residuals).zip(&settled.verdicts);
         let accepted =
             of_rays.filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted).map(|((ray, residual), _)| (ray, *residual));
@@ -92,16 +111,24 @@ impl<'a> Description<'a> {
         let (gnss, control) = observed(block, self.options.datum, settled.weighted_by);
         let state = &settled.adjusted.state;
         let of_control = |c: &super::block::ControlPoint| {
-            let q = settled.statistics.as_ref().and_then(|s| s.points[c.point]).map(|q| [q[0][0], q[1][1], q[2][2]]);
-            control[c.point]
-                .filter(|_| of_points[c.point].rays > 0)
-                .map(|prior| of_position(&prior, &state.points[c.point], q, self.scale(), true))
+            let (q, at) = (settled.statistics.as_ref().and_then(|s| s.points[c.point]), &state.points[c.point]);
+            control[c.point].filter(|_| of_points[c.point].rays > 0).map(|prior| PriorStatistics {
+                left_out: q.and_then(|q| {
+                    let shared =
+                        settled.shared.as_ref().map_or([[0.0; 3]; 3], |shared| shared.of_point(c.point, self.options.shared_errors));
+                    left_out(&prior, at, &Known { cofactors: q, shared }, settled.weighted_by, self.unit_error)
+                }),
+                ..of_position(&prior, at, q.map(|q| [q[0][0], q[1][1], q[2][2]]), self.scale(), true)
+            })
         };
         AdjustmentResult {
-            block: state.put_into(block.clone()),
+            block: state.put_into(Block { rays: self.rays_as_stated(), ..self.given.clone() }),
             datum: self.options.datum,
             sigma0_px: self.estimated,
             sigma0_a_priori_px: self.options.sigma0_px,
+            weighted_by_px: Some(settled.weighted_by),
+            unit_error_px: Some(self.unit_error),
+            shared_errors: self.options.shared_errors,
             degrees_of_freedom: settled.redundancy,
             rmse_px: sums.all.rmse(),
             rmse_by_rays: sums.by_rays(),
@@ -113,7 +140,15 @@ impl<'a> Description<'a> {
             points: of_points.iter().enumerate().map(|(point, squares)| self.point(point, *squares)).collect(),
             rays: (0..block.rays.len()).map(|ray| self.ray(ray)).collect(),
             control: block.control.iter().map(of_control).collect(),
+            components: settled.components.clone(),
+            weighting: settled.weighting,
         }
+    }
+
+    /// The rays with the standard errors that were given and the weights that they had.
+    fn rays_as_stated(&self) -> Vec<BlockObservation> {
+        let rays = self.given.rays.iter().zip(&self.settled.block.rays);
+        rays.map(|(given, settled)| BlockObservation { weight: settled.weight, ..*given }).collect()
     }
 
     fn scale(&self) -> Scale {
@@ -122,11 +157,15 @@ impl<'a> Description<'a> {
 
     fn cameras(&self) -> Vec<CameraStatistics> {
         let fixed = self.settled.fixed.iter();
-        let mut cameras: Vec<_> = fixed.map(|fixed| CameraStatistics { standard_errors: [None; 8], fixed: fixed.clone() }).collect();
-        if let Some(statistics) = &self.settled.statistics {
-            for (&(camera, parameter), q) in self.settled.columns.parameter.iter().zip(&statistics.cameras) {
-                cameras[camera].standard_errors[parameter] = Some(self.unit_error * q.max(0.0).sqrt());
-            }
+        let mut cameras: Vec<_> = fixed.map(|fixed| CameraStatistics { fixed: fixed.clone(), ..CameraStatistics::default() }).collect();
+        let Some(total) = &self.total else { return cameras };
+        let columns = &self.settled.columns.parameter;
+        let cofactor = |row: usize, column: usize| total.cameras[row * columns.len() + column];
+        for (row, &(camera, parameter)) in columns.iter().enumerate() {
+            cameras[camera].standard_errors[parameter] = Some(self.unit_error * cofactor(row, row).max(0.0).sqrt());
+            let own = (0..columns.len()).filter(|column| columns[*column].0 == camera);
+            let correlation = |column| correlation(cofactor(row, column), cofactor(row, row), cofactor(column, column));
+            cameras[camera].correlations.push(own.map(correlation).collect());
         }
         cameras
     }
@@ -134,12 +173,14 @@ impl<'a> Description<'a> {
     fn image(&self, image: usize, squares: Squares, gnss: Option<super::weighted::Weighted>) -> ImageStatistics {
         let pose = &self.settled.adjusted.state.images[image];
         let statistics = self.settled.statistics.as_ref();
-        let errors = statistics.map(|s| image_errors(pose, &s.images[image], self.unit_error));
+        let total = self.total.as_ref().map(|total| &total.images[image]);
+        let errors = total.map(|q| image_errors(pose, q, self.unit_error));
         ImageStatistics {
             rays: squares.rays,
             rmse_px: squares.rmse(),
             angle_errors_deg: errors.and_then(|(angles, _)| angles),
             position_errors: errors.map(|(_, position)| position),
+            position_correlations: total.map(correlations_of_position),
             gnss: gnss.map(|prior| {
                 let cofactors = statistics.map(|s| s.of_position(image));
                 of_position(&prior, &pose.position, cofactors, self.scale(), self.settled.placed[image])
@@ -148,7 +189,7 @@ impl<'a> Description<'a> {
     }
 
     fn point(&self, point: usize, squares: Squares) -> Option<ObjectPointStatistics> {
-        let q = self.settled.statistics.as_ref().and_then(|s| s.points[point]);
+        let q = self.total.as_ref().and_then(|total| total.points[point]);
         let errors = q.map(|q| [0, 1, 2].map(|k| self.unit_error * q[k][k].max(0.0).sqrt()));
         (squares.rays > 0).then(|| ObjectPointStatistics { rays: squares.rays, rmse_px: squares.rmse(), errors })
     }
@@ -161,7 +202,8 @@ impl<'a> Description<'a> {
             residual_px: self.residuals[ray],
             redundancy: judged.map(|j| j.map(|j| j.redundancy)),
             w: judged.map(|j| j.map(|j| w(j.standardised))),
-            detectable_px: judged.map_or([None; 2], |j| j.map(|j| self.scale().detectable(self.block.rays[ray].weight, j.redundancy))),
+            detectable_px: judged
+                .map_or([None; 2], |j| j.map(|j| self.scale().detectable(self.settled.block.rays[ray].weight, j.redundancy))),
         }
     }
 }

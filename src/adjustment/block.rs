@@ -48,6 +48,7 @@ impl Block {
                 x_px: ray.x_px,
                 y_px: ray.y_px,
                 weight: 1.0,
+                sigma_px: None,
             }));
             block.points.push(position);
         }
@@ -121,6 +122,9 @@ pub struct BlockObservation {
     /// Above 0; the variance of both coordinates is σ₀² / weight.
     #[serde(default = "one")]
     pub weight: f64,
+    /// Standard error of both coordinates in px, above 0, where it is known beside that of the other rays: the weight follows from it and σ₀.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sigma_px: Option<f64>,
 }
 
 fn one() -> f64 {

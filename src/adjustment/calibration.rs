@@ -45,4 +45,9 @@ impl CameraParameter {
     /// In the order of the unknowns of a camera.
     pub(super) const ALL: [Self; CAMERA_PARAMETERS] =
         [Self::Focal, Self::PrincipalX, Self::PrincipalY, Self::K1, Self::K2, Self::K3, Self::P1, Self::P2];
+
+    /// Its place among the unknowns of a camera.
+    pub(crate) fn place(self) -> usize {
+        Self::ALL.iter().position(|parameter| *parameter == self).unwrap_or(0)
+    }
 }

@@ -5,8 +5,9 @@ use super::network::Network;
 use super::options::Datum;
 use crate::camera::is_rotation;
 use crate::catalogue::check_values;
+use crate::error::refuse;
 use crate::math::dot3;
-use crate::{Cause, Computation, Error};
+use crate::{Cause, Computation, Element, Error, Input, Location, Refusal};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
 const LEAST_RAYS: usize = 4;
@@ -21,53 +22,49 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
     if block.images.len() < needed {
         return Err(Error::TooFew { what: "images of a block", got: block.images.len(), needed });
     }
-    block.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| format!("camera {index} (counted from 0)")))?;
+    block.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| Location::Camera { camera: index }))?;
     for (index, image) in block.images.iter().enumerate() {
-        let place = |what: &str| format!("{what} of image {index} (counted from 0)");
-        check_index("camera of an image", image.camera, block.cameras.len(), || place("camera"))?;
+        let place = |element| Location::ElementOfImage { element, image: index };
+        check_index(Input::CameraOfImage, image.camera, block.cameras.len(), || place(Element::Camera))?;
         if !is_rotation(&image.pose.rotation) {
-            let got = format!("{:?} as {}", image.pose.rotation, place("rotation"));
-            return Err(Error::InvalidInput {
-                what: "rotation of an image",
-                got,
-                allowed: "rows at right angles, of length 1, right-handed".into(),
-            });
+            let rotation = format!("{:?}", image.pose.rotation);
+            return refuse(Refusal::RotationAs { rotation, location: place(Element::Rotation) });
         }
-        check_position(&image.pose.position, || place("position"))?;
+        check_position(&image.pose.position, || place(Element::Position))?;
         if let Some(axis) = image.axis {
             if !((dot3(&axis.direction, &axis.direction) - 1.0).abs() < 1e-6) {
-                let got = format!("{:?} as {}", axis.direction, place("direction of the axis"));
-                return Err(Error::InvalidInput { what: "direction of an axis", got, allowed: "a vector of length 1".into() });
+                let direction = format!("{:?}", axis.direction);
+                return refuse(Refusal::AxisDirection { direction, location: place(Element::AxisDirection) });
             }
-            check_values("sigma of an axis", &[axis.sigma_deg], 1e-6..=1e4, || place("sigma of the axis"))?;
+            check_values(Input::AxisSigma, &[axis.sigma_deg], 1e-6..=1e4, || place(Element::AxisSigma))?;
         }
         if let Some(gnss) = image.gnss {
             for (value, sigma) in gnss.position.iter().zip(gnss.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {
-                check_values("position", &[*value], -LARGEST..=LARGEST, || place("GNSS position"))?;
-                check_values("sigma of a position", &[sigma], 1e-9..=1e9, || place("GNSS sigma"))?;
+                check_values(Input::Position, &[*value], -LARGEST..=LARGEST, || place(Element::GnssPosition))?;
+                check_values(Input::PositionSigma, &[sigma], 1e-9..=1e9, || place(Element::GnssSigma))?;
             }
         }
     }
     for (index, point) in block.points.iter().enumerate() {
-        check_position(point, || format!("point {index} (counted from 0)"))?;
+        check_position(point, || Location::Point { point: index })?;
     }
     for (index, ray) in block.rays.iter().enumerate() {
-        let place = |what: &str| format!("{what} of ray {index} (counted from 0)");
-        check_index("image of a ray", ray.image, block.images.len(), || place("image"))?;
-        check_index("point of a ray", ray.point, block.points.len(), || place("point"))?;
-        check_values("image coordinates", &[ray.x_px, ray.y_px], -1e7..=1e7, || place("coordinates"))?;
-        check_values("weight", &[ray.weight], 1e-12..=1e12, || place("weight"))?;
+        let place = |element| Location::ElementOfRay { element, ray: index };
+        check_index(Input::ImageOfRay, ray.image, block.images.len(), || place(Element::Image))?;
+        check_index(Input::PointOfRay, ray.point, block.points.len(), || place(Element::Point))?;
+        check_values(Input::ImageCoordinates, &[ray.x_px, ray.y_px], -1e7..=1e7, || place(Element::Coordinates))?;
+        check_values(Input::Weight, &[ray.weight], 1e-12..=1e12, || place(Element::Weight))?;
+        check_values(Input::RaySigma, ray.sigma_px.as_slice(), 1e-6..=1e6, || place(Element::Sigma))?;
     }
     for (index, prior) in block.camera_priors.iter().enumerate() {
         if block.camera_priors[..index].iter().any(|other| other.camera == prior.camera) {
-            let got = format!("camera {} (counted from 0) twice", prior.camera);
-            return Err(Error::InvalidInput { what: "priors of cameras", got, allowed: "each camera once".into() });
+            return refuse(Refusal::PriorAgain { camera: prior.camera });
         }
-        check_index("camera of a prior", prior.camera, block.cameras.len(), || "camera of a prior".into())?;
-        let place = || format!("prior of camera {} (counted from 0)", prior.camera);
+        check_index(Input::CameraOfPrior, prior.camera, block.cameras.len(), || Location::CameraOfPrior)?;
+        let place = || Location::Prior { camera: prior.camera };
         for (value, sigma) in prior.values.iter().zip(prior.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {
-            check_values("parameter of a camera", &[*value], -LARGEST..=LARGEST, place)?;
-            check_values("sigma of a camera", &[sigma], 1e-12..=1e9, place)?;
+            check_values(Input::CameraParameter, &[*value], -LARGEST..=LARGEST, place)?;
+            check_values(Input::CameraSigma, &[sigma], 1e-12..=1e9, place)?;
         }
     }
     check_control(block)?;
@@ -81,13 +78,12 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
 fn check_control(block: &Block) -> Result<(), Error> {
     let mut is_control = vec![false; block.points.len()];
     for (index, control) in block.control.iter().enumerate() {
-        let place = |what: &str| format!("{what} of control point {index} (counted from 0)");
-        check_index("point of a control point", control.point, block.points.len(), || place("point"))?;
-        check_position(&control.position, || place("position"))?;
-        check_values("sigma of a position", &control.sigma, 1e-9..=1e9, || place("sigma"))?;
+        let place = |element| Location::ElementOfControl { element, control: index };
+        check_index(Input::PointOfControl, control.point, block.points.len(), || place(Element::Point))?;
+        check_position(&control.position, || place(Element::Position))?;
+        check_values(Input::PositionSigma, &control.sigma, 1e-9..=1e9, || place(Element::Sigma))?;
         if std::mem::replace(&mut is_control[control.point], true) {
-            let got = format!("point {} (counted from 0) twice", control.point);
-            return Err(Error::InvalidInput { what: "control points", got, allowed: "each point once".into() });
+            return refuse(Refusal::ControlAgain { point: control.point });
         }
     }
     Ok(())
@@ -98,24 +94,21 @@ fn check_once(block: &Block) -> Result<(), Error> {
     let mut pairs: Vec<(usize, usize)> = block.rays.iter().map(|ray| (ray.point, ray.image)).collect();
     pairs.sort_unstable();
     match pairs.windows(2).find(|w| w[0] == w[1]) {
-        Some(w) => {
-            let got = format!("two rays of image {} to point {} (counted from 0)", w[0].1, w[0].0);
-            Err(Error::InvalidInput { what: "rays", got, allowed: "at most one ray for each image and point".into() })
-        }
+        Some(w) => refuse(Refusal::RayAgain { image: w[0].1, point: w[0].0 }),
         None => Ok(()),
     }
 }
 
-fn check_index(what: &'static str, index: usize, number: usize, place: impl Fn() -> String) -> Result<(), Error> {
-    if index < number {
-        return Ok(());
+fn check_index(input: Input, index: usize, number: usize, place: impl Fn() -> Location) -> Result<(), Error> {
+    match number.checked_sub(1) {
+        Some(last) if index <= last => Ok(()),
+        Some(last) => refuse(Refusal::IndexAs { input, index, location: place(), last }),
+        None => refuse(Refusal::NothingAs { input, index, location: place() }),
     }
-    let allowed = if number == 0 { "none: there are none".into() } else { format!("0 to {}", number - 1) };
-    Err(Error::InvalidInput { what, got: format!("{index} as {}", place()), allowed })
 }
 
-fn check_position(position: &[f64; 3], place: impl Fn() -> String) -> Result<(), Error> {
-    check_values("position", position, -LARGEST..=LARGEST, place)
+fn check_position(position: &[f64; 3], place: impl Fn() -> Location) -> Result<(), Error> {
+    check_values(Input::Position, position, -LARGEST..=LARGEST, place)
 }
 
 /// Refuses images with too few rays, and a block that falls apart where nothing else holds it together.

@@ -1,7 +1,7 @@
 //! Bundle adjustment: all images, cameras and points of a block at once, with what the result is worth.
 //!
 //! Data flow: [`Block`] → `network` (rays in order) → `reduced` (normal equations without the points) → `solution` (sparse factor, step) →
-//! `gauss_newton` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (rounds that reject gross errors of rays and positions; `robust_similarity`: those of positions at the start) → [`AdjustmentResult`].
+//! `gauss_newton` (iteration) → `precision`, `reliability` (cofactors; `covariance`: those of any unknowns) → `snooping` (rounds that reject gross errors of rays and positions; `robust_similarity`: those of positions at the start) → [`AdjustmentResult`].
 
 mod adjust;
 mod axis;
@@ -9,9 +9,12 @@ mod block;
 mod calibration;
 mod check;
 mod collinearity;
+mod components;
+mod covariance;
 mod datum;
 mod gauss_newton;
 mod gradients;
+mod left_out;
 mod loss;
 mod network;
 mod options;
@@ -22,6 +25,7 @@ mod reliability;
 mod result;
 mod robust_similarity;
 mod scale;
+mod shared;
 mod similarity;
 mod snooping;
 mod solution;
@@ -35,11 +39,13 @@ mod weighted;
 pub use adjust::adjust_block;
 pub use block::{AxisPrior, Block, BlockImage, BlockObservation, CameraPrior, ControlPoint, PositionPrior};
 pub(crate) use collinearity::{linearise, project};
+pub(crate) use covariance::{Part, PartCovariances, Unknown};
+pub use left_out::LeftOut;
 pub use options::{AdjustmentOptions, Datum, Loss};
 pub(crate) use precision::image_errors;
 pub use result::{
-    AdjustmentResult, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict,
-    PriorStatistics, RayCountRmse,
+    AdjustmentResult, CameraStatistics, FixedParameter, GroupWeighting, ImageStatistics, ObjectPointStatistics, ObservationGroup,
+    ObservationStatistics, ObservationVerdict, PriorStatistics, RayCountRmse, VarianceComponent,
 };
 pub use similarity::Similarity;
 pub(crate) use start::{Start, adjust_start};

@@ -54,6 +54,14 @@ options! {
         /// estimates more parameters.
         calibration_limit_px: f64 = 2.0, "Limit of self-calibration", in "px", 0.01..=1000;
 
+        /// Estimates how much larger or smaller the errors of image measurements, GNSS positions and control points are than stated, and weights
+        /// them by it where that is certain.
+        variance_components: bool = false, "Variance components";
+
+        /// The standard deviation, in standard errors of an observation, of errors that the observations of an image share, as those of matches do:
+        /// standard errors hold it. 0: observations are independent.
+        shared_errors: f64 = 0.0, "Shared errors", 0..=10;
+
         /// The maximum number of iterations of one adjustment.
         max_iterations: usize = 100, "Iterations", 1..=10000;
 

@@ -263,17 +263,22 @@ fn form(a: &Seven, m: &[Seven; 7], b: &Seven) -> f64 {
 
 /// Standard errors of ω, φ, κ in degrees and of the position, for the standard error `sigma` of a ray. The angles are absent at φ = ±90°.
 pub(crate) fn image_errors(pose: &Pose, q: &Block6, sigma: f64) -> (Option<[f64; 3]>, [f64; 3]) {
+    let turns = nalgebra::Matrix3::from_fn(|r, c| q[c * N + r]);
+    let angles = angles_by_turns(pose).map(|by_turns| {
+        let angles = by_turns * turns * by_turns.transpose();
+        [0, 1, 2].map(|k| (sigma * angles[(k, k)].max(0.0).sqrt()).to_degrees())
+    });
+    (angles, [3, 4, 5].map(|k| sigma * q[k * N + k].max(0.0).sqrt()))
+}
+
+/// How ω, φ, κ follow small turns about the photo's axes; `None` where φ is ±90°.
+pub(super) fn angles_by_turns(pose: &Pose) -> Option<nalgebra::Matrix3<f64>> {
     let m = &pose.rotation;
     let cosine = (m[0][0] * m[0][0] + m[1][0] * m[1][0]).sqrt();
     // A small turn is minus Σ of angle · axis, the axes in the photo's system being M e₁, M₃ e₂, e₃.
     let (sin, cos) = (-m[1][0] / cosine, m[0][0] / cosine);
     let axes = nalgebra::Matrix3::new(m[0][0], sin, 0.0, m[1][0], cos, 0.0, m[2][0], 0.0, 1.0);
-    let turns = nalgebra::Matrix3::from_fn(|r, c| q[c * N + r]);
-    let angles = (cosine > LEAST_COSINE).then(|| axes.try_inverse()).flatten().map(|by_turns| {
-        let angles = by_turns * turns * by_turns.transpose();
-        [0, 1, 2].map(|k| (sigma * angles[(k, k)].max(0.0).sqrt()).to_degrees())
-    });
-    (angles, [3, 4, 5].map(|k| sigma * q[k * N + k].max(0.0).sqrt()))
+    (cosine > LEAST_COSINE).then(|| axes.try_inverse()).flatten().map(|inverse| -inverse)
 }
 
 /// Least cosine of φ; below it ω and κ turn about the same axis.

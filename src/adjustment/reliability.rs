@@ -146,6 +146,7 @@ pub(super) fn of_position(prior: &Weighted, at: &[f64; 3], cofactors: Option<[f6
         detectable: judged.map_or([None; 3], |j| {
             [0, 1, 2].map(|k| if is_observed[k] { scale.detectable(prior.weight[k], j[k].redundancy) } else { None })
         }),
+        left_out: None,
     }
 }
 

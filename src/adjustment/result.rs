@@ -1,6 +1,7 @@
 //! What a bundle adjustment gives.
 
 use super::block::Block;
+use super::left_out::LeftOut;
 use super::options::Datum;
 use crate::CameraParameter;
 use serde::{Deserialize, Serialize};
@@ -19,16 +20,27 @@ pub struct AdjustmentResult {
     /// redundancy.
     pub sigma0_px: Option<f64>,
     pub sigma0_a_priori_px: Option<f64>,
+    /// Standard error of a coordinate of weight 1 by which everything was weighted whose standard error is stated: the weight of a GNSS coordinate
+    /// that is stated as σ is the square of this by σ and the factor of its group. Absent in older projects.
+    #[serde(default)]
+    pub weighted_by_px: Option<f64>,
+    /// Standard error of a coordinate of weight 1 by which cofactors become the covariances of what was estimated. Absent in older projects.
+    #[serde(default)]
+    pub unit_error_px: Option<f64>,
+    /// Standard deviation of the shared errors that standard errors hold, in standard errors of an observation.
+    #[serde(default)]
+    pub shared_errors: f64,
     pub degrees_of_freedom: usize,
     /// Root mean square length of the residuals of all accepted rays in px.
     pub rmse_px: f64,
     /// The same of the points of each number of rays, from 1 on, since a surveyed position counts as a ray; those without points are left
     /// out.
     pub rmse_by_rays: Vec<RayCountRmse>,
+    /// Those of `weighting` not counted.
     pub iterations: usize,
     /// Root mean square of the last step in standard errors of the unknowns.
     pub last_step: f64,
-    /// Adjustments until the set of accepted rays had settled.
+    /// Adjustments until the set of accepted rays had settled; those of `weighting` not counted.
     pub rounds: usize,
     pub cameras: Vec<CameraStatistics>,
     pub images: Vec<ImageStatistics>,
@@ -37,6 +49,85 @@ pub struct AdjustmentResult {
     pub rays: Vec<ObservationStatistics>,
     /// One for each control point; absent where the datum does not use it.
     pub control: Vec<Option<PriorStatistics>>,
+    /// How large the errors of observations are beside their stated standard errors, group by group; empty where no group states any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub components: Vec<VarianceComponent>,
+    /// How weights by the residuals were reached; absent where variance components were not to be estimated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weighting: Option<GroupWeighting>,
+}
+
+impl AdjustmentResult {
+    /// How many times their stated standard errors control points have, coordinate by coordinate, as far as weights follow it.
+    pub(crate) fn factors_of_control(&self) -> [f64; 3] {
+        let of = |group| self.components.iter().find(|component| component.group == group && component.applied).map_or(1.0, |c| c.factor);
+        let [across, up] = [ObservationGroup::ControlPlan, ObservationGroup::ControlHeight].map(of);
+        [across, across, up]
+    }
+}
+
+/// Observations whose standard errors are stated together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum ObservationGroup {
+    /// Image measurements of control and check points, and those by hand.
+    Marks,
+    /// X and Y of GNSS positions.
+    GnssPlan,
+    /// Z of GNSS positions.
+    GnssHeight,
+    /// X and Y of control points.
+    ControlPlan,
+    /// Z of control points.
+    ControlHeight,
+}
+
+impl ObservationGroup {
+    /// In words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Marks => "image measurements",
+            Self::GnssPlan => "GNSS positions, horizontal",
+            Self::GnssHeight => "GNSS positions, vertical",
+            Self::ControlPlan => "control points, horizontal",
+            Self::ControlHeight => "control points, vertical",
+        }
+    }
+
+    pub(super) const ALL: [Self; 5] = [Self::Marks, Self::GnssPlan, Self::GnssHeight, Self::ControlPlan, Self::ControlHeight];
+}
+
+/// How the weights of groups of observations were found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct GroupWeighting {
+    /// Times that a group was weighted anew.
+    pub rounds: usize,
+    /// Of all adjustments after the first of these.
+    pub iterations: usize,
+    /// Whether nothing was left to change; otherwise weights still changed when the rounds were spent.
+    pub converged: bool,
+}
+
+/// What the residuals of a group say of its stated standard errors.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct VarianceComponent {
+    pub group: ObservationGroup,
+    /// Coordinates that took part.
+    pub observations: usize,
+    /// Sum of their redundancies.
+    pub redundancy: f64,
+    /// Standard errors by the residuals are so many times those that were stated; 1 where it is held.
+    pub factor: f64,
+    /// That holds the true factor in 95 of 100 cases at least; absent where it is held.
+    pub interval: Option<[f64; 2]>,
+    /// Whether the observations are weighted by it; otherwise by what was stated.
+    pub applied: bool,
+    /// Whether it was not estimated, since the redundancy does not determine it.
+    #[serde(default)]
+    pub held: bool,
 }
 
 /// A camera parameter that was to be estimated and was fixed, since the block does not determine it.
@@ -54,6 +145,9 @@ pub struct FixedParameter {
 pub struct CameraStatistics {
     /// Of f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂; absent for what was not estimated.
     pub standard_errors: [Option<f64>; 8],
+    /// Between the parameters that were estimated, in their order, row by row; empty without any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub correlations: Vec<Vec<f64>>,
     pub fixed: Vec<FixedParameter>,
 }
 
@@ -69,6 +163,9 @@ pub struct ImageStatistics {
     pub angle_errors_deg: Option<[f64; 3]>,
     /// Standard errors of X₀; absent without statistics.
     pub position_errors: Option<[f64; 3]>,
+    /// Correlations of X₀ with Y₀, of X₀ with Z₀, of Y₀ with Z₀; absent without statistics.
+    #[serde(default)]
+    pub position_correlations: Option<[f64; 3]>,
     /// Of its GNSS position, where the datum uses it.
     pub gnss: Option<PriorStatistics>,
 }
@@ -88,6 +185,9 @@ pub struct PriorStatistics {
     /// The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
     #[serde(default)]
     pub detectable: [Option<f64>; 3],
+    /// Of a control point: its place by all other observations; absent where these do not determine it, and without statistics.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left_out: Option<LeftOut>,
 }
 
 /// Precision of an object point.

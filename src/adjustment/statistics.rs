@@ -14,7 +14,7 @@ use crate::Error;
 /// Cofactors of the unknowns in the datum, and what they say of the observations.
 pub(super) struct Statistics {
     pub images: Vec<Block6>,
-    /// Of the camera columns: the diagonal.
+    /// Of the camera columns, row by row.
     pub cameras: Vec<f64>,
     /// Absent for points without accepted rays.
     pub points: Vec<Option<Matrix3>>,
@@ -100,10 +100,9 @@ pub(super) fn statistics(
     };
     let in_datum =
         |(point, q): (usize, Option<Matrix3>)| q.map(|q| inner.as_ref().map_or(q, |inner| inner.of_point(point, &state.points[point], &q)));
-    let q = problem.columns.number();
     let statistics = Statistics {
         images: (0..network.images()).map(of_image).collect(),
-        cameras: (0..q).map(|k| orientations.cameras[k * q + k]).collect(),
+        cameras: orientations.cameras.clone(),
         points: coordinates.into_iter().enumerate().map(in_datum).collect(),
         rays,
     };
@@ -115,4 +114,17 @@ impl Statistics {
     pub fn of_position(&self, image: usize) -> [f64; 3] {
         [3, 4, 5].map(|k| self.images[image][k * N + k])
     }
+}
+
+/// Correlations of the coordinates of the position of an image by its cofactors: the first with the second, the first with the third, the
+/// second with the third.
+pub(super) fn correlations_of_position(cofactors: &Block6) -> [f64; 3] {
+    let q = |row: usize, column: usize| cofactors[column * N + row];
+    [(3, 4), (3, 5), (4, 5)].map(|(row, column)| correlation(q(row, column), q(row, row), q(column, column)))
+}
+
+/// Of two unknowns by their cofactors; 0 where one has no variance.
+pub(super) fn correlation(common: f64, first: f64, second: f64) -> f64 {
+    let product = first * second;
+    if product > 0.0 { (common / product.sqrt()).clamp(-1.0, 1.0) } else { 0.0 }
 }

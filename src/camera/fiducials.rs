@@ -1,8 +1,9 @@
 //! Interior orientation by fiducial marks.
 
+use crate::error::refuse;
 use std::collections::BTreeMap;
 
-use crate::{Cause, Computation, Error};
+use crate::{Cause, Computation, Error, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// A fiducial mark: where it was measured and where the calibration has it.
@@ -189,8 +190,7 @@ fn check_marks(fiducials: &[Fiducial], needed: usize) -> Result<(), Error> {
     for (index, f) in fiducials.iter().enumerate() {
         for (name, value, limit) in [("col", f.col, 1e7), ("row", f.row, 1e7), ("x_mm", f.x_mm, 1e5), ("y_mm", f.y_mm, 1e5)] {
             if value.is_nan() || value.abs() > limit {
-                let got = format!("{name} = {value} in mark {}", index + 1);
-                return Err(Error::InvalidInput { what: "fiducial marks", got, allowed: format!("numbers from -{limit} to {limit}") });
+                return refuse(Refusal::MarkCoordinate { coordinate: name.into(), value, mark: index + 1, limit });
             }
         }
     }
@@ -202,8 +202,7 @@ fn check_marks(fiducials: &[Fiducial], needed: usize) -> Result<(), Error> {
         let earliest_at = |places: &mut BTreeMap<[u64; 2], usize>, place| *places.entry(place).or_insert(index);
         let earlier = earliest_at(&mut measured, place(f.col, f.row)).min(earliest_at(&mut calibrated, place(f.x_mm, f.y_mm)));
         if earlier < index {
-            let got = format!("marks {} and {} in the same place", earlier + 1, index + 1);
-            return Err(Error::InvalidInput { what: "fiducial marks", got, allowed: "each mark once".into() });
+            return refuse(Refusal::MarksAgain { first: earlier + 1, second: index + 1 });
         }
     }
     Ok(())

@@ -3,7 +3,7 @@
 use super::distortion::{MOST_STEPS, fitted_terms, radial_factor, tangential_shift, undistorted};
 use super::{Camera, CameraUncertainty, ExifCamera};
 use crate::catalogue::refuse;
-use crate::{Cause, Computation, Error};
+use crate::{Cause, Computation, Error, Refusal};
 use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
@@ -51,8 +51,7 @@ impl CameraMm {
     /// [`Error::InvalidOption`] where its focal length or pixel size is outside the range of a camera; [`Error::InvalidInput`] for a panorama.
     pub fn from_exif(exif: &ExifCamera) -> Result<Self, Error> {
         if exif.is_panorama() {
-            let allowed = "a photograph of a central perspective".into();
-            return Err(Error::InvalidInput { what: "the camera of the file", got: "a panorama".into(), allowed });
+            return Err(Refusal::Panorama.into_error());
         }
         let camera = match &exif.lens {
             Some(lens) => lens.photo_camera()?,

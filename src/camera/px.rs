@@ -2,8 +2,10 @@
 
 use super::distortion::{CAMERA_PARAMETERS, CameraValues, MOST_STEPS, distorted, undistorted};
 use crate::catalogue::{FOCAL_PX, check_values};
-use crate::{Cause, Computation, Error};
+use crate::error::refuse;
+use crate::{Cause, Computation, Error, Input, Location, Refusal};
 use serde::{Deserialize, Serialize};
+use std::ops::RangeInclusive;
 
 /// The camera of one or more images.
 ///
@@ -114,15 +116,21 @@ impl Camera {
     }
 
     /// Refuses what is no camera; `name` says which one it is.
-    pub(crate) fn check(&self, name: impl Fn() -> String) -> Result<(), Error> {
-        let of = |field: &str| format!("{field} of {}", name());
-        check_values("size of the images", &[f64::from(self.width_px), f64::from(self.height_px)], 1.0..=1e7, &name)?;
-        check_values("focal length of a camera", &[self.focal_px], FOCAL_PX, || of("focal_px"))?;
-        check_values("principal point of a camera", &self.principal_point_px, -1e7..=1e7, || of("principal_point_px"))?;
-        check_values("distortion of a camera", &self.radial, -1e3..=1e3, || of("radial"))?;
-        check_values("distortion of a camera", &self.tangential, -1e3..=1e3, || of("tangential"))?;
-        self.pixel_mm.map_or(Ok(()), |pixel| check_values("side of a pixel", &[pixel], 1e-6..=10.0, || of("pixel_mm")))?;
-        check_values("free radial coefficients", &[self.free.radial as f64], 0.0..=3.0, &name)
+    pub(crate) fn check(&self, name: impl Fn() -> Location) -> Result<(), Error> {
+        let check = |input, field: &str, values: &[f64], allowed: RangeInclusive<f64>| {
+            let (low, high) = (*allowed.start(), *allowed.end());
+            match values.iter().find(|v| !allowed.contains(v)) {
+                Some(&value) => refuse(Refusal::Parameter { input, value, field: field.into(), location: name(), low, high }),
+                None => Ok(()),
+            }
+        };
+        check_values(Input::ImageSize, &[f64::from(self.width_px), f64::from(self.height_px)], 1.0..=1e7, &name)?;
+        check(Input::CameraFocalLength, "focal_px", &[self.focal_px], FOCAL_PX)?;
+        check(Input::CameraPrincipalPoint, "principal_point_px", &self.principal_point_px, -1e7..=1e7)?;
+        check(Input::CameraDistortion, "radial", &self.radial, -1e3..=1e3)?;
+        check(Input::CameraDistortion, "tangential", &self.tangential, -1e3..=1e3)?;
+        check(Input::PixelSide, "pixel_mm", self.pixel_mm.as_slice(), 1e-6..=10.0)?;
+        check_values(Input::FreeRadial, &[self.free.radial as f64], 0.0..=3.0, &name)
     }
 
     /// The parameters in the order of the unknowns.

@@ -1,6 +1,7 @@
 //! The errors of values outside their ranges.
 
-use crate::Error;
+use crate::error::refuse as refuse_input;
+use crate::{Error, Input, Location, Refusal};
 use std::ops::RangeInclusive;
 
 /// Focal lengths of cameras in px.
@@ -13,16 +14,13 @@ pub(crate) fn refuse(field: &'static str, got: impl ToString, allowed: impl Into
 
 /// Rejects values outside a range; `place` says where they stand.
 pub(crate) fn check_values(
-    what: &'static str,
+    input: Input,
     values: &[f64],
     allowed: RangeInclusive<f64>,
-    place: impl Fn() -> String,
+    location: impl Fn() -> Location,
 ) -> Result<(), Error> {
     match values.iter().find(|v| !allowed.contains(v)) {
-        Some(wrong) => {
-            let allowed = format!("{} to {}", allowed.start(), allowed.end());
-            Err(Error::InvalidInput { what, got: format!("{wrong} in {}", place()), allowed })
-        }
+        Some(&value) => refuse_input(Refusal::Value { input, value, location: location(), low: *allowed.start(), high: *allowed.end() }),
         None => Ok(()),
     }
 }

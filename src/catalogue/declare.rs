@@ -3,7 +3,7 @@
 /// Declares a struct of options: the struct, its defaults, its [`Parameter`](crate::Parameter)s and the check of their ranges.
 ///
 /// A field reads `/// help` and `field: Type = default, "Label", in "unit", 1..=9, absent "words", acts "condition", named "name";`.
-/// The type says the kind: `f64`, `usize`, `u32`, `bool` or an enum of [`choices!`], any of them in an `Option`. All after the label
+/// The type says the kind: `f64`, `usize`, `u32`, `bool`, `String` or an enum of [`choices!`], any of them in an `Option`. All after the label
 /// may be left out where it does not apply; `odd 1..=9` allows odd numbers alone. The help is the field's documentation.
 /// Fields after `beside` belong to the struct and are no parameters.
 macro_rules! options {

@@ -1,15 +1,16 @@
 # The texts of messages in English. An entry is named `family-kind`; its variables are the fields of the message.
 #
 # FIXED($x, digits: n) writes n digits after the point, SIGNIFICANT n significant digits, POWER a power of ten, PERCENT a share in per cent.
-# A list $images has its first five items; $images_count all of them are, and $images_more of them are not named.
+# HEX n hexadecimal digits. A list $images has its first five items; $images_count all of them are, and $images_more of them are not named.
 
 ## Errors. They follow `error: ` or stand in a sentence: no capital, no full stop.
 
 error-invalid-option = { $field } is { $got }; allowed: { $allowed }
 error-invalid-json = { $what }: { $reason }
-error-invalid-input = { $what }: got { $got }; allowed: { $allowed }
+error-invalid-argument = { $what }: got { $got }; allowed: { $allowed }
+error-invalid-input = { $refusal }
 error-unreadable-image = the image cannot be read: { $image_fault }
-error-unsupported-image = { $what } is not supported; allowed: { $allowed }
+error-unsupported-image = { $unsupported }
 error-too-many-pixels = the image declares { $width } x { $height } px = { FIXED($megapixels, digits: 1) } MP; allowed: up to { FIXED($max_megapixels, digits: 1) } MP
 error-too-much-memory = decoding { $width } x { $height } px needs about { $needed_mb } MB; allowed: up to { $max_mb } MB
 error-image-too-small = the image has { $width } x { $height } px; { $operation } needs at least { $min_side } px a side
@@ -25,12 +26,80 @@ error-unreadable-file = { $what } cannot be read: { $place }: { $file_fault }
 error-not-written = { $what } cannot be written: the output takes no more text
 
 image-fault-empty = the file is empty
-image-fault-damaged = { $format }: { $message }
+image-fault-damaged = { $format }: { $damage }
 image-fault-mask = its mask { $name }: { $error }
+
+## Where an image contradicts its format. They follow the name of the format.
+
+damage-decoder = { $words }
+damage-truncated = the file ends before its image does: it is truncated
+damage-too-short = it is truncated: { $width } x { $height } px take at least { $least_bytes } bytes, and the file has { $bytes }
+damage-no-pixels = it declares { $width } x { $height } px; a side has at least 1 px
+damage-beyond-addresses = its size is beyond all addresses
+damage-two-sizes = it declares two sizes
+damage-other-than-header = the decoder gave another size than the header declares
+damage-other-than-directory = the decoder gave another size than the directory declares
+damage-unknown-pam-line = its PAM header has an unknown line
+damage-incomplete-pam-header = its PAM header lacks WIDTH, HEIGHT, MAXVAL or a DEPTH of 1 to 4
+damage-long-header = its header has more than { $most_bytes } bytes
+damage-no-number = its header has '{ $word }' where a number belongs
+damage-other-canvas = its canvas of ({ $canvas }) px holds a frame of ({ $frame }) px
+damage-segment-length = the segment with marker { HEX($marker, digits: 2) } has the length { $length }
+damage-unexpected-marker = it has the unexpected marker { HEX($marker, digits: 2) }
+damage-no-frame-header = its image data come before its frame header
+damage-two-frame-headers = it has two frame headers
+damage-frame-header-length = the length of its frame header does not fit its components
+damage-restart-interval = its restart interval is cut off
+damage-restart-markers = it has { $markers } of { $expected } restart markers, or not in order: data are missing
+damage-short-scan = a scan ends before the image does: data are missing
+damage-no-image-data = it ends before its image data
+damage-no-width = it does not declare its width
+damage-no-height = it does not declare its height
+damage-two-directory-sizes = its directory declares two sizes
+damage-many-tags = its directory has { $tags } tags; up to { $most } are read
+damage-many-values = tag { $tag } has { $values } values; up to { $most } are read
+damage-colour-map = its colour map has not 3 x 256 entries
+
+## What is not decoded.
+
+unsupported-file = this kind of file is not supported; allowed: { $formats }
+unsupported-decoder = this { $format } ({ $words }) is not supported; allowed: { $formats }
+unsupported-tiff-decoder = this TIFF ({ $words }) is not supported; allowed: grey and RGB of 8 or 16 bits, in strips or tiles
+unsupported-samples = { $format } with samples { $samples } is not supported; allowed: 8 or 16 bits
+unsupported-animated-webp = an animated WebP is not supported; allowed: still images
+unsupported-jpeg-arithmetic = arithmetic-coded JPEG (SOF{ $frame }) is not supported; allowed: baseline, extended and progressive Huffman-coded JPEG
+unsupported-jpeg-lossless = lossless or hierarchical JPEG (SOF{ $frame }) is not supported; allowed: baseline, extended and progressive Huffman-coded JPEG
+unsupported-jpeg-bits = JPEG of { $bits } bits is not supported; allowed: JPEG of 8 bits
+unsupported-jpeg-components = JPEG of { $components } components (4: CMYK) is not supported; allowed: grey and three-component colour JPEG
+unsupported-jpeg-sampling = JPEG with the sampling factors [{ $sampling }] is not supported; allowed: the first component sampled 1, 2 or 4 times, the others once
+unsupported-jpeg-scans = JPEG of more than { $most } scans is not supported; allowed: up to { $most } scans
+unsupported-jpeg-rgb-apart = baseline JPEG with scans of RGB apart is not supported; allowed: one scan of all components, or one of luma alone
+unsupported-jpeg-luma-apart = baseline JPEG with scans of luma and one chroma apart is not supported; allowed: one scan of all components, or one of luma alone
+unsupported-tiff-floats = TIFF with floating-point samples is not supported; allowed: unsigned integers of 8 or 16 bits
+unsupported-tiff-signed = TIFF with signed or undefined samples is not supported; allowed: unsigned integers of 8 or 16 bits
+unsupported-tiff-bits = TIFF of { $bits } bits a sample is not supported; allowed: 8 or 16 bits a sample
+unsupported-tiff-colours = TIFF of photometric interpretation { $photometric } with { $samples } samples of { $bits } bits is not supported; allowed: grey (0, 1), RGB (2) with 3 or more samples, palette (3) of 8 bits
+unsupported-tiff-compression = TIFF with compression { $compression } is not supported; allowed: none, LZW, Deflate, PackBits (1, 5, 8, 32946, 32773)
+unsupported-tiff-tile-side = TIFF with a tile side of more than 65,536 px is not supported; allowed: tile sides of up to 65,536 px
+unsupported-tiff-tile-row = TIFF with { $bytes } bytes in a row of a tile is not supported; allowed: up to 16,777,216
+unsupported-tiff-bands = TIFF of { $bands } bands with a predictor is not supported; allowed: 1, 3 or 4 bands (the fourth alpha), or no predictor
 
 file-fault-system = { $message }
 file-fault-not-text = it is not text (UTF-8)
 file-fault-content = { $message }
+file-fault-no-number = { $field } is '{ $word }', not a finite number
+file-fault-no-whole-number = { $field } is '{ $word }', not a whole number of its range
+file-fault-short-line = it ends before { $field }
+file-fault-camera-again = camera { $camera } again
+file-fault-image-again = image { $image } again
+file-fault-point-again = point { $point } again
+file-fault-no-camera = camera { $camera } is not in cameras.txt
+file-fault-no-image = image { $image } is not in images.txt
+file-fault-no-feature = image { $image } has no point { $feature }
+file-fault-camera-model = { $model } with { $parameters } parameters; allowed: SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV of one focal length and up to three radial coefficients
+file-fault-zero-quaternion = the quaternion is zero
+file-fault-after-name = '{ $word }' after the name
+file-fault-no-features = the line of its points is missing
 file-fault-no-project = '{ $line }' is not the first line of a project, or the only one
 file-fault-no-header = '{ $line }' is not the first line of a project ({ $message })
 file-fault-other-format = its format is '{ $format }', not '{ $wanted }'
@@ -47,6 +116,356 @@ interruption-unreadable-work = what came of a job does not read as it was writte
 interruption-unfinished = it was ended before all of its jobs were done
 interruption-job = { $failure }
 interruption-refinement = the observations of { $name } cannot be refined: { $failure }
+
+## Why an input is refused: what it is, what was got, what is allowed.
+
+# General.
+refusal-value = { $input }: got { $value } in { $location }; allowed: { $low } to { $high }
+refusal-parameter = { $input }: got { $value } in { $field } of { $location }; allowed: { $low } to { $high }
+refusal-index = { $input }: got index { $index }; allowed: indices below { $count }
+refusal-below = { $input }: got { $index }; allowed: below { $count }
+refusal-index-as = { $input }: got { $index } as { $location }; allowed: 0 to { $last }
+refusal-nothing-as = { $input }: got { $index } as { $location }; allowed: none: there are none
+refusal-count = { $input }: got { $got }; allowed: { $wanted }
+refusal-bytes = { $input }: got { $bytes } bytes; allowed: a multiple of { $each } bytes
+refusal-numbers = { $input }: got { $numbers } numbers; allowed: a multiple of { $each } numbers
+refusal-in-edit = { $refusal } (edit { $edit })
+
+# Cameras and fiducial marks.
+refusal-mark-coordinate = fiducial marks: got { $coordinate } = { $value } in mark { $mark }; allowed: numbers from -{ $limit } to { $limit }
+refusal-marks-again = fiducial marks: got marks { $first } and { $second } in the same place; allowed: each mark once
+refusal-panorama = the camera of the file: got a panorama; allowed: a photograph of a central perspective
+refusal-mark-outside = fiducial marks: got a mark at { $col }, { $row } px of an image of { $width } × { $height } px; allowed: marks within the image, or the origin of the image in the scan in which they were measured
+refusal-marks-sigma0 = fiducial marks: got σ0 of { FIXED($sigma0_mm, digits: 3) } mm; allowed: up to { $most_mm } mm: marks are exchanged, or one is mistyped
+refusal-lone-origin = origin in the scan: got { $origin } without fiducials; allowed: an origin together with the fiducials measured in that scan
+refusal-one-camera = the cameras: got one camera; allowed: both or neither
+refusal-one-focal-length = the cameras: got one focal length; allowed: both or neither
+refusal-no-cameras = the cameras: got an empty list; allowed: one camera or more
+refusal-empty-pattern = the cameras: got an empty pattern of camera { $camera }; allowed: a pattern of names as DJI_*.JPG
+refusal-unused-patterns = the cameras: got { $patterns }, which fit no image; allowed: patterns that fit names as { $names }
+
+# The model of a block.
+refusal-image-name = image of the block: got the name { $name } of image { $image } (counted from 0); allowed: a name without control characters
+refusal-image-name-again = image of the block: got the name '{ $name }' for images { $first } and { $second } (counted from 0); allowed: each name once
+refusal-camera-of-image = camera of an image: got index { $camera } for '{ $name }'; allowed: indices below { $cameras }
+refusal-point-numbers = point of the block: got { $position } with residuals of { $rmse_px } px as point { $point } (counted from 0); allowed: finite numbers
+refusal-confidence = point of the block: got a confidence of point { $point } (counted from 0) outside 0 to 1; allowed: 0 to 1
+refusal-image-of-point = point of the block: got image { $image } of point { $point } (counted from 0); allowed: indices below { $images }
+refusal-ray-outside = point of the block: got the ray of point { $point } (counted from 0) at ({ $x_px }, { $y_px }) in '{ $name }'; allowed: places within { $width_px } x { $height_px } px
+refusal-two-rays = point of the block: got two rays of point { $point } (counted from 0) in '{ $name }'; allowed: one ray in an image
+refusal-rotation = image of the block: got { $rotation } as rotation of '{ $name }'; allowed: a rotation matrix
+refusal-image-position = image of the block: got { $position } as position of '{ $name }'; allowed: finite numbers
+refusal-origin = origin of the block: got longitude { $longitude_deg }°, latitude { $latitude_deg }°, height { $height_m } m; allowed: a longitude, a latitude and a height up to 1000 km
+refusal-other-coordinates = check point: got another kind of coordinates for { $point }; allowed: those of the control points
+refusal-no-height = height: got none of GCP { $point }; allowed: -100000 to 1000000
+refusal-measured-image = image measurement of a GCP: got index { $image } as image of GCP { $point }; allowed: indices below { $images }
+refusal-measured-outside = image measurement of a GCP: got ({ $x_px }, { $y_px }) for { $point } in { $name }, outside the image; allowed: positions within its { $width_px } x { $height_px } px
+refusal-measured-twice = image measurement of a GCP: got two for { $point } in { $name }; allowed: one in an image
+
+# Points and their descriptors.
+refusal-mask-size = mask: got { $width } x { $height } px; allowed: the image's { $image_width } x { $image_height } px
+refusal-raster-order = points for suppression: got an order or a repetition that is not raster order; allowed: at most one point a pixel, by row, then column
+refusal-described-point = point to describe: got ({ $x }, { $y }) with a scale of { $scale_px } px; allowed: positions within the image of { $width } x { $height } px and scales above 0, up to its longer side
+refusal-no-moments = descriptors: got { $described } for { $points } points; allowed: moments of each point
+refusal-no-gradients = descriptors: got { $described } for { $points } points; allowed: a gradient descriptor of each point
+
+# Matching.
+refusal-neighbours-of-others = nearest neighbours: got those of the left points { $rows } among { $among } right ones; allowed: those of the left points 0..{ $left } among { $right } right ones
+refusal-left-point = index of a left point: got { $index }; allowed: below { $count }, the number of left points
+refusal-guide-matrix = the matrix that guides: got { $value }; allowed: finite numbers
+refusal-described-positions = { $input }: got { $positions } positions with { $descriptors } descriptors; allowed: as many descriptors as positions
+refusal-described-points = { $input }: got { $points } points with { $descriptors } descriptors; allowed: as many descriptors as points
+refusal-described-bytes = { $input }: got { $positions } positions with { $bytes } bytes of descriptors; allowed: { $each } bytes for each position
+refusal-far-position = { $input }: got a position of ({ $x }, { $y }); allowed: positions from -1e6 to 1e6 px
+refusal-left-rows = rows of left descriptors: got { $first } to { $end }; allowed: ascending, up to { $left }
+refusal-piece-lengths = a piece of nearest neighbours: got { $left } and { $right } numbers; allowed: three for each left and two for each right descriptor
+refusal-piece-descriptor = a piece of nearest neighbours: got the descriptor { $index }; allowed: descriptors of the piece
+refusal-piece-start = a piece of nearest neighbours: got no whole number as first; allowed: one
+refusal-next-piece = the next piece of nearest neighbours: got rows from { $row } with { $right } right descriptors; allowed: rows from { $next_row } with { $of_right } right descriptors
+refusal-offset-field = offset field: got { $columns } x { $rows } nodes, { $offsets } offsets, spacing { $spacing_px } px; allowed: columns x rows finite offsets and a spacing above 0
+refusal-match-position = positions of matches: got { $position } in match { $index } (counted from 0); allowed: -1e6 to 1e6 px
+
+# Orientation.
+refusal-shared-errors = shared errors: got effects on { $effects } of { $observations } observations; allowed: one effect for each observation
+refusal-oriented-observations = observations: got { $observations }; allowed: the { $oriented } that were oriented
+refusal-observation-weight = weight: got { $weight } for observation { $observation } (counted from 0); allowed: 1e-12 to 1e12
+refusal-photo-coordinates = photo coordinates: got { $value_mm } mm in observation { $observation } (counted from 0); allowed: -{ $largest_mm } to { $largest_mm } mm, { $focal_lengths } focal lengths
+
+# Tie points.
+refusal-place-of-image = position of an image: got { $position } of image { $image }; allowed: finite numbers in m
+refusal-similar-image = similar images: got image { $other } with similarity { $similarity } in the list of image { $image }; allowed: images below { $images } and numbers
+refusal-pair-of-images = pair of images: got [{ $images }]; allowed: two different images of { $count }
+refusal-pair-again = pair of images: got [{ $images }] again; allowed: each pair once
+refusal-many-features = features of the block: got { $features } or more; allowed: up to { $most } features in all images
+refusal-many-matches = pair of images: got more than { $most } matches with it; allowed: fewer matches in all pairs
+refusal-matched-features = match: got features [{ $features }] with strength { $strength } as match { $index } of images [{ $images }]; allowed: feature indices below { $left } and { $right }, a strength that is a number
+refusal-features-of-images = { $input }: got features of { $images } images; allowed: those of the block's { $wanted } images
+refusal-no-feature = points of the block: got feature { $feature } of image { $image }; allowed: features that exist
+refusal-no-tie-point = points of the block: got point { $point }; allowed: points below { $points }
+refusal-feature-outside = features of the images: got { $position } in image { $image } of { $width_px } x { $height_px } px; allowed: positions inside their image
+refusal-lost-feature = features of the images: got none for feature { $feature } of image { $image }; allowed: a position for each ray of the points
+refusal-ray-numbers = ray: got position { $position } with scale { $scale_px }; allowed: finite numbers, a scale above 0 px
+refusal-ray-direction = direction of a ray: got { $direction_rad }; allowed: finite numbers
+refusal-ray-place = ray: got position { $position }; allowed: places inside the image of { $width } x { $height } px
+refusal-window-values = windows of rays: got { $values } grey values for { $windows } windows; allowed: { $side } x { $side } values each
+refusal-window-halvings = windows of rays: got { $halvings } halvings; allowed: 0 to { $most }
+refusal-window-order = windows of rays: got another order; allowed: windows ordered by ray and halvings, each once
+
+# Adjustment and reconstruction.
+refusal-rotation-as = rotation of an image: got { $rotation } as { $location }; allowed: rows at right angles, of length 1, right-handed
+refusal-axis-direction = direction of an axis: got { $direction } as { $location }; allowed: a vector of length 1
+refusal-prior-again = priors of cameras: got camera { $camera } (counted from 0) twice; allowed: each camera once
+refusal-control-again = control points: got point { $point } (counted from 0) twice; allowed: each point once
+refusal-ray-again = rays: got two rays of image { $image } to point { $point } (counted from 0); allowed: at most one ray for each image and point
+refusal-mixed-positions = observed positions: got { $geographic } geographic and { $local } local ones; allowed: either all local or all geographic, or those of images alone and those of { $placing } or more GCPs
+refusal-no-model = model of the reconstruction: got { $model }; allowed: models below { $models }
+refusal-no-intersection = observations of a point: got { $rays } of { $point_name } that do not meet, or at too small an angle; allowed: rays that meet within { $largest_px } px, at { $least_angle_deg } deg or more
+refusal-covariance-image = covariances: got image { $image } of the adjustment (counted from 0), which looks along the X axis; allowed: images with φ off ±90°: there ω and κ are one angle
+refusal-covariance-point = covariances: got point { $point } of the adjustment (counted from 0) without accepted observations; allowed: points that took part
+
+# Edits.
+refusal-no-observation = image of an observation: got { $location }, which has none of { $point_name }; allowed: images that show the point
+refusal-rejected-point = measured point: got { $point_name }, which takes no part; allowed: points that take part: restore it first
+refusal-new-point-images = images of a new point: got { $images } of { $observations } observations; allowed: two or more, each once
+refusal-measured-place = measured place: got ({ $x_px }, { $y_px }) in { $location }, outside the image; allowed: places within its { $width_px } x { $height_px } px
+refusal-unknown-point = point of an edit: got { $point_name }; allowed: points of the block
+refusal-image-not-oriented = image of an edit: got { $location }, which is not oriented; allowed: images of the block that are oriented
+refusal-block-not-oriented = block of the edits: got one that is not oriented; allowed: an oriented one
+
+# Exchange formats and tables.
+refusal-feature-numbers = COLMAP feature: got { $numbers } as feature { $feature }; allowed: finite numbers
+refusal-feature-descriptor = COLMAP feature: got { $numbers } numbers in the descriptor of feature { $feature }; allowed: { $needed } numbers
+refusal-own-system = GeoJSON: got a block in a system of its own; allowed: a block whose origin is known: GeoJSON has longitudes and latitudes alone
+refusal-name-with-blanks = { $format }: got the image name '{ $name }'; allowed: names without blanks
+refusal-name-of-no-file = { $format }: got the image name '{ $name }'; allowed: names of files in a folder
+refusal-long-name = { $format }: got the image name '{ $name }' of { $bytes } bytes; allowed: names of up to { $most } bytes
+refusal-no-records = { $input }: got { $words }; allowed: lines of fields between commas, semicolons or tabs
+refusal-no-column = { $input }: got no column { $column } in the first line '{ $names }'; allowed: a first line that names the columns { $columns }
+refusal-column-again = { $input }: got column { $column } twice; allowed: a first line that names the columns { $columns }
+refusal-no-value = { $input }: got no value for { $column } in line { $line }; allowed: finite numbers with a decimal point
+refusal-no-number = { $input }: got '{ $word }' for { $column } in line { $line }; allowed: finite numbers with a decimal point
+refusal-control-column = the table of control points: got neither a column '{ $column }' nor a point in the first line '{ $names }'; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-control-error-column = the table of control points: got the column '{ $column }' without the other standard errors; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-control-number = the table of control points: got '{ $word }' for { $column } in line { $line }; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-control-name = the table of control points: got the name '{ $name }' in line { $line }, which is empty or comes twice; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-control-errors = the table of control points: got standard errors { $errors } in line { $line }, which are not above 0; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-reserved-name = name of a ground control point: got { $name }; allowed: names that do not begin with { $begins }, as those of places of an orthophoto do
+refusal-control-use = the table of control points: got '{ $word }' as use in line { $line }; it is control, check or off; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-measured-numbers = the table of image marks: got '{ $x }', '{ $y }' as place in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
+refusal-measured-names = the table of image marks: got no name of image or point in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
+refusal-measured-again = the table of image marks: got point '{ $point }' in image '{ $image }' again in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
+
+# Coordinate reference systems.
+refusal-unknown-crs = coordinate reference system: got { $crs }, a code that is unknown here, or of a projection or a kind that is not supported; allowed: EPSG codes of geographic and projected systems, or PROJ text
+refusal-crs-text = coordinate reference system: got { $crs }, which cannot be read ({ $reason }); allowed: an EPSG code (EPSG:25832), WKT, or PROJ text with one of the projections { $projections }
+refusal-geocentric-crs = coordinate reference system: got { $crs }, whose axes meet in the centre of the earth; allowed: geographic and projected systems
+refusal-crs-unit = coordinate reference system: got { $crs }, whose unit is { $unit_m } m; allowed: systems in metres or degrees
+refusal-crs-axes = coordinate reference system: got { $crs }, which states a datum shift and has north before east; allowed: east before north beside a stated shift
+refusal-no-datum-shift = coordinate reference system: got { $crs } ({ $name }), whose datum no known shift without a grid leads to WGS 84 from; allowed: PROJ text with +datum=WGS84, or with the shift as +towgs84 (+towgs84=0,0,0 where the datum is WGS 84 but for some decimetres)
+refusal-crs-area = coordinate reference system: got { $crs } at longitude { FIXED($longitude_deg, digits: 4) }°, latitude { FIXED($latitude_deg, digits: 4) }°, where no shift of its datum to WGS 84 is known; allowed: positions in { $areas }. Are the zone and the order of the coordinates right?
+refusal-crs-place =
+    coordinates: got ({ $x }, { $y }), which lie outside { $crs }; allowed: { $degrees ->
+        [true] longitude as x, -180 to 180, and latitude as y, -90 to 90, in degrees
+       *[false] easting as x and northing as y in m
+    }
+refusal-control-place =
+    ground control point { $point }: got ({ $x }, { $y }), which lie outside { $crs }; allowed: { $degrees ->
+        [true] longitude as x, -180 to 180, and latitude as y, -90 to 90, in degrees
+       *[false] easting as x and northing as y in m
+    }
+refusal-control-degrees = ground control point { $point }: got ({ $x }, { $y }), which look like degrees; allowed: easting as x and northing as y in m, as { $crs } has them
+refusal-control-elsewhere =
+    ground control point { $point }: got a place { FIXED($distance_km, digits: 0) } km from the GNSS positions of the images, as { $crs } has it; allowed: up to { $most_km } km. { $swapped ->
+        [true] With x and y exchanged it lies near them: x is the easting or longitude
+       *[false] Is the zone right, or are the GNSS positions wrong? Without these it takes part as it is
+    }
+refusal-geoid-of-ellipsoid = height of the geoid: got { $geoid_m } m beside { $crs }, whose heights are ellipsoidal; allowed: 0, or a system of the plane, or one with heights above sea level
+
+# The run of a block.
+refusal-measured-beyond = image measurements: got ({ $x_px }, { $y_px }) for { $point } in { $name }, outside any image; allowed: positions within the image
+refusal-measured-unknown = image measurements: got the point { $point }; allowed: points of the table of control points
+refusal-few-control-points =
+    ground control points: got { $seen } of { $placing }{ $checks ->
+        [true] {" "}(check points do not count)
+       *[false] {""}
+    } measured in two images or more{ $images_count ->
+        [0] {""}
+       *[other] ; the block does not have the images { $images }{ $images_more ->
+            [0] {""}
+           *[other] {" "}…
+        }
+    }; allowed: { $needed } or more, or none at all
+refusal-job-inputs = inputs of a job: got { $inputs }; allowed: those that it names
+refusal-mask-of-image = its mask: got { $name } with { $width } x { $height } px; allowed: the image's { $image_width } x { $image_height } px
+refusal-file-name-again = images of the block: got two with the name { $name }; allowed: each name once
+refusal-file-name = images of the block: got the name { $name }, which holds a control character; allowed: names without them
+refusal-coarse-descriptors = coarse descriptors: got { $bytes } bytes; allowed: { $each } bytes each
+refusal-two-masks = masks: got { $first } and { $second }, which belong to the same image; allowed: one mask per image
+refusal-refined-observations = observations of a point: got { $first } to { $end }; allowed: ascending indices up to { $windows }
+refusal-unknown-job = job: got { $job }; allowed: jobs that are under way
+refusal-few-images =
+    images of the block: got { $read } that could be read, of { $given }{ $first ->
+        [none] {""}
+       *[other] {" "}({ $first }: { $failure })
+    }; allowed: two or more
+refusal-chosen-feature = observations: got feature { $feature }; allowed: features below { $features }
+
+# The ground: orthophotos, heights, mosaics.
+refusal-link-position = position of a link: got { $position }, of link { $link }; allowed: within the image of { $width_px } x { $height_px } px
+refusal-link-place = place of a link: got { $place }, of link { $link }; allowed: where the ground of the orthophoto has a height
+refusal-world-file = world file: got { $text }; allowed: six numbers, one a line: A, D, B, E of the pixel, X and Y of the centre of the top-left pixel
+refusal-georeference = georeference: got { $numbers }; allowed: finite coordinates and pixels with an extent
+refusal-degrees = coordinates of a picture of the ground: got longitude and latitude in degrees; allowed: a projected system in metres or feet: reproject it, with gdalwarp -t_srs say
+refusal-height-count = height model: got { $heights } heights for { $width } x { $height }; allowed: 2 x 2 heights or more, one a place
+refusal-height-range = heights of a height model: got { $low } to { $high }; allowed: -1000 to 20000, with at least one; what stands for 'no height' must be declared
+refusal-no-height-model = height model: got neither a TIFF nor text; allowed: a GeoTIFF or an ESRI ASCII grid
+refusal-heights-without-place = height model: got a TIFF that does not say where it lies; allowed: a GeoTIFF, or a world file beside it
+refusal-truncated-heights = height model: got { $width } x { $height } heights in { $bytes } bytes: it is truncated; allowed: a whole file
+refusal-many-heights = height model: got { $width } x { $height } heights; allowed: up to 100 million
+refusal-height-samples = height model: got a TIFF of samples of another kind; allowed: one sample a pixel: whole numbers or floating point
+refusal-grid-word = ESRI ASCII grid: got { $name } without a number; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
+refusal-grid-lacks = ESRI ASCII grid: got no { $name }; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
+refusal-grid-size = ESRI ASCII grid: got { $columns } columns, { $rows } rows of { $cell }; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
+refusal-grid-height = ESRI ASCII grid: got { $word } among the heights; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
+refusal-picture-without-place = orthophoto: got a { $format } that does not say where it lies; allowed: a GeoTIFF, or a world file beside the image (.tfw, .jgw, .pgw, .wld)
+refusal-nothing-above-ground = block for a mosaic: got no oriented image above the ground; allowed: one or more
+refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { FIXED($least, digits: 4) } or more, so that the mosaic has at most 100 MP
+refusal-mosaic-image = image of a mosaic: got index { $image }; allowed: one of the model
+refusal-mosaic-image-size = image of a mosaic: got { $width } x { $height } px; allowed: { $width_px } x { $height_px } px, as its camera
+refusal-empty-mosaic = mosaic: got nothing that an image shows; allowed: heights under the images, below them, and a pixel much smaller than an image
+refusal-no-heights-there = heights of a height model: got none under the orthophoto; allowed: a model of the same ground in the same system
+refusal-one-coordinate = place near an image: got one coordinate; allowed: near_x and near_y, or neither
+refusal-near-place = place near an image: got { $place }; allowed: within { $within_m } m of the orthophoto, whose corners are at { $first } and { $last }
+refusal-near-radius = radius about the place near an image: got { $within_m } m; allowed: so much that { $least_px } px of the orthophoto a side lie within it
+refusal-camera-size = camera of the image: got { $width_px } x { $height_px } px; allowed: { $width } x { $height } px, as the image
+refusal-grey-values = grey image: got { $width } x { $height } px with { $values } values; allowed: sides of at least 1 px and width x height values
+
+# Simulated photos and their truth.
+refusal-photo-position = position in a photo: got { $position }; allowed: positions inside the photo of { $width_px } x { $height_px } px
+refusal-truth-of-others = truth of the block: got none of the block's images; allowed: a truth of these images
+refusal-truth-not-oriented = truth of the block: got '{ $name }' without orientation; allowed: oriented images
+refusal-truth-distortion = truth of the block: got distortion of camera { $camera }; allowed: cameras without distortion
+refusal-truth-size = truth: got { $positions } positions for { $width } x { $height } px; allowed: one position for each pixel of the left image
+
+# Covariances of a finished block.
+refusal-covariances-not-oriented = covariances: got a block that is not oriented; allowed: an oriented block
+refusal-covariances-unsupported = covariances: got a project of a former version, without all points of its adjustment; allowed: projects that keep all points of their adjustment
+refusal-covariance-unknowns = covariances: got { $unknowns } unknowns; allowed: 1 to { $most } unknowns: six of an image, three of a point
+refusal-covariance-again = name of a covariance: got { $name } twice; allowed: each name once
+refusal-covariance-name = name of a covariance: got { $name }; allowed: names of oriented images and of adjusted surveyed points, point:N as in points.csv, camera:N as in images.csv
+
+# Projects.
+refusal-pair-match = match of the pair: got { $left } and { $right }; allowed: points below { $points } and { $others }
+refusal-pair-rejected = rejected match of the pair: got { $index }; allowed: matches below { $matches }
+refusal-project-connection = connection of the project: got [{ $images }]; allowed: two images below { $count } in ascending order
+refusal-project-edits = edits of the project: got those of a block that is not oriented; allowed: edits of an oriented block
+refusal-project-image = image of the project: got '{ $name }' of camera { $camera }; allowed: '{ $other }' of camera { $other_camera }
+refusal-project-index = model of the project: got index { $index }; allowed: images below { $images } and cameras below { $cameras }
+refusal-project-camera = model of the project: got camera { $camera } of an image; allowed: cameras below { $cameras }
+refusal-project-order = model of the project: got images that are not in order; allowed: images in ascending order, each once
+refusal-project-observation = model of the project: got an observation of point { $point } in image { $image }; allowed: images below { $images } and points below { $points }
+
+## What is given.
+
+input-axis-sigma = sigma of an axis
+input-base = base
+input-camera-distortion = distortion of a camera
+input-camera-focal-length = focal length of a camera
+input-camera-of-image = camera of an image
+input-camera-of-prior = camera of a prior
+input-camera-parameter = parameter of a camera
+input-camera-principal-point = principal point of a camera
+input-camera-sigma = sigma of a camera
+input-features-of-images = features of the images
+input-fiducial-table = the table of fiducials
+input-control-table = the table of control points
+input-free-radial = free radial coefficients
+input-height = height
+input-image = image
+input-image-coordinates = image coordinates
+input-image-of-ray = image of a ray
+input-image-size = size of the images
+input-geometries-of-project = geometries of the project
+input-images-of-project = images of the project
+input-cameras-of-project = cameras of the project
+input-points-of-project = points of the project
+input-observations-of-point = observations of a point of the project
+input-images-of-model = images of a model of the project
+input-images-of-block = images of an adjusted block of the project
+input-cameras-of-block = cameras of an adjusted block of the project
+input-points-of-model = points of a model of the project
+input-observations-of-model = observations of a model of the project
+input-verdicts-of-pair = verdicts of the pair
+input-matched-of-pair = matched points of the pair
+input-frames-of-pair = frames of points of the pair
+input-observations-of-pair = observations of the pair
+input-residuals-of-pair = residuals of the pair
+input-scores-of-pair = scores of the pair
+input-latitude = latitude
+input-left-descriptors = left descriptors
+input-left-features = left features
+input-left-points = left points
+input-longitude = longitude
+input-mark-table = the table of image marks
+input-observation-table = the table of observations
+input-photo-of-block = photo of the block
+input-pixel-side = side of a pixel
+input-point = point
+input-point-of-control = point of a control point
+input-point-of-ray = point of a ray
+input-points-of-block = points of the block
+input-position = position
+input-position-sigma = sigma of a position
+input-mark-sigma = sigma of an image measurement
+input-ray-sigma = sigma of a ray
+input-right-descriptors = right descriptors
+input-right-features = right features
+input-right-points = right points
+input-surveyed-point = surveyed point
+input-surveyed-point-of-block = surveyed point of the block
+input-text = the text
+input-weight = weight
+
+## Where a value stands.
+
+location-camera = camera { $camera } (counted from 0)
+location-named-camera = { camera }
+location-camera-of-file = camera { $camera } of the file
+location-camera-of-images = the camera of { $images }
+location-camera-of-image = camera of the image
+location-camera-of-prior = camera of a prior
+location-control = GCP { $name }
+location-element-of-control = { $element } of control point { $control } (counted from 0)
+location-element-of-image = { $element } of image { $image } (counted from 0)
+location-element-of-ray = { $element } of ray { $ray } (counted from 0)
+location-geometry = geometry.{ $side }
+location-image = { $name }
+location-image-index = index { $image }
+location-pair = the pair
+location-point = point { $point } (counted from 0)
+location-prior = prior of camera { $camera } (counted from 0)
+
+element-axis-direction = direction of the axis
+element-axis-sigma = sigma of the axis
+element-camera = camera
+element-coordinates = coordinates
+element-gnss-position = GNSS position
+element-gnss-sigma = GNSS sigma
+element-image = image
+element-point = point
+element-position = position
+element-rotation = rotation
+element-sigma = sigma
+element-weight = weight
+
+point-name-control = { $name }
+point-name-control-index = surveyed point { $point }
+point-name-manual = manual point { $point }
+point-name-tie-point = tie point { $point }
+
+described-none = none
+described-moments = { $descriptors } of moments
+described-gradients = { $bytes } bytes of gradients
 
 ## What is computed.
 
@@ -139,7 +558,7 @@ no-orientation-refused = { $error }
 
 ## What the result of a pair is worth.
 
-pair-verdict-oriented = Oriented from { $points } points, σ0 { FIXED($sigma0_px, digits: 2) } px; the right photo is turned by { FIXED($kappa_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (95 %).
+pair-verdict-oriented = Oriented from { $points } points, σ0 { FIXED($sigma0_px, digits: 2) } px; the right photo is turned in its plane (κ) by { FIXED($kappa_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (95 %).
     .label = oriented
 pair-verdict-weak = Weak orientation from { $points } points. { $warning }
     .label = weak
@@ -250,6 +669,7 @@ unoriented-undetermined =
         [one] 1 observation
        *[other] { $rays } observations
     }; the bundle adjustment rejected too many of these
+unoriented-rejected-by-hand = it was rejected by hand
 
 image-reason-apart = in a model of its own, of { $images } images
 image-reason-unoriented = { $unoriented }
@@ -281,6 +701,7 @@ block-verdict-not-oriented =
 overview-warning-model = { $block_warning }
 overview-warning-few-oriented = { $oriented } of { $images } images are oriented.
 overview-warning-apart = { $images } images are oriented apart from the others, in a model of their own.
+overview-warning-not-on-orthophoto = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 overview-warning-none-oriented = No image could be oriented.
 overview-warning-failed = No image could be oriented: { $failure }.
 
@@ -311,6 +732,7 @@ block-warning-levelled =
     }, assumed to ± { FIXED($level_deg, digits: 0) }°.
 block-warning-imprecise =
     σ0 is { FIXED($sigma0_px, digits: 1) } px, above the { FIXED($most_px, digits: 0) } px that matching reaches with the right camera: distortion, a wrong camera or wrong matches.
+block-warning-weights-not-converged = Weights by the residuals still changed after { $rounds } rounds of weighting: standard errors that were stated do not fit each other.
 block-warning-no-heights = The GNSS positions have no heights: the flight is taken as level, heights count from it, and the block may be tilted.
 block-warning-positions-rejected =
     { $images_count ->
@@ -393,6 +815,21 @@ camera-parameter-p2 = p2
 ## Remarks on what a run was given.
 
 remark-older-project = the project file is of version { $version }: it does not hold features, cameras as given, or standard errors
+remark-result-system =
+    images.csv, points.csv and surveyed.csv are in { $crs }{ $accuracy_m ->
+        [none] {""}
+       *[other] . The shift from WGS 84 is that of { $operation }, accurate to { SIGNIFICANT($accuracy_m, digits: 1) } m
+    }{ $gnss_above_m ->
+        [none] {""}
+       *[other] . Its heights count from a level of their own: heights of GNSS positions took no part. They are { FIXED($gnss_above_m, digits: 2) } m higher than those of the block, about the height of the geoid (--geoid-m) where they are above the ellipsoid
+    }
+remark-no-result-system = the results are not in { $crs }: the block has no place on the earth, which GNSS positions or control points would give it
+remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
+remark-unknown-columns =
+    columns of the table of control points are not understood and not read: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}and { $columns_more } more
+    }
 remark-unused-camera = the camera of { $images } fits the name of no image
 remark-doubtful-focal =
     the focal length of { $label } is { $focal_px } px, { SIGNIFICANT($sides, digits: 2) } of the longer side of the image, where { $least } to { $most } are usual{ $in_mm ->
@@ -442,88 +879,26 @@ verdict-gross-error = Matched, then rejected from the relative orientation: its 
 verdict-undecided = No match uses this point.
     .label = Not matched
 
-## The page. COUNT($n) writes a whole number in groups of three.
-
-page-candidate-of = Not matched. It is the best candidate of left point { COUNT($point) }, which is rejected.
-
-# What the rule compared. `second`: the measure of the second best candidate, `ratio`: the best by it.
-page-ratio =
-    { $second ->
-        [none] without a second candidate
-       *[other] { FIXED($ratio, digits: 3) } of the second best ({ FIXED($second, digits: 4) })
+# What came of the orthophoto that a block was given.
+on-orthophoto-linked =
+    The block lies in the system of the orthophoto, by { $points } places that { $linked } of { $images } images show{ $checks ->
+        [0] , without check points
+        [one] ; 1 more checks it
+       *[other] ; { $checks } more check it
+    }{ $rejected ->
+        [0] .
+       *[other] ; { $rejected } were rejected.
     }
-page-correlation = Correlation { FIXED($correlation, digits: 4) }, measure { FIXED($best, digits: 4) }.
-page-low-correlation = Correlation { FIXED($correlation, digits: 4) }; { $least } or more is allowed.
-page-good-measure = Its best measure { FIXED($best, digits: 4) } is below { $most }, and { page-ratio }.
-page-large-measure = Best measure { FIXED($best, digits: 4) }; below { $most } is allowed.
-page-ambiguous = Its best measure { FIXED($best, digits: 4) } is { page-ratio }; up to { $largest } is allowed.
-page-parallax = Tolerance: { $tolerance } px, or three times the scatter of its neighbours where that is more.
-page-imprecise = Up to { $most } px is allowed.
-page-distance = Distance { FIXED($best, digits: 4) }, { page-ratio }.
-page-only-candidate = Distance { FIXED($best, digits: 4) }, the only candidate that agrees with the geometry of the two views.
-page-clear-candidate = Distance { FIXED($best, digits: 4) }, { page-ratio }. It agrees with the geometry of the two views.
-page-agreeing-candidate = Distance { FIXED($best, digits: 4) }, { page-ratio }: more than { $largest }, but it agrees with the geometry of the two views, which leaves few candidates.
-page-no-geometry =
-    Distance { FIXED($best, digits: 4) }, { page-ratio }. No geometry of the two views was found{ $no_geometry ->
-        [none] .
-       *[other] : { $no_geometry }.
-    }
-page-off-line = Distance { FIXED($best, digits: 4) }, { page-ratio }; but it does not fit: up to { FIXED($threshold_px, digits: 2) } px from its epipolar line is allowed.
-page-off-place = Distance { FIXED($best, digits: 4) }, { page-ratio }; but it does not fit: up to { FIXED($threshold_px, digits: 2) } px from its predicted position is allowed.
+on-orthophoto-not-linked = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 
-page-matched = { COUNT($matches) } matches of { COUNT($points) } left points
-page-step = Step { $step } of { $steps }: { $stages }
-page-worked = { $matched }, { FIXED($seconds, digits: 2) } s of work.
-
-page-estimated-focal = With the focal length estimated from the matches: { FIXED($focal_px, digits: 0) } ± { FIXED($error_px, digits: 0) } px, which the standard errors below assume to be free of error. Lengths in mm are those of pixels of 0.001 mm.
-page-global-test = The weighted sum of squared residuals over the given σ₀²: with good matches between { FIXED($lower, digits: 1) } and { FIXED($upper, digits: 1) } in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.
-page-paper = Paper: its Tables 2 and 3, of its own pair (f = { $focal_mm } mm, pixel { FIXED($pixel_um, digits: 0) } µm, assumed b = { $base_mm } mm).
-page-paper-sigma = σ₀ { FIXED($sigma0_mm, digits: 3) } mm = { FIXED($sigma0_px, digits: 1) } px
-
-page-block-images = { COUNT($images) } images.
-page-block-done =
-    { $verdict } { $images ->
-        [one] 1 image
-       *[other] { COUNT($images) } images
-    }{ $skipped ->
-        [0] {""}
-       *[other] , { COUNT($skipped) } skipped
-    }, { $pairs ->
-        [one] 1 pair
-       *[other] { COUNT($pairs) } pairs
-    } connected, { $found ->
-        [none] { $points ->
-            [one] 1 tie point
-           *[other] { COUNT($points) } tie points
-        }
-       *[other] { COUNT($points) } of { $found ->
-            [one] 1 tie point
-           *[other] { COUNT($found) } tie points
-        } selected
-    }.{ $time ->
-        [none] {""}
-       *[other] {" "}{ $time }.
-    }{ $warnings ->
-        [0] {""}
-        [one] {" "}1 warning, see Results.
-       *[other] {" "}{ COUNT($warnings) } warnings, see Results.
-    }
-page-block-not-oriented =
-    { $why }{ $group ->
-        [none] {""}
-       *[other] {" "}The largest group of connected images has { COUNT($group) } of { COUNT($images) }: do they overlap?
-    } Kept: { COUNT($images) } images with their features, { $pairs ->
-        [one] 1 connected pair
-       *[other] { COUNT($pairs) } connected pairs
-    }, { $points ->
-        [one] 1 tie point
-       *[other] { COUNT($points) } tie points
-    }.
-page-geometry =
-    { $model }{ $weak ->
-        [none] {""}
-       *[other] , { $weak }
-    }, ± { FIXED($sigma_px, digits: 2) } px
+# Why a block is not in the system of an orthophoto.
+not-linked-not-oriented = it is not oriented
+not-linked-own-system = it has the coordinate reference system { $crs }: an orthophoto gives the block its own, without --crs
+not-linked-few-images = { $placed } of { $images } images could be placed on the orthophoto, { $needed } are needed: does it show the same ground, and are the heights those of this ground?
+not-linked-few-points = { $points } places of its ground are shown by two images or more, { $needed } are needed
+not-linked-disagreement = { $rejected } of { $points } places of its ground contradict the block: check the heights
+not-linked-contradiction = the ground control points contradict it. The orthophoto has the block { FIXED($x_m, digits: 2) } m in X, { FIXED($y_m, digits: 2) } m in Y and { FIXED($z_m, digits: 2) } m in height from where they have it: check the system and the heights of both
+not-linked-failed = { $failure }
 
 # Why an image has no place on an orthophoto.
 not-placed-no-common-place = of { $matches } points that resemble places of the orthophoto, { $agreeing } agree on one place, as chance would have it

@@ -17,6 +17,8 @@ pub enum ParameterKind {
     Choice { values: &'static [&'static str], labels: &'static [&'static str] },
     /// Yes or no.
     Flag,
+    /// Words that the check of the option itself reads.
+    Text,
 }
 
 /// One option.
@@ -49,6 +51,7 @@ impl Parameter {
             ParameterKind::Real { min, max } => format!("{min} to {max}"),
             ParameterKind::Choice { values, .. } => values.join(", "),
             ParameterKind::Flag => "yes or no".into(),
+            ParameterKind::Text => "text".into(),
         }
     }
 
@@ -59,7 +62,7 @@ impl Parameter {
                 value.fract() == 0.0 && value >= min && value <= max && (!odd || value % 2.0 == 1.0)
             }
             ParameterKind::Real { min, max } => value >= min && value <= max,
-            ParameterKind::Choice { .. } | ParameterKind::Flag => true,
+            ParameterKind::Choice { .. } | ParameterKind::Flag | ParameterKind::Text => true,
         };
         if within { Ok(()) } else { Err(refuse(self.key, value, self.allowed())) }
     }

@@ -8,6 +8,7 @@ pub(crate) enum Form {
     Integer,
     Real,
     Flag,
+    Text,
     Choice { values: &'static [&'static str], labels: &'static [&'static str] },
 }
 
@@ -23,6 +24,10 @@ pub(crate) trait OptionValue {
 
 impl OptionValue for bool {
     const FORM: Form = Form::Flag;
+}
+
+impl OptionValue for String {
+    const FORM: Form = Form::Text;
 }
 
 macro_rules! numbers {
@@ -53,6 +58,7 @@ pub(crate) const fn kind(form: Form, range: (f64, f64, bool)) -> ParameterKind {
         Form::Integer => ParameterKind::Integer { min, max, odd },
         Form::Real => ParameterKind::Real { min, max },
         Form::Flag => ParameterKind::Flag,
+        Form::Text => ParameterKind::Text,
         Form::Choice { values, labels } => ParameterKind::Choice { values, labels },
     }
 }

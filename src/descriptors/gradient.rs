@@ -9,7 +9,8 @@ mod patch;
 
 pub use options::{FeatureOptions, GradientOptions};
 
-use crate::{Error, GreyView, ScalePoint, ScaleSpace, multiscale_points};
+use crate::error::refuse;
+use crate::{Error, GreyView, Refusal, ScalePoint, ScaleSpace, multiscale_points};
 use histogram::{Grid, LENGTH};
 use patch::{PADDED, Placement, ROW, SIDE};
 
@@ -78,11 +79,7 @@ fn check_point(point: &ScalePoint, space: &ScaleSpace) -> Result<(), Error> {
     if within(point.x, width) && within(point.y, height) && within(point.scale_px, width.max(height)) && point.scale_px > 0.0 {
         return Ok(());
     }
-    Err(Error::InvalidInput {
-        what: "point to describe",
-        got: format!("({}, {}) with a scale of {} px", point.x, point.y, point.scale_px),
-        allowed: format!("positions within the image of {width} x {height} px and scales above 0, up to its longer side"),
-    })
+    refuse(Refusal::DescribedPoint { x: point.x, y: point.y, scale_px: point.scale_px, width, height })
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::error::refuse;
 use crate::json;
-use crate::{Camera, Error};
+use crate::{Camera, Error, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// A camera, and the images that it took.
@@ -42,11 +42,11 @@ impl CameraRule {
     /// # Errors
     /// As [`BlockModel::check`](crate::BlockModel::check).
     pub fn camera(&self, width_px: u32, height_px: u32) -> Result<Camera, Error> {
-        self.camera_named(width_px, height_px, || format!("the camera of {}", self.images))
+        self.camera_named(width_px, height_px, || Location::CameraOfImages { images: self.images.clone() })
     }
 
     /// The same, by its name where it is refused.
-    fn camera_named(&self, width_px: u32, height_px: u32, name: impl Fn() -> String) -> Result<Camera, Error> {
+    fn camera_named(&self, width_px: u32, height_px: u32, name: impl Fn() -> Location) -> Result<Camera, Error> {
         let plain = Camera::without_distortion(width_px, height_px, self.focal_px);
         let principal_point_px = self.principal_point_px.unwrap_or(plain.principal_point_px);
         let Self { radial, tangential, pixel_mm, .. } = *self;
@@ -69,13 +69,13 @@ pub fn parse_camera_rules(json: &str) -> Result<Vec<CameraRule>, Error> {
     let text = json.trim_start_matches('\u{feff}');
     let file: File = json::from_text(text).map_err(|reason| Error::InvalidJson { what: "the cameras", reason })?;
     if file.cameras.is_empty() {
-        return refuse("the cameras", "an empty list".into(), "one camera or more");
+        return refuse(Refusal::NoCameras);
     }
     for (number, rule) in (1..).zip(&file.cameras) {
         if rule.images.is_empty() {
-            return refuse("the cameras", format!("an empty pattern of camera {number}"), "a pattern of names as DJI_*.JPG");
+            return refuse(Refusal::EmptyPattern { camera: number });
         }
-        rule.camera_named(1, 1, || format!("camera {number} of the file"))?;
+        rule.camera_named(1, 1, || Location::CameraOfFile { camera: number })?;
     }
     Ok(file.cameras)
 }

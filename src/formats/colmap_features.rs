@@ -1,8 +1,8 @@
 //! COLMAP's files of features and of matches, as its `feature_importer` and `matches_importer` read them.
 
 use super::text::{file_name, not_written, one_word};
-use crate::Error;
 use crate::error::refuse;
+use crate::{Error, Refusal};
 use std::fmt::Write;
 
 /// Numbers of a descriptor: COLMAP takes no other length.
@@ -34,11 +34,11 @@ pub fn colmap_features(features: &[ColmapFeature<'_>], out: &mut impl Write) -> 
     for (index, feature) in features.iter().enumerate() {
         let numbers = [feature.x_px, feature.y_px, feature.scale, feature.orientation_rad];
         if !numbers.iter().all(|v| v.is_finite()) {
-            return refuse("COLMAP feature", format!("{numbers:?} as feature {index}"), "finite numbers");
+            return refuse(Refusal::FeatureNumbers { numbers: format!("{numbers:?}"), feature: index });
         }
         let descriptor = feature.descriptor.unwrap_or(&[0; DESCRIPTOR]);
         if descriptor.len() != DESCRIPTOR {
-            return refuse("COLMAP feature", format!("{} numbers in the descriptor of feature {index}", descriptor.len()), "128 numbers");
+            return refuse(Refusal::FeatureDescriptor { numbers: descriptor.len(), feature: index, needed: DESCRIPTOR });
         }
         let [x, y, scale, orientation] = numbers;
         write!(out, "{x} {y} {scale} {orientation}").map_err(not_written)?;

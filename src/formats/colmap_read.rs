@@ -3,7 +3,7 @@
 use super::quaternion::pose_of_vision;
 use super::text::Line;
 use crate::text::shorten;
-use crate::{BlockModel, Camera, Error, ImageObservation, ModelImage, ObjectPoint};
+use crate::{BlockModel, Camera, Error, FileFault, ImageObservation, ModelImage, ObjectPoint};
 use std::collections::BTreeMap;
 
 /// Numbers that stand in a file, and the indices they get here.
@@ -51,13 +51,10 @@ fn read_cameras(text: &str) -> Result<(Vec<Camera>, Numbers), Error> {
             ("RADIAL", &[f, cx, cy, k1, k2]) => (f, [cx, cy], [k1, k2, 0.0], [0.0; 2]),
             ("OPENCV", &[fx, fy, cx, cy, k1, k2, p1, p2]) if fx == fy => (fx, [cx, cy], [k1, k2, 0.0], [p1, p2]),
             ("FULL_OPENCV", &[fx, fy, cx, cy, k1, k2, p1, p2, k3, 0.0, 0.0, 0.0]) if fx == fy => (fx, [cx, cy], [k1, k2, k3], [p1, p2]),
-            _ => {
-                let got = format!("{} with {} parameters; allowed: ", shorten(model), of.len());
-                return Err(line.refused(got + "SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV of one focal length and up to three radial coefficients"));
-            }
+            _ => return Err(line.refused(FileFault::CameraModel { model: shorten(model), parameters: of.len() })),
         };
         if numbers.insert(number, cameras.len()).is_some() {
-            return Err(line.refused(format!("camera {number} again")));
+            return Err(line.refused(FileFault::CameraAgain { camera: number }));
         }
         cameras.push(Camera { principal_point_px, radial, tangential, ..Camera::without_distortion(width_px, height_px, focal_px) });
     }
@@ -80,16 +77,16 @@ fn read_images(text: &str, cameras: &Numbers) -> Result<(Vec<ModelImage>, Number
             *value = line.number(words, name)?;
         }
         let [qw, qx, qy, qz, tx, ty, tz] = values;
-        let pose = pose_of_vision([qw, qx, qy, qz], [tx, ty, tz]).ok_or_else(|| line.refused("the quaternion is zero"))?;
+        let pose = pose_of_vision([qw, qx, qy, qz], [tx, ty, tz]).ok_or_else(|| line.refused(FileFault::ZeroQuaternion))?;
         let camera: u64 = line.whole(words, "CAMERA_ID")?;
-        let camera = *cameras.get(&camera).ok_or_else(|| line.refused(format!("camera {camera} is not in cameras.txt")))?;
+        let camera = *cameras.get(&camera).ok_or_else(|| line.refused(FileFault::NoCamera { camera }))?;
         let name = line.word(words, "NAME")?.to_string();
         if let Some(word) = words.next() {
-            return Err(line.refused(format!("'{}' after the name", shorten(word))));
+            return Err(line.refused(FileFault::AfterName { word: shorten(word) }));
         }
-        let rays = lines.next().ok_or_else(|| line.refused("the line of its points is missing"))?;
+        let rays = lines.next().ok_or_else(|| line.refused(FileFault::NoFeatures))?;
         if numbers.insert(number, images.len()).is_some() {
-            return Err(line.refused(format!("image {number} again")));
+            return Err(line.refused(FileFault::ImageAgain { image: number }));
         }
         features.push(read_rays(&rays)?);
         images.push(ModelImage { name, camera, pose: Some(pose) });
@@ -120,14 +117,14 @@ fn read_points(text: &str, images: &Numbers, features: &Features) -> Result<Vec<
         while words.peek().is_some() {
             let image: u64 = line.whole(words, "IMAGE_ID")?;
             let index: usize = line.whole(words, "POINT2D_IDX")?;
-            let image = *images.get(&image).ok_or_else(|| line.refused(format!("image {image} is not in images.txt")))?;
-            let place = features[image].get(index).ok_or_else(|| line.refused(format!("image {image} has no point {index}")))?;
+            let image = *images.get(&image).ok_or_else(|| line.refused(FileFault::NoImage { image }))?;
+            let place = features[image].get(index).ok_or_else(|| line.refused(FileFault::NoFeature { image, feature: index }))?;
             if rays.iter().all(|ray| ray.image != image) {
                 rays.push(ImageObservation { image, x_px: place[0], y_px: place[1], confidence: 1.0 });
             }
         }
         if points.insert(number, ObjectPoint { position, colour, rmse_px, confidence: 1.0, rays }).is_some() {
-            return Err(line.refused(format!("point {number} again")));
+            return Err(line.refused(FileFault::PointAgain { point: number }));
         }
     }
     Ok(points.into_values().collect())

@@ -27,13 +27,13 @@ pub(crate) fn images_table(model: &BlockModel, columns: &[&str], more: impl Fn(u
     table(&[&IMAGES, columns].concat(), rows)
 }
 
-/// `points.csv`.
-pub(crate) fn points_table(model: &BlockModel) -> String {
+/// `points.csv`, with further columns that `more` fills for each point.
+pub(crate) fn points_table(model: &BlockModel, columns: &[&str], more: impl Fn(usize, Row) -> Row) -> String {
     let rows = model.points.iter().enumerate().map(|(index, point)| {
         let coloured = point.colour.iter().fold(Row::default().number(index).numbers(point.position), Row::number);
-        coloured.number(point.rays.len()).number(point.confidence).known(point.rmse_px)
+        more(index, coloured.number(point.rays.len()).number(point.confidence).known(point.rmse_px))
     });
-    table(&POINTS, rows)
+    table(&[&POINTS, columns].concat(), rows)
 }
 
 /// `rays.csv`, with further columns that `more` fills for each point and its observations.

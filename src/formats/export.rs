@@ -86,7 +86,7 @@ pub fn export_block(model: &BlockModel, format: ExportFormat, emit: &mut dyn FnM
         }
         ExportFormat::Csv => {
             emit("images.csv", &csv_tables::images_table(model, &[], |_, row| row))?;
-            emit("points.csv", &csv_tables::points_table(model))?;
+            emit("points.csv", &csv_tables::points_table(model, &[], |_, row| row))?;
             emit("rays.csv", &csv_tables::rays_table(model, &[], |_, _, row| row))
         }
         ExportFormat::Json => emit("block.json", &json(model)?),

@@ -1,7 +1,8 @@
 //! GeoJSON of image positions and points, for maps.
 
+use crate::error::refuse;
 use crate::math::geographic_from_local;
-use crate::{BlockModel, Error};
+use crate::{BlockModel, Error, Refusal};
 use serde_json::{Value, json};
 
 /// A collection of features: a point for each oriented image and for each intersected point.
@@ -13,8 +14,7 @@ use serde_json::{Value, json};
 /// RFC 7946, The GeoJSON Format.
 pub(super) fn write_geojson(model: &BlockModel) -> Result<String, Error> {
     let Some(origin) = model.origin else {
-        let allowed = "a block whose origin is known: GeoJSON has longitudes and latitudes alone".into();
-        return Err(Error::InvalidInput { what: "GeoJSON", got: "a block in a system of its own".into(), allowed });
+        return refuse(Refusal::OwnSystem);
     };
     let origin = [origin.longitude_deg, origin.latitude_deg, origin.height_m];
     let feature = |position: [f64; 3], properties: Value| {

@@ -1,11 +1,10 @@
 //! Reading where images show surveyed points.
 
-use crate::Error;
-use crate::text::{records, shorten};
+use crate::error::refuse;
+use crate::text::{Row, records, shorten, table};
+use crate::{Error, Input, Refusal};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
-
-const WHAT: &str = "the table of image marks";
 
 /// A surveyed point as it was measured in an image.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -31,7 +30,7 @@ pub struct ImageMeasurementRow {
 pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, Error> {
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
-    for (index, (line, record)) in records(WHAT, text)?.into_iter().enumerate() {
+    for (index, (line, record)) in records(Input::MarkTable, text)?.into_iter().enumerate() {
         let field = |column: usize| record.get(column).unwrap_or("");
         let number = |column: usize| field(column).parse().ok().filter(|v: &f64| v.is_finite());
         if index == 0 && [2, 3].iter().all(|column| is_word(field(*column))) {
@@ -39,26 +38,28 @@ pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, 
         }
         let (image, point) = (field(0).to_string(), field(1).to_string());
         let (Some(x_px), Some(y_px)) = (number(2), number(3)) else {
-            return Err(refused(format!("'{}', '{}' as place in line {line}", shorten(field(2)), shorten(field(3)))));
+            return refuse(Refusal::MeasuredNumbers { x: shorten(field(2)), y: shorten(field(3)), line });
         };
         if image.is_empty() || point.is_empty() {
-            return Err(refused(format!("no name of image or point in line {line}")));
+            return refuse(Refusal::MeasuredNames { line });
         }
         if !seen.insert((image.clone(), point.clone())) {
-            return Err(refused(format!("point '{}' in image '{}' again in line {line}", shorten(&point), shorten(&image))));
+            return refuse(Refusal::MeasuredAgain { point: shorten(&point), image: shorten(&image), line });
         }
         marks.push(ImageMeasurementRow { image, point, x_px, y_px });
     }
     Ok(marks)
 }
 
+/// The table of some measurements, which reads back as they are.
+pub(crate) fn image_measurement_table(measurements: &[ImageMeasurementRow]) -> String {
+    let row = |is: &ImageMeasurementRow| Row::default().text(&is.image).text(&is.point).number(is.x_px).number(is.y_px);
+    table(&["image", "point", "x_px", "y_px"], measurements.iter().map(row))
+}
+
 /// Whether a field names a column; a number with a slip is no name.
 fn is_word(field: &str) -> bool {
     !field.is_empty() && field.chars().all(|c| !c.is_ascii_digit())
-}
-
-fn refused(got: String) -> Error {
-    Error::InvalidInput { what: WHAT, got, allowed: "lines of image, point, x, y with decimal points, each point once in an image".into() }
 }
 
 #[cfg(test)]
@@ -72,6 +73,7 @@ mod tests {
         assert_eq!(with[1], ImageMeasurementRow { image: "b.jpg".into(), point: "P1".into(), x_px: 1.0, y_px: 2.0 });
         assert_eq!(parse_image_measurements("a.jpg;P1;10.5;20").unwrap(), with[..1]);
         assert!(parse_image_measurements("").unwrap().is_empty());
+        assert_eq!(parse_image_measurements(&image_measurement_table(&with)).unwrap(), with);
     }
 
     #[test]

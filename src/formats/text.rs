@@ -1,7 +1,8 @@
 //! Words of text files: names without blanks, errors of writing, numbers of a line.
 
+use crate::error::refuse;
 use crate::text::shorten;
-use crate::{Error, FileFault};
+use crate::{Error, FileFault, Refusal};
 use std::fmt;
 
 /// The error of a sink that takes no more text.
@@ -12,7 +13,7 @@ pub(super) fn not_written(_: fmt::Error) -> Error {
 /// A name that a format separates from others by blanks.
 pub(super) fn one_word<'a>(format: &'static str, name: &'a str) -> Result<&'a str, Error> {
     if name.chars().any(char::is_whitespace) {
-        return Err(Error::InvalidInput { what: format, got: format!("the image name '{name}'"), allowed: "names without blanks".into() });
+        return refuse(Refusal::NameWithBlanks { format: format.into(), name: name.into() });
     }
     Ok(name)
 }
@@ -24,15 +25,11 @@ const MOST_NAME_BYTES: usize = 249;
 pub(super) fn file_name<'a>(format: &'static str, name: &'a str) -> Result<&'a str, Error> {
     let leads_out = name.split(['/', '\\']).any(|part| part == ".." || part.is_empty()) || name.contains(':');
     if leads_out {
-        return Err(Error::InvalidInput {
-            what: format,
-            got: format!("the image name '{name}'"),
-            allowed: "names of files in a folder".into(),
-        });
+        return refuse(Refusal::NameOfNoFile { format: format.into(), name: name.into() });
     }
     if name.len() > MOST_NAME_BYTES {
-        let got = format!("the image name '{}' of {} bytes", shorten(name), name.len());
-        return Err(Error::InvalidInput { what: format, got, allowed: format!("names of up to {MOST_NAME_BYTES} bytes") });
+        let (format, bytes) = (format.into(), name.len());
+        return refuse(Refusal::LongName { format, name: shorten(name), bytes, most: MOST_NAME_BYTES });
     }
     Ok(name)
 }
@@ -46,12 +43,8 @@ pub(super) struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    pub(super) fn refused(&self, reason: impl Into<String>) -> Error {
-        Error::UnreadableFile {
-            what: self.what,
-            place: format!("line {}", self.number),
-            file_fault: FileFault::Content { message: reason.into() },
-        }
+    pub(super) fn refused(&self, file_fault: FileFault) -> Error {
+        Error::UnreadableFile { what: self.what, place: format!("line {}", self.number), file_fault }
     }
 
     pub(super) fn words(&self) -> std::str::SplitAsciiWhitespace<'a> {
@@ -62,16 +55,16 @@ impl<'a> Line<'a> {
     pub(super) fn number(&self, words: &mut impl Iterator<Item = &'a str>, name: &str) -> Result<f64, Error> {
         let word = self.word(words, name)?;
         let value = word.parse().ok().filter(|value: &f64| value.is_finite());
-        value.ok_or_else(|| self.refused(format!("{name} is '{}', not a finite number", shorten(word))))
+        value.ok_or_else(|| self.refused(FileFault::NoNumber { field: name.into(), word: shorten(word) }))
     }
 
     /// The next word as a whole number.
     pub(super) fn whole<T: std::str::FromStr>(&self, words: &mut impl Iterator<Item = &'a str>, name: &str) -> Result<T, Error> {
         let word = self.word(words, name)?;
-        word.parse().map_err(|_| self.refused(format!("{name} is '{}', not a whole number of its range", shorten(word))))
+        word.parse().map_err(|_| self.refused(FileFault::NoWholeNumber { field: name.into(), word: shorten(word) }))
     }
 
     pub(super) fn word(&self, words: &mut impl Iterator<Item = &'a str>, name: &str) -> Result<&'a str, Error> {
-        words.next().ok_or_else(|| self.refused(format!("it ends before {name}")))
+        words.next().ok_or_else(|| self.refused(FileFault::ShortLine { field: name.into() }))
     }
 }

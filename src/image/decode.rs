@@ -7,11 +7,11 @@ use image::{ColorType, ImageDecoder, ImageError};
 
 use super::grey::GreyImage;
 use super::header::read_layout;
-use super::layout::{FileLayout, Format, damaged, truncated};
+use super::layout::{FileLayout, Format, damaged, truncated, undecodable};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
 use super::{jpeg, png, tiff};
-use crate::Error;
 use crate::camera::{DroneRecord, ExifCamera, ExifImage};
+use crate::{Damage, Error, Unsupported};
 
 /// What a file may ask for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -128,7 +128,7 @@ fn decode_with<D: ImageDecoder>(
     decoder.set_limits(image_limits(limits)).map_err(error)?;
     let (width, height) = decoder.dimensions();
     if (u64::from(width), u64::from(height)) != (layout.width, layout.height) {
-        return Err(damaged(format, "it declares two sizes"));
+        return Err(damaged(format, Damage::TwoSizes));
     }
     let colour = decoder.color_type();
     let mut bytes = vec![0; decoder.total_bytes() as usize];
@@ -140,7 +140,7 @@ fn decode_with<D: ImageDecoder>(
         ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16 => {
             Ok((grey_of_u16(bytes.as_chunks::<2>().0, pixels, samples), 16))
         }
-        other => Err(Error::UnsupportedImage { what: format!("{} with samples {other:?}", format.name()), allowed: "8 or 16 bits" }),
+        other => Err(Unsupported::Samples { format: format.name().into(), samples: format!("{other:?}") }.into_error()),
     }
 }
 
@@ -148,11 +148,13 @@ fn decoder_error(error: ImageError, layout: &FileLayout, limits: &DecodeLimits) 
     let format = layout.format;
     match error {
         ImageError::IoError(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => truncated(format),
-        ImageError::Unsupported(e) => Error::UnsupportedImage { what: format!("this {} ({e})", format.name()), allowed: Format::ALL },
+        ImageError::Unsupported(e) => {
+            Unsupported::Decoder { format: format.name().into(), words: e.to_string(), formats: Format::ALL }.into_error()
+        }
         ImageError::Limits(_) => {
             let max_mb = limits.max_memory_bytes >> 20;
             Error::TooMuchMemory { width: layout.width, height: layout.height, needed_mb: max_mb + 1, max_mb }
         }
-        e => damaged(format, e),
+        e => undecodable(format, e),
     }
 }

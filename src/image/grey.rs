@@ -1,6 +1,7 @@
 //! The grey raster on which everything is measured.
 
-use crate::Error;
+use crate::error::refuse;
+use crate::{Error, Refusal};
 
 /// Grey values 0..255, row by row from the top-left pixel. It owns its pixels.
 #[derive(Clone, PartialEq, Eq)]
@@ -67,11 +68,7 @@ impl<'a> GreyView<'a> {
     /// [`Error::InvalidInput`] where `data` is not `width` x `height` values, or a side is 0.
     pub fn new(width: usize, height: usize, data: &'a [u8]) -> Result<Self, Error> {
         if width == 0 || height == 0 || width.checked_mul(height) != Some(data.len()) {
-            return Err(Error::InvalidInput {
-                what: "grey image",
-                got: format!("{width} x {height} px with {} values", data.len()),
-                allowed: "sides of at least 1 px and width x height values".into(),
-            });
+            return refuse(Refusal::GreyValues { width, height, values: data.len() });
         }
         Ok(Self { width, height, data })
     }

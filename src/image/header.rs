@@ -3,7 +3,7 @@
 use super::layout::{FileLayout, Format, damaged, truncated};
 use super::tiff::TiffLayout;
 use super::{bmp, jpeg, png, pnm, webp};
-use crate::{Error, ImageFault};
+use crate::{Damage, Error, ImageFault, Unsupported};
 
 /// What the first bytes of a file tell.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +37,7 @@ pub(super) fn read_layout(bytes: &[u8]) -> Result<FileLayout, Error> {
     };
     let FileLayout { width, height, .. } = layout;
     if width == 0 || height == 0 {
-        return Err(damaged(format, format!("it declares {width} x {height} px; a side has at least 1 px")));
+        return Err(damaged(format, Damage::NoPixels { width, height }));
     }
     Ok(layout)
 }
@@ -52,6 +52,6 @@ fn format_of(bytes: &[u8]) -> Result<Format, Error> {
         [b'P', b'1'..=b'7', b' ' | b'\t' | b'\r' | b'\n' | b'#', ..] => Ok(Format::Pnm),
         [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => Ok(Format::WebP),
         [] => Err(Error::UnreadableImage { image_fault: ImageFault::Empty }),
-        _ => Err(Error::UnsupportedImage { what: "this kind of file".into(), allowed: Format::ALL }),
+        _ => Err(Unsupported::File { formats: Format::ALL }.into_error()),
     }
 }

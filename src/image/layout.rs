@@ -1,6 +1,6 @@
 //! What an image file declares about itself.
 
-use crate::{Error, ImageFault};
+use crate::{Damage, Error, ImageFault};
 
 /// The formats that are decoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,9 +48,7 @@ impl FileLayout {
     pub fn check_length(&self, bytes: &[u8]) -> Result<(), Error> {
         let Self { format, width, height, least_bytes, .. } = *self;
         if (bytes.len() as u64) < least_bytes {
-            let length = bytes.len();
-            let reason = format!("it is truncated: {width} x {height} px take at least {least_bytes} bytes, and the file has {length}");
-            return Err(damaged(format, reason));
+            return Err(damaged(format, Damage::TooShort { width, height, least_bytes, bytes: bytes.len() }));
         }
         Ok(())
     }
@@ -58,12 +56,17 @@ impl FileLayout {
 
 /// The error for a file that ends before what it declares.
 pub(super) fn truncated(format: Format) -> Error {
-    damaged(format, "the file ends before its image does: it is truncated")
+    damaged(format, Damage::Truncated)
 }
 
 /// The error for a file that contradicts its format.
-pub(super) fn damaged(format: Format, reason: impl std::fmt::Display) -> Error {
-    Error::UnreadableImage { image_fault: ImageFault::Damaged { format: format.name().into(), message: reason.to_string() } }
+pub(super) fn damaged(format: Format, damage: Damage) -> Error {
+    Error::UnreadableImage { image_fault: ImageFault::Damaged { format: format.name().into(), damage } }
+}
+
+/// The same, as the library says it that decodes the format.
+pub(super) fn undecodable(format: Format, words: impl std::fmt::Display) -> Error {
+    damaged(format, Damage::Decoder { words: words.to_string() })
 }
 
 /// The bytes of a field at a place of the file, where the file reaches that far.

@@ -4,9 +4,9 @@ use std::io::Cursor;
 
 use png::{BitDepth, Decoder, DecodingError, Limits, Transformations};
 
-use super::layout::{DEFLATE_MOST, FileLayout, Format, damaged, field, truncated};
+use super::layout::{DEFLATE_MOST, FileLayout, Format, damaged, field, truncated, undecodable};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
-use crate::Error;
+use crate::{Damage, Error};
 
 /// Reads the IHDR chunk, which the format puts first.
 pub(super) fn read_header(bytes: &[u8]) -> Option<FileLayout> {
@@ -37,7 +37,7 @@ pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<(Vec<u8>, u8), Error
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(decoder_error)?;
     let (colour, depth) = reader.output_color_type();
-    let size = reader.output_buffer_size().ok_or_else(|| damaged(Format::Png, "its size is beyond all addresses"))?;
+    let size = reader.output_buffer_size().ok_or_else(|| damaged(Format::Png, Damage::BeyondAddresses))?;
     let mut samples = vec![0; size];
     reader.next_frame(&mut samples).map_err(decoder_error)?;
     let layout = SampleLayout::interleaved(colour.samples());
@@ -52,6 +52,6 @@ pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<(Vec<u8>, u8), Error
 fn decoder_error(error: DecodingError) -> Error {
     match error {
         DecodingError::IoError(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => truncated(Format::Png),
-        e => damaged(Format::Png, e),
+        e => undecodable(Format::Png, e),
     }
 }

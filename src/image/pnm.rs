@@ -1,7 +1,7 @@
 //! The headers of portable anymaps.
 
 use super::layout::{FileLayout, Format, damaged, truncated};
-use crate::Error;
+use crate::{Damage, Error};
 
 /// A header is a few words; one that comments and white space blow up beyond this is no header.
 const MOST_HEADER_BYTES: usize = 1 << 16;
@@ -39,7 +39,7 @@ fn pam(words: &mut Words<'_>) -> Result<FileLayout, Error> {
             b"MAXVAL" => max = Some(words.number()?),
             b"TUPLTYPE" => _ = words.next()?,
             b"ENDHDR" => break,
-            _ => return Err(damaged(Format::Pnm, "its PAM header has an unknown line")),
+            _ => return Err(damaged(Format::Pnm, Damage::UnknownPamLine)),
         }
     }
     match (width, height, depth, max) {
@@ -48,7 +48,7 @@ fn pam(words: &mut Words<'_>) -> Result<FileLayout, Error> {
             let least_bytes = width.saturating_mul(height).saturating_mul(bytes_per_pixel);
             Ok(FileLayout { format: Format::Pnm, width, height, bytes_per_pixel, least_bytes })
         }
-        _ => Err(damaged(Format::Pnm, "its PAM header lacks WIDTH, HEIGHT, MAXVAL or a DEPTH of 1 to 4")),
+        _ => Err(damaged(Format::Pnm, Damage::IncompletePamHeader)),
     }
 }
 
@@ -77,17 +77,15 @@ impl<'a> Words<'a> {
     }
 
     fn ended(&self) -> Error {
-        if self.cut { damaged(Format::Pnm, format!("its header has more than {MOST_HEADER_BYTES} bytes")) } else { truncated(Format::Pnm) }
+        if self.cut { damaged(Format::Pnm, Damage::LongHeader { most_bytes: MOST_HEADER_BYTES }) } else { truncated(Format::Pnm) }
     }
 
     /// A whole number; one too large for 64 bits counts as the largest.
     fn number(&mut self) -> Result<u64, Error> {
         let word = self.next()?;
         if !word.iter().all(u8::is_ascii_digit) {
-            return Err(damaged(
-                Format::Pnm,
-                format!("its header has '{}' where a number belongs", String::from_utf8_lossy(&word[..word.len().min(16)])),
-            ));
+            let word = String::from_utf8_lossy(&word[..word.len().min(16)]).into_owned();
+            return Err(damaged(Format::Pnm, Damage::NoNumber { word }));
         }
         Ok(word.iter().fold(0u64, |n, d| n.saturating_mul(10).saturating_add(u64::from(d - b'0'))))
     }

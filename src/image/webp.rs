@@ -1,7 +1,7 @@
 //! The headers of WebP files.
 
 use super::layout::{FileLayout, Format, damaged, field, truncated};
-use crate::Error;
+use crate::{Damage, Error, Unsupported};
 
 /// Reads the layout of a still image.
 pub(super) fn read_header(bytes: &[u8]) -> Result<FileLayout, Error> {
@@ -14,13 +14,13 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<FileLayout, Error> {
         _ => None,
     };
     if canvas.is_some() && field(bytes, 20).is_some_and(|[flags]| flags & 2 != 0) {
-        return Err(Error::UnsupportedImage { what: "an animated WebP".into(), allowed: "still images" });
+        return Err(Unsupported::AnimatedWebp.into_error());
     }
     let frame = Frame::first(bytes)?;
     if let (Some(canvas), Some(frame)) = (canvas, &frame)
         && canvas != frame.size
     {
-        return Err(damaged(Format::WebP, format!("its canvas of {canvas:?} px holds a frame of {:?} px", frame.size)));
+        return Err(damaged(Format::WebP, Damage::OtherCanvas { canvas, frame: frame.size }));
     }
     let (width, height) = canvas.or(frame.as_ref().map(|frame| frame.size)).ok_or_else(cut)?;
     // A macroblock of a lossy frame takes 3.4 bits even where each of its modes is the most probable one. A lossless frame of one colour

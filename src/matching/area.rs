@@ -8,7 +8,7 @@ use super::rules::judge;
 use super::search::check_positions;
 use super::surface::{Peak, Surface};
 use super::{Expectation, Fit, MatchImage, MatchOptions, MatchSet, Rule, Verdict};
-use crate::{Error, GreyImage, GreyView, halve};
+use crate::{Error, GreyImage, GreyView, Input, halve};
 use std::ops::Range;
 
 /// About an epipolar line this much more than the strip is correlated, in px, so that a summit within it is surrounded.
@@ -31,7 +31,7 @@ pub(super) fn correlate(
     expected: Expectation<'_>,
     options: &MatchOptions,
 ) -> Result<MatchSet, Error> {
-    check_positions("left points", left.points)?;
+    check_positions(Input::LeftPoints, left.points)?;
     let mut search =
         Search { correlation: CrossCorrelation::new(options.template), images: [left.grey, right], columns: Vec::new(), options };
     let verdict = |point: &crate::InterestPoint| search.verdict([point.x, point.y], &expected.region(point.x, point.y, options.search / 2));
@@ -122,7 +122,7 @@ pub(super) fn adjust(
     expected: Expectation<'_>,
     options: &MatchOptions,
 ) -> Result<MatchSet, Error> {
-    check_positions("left points", left.points)?;
+    check_positions(Input::LeftPoints, left.points)?;
     let pyramids = [left.grey, right].map(|image| pyramid(image, options));
     let mut matching = CoarseToFine::new(options.template);
     let limits = limits(options);

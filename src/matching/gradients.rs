@@ -2,7 +2,8 @@
 
 use super::rules::{refuse_many_to_one, set_of};
 use super::{DescriptorMatch, MatchImage, MatchOptions, MatchSet, Nearest, NearestTable, Rule, Verdict, nearest};
-use crate::Error;
+use crate::error::refuse;
+use crate::{Error, Input, Refusal};
 
 /// Length of a descriptor before it was rounded to bytes.
 const UNIT: f64 = 512.0;
@@ -53,11 +54,7 @@ fn check_table(table: &NearestTable, left: usize, right: usize) -> Result<(), Er
     if table.rows() == (0..left) && table.of_right().len() == right {
         return Ok(());
     }
-    Err(Error::InvalidInput {
-        what: "nearest neighbours",
-        got: format!("those of the left points {:?} among {} right ones", table.rows(), table.of_right().len()),
-        allowed: format!("those of the left points {:?} among {right} right ones", 0..left),
-    })
+    refuse(Refusal::NeighboursOfOthers { rows: format!("{:?}", table.rows()), among: table.of_right().len(), left, right })
 }
 
 /// The matches of a set of [`match_gradients`] that a look at the geometry of the two views left: the others of the set are refused for
@@ -100,12 +97,9 @@ fn found_at(found: &Nearest, right: MatchImage<'_>) -> Verdict {
 /// # Errors
 /// [`Error::InvalidInput`] where there is no such left descriptor, or bytes are left over.
 pub fn gradient_candidates(index: usize, left: &[u8], right: &[u8], most: usize) -> Result<Vec<super::Candidate>, Error> {
-    let (left, right) = (super::nearest::descriptors("left descriptors", left)?, super::nearest::descriptors("right descriptors", right)?);
-    let own = left.get(index).ok_or_else(|| Error::InvalidInput {
-        what: "index of a left point",
-        got: index.to_string(),
-        allowed: format!("below {}, the number of left points", left.len()),
-    })?;
+    let (left, right) =
+        (super::nearest::descriptors(Input::LeftDescriptors, left)?, super::nearest::descriptors(Input::RightDescriptors, right)?);
+    let own = left.get(index).ok_or_else(|| Refusal::LeftPoint { index, count: left.len() }.into_error())?;
     let mut squares: Vec<(u32, usize)> =
         right.iter().enumerate().map(|(k, other)| (super::blocks::square_distance(own, other), k)).collect();
     let most = most.min(squares.len());

@@ -3,8 +3,9 @@
 use super::blocks::{DESCRIPTOR_BYTES, square_distance};
 use super::index::PositionIndex;
 use super::nearest::{DescriptorMatch, Nearest, NearestOptions, descriptors};
-use crate::Error;
 use crate::catalogue::options;
+use crate::error::refuse;
+use crate::{Error, Input, Refusal};
 
 /// Where a left point may be seen in the right image; matrices by rows, of homogeneous positions in px.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,6 +14,18 @@ pub enum Guide {
     Lines([[f64; 3]; 3]),
     /// At H p: a homography.
     Places([[f64; 3]; 3]),
+}
+
+impl Guide {
+    /// How far a right position lies from where a left one may be seen, in px; no number where that is nowhere.
+    pub(crate) fn distance_px(&self, [x, y]: [f64; 2], [u, v]: [f64; 2]) -> f64 {
+        let (Self::Lines(m) | Self::Places(m)) = self;
+        let [a, b, c] = m.map(|row| row[0] * x + row[1] * y + row[2]);
+        match self {
+            Self::Lines(_) => (a * u + b * v + c).abs() / libm::hypot(a, b),
+            Self::Places(_) => libm::hypot(a / c - u, b / c - v),
+        }
+    }
 }
 
 /// Points with their descriptors.
@@ -65,10 +78,10 @@ pub fn guided_matches(
     options: &GuidedOptions,
 ) -> Result<Vec<DescriptorMatch>, Error> {
     options.check_ranges()?;
-    let (left_bytes, right_bytes) = (checked("left points", left)?, checked("right points", right)?);
+    let (left_bytes, right_bytes) = (checked(Input::LeftPoints, left)?, checked(Input::RightPoints, right)?);
     let (Guide::Lines(matrix) | Guide::Places(matrix)) = guide;
-    if let Some(wrong) = matrix.iter().flatten().find(|v| !v.is_finite()) {
-        return Err(Error::InvalidInput { what: "the matrix that guides", got: wrong.to_string(), allowed: "finite numbers".into() });
+    if let Some(&value) = matrix.iter().flatten().find(|v| !v.is_finite()) {
+        return refuse(Refusal::GuideMatrix { value });
     }
     let index = PositionIndex::of_squares(right.positions.iter().enumerate().map(|(k, [x, y])| (k, *x, *y)));
     let mut back: Vec<Option<(usize, u32)>> = vec![None; right.positions.len()];
@@ -146,18 +159,14 @@ fn visit_line(index: &PositionIndex, [a, b, c]: [f64; 3], radius: f64, visit: &m
     });
 }
 
-fn checked<'a>(what: &'static str, points: Located<'a>) -> Result<&'a [[u8; DESCRIPTOR_BYTES]], Error> {
-    let bytes = descriptors(what, points.descriptors)?;
+fn checked<'a>(input: Input, points: Located<'a>) -> Result<&'a [[u8; DESCRIPTOR_BYTES]], Error> {
+    let bytes = descriptors(input, points.descriptors)?;
     if bytes.len() != points.positions.len() {
-        let got = format!("{} positions with {} descriptors", points.positions.len(), bytes.len());
-        return Err(Error::InvalidInput { what, got, allowed: "as many descriptors as positions".into() });
+        return refuse(Refusal::DescribedPositions { input, positions: points.positions.len(), descriptors: bytes.len() });
     }
     match points.positions.iter().find(|p| p.iter().any(|v| !(v.abs() <= 1e6))) {
         None => Ok(bytes),
-        Some([x, y]) => {
-            let got = format!("a position of ({x}, {y})");
-            Err(Error::InvalidInput { what, got, allowed: "positions from -1e6 to 1e6 px".into() })
-        }
+        Some(&[x, y]) => refuse(Refusal::FarPosition { input, x, y }),
     }
 }
 
@@ -246,11 +255,17 @@ mod tests {
         let call = |left: Located<'_>, guide: &Guide, options: &GuidedOptions| guided_matches(left, located(&all), guide, options);
         assert!(call(located(&all), &guide, &options).unwrap().is_empty(), "a line that is none has no candidates");
         let fewer = Located { positions: &all.0[1..], descriptors: &all.1 };
-        assert!(matches!(call(fewer, &guide, &options), Err(Error::InvalidInput { what: "left points", .. })));
+        assert!(matches!(
+            call(fewer, &guide, &options),
+            Err(Error::InvalidInput { refusal: Refusal::DescribedPositions { input: Input::LeftPoints, .. } })
+        ));
         let nowhere = Located { positions: &[[0.0, 0.0], [1.0, f64::NAN], [0.0, 0.0], [0.0, 0.0]], descriptors: &all.1 };
-        assert!(matches!(call(nowhere, &guide, &options), Err(Error::InvalidInput { what: "left points", .. })));
+        assert!(matches!(
+            call(nowhere, &guide, &options),
+            Err(Error::InvalidInput { refusal: Refusal::FarPosition { input: Input::LeftPoints, .. } })
+        ));
         let wrong = Guide::Places([[f64::INFINITY; 3]; 3]);
-        assert!(matches!(call(located(&all), &wrong, &options), Err(Error::InvalidInput { what: "the matrix that guides", .. })));
+        assert!(matches!(call(located(&all), &wrong, &options), Err(Error::InvalidInput { refusal: Refusal::GuideMatrix { .. } })));
         let wrong = GuidedOptions { radius_px: -1.0, ..GuidedOptions::default() };
         assert!(matches!(call(located(&all), &guide, &wrong), Err(Error::InvalidOption { field: "guided.radius_px", .. })));
     }

@@ -1,6 +1,7 @@
 //! The images of a pair, with what their points are compared by.
 
-use crate::{Descriptor, Error, GreyView, InterestPoint, LocalFrame};
+use crate::error::refuse;
+use crate::{DescribedBy, Descriptor, Error, GreyView, InterestPoint, LocalFrame, Refusal};
 
 /// What the strategies compare points by, one for each point.
 #[derive(Debug, Clone, Copy)]
@@ -27,23 +28,22 @@ impl<'a> MatchImage<'a> {
     pub(super) fn moments(&self) -> Result<&'a [Option<Descriptor>], Error> {
         match self.descriptors {
             Descriptors::Moments(moments) => Ok(moments),
-            _ => Err(self.lacks("moments of each point")),
+            _ => refuse(Refusal::NoMoments { described: self.described(), points: self.points.len() }),
         }
     }
 
     pub(super) fn gradients(&self) -> Result<&'a [u8], Error> {
         match self.descriptors {
             Descriptors::Gradients(bytes) if bytes.len() == self.points.len() * super::DESCRIPTOR_BYTES => Ok(bytes),
-            _ => Err(self.lacks("a gradient descriptor of each point")),
+            _ => refuse(Refusal::NoGradients { described: self.described(), points: self.points.len() }),
         }
     }
 
-    fn lacks(&self, allowed: &str) -> Error {
-        let got = match self.descriptors {
-            Descriptors::None => "none".to_string(),
-            Descriptors::Moments(moments) => format!("{} of moments", moments.len()),
-            Descriptors::Gradients(bytes) => format!("{} bytes of gradients", bytes.len()),
-        };
-        Error::InvalidInput { what: "descriptors", got: format!("{got} for {} points", self.points.len()), allowed: allowed.into() }
+    fn described(&self) -> DescribedBy {
+        match self.descriptors {
+            Descriptors::None => DescribedBy::None,
+            Descriptors::Moments(moments) => DescribedBy::Moments { descriptors: moments.len() },
+            Descriptors::Gradients(bytes) => DescribedBy::Gradients { bytes: bytes.len() },
+        }
     }
 }

@@ -32,11 +32,13 @@ pub(crate) struct LeastSquaresOptions {
     pub farthest_px: f64,
     /// Correlation with the found window at least, -1..1.
     pub least_correlation: f64,
+    /// The same once the shift alone had its iterations: windows that are still less alike are given up.
+    pub least_promising: f64,
 }
 
 impl Default for LeastSquaresOptions {
     fn default() -> Self {
-        Self { affine: true, most_iterations: 15, convergence_px: 0.005, farthest_px: 3.0, least_correlation: 0.7 }
+        Self { affine: true, most_iterations: 15, convergence_px: 0.005, farthest_px: 3.0, least_correlation: 0.7, least_promising: -1.0 }
     }
 }
 
@@ -139,6 +141,9 @@ impl LeastSquares {
         let mut with_affine = false;
         for iteration in 1..=options.most_iterations {
             let sums = self.sums(right, &warp)?;
+            if iteration > SHIFTS && self.correlation(&sums) < options.least_promising {
+                return Err(Refusal::LowCorrelation);
+            }
             let Some(mut change) = self.change(&sums, with_affine) else { return Err(Refusal::LowCorrelation) };
             let shift = (change[0] * change[0] + change[1] * change[1]).sqrt();
             if shift > LONGEST_STEP {
@@ -157,6 +162,12 @@ impl LeastSquares {
             with_affine = options.affine && (with_affine || iteration >= SHIFTS || shift <= SHIFTED);
         }
         Err(Refusal::NotConverged)
+    }
+
+    /// Of the left window with the right one.
+    fn correlation(&self, sums: &Sums) -> f64 {
+        let square = sums.square - sums.one * sums.one / (self.side * self.side) as f64;
+        if square > 0.0 { (sums.grey / (square.sqrt() * self.model.square.sqrt())).min(1.0) } else { 0.0 }
     }
 
     /// The change of the left window that explains the right one best; `None` where they do not correlate.
@@ -211,7 +222,7 @@ impl LeastSquares {
         let pixels = (self.side * self.side) as f64;
         let gain = sums.grey / model.square;
         let square = sums.square - sums.one * sums.one / pixels;
-        let correlation = if square > 0.0 { (sums.grey / (square.sqrt() * model.square.sqrt())).min(1.0) } else { 0.0 };
+        let correlation = self.correlation(&sums);
         if !(correlation >= options.least_correlation && gain > 0.0) {
             return Err(Refusal::LowCorrelation);
         }

@@ -1,8 +1,9 @@
 //! Corresponding points by their descriptors: nearest neighbours, the ratio to the second nearest, the same from both sides.
 
 use super::blocks::{DESCRIPTOR_BYTES, Top, nearest_in_blocks};
-use crate::Error;
 use crate::catalogue::options;
+use crate::error::refuse;
+use crate::{Error, Input, Refusal};
 use std::ops::Range;
 
 options! {
@@ -79,10 +80,9 @@ pub fn nearest(left: &[u8], right: &[u8]) -> Result<NearestTable, Error> {
 /// # Errors
 /// As [`nearest`]; [`Error::InvalidInput`] where there are no such rows.
 pub fn nearest_of(left: &[u8], rows: Range<usize>, right: &[u8]) -> Result<NearestTable, Error> {
-    let (left, right) = (descriptors("left descriptors", left)?, descriptors("right descriptors", right)?);
+    let (left, right) = (descriptors(Input::LeftDescriptors, left)?, descriptors(Input::RightDescriptors, right)?);
     if rows.start > rows.end || rows.end > left.len() {
-        let got = format!("{} to {}", rows.start, rows.end);
-        return Err(Error::InvalidInput { what: "rows of left descriptors", got, allowed: format!("ascending, up to {}", left.len()) });
+        return refuse(Refusal::LeftRows { first: rows.start, end: rows.end, left: left.len() });
     }
     let (of_left, of_right) = nearest_in_blocks(left, rows.clone(), right);
     let known = |value: i32| (value > Top::NONE.best).then_some(value.unsigned_abs());
@@ -130,11 +130,8 @@ impl NearestTable {
     pub fn from_numbers(first: usize, left: &[u32], right: &[u32]) -> Result<Self, Error> {
         let ((of_left, left_rest), (of_right, right_rest)) = (left.as_chunks::<3>(), right.as_chunks::<2>());
         let rows = first..first.saturating_add(of_left.len());
-        let wrong =
-            |got: String, allowed: &str| Error::InvalidInput { what: "a piece of nearest neighbours", got, allowed: allowed.into() };
         if !left_rest.is_empty() || !right_rest.is_empty() {
-            let got = format!("{} and {} numbers", left.len(), right.len());
-            return Err(wrong(got, "three for each left and two for each right descriptor"));
+            return refuse(Refusal::PieceLengths { left: left.len(), right: right.len() });
         }
         let known = |value: u32| (value != u32::MAX).then_some(value);
         let stranger =
@@ -144,7 +141,7 @@ impl NearestTable {
             of_right.iter().find(stray).map(|row| row[0])
         });
         if let Some(index) = stranger {
-            return Err(wrong(format!("the descriptor {index}"), "descriptors of the piece"));
+            return refuse(Refusal::PieceDescriptor { index });
         }
         Ok(Self {
             of_left: of_left
@@ -164,9 +161,8 @@ impl NearestTable {
     /// [`Error::InvalidInput`] where the piece does not follow, or is of other right descriptors.
     pub fn join(&mut self, next: Self) -> Result<(), Error> {
         if next.rows.start != self.rows.end || next.of_right.len() != self.of_right.len() {
-            let got = format!("rows from {} with {} right descriptors", next.rows.start, next.of_right.len());
-            let allowed = format!("rows from {} with {} right descriptors", self.rows.end, self.of_right.len());
-            return Err(Error::InvalidInput { what: "the next piece of nearest neighbours", got, allowed });
+            let (row, right) = (next.rows.start, next.of_right.len());
+            return refuse(Refusal::NextPiece { row, right, next_row: self.rows.end, of_right: self.of_right.len() });
         }
         self.rows.end = next.rows.end;
         self.of_left.extend(next.of_left);
@@ -209,12 +205,12 @@ pub fn nearest_matches(left: &[u8], right: &[u8], options: &NearestOptions) -> R
 }
 
 /// The descriptors of a flat array.
-pub(super) fn descriptors<'a>(what: &'static str, bytes: &'a [u8]) -> Result<&'a [[u8; DESCRIPTOR_BYTES]], Error> {
+pub(super) fn descriptors(input: Input, bytes: &[u8]) -> Result<&[[u8; DESCRIPTOR_BYTES]], Error> {
     let (whole, rest) = bytes.as_chunks::<DESCRIPTOR_BYTES>();
     if rest.is_empty() {
         return Ok(whole);
     }
-    Err(Error::InvalidInput { what, got: format!("{} bytes", bytes.len()), allowed: format!("a multiple of {DESCRIPTOR_BYTES} bytes") })
+    refuse(Refusal::Bytes { input, bytes: bytes.len(), each: DESCRIPTOR_BYTES })
 }
 
 #[cfg(test)]
@@ -296,9 +292,15 @@ mod tests {
             assert!(nearest_matches(left, right, &NearestOptions::default()).unwrap().is_empty());
         }
         assert_eq!(nearest_matches(&some[..128], &some[..128], &NearestOptions::default()).unwrap()[0].second_square, None);
-        assert!(matches!(nearest(&some[1..], &some), Err(Error::InvalidInput { what: "left descriptors", .. })));
-        assert!(matches!(nearest(&some, &some[..130]), Err(Error::InvalidInput { what: "right descriptors", .. })));
-        assert!(matches!(nearest_of(&some, 1..4, &some), Err(Error::InvalidInput { what: "rows of left descriptors", .. })));
+        assert!(matches!(
+            nearest(&some[1..], &some),
+            Err(Error::InvalidInput { refusal: Refusal::Bytes { input: Input::LeftDescriptors, .. } })
+        ));
+        assert!(matches!(
+            nearest(&some, &some[..130]),
+            Err(Error::InvalidInput { refusal: Refusal::Bytes { input: Input::RightDescriptors, .. } })
+        ));
+        assert!(matches!(nearest_of(&some, 1..4, &some), Err(Error::InvalidInput { refusal: Refusal::LeftRows { .. } })));
         let wrong = NearestOptions { ratio: f64::NAN, ..NearestOptions::default() };
         assert!(matches!(nearest_matches(&some, &some, &wrong), Err(Error::InvalidOption { field: "nearest.ratio", .. })));
     }

@@ -42,11 +42,16 @@ impl<'p> Neighbours<'p> {
     /// Writes the up to `number` positions nearest to that of `index` of those that `counts` lets count, itself left out; of equally
     /// distant ones the lower indices. They come in no order.
     pub fn nearest(&self, index: usize, number: usize, counts: impl Fn(usize) -> bool, found: &mut Vec<usize>) {
+        self.nearest_to(self.positions[index], number, |other| other != index && counts(other), found);
+    }
+
+    /// The same of any position.
+    pub fn nearest_to(&self, at: [f64; 2], number: usize, counts: impl Fn(usize) -> bool, found: &mut Vec<usize>) {
         let mut near = Vec::with_capacity(64);
         let mut radius = 2.5 * self.cell;
         loop {
             near.clear();
-            let all = self.within(index, radius, &counts, &mut near);
+            let all = self.within(at, radius, &counts, &mut near);
             if near.len() >= number || all {
                 break;
             }
@@ -61,8 +66,7 @@ impl<'p> Neighbours<'p> {
     }
 
     /// Collects squared distance and index of the positions up to `radius` away; tells whether no position lies beyond the cells searched.
-    fn within(&self, index: usize, radius: f64, counts: impl Fn(usize) -> bool, near: &mut Vec<(f64, u32)>) -> bool {
-        let [x, y] = self.positions[index];
+    fn within(&self, [x, y]: [f64; 2], radius: f64, counts: impl Fn(usize) -> bool, near: &mut Vec<(f64, u32)>) -> bool {
         let (first_column, last_column) = (self.column_of(x - radius), self.column_of(x + radius));
         let (first_row, last_row) = (self.row_of(y - radius), self.row_of(y + radius));
         let all = (first_column, first_row, last_column + 1, last_row + 1) == (0, 0, self.columns, self.rows);
@@ -73,7 +77,7 @@ impl<'p> Neighbours<'p> {
                 let other = *k as usize;
                 let (dx, dy) = (self.positions[other][0] - x, self.positions[other][1] - y);
                 let distance = dx * dx + dy * dy;
-                if (distance <= radius * radius || all) && other != index && counts(other) {
+                if (distance <= radius * radius || all) && counts(other) {
                     near.push((distance, *k));
                 }
             }

@@ -1,8 +1,9 @@
 //! Where a left point is expected in the right image: a smooth field of offsets.
 
 use super::correlation::{Patch, best_overlap};
+use crate::error::refuse;
 use crate::math::median;
-use crate::{Error, GreyView, Reduced, halve, reduce_to};
+use crate::{Error, GreyView, Reduced, Refusal, halve, reduce_to};
 use serde::{Deserialize, Serialize};
 
 /// Longer side of the image on which estimation ends: finer levels would not narrow the search window further.
@@ -62,11 +63,8 @@ impl OffsetField {
         let nodes = self.columns.checked_mul(self.rows);
         let finite = self.offsets.iter().flatten().all(|v| v.is_finite());
         if nodes != Some(self.offsets.len()) || nodes == Some(0) || !finite || !(self.spacing_px > 0.0 && self.spacing_px.is_finite()) {
-            return Err(Error::InvalidInput {
-                what: "offset field",
-                got: format!("{} x {} nodes, {} offsets, spacing {} px", self.columns, self.rows, self.offsets.len(), self.spacing_px),
-                allowed: "columns x rows finite offsets and a spacing above 0".into(),
-            });
+            let Self { columns, rows, spacing_px, .. } = *self;
+            return refuse(Refusal::OffsetField { columns, rows, offsets: self.offsets.len(), spacing_px });
         }
         Ok(())
     }

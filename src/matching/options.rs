@@ -85,6 +85,10 @@ options! {
         refine: Option<Refinement> = None, "Refinement", absent "where-possible for auto, none otherwise",
             acts "matching.strategy is not least-squares";
 
+        /// Points without a match are matched by least squares from where the matches around them foretell them, if they lie near their
+        /// epipolar lines.
+        fill_in: bool = true, "Fill in", acts "matching.strategy is auto, gradient and matching.refine is least-squares, where-possible";
+
         /// Once the pair is oriented, it is matched again near the epipolar lines, until nothing changes; this needs a camera. Gradient always
         /// does so once, with a camera or without.
         epipolar: bool = false, "Along epipolar lines", acts "matching.strategy is not gradient";
@@ -148,6 +152,11 @@ impl MatchOptions {
     pub fn refine(&self) -> Refinement {
         let own = if self.strategy == Strategy::Auto { Refinement::WherePossible } else { Refinement::None };
         self.refine.unwrap_or(own)
+    }
+
+    /// Whether points without a match are filled in.
+    pub fn fills_in(&self) -> bool {
+        self.fill_in && self.refine() != Refinement::None
     }
 
     /// The share of the second best measure that the best may have: as chosen, or the strategy's own.

@@ -3,7 +3,8 @@
 use super::index::PositionIndex;
 use super::rules::judge;
 use super::{Denominator, Expectation, MatchOptions, MatchSet, Rule, Verdict};
-use crate::{Descriptor, Error, InterestPoint};
+use crate::error::refuse;
+use crate::{Descriptor, Error, Input, InterestPoint, Refusal};
 
 /// A right point in the search window of a left one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,11 +55,7 @@ pub fn candidates_of<'a>(
 ) -> Result<Vec<Candidate>, Error> {
     let search = Search::new(left, right, expected.into(), options)?;
     if index >= left.0.len() {
-        return Err(Error::InvalidInput {
-            what: "index of a left point",
-            got: index.to_string(),
-            allowed: format!("below {}, the number of left points", left.0.len()),
-        });
+        return refuse(Refusal::LeftPoint { index, count: left.0.len() });
     }
     let mut candidates = Vec::new();
     search.for_each_candidate(index, |right, measure| candidates.push(Candidate { right, measure }));
@@ -84,8 +81,8 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(left: Described<'a>, right: Described<'a>, expected: Expectation<'a>, options: &'a MatchOptions) -> Result<Self, Error> {
         options.check_ranges()?;
-        check_described("left points", left)?;
-        check_described("right points", right)?;
+        check_described(Input::LeftPoints, left)?;
+        check_described(Input::RightPoints, right)?;
         let floor = match options.denominator {
             Denominator::Maxabs => [0.0; 7],
             Denominator::Floor => median_magnitudes(left.1.iter().chain(right.1).flatten()),
@@ -162,21 +159,19 @@ fn median_magnitudes<'d>(descriptors: impl Iterator<Item = &'d Descriptor> + Clo
     })
 }
 
-fn check_described(what: &'static str, (points, descriptors): Described<'_>) -> Result<(), Error> {
+fn check_described(input: Input, (points, descriptors): Described<'_>) -> Result<(), Error> {
     if points.len() != descriptors.len() {
-        let got = format!("{} points with {} descriptors", points.len(), descriptors.len());
-        return Err(Error::InvalidInput { what, got, allowed: "as many descriptors as points".into() });
+        return refuse(Refusal::DescribedPoints { input, points: points.len(), descriptors: descriptors.len() });
     }
-    check_positions(what, points)
+    check_positions(input, points)
 }
 
 /// Refuses positions that are no numbers, or far from any image.
-pub(super) fn check_positions(what: &'static str, points: &[InterestPoint]) -> Result<(), Error> {
+pub(super) fn check_positions(input: Input, points: &[InterestPoint]) -> Result<(), Error> {
     // A position beyond this is no pixel, and an index must not allocate for it.
     let far = |v: f64| !(-1e6..=1e6).contains(&v);
     if let Some(point) = points.iter().find(|p| far(p.x) || far(p.y)) {
-        let got = format!("a position of ({}, {})", point.x, point.y);
-        return Err(Error::InvalidInput { what, got, allowed: "positions from -1e6 to 1e6 px".into() });
+        return refuse(Refusal::FarPosition { input, x: point.x, y: point.y });
     }
     Ok(())
 }
@@ -281,10 +276,13 @@ mod tests {
         let field = OffsetField::constant(0.0, 0.0);
         let (far, near) = ([point(f64::NAN, 0.0)], [point(1.5, 1.5)]);
         let d = [uniform(1.0)];
-        assert!(matches!(match_points((&far, &d), (&near, &d), &field, &options()), Err(Error::InvalidInput { what: "left points", .. })));
+        assert!(matches!(
+            match_points((&far, &d), (&near, &d), &field, &options()),
+            Err(Error::InvalidInput { refusal: Refusal::FarPosition { input: Input::LeftPoints, .. } })
+        ));
         assert!(matches!(
             match_points((&near, &d), (&near, &[]), &field, &options()),
-            Err(Error::InvalidInput { what: "right points", .. })
+            Err(Error::InvalidInput { refusal: Refusal::DescribedPoints { input: Input::RightPoints, .. } })
         ));
         assert!(matches!(candidates_of(1, (&near, &d), (&near, &d), &field, &options()), Err(Error::InvalidInput { .. })));
         let nan = MatchOptions { max_measure: f64::NAN, ..options() };

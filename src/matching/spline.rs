@@ -21,9 +21,11 @@ const SPARE: i64 = 2;
 pub(super) struct Spline {
     /// Column and row of the first pixel.
     first: [i64; 2],
-    width: usize,
-    height: usize,
+    /// From row to row of the coefficients: the width, with columns of zeros up to a multiple of 4.
+    stride: usize,
     coefficients: Vec<f32>,
+    /// Rows and columns exchanged, while the rows are filtered.
+    turned: Vec<f32>,
     /// The grey value that is taken as 0.
     level: f32,
     /// Positions with all coefficients they need, settled: least and largest x and y in px.
@@ -61,32 +63,20 @@ impl Spline {
         self.inside[0] = [0, 1].map(|axis| first[axis] as f64 + edge(first[axis] == 0));
         self.inside[1] = [0, 1].map(|axis| end[axis] as f64 - edge(end[axis] == size[axis]));
         self.first = first;
-        (self.width, self.height) = ((end[0] - first[0]) as usize, (end[1] - first[1]) as usize);
+        let [width, height] = [0, 1].map(|axis| (end[axis] - first[axis]) as usize);
+        let [stride, rows] = [width, height].map(|length| length.next_multiple_of(4));
+        self.stride = stride;
         self.coefficients.clear();
-        for row in first[1]..end[1] {
+        self.coefficients.resize(stride * rows, 0.0);
+        for (to, row) in self.coefficients.chunks_exact_mut(stride).zip(first[1]..end[1]) {
             let row = &image.row(row as usize)[first[0] as usize..end[0] as usize];
-            self.coefficients.extend(row.iter().map(|grey| f32::from(*grey) - self.level));
+            to.iter_mut().zip(row).for_each(|(to, grey)| *to = f32::from(*grey) - self.level);
         }
-        filter_columns(&mut self.coefficients, self.width);
-        self.filter_rows();
-    }
-
-    /// Filters along the rows, four of them side by side.
-    fn filter_rows(&mut self) {
-        let (width, height) = (self.width, self.height);
-        let mut turned = vec![0.0; width * 4];
-        for top in (0..height).step_by(4) {
-            let number = (height - top).min(4);
-            for k in 0..number {
-                let row = &self.coefficients[(top + k) * width..][..width];
-                turned[k..].iter_mut().step_by(4).zip(row).for_each(|(to, from)| *to = *from);
-            }
-            filter_columns(&mut turned, 4);
-            for k in 0..number {
-                let row = &mut self.coefficients[(top + k) * width..][..width];
-                turned[k..].iter().step_by(4).zip(row).for_each(|(from, to)| *to = *from);
-            }
-        }
+        filter_columns(&mut self.coefficients[..stride * height], stride);
+        self.turned.resize(stride * rows, 0.0);
+        transpose(&self.coefficients, stride, &mut self.turned, rows);
+        filter_columns(&mut self.turned[..rows * width], rows);
+        transpose(&self.turned, rows, &mut self.coefficients, stride);
     }
 
     /// Four values at positions counted from [`Spline::first`], which lie in what was covered.
@@ -95,9 +85,10 @@ impl Spline {
         let (x, y) = (x - half, y - half);
         let (col, row) = (x.floor(), y.floor());
         let (wx, wy) = (weights(x - col), weights(y - row));
-        let (col, row) = (col.to_array(), row.to_array());
-        let corner = |k: usize| (row[k] as usize).wrapping_sub(1).wrapping_mul(self.width).wrapping_add((col[k] as usize).wrapping_sub(1));
-        let line = |k: usize, r: usize| Lanes::load(&self.coefficients[corner(k) + r * self.width..]);
+        // Whole numbers below 2²⁴: exact.
+        let one = Lanes::splat(1.0);
+        let corners = ((row - one) * Lanes::splat(self.stride as f32) + (col - one)).to_array().map(|corner| corner as usize);
+        let line = |k: usize, r: usize| Lanes::load(&self.coefficients[corners[k] + r * self.stride..]);
         let of = |k: usize, w: [Lanes; 4]| (line(k, 0) * w[0] + line(k, 1) * w[1]) + (line(k, 2) * w[2] + line(k, 3) * w[3]);
         let columns = Lanes::transpose([
             of(0, wy.map(Lanes::lane::<0>)),
@@ -126,34 +117,49 @@ fn weights(t: Lanes) -> [Lanes; 4] {
     [opposite, second, third, cube]
 }
 
-/// From values to coefficients of the spline along each column, with the signal mirrored at its ends.
-fn filter_columns(values: &mut [f32], width: usize) {
-    let height = values.len() / width;
+/// From values to coefficients of the spline along each column, with the signal mirrored at its ends. `stride`: values of a row, a multiple of 4.
+fn filter_columns(values: &mut [f32], stride: usize) {
+    let height = values.len() / stride;
     if height < 2 {
         return;
     }
     // The gain (1 - z)(1 - 1/z) = 6, and the sum over the mirrored signal with which the filter begins.
-    values.iter_mut().for_each(|v| *v *= 6.0);
-    let horizon = height.min(16);
-    for column in 0..width {
-        let (mut sum, mut power) = (values[column], POLE);
-        for row in 1..horizon {
-            sum += power * values[row * width + column];
-            power *= POLE;
-        }
-        values[column] = sum;
+    let (gain, pole) = (Lanes::splat(6.0), Lanes::splat(POLE));
+    values.chunks_exact_mut(4).for_each(|v| (Lanes::load(v) * gain).store(v));
+    let (top, rest) = values.split_at_mut(stride);
+    let mut power = pole;
+    for row in rest.chunks_exact(stride).take(height.min(16) - 1) {
+        each_four(top, row, |sum, v| sum + power * v);
+        power = power * pole;
     }
     for row in 1..height {
-        let (before, rest) = values.split_at_mut(row * width);
-        let before = &before[(row - 1) * width..];
-        rest[..width].iter_mut().zip(before).for_each(|(v, b)| *v += POLE * b);
+        let (before, rest) = values.split_at_mut(row * stride);
+        each_four(&mut rest[..stride], &before[(row - 1) * stride..], |v, before| v + pole * before);
     }
-    let end = POLE / (POLE * POLE - 1.0);
-    let (rest, last) = values.split_at_mut((height - 1) * width);
-    last.iter_mut().zip(&rest[(height - 2) * width..]).for_each(|(v, b)| *v = end * (*v + POLE * b));
+    let end = Lanes::splat(POLE / (POLE * POLE - 1.0));
+    let (rest, last) = values.split_at_mut((height - 1) * stride);
+    each_four(last, &rest[(height - 2) * stride..], |v, before| end * (v + pole * before));
     for row in (0..height - 1).rev() {
-        let (rest, after) = values.split_at_mut((row + 1) * width);
-        rest[row * width..].iter_mut().zip(&after[..width]).for_each(|(v, a)| *v = POLE * (a - *v));
+        let (rest, after) = values.split_at_mut((row + 1) * stride);
+        each_four(&mut rest[row * stride..], &after[..stride], |v, after| pole * (after - v));
+    }
+}
+
+/// Changes each four values of a row by those of another.
+#[inline(always)]
+fn each_four(row: &mut [f32], other: &[f32], change: impl Fn(Lanes, Lanes) -> Lanes) {
+    for (v, other) in row.chunks_exact_mut(4).zip(other.chunks_exact(4)) {
+        change(Lanes::load(v), Lanes::load(other)).store(v);
+    }
+}
+
+/// Exchanges rows and columns. `width`, `height`: values of a row before and after, multiples of 4.
+fn transpose(from: &[f32], width: usize, to: &mut [f32], height: usize) {
+    for row in (0..height).step_by(4) {
+        for col in (0..width).step_by(4) {
+            let block = Lanes::transpose([0, 1, 2, 3].map(|k| Lanes::load(&from[(row + k) * width + col..])));
+            block.into_iter().enumerate().for_each(|(k, four)| four.store(&mut to[(col + k) * height + row..]));
+        }
     }
 }
 

@@ -107,12 +107,21 @@ impl WindowModel {
             return None;
         }
         let origin = [0, 1].map(|axis| corner[axis] + 0.5 - spline.first()[axis]);
-        let pixels = stride * stride;
-        for start in (0..pixels).step_by(4) {
-            let place = |k: usize| (start + k).min(pixels - 1);
-            let x = Lanes::new(std::array::from_fn(|k| (origin[0] + (place(k) % stride) as f64) as f32));
-            let y = Lanes::new(std::array::from_fn(|k| (origin[1] + (place(k) / stride) as f64) as f32));
-            self.framed[start..start + 4].copy_from_slice(&spline.sample(x, y).to_array());
+        let last = stride - 1;
+        let (mut col, mut row) = (0, 0);
+        for four in self.framed.chunks_exact_mut(4) {
+            let places = [0; 4].map(|_| {
+                let place = [origin[0] + col as f64, origin[1] + row as f64].map(|v| v as f32);
+                // Past the last pixel it is sampled again.
+                (col, row) = match (col < last, row < last) {
+                    (true, _) => (col + 1, row),
+                    (false, true) => (0, row + 1),
+                    (false, false) => (last, last),
+                };
+                place
+            });
+            let [x, y] = [0, 1].map(|axis| Lanes::new(places.map(|place| place[axis])));
+            spline.sample(x, y).store(four);
         }
         Some(())
     }

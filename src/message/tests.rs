@@ -3,15 +3,17 @@
 use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::{
-    BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, FileFault, ImageFault,
-    ImageReason, Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, NotPlaced, Observed, OverviewWarning, PairHint,
-    PairOutcome, PairRule, PairVerdict, PlacingVerdict, PlacingWeakness, Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
+    BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Element, Error, Failure,
+    FileFault, ImageFault, ImageReason, Input, Interruption, LengthUnit, Location, NamedCamera, NoGeometry, NoOrientation, NotLinked,
+    NotPlaced, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlacingVerdict, PlacingWeakness,
+    PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 
 const ENGLISH: &str = include_str!("../catalogue/en.ftl");
+const ARABIC: &str = include_str!("../catalogue/ar.ftl");
 
 /// Entries of what are no messages: kinds of results, and points that no rule decides.
 const OTHER: [&str; 6] = [
@@ -39,11 +41,18 @@ fn family<M: Message>() -> Family {
 fn families() -> Vec<Family> {
     vec![
         family::<BlockWarning>(),
+        family::<Refusal>(),
+        family::<Input>(),
+        family::<Location>(),
+        family::<Element>(),
+        family::<PointName>(),
+        family::<DescribedBy>(),
         family::<CameraCaution>(),
         family::<CameraOrigin>(),
         family::<CameraParameter>(),
         family::<Cause>(),
         family::<Connection>(),
+        family::<Damage>(),
         family::<Degeneracy>(),
         family::<Error>(),
         family::<Failure>(),
@@ -58,7 +67,9 @@ fn families() -> Vec<Family> {
         family::<BlockVerdict>(),
         family::<PairHint>(),
         family::<PairVerdict>(),
+        family::<NotLinked>(),
         family::<NotPlaced>(),
+        family::<OnOrthophoto>(),
         family::<PlacingVerdict>(),
         family::<PlacingWeakness>(),
         family::<Observed>(),
@@ -71,6 +82,7 @@ fn families() -> Vec<Family> {
         family::<Computation>(),
         family::<UnorientedReason>(),
         family::<Unsettled>(),
+        family::<Unsupported>(),
         family::<Warning>(),
     ]
 }
@@ -99,11 +111,13 @@ fn entries(catalogue: &str) -> BTreeMap<String, BTreeSet<String>> {
 
 #[test]
 fn every_kind_has_a_text_and_every_text_a_kind() {
-    // Those of the page are held by its own test.
-    let written: BTreeSet<String> = entries(ENGLISH).into_keys().filter(|id| !id.starts_with("page-")).collect();
+    let written: BTreeSet<String> = entries(ENGLISH).into_keys().collect();
     let wanted: BTreeSet<String> = messages().into_keys().chain(OTHER.map(String::from)).collect();
     assert_eq!(written, wanted, "in the catalogue; of the families");
-    assert!(fluent_bundle::FluentResource::try_new(ENGLISH.into()).is_ok(), "the catalogue has an entry that cannot be read");
+    for catalogue in [ENGLISH, ARABIC] {
+        assert!(fluent_bundle::FluentResource::try_new(catalogue.into()).is_ok(), "a catalogue has an entry that cannot be read");
+    }
+    assert_eq!(entries(ARABIC), entries(ENGLISH), "texts and their figures in Arabic; in English");
 }
 
 #[test]
@@ -122,14 +136,12 @@ fn texts_name_the_figures_of_their_messages() {
 
 #[test]
 fn figures_are_written_in_one_way() {
-    let text = |family, message| Texts::english().text_of(family, &message, None);
-    let scale = |ratio: f64| text("block_warning", json!({ "kind": "scale", "ratio": ratio, "unit": null }));
+    let scale = |ratio: f64| {
+        let warning = json!({ "kind": "scale", "ratio": ratio, "unit": null });
+        Texts::english().text_of("block_warning", &warning, None)
+    };
     for (ratio, written) in [(0.001_012, "0.0010"), (0.3048, "0.30"), (3.32, "3.3"), (39.4, "39"), (1012.0, "1000"), (9.97, "10")] {
         assert_eq!(scale(ratio), format!("The GCPs make the block {written} times as large as the GNSS positions: metres are needed."));
-    }
-    let matched = |matches: usize| text("page", json!({ "kind": "matched", "matches": matches, "points": 999 }));
-    for (matches, written) in [(0, "0"), (999, "999"), (1000, "1\u{202f}000"), (1_234_567, "1\u{202f}234\u{202f}567")] {
-        assert_eq!(matched(matches), format!("{written} matches of 999 left points"));
     }
     let names = |n: usize| (0..n).map(|k| format!("{k}.jpg")).collect::<Vec<_>>();
     let few = |n: usize| BlockWarning::FewObservations { images: names(n), least: 20 }.to_string();
@@ -152,6 +164,22 @@ fn messages_within_messages_have_their_texts() {
     let camera = NamedCamera { only: false, number: 2, first: Some("0005.jpg".into()), more: 4 };
     let fixed = BlockWarning::ParameterFixed { camera, camera_parameter: CameraParameter::K3 };
     assert_eq!(fixed.to_string(), "The block does not determine k3 of camera 2 (0005.jpg and 4 more images); it stays as it was.");
+}
+
+#[test]
+fn a_language_without_catalogue_is_english() {
+    let lost = |language| Texts::of(language).text(&UnorientedReason::NoPoints);
+    assert_eq!(lost("de"), "it has no tie points");
+    assert_eq!(lost("ar"), lost("ar-EG"));
+    assert_ne!(lost("ar"), lost("en"));
+}
+
+#[test]
+fn arabic_has_its_plurals_and_sets_figures_apart() {
+    let few = |n: usize| Texts::arabic().text(&UnorientedReason::Lost { rays: n });
+    let forms: BTreeSet<String> = [1, 2, 5, 11, 100].map(|n| few(n).replace(|c: char| c.is_ascii_digit(), "")).into();
+    assert_eq!(forms.len(), 5, "one, two, few, many and other: {forms:?}");
+    assert!(few(11).contains("\u{2068}11\u{2069}"), "{}", few(11));
 }
 
 #[test]

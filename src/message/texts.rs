@@ -10,30 +10,39 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 24] = [
+pub(super) const NESTED: [&str; 33] = [
     "block_warning",
     "camera",
     "camera_caution",
     "camera_parameter",
     "cause",
     "computation",
+    "damage",
+    "described",
+    "element",
     "error",
     "failure",
     "file_fault",
     "image_fault",
+    "input",
     "interruption",
+    "location",
     "no_geometry",
     "no_orientation",
+    "not_linked",
     "not_placed",
     "observed",
     "outcome",
     "overview_warning",
     "placing_weakness",
+    "point_name",
+    "refusal",
     "rule",
     "side",
     "unit",
     "unoriented",
     "unsettled",
+    "unsupported",
     "warning",
 ];
 
@@ -49,6 +58,24 @@ impl Texts {
     pub fn english() -> &'static Self {
         static ENGLISH: OnceLock<Texts> = OnceLock::new();
         ENGLISH.get_or_init(|| Self::new("en", include_str!("../catalogue/en.ftl")))
+    }
+
+    /// Of Arabic. What a text writes is set apart by marks of direction: names, units and signs keep theirs among words from right to left.
+    pub fn arabic() -> &'static Self {
+        static ARABIC: OnceLock<Texts> = OnceLock::new();
+        ARABIC.get_or_init(|| {
+            let mut texts = Self::new("ar", include_str!("../catalogue/ar.ftl"));
+            texts.bundle.set_use_isolating(true);
+            texts
+        })
+    }
+
+    /// Of the language of a tag; English where there is no catalogue of it.
+    pub fn of(language: &str) -> &'static Self {
+        match language.split(['-', '_']).next() {
+            Some(tag) if tag.eq_ignore_ascii_case("ar") => Self::arabic(),
+            _ => Self::english(),
+        }
     }
 
     /// Of the language of a tag (`de`, `pt-BR`), from its catalogue. Entries that cannot be read are skipped. A tag that is none has the
@@ -122,6 +149,11 @@ impl Texts {
     fn item(&self, id: &str, name: &str, item: &Value) -> String {
         match item {
             Value::String(text) => text.clone(),
+            // A place or a size. JSON has null for what is no number.
+            Value::Array(numbers) => {
+                format!("({})", numbers.iter().map(|number| self.item(id, name, number)).collect::<Vec<_>>().join(", "))
+            }
+            Value::Null => "NaN".into(),
             Value::Object(fields) => {
                 let mut figures = FluentArgs::new();
                 fields.iter().for_each(|(field, value)| self.add(&mut figures, id, field, value));
@@ -135,21 +167,14 @@ impl Texts {
 /// How a number is written, by its digits.
 type Format = fn(f64, usize) -> String;
 
-/// The functions of catalogues: whole numbers in groups of three; digits after the point, significant digits, and powers of ten; a share in per cent.
+/// The functions of catalogues: hexadecimal digits; digits after the point, significant digits, and powers of ten; a share in per cent.
 const FORMATS: [(&str, Format); 5] = [
-    ("COUNT", |value, _| grouped(value)),
+    ("HEX", |value, digits| format!("{:0digits$x}", value as u64)),
     ("FIXED", |value, digits| format!("{value:.digits$}")),
     ("SIGNIFICANT", significant),
     ("POWER", |value, digits| format!("{value:.digits$e}")),
     ("PERCENT", |value, digits| format!("{:.digits$} %", 100.0 * value)),
 ];
-
-/// Narrow spaces set the groups apart.
-fn grouped(value: f64) -> String {
-    let digits = format!("{value:.0}");
-    let place = |k: usize| digits.len() - k;
-    digits.char_indices().flat_map(|(k, c)| (k > 0 && place(k).is_multiple_of(3)).then_some('\u{202f}').into_iter().chain([c])).collect()
-}
 
 fn significant(value: f64, digits: usize) -> String {
     let power = format!("{value:.*e}", digits.max(1) - 1);

@@ -2,9 +2,9 @@
 
 use super::block::seen_twice;
 use super::{BlockModel, GeographicOrigin, ObjectPoint};
-use crate::Error;
-use crate::camera::{Pose, is_rotation};
+use crate::camera::{Camera, Pose, is_rotation};
 use crate::error::refuse;
+use crate::{Error, Location, Refusal};
 use std::collections::BTreeMap;
 
 impl BlockModel {
@@ -14,30 +14,18 @@ impl BlockModel {
     /// [`Error::InvalidInput`] for indices of nothing, names that are empty, doubled or hold control characters, numbers that are none or out
     /// of range, matrices that are no rotations, rays outside their image, and a point that an image sees twice.
     pub fn check(&self) -> Result<(), Error> {
-        self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| format!("camera {index} (counted from 0)")))?;
+        self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| Location::Camera { camera: index }))?;
         let mut names = BTreeMap::new();
         for (index, image) in self.images.iter().enumerate() {
-            let what = "image of the block";
+            let name = || image.name.clone();
             if image.name.trim().is_empty() || image.name.chars().any(char::is_control) {
-                return refuse(
-                    what,
-                    format!("the name {:?} of image {index} (counted from 0)", image.name),
-                    "a name without control characters",
-                );
+                return refuse(Refusal::ImageName { name: format!("{:?}", image.name), image: index });
             }
             if let Some(first) = names.insert(image.name.as_str(), index) {
-                return refuse(
-                    what,
-                    format!("the name '{}' for images {first} and {index} (counted from 0)", image.name),
-                    "each name once",
-                );
+                return refuse(Refusal::ImageNameAgain { name: name(), first, second: index });
             }
             if image.camera >= self.cameras.len() {
-                return refuse(
-                    "camera of an image",
-                    format!("index {} for '{}'", image.camera, image.name),
-                    &format!("indices below {}", self.cameras.len()),
-                );
+                return refuse(Refusal::CameraOfImage { camera: image.camera, name: name(), cameras: self.cameras.len() });
             }
             image.pose.iter().try_for_each(|pose| check_pose(&image.name, pose))?;
         }
@@ -46,57 +34,45 @@ impl BlockModel {
     }
 
     fn check_point(&self, index: usize, point: &ObjectPoint) -> Result<(), Error> {
-        let what = "point of the block";
         let share = |value: f64| (0.0..=1.0).contains(&value);
         if !point.position.iter().flatten().all(|v| v.is_finite()) || !point.rmse_px.iter().all(|v| v.is_finite() && *v >= 0.0) {
-            return refuse(
-                what,
-                format!("{:?} with residuals of {:?} px as point {index} (counted from 0)", point.position, point.rmse_px),
-                "finite numbers",
-            );
+            let (position, rmse_px) = (format!("{:?}", point.position), format!("{:?}", point.rmse_px));
+            return refuse(Refusal::PointNumbers { position, rmse_px, point: index });
         }
         if !share(point.confidence) || !point.rays.iter().all(|ray| share(ray.confidence)) {
-            return refuse(what, format!("a confidence of point {index} (counted from 0) outside 0 to 1"), "0 to 1");
+            return refuse(Refusal::Confidence { point: index });
         }
         for ray in &point.rays {
             let Some(image) = self.images.get(ray.image) else {
-                return refuse(
-                    what,
-                    format!("image {} of point {index} (counted from 0)", ray.image),
-                    &format!("indices below {}", self.images.len()),
-                );
+                return refuse(Refusal::ImageOfPoint { image: ray.image, point: index, images: self.images.len() });
             };
-            let camera = &self.cameras[image.camera];
-            if !camera.sees(ray.x_px, ray.y_px) {
-                let got = format!("the ray of point {index} (counted from 0) at ({}, {}) in '{}'", ray.x_px, ray.y_px, image.name);
-                return refuse(what, got, &format!("places within {} x {} px", camera.width_px, camera.height_px));
+            let Camera { width_px, height_px, .. } = self.cameras[image.camera];
+            if !self.cameras[image.camera].sees(ray.x_px, ray.y_px) {
+                let (x_px, y_px, name) = (ray.x_px, ray.y_px, image.name.clone());
+                return refuse(Refusal::RayOutside { point: index, x_px, y_px, name, width_px, height_px });
             }
         }
         match seen_twice(&point.rays) {
-            Some(image) => {
-                let got = format!("two rays of point {index} (counted from 0) in '{}'", self.images[image].name);
-                refuse(what, got, "one ray in an image")
-            }
+            Some(image) => refuse(Refusal::TwoRays { point: index, name: self.images[image].name.clone() }),
             None => Ok(()),
         }
     }
 }
 
 fn check_pose(name: &str, pose: &Pose) -> Result<(), Error> {
-    let what = "image of the block";
-    let m = &pose.rotation;
-    if !is_rotation(m) {
-        return refuse(what, format!("{m:?} as rotation of '{name}'"), "a rotation matrix");
+    if !is_rotation(&pose.rotation) {
+        return refuse(Refusal::Rotation { rotation: format!("{:?}", pose.rotation), name: name.into() });
     }
     if !pose.position.iter().all(|v| v.is_finite()) {
-        return refuse(what, format!("{:?} as position of '{name}'", pose.position), "finite numbers");
+        return refuse(Refusal::ImagePosition { position: format!("{:?}", pose.position), name: name.into() });
     }
     Ok(())
 }
 
 fn check_origin(origin: &GeographicOrigin) -> Result<(), Error> {
-    let place = origin.longitude_deg.abs() <= 180.0 && origin.latitude_deg.abs() <= 90.0 && origin.height_m.abs() <= 1e6;
-    if place { Ok(()) } else { refuse("origin of the block", format!("{origin:?}"), "a longitude, a latitude and a height up to 1000 km") }
+    let GeographicOrigin { longitude_deg, latitude_deg, height_m } = *origin;
+    let place = longitude_deg.abs() <= 180.0 && latitude_deg.abs() <= 90.0 && height_m.abs() <= 1e6;
+    if place { Ok(()) } else { refuse(Refusal::Origin { longitude_deg, latitude_deg, height_m }) }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! What georeferences a block: GNSS positions of images, ground control points.
 
 use super::ImageObservation;
-use crate::Error;
 use crate::catalogue::check_values;
+use crate::{Error, Input, Location};
 use serde::{Deserialize, Serialize};
 
 /// A position that was observed. All of a block are of the same kind; or those of its images are of one and those of three ground control
@@ -34,17 +34,17 @@ pub enum ObservedPosition {
 
 impl ObservedPosition {
     /// Refuses values out of range; `place` says whose position it is.
-    pub(super) fn check(&self, place: impl Fn() -> String) -> Result<(), Error> {
+    pub(super) fn check(&self, place: impl Fn() -> Location) -> Result<(), Error> {
         match self {
             Self::Local { position, sigma } => {
-                check_values("position", position, -1e8..=1e8, &place)?;
-                check_values("sigma of a position", sigma, 1e-9..=1e9, &place)
+                check_values(Input::Position, position, -1e8..=1e8, &place)?;
+                check_values(Input::PositionSigma, sigma, 1e-9..=1e9, &place)
             }
             Self::Geographic { longitude_deg, latitude_deg, height_m, sigma_m } => {
-                check_values("longitude", &[*longitude_deg], -180.0..=180.0, &place)?;
-                check_values("latitude", &[*latitude_deg], -90.0..=90.0, &place)?;
-                height_m.map_or(Ok(()), |height| check_values("height", &[height], -1e5..=1e6, &place))?;
-                check_values("sigma of a position", sigma_m, 1e-9..=1e9, &place)
+                check_values(Input::Longitude, &[*longitude_deg], -180.0..=180.0, &place)?;
+                check_values(Input::Latitude, &[*latitude_deg], -90.0..=90.0, &place)?;
+                height_m.map_or(Ok(()), |height| check_values(Input::Height, &[height], -1e5..=1e6, &place))?;
+                check_values(Input::PositionSigma, sigma_m, 1e-9..=1e9, &place)
             }
         }
     }
@@ -71,6 +71,9 @@ pub struct GroundControlPoint {
     pub position: ObservedPosition,
     #[serde(default)]
     pub role: ControlRole,
+    /// Standard error of a coordinate of its image measurements in px, above 0; absent: that of the options.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sigma_px: Option<f64>,
     /// Inside their images, one in each.
     pub measurements: Vec<ImageObservation>,
 }

@@ -2,10 +2,11 @@
 
 use super::block::seen_twice;
 use super::{BlockModel, ControlRole, GroundControlPoint, ModelImage, ObservedPosition};
-use crate::Error;
 use crate::camera::{Camera, FreeParameters};
+use crate::catalogue::check_values;
 use crate::error::refuse;
 use crate::message::{Message, written};
+use crate::{Error, Input, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// A focal length that is not known is taken for this many times the longer side of the image, as those of most cameras nearly are.
@@ -32,14 +33,18 @@ impl BlockDescription {
         if self.images.len() < 2 {
             return Err(Error::TooFew { what: "images of a block", got: self.images.len(), needed: 2 });
         }
-        let named = |index| move || self.named_camera(index).to_string();
+        let named = |index| {
+            move || {
+                let NamedCamera { only, number, first, more } = self.named_camera(index);
+                Location::NamedCamera { only, number, first, more }
+            }
+        };
         self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.approximate().check(named(index)))?;
         for image in &self.images {
             if image.camera >= self.cameras.len() {
-                let got = format!("index {} for {}", image.camera, image.name);
-                return refuse("camera of an image", got, &format!("indices below {}", self.cameras.len()));
+                return refuse(Refusal::CameraOfImage { camera: image.camera, name: image.name.clone(), cameras: self.cameras.len() });
             }
-            image.position.iter().try_for_each(|position| position.check(|| image.name.clone()))?;
+            image.position.iter().try_for_each(|position| position.check(|| Location::Image { name: image.name.clone() }))?;
         }
         self.control.iter().try_for_each(|control| self.check_control(control))?;
         let is_geographic = |point: &GroundControlPoint| matches!(point.position, ObservedPosition::Geographic { .. });
@@ -48,31 +53,30 @@ impl BlockDescription {
             point.role == ControlRole::Check && placing.is_some_and(|placing| is_geographic(placing) != is_geographic(point))
         };
         let other = self.control.iter().find(differs);
-        other.map_or(Ok(()), |point| {
-            refuse("check point", format!("another kind of coordinates for {}", point.name), "those of the control points")
-        })
+        other.map_or(Ok(()), |point| refuse(Refusal::OtherCoordinates { point: point.name.clone() }))
     }
 
     fn check_control(&self, point: &GroundControlPoint) -> Result<(), Error> {
-        let name = format!("GCP {}", point.name);
-        point.position.check(|| name.clone())?;
+        let own = || point.name.clone();
+        point.position.check(|| Location::Control { name: own() })?;
+        let sigma = point.sigma_px.as_slice();
+        check_values(Input::MarkSigma, sigma, 0.01..=100.0, || Location::Control { name: own() })?;
         if matches!(point.position, ObservedPosition::Geographic { height_m: None, .. }) {
-            return refuse("height", format!("none of {name}"), "-100000 to 1000000");
+            return refuse(Refusal::NoHeight { point: own() });
         }
-        let what = "image measurement of a GCP";
         for ray in &point.measurements {
             let Some(image) = self.images.get(ray.image) else {
-                let got = format!("index {} as image of {name}", ray.image);
-                return refuse(what, got, &format!("indices below {}", self.images.len()));
+                return refuse(Refusal::MeasuredImage { image: ray.image, point: own(), images: self.images.len() });
             };
             let camera = self.cameras[image.camera].approximate();
             if !camera.sees(ray.x_px, ray.y_px) {
-                let got = format!("({}, {}) for {} in {}, outside the image", ray.x_px, ray.y_px, point.name, image.name);
-                return refuse(what, got, &format!("positions within its {} x {} px", camera.width_px, camera.height_px));
+                let (x_px, y_px, name) = (ray.x_px, ray.y_px, image.name.clone());
+                let Camera { width_px, height_px, .. } = camera;
+                return refuse(Refusal::MeasuredOutside { x_px, y_px, point: own(), name, width_px, height_px });
             }
         }
         match seen_twice(&point.measurements) {
-            Some(image) => refuse(what, format!("two for {} in {}", point.name, self.images[image].name), "one in an image"),
+            Some(image) => refuse(Refusal::MeasuredTwice { point: own(), name: self.images[image].name.clone() }),
             None => Ok(()),
         }
     }

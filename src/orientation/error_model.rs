@@ -1,8 +1,9 @@
 //! What is known of the errors of observations beside the independent part that their weights describe.
 
 use super::shared::SharedErrors;
-use crate::Error;
 use crate::catalogue::refuse;
+use crate::error::refuse as refuse_input;
+use crate::{Error, Refusal};
 
 /// How the errors of observations depend on each other, and how small they can be.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -26,10 +27,7 @@ impl ErrorModel {
         }
         match self.shared.iter().find(|group| group.effects.len() != observations) {
             None => Ok(()),
-            Some(group) => {
-                let got = format!("effects on {} of {observations} observations", group.effects.len());
-                Err(Error::InvalidInput { what: "shared errors", got, allowed: "one effect for each observation".into() })
-            }
+            Some(group) => refuse_input(Refusal::SharedErrors { effects: group.effects.len(), observations }),
         }
     }
 }

@@ -6,8 +6,9 @@ use super::normals::{Matrix5, correlations};
 use super::result::Observation;
 use super::warning::{LARGEST_CONDITION, condition};
 use crate::catalogue::refuse;
+use crate::error::refuse as refuse_input;
 use crate::math::median;
-use crate::{Cause, Computation, Error, Side};
+use crate::{Cause, Computation, Error, Refusal, Side};
 
 /// Largest photo coordinate in focal lengths: 89.4° off the axis. Coordinates beyond it are pixels taken for mm, or worse.
 const LARGEST_COORDINATE: f64 = 100.0;
@@ -30,14 +31,12 @@ pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result
     let largest = LARGEST_COORDINATE * focal_mm;
     for (index, observation) in observations.iter().enumerate() {
         if !(observation.weight >= 1e-12 && observation.weight <= 1e12) {
-            let got = format!("{} for observation {index} (counted from 0)", observation.weight);
-            return Err(Error::InvalidInput { what: "weight", got, allowed: "1e-12 to 1e12".into() });
+            return refuse_input(Refusal::ObservationWeight { weight: observation.weight, observation: index });
         }
         let coordinates = observation.left.iter().chain(&observation.right);
-        if let Some(wrong) = coordinates.into_iter().find(|v| !(v.abs() <= largest)) {
-            let got = format!("{wrong} mm in observation {index} (counted from 0)");
-            let allowed = format!("-{largest} to {largest} mm, {LARGEST_COORDINATE} focal lengths");
-            return Err(Error::InvalidInput { what: "photo coordinates", got, allowed });
+        if let Some(&value_mm) = coordinates.into_iter().find(|v| !(v.abs() <= largest)) {
+            let (largest_mm, focal_lengths) = (largest, LARGEST_COORDINATE);
+            return refuse_input(Refusal::PhotoCoordinates { value_mm, observation: index, largest_mm, focal_lengths });
         }
     }
     Ok(())

@@ -32,8 +32,6 @@ impl PlaceErrors {
     }
 }
 
-/// Standard error of a point in the image, in px.
-const MEASURED_PX: f64 = 0.3;
 const LEAST_WEIGHT: f64 = 1e-6;
 /// Places are held by this share of their standard error.
 const HELD: f64 = 1e-3;
@@ -57,6 +55,15 @@ impl PlacingCamera {
     }
 }
 
+/// The variance of a coordinate of a link in its image, of which the place has its part.
+pub(super) fn variance_px2(link: &Found, camera: &Camera, pose: &Pose, errors: PlaceErrors) -> f64 {
+    let height = errors.height * errors.height + link.height_spread * link.height_spread;
+    let variances = [errors.plan * errors.plan, errors.plan * errors.plan, height];
+    let by_place = linearise(&camera.values(), pose, &link.place).by_point;
+    let of_place: f64 = by_place.iter().flatten().zip(variances.iter().cycle()).map(|(d, variance)| d * d * variance).sum();
+    link.measured_px * link.measured_px + 0.5 * of_place
+}
+
 /// Adjusts an image from an approximate camera and orientation. Rays of the result are the links in their order.
 ///
 /// Each place has one ray, so that errors of places cannot be told from those of the image: both weigh the ray together, and σ₀ is what they
@@ -67,16 +74,8 @@ pub(super) fn adjusted(
     (camera, pose): (Camera, Pose),
     errors: PlaceErrors,
 ) -> Result<AdjustmentResult, Error> {
-    let values = camera.values();
-    let weight = |link: &Found| {
-        let height = errors.height * errors.height + link.height_spread * link.height_spread;
-        let variances = [errors.plan * errors.plan, errors.plan * errors.plan, height];
-        let by_place = linearise(&values, &pose, &link.place).by_point;
-        let of_place: f64 = by_place.iter().flatten().zip(variances.iter().cycle()).map(|(d, variance)| d * d * variance).sum();
-        1.0 / (MEASURED_PX * MEASURED_PX + 0.5 * of_place)
-    };
     // In the mean 1, so that σ₀ is the standard error of a usual coordinate.
-    let weights: Vec<f64> = links.iter().map(weight).collect();
+    let weights: Vec<f64> = links.iter().map(|link| 1.0 / variance_px2(link, &camera, &pose, errors)).collect();
     let mean = weights.iter().sum::<f64>() / weights.len().max(1) as f64;
     let ray = |(point, link): (usize, &Found)| BlockObservation {
         image: 0,
@@ -84,6 +83,7 @@ pub(super) fn adjusted(
         x_px: link.at[0],
         y_px: link.at[1],
         weight: (weights[point] / mean).max(LEAST_WEIGHT),
+        sigma_px: None,
     };
     let held = [HELD * errors.plan; 3];
     let block = Block {

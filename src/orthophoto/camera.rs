@@ -2,7 +2,7 @@
 
 use super::adjusting::PlacingCamera;
 use crate::pipeline::CameraRules;
-use crate::{Camera, CameraUncertainty, ExifImage};
+use crate::{BlockRun, Camera, CameraUncertainty, ExifImage};
 
 const CALIBRATED: CameraUncertainty = CameraUncertainty { focal: 0.0, principal_point: 0.0, k1: 0.0 };
 
@@ -26,6 +26,25 @@ impl PlacingCamera {
             ..Camera::without_distortion(size[0], size[1], known.focal_px.unwrap_or(assumed))
         };
         Self { camera, uncertainty }
+    }
+
+    /// That of an image of a block as the block adjusted it, with its standard errors; `None` where the image is not oriented.
+    pub(super) fn of_block(run: &BlockRun, image: usize) -> Option<Self> {
+        let oriented = run.model.images.get(image).filter(|image| image.pose.is_some())?;
+        let camera = *run.model.cameras.get(oriented.camera)?;
+        let model = run.reconstruction.as_ref().ok()?.models.first()?;
+        let own = model.cameras.iter().position(|camera| *camera == oriented.camera)?;
+        let errors = model.adjusted.cameras.get(own)?.standard_errors;
+        // What the block has not estimated is as it was known before.
+        let share = |error: Option<f64>, most: f64| error.map_or(0.0, |error| error.min(most));
+        let most = CameraUncertainty::ASSUMED;
+        let across = errors[1].zip(errors[2]).map(|(x, y)| x.max(y));
+        let uncertainty = CameraUncertainty {
+            focal: share(errors[0].map(|error| error / camera.focal_px), most.focal),
+            principal_point: share(across.map(|error| error / camera.focal_px), most.principal_point),
+            k1: share(errors[3], most.k1),
+        };
+        Some(Self { camera, uncertainty })
     }
 }
 

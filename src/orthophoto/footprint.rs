@@ -30,7 +30,7 @@ impl Footprint<'_> {
     }
 
     /// The place at which a ray through a position in px arrives on the ground.
-    fn arrives(&self, at: [f64; 2]) -> Option<[f64; 2]> {
+    pub fn arrives(&self, at: [f64; 2]) -> Option<[f64; 2]> {
         let [x, y] = self.camera.direction(at).ok()?;
         let ray = matrix(&self.pose.rotation).transpose() * Vector3::new(x, -y, -1.0);
         let flat = (ray.x * ray.x + ray.y * ray.y).sqrt();

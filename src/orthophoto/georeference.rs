@@ -1,7 +1,7 @@
 //! Where the pixels of a picture of the ground lie in the system of a map.
 
-use crate::Error;
 use crate::error::refuse;
+use crate::{Error, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// The way from pixels to the ground and back: (X, Y) = origin + x · `by_column` + y · `by_row` of a position (x, y) in px, the centre of
@@ -32,11 +32,10 @@ impl Georeference {
     /// # Errors
     /// [`Error::InvalidInput`] for another number of lines, what is no number, and pixels without extent.
     pub fn read_world_file(text: &str) -> Result<Self, Error> {
-        const ALLOWED: &str = "six numbers, one a line: A, D, B, E of the pixel, X and Y of the centre of the top-left pixel";
         let numbers: Option<Vec<f64>> = text.split_whitespace().map(|word| word.parse().ok()).collect();
         let Some([a, d, b, e, x, y]) = numbers.as_deref().and_then(|numbers| <[f64; 6]>::try_from(numbers).ok()) else {
             let first: String = text.chars().take(60).collect();
-            return refuse("world file", format!("{first:?}"), ALLOWED);
+            return refuse(Refusal::WorldFile { text: format!("{first:?}") });
         };
         Self { origin: [x - 0.5 * (a + b), y - 0.5 * (d + e)], by_column: [a, d], by_row: [b, e] }.checked()
     }
@@ -52,7 +51,7 @@ impl Georeference {
     pub(super) fn checked(self) -> Result<Self, Error> {
         let values = [self.origin, self.by_column, self.by_row];
         if !values.iter().flatten().all(|v| v.abs() <= LARGEST) || !(self.determinant().abs() > 0.0) {
-            return refuse("georeference", format!("{self:?}"), "finite coordinates and pixels with an extent");
+            return refuse(Refusal::Georeference { numbers: format!("{values:?}") });
         }
         Ok(self)
     }

@@ -1,9 +1,9 @@
 //! The tags of GeoTIFF: where a TIFF lies, in which system, and which value stands for nothing.
 
 use super::georeference::Georeference;
-use crate::Error;
 use crate::error::refuse;
 use crate::image::{Directory, checked_directory};
+use crate::{Error, Refusal};
 
 pub(super) const PIXEL_SCALE: u64 = 33550;
 pub(super) const TIE_POINTS: u64 = 33922;
@@ -60,8 +60,7 @@ impl GeoTags {
 
 /// Angles are no lengths: north and east differ by the cosine of the latitude.
 pub(super) fn refuse_degrees<T>() -> Result<T, Error> {
-    let allowed = "a projected system in metres or feet: reproject it, with gdalwarp -t_srs say";
-    refuse("coordinates of a picture of the ground", "longitude and latitude in degrees".into(), allowed)
+    refuse(Refusal::Degrees)
 }
 
 /// By which (0, 0) of the raster, be that a corner or a centre, and its steps lie on the map.

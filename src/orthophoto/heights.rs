@@ -2,9 +2,9 @@
 
 use super::georeference::Georeference;
 use super::geotiff::GeoTags;
-use crate::Error;
 use crate::error::refuse;
 use crate::image::{checked_directory, tiff_error, with_rows_of_image};
+use crate::{Error, Refusal};
 use std::io::Cursor;
 use std::sync::Arc;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
@@ -72,17 +72,13 @@ impl HeightModel {
     /// [`Error::InvalidInput`] for another number of heights, a grid of less than 2 x 2, heights that are none of the earth, and holes alone.
     pub fn new(width: usize, height: usize, values: Vec<f32>, georeference: Georeference) -> Result<Self, Error> {
         if width < 2 || height < 2 || width.checked_mul(height) != Some(values.len()) {
-            return refuse(
-                "height model",
-                format!("{} heights for {width} x {height}", values.len()),
-                "2 x 2 heights or more, one a place",
-            );
+            return refuse(Refusal::HeightCount { heights: values.len(), width, height });
         }
         let finite = || values.iter().filter(|v| v.is_finite()).map(|v| f64::from(*v));
         let range = [finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)];
         if !(range[0] <= range[1] && range[0] >= LOWEST && range[1] <= HIGHEST) {
-            let allowed = "-1000 to 20000, with at least one; what stands for 'no height' must be declared";
-            return refuse("heights of a height model", format!("{} to {}", range[0], range[1]), allowed);
+            let [low, high] = range;
+            return refuse(Refusal::HeightRange { low, high });
         }
         Ok(Self { georeference: georeference.checked()?, width, height, values: Arc::new(values), range })
     }
@@ -97,7 +93,7 @@ impl HeightModel {
         }
         match std::str::from_utf8(file) {
             Ok(text) => Self::read_ascii(text),
-            Err(_) => refuse("height model", "neither a TIFF nor text".into(), "a GeoTIFF or an ESRI ASCII grid"),
+            Err(_) => refuse(Refusal::NoHeightModel),
         }
     }
 
@@ -113,7 +109,7 @@ impl HeightModel {
             (Some(own), _) => own,
             (None, Some(text)) => Georeference::read_world_file(text)?,
             (None, None) => {
-                return refuse("height model", "a TIFF that does not say where it lies".into(), "a GeoTIFF, or a world file beside it");
+                return refuse(Refusal::HeightsWithoutPlace);
             }
         };
         let file = &*with_rows_of_image(file);
@@ -123,10 +119,10 @@ impl HeightModel {
         let [width, height] = [width, height].map(|side| side as usize);
         // No compression that is read packs more.
         if width.saturating_mul(height) / MOST_PACKED > file.len() {
-            return refuse("height model", format!("{width} x {height} heights in {} bytes: it is truncated", file.len()), "a whole file");
+            return refuse(Refusal::TruncatedHeights { width, height, bytes: file.len() });
         }
         if width.saturating_mul(height) > MOST_VALUES {
-            return refuse("height model", format!("{width} x {height} heights"), "up to 100 million");
+            return refuse(Refusal::ManyHeights { width, height });
         }
         let values: Vec<f32> = match decoder.read_image().map_err(tiff_error)? {
             DecodingResult::F32(values) => values,
@@ -136,11 +132,7 @@ impl HeightModel {
             DecodingResult::U8(values) => values.into_iter().map(f32::from).collect(),
             DecodingResult::I32(values) => values.into_iter().map(|v| v as f32).collect(),
             _ => {
-                return refuse(
-                    "height model",
-                    "a TIFF of samples of another kind".into(),
-                    "one sample a pixel: whole numbers or floating point",
-                );
+                return refuse(Refusal::HeightSamples);
             }
         };
         let hole = tags.no_data.map(|v| v as f32);
@@ -151,30 +143,25 @@ impl HeightModel {
     /// # Source
     /// ESRI, ASCII raster format: `ncols`, `nrows`, `xllcorner` or `xllcenter`, `yllcorner` or `yllcenter`, `cellsize`, `nodata_value`.
     fn read_ascii(text: &str) -> Result<Self, Error> {
-        let wrong = |got: String| Error::InvalidInput {
-            what: "ESRI ASCII grid",
-            got,
-            allowed: "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row"
-                .into(),
-        };
         let mut words = text.split_whitespace().peekable();
         let mut head = std::collections::BTreeMap::new();
         while let Some(name) =
             words.next_if(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()) && !word.eq_ignore_ascii_case("nan"))
         {
             let value = words.next().and_then(|word| word.parse::<f64>().ok());
-            head.insert(name.to_ascii_lowercase(), value.ok_or_else(|| wrong(format!("{name} without a number")))?);
+            head.insert(name.to_ascii_lowercase(), value.ok_or_else(|| Refusal::GridWord { name: name.into() }.into_error())?);
         }
-        let of = |name: &str| head.get(name).copied().ok_or_else(|| wrong(format!("no {name}")));
+        let of = |name: &str| head.get(name).copied().ok_or_else(|| Refusal::GridLacks { name: name.into() }.into_error());
         let (columns, rows, cell) = (of("ncols")?, of("nrows")?, of("cellsize")?);
         if !(columns >= 2.0 && rows >= 2.0 && columns * rows <= MOST_VALUES as f64 && cell > 0.0) {
-            return Err(wrong(format!("{columns} columns, {rows} rows of {cell}")));
+            return refuse(Refusal::GridSize { columns, rows, cell });
         }
         let low = |corner: &str, centre: &str| of(corner).or_else(|_| of(centre).map(|v| v - 0.5 * cell));
         let [x, y] = [low("xllcorner", "xllcenter")?, low("yllcorner", "yllcenter")?];
         let hole = Some(head.get("nodata_value").copied().unwrap_or(NO_HEIGHT) as f32);
         let value = |word: &str| word.parse::<f32>().map(|v| if Some(v) == hole { f32::NAN } else { v });
-        let values: Result<Vec<f32>, _> = words.map(|word| value(word).map_err(|_| wrong(format!("{word:?} among the heights")))).collect();
+        let values: Result<Vec<f32>, _> =
+            words.map(|word| value(word).map_err(|_| Refusal::GridHeight { word: format!("{word:?}") }.into_error())).collect();
         Self::new(columns as usize, rows as usize, values?, Georeference::north_up([x, y + rows * cell], cell))
     }
 

@@ -16,7 +16,12 @@ pub(super) struct Found {
     pub place: [f64; 3],
     /// By how much heights about the place differ from its own: beside a wall any of them may be meant.
     pub height_spread: f64,
+    /// Standard error of its position in the image, in px.
+    pub measured_px: f64,
 }
+
+/// Standard error of a matched point in the image, in px.
+pub(super) const MEASURED_PX: f64 = 0.3;
 
 /// How links are sought.
 pub(super) struct Search {
@@ -126,12 +131,17 @@ impl Over<'_> {
             let three = |[x, y]: [f64; 2]| self.heights.at([x, y]).map(|z| [x, y, z]);
             let at = seen.at(&three(georeference.ground(to))?)?;
             let place = three(georeference.ground(from))?;
-            let about = AROUND.map(|[dx, dy]| self.heights.at(georeference.ground([from[0] + dx, from[1] + dy])));
-            let height_spread = about.into_iter().flatten().map(|z| (z - place[2]).abs()).fold(0.0, f64::max);
-            Some(Found { at, place, height_spread })
+            let height_spread = height_spread(self.heights, &georeference, from, place[2]);
+            Some(Found { at, place, height_spread, measured_px: MEASURED_PX })
         });
         Ok(linked.collect())
     }
+}
+
+/// By how much heights about a position of a picture of the ground differ from its own.
+pub(super) fn height_spread(heights: &Heights, georeference: &Georeference, [x, y]: [f64; 2], height: f64) -> f64 {
+    let about = AROUND.map(|[dx, dy]| heights.at(georeference.ground([x + dx, y + dy])));
+    about.into_iter().flatten().map(|z| (z - height).abs()).fold(0.0, f64::max)
 }
 
 /// The camera of an image that was halved so many times.

@@ -4,9 +4,14 @@
 //! similarity) → an orientation by resection → `links` (the image resampled to the ground by `rectify`, matched to the orthophoto: coarse,
 //! then fine) → `adjusting` (the bundle adjustment of one image, its `precision`) → `verdict` → [`PlacedImage`].
 //!
+//! A block: `block_links` (images placed by themselves or near where the others of the block have them) → places of the ground that several images
+//! show → [`BlockRun`](crate::BlockRun) adjusted by them.
+//!
 //! The other way round: an oriented block → `mosaic` → a picture of the ground, which `write` makes a GeoTIFF.
 
 mod adjusting;
+mod block_links;
+mod by_hand;
 mod camera;
 mod first_place;
 mod footprint;
@@ -27,6 +32,8 @@ mod verdict;
 mod write;
 
 pub use adjusting::PlacingCamera;
+pub use block_links::BlockLinks;
+pub use by_hand::{GivenLink, GivenUse, ground_positions, image_positions, place_by_links};
 pub use georeference::Georeference;
 pub use heights::{HeightModel, Heights};
 pub use mosaic::{Mosaic, heights_of_points};

@@ -8,7 +8,7 @@ use super::rectify::{Rectified, rectify};
 use crate::camera::Camera;
 use crate::error::refuse;
 use crate::math::median;
-use crate::{BlockModel, Error, GreyImage, GreyView, Pose, halve};
+use crate::{BlockModel, Error, GreyImage, GreyView, Pose, Refusal, halve};
 
 /// Larger mosaics are made of larger pixels.
 const MOST_PIXELS: f64 = 1e8;
@@ -105,7 +105,7 @@ impl Mosaic {
             .map(|footprint| (footprint.border(), footprint.gsd()))
             .collect();
         let Some(own) = median(&mut seen.iter().map(|(_, gsd)| *gsd).filter(|gsd| *gsd > 0.0).collect::<Vec<_>>()) else {
-            return refuse("block for a mosaic", "no oriented image above the ground".into(), "one or more");
+            return refuse(Refusal::NothingAboveGround);
         };
         let extent = |axis: usize| {
             let values = seen.iter().flat_map(|(corners, _)| corners).map(|corner| corner[axis]);
@@ -115,13 +115,17 @@ impl Mosaic {
         let finest = ((x1 - x0) * (y1 - y0) / MOST_PIXELS).sqrt();
         let gsd = gsd.unwrap_or(own.max(finest));
         if !(gsd >= finest && gsd > 0.0 && gsd.is_finite()) {
-            let allowed = format!("{finest:.4} or more, so that the mosaic has at most 100 MP");
-            return Err(Error::InvalidInput { what: "side of a pixel of the mosaic", got: gsd.to_string(), allowed });
+            return refuse(Refusal::MosaicPixel { gsd, least: finest });
         }
         let size = [x1 - x0, y1 - y0].map(|length| ((length / gsd).ceil() as usize).max(1));
         let pixels = size[0] * size[1];
         let georeference = Georeference::north_up([x0, y1], gsd);
         Ok(Self { images, heights, georeference, size, grey: vec![0; pixels], distance: vec![f32::INFINITY; pixels] })
+    }
+
+    /// The heights on which it lies.
+    pub fn heights(&self) -> &Heights {
+        &self.heights
     }
 
     /// Adds an image of the model, by its index; one that is not oriented adds nothing.
@@ -130,13 +134,12 @@ impl Mosaic {
     /// [`Error::InvalidInput`] for an index that the model does not have, and for an image of another size than its camera.
     pub fn add(&mut self, index: usize, image: GreyView<'_>) -> Result<(), Error> {
         let Some(known) = self.images.get(index) else {
-            return refuse("image of a mosaic", format!("index {index}"), "one of the model");
+            return refuse(Refusal::MosaicImage { image: index });
         };
         let Some((camera, pose)) = known else { return Ok(()) };
         if [image.width(), image.height()] != [camera.width_px, camera.height_px].map(|side| side as usize) {
-            let got = format!("{} x {} px", image.width(), image.height());
-            let allowed = format!("{} x {} px, as its camera", camera.width_px, camera.height_px);
-            return Err(Error::InvalidInput { what: "image of a mosaic", got, allowed });
+            let Camera { width_px, height_px, .. } = *camera;
+            return refuse(Refusal::MosaicImageSize { width: image.width(), height: image.height(), width_px, height_px });
         }
         let footprint = Footprint { camera, pose, heights: &self.heights };
         let corners: Vec<[f64; 2]> = footprint.border().into_iter().map(|place| self.georeference.pixel(place)).collect();
@@ -182,11 +185,7 @@ impl Mosaic {
     pub fn finish(self) -> Result<Rectified, Error> {
         let [width, height] = self.size;
         if self.distance.iter().all(|distance| !distance.is_finite()) {
-            return refuse(
-                "mosaic",
-                "nothing that an image shows".into(),
-                "heights under the images, below them, and a pixel much smaller than an image",
-            );
+            return refuse(Refusal::EmptyMosaic);
         }
         let shown = self.distance.iter().map(|distance| if distance.is_finite() { 255 } else { 0 }).collect();
         let (grey, mask) = (GreyImage::new(width, height, self.grey)?, GreyImage::new(width, height, shown)?);

@@ -77,9 +77,12 @@ pub struct Link {
     pub at: [f64; 2],
     /// In the system of the orthophoto; the height that of the height model.
     pub place: [f64; 3],
-    /// Observed minus computed column and row in px.
-    pub residual_px: [f64; 2],
+    /// Observed minus computed column and row in px; absent where the image does not see the place.
+    pub residual_px: Option<[f64; 2]>,
     pub role: LinkUse,
+    /// Whether it was measured by eye.
+    #[serde(default)]
+    pub by_hand: bool,
 }
 
 /// What the links say that took no part.

@@ -10,11 +10,12 @@ use super::precision::{TotalErrors, total_errors};
 use super::rectify::Seen;
 use super::reference::{Orthophoto, enlarge};
 use super::verdict::verdict;
+use crate::error::refuse;
 use crate::reconstruction::resect_image;
 use crate::two_view::Support;
 use crate::{
-    AdjustmentResult, Camera, CameraUncertainty, Error, Failure, Feature, FeatureOptions, GreyView, MultiscaleOptions, ObservationVerdict,
-    Pose, features, reduce_to,
+    AdjustmentResult, Camera, CameraUncertainty, Error, Failure, Feature, FeatureOptions, GreyView, Location, MultiscaleOptions,
+    ObservationVerdict, Pose, Refusal, features, reduce_to,
 };
 
 /// Longest side of the pictures in which a first place is sought, in px.
@@ -58,14 +59,13 @@ impl SearchArea {
     pub fn new(reference: &Orthophoto, options: &PlacingOptions) -> Result<Self, Error> {
         options.check_ranges()?;
         let size = [reference.grey.width(), reference.grey.height()];
-        if !reference.has_heights() {
-            let got = "none under the orthophoto".to_string();
-            return crate::error::refuse("heights of a height model", got, "a model of the same ground in the same system");
+        if reference.heights_share() == 0.0 {
+            return refuse(Refusal::NoHeightsThere);
         }
         let (first, size) = match (options.near_x, options.near_y) {
             (None, None) => ([0, 0], size),
             (Some(x), Some(y)) => near(reference, [x, y], options.within_m)?,
-            _ => return crate::error::refuse("place near an image", "one coordinate".into(), "near_x and near_y, or neither"),
+            _ => return refuse(Refusal::OneCoordinate),
         };
         let mut down = 0;
         while size[0].max(size[1]) >> down > SEARCHED_PX {
@@ -92,12 +92,11 @@ fn near(reference: &Orthophoto, place: [f64; 2], within: f64) -> Result<([usize;
     let high = [0, 1].map(|k| (at[k] + reach).min(size[k]));
     if !(0..2).all(|k| high[k] > low[k]) {
         let corners = [[0.0, 0.0], size].map(|corner| reference.georeference.ground(corner));
-        let allowed = format!("within {within} m of the orthophoto, whose corners are at {:?} and {:?}", corners[0], corners[1]);
-        return Err(Error::InvalidInput { what: "place near an image", got: format!("{place:?}"), allowed });
+        let [first, last] = corners.map(|corner| format!("{corner:?}"));
+        return refuse(Refusal::NearPlace { place: format!("{place:?}"), within_m: within, first, last });
     }
     if !(0..2).all(|k| high[k] - low[k] >= LEAST_SEARCHED_PX) {
-        let allowed = format!("so much that {LEAST_SEARCHED_PX} px of the orthophoto a side lie within it");
-        return Err(Error::InvalidInput { what: "radius about the place near an image", got: format!("{within} m"), allowed });
+        return refuse(Refusal::NearRadius { within_m: within, least_px: LEAST_SEARCHED_PX });
     }
     Ok((low.map(|v| v as usize), [0, 1].map(|k| (high[k] - low[k]) as usize)))
 }
@@ -124,20 +123,47 @@ pub fn place_image(
     area: &SearchArea,
     options: &PlacingOptions,
 ) -> Result<PlacedImage, Error> {
+    check(image, known, options)?;
+    placed(image, known, reference, area, options).map(judged)
+}
+
+/// Places an image near where another source has it: within some px of the picture, each pixel as large as of those 1200 on its longer side.
+///
+/// # Errors
+/// As [`place_image`].
+pub(super) fn place_near(
+    image: GreyView<'_>,
+    known: &PlacingCamera,
+    reference: &Orthophoto,
+    pose: &Pose,
+    options: &PlacingOptions,
+) -> Result<PlacedImage, Error> {
+    check(image, known, options)?;
+    let first = [0, 1].map(|k| pose.position[k].round());
+    let [x, y, z] = pose.position;
+    let start = Pose { position: [x - first[0], y - first[1], z], ..*pose };
+    confirmed(image, known, reference, first, (known.camera, start), options).map(judged)
+}
+
+fn check(image: GreyView<'_>, known: &PlacingCamera, options: &PlacingOptions) -> Result<(), Error> {
     options.check_ranges()?;
     if image.width().min(image.height()) < LEAST_IMAGE_PX {
         let [width, height] = [image.width(), image.height()];
         return Err(Error::ImageTooSmall { width, height, operation: "placing on an orthophoto", min_side: LEAST_IMAGE_PX });
     }
-    known.camera.check(|| "camera of the image".into())?;
+    known.camera.check(|| Location::CameraOfImage)?;
     let size = [known.camera.width_px, known.camera.height_px].map(|side| side as usize);
     if size != [image.width(), image.height()] {
-        let allowed = format!("{} x {} px, as the image", image.width(), image.height());
-        return Err(Error::InvalidInput { what: "camera of the image", got: format!("{} x {} px", size[0], size[1]), allowed });
+        let ([width_px, height_px], [width, height]) = (size, [image.width(), image.height()]);
+        return refuse(Refusal::CameraSize { width_px, height_px, width, height });
     }
-    match placed(image, known, reference, area, options)? {
-        Ok(placement) => Ok(PlacedImage { verdict: verdict(&placement), placement: Some(placement) }),
-        Err(not_placed) => Ok(PlacedImage { verdict: PlacingVerdict::NotPlaced { not_placed }, placement: None }),
+    Ok(())
+}
+
+fn judged(placed: Result<Placement, NotPlaced>) -> PlacedImage {
+    match placed {
+        Ok(placement) => PlacedImage { verdict: verdict(&placement), placement: Some(placement) },
+        Err(not_placed) => PlacedImage { verdict: PlacingVerdict::NotPlaced { not_placed }, placement: None },
     }
 }
 
@@ -163,7 +189,7 @@ fn placed(
         reference.georeference.ground([point.x, point.y])
     };
     let first = on_ground(&matches[matches.len() / 2]).map(f64::round);
-    let (georeference, heights) = reference.about(first);
+    let (_, heights) = reference.about(first);
     let seen: Vec<([f64; 2], [f64; 3])> = (matches.iter())
         .filter_map(|m| {
             let [x, y] = on_ground(m);
@@ -171,9 +197,23 @@ fn placed(
             Some(([own[m.left].point.x, own[m.left].point.y], [place[0], place[1], heights.at(place)?]))
         })
         .collect();
-    let Some((camera, pose)) = first_orientation(&seen, known, longer_px, options.seed) else {
-        return Ok(Err(NotPlaced::NoOrientation { points: seen.len() }));
-    };
+    match first_orientation(&seen, known, longer_px, LEAST_POINTS, options.seed) {
+        Some(start) => confirmed(image, known, reference, first, start, options),
+        None => Ok(Err(NotPlaced::NoOrientation { points: seen.len() })),
+    }
+}
+
+/// What comes of an approximate camera and orientation, in a system about a place of the ground: links, coarse and fine, and the adjustment
+/// by them.
+fn confirmed(
+    image: GreyView<'_>,
+    known: &PlacingCamera,
+    reference: &Orthophoto,
+    first: [f64; 2],
+    (camera, pose): (Camera, Pose),
+    options: &PlacingOptions,
+) -> Result<Result<Placement, NotPlaced>, Error> {
+    let (georeference, heights) = reference.about(first);
     let levels = halvings(&image.to_image());
     let mut over = Over { image: &levels, camera, pose, reference, georeference, heights: &heights };
     let has_model = matches!(heights, Heights::Model(_));
@@ -186,12 +226,18 @@ fn placed(
 }
 
 /// The camera and orientation on which most points agree; of an unknown camera by one of several focal lengths.
-fn first_orientation(seen: &[([f64; 2], [f64; 3])], known: &PlacingCamera, longer_px: f64, seed: u32) -> Option<(Camera, Pose)> {
+pub(super) fn first_orientation(
+    seen: &[([f64; 2], [f64; 3])],
+    known: &PlacingCamera,
+    longer_px: f64,
+    least: usize,
+    seed: u32,
+) -> Option<(Camera, Pose)> {
     let is_unknown = known.uncertainty.focal >= CameraUncertainty::ASSUMED.focal;
     let factors = if is_unknown { &FOCAL_FACTORS[..] } else { &FOCAL_FACTORS[..1] };
     let tried = factors.iter().filter_map(|factor| {
         let camera = Camera { focal_px: factor * known.camera.focal_px, ..known.camera };
-        let (pose, agreeing) = resect_image(&camera, seen, FIRST_SHARE * longer_px, LEAST_POINTS, seed).ok()?;
+        let (pose, agreeing) = resect_image(&camera, seen, FIRST_SHARE * longer_px, least, seed).ok()?;
         Some((agreeing, camera, pose))
     });
     // Of equals the first, which is the most usual.
@@ -238,8 +284,8 @@ fn fine(
     options: &PlacingOptions,
 ) -> Result<Result<Placement, NotPlaced>, Error> {
     let links = over.links(&FINE, features)?;
-    let is_check = checks(links.len(), options.check_share);
-    let used: Vec<Found> = links.iter().zip(&is_check).filter(|(_, check)| !**check).map(|(link, _)| *link).collect();
+    let parts = checks(links.len(), options.check_share);
+    let used: Vec<Found> = links.iter().zip(&parts).filter(|(_, part)| **part == Part::Used).map(|(link, _)| *link).collect();
     if used.len() < LEAST_LINKS {
         return Ok(Err(NotPlaced::NotConfirmed { links: links.len(), agreeing: used.len() }));
     }
@@ -248,29 +294,43 @@ fn fine(
         Err(error) => return Ok(Err(NotPlaced::Failed { failure: Failure::from(&error) })),
     };
     (over.camera, over.pose) = (result.block.cameras[0], result.block.images[0].pose);
-    Ok(Ok(placement(over, &links, &is_check, &result, &total_errors(&result, known))))
+    let mut placement = placement(over, &links, &parts, &result, &total_errors(&result, known));
+    placement.links.retain(|link| link.residual_px.is_some());
+    Ok(Ok(placement))
+}
+
+/// How a link takes part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    Used,
+    Check,
+    Rejected,
 }
 
 /// Which of so many links check: evenly among them.
-fn checks(links: usize, share: f64) -> Vec<bool> {
-    (0..links).map(|k| ((k + 1) as f64 * share).floor() > (k as f64 * share).floor()).collect()
+pub(super) fn checks(links: usize, share: f64) -> Vec<Part> {
+    let is_check = |k: usize| ((k + 1) as f64 * share).floor() > (k as f64 * share).floor();
+    (0..links).map(|k| if is_check(k) { Part::Check } else { Part::Used }).collect()
 }
 
-fn placement(over: &Over<'_>, links: &[Found], is_check: &[bool], result: &AdjustmentResult, errors: &TotalErrors) -> Placement {
+/// What comes of an adjustment, whose rays are the links that take part in their order.
+pub(super) fn placement(over: &Over<'_>, links: &[Found], parts: &[Part], result: &AdjustmentResult, errors: &TotalErrors) -> Placement {
     let (camera, pose) = (over.camera, over.pose);
     let seen = Seen::new(&camera, &pose);
     let mut rays = result.rays.iter();
-    let linked = links.iter().zip(is_check).map(|(link, is_check)| {
-        let to_place = || seen.at(&link.place).map_or([f64::NAN; 2], |at| [link.at[0] - at[0], link.at[1] - at[1]]);
-        let ray = if *is_check { None } else { rays.next() };
-        let role = match ray.map(|ray| ray.verdict) {
-            None => LinkUse::Check,
-            Some(ObservationVerdict::Accepted) => LinkUse::Used,
-            Some(_) => LinkUse::Rejected,
+    let linked = links.iter().zip(parts).map(|(link, part)| {
+        let residual_px = seen.at(&link.place).map(|at| [link.at[0] - at[0], link.at[1] - at[1]]);
+        let role = match part {
+            Part::Check => LinkUse::Check,
+            Part::Rejected => LinkUse::Rejected,
+            Part::Used => match rays.next().map(|ray| ray.verdict) {
+                Some(ObservationVerdict::Accepted) => LinkUse::Used,
+                _ => LinkUse::Rejected,
+            },
         };
-        Link { at: link.at, place: link.place, residual_px: to_place(), role }
+        Link { at: link.at, place: link.place, residual_px, role, by_hand: false }
     });
-    let links: Vec<Link> = linked.filter(|link| link.residual_px.iter().all(|v| v.is_finite())).collect();
+    let links: Vec<Link> = linked.collect();
     let gsd_m = over.footprint().gsd();
     Placement {
         camera,
@@ -286,27 +346,26 @@ fn placement(over: &Over<'_>, links: &[Found], is_check: &[bool], result: &Adjus
         rmse_px: rms(links.iter().filter(|link| link.role == LinkUse::Used)),
         degrees_of_freedom: result.degrees_of_freedom,
         coverage: coverage(&camera, &links),
-        checks: check(&links, gsd_m),
+        checks: check_links(&links, gsd_m),
         links,
     }
 }
 
-/// Root mean square length of residuals.
+/// Root mean square length of residuals, where there are any.
 fn rms<'a>(links: impl Iterator<Item = &'a Link>) -> f64 {
-    let (sum, number) = links.fold((0.0, 0_usize), |(sum, n), link| {
-        let [x, y] = link.residual_px;
-        (sum + x * x + y * y, n + 1)
-    });
+    let residuals = links.filter_map(|link| link.residual_px);
+    let (sum, number) = residuals.fold((0.0, 0_usize), |(sum, n), [x, y]| (sum + x * x + y * y, n + 1));
     if number == 0 { 0.0 } else { (sum / number as f64).sqrt() }
 }
 
 /// What the links say that took no part, those as far off as the used ones never are left apart.
-fn check(links: &[Link], gsd_m: f64) -> Option<LinkChecks> {
-    let number = links.iter().filter(|link| link.role == LinkUse::Check).count();
+fn check_links(links: &[Link], gsd_m: f64) -> Option<LinkChecks> {
+    let checks = || links.iter().filter(|link| link.role == LinkUse::Check && link.residual_px.is_some());
+    let number = checks().count();
     let limit = GROSS * rms(links.iter().filter(|link| link.role == LinkUse::Used));
-    let within = |link: &&Link| link.role == LinkUse::Check && libm::hypot(link.residual_px[0], link.residual_px[1]) <= limit;
-    let rmse_px = rms(links.iter().filter(within));
-    let beyond = number - links.iter().filter(within).count();
+    let within = |link: &&Link| link.residual_px.is_some_and(|[x, y]| libm::hypot(x, y) <= limit);
+    let rmse_px = rms(checks().filter(within));
+    let beyond = number - checks().filter(within).count();
     (number > 0).then_some(LinkChecks { number, beyond, rmse_px, rmse_m: rmse_px * gsd_m })
 }
 
@@ -327,7 +386,7 @@ fn coverage(camera: &Camera, links: &[Link]) -> f64 {
 }
 
 /// The placement in the system of the orthophoto itself.
-fn moved(mut placement: Placement, by: [f64; 2]) -> Placement {
+pub(super) fn moved(mut placement: Placement, by: [f64; 2]) -> Placement {
     let plan = |place: &mut [f64]| (0..2).for_each(|k| place[k] += by[k]);
     plan(&mut placement.pose.position);
     placement.footprint.iter_mut().for_each(|corner| plan(corner));
@@ -410,7 +469,7 @@ mod tests {
 
     #[test]
     fn check_links_are_spread_evenly() {
-        assert_eq!(checks(10, 0.2).iter().filter(|check| **check).count(), 2);
-        assert_eq!((checks(7, 0.0).contains(&true), checks(8, 0.5).iter().filter(|check| **check).count()), (false, 4));
+        let number = |links: usize, share: f64| checks(links, share).iter().filter(|part| **part == Part::Check).count();
+        assert_eq!((number(10, 0.2), number(7, 0.0), number(8, 0.5)), (2, 0, 4));
     }
 }

@@ -6,7 +6,7 @@ use super::heights::{HeightModel, Heights};
 use super::rectify::Rectified;
 use super::write::{write_geotiff, write_heights};
 use crate::error::refuse;
-use crate::{DecodeLimits, Error, Feature, FeatureOptions, GreyImage, ScalePoint, decode, features, halve};
+use crate::{DecodeLimits, Error, Feature, FeatureOptions, GreyImage, Refusal, ScalePoint, decode, features, halve};
 
 /// An orthophoto with the heights of its ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,8 +50,7 @@ impl Orthophoto {
             (Some(own), _) => own,
             (None, Some(text)) => Georeference::read_world_file(text)?,
             (None, None) => {
-                let allowed = "a GeoTIFF, or a world file beside the image (.tfw, .jgw, .pgw, .wld)";
-                return refuse("orthophoto", format!("a {} that does not say where it lies", decoded.format), allowed);
+                return refuse(Refusal::PictureWithoutPlace { format: decoded.format.into() });
             }
         };
         if georeference.is_in_degrees([decoded.grey.width(), decoded.grey.height()]) {
@@ -108,16 +107,17 @@ impl Orthophoto {
         Ok(found)
     }
 
-    /// Whether any of many places of the picture has a height.
-    pub(super) fn has_heights(&self) -> bool {
+    /// The share of many places of the picture that have a height.
+    pub fn heights_share(&self) -> f64 {
         let size = [self.grey.width(), self.grey.height()].map(|side| side as f64);
         let share = |k: usize| (k as f64 + 0.5) / LOOKED_UP as f64;
         let places = (0..LOOKED_UP * LOOKED_UP).map(|k| [share(k % LOOKED_UP) * size[0], share(k / LOOKED_UP) * size[1]]);
-        places.into_iter().any(|at| self.heights.at(self.georeference.ground(at)).is_some())
+        let number = (LOOKED_UP * LOOKED_UP) as f64;
+        places.filter(|at| self.heights.at(self.georeference.ground(*at)).is_some()).count() as f64 / number
     }
 
     /// Whether the picture shows something at a position in px.
-    pub(super) fn shows(&self, [x, y]: [f64; 2]) -> bool {
+    pub fn shows(&self, [x, y]: [f64; 2]) -> bool {
         let inside = x >= 0.0 && y >= 0.0 && x < self.grey.width() as f64 && y < self.grey.height() as f64;
         inside && self.mask.as_ref().is_none_or(|mask| mask.view().at(x as usize, y as usize) != 0)
     }
@@ -143,6 +143,9 @@ pub(super) fn enlarge(point: &mut ScalePoint, factor: f64) {
 fn mask_of(grey: &GreyImage, empty: u8) -> Option<GreyImage> {
     let (width, height) = (grey.width(), grey.height());
     let is_empty: Vec<bool> = grey.data().iter().map(|v| *v == empty).collect();
+    if !is_empty.contains(&true) {
+        return None;
+    }
     // Shrunk to the middles of what is empty, and grown again by that and the edge.
     let inner = spread(&is_empty, width, height, EMPTY_REACH, true);
     if !inner.contains(&true) {
@@ -155,26 +158,34 @@ fn mask_of(grey: &GreyImage, empty: u8) -> Option<GreyImage> {
 
 /// For each pixel whether all (or any) of the square about it are set; beyond the edges counts as set for all, as not set for any.
 fn spread(set: &[bool], width: usize, height: usize, reach: usize, all: bool) -> Vec<bool> {
-    let along = |set: &[bool], length: usize, number: usize, at: &dyn Fn(usize, usize) -> usize| {
-        let mut out = vec![false; set.len()];
-        for line in 0..number {
-            // How many of the window differ from what decides alone.
-            let decides = |k: usize| usize::from(set[at(line, k)] != all);
-            let mut count: usize = (0..reach.min(length)).map(decides).sum();
-            for k in 0..length {
-                if k + reach < length {
-                    count += decides(k + reach);
-                }
-                out[at(line, k)] = if all { count == 0 } else { count > 0 };
-                if k >= reach {
-                    count -= decides(k - reach);
-                }
-            }
+    let settled = |count: u32| if all { count == 0 } else { count > 0 };
+    // How many of the window differ from what decides alone.
+    let decides = |set: bool| u32::from(set != all);
+    let mut rows = vec![false; set.len()];
+    for (row, out) in set.chunks_exact(width).zip(rows.chunks_exact_mut(width)) {
+        let mut count: u32 = row.iter().take(reach).map(|set| decides(*set)).sum();
+        for k in 0..width {
+            count += row.get(k + reach).map_or(0, |set| decides(*set));
+            out[k] = settled(count);
+            count -= k.checked_sub(reach).map_or(0, |gone| decides(row[gone]));
         }
-        out
-    };
-    let rows = along(set, width, height, &|row, column| row * width + column);
-    along(&rows, height, width, &|column, row| row * width + column)
+    }
+    // Down the columns all at once: the memory is walked row by row.
+    let row_of = |r: usize| &rows[r * width..(r + 1) * width];
+    let mut counts = vec![0_u32; width];
+    let add = |counts: &mut [u32], r: usize| counts.iter_mut().zip(row_of(r)).for_each(|(count, set)| *count += decides(*set));
+    (0..reach.min(height)).for_each(|r| add(&mut counts, r));
+    let mut columns = vec![false; set.len()];
+    for (r, out) in columns.chunks_exact_mut(width).enumerate() {
+        if r + reach < height {
+            add(&mut counts, r + reach);
+        }
+        out.iter_mut().zip(&counts).for_each(|(out, count)| *out = settled(*count));
+        if let Some(gone) = r.checked_sub(reach) {
+            counts.iter_mut().zip(row_of(gone)).for_each(|(count, set)| *count -= decides(*set));
+        }
+    }
+    columns
 }
 
 #[cfg(test)]
@@ -189,6 +200,11 @@ mod tests {
         assert!(!ortho.shows([10.0, 30.0]) && !ortho.shows([36.0, 30.0]) && ortho.shows([40.0, 30.0]) && ortho.shows([55.0, 7.0]));
         assert!(!ortho.shows([-1.0, 5.0]) && !ortho.shows([95.0, 5.0]));
         let full = GreyImage::from_fn(40, 40, |c, _| 1 + c as u8).unwrap();
+        let corner = GreyImage::from_fn(60, 50, |c, r| if c < 20 && r >= 30 { 0 } else { 9 }).unwrap();
+        let ortho = Orthophoto::new(corner, Georeference::north_up([0.0, 0.0], 1.0), Heights::Level(0.0)).unwrap();
+        // Its edge of 8 px is left out with it, to the right and above alike.
+        let shows = [[27.5, 40.5], [28.5, 40.5], [5.5, 22.5], [5.5, 21.5]].map(|at| ortho.shows(at));
+        assert_eq!(shows, [false, true, false, true]);
         assert_eq!(Orthophoto::new(full, Georeference::north_up([0.0, 0.0], 1.0), Heights::Level(0.0)).unwrap().mask, None);
     }
 

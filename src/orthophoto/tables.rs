@@ -51,7 +51,7 @@ pub fn links_table(placed: &[(String, PlacedImage)]) -> String {
     };
     let rows = placed.iter().flat_map(of_image).map(|(name, link)| {
         let row = link.at.into_iter().chain(link.place).fold(Row::default().text(&name), Row::number);
-        row.number(libm::hypot(link.residual_px[0], link.residual_px[1])).number(match link.role {
+        row.known(link.residual_px.map(|[x, y]| libm::hypot(x, y))).number(match link.role {
             LinkUse::Used => "used",
             LinkUse::Rejected => "rejected",
             LinkUse::Check => "check",

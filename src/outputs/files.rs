@@ -1,20 +1,23 @@
 //! The files of a finished block, one after the other.
 
 use super::images::image_rows;
-use super::overview::surveyed;
+use super::in_system::{InSystem, ResultSystem};
 use super::pairs::pair_rows;
+use super::report::block_report;
 use super::summary::{ExportOutcome, Summary, summary};
 use super::tables::word;
 use super::{tables, write_block_project};
-use crate::formats::points_table;
-use crate::{BlockModel, BlockRun, BlockScore, Camera, Error, ExportFormat, GeographicOrigin, ModelImage, Pose, export_block};
+use crate::{
+    BlockModel, BlockRun, BlockScore, Camera, Error, ExportFormat, GeographicOrigin, ModelImage, Pose, Reconstruction, export_block,
+};
 use serde::Serialize;
 
 /// The name of the project file.
 const PROJECT: &str = "project.tiepoint";
 
 /// What is written of each block; `surveyed.csv` where it has surveyed points.
-const FIXED: [&str; 8] = [PROJECT, "images.csv", "points.csv", "rays.csv", "orientation.json", "surveyed.csv", "pairs.csv", "summary.json"];
+const FIXED: [&str; 9] =
+    [PROJECT, "report.html", "images.csv", "points.csv", "rays.csv", "orientation.json", "surveyed.csv", "pairs.csv", "summary.json"];
 
 /// Takes the path, relative to the folder of the block and with slashes, and the text of a file.
 type Emit<'a> = &'a mut dyn FnMut(&str, &str) -> Result<(), Error>;
@@ -51,6 +54,7 @@ impl BlockFiles {
         } else {
             let (pairs, groups) = pair_rows(run)?;
             let found = summary(run, &pairs, &groups, &self.outcomes, self.score);
+            emit("report.html", &block_report(run, &found, &pairs))?;
             emit("summary.json", &(json(&found, true)? + "\n"))?;
             return Ok(Some(found));
         }
@@ -58,7 +62,7 @@ impl BlockFiles {
     }
 }
 
-/// Writes all files of a block: its project, its tables, its summary, and what other programs read, in a folder for each format. `emit` takes
+/// Writes all files of a block: its project, its tables, its report, its summary, and what other programs read, in a folder for each format. `emit` takes
 /// the path, relative to the folder of the block and with slashes, and the text of each file in turn.
 ///
 /// # Errors
@@ -72,15 +76,25 @@ pub fn block_files(run: &BlockRun, formats: &[ExportFormat], score: Option<Block
     }
 }
 
+/// `orientation.json`: the adjustment in its own system, which touches the earth at `origin`, and the system of the tables, where that is another.
+#[derive(Serialize)]
+struct Orientation<'a> {
+    #[serde(flatten)]
+    assembly: &'a Reconstruction,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crs: Option<ResultSystem>,
+}
+
 fn write_tables(run: &BlockRun, emit: Emit<'_>) -> Result<(), Error> {
-    emit("images.csv", &tables::images(run, &image_rows(run)))?;
-    emit("points.csv", &points_table(&run.model))?;
+    let shown = InSystem::of(run);
+    emit("images.csv", &tables::images(&shown, &image_rows(run)))?;
+    emit("points.csv", &tables::points(&shown))?;
     emit("rays.csv", &tables::rays(run))?;
     if let Ok(assembly) = &run.reconstruction {
-        emit("orientation.json", &(json(assembly, false)? + "\n"))?;
+        emit("orientation.json", &(json(&Orientation { assembly, crs: shown.system() }, false)? + "\n"))?;
     }
-    if !surveyed(run).is_empty() {
-        emit("surveyed.csv", &tables::control(surveyed(run)))?;
+    if !shown.surveyed().is_empty() {
+        emit("surveyed.csv", &tables::control(&shown.surveyed()))?;
     }
     emit("pairs.csv", &tables::pairs(run, &pair_rows(run)?.0))
 }

@@ -2,23 +2,33 @@
 //!
 //! Data flow: [`BlockRun`](crate::BlockRun) → rows of images and pairs → tables, [`Summary`], [`BlockOverview`] → [`block_files`].
 
+mod covariances;
 mod coverage;
 mod files;
 mod images;
+mod in_system;
+mod inspection;
 mod overview;
 mod pair;
 mod pairs;
+mod precision;
 mod project;
 mod refined;
+mod report;
 mod summary;
 mod tables;
 mod verdict;
 mod warning;
 mod with_text;
 
+pub use covariances::{CovarianceUnknown, Covariances, block_covariances, covariance_table};
 pub use coverage::{Coverage, coverage};
 pub use files::{BlockFiles, block_files, planned_files};
 pub use images::{ImageReason, ImageRow};
+pub use in_system::ResultSystem;
+pub use inspection::{
+    ImagePlace, ImagePoint, ObservationDetail, ObservationPart, PointDetail, block_epipolar_line, image_points, point_detail, point_ids,
+};
 pub use overview::{BlockOverview, CameraRow, FoundPoints, PointColumns, RayCount};
 pub use pair::{PairPhoto, PairRun, PairTruth};
 pub use pairs::PairRow;

@@ -1,7 +1,9 @@
 //! A finished block at a glance: what the page shows of it.
 
 use super::images::{ImageRow, image_rows};
+use super::in_system::InSystem;
 use super::pairs::{PairRow, pair_rows};
+use super::precision::point_errors;
 use super::summary::{CheckSummary, NamedReason, outcome_counts};
 use super::verdict::BlockVerdict;
 use super::warning::{OverviewWarning, overview_warnings};
@@ -42,6 +44,8 @@ pub struct BlockOverview {
     pub checks: Option<CheckSummary>,
     /// The surveyed points of the model that is written.
     pub surveyed: Vec<SurveyedPoint>,
+    /// Changes by hand.
+    pub edits: usize,
     /// What is weak about the block.
     pub warnings: Vec<WithText<OverviewWarning>>,
 }
@@ -115,7 +119,7 @@ impl BlockOverview {
             skipped: run.skipped.iter().map(NamedReason::of).collect(),
             unused_masks: run.unused_masks.clone(),
             unknown_images: run.unknown_images.clone(),
-            remarks: run.remarks.iter().cloned().map(WithText::of).collect(),
+            remarks: InSystem::of(run).remarks().into_iter().map(WithText::of).collect(),
             cameras: camera_rows(run),
             pairs,
             groups,
@@ -127,6 +131,7 @@ impl BlockOverview {
             sigma0_px: adjusted.and_then(|adjusted| adjusted.sigma0_px),
             checks: CheckSummary::of(surveyed(run)),
             surveyed: surveyed(run).to_vec(),
+            edits: run.edits().len(),
             warnings: overview_warnings(run).into_iter().map(WithText::of).collect(),
         })
     }
@@ -137,16 +142,11 @@ impl PointColumns {
     pub fn new(run: &BlockRun) -> Self {
         let none = [f64::NAN; 3];
         let points = &run.model.points;
-        let model = run.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first());
-        // The written model leaves out the points without accepted observations.
-        let mut errors: Vec<[f64; 3]> =
-            model.map_or(Vec::new(), |model| model.adjusted.points.iter().flatten().map(|point| point.errors.unwrap_or(none)).collect());
-        errors.resize(points.len(), none);
         Self {
             rays: points.iter().map(|point| point.rays.len() as u16).collect(),
             rmse_px: points.iter().map(|point| point.rmse_px.unwrap_or(f64::NAN)).collect(),
             positions: points.iter().map(|point| point.position.unwrap_or(none)).collect(),
-            errors,
+            errors: point_errors(run).into_iter().map(|errors| errors.unwrap_or(none)).collect(),
             confidence: points.iter().map(|point| point.confidence).collect(),
         }
     }

@@ -1,7 +1,8 @@
 //! A pair that was matched and oriented, with all that was given for it: the smallest project.
 
 use crate::catalogue::read_options;
-use crate::{Error, ExifCamera, FiveParameters, MatchScore, PairInput, PairResult, PairSettings, Rule};
+use crate::error::refuse;
+use crate::{Error, ExifCamera, FiveParameters, Input, MatchScore, PairInput, PairResult, PairSettings, Refusal, Rule};
 use serde::{Deserialize, Serialize};
 
 /// A pair from its photos to its orientation: all that is written and shown of it.
@@ -83,31 +84,29 @@ impl PairRun {
     fn check(&self) -> Result<(), Error> {
         let PairResult { left, right, offset, matching, orientation, .. } = &self.result;
         let (points, others, matches) = (left.points.len(), right.points.len(), matching.matches.len());
-        let counted = |what, got: usize, wanted: usize| match got == wanted {
+        let counted = |input, got: usize, wanted: usize| match got == wanted {
             true => Ok(()),
-            false => Err(Error::InvalidInput { what, got: got.to_string(), allowed: wanted.to_string() }),
+            false => refuse(Refusal::Count { input, got, wanted }),
         };
-        counted("verdicts of the pair", matching.verdicts.len(), points)?;
-        counted("matched points of the pair", matching.verdicts.iter().filter(|v| v.rule == Rule::Matched).count(), matches)?;
+        counted(Input::VerdictsOfPair, matching.verdicts.len(), points)?;
+        counted(Input::MatchedOfPair, matching.verdicts.iter().filter(|v| v.rule == Rule::Matched).count(), matches)?;
         for set in [left, right].into_iter().filter(|set| !set.frames.is_empty()) {
-            counted("frames of points of the pair", set.frames.len(), set.points.len())?;
+            counted(Input::FramesOfPair, set.frames.len(), set.points.len())?;
         }
         let beyond = |left: usize, right: Option<usize>| left >= points || right.is_some_and(|right| right >= others);
         let indices = matching.matches.iter().map(|found| (found.left, found.right));
         let best = matching.verdicts.iter().map(|verdict| (0, verdict.best));
         if let Some((left, right)) = indices.chain(best).find(|(left, right)| beyond(*left, *right)) {
-            let got = format!("{left} and {}", right.map_or("none".into(), |right| right.to_string()));
-            return Err(Error::InvalidInput { what: "match of the pair", got, allowed: format!("points below {points} and {others}") });
+            return refuse(Refusal::PairMatch { left, right, points, others });
         }
         offset.as_ref().map_or(Ok(()), |offset| offset.check())?;
         if let Ok(oriented) = orientation {
-            counted("observations of the pair", oriented.points.len(), matches)?;
-            counted("residuals of the pair", oriented.residuals_mm.len(), matches)?;
-            if let Some(index) = oriented.rejected.iter().find(|index| **index >= matches) {
-                let allowed = format!("matches below {matches}");
-                return Err(Error::InvalidInput { what: "rejected match of the pair", got: index.to_string(), allowed });
+            counted(Input::ObservationsOfPair, oriented.points.len(), matches)?;
+            counted(Input::ResidualsOfPair, oriented.residuals_mm.len(), matches)?;
+            if let Some(&index) = oriented.rejected.iter().find(|index| **index >= matches) {
+                return refuse(Refusal::PairRejected { index, matches });
             }
         }
-        self.truth.as_ref().map_or(Ok(()), |truth| counted("scores of the pair", truth.score.rightness.len(), matches))
+        self.truth.as_ref().map_or(Ok(()), |truth| counted(Input::ScoresOfPair, truth.score.rightness.len(), matches))
     }
 }

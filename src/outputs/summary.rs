@@ -1,13 +1,14 @@
 //! The figures of a finished block, as `summary.json` holds them and the command prints them.
 
 use super::coverage::coverage;
+use super::in_system::{InSystem, ResultSystem};
 use super::pairs::PairRow;
 use super::verdict::BlockVerdict;
 use super::with_text::WithText;
 use crate::{
     BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, ControlRole, Datum, ExportFormat, Failure, GeographicOrigin, InitialCamera,
-    JoinCounts, ObservationVerdict, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable,
-    Remark, SkippedImage, SurveyedPoint, UnorientedReason,
+    JoinCounts, ObservationVerdict, OnOrthophoto, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome,
+    RefinementTable, Remark, SkippedImage, SurveyedPoint, UnorientedReason, VarianceComponent,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -30,6 +31,14 @@ pub struct Summary {
     /// Absent where observations are not refined.
     pub refinement: Option<RefinementCounts>,
     pub orientation: OrientationSummary,
+    /// The coordinate reference system of images.csv, points.csv and surveyed.csv; absent where it is that of the adjustment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crs: Option<ResultSystem>,
+    /// What came of the orthophoto that the block was given; absent where it was given none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orthophoto: Option<WithText<OnOrthophoto>>,
+    /// Changes by hand.
+    pub edits: usize,
     pub exports: Vec<ExportOutcome>,
     pub settings: BlockSettings,
     /// How near a simulated block is to its truth.
@@ -168,9 +177,21 @@ pub struct ModelSummary {
     pub rays_rejected: usize,
     /// Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
     pub position_rmse_m: Option<[f64; 3]>,
+    /// How large errors are beside the stated standard errors, by the residuals.
+    pub components: Vec<ComponentSummary>,
     /// Absent without check points.
     pub checks: Option<CheckSummary>,
     pub warnings: Vec<WithText<BlockWarning>>,
+}
+
+/// What the residuals say of the stated standard errors of some observations.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ComponentSummary {
+    /// Of which, in words.
+    pub name: &'static str,
+    #[serde(flatten)]
+    pub component: VarianceComponent,
 }
 
 /// What check points say of a model: differences, adjusted minus surveyed.
@@ -218,10 +239,11 @@ pub(super) fn summary(
     score: Option<BlockScore>,
 ) -> Summary {
     let name = |image: usize| run.images.get(image).map_or(String::new(), |image| image.name.clone());
+    let shown = InSystem::of(run);
     Summary {
         verdict: WithText::of(BlockVerdict::of(run)),
         images: image_counts(run),
-        remarks: run.remarks.iter().cloned().map(WithText::of).collect(),
+        remarks: shown.remarks().into_iter().map(WithText::of).collect(),
         cameras: cameras(run),
         pairs: pair_counts(pairs),
         groups: groups.iter().map(|group| group.iter().map(|image| name(*image as usize)).collect()).collect(),
@@ -234,6 +256,9 @@ pub(super) fn summary(
         selection: selection(run),
         refinement: run.refinement.as_ref().map(|refinement| refinement_counts(refinement, run.input.settings.refinement.method)),
         orientation: orientation(run, name),
+        crs: shown.system(),
+        orthophoto: run.orthophoto.clone().map(WithText::of),
+        edits: run.edits().len(),
         exports: exports.to_vec(),
         settings: run.input.settings.clone(),
         score,
@@ -342,6 +367,11 @@ fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> 
         degrees_of_freedom: adjusted.degrees_of_freedom,
         rays_rejected: model.rejected.len() + adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count(),
         position_rmse_m: (!residuals.is_empty()).then(|| [0, 1, 2].map(root_mean_square)),
+        components: adjusted
+            .components
+            .iter()
+            .map(|component| ComponentSummary { name: component.group.label(), component: *component })
+            .collect(),
         checks: CheckSummary::of(&model.surveyed),
         warnings: model.warnings.iter().cloned().map(WithText::of).collect(),
     }

@@ -1,16 +1,52 @@
 //! The tables of a finished block: images, tie points, observations, pairs.
 
 use super::images::ImageRow;
+use super::in_system::InSystem;
 use super::pairs::PairRow;
 use super::refined::refined_observations;
-use crate::formats::{images_table, rays_table};
+use crate::formats::{images_table, points_table, rays_table};
 use crate::text::{Row, table};
-use crate::{BlockRun, PairOutcome, RefinedObservation, SurveyedPoint};
+use crate::{BlockRun, ObservationVerdict, PairOutcome, RefinedObservation, SurveyedPoint};
 
-const OF_IMAGES: [&str; 8] =
-    ["model", "features", "rays", "places", "exif_orientation", "recorded_longitude_deg", "recorded_latitude_deg", "recorded_height_m"];
+const OF_IMAGES: [&str; 14] = [
+    "model",
+    "features",
+    "rays",
+    "places",
+    "exif_orientation",
+    "recorded_longitude_deg",
+    "recorded_latitude_deg",
+    "recorded_height_m",
+    "sigma_x",
+    "sigma_y",
+    "sigma_z",
+    "sigma_omega_deg",
+    "sigma_phi_deg",
+    "sigma_kappa_deg",
+];
+const OF_POINTS: [&str; 3] = ["sigma_x", "sigma_y", "sigma_z"];
 const OF_RAYS: [&str; 3] = ["refinement", "standard_error_px", "correlation"];
-const CONTROL: [&str; 12] = ["name", "use", "rays", "x", "y", "z", "dx", "dy", "dz", "sigma_dx", "sigma_dy", "sigma_dz"];
+const EDITED: [&str; 1] = ["by_hand"];
+const CONTROL: [&str; 18] = [
+    "name",
+    "use",
+    "rays",
+    "x",
+    "y",
+    "z",
+    "dx",
+    "dy",
+    "dz",
+    "sigma_dx",
+    "sigma_dy",
+    "sigma_dz",
+    "left_out_dx",
+    "left_out_dy",
+    "left_out_dz",
+    "sigma_left_out_dx",
+    "sigma_left_out_dy",
+    "sigma_left_out_dz",
+];
 const PAIRS: [&str; 13] = [
     "first",
     "second",
@@ -28,27 +64,55 @@ const PAIRS: [&str; 13] = [
 ];
 
 /// `images.csv`; models count from 1, as texts number them.
-pub(super) fn images(run: &BlockRun, rows: &[ImageRow]) -> String {
-    images_table(&run.model, &OF_IMAGES, |index, row| {
+pub(super) fn images(shown: &InSystem<'_>, rows: &[ImageRow]) -> String {
+    let errors = shown.image_errors();
+    images_table(&shown.model(), &OF_IMAGES, |index, row| {
         let image = &rows[index];
         let row = row.known(image.model.map(|model| model + 1)).known(image.features).number(image.observations).number(image.positions);
         let row = row.known(image.exif_orientation);
         let position = image.gnss.as_ref();
-        row.known(position.map(|p| p.longitude_deg)).known(position.map(|p| p.latitude_deg)).known(position.and_then(|p| p.height_m))
+        let row =
+            row.known(position.map(|p| p.longitude_deg)).known(position.map(|p| p.latitude_deg)).known(position.and_then(|p| p.height_m));
+        row.numbers(errors[index].position).numbers(errors[index].angles_deg)
     })
 }
 
-/// `rays.csv`.
+/// `points.csv`.
+pub(super) fn points(shown: &InSystem<'_>) -> String {
+    let errors = shown.point_errors();
+    points_table(&shown.model(), &OF_POINTS, |index, row| row.numbers(errors[index]))
+}
+
+/// `rays.csv`; of an edited block it says what was measured by hand.
 pub(super) fn rays(run: &BlockRun) -> String {
-    let Some(refinement) = &run.refinement else { return rays_table(&run.model, &[], |_, _, row| row) };
-    let refined = refined_observations(&run.model, refinement);
-    rays_table(&run.model, &OF_RAYS, |point, index, row| match refined[point][index] {
-        Some(RefinedObservation { outcome, standard_error_px, correlation, .. }) => {
-            let [error, correlation] = [standard_error_px, correlation].map(|value| value.map(f64::from));
-            row.number(word(outcome)).known(error).known(correlation)
+    let refined = run.refinement.as_ref().map(|refinement| refined_observations(&run.model, refinement));
+    let by_hand = run.edited.as_ref().map(|_| measured_by_hand(run));
+    let columns: Vec<&str> =
+        [refined.as_ref().map(|_| &OF_RAYS[..]), by_hand.as_ref().map(|_| &EDITED[..])].into_iter().flatten().flatten().copied().collect();
+    rays_table(&run.model, &columns, |point, index, row| {
+        let row = match refined.as_ref().map(|refined| refined[point][index]) {
+            None => row,
+            Some(None) => row.number("").number("").number(""),
+            Some(Some(RefinedObservation { outcome, standard_error_px, correlation, .. })) => {
+                let [error, correlation] = [standard_error_px, correlation].map(|value| value.map(f64::from));
+                row.number(word(outcome)).known(error).known(correlation)
+            }
+        };
+        match &by_hand {
+            None => row,
+            Some(by_hand) => row.number(u8::from(by_hand[point][index])),
         }
-        None => row.number("").number("").number(""),
     })
+}
+
+/// Of each point of the model that is written and each of its observations, whether it was measured by hand.
+fn measured_by_hand(run: &BlockRun) -> Vec<Vec<bool>> {
+    let Some(model) = run.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first()) else { return Vec::new() };
+    let mut of_points = vec![Vec::new(); model.points.len()];
+    let rays = model.adjusted.block.rays.iter().zip(&model.adjusted.rays).zip(&model.rays);
+    let accepted = rays.filter(|((_, statistics), _)| statistics.verdict == ObservationVerdict::Accepted);
+    accepted.for_each(|((ray, _), source)| of_points[ray.point].push(source.by_hand));
+    of_points.into_iter().zip(&model.adjusted.points).filter(|(_, known)| known.is_some()).map(|(rays, _)| rays).collect()
 }
 
 /// `pairs.csv`.
@@ -77,7 +141,9 @@ pub(super) fn control(points: &[SurveyedPoint]) -> String {
     let rows = points.iter().map(|point| {
         let row = Row::default().text(&point.name).number(word(&point.role)).number(point.rays);
         let row = point.position.iter().chain(&point.difference_m).fold(row, |row, value| row.number(value));
-        point.standard_errors_m.iter().fold(row, |row, error| row.known(*error))
+        let row = point.standard_errors_m.iter().fold(row, |row, error| row.known(*error));
+        let left_out = [point.left_out.map(|left| left.difference), point.left_out.map(|left| left.standard_errors)];
+        left_out.iter().fold(row, |row, values| (0..3).fold(row, |row, k| row.known(values.map(|values| values[k]))))
     });
     table(&CONTROL, rows)
 }

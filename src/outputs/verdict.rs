@@ -2,7 +2,7 @@
 
 use super::warning::{OverviewWarning, overview_warnings};
 use crate::message::messages;
-use crate::{BlockRun, Failure, PairOutcome};
+use crate::{BlockRun, Failure, PairOutcome, UnorientedReason};
 use serde::Serialize;
 
 /// A block of which less is oriented than this share of its images is weak.
@@ -32,7 +32,11 @@ impl BlockVerdict {
             let connected = run.connections.iter().filter(|pair| matches!(pair.outcome, PairOutcome::Connected { .. })).count();
             return Self::NotOriented { connected, failure: run.reconstruction.as_ref().err().cloned() };
         }
-        let few = ((oriented as f64) < LEAST_SHARE * images as f64).then_some(OverviewWarning::FewOriented { oriented, images });
+        // Images that the user took out are none that could not be oriented.
+        let unoriented = run.reconstruction.iter().flat_map(|assembly| &assembly.unoriented);
+        let taken_out = unoriented.filter(|image| image.reason == UnorientedReason::RejectedByHand).count();
+        let few =
+            ((oriented as f64) < LEAST_SHARE * (images - taken_out) as f64).then_some(OverviewWarning::FewOriented { oriented, images });
         let weakness = overview_warnings(run).into_iter().find(OverviewWarning::is_weakness).or(few);
         match weakness {
             Some(overview_warning) => Self::Weak { oriented, images, points, overview_warning },

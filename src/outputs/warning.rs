@@ -1,7 +1,7 @@
 //! What is weak about a finished block at a glance.
 
 use crate::message::messages;
-use crate::{BlockRun, BlockWarning, Failure};
+use crate::{BlockRun, BlockWarning, Failure, NotLinked, OnOrthophoto};
 use serde::Serialize;
 
 messages! {
@@ -17,6 +17,8 @@ messages! {
         /// Images in a model of their own.
         Apart { images: usize },
         NoneOriented,
+        /// It was given an orthophoto, and is not in its system.
+        NotOnOrthophoto { not_linked: NotLinked },
         /// The orientation failed.
         Failed { failure: Failure },
     }
@@ -28,14 +30,19 @@ impl OverviewWarning {
         match self {
             Self::Model { block_warning } => block_warning.is_weakness(),
             Self::Apart { .. } => false,
-            Self::FewOriented { .. } | Self::NoneOriented | Self::Failed { .. } => true,
+            Self::FewOriented { .. } | Self::NotOnOrthophoto { .. } | Self::NoneOriented | Self::Failed { .. } => true,
         }
     }
 }
 
 /// Of the model that is written, and of what is not in it.
 pub(super) fn overview_warnings(run: &BlockRun) -> Vec<OverviewWarning> {
-    match &run.reconstruction {
+    let without = match &run.orthophoto {
+        Some(OnOrthophoto::NotLinked { not_linked }) if *not_linked != NotLinked::NotOriented => Some(not_linked.clone()),
+        _ => None,
+    };
+    let without = without.map(|not_linked| OverviewWarning::NotOnOrthophoto { not_linked });
+    let found: Vec<OverviewWarning> = match &run.reconstruction {
         Err(failure) => vec![OverviewWarning::Failed { failure: failure.clone() }],
         Ok(assembly) => match assembly.models.split_first() {
             Some((first, others)) => {
@@ -46,5 +53,6 @@ pub(super) fn overview_warnings(run: &BlockRun) -> Vec<OverviewWarning> {
             None if run.model.images.iter().any(|image| image.pose.is_some()) => Vec::new(),
             None => vec![OverviewWarning::NoneOriented],
         },
-    }
+    };
+    without.into_iter().chain(found).collect()
 }

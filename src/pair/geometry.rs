@@ -2,7 +2,8 @@
 
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
-use crate::{CameraMm, CameraUncertainty, Error, Fiducial, Interior, Side, TwoView, TwoViewModel, orient_fiducials};
+use crate::error::refuse;
+use crate::{CameraMm, CameraUncertainty, Error, Fiducial, Interior, Refusal, Side, TwoView, TwoViewModel, orient_fiducials};
 use serde::{Deserialize, Serialize};
 
 /// Side of a pixel where nobody knows it.
@@ -82,11 +83,7 @@ fn check_marks(width: usize, height: usize, photo: &PhotoInput) -> Result<(), Er
     let outside = |mark: &&Fiducial| photo.origin.is_none() && (is_beyond(mark.col, width) || is_beyond(mark.row, height));
     match photo.fiducials.iter().find(outside) {
         None => Ok(()),
-        Some(mark) => Err(Error::InvalidInput {
-            what: "fiducial marks",
-            got: format!("a mark at {}, {} px of an image of {width} × {height} px", mark.col, mark.row),
-            allowed: "marks within the image, or the origin of the image in the scan in which they were measured".into(),
-        }),
+        Some(mark) => refuse(Refusal::MarkOutside { col: mark.col, row: mark.row, width, height }),
     }
 }
 
@@ -100,20 +97,12 @@ pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &Ph
         check_marks(width, height, photo)?;
         let marks = orient_fiducials(&photo.fiducials, photo.model)?;
         if let Some(sigma0_mm) = marks.sigma0_mm.filter(|sigma0_mm| !(*sigma0_mm <= LARGEST_MARKS_SIGMA0_MM)) {
-            return Err(Error::InvalidInput {
-                what: "fiducial marks",
-                got: format!("σ0 of {sigma0_mm:.3} mm"),
-                allowed: format!("up to {LARGEST_MARKS_SIGMA0_MM} mm: marks are exchanged, or one is mistyped"),
-            });
+            return refuse(Refusal::MarksSigma0 { sigma0_mm, most_mm: LARGEST_MARKS_SIGMA0_MM });
         }
         return Interior::from_fiducials(camera, &marks, photo.origin.unwrap_or([0.0; 2]));
     }
     match photo.origin {
-        Some(origin) => Err(Error::InvalidInput {
-            what: "origin in the scan",
-            got: format!("{origin:?} without fiducials"),
-            allowed: "an origin together with the fiducials measured in that scan".into(),
-        }),
+        Some(origin) => refuse(Refusal::LoneOrigin { origin: format!("{origin:?}") }),
         None => Interior::from_pixel_size(camera, width, height),
     }
 }

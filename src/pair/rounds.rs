@@ -4,8 +4,9 @@ use super::frames::CommonFrame;
 use super::geometry::PairInterior;
 use super::orienting::orient_matches;
 use super::settings::PairSettings;
-use super::verification::{PairCameras, verify};
-use crate::matching::{refine, verified_set};
+use super::verification::{PairCameras, guide, verify};
+use super::weakness::least_matches;
+use crate::matching::{filled_in, refine, verified_set};
 use crate::{
     DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, NoGeometry, RelativeOrientation,
     TwoView, match_images,
@@ -99,6 +100,19 @@ fn verified(
     let framed: Vec<usize> = first.iter().filter(|m| in_frame(m)).map(|m| m.left).collect();
     let all = verified_set(set, &found.matches, &framed, left, right);
     let set = refine(all, left, right, &settings.matching);
+    // Few matches may be wrong ones of a repeated pattern, which foretell more of the kind.
+    let enough = least_matches(positions.each_ref().map(Vec::len));
+    let set = match &found.geometry {
+        Ok(geometry) if settings.matching.fills_in() && set.matches.len() >= enough => {
+            let guide = guide(geometry);
+            let off_px = |k: usize, place: [f64; 2]| {
+                let at = cameras.ideal(1, [place].into_iter());
+                at.first().map_or(f64::INFINITY, |at| guide.distance_px(positions[0][k], *at))
+            };
+            filled_in(set, left, right, &settings.matching, off_px, geometry.threshold_px)
+        }
+        _ => set,
+    };
     // Refinement refuses some.
     let geometry = found.geometry.map(|geometry| TwoView { inliers: (0..set.matches.len()).collect(), ..geometry });
     Ok(PairMatching { set, geometry: Some(geometry) })

@@ -3,11 +3,12 @@
 
 use super::frames::CommonFrame;
 use super::geometry::PairInterior;
+use crate::error::refuse;
 use crate::matching::{square_distance_of, within_parallax_gradient};
 use crate::two_view::two_view_from;
 use crate::{
-    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, NoGeometry, Pinhole, TwoView,
-    TwoViewModel, TwoViewOptions, guided_matches, nearest_matches, two_view,
+    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Input, Interior, Located, NearestOptions, NoGeometry, Pinhole, Refusal,
+    TwoView, TwoViewModel, TwoViewOptions, guided_matches, nearest_matches, two_view,
 };
 use serde::{Deserialize, Serialize};
 
@@ -55,8 +56,8 @@ pub struct VerifiedMatches {
 /// # Errors
 /// [`Error::InvalidOption`]; [`Error::InvalidInput`] where positions and descriptors do not fit together.
 pub fn match_features(left: Located<'_>, right: Located<'_>, options: &FeatureMatchOptions) -> Result<VerifiedMatches, Error> {
-    check_located("left features", left)?;
-    check_located("right features", right)?;
+    check_located(Input::LeftFeatures, left)?;
+    check_located(Input::RightFeatures, right)?;
     let first = nearest_matches(left.descriptors, right.descriptors, &options.nearest)?;
     let place = |m: &DescriptorMatch| {
         let ([xl, yl], [xr, yr]) = (left.positions[m.left], right.positions[m.right]);
@@ -69,13 +70,12 @@ pub fn match_features(left: Located<'_>, right: Located<'_>, options: &FeatureMa
 }
 
 /// Refuses features with positions and descriptors of different number.
-fn check_located(what: &'static str, features: Located<'_>) -> Result<(), Error> {
+fn check_located(input: Input, features: Located<'_>) -> Result<(), Error> {
     let (positions, bytes) = (features.positions.len(), features.descriptors.len());
     if positions * DESCRIPTOR_BYTES == bytes {
         return Ok(());
     }
-    let allowed = format!("{DESCRIPTOR_BYTES} bytes for each position");
-    Err(Error::InvalidInput { what, got: format!("{positions} positions with {bytes} bytes of descriptors"), allowed })
+    refuse(Refusal::DescribedBytes { input, positions, bytes, each: DESCRIPTOR_BYTES })
 }
 
 /// Finds the geometry of two views by matches of which many may be wrong, and all matches that agree with it but those that are
@@ -166,7 +166,7 @@ fn as_degenerate(found: TwoView, first: &TwoView) -> TwoView {
     }
 }
 
-fn guide(found: &TwoView) -> Guide {
+pub(super) fn guide(found: &TwoView) -> Guide {
     match found.model {
         TwoViewModel::Calibrated { fundamental, .. } | TwoViewModel::Fundamental { fundamental } => Guide::Lines(fundamental),
         TwoViewModel::Homography { homography } | TwoViewModel::Rotation { homography, .. } => Guide::Places(homography),

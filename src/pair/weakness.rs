@@ -29,9 +29,9 @@ const LARGEST_COVERAGE: f64 = 0.72;
 pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInterior, points: Option<[usize; 2]>) -> RelativeOrientation {
     let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
     let accepted = accepted(&positions, &found.rejected);
-    let by_share = points.map_or(0.0, |[left, right]| LEAST_MATCHED * left.min(right) as f64);
-    let least_matches = LEAST_MATCHES.max(by_share.ceil() as usize);
-    let places = places_of(&accepted);
+    let evidence = evidence(matches, &found.rejected);
+    let least_matches = points.map_or(LEAST_MATCHES, least_matches);
+    let places = places_of(&evidence);
     let agreeing = accepted.len() as f64 >= LEAST_SHARE * positions.len() as f64;
     let [angle_deg, base_deg] = half_widths_deg(&found);
     // Without redundancy nothing tells the precision: there are too few matches.
@@ -44,7 +44,7 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
         (is_inverted(marks[1].1), Warning::MirroredMarks { side: Side::Right }),
         (self_calibration::tells_more(interior), Warning::UnknownCamera),
         (!agreeing, Warning::FewAgree { accepted: accepted.len(), matches: positions.len() }),
-        (accepted.len() < least_matches, Warning::FewMatches { matches: accepted.len(), least: least_matches }),
+        (evidence.len() < least_matches, Warning::FewMatches { matches: evidence.len(), least: least_matches }),
         (places < LEAST_PLACES, Warning::FewPlaces { places, least: LEAST_PLACES }),
         (sigma0_px < LEAST_SIGMA0_PX, Warning::Exact { sigma0_px, least_px: LEAST_SIGMA0_PX }),
         (sigma0_px > LARGEST_SIGMA0_PX, Warning::Imprecise { sigma0_px, most_px: LARGEST_SIGMA0_PX }),
@@ -54,6 +54,11 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
     ];
     let warnings = found.warnings.iter().copied().chain(told.into_iter().filter(|(holds, _)| *holds).map(|(_, warning)| warning));
     RelativeOrientation { warnings: warnings.collect(), ..found }
+}
+
+/// The least number of matches by which a pair with so many points is oriented.
+pub(super) fn least_matches([left, right]: [usize; 2]) -> usize {
+    LEAST_MATCHES.max((LEAST_MATCHED * left.min(right) as f64).ceil() as usize)
 }
 
 /// Half the widths of the intervals of the worst angle and of the direction of the base; no number where there are none.
@@ -73,6 +78,15 @@ fn accepted(positions: &[[f64; 4]], rejected: &[usize]) -> Vec<[f64; 4]> {
     let mut is_accepted = vec![true; positions.len()];
     rejected.iter().for_each(|k| is_accepted[*k] = false);
     positions.iter().zip(is_accepted).filter(|(_, accepted)| *accepted).map(|(at, _)| *at).collect()
+}
+
+/// The positions of the matches that agree and that none of the others foretold: where interest points were matched, those of two points.
+fn evidence(matches: &[Match], rejected: &[usize]) -> Vec<[f64; 4]> {
+    let of_points = matches.iter().any(|m| m.right.is_some());
+    let mut counts: Vec<bool> = matches.iter().map(|m| m.right.is_some() || !of_points).collect();
+    rejected.iter().for_each(|k| counts[*k] = false);
+    let counted = matches.iter().zip(counts).filter(|(_, counts)| *counts);
+    counted.map(|(m, _)| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect()
 }
 
 /// How many neighbourhoods of the photo where they are fewer hold matches: those of one share errors, and count as one.

@@ -1,7 +1,8 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
 use super::Remark;
-use crate::{Camera, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, parse_camera_rules};
+use crate::error::refuse;
+use crate::{Camera, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, Refusal, parse_camera_rules};
 use serde::{Deserialize, Serialize};
 
 /// A camera before its calibration.
@@ -67,8 +68,7 @@ impl CameraRules {
             return Ok(unused);
         }
         let shown: Vec<&str> = names.iter().take(SHOWN).map(String::as_str).collect();
-        let got = format!("{}, which fit no image", unused.join(", "));
-        Err(Error::InvalidInput { what: "the cameras", got, allowed: format!("patterns that fit names as {}", shown.join(", ")) })
+        refuse(Refusal::UnusedPatterns { patterns: unused.join(", "), names: shown.join(", ") })
     }
 
     /// Whether the camera of an image is given.

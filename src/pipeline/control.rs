@@ -1,8 +1,13 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
+use super::system::{middle, system_of};
+use crate::crs::CoordinateSystem;
+use crate::error::refuse;
+use crate::formats::unknown_columns;
 use crate::{
     BlockDescription, ControlRole, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
-    ImageObservation, KnownCamera, KnownImage, ObservedPosition, RtkSolution, parse_ground_control_points, parse_image_measurements,
+    ImageObservation, KnownCamera, KnownImage, ObservedPosition, Refusal, RtkSolution, parse_ground_control_points,
+    parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,14 +17,13 @@ const LEAST_CONTROL: usize = 3;
 /// No photo has a longer side in px.
 const MOST_PX: u32 = 10_000_000;
 
-/// Images that a refusal names.
-const SHOWN: usize = 3;
-
 /// The tables of ground control points and of their image measurements.
 #[derive(Debug, Clone)]
 pub struct ControlTables {
     points: Vec<GroundControlRow>,
     marks: Vec<ImageMeasurementRow>,
+    /// Columns of the points that are not read.
+    pub(super) unknown_columns: Vec<String>,
 }
 
 impl ControlTables {
@@ -28,7 +32,8 @@ impl ControlTables {
     /// # Errors
     /// As [`parse_ground_control_points`] and [`parse_image_measurements`].
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
-        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)? })
+        let unknown_columns = unknown_columns(points)?;
+        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)?, unknown_columns })
     }
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
@@ -43,8 +48,8 @@ impl ControlTables {
         // How large an image is, and with it whether a measurement is outside it, only the run knows, which names the size.
         for (point, seen) in control.iter().flat_map(|point| point.measurements.iter().map(move |seen| (point, seen))) {
             if ![seen.x_px, seen.y_px].iter().all(|place| (0.0..=f64::from(MOST_PX)).contains(place)) {
-                let got = format!("({}, {}) for {} in {}, outside any image", seen.x_px, seen.y_px, point.name, named[seen.image]);
-                return Err(Error::InvalidInput { what: "image measurements", got, allowed: "positions within the image".into() });
+                let (point, name) = (point.name.clone(), named[seen.image].clone());
+                return refuse(Refusal::MeasuredBeyond { x_px: seen.x_px, y_px: seen.y_px, point, name });
             }
         }
         let cameras = vec![KnownCamera::of_size(MOST_PX, MOST_PX, Some(f64::from(MOST_PX)))];
@@ -55,22 +60,21 @@ impl ControlTables {
     /// The ground control points with the images, by index, that show them; and the names of images that are not among these, ascending.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for a measurement of an unknown point, and where fewer than three points are measured in two images or more.
+    /// [`Error::InvalidInput`] for a measurement of an unknown point, where fewer than three points are measured in two images or more, and for points
+    /// outside their coordinate system.
     pub fn join(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
-        let used = || self.points.iter().filter_map(|point| Some((point, point.role?)));
-        let mut joined: Vec<GroundControlPoint> = used().map(|(point, role)| control_point(point, role, placing)).collect();
+        self.check_metres(placing)?;
+        let system = system_of(placing, self.middle(), &[])?;
+        let used = || self.used();
+        let joined = used().map(|(point, role)| control_point(point, role, placing, system.as_ref()));
+        let mut joined = joined.collect::<Result<Vec<GroundControlPoint>, Error>>()?;
         let index_of: BTreeMap<&str, usize> = used().enumerate().map(|(index, (point, _))| (point.name.as_str(), index)).collect();
         let off: BTreeSet<&str> = self.points.iter().filter(|point| point.role.is_none()).map(|point| point.name.as_str()).collect();
         let image_of: BTreeMap<&str, usize> = images.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
         let mut unknown = BTreeSet::new();
         for mark in self.marks.iter().filter(|mark| !off.contains(mark.point.as_str())) {
             let Some(point) = index_of.get(mark.point.as_str()) else {
-                let got = format!("the point {}", mark.point);
-                return Err(Error::InvalidInput {
-                    what: "image measurements",
-                    got,
-                    allowed: "points of the table of control points".into(),
-                });
+                return refuse(Refusal::MeasuredUnknown { point: mark.point.clone() });
             };
             match image_of.get(mark.image.as_str()) {
                 Some(image) => {
@@ -87,25 +91,57 @@ impl ControlTables {
         let placing = || joined.iter().filter(|point| point.role == ControlRole::Control);
         let seen = placing().filter(|point| point.measurements.len() >= 2).count();
         if seen < LEAST_CONTROL {
-            let more = if unknown.len() > SHOWN { " …" } else { "" };
-            let named = unknown.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
-            let strange = if unknown.is_empty() { String::new() } else { format!("; the block does not have the images {named}{more}") };
-            let checks = if placing().count() < joined.len() { " (check points do not count)" } else { "" };
-            let got = format!("{seen} of {}{checks} measured in two images or more{strange}", placing().count());
-            return Err(Error::InvalidInput {
-                what: "ground control points",
-                got,
-                allowed: format!("{LEAST_CONTROL} or more, or none at all"),
-            });
+            let placing = placing().count();
+            let checks = placing < joined.len();
+            return refuse(Refusal::FewControlPoints { seen, placing, checks, images: unknown, needed: LEAST_CONTROL });
         }
         Ok((joined, unknown))
     }
+
+    /// The points that are not switched off.
+    fn used(&self) -> impl Iterator<Item = (&GroundControlRow, ControlRole)> {
+        self.points.iter().filter_map(|point| Some((point, point.role?)))
+    }
+
+    /// Refuses degrees where the coordinate system has metres.
+    fn check_metres(&self, placing: &GeoreferencingOptions) -> Result<(), Error> {
+        let Some(definition) = placing.definition()?.filter(|definition| !definition.is_geographic()) else { return Ok(()) };
+        let degrees = self.used().find(|(point, _)| point.position[0].abs() <= 180.0 && point.position[1].abs() <= 90.0);
+        degrees.map_or(Ok(()), |(point, _)| {
+            let [x, y, _] = point.position;
+            refuse(Refusal::ControlDegrees { point: point.name.clone(), x, y, crs: definition.name() })
+        })
+    }
+
+    /// The medians of x and y of these; absent without any.
+    pub(super) fn middle(&self) -> Option<[f64; 2]> {
+        middle(&self.used().map(|(point, _)| [point.position[0], point.position[1]]).collect::<Vec<_>>())
+    }
 }
 
-fn control_point(point: &GroundControlRow, role: ControlRole, placing: &GeoreferencingOptions) -> GroundControlPoint {
+/// In its coordinate system, where there is one, a point is one of the earth; its standard errors hold along the axes of either.
+fn control_point(
+    point: &GroundControlRow,
+    role: ControlRole,
+    placing: &GeoreferencingOptions,
+    system: Option<&CoordinateSystem>,
+) -> Result<GroundControlPoint, Error> {
     let [across, up] = point.standard_errors.unwrap_or([placing.surveyed_across_m, placing.surveyed_up_m]);
-    let position = ObservedPosition::Local { position: point.position, sigma: [across, across, up] };
-    GroundControlPoint { name: point.name.clone(), position, role, measurements: Vec::new() }
+    let sigma = [across, across, up];
+    let position = match system {
+        None => ObservedPosition::Local { position: point.position, sigma },
+        Some(system) => {
+            let [longitude_deg, latitude_deg, height_m] = on_earth(point, system)?;
+            ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: sigma }
+        }
+    };
+    Ok(GroundControlPoint { name: point.name.clone(), position, role, sigma_px: point.sigma_px, measurements: Vec::new() })
+}
+
+fn on_earth(point: &GroundControlRow, system: &CoordinateSystem) -> Result<[f64; 3], Error> {
+    let ([x, y, _], degrees) = (point.position, system.definition().is_geographic());
+    let (name, crs) = (point.name.clone(), system.definition().name());
+    system.geographic(point.position).ok_or_else(|| Refusal::ControlPlace { point: name, x, y, crs, degrees }.into_error())
 }
 
 /// Standard errors in m below which those of an RTK solution are not believed: the exposure and the antenna's place have their own.
@@ -115,9 +151,15 @@ const LEAST_RTK_M: f64 = 0.02;
 const LEAST_RTK_FLAG: u8 = 16;
 
 /// A GNSS position as an observation. The standard deviations of an RTK solution go first. A receiver that states its error otherwise states that
-/// of the place: the height is less sure by the same factor as without it.
-pub(super) fn gnss_observation(position: &ExifPosition, rtk: Option<&RtkSolution>, placing: &GeoreferencingOptions) -> ObservedPosition {
+/// of the place: the height is less sure by the same factor as without it. `has_heights`: whether heights count from where others of the block do.
+pub(super) fn gnss_observation(
+    position: &ExifPosition,
+    rtk: Option<&RtkSolution>,
+    placing: &GeoreferencingOptions,
+    has_heights: bool,
+) -> ObservedPosition {
     let ExifPosition { longitude_deg, latitude_deg, height_m, error_m } = *position;
+    let height_m = height_m.filter(|_| has_heights);
     if let Some(deviations_m) = rtk.filter(|rtk| rtk.flag >= LEAST_RTK_FLAG).and_then(|rtk| rtk.standard_deviations_m) {
         let sigma_m = deviations_m.map(|deviation| deviation.max(LEAST_RTK_M));
         return ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m };
@@ -187,15 +229,15 @@ mod tests {
     fn a_stated_error_counts_for_the_height_too() {
         let position = ExifPosition { longitude_deg: 8.0, latitude_deg: 50.0, height_m: Some(100.0), error_m: Some(1.5) };
         let placing = GeoreferencingOptions::default();
-        assert!(matches!(gnss_observation(&position, None, &placing), ObservedPosition::Geographic { sigma_m: [1.5, 1.5, 3.0], .. }));
+        assert!(matches!(gnss_observation(&position, None, &placing, true), ObservedPosition::Geographic { sigma_m: [1.5, 1.5, 3.0], .. }));
         let silent = ExifPosition { error_m: None, ..position };
-        assert!(matches!(gnss_observation(&silent, None, &placing), ObservedPosition::Geographic { sigma_m: [3.0, 3.0, 6.0], .. }));
+        assert!(matches!(gnss_observation(&silent, None, &placing, true), ObservedPosition::Geographic { sigma_m: [3.0, 3.0, 6.0], .. }));
         let fixed = RtkSolution { flag: 50, standard_deviations_m: Some([0.011, 0.012, 0.035]) };
-        let by_rtk = gnss_observation(&position, Some(&fixed), &placing);
+        let by_rtk = gnss_observation(&position, Some(&fixed), &placing, true);
         assert!(matches!(by_rtk, ObservedPosition::Geographic { sigma_m: [0.02, 0.02, 0.035], .. }), "{by_rtk:?}");
         let none = RtkSolution { flag: 0, ..fixed };
-        assert_eq!(gnss_observation(&position, Some(&none), &placing), gnss_observation(&position, None, &placing));
+        assert_eq!(gnss_observation(&position, Some(&none), &placing, true), gnss_observation(&position, None, &placing, true));
         let unstated = RtkSolution { standard_deviations_m: None, ..fixed };
-        assert_eq!(gnss_observation(&position, Some(&unstated), &placing), gnss_observation(&position, None, &placing));
+        assert_eq!(gnss_observation(&position, Some(&unstated), &placing, true), gnss_observation(&position, None, &placing, true));
     }
 }

@@ -2,7 +2,8 @@
 
 use super::task::Task;
 use super::{features, likeness, pairs, refinement, windows};
-use crate::Error;
+use crate::error::refuse;
+use crate::{Error, Refusal};
 
 /// Does a job: the same inputs give the same bytes, on every machine.
 ///
@@ -18,6 +19,6 @@ pub fn execute(task: &Task, inputs: &[&[u8]]) -> Result<Vec<u8>, Error> {
         (Task::Pair(task), [left, right]) => pairs::execute(task, [left, right]),
         (Task::Windows(task), [image, features]) => windows::execute(task, image, features),
         (Task::Refine(task), [grey]) => refinement::execute(task, grey.to_vec()),
-        _ => Err(Error::InvalidInput { what: "inputs of a job", got: inputs.len().to_string(), allowed: "those that it names".into() }),
+        _ => refuse(Refusal::JobInputs { inputs: inputs.len() }),
     }
 }

@@ -2,7 +2,8 @@
 
 use super::records::{column, is_whole, kept, read_record, rows_of, write_record};
 use super::task::FeatureTask;
-use crate::{DESCRIPTOR_BYTES, DecodeLimits, Decoded, Error, ExifImage, GreyImage, ImageFault, decode, features as find};
+use crate::error::refuse;
+use crate::{DESCRIPTOR_BYTES, DecodeLimits, Decoded, Error, ExifImage, GreyImage, ImageFault, Refusal, decode, features as find};
 use serde::{Deserialize, Serialize};
 
 /// Bytes of a feature's position, and of its shape: scale, direction and weight.
@@ -64,16 +65,12 @@ pub(super) fn execute(task: &FeatureTask, image: &[u8], mask: Option<&[u8]>) -> 
 }
 
 fn decoded_mask(name: &str, bytes: &[u8], image: &GreyImage) -> Result<GreyImage, Error> {
-    let refused = |got: String| Error::InvalidInput {
-        what: "its mask",
-        got,
-        allowed: format!("the image's {} x {} px", image.width(), image.height()),
-    };
     let mask = decode(bytes, &DecodeLimits::default())
         .map_err(|error| Error::UnreadableImage { image_fault: ImageFault::Mask { name: name.to_string(), error: Box::new(error) } })?
         .grey;
     if (mask.width(), mask.height()) == (image.width(), image.height()) {
         return Ok(mask);
     }
-    Err(refused(format!("{name} with {} x {} px", mask.width(), mask.height())))
+    let [width, height, image_width, image_height] = [mask.width(), mask.height(), image.width(), image.height()];
+    refuse(Refusal::MaskOfImage { name: name.into(), width, height, image_width, image_height })
 }

@@ -4,7 +4,8 @@ use super::cameras::CameraRules;
 use super::control::ControlTables;
 use super::masks::masks_of;
 use crate::catalogue::read_options;
-use crate::{BlockSettings, Error};
+use crate::error::refuse;
+use crate::{BlockSettings, Error, Refusal};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -75,14 +76,13 @@ impl RunInput {
 
 /// Refuses names that tables and texts, which have a line for each image, cannot tell apart or hold.
 fn check_names(names: &[String]) -> Result<(), Error> {
-    let refused = |got: String, allowed: &str| Err(Error::InvalidInput { what: "images of the block", got, allowed: allowed.into() });
     let mut seen = BTreeSet::new();
     for name in names {
         if !seen.insert(name) {
-            return refused(format!("two with the name {name}"), "each name once");
+            return refuse(Refusal::FileNameAgain { name: name.clone() });
         }
         if name.chars().any(char::is_control) {
-            return refused(format!("the name {name:?}, which holds a control character"), "names without them");
+            return refuse(Refusal::FileName { name: format!("{name:?}") });
         }
     }
     Ok(())

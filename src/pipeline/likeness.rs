@@ -6,7 +6,8 @@ use super::records::{BUILD, Kind, column, key_of, read_record, rows_of, write_re
 use super::stage::{Request, Stage};
 use super::state::State;
 use super::task::{LikenessTask, Task};
-use crate::{DESCRIPTOR_BYTES, Error, Failure, NearestOptions, nearest_matches};
+use crate::error::refuse;
+use crate::{DESCRIPTOR_BYTES, Error, Failure, NearestOptions, Refusal, nearest_matches};
 
 /// How many features of the largest scales say whether images are alike.
 const COARSE: usize = 256;
@@ -24,8 +25,7 @@ pub(super) fn execute(task: &LikenessTask, descriptors: &[u8]) -> Result<Vec<u8>
     let mut parts = Vec::with_capacity(task.counts.len());
     for count in &task.counts {
         let Some((part, behind)) = rest.split_at_checked(count * DESCRIPTOR_BYTES) else {
-            let got = format!("{} bytes", descriptors.len());
-            return Err(Error::InvalidInput { what: "coarse descriptors", got, allowed: format!("{DESCRIPTOR_BYTES} bytes each") });
+            return refuse(Refusal::CoarseDescriptors { bytes: descriptors.len(), each: DESCRIPTOR_BYTES });
         };
         parts.push(part);
         rest = behind;

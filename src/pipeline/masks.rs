@@ -1,6 +1,7 @@
 //! Which mask belongs to which image: by their names.
 
-use crate::Error;
+use crate::error::refuse;
+use crate::{Error, Refusal};
 use std::collections::BTreeMap;
 
 /// The mask of each image, and the names of masks that belong to none.
@@ -17,8 +18,7 @@ pub fn masks_of(images: &[String], masks: &[String]) -> Result<(Vec<Option<usize
         let stem = without_ending(&whole);
         let name = stem.strip_suffix("_mask").unwrap_or(stem).to_string();
         if let Some(other) = by_name.insert(name, index) {
-            let got = format!("{} and {mask}, which belong to the same image", masks[other]);
-            return Err(Error::InvalidInput { what: "masks", got, allowed: "one mask per image".into() });
+            return refuse(Refusal::TwoMasks { first: masks[other].to_string(), second: mask.to_string() });
         }
     }
     let of = |image: &String| {

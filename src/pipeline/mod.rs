@@ -6,10 +6,12 @@
 
 mod cameras;
 mod control;
+mod edited;
 mod execute;
 mod features;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
+mod ground;
 #[cfg(not(target_arch = "wasm32"))]
 mod host;
 mod images;
@@ -17,6 +19,7 @@ mod input;
 mod job;
 mod likeness;
 mod masks;
+mod on_orthophoto;
 mod pairs;
 mod points;
 mod records;
@@ -26,6 +29,7 @@ mod result;
 mod run;
 mod stage;
 mod state;
+mod system;
 mod task;
 mod windows;
 
@@ -34,13 +38,15 @@ pub use control::ControlTables;
 pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::replace_file;
+pub(crate) use ground::GroundPoint;
 #[cfg(not(target_arch = "wasm32"))]
 pub use host::{images_in, run_block};
 pub use input::{ControlTexts, RunInput};
 pub use job::{FileNeeded, Job, News, ReadImage, StageName, Step, Work};
 pub use masks::masks_of;
+pub use on_orthophoto::{NotLinked, OnOrthophoto};
 pub use records::digest;
 pub use remark::{ImpossiblePosition, Remark};
-pub use result::{BlockRun, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
+pub use result::{BlockRun, EditedRun, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
 pub use run::Run;
 pub use task::Task;

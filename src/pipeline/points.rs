@@ -5,8 +5,8 @@ use super::job::{Done, StageName, Work};
 use super::stage::{Request, Stage};
 use super::state::State;
 use crate::{
-    BlockMatches, BlockModel, Error, Failure, Reconstruction, ReconstructionOptions, TiePoints, reconstruct_block, select_points,
-    shared_points, tie_points,
+    AdjustmentOptions, BlockMatches, BlockModel, BlockSettings, Error, Failure, Reconstruction, ReconstructionOptions, TiePoints,
+    reconstruct_block, select_points, shared_points, tie_points,
 };
 
 /// Which of the computations a stage is.
@@ -85,9 +85,25 @@ fn histogram(points: &TiePoints) -> Vec<u32> {
     counts
 }
 
+/// How a block of these settings is oriented.
+pub(super) fn reconstruction_options(settings: &BlockSettings) -> ReconstructionOptions {
+    let options = ReconstructionOptions::default();
+    let adjustment = AdjustmentOptions {
+        shared_errors: settings.placing.shared_errors,
+        variance_components: settings.placing.variance_components,
+        ..options.adjustment
+    };
+    ReconstructionOptions {
+        selection: Some(settings.selection.clone()),
+        mark_sigma_px: settings.placing.mark_sigma_px,
+        adjustment,
+        ..options
+    }
+}
+
 /// A block whose images cannot be oriented keeps its points all the same.
 fn orient(state: &mut State) -> Result<(), Error> {
-    let options = ReconstructionOptions { selection: Some(state.input.settings.selection.clone()), ..ReconstructionOptions::default() };
+    let options = reconstruction_options(&state.input.settings);
     let features = state.features();
     let found = reconstruct_block(&state.description, &state.points, &features, &options).and_then(|reconstruction| {
         let model = reconstruction.models.first().map(|_| reconstruction.block_model(0, &state.description, &state.points)).transpose()?;

@@ -8,7 +8,8 @@ use super::state::State;
 use super::task::{RefineTask, Task};
 use super::windows::Windows;
 use super::{RefinedObservation, RefinementTable};
-use crate::{Error, Failure, ObservationWindows, PointRefiner, WindowCentre, WindowedObservation, json};
+use crate::error::refuse;
+use crate::{Error, Failure, ObservationWindows, PointRefiner, Refusal, WindowCentre, WindowedObservation, json};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::ops::Range;
 
@@ -30,8 +31,7 @@ pub(super) fn execute(task: &RefineTask, grey: Vec<u8>) -> Result<Vec<u8>, Error
     let mut refined: Vec<RefinedObservation> = Vec::with_capacity(windowed.len());
     for ends in task.starts.windows(2) {
         let Some(own) = windowed.get(ends[0] as usize..ends[1] as usize) else {
-            let allowed = format!("ascending indices up to {}", windowed.len());
-            return Err(Error::InvalidInput { what: "observations of a point", got: format!("{} to {}", ends[0], ends[1]), allowed });
+            return refuse(Refusal::RefinedObservations { first: ends[0], end: ends[1], windows: windowed.len() });
         };
         refined.extend(refiner.refine(own)?.rays.iter().zip(&task.images[ends[0] as usize..]).map(|(ray, image)| RefinedObservation {
             image: *image,

@@ -19,6 +19,15 @@ messages! {
         CautionedCameras { camera_caution: CameraCaution, images: Vec<String> },
         /// GNSS positions, or their heights, that cannot be.
         ImpossiblePositions { images: Vec<ImpossiblePosition> },
+        /// Columns of the table of control points that are not read.
+        UnknownColumns { columns: Vec<String> },
+        /// The project file keeps only the points that were given: edits are adjusted by these alone.
+        UnsupportedEdits,
+        /// The coordinate reference system of tables; the operation from it to WGS 84 with its accuracy, where the registry has one; how much higher GNSS
+        /// positions are than where the block has them, where their heights took no part.
+        ResultSystem { crs: String, operation: Option<String>, accuracy_m: Option<f64>, gnss_above_m: Option<f64> },
+        /// The block has no place on the earth that would be in the system that was chosen.
+        NoResultSystem { crs: String },
         /// The block comes from a project file that holds less than is known of a block.
         OlderProject { version: u32 },
     }

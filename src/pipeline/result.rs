@@ -1,8 +1,8 @@
 //! What the run of a block finds.
 
 use super::cameras::InitialCamera;
-use super::{Remark, RunInput};
-use crate::{BlockModel, Connection, ExifImage, Failure, JoinCounts, Reconstruction, RefinementOutcome, SharedPoints, TwoView};
+use super::{OnOrthophoto, Remark, RunInput};
+use crate::{BlockEdit, BlockModel, Connection, ExifImage, Failure, JoinCounts, Reconstruction, RefinementOutcome, SharedPoints, TwoView};
 use serde::{Deserialize, Serialize};
 
 /// A block from its images to its orientation: all that is written and shown of it.
@@ -32,6 +32,22 @@ pub struct BlockRun {
     /// Or why the block has none.
     pub reconstruction: Result<Reconstruction, Failure>,
     /// The largest model of the reconstruction, or, without one, the points that were chosen.
+    pub model: BlockModel,
+    /// What was changed by hand, and the block before that; absent where nothing was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edited: Option<Box<EditedRun>>,
+    /// What came of the orthophoto that it was given; absent where it was given none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orthophoto: Option<OnOrthophoto>,
+}
+
+/// Edits of a block, and what it was without them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EditedRun {
+    /// In their order.
+    pub edits: Vec<BlockEdit>,
+    pub reconstruction: Reconstruction,
     pub model: BlockModel,
 }
 

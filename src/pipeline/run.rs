@@ -12,7 +12,7 @@ use super::refinement::Refinement;
 use super::stage::Stage;
 use super::state::State;
 use super::windows::WindowStage;
-use crate::{Error, Failure, Interruption, PairRule, RefinementMethod, SelectOptions, choose_pairs, select_points};
+use crate::{Error, Failure, Interruption, PairRule, RefinementMethod, Refusal, SelectOptions, choose_pairs, select_points};
 use std::collections::BTreeMap;
 
 /// The run of a block. It reads no file, starts no thread and knows no clock: the host does its jobs, any number at the same time and in
@@ -216,7 +216,7 @@ impl Run {
 }
 
 fn unknown(id: u32) -> Error {
-    Error::InvalidInput { what: "job", got: format!("{id}"), allowed: "jobs that are under way".into() }
+    Refusal::UnknownJob { job: id }.into_error()
 }
 
 fn chosen_pairs(state: &mut State, similar: &[Vec<(u32, f32)>]) -> Result<Phase, Error> {

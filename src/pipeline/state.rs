@@ -3,10 +3,13 @@
 use super::cameras::doubtful;
 use super::control::gnss_observation;
 use super::input::{Checked, RunInput};
-use super::{BlockRun, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
+use super::system::{check_near, system_of};
+use super::{BlockRun, ControlTables, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
+use crate::crs::CoordinateSystem;
+use crate::error::refuse;
 use crate::{
-    BlockDescription, BlockModel, CameraCaution, Connection, Error, ExifImage, Failure, FeatureMatch, ImageFeatures, KnownImage,
-    Reconstruction, TiePoints, TwoView, local_from_geographic,
+    BlockDescription, BlockModel, CameraCaution, Connection, Error, ExifImage, ExifPosition, Failure, FeatureMatch, ImageFeatures,
+    KnownImage, Reconstruction, Refusal, TiePoints, TwoView, local_from_geographic,
 };
 
 /// Positions of an image's features in px.
@@ -85,9 +88,8 @@ impl State {
     pub fn take_images(&mut self, read: Vec<Read>, skipped: Vec<SkippedImage>) -> Result<(), Error> {
         let tried = read.len() + skipped.len();
         if read.len() < 2 {
-            let first = skipped.first().map_or(String::new(), |image| format!(" ({}: {})", image.name, image.reason));
-            let got = format!("{} that could be read, of {tried}{first}", read.len());
-            return Err(Error::InvalidInput { what: "images of the block", got, allowed: "two or more".into() });
+            let (first, failure) = skipped.into_iter().next().map(|image| (image.name, image.reason)).unzip();
+            return refuse(Refusal::FewImages { read: read.len(), given: tried, first, failure });
         }
         for Read { image, positions, coarse } in read {
             self.images.push(image);
@@ -100,15 +102,12 @@ impl State {
         self.cameras = cameras;
         self.images.iter_mut().zip(of).for_each(|(image, camera)| image.camera = camera);
         self.remarks.extend(self.input.unused_cameras.drain(..).map(|images| Remark::UnusedCamera { images }));
+        let unknown = self.input.control.iter_mut().map(|control| std::mem::take(&mut control.unknown_columns));
+        self.remarks.extend(unknown.filter(|columns| !columns.is_empty()).map(|columns| Remark::UnknownColumns { columns }));
         self.remarks.extend(doubtful(&self.cameras));
         self.remarks.extend(self.cautioned_cameras());
         self.remarks.extend(self.impossible_positions());
         self.describe()
-    }
-
-    /// The EXIF of an image as far as the run uses its GNSS position.
-    fn gnss<'a>(&self, exif: &'a ExifImage) -> Option<&'a crate::ExifPosition> {
-        exif.position.as_ref().filter(|_| self.input.use_gnss)
     }
 
     /// What speaks against the cameras of the files whose cameras were not given, each once, with its images.
@@ -131,36 +130,17 @@ impl State {
         (!images.is_empty()).then_some(Remark::ImpossiblePositions { images })
     }
 
-    /// GNSS positions and ground control points are of different systems: where there are ground control points, they alone georeference
-    /// the block, and the distances between GNSS positions say whether they are in metres.
+    /// Finds what is known of the block.
     fn describe(&mut self) -> Result<(), Error> {
-        let placing = &self.input.settings.placing;
-        let names: Vec<String> = self.images.iter().map(|image| image.name.clone()).collect();
-        let joined = self.input.control.as_ref().map(|control| control.join(&names, placing)).transpose()?;
-        let (control, unknown_images) = joined.unwrap_or_default();
-        let observed = |image: &RunImage| {
-            let rtk = image.exif.drone.as_ref().and_then(|drone| drone.rtk.as_ref());
-            self.gnss(&image.exif).map(|position| gnss_observation(position, rtk, placing))
-        };
-        let image = |image: &RunImage| KnownImage {
-            name: image.name.clone(),
-            camera: image.camera,
-            position: observed(image),
-            view: image.exif.drone.as_ref().and_then(|drone| drone.view()),
-        };
-        self.description = BlockDescription {
-            cameras: self.cameras.iter().map(InitialCamera::to_be_calibrated).collect(),
-            images: self.images.iter().map(image).collect(),
-            control,
-        };
-        self.unknown_images = unknown_images;
-        self.description.check()
+        let (description, unknown_images) = describe(&self.input, &self.images, &self.cameras)?;
+        (self.description, self.unknown_images) = (description, unknown_images);
+        Ok(())
     }
 
     /// GNSS positions in m east, north and up of the first of them.
     pub fn local_positions(&self) -> Vec<Option<[f64; 3]>> {
         let place = |image: &RunImage| {
-            let position = self.gnss(&image.exif)?;
+            let position = gnss(&self.input, &image.exif)?;
             Some([position.longitude_deg, position.latitude_deg, position.height_m.unwrap_or(0.0)])
         };
         let places: Vec<Option<[f64; 3]>> = self.images.iter().map(place).collect();
@@ -190,6 +170,56 @@ impl State {
             refinement: self.refinement,
             reconstruction: self.reconstruction?.map_err(|error| Failure::from(&error)),
             model: self.model,
+            edited: None,
+            orthophoto: None,
         })
+    }
+}
+
+/// The EXIF of an image as far as a run uses its GNSS position.
+fn gnss<'a>(input: &Checked, exif: &'a ExifImage) -> Option<&'a ExifPosition> {
+    exif.position.as_ref().filter(|_| input.use_gnss)
+}
+
+/// What is known of a block before its orientation, and the images that measurements name and that are not in it.
+///
+/// GNSS positions and ground control points without a coordinate reference system are of different systems: these points alone georeference
+/// the block then, and the distances between GNSS positions say whether they are in metres. With one both do; heights of GNSS positions only where
+/// it is known how high above the ellipsoid the zero of the others is.
+pub(super) fn describe(input: &Checked, images: &[RunImage], cameras: &[InitialCamera]) -> Result<(BlockDescription, Vec<String>), Error> {
+    let placing = &input.settings.placing;
+    let places: Vec<[f64; 2]> =
+        images.iter().filter_map(|image| gnss(input, &image.exif)).map(|place| [place.longitude_deg, place.latitude_deg]).collect();
+    let system = system_of(placing, input.control.as_ref().and_then(ControlTables::middle), &places)?;
+    let names: Vec<String> = images.iter().map(|image| image.name.clone()).collect();
+    let joined = input.control.as_ref().map(|control| control.join(&names, placing)).transpose()?;
+    let (control, unknown_images) = joined.unwrap_or_default();
+    system.iter().try_for_each(|system| check_near(&control, &places, system))?;
+    let has_heights = control.is_empty() || system.is_none_or(|system| system.geoid_m().is_some());
+    let observed = |image: &RunImage| {
+        let rtk = image.exif.drone.as_ref().and_then(|drone| drone.rtk.as_ref());
+        gnss(input, &image.exif).map(|position| gnss_observation(position, rtk, placing, has_heights))
+    };
+    let image = |image: &RunImage| KnownImage {
+        name: image.name.clone(),
+        camera: image.camera,
+        position: observed(image),
+        view: image.exif.drone.as_ref().and_then(|drone| drone.view()),
+    };
+    let cameras = cameras.iter().map(InitialCamera::to_be_calibrated).collect();
+    let description = BlockDescription { cameras, images: images.iter().map(image).collect(), control };
+    description.check()?;
+    Ok((description, unknown_images))
+}
+
+impl BlockRun {
+    /// The coordinate reference system that was chosen, at the place of the block; absent where none was, and where the block has no place on the earth.
+    pub(crate) fn system(&self) -> Option<CoordinateSystem> {
+        self.model.origin?;
+        let input = &self.input;
+        let control = input.control.as_ref().and_then(|texts| ControlTables::read(&texts.points, &texts.marks).ok());
+        let positions = self.images.iter().filter(|_| input.use_gnss).filter_map(|image| image.exif.position.as_ref());
+        let gnss: Vec<[f64; 2]> = positions.map(|position| [position.longitude_deg, position.latitude_deg]).collect();
+        system_of(&input.settings.placing, control.as_ref().and_then(ControlTables::middle), &gnss).ok().flatten()
     }
 }

@@ -6,7 +6,8 @@ use super::records::{BUILD, Kind, column, key_of, read_record, rows_of, write_re
 use super::stage::{Request, Stage};
 use super::state::State;
 use super::task::{Task, WindowTask};
-use crate::{DecodeLimits, Error, Failure, Interruption, WindowCentre, decode, observation_windows};
+use crate::error::refuse;
+use crate::{DecodeLimits, Error, Failure, Interruption, Refusal, WindowCentre, decode, observation_windows};
 use serde::{Deserialize, Serialize};
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -59,8 +60,7 @@ pub(super) fn execute(task: &WindowTask, image: &[u8], record: &[u8]) -> Result<
     for chosen in &task.chosen {
         let Some(([x, y], [scale, direction, _])) = positions.get(*chosen as usize).copied().zip(shapes.get(*chosen as usize).copied())
         else {
-            let allowed = format!("features below {}", features.count);
-            return Err(Error::InvalidInput { what: "observations", got: format!("feature {chosen}"), allowed });
+            return refuse(Refusal::ChosenFeature { feature: *chosen, features: features.count });
         };
         rays.push([x, y, scale, direction]);
     }

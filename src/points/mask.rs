@@ -1,6 +1,7 @@
 //! Parts of an image in which no points are wanted.
 
-use crate::{Error, GreyView};
+use crate::error::refuse;
+use crate::{Error, GreyView, Refusal};
 
 /// Which pixels points may lie in: those that are not 0 in a mask of the image's size.
 #[derive(Clone, Copy)]
@@ -12,11 +13,9 @@ impl<'a> Mask<'a> {
         let (width, height) = (image.width(), image.height());
         match mask.filter(|mask| (mask.width(), mask.height()) != (width, height)) {
             None => Ok(Self(mask)),
-            Some(mask) => Err(Error::InvalidInput {
-                what: "mask",
-                got: format!("{} x {} px", mask.width(), mask.height()),
-                allowed: format!("the image's {width} x {height} px"),
-            }),
+            Some(mask) => {
+                refuse(Refusal::MaskSize { width: mask.width(), height: mask.height(), image_width: width, image_height: height })
+            }
         }
     }
 

@@ -265,7 +265,7 @@ mod tests {
         assert!(!expected.is_empty() && left == expected);
         let small = GreyImage::from_fn(255, 256, |_, _| 1).unwrap();
         let refused = multiscale_points(image.view(), Some(small.view()), &MultiscaleOptions::default());
-        assert!(matches!(refused.err(), Some(Error::InvalidInput { what: "mask", .. })));
+        assert!(matches!(refused.err(), Some(Error::InvalidInput { refusal: crate::Refusal::MaskSize { .. } })));
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! Suppression of local non-maxima.
 
 use super::{InterestPoint, PointOptions, Ties};
-use crate::Error;
 use crate::catalogue::check;
+use crate::error::refuse;
+use crate::{Error, Refusal};
 
 /// Keeps the points that are maxima of a square window around them.
 ///
@@ -18,11 +19,7 @@ use crate::catalogue::check;
 pub fn suppress_non_maxima(points: &[InterestPoint], side: usize, ties: Ties) -> Result<Vec<InterestPoint>, Error> {
     check(PointOptions::PARAMETERS, "points.suppression_window", side as f64)?;
     if !points.is_sorted_by(|a, b| pixel(a) < pixel(b)) {
-        return Err(Error::InvalidInput {
-            what: "points for suppression",
-            got: "an order or a repetition that is not raster order".into(),
-            allowed: "at most one point a pixel, by row, then column".into(),
-        });
+        return refuse(Refusal::RasterOrder);
     }
     if side == 1 {
         return Ok(points.to_vec());

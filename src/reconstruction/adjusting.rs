@@ -64,7 +64,7 @@ pub(super) fn adjust(net: &mut Net<'_>, priors: &[CameraPrior], free: &[usize]) 
             }
             let [x_px, y_px] = rays.at[ray];
             let (image, point) = (image_of[image] as usize, point_of[point] as usize);
-            block.rays.push(BlockObservation { image, point, x_px, y_px, weight: 1.0 });
+            block.rays.push(BlockObservation { image, point, x_px, y_px, weight: 1.0, sigma_px: None });
         }
     }
     if block.images.len() < 2 {

@@ -1,8 +1,9 @@
 //! The system of the observed positions: Cartesian, in m.
 
 use crate::adjustment::PositionPrior;
+use crate::error::refuse;
 use crate::math::{local_from_geographic, median};
-use crate::{BlockDescription, ControlRole, Error, GeographicOrigin, GroundControlPoint, ObservedPosition};
+use crate::{BlockDescription, ControlRole, Error, GeographicOrigin, GroundControlPoint, ObservedPosition, Refusal};
 
 /// Observed positions in one Cartesian system.
 pub(super) struct Frame {
@@ -77,9 +78,8 @@ impl System {
     fn of(positions: &[ObservedPosition]) -> Result<Self, Error> {
         let places: Vec<Place> = positions.iter().filter_map(place).collect();
         if !places.is_empty() && places.len() < positions.len() {
-            let got = format!("{} geographic and {} local ones", places.len(), positions.len() - places.len());
-            let allowed = format!("either all local or all geographic, or those of images alone and those of {PLACING} or more GCPs");
-            return Err(Error::InvalidInput { what: "observed positions", got, allowed });
+            let (geographic, local) = (places.len(), positions.len() - places.len());
+            return refuse(Refusal::MixedPositions { geographic, local, placing: PLACING });
         }
         let heights = places.iter().filter(|place| place.height.is_some()).count();
         Ok(Self { origin: middle(&places), is_levelled: heights < LEVELLING && heights < places.len() })

@@ -6,6 +6,7 @@
 
 mod adjusting;
 mod choosing;
+mod draft;
 mod finish;
 mod frame;
 mod growth;
@@ -17,6 +18,7 @@ mod net;
 mod options;
 mod p3p;
 mod rays;
+mod readjust;
 mod reconstruct;
 mod refusal;
 mod resection;
@@ -29,7 +31,11 @@ mod units;
 mod warning;
 
 pub use options::ReconstructionOptions;
+pub(crate) use readjust::{Changed, ObservedPoint, ObservedRay, RayPart, RayWeight, readjust, with_further_control};
 pub use reconstruct::reconstruct_block;
-pub use result::{ObservationSource, PointSource, ReconstructedModel, Reconstruction, RejectedObservation, SurveyedPoint, UnorientedImage};
+pub use result::{
+    ObservationSource, PointSource, ReconstructedModel, Reconstruction, RejectedObservation, SupportingPoint, SupportingRay, SurveyedPoint,
+    UnorientedImage,
+};
 pub(crate) use single::resect_image;
 pub use warning::{BlockWarning, LengthUnit, Observed, RejectedPosition, UnorientedReason};

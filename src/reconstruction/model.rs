@@ -3,7 +3,7 @@
 use super::result::{PointSource, Reconstruction};
 use crate::adjustment::ObservationVerdict;
 use crate::error::refuse;
-use crate::{BlockDescription, BlockModel, Error, ImageObservation, ObjectPoint, TiePoints};
+use crate::{BlockDescription, BlockModel, Error, ImageObservation, ObjectPoint, Refusal, TiePoints};
 
 impl Reconstruction {
     /// One of the models with its accepted observations and with all cameras and images of the block, those of other models not oriented:
@@ -14,8 +14,18 @@ impl Reconstruction {
     /// # Errors
     /// [`Error::InvalidInput`] for a model that does not exist.
     pub fn block_model(&self, model: usize, description: &BlockDescription, points: &TiePoints) -> Result<BlockModel, Error> {
+        self.block_model_with(model, description, |point| f64::from(points.confidence(point as usize)))
+    }
+
+    /// The same; `confidence` gives that of a tie point by its index.
+    pub(crate) fn block_model_with(
+        &self,
+        model: usize,
+        description: &BlockDescription,
+        confidence: impl Fn(u32) -> f64,
+    ) -> Result<BlockModel, Error> {
         let Some(own) = self.models.get(model) else {
-            return refuse("model of the reconstruction", model.to_string(), &format!("models below {}", self.models.len()));
+            return refuse(Refusal::NoModel { model, models: self.models.len() });
         };
         let mut whole = BlockModel { origin: self.origin.filter(|_| own.in_system), ..description.to_model() };
         let block = &own.adjusted.block;
@@ -30,8 +40,8 @@ impl Reconstruction {
         for (point, rays) in rays.into_iter().enumerate() {
             let Some(statistics) = &own.adjusted.points[point] else { continue };
             let confidence = match own.points[point] {
-                PointSource::TiePoint(index) => f64::from(points.confidence(index as usize)),
-                PointSource::GroundControl(_) => 1.0,
+                PointSource::TiePoint(index) => confidence(index),
+                PointSource::GroundControl(_) | PointSource::Manual(_) => 1.0,
             };
             let (position, rmse_px) = (Some(block.points[point]), Some(statistics.rmse_px));
             whole.points.push(ObjectPoint { position, colour: [128; 3], rmse_px, confidence, rays });

@@ -135,6 +135,12 @@ impl<'a> Net<'a> {
         median(&mut lengths).filter(|_| share > 0.0).map_or(0.0, |middle| middle / MEDIAN_LENGTH / share.sqrt())
     }
 
+    /// The limit of the finished block, whose adjustment tests each ray: residuals are shorter than errors, and the longest ones of good rays, which
+    /// the growth cuts, would be missed in its estimate of the standard error.
+    pub fn limit_of_finish(&self, largest_px: f64) -> f64 {
+        (LIMIT_SIGMAS * self.sigma_px()).min(largest_px).max(self.limit_px)
+    }
+
     /// Lets the limit follow the residuals of the rays that fit.
     pub fn tighten(&mut self, largest_px: f64) {
         let mut lengths: Vec<f64> = (0..self.rays.len()).filter(|ray| self.accepted[*ray]).filter_map(|ray| self.residual(ray)).collect();

@@ -1,7 +1,7 @@
 //! What the reconstruction of a block gives.
 
 use super::warning::{BlockWarning, UnorientedReason};
-use crate::adjustment::AdjustmentResult;
+use crate::adjustment::{AdjustmentResult, LeftOut};
 use crate::model::{ControlRole, GeographicOrigin};
 use serde::{Deserialize, Serialize};
 
@@ -32,12 +32,40 @@ pub struct ReconstructedModel {
     /// Rays of its images that do not fit, left out before the bundle adjustment; their points are those of the adjusted block.
     pub rejected: Vec<RejectedObservation>,
     pub adjusted: AdjustmentResult,
+    /// Tie points by which it was adjusted, too, and which are not given: with those of the adjusted block they repeat the adjustment.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub supporting: Vec<SupportingPoint>,
     /// The surveyed points, where it lies in their system.
     #[serde(default)]
     pub surveyed: Vec<SurveyedPoint>,
     /// Whether it lies in the system of the observed positions; otherwise its place, turn and scale mean nothing.
     pub in_system: bool,
     pub warnings: Vec<BlockWarning>,
+}
+
+/// A tie point that took part in the adjustment and is not given.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SupportingPoint {
+    /// Index of the tie point.
+    pub point: u32,
+    /// Adjusted.
+    pub position: [f64; 3],
+    pub rays: Vec<SupportingRay>,
+}
+
+/// An observation of such a point.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SupportingRay {
+    /// Index of the image in the adjusted block.
+    pub image: usize,
+    /// Column and row in px, in the precision of features.
+    pub x_px: f32,
+    pub y_px: f32,
+    /// Whether the adjustment rejected it; older projects do not say, and hold few that it did.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub rejected: bool,
 }
 
 /// A surveyed point beside its adjusted place.
@@ -55,10 +83,14 @@ pub struct SurveyedPoint {
     /// Standard errors of the difference: of a check point those of both places together, of a control point those of a residual; absent without
     /// statistics, and for coordinates that nothing checks.
     pub standard_errors_m: [Option<f64>; 3],
+    /// Of a control point: the same where it takes no part, which tells what it is worth as a check point would; absent where the other
+    /// observations do not determine it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left_out: Option<LeftOut>,
 }
 
 /// What a point of an adjusted block is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum PointSource {
@@ -66,6 +98,8 @@ pub enum PointSource {
     TiePoint(u32),
     /// Index of a ground control point.
     GroundControl(usize),
+    /// Measured by hand: how many such points were added before.
+    Manual(u32),
 }
 
 /// What a ray of an adjusted block is.
@@ -76,6 +110,13 @@ pub struct ObservationSource {
     pub feature: Option<u32>,
     /// Probability, 0..1, that it belongs to its point, as the matches have it.
     pub confidence: f32,
+    /// Whether it was measured by hand.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub by_hand: bool,
+}
+
+fn is_false(flag: &bool) -> bool {
+    !flag
 }
 
 /// A ray that does not fit to its point.
@@ -91,6 +132,12 @@ pub struct RejectedObservation {
     pub y_px: f64,
     /// Length of its residual before the bundle adjustment in px; absent where the point lies behind the image.
     pub residual_px: Option<f64>,
+    /// Whether it was rejected by hand.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub by_hand: bool,
+    /// Whether it had been measured by hand.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub measured: bool,
 }
 
 /// An image that is in no model.

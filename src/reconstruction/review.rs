@@ -38,6 +38,7 @@ pub(super) fn warnings(model: &ReconstructedModel, description: &BlockDescriptio
         Placing::Free { cause } => Some(BlockWarning::Free { cause }),
     });
     found.extend(of_sigma(model));
+    found.extend(of_weights(model));
     found.extend(of_positions(model, description, frame));
     found.extend(of_units(model, description, frame));
     found.extend(of_measurements(model, description));
@@ -50,6 +51,11 @@ pub(super) fn warnings(model: &ReconstructedModel, description: &BlockDescriptio
 fn of_sigma(model: &ReconstructedModel) -> Option<BlockWarning> {
     let sigma0_px = model.adjusted.sigma0_px.filter(|sigma0_px| *sigma0_px > LARGEST_SIGMA0_PX)?;
     Some(BlockWarning::Imprecise { sigma0_px, most_px: LARGEST_SIGMA0_PX })
+}
+
+fn of_weights(model: &ReconstructedModel) -> Option<BlockWarning> {
+    let weighting = model.adjusted.weighting.filter(|weighting| !weighting.converged)?;
+    Some(BlockWarning::WeightsNotConverged { rounds: weighting.rounds })
 }
 
 /// Positions along a line leave the turn about it to their own errors. Errors that the positions of a strip have in common, as those of
@@ -105,7 +111,7 @@ fn of_measurements(model: &ReconstructedModel, description: &BlockDescription) -
         let of_rays = model.adjusted.block.rays.iter().zip(&model.adjusted.rays);
         let after = of_rays.filter(|(ray, statistics)| ray.point == place && statistics.verdict != ObservationVerdict::Accepted);
         let mut images: Vec<usize> = after.map(|(ray, _)| ray.image).collect();
-        images.extend(model.rejected.iter().filter(|ray| ray.point == place).map(|ray| ray.image));
+        images.extend(model.rejected.iter().filter(|ray| ray.point == place && !ray.by_hand).map(|ray| ray.image));
         images.sort_unstable();
         if !images.is_empty() {
             let images = images.into_iter().map(name).collect();
@@ -140,8 +146,10 @@ fn of_images(model: &ReconstructedModel, description: &BlockDescription) -> Opti
 fn of_observations(model: &ReconstructedModel) -> Vec<BlockWarning> {
     let points: usize = model.adjusted.rmse_by_rays.iter().map(|group| group.points).sum();
     let two: usize = model.adjusted.rmse_by_rays.iter().filter(|group| group.rays == 2).map(|group| group.points).sum();
-    let rejected = model.adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count() + model.rejected.len();
-    let observations = model.adjusted.rays.len() + model.rejected.len();
+    // What the user rejected says nothing of the others.
+    let misfits = model.rejected.iter().filter(|ray| !ray.by_hand).count();
+    let rejected = model.adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count() + misfits;
+    let observations = model.adjusted.rays.len() + misfits;
     let weak = (two as f64 > MANY_TWO_RAYS * points as f64).then_some(BlockWarning::TwoRays { two, points });
     let wrong = (rejected as f64 > MANY_REJECTED * observations as f64).then_some(BlockWarning::ManyRejected { rejected, observations });
     weak.into_iter().chain(wrong).collect()

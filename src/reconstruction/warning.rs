@@ -26,6 +26,8 @@ messages! {
         PositionsRejected { images: Vec<RejectedPosition> },
         /// σ₀ is above what matching reaches.
         Imprecise { sigma0_px: f64, most_px: f64 },
+        /// Weights by the residuals still changed after so many rounds.
+        WeightsNotConverged { rounds: usize },
         /// The GCPs make the block another number of times as large as the GNSS positions.
         Scale { ratio: f64, unit: Option<LengthUnit> },
         /// The GCPs seem to be in degrees.
@@ -68,6 +70,7 @@ impl BlockWarning {
             | Self::ManyRejected { .. } => true,
             Self::NoHeights
             | Self::PositionsRejected { .. }
+            | Self::WeightsNotConverged { .. }
             | Self::PointRejected { .. }
             | Self::MeasurementsRejected { .. }
             | Self::FocalEstimated { .. }
@@ -134,5 +137,6 @@ messages! {
         Lost { rays: usize },
         /// It was oriented, and the rays it had left did not determine its orientation in the bundle adjustment.
         Undetermined { rays: usize },
+        RejectedByHand,
     }
 }

@@ -1,11 +1,11 @@
-//! The details of this run: interior orientation, residuals, reliability, settings.
+//! The details of this run: interior orientation, residuals, reliability.
 
 use super::steps::Report;
-use super::text::{count, fixed};
+use super::unknowns::UNKNOWNS;
 use super::{figures, picture};
-use crate::{Error, FiducialModel, PairSettings, PhotoInput, PointStatistics, RelativeOrientation, orient_fiducials};
+use crate::html::{correlations, count, fixed, histogram, strokes};
+use crate::{Error, FiducialModel, PhotoInput, PointStatistics, RelativeOrientation, orient_fiducials};
 use maud::{Markup, html};
-use serde_json::Value;
 
 /// Rows of the tables of single matches.
 const ROWS: usize = 15;
@@ -40,7 +40,7 @@ pub fn interior(report: &Report) -> Result<Markup, Error> {
         })
     };
     Ok(html! {
-        table {
+        table tabindex="0" {
             caption { "Interior orientation by fiducial marks" }
             thead { tr { th { "Photo" } th { "Marks" } th { "Transformation" } th { "σ₀" } th { "Largest residual" } } }
             tbody { (row("left", left)?) (row("right", right)?) }
@@ -63,7 +63,7 @@ pub fn residuals(report: &Report, orientation: &RelativeOrientation) -> Markup {
     let factor = 0.012 * left.height() as f64 / sigma;
     let drawn = |wanted: bool| {
         let vectors = (0..matches.len()).filter(|i| rejected[*i] == wanted && parallax(*i).is_finite());
-        picture::strokes(vectors.map(|i| (matches[i].left_px, [0.0, -factor * parallax(i)])))
+        strokes(vectors.map(|i| (matches[i].left_px, [0.0, -factor * parallax(i)])))
     };
     let layers = [picture::Layer { class: "vector", path: drawn(false) }, picture::Layer { class: "vector rejected", path: drawn(true) }];
     html! {
@@ -72,7 +72,7 @@ pub fn residuals(report: &Report, orientation: &RelativeOrientation) -> Markup {
                 (picture::picture(&picture::Ground::As("left-image", [left.width(), left.height()]), &layers, "Residual y-parallaxes over the left image"))
                 figcaption { "Residual y-parallaxes, " (fixed(factor, 0)) " times enlarged; rejected ones in orange" }
             }
-            (figures::histogram(&used, 4.0 * sigma, "px", &format!("y-parallaxes of the {} matches used; their standard error is {} px", count(used.len()), fixed(sigma, 3))))
+            (histogram(&used, 4.0 * sigma, "px", &format!("y-parallaxes of the {} matches used; their standard error is {} px", count(used.len()), fixed(sigma, 3))))
         }
     }
 }
@@ -95,9 +95,9 @@ pub fn reliability(report: &Report, orientation: &RelativeOrientation) -> Markup
     ];
     let options = &report.settings.orientation;
     html! {
-        table {
+        table tabindex="0" {
             caption { "Reliability of the matches used (α₀ " (options.alpha0) ", β₀ " (options.beta0) ")" }
-            thead { tr { th {} th { "least" } th { "median" } th { "largest" } } }
+            thead { tr { td {} th { "least" } th { "median" } th { "largest" } } }
             tbody { @for (name, values, digits, scale) in rows { tr { th { (name) } @for value in values { td { (fixed(value.map(|v| v * scale), digits)) } } } } }
         }
         p.note {
@@ -116,7 +116,7 @@ fn extremes(report: &Report, orientation: &RelativeOrientation, title: &str, pix
         orientation.points.iter().enumerate().filter_map(|(i, p)| Some((i, p.as_ref()?))).collect();
     listed.sort_by(|a, b| of(b.1).total_cmp(&of(a.1)).then(a.0.cmp(&b.0)));
     html! {
-        table {
+        table tabindex="0" {
             caption { (title) }
             thead { tr { th { "Match" } th { "x px" } th { "y px" } th { "y-parallax px" } th { "r" } th { "w" } th { "∇ px" } th { "δ" } th { "state" } } }
             tbody {
@@ -157,34 +157,8 @@ pub fn precision(report: &Report, orientation: &RelativeOrientation) -> Markup {
         }
         p.note { "σ₀ is computed from y-parallaxes: a wrong match along its epipolar line leaves it unchanged." }
         div.pair {
-            (figures::correlations(&orientation.correlations))
+            (correlations(&UNKNOWNS.map(|(symbol, _, _)| symbol), &orientation.correlations, "Correlations of the unknowns"))
             @if let Some(ellipse) = &orientation.base_ellipse_mm { (figures::ellipse(ellipse, base_errors)) }
-        }
-    }
-}
-
-/// Every parameter with its value; the ones that are not the defaults are marked.
-pub fn settings(settings: &PairSettings) -> Markup {
-    let json = |settings: &PairSettings| serde_json::to_value(settings).expect("settings are plain data");
-    let (given, standard) = (json(settings), json(&PairSettings::default()));
-    let value = |from: &Value, key: &str| key.split('.').fold(from.clone(), |at, name| at[name].clone());
-    let written = |value: &Value| match value {
-        Value::Null => "default".to_string(),
-        Value::String(word) => word.clone(),
-        other => other.to_string(),
-    };
-    html! {
-        table.settings {
-            caption { "Parameters" }
-            tbody {
-                @for p in PairSettings::parameters() {
-                    @let (own, usual) = (value(&given, p.key), value(&standard, p.key));
-                    tr.changed[own != usual] {
-                        th { (p.label) @if !p.unit.is_empty() { " " small { (p.unit) } } }
-                        td { code { (p.key) } } td { (written(&own)) } td { @if own != usual { "default: " (written(&usual)) } }
-                    }
-                }
-            }
         }
     }
 }

@@ -9,7 +9,7 @@ mod picture;
 mod steps;
 mod study;
 mod tables;
-mod text;
+mod unknowns;
 
 pub use input::{ReportImage, ReportTruth};
 pub use paper::{PAPER, Paper, PrintedOrientation};

@@ -3,10 +3,10 @@
 use super::input::ReportImage;
 use super::picture::{self, Layer};
 use super::steps::Report;
-use super::text::{self, count, fixed};
 use super::{details, tables};
-use crate::{Error, GreyImage};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use crate::html::{count, dots, fixed, page, percent, settings_table};
+use crate::{Error, GreyImage, PairSettings};
+use maud::{Markup, html};
 
 impl Report {
     /// The page. Does the steps that are left.
@@ -19,52 +19,37 @@ impl Report {
     }
 
     fn page(&self) -> Result<Markup, Error> {
-        /// Whatever names and texts a report quotes: it runs no script and loads nothing.
-        const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
         let [left, right] = &self.images;
         let run = &self.studies[0];
-        let title = format!("Tiepoint report: {}, {}", left.name, right.name);
-        Ok(html! {
-            (DOCTYPE)
-            html lang="en" {
-                head {
-                    meta charset="utf-8";
-                    meta http-equiv="Content-Security-Policy" content=(POLICY);
-                    meta name="viewport" content="width=device-width, initial-scale=1";
-                    title { (title) }
-                    style { (PreEscaped(include_str!("style.css"))) }
+        let content = html! {
+            (self.summary())
+            h2 { "Images, points and matches" }
+            (self.pictures())
+            h2 { "All strategies on the same points" }
+            (tables::counts(self))
+            (tables::refusals(self))
+            @if self.truth.is_some() { (tables::scores(self)) }
+            (tables::standard_errors(self))
+            (tables::orientations(self))
+            (tables::differences(self))
+            h2 { "Interior orientation" }
+            (details::interior(self)?)
+            h2 { "Relative orientation of this run" }
+            @match &run.result.orientation {
+                Ok(orientation) => {
+                    (details::precision(self, orientation))
+                    h2 { "Residuals" }
+                    (details::residuals(self, orientation))
+                    h2 { "Reliability" }
+                    (details::reliability(self, orientation))
                 }
-                body {
-                    h1 { (title) }
-                    (self.summary())
-                    h2 { "Images, points and matches" }
-                    (self.pictures())
-                    h2 { "All strategies on the same points" }
-                    (tables::counts(self))
-                    (tables::refusals(self))
-                    @if self.truth.is_some() { (tables::scores(self)) }
-                    (tables::standard_errors(self))
-                    (tables::orientations(self))
-                    (tables::differences(self))
-                    h2 { "Interior orientation" }
-                    (details::interior(self)?)
-                    h2 { "Relative orientation of this run" }
-                    @match &run.result.orientation {
-                        Ok(orientation) => {
-                            (details::precision(self, orientation))
-                            h2 { "Residuals" }
-                            (details::residuals(self, orientation))
-                            h2 { "Reliability" }
-                            (details::reliability(self, orientation))
-                        }
-                        Err(reason) => p { "Not oriented: " (reason) "." }
-                    }
-                    h2 { "Parameters" }
-                    (details::settings(&self.settings))
-                    footer { "Tiepoint " (env!("CARGO_PKG_VERSION")) ". The same images and parameters give the same report." }
-                }
+                Err(reason) => p { "Not oriented: " (reason) "." }
             }
-        })
+            h2 { "Parameters" }
+            (settings_table(PairSettings::parameters(), &self.settings, &PairSettings::default()))
+            footer { "Tiepoint " (env!("CARGO_PKG_VERSION")) ". The same images and parameters give the same report." }
+        };
+        Ok(page(&format!("Tiepoint report: {}, {}", left.name, right.name), &content))
     }
 
     fn summary(&self) -> Markup {
@@ -76,7 +61,7 @@ impl Report {
                 li { "Left " (size(&self.images[0])) "; right " (size(&self.images[1])) "." }
                 @for (image, side) in self.images.iter().zip(["left", "right"]) {
                     @if let Some(pixels) = image.left_out() {
-                        li { "A mask leaves out " (text::percent(pixels, image.grey.data().len())) " of the " (side) " image." }
+                        li { "A mask leaves out " (percent(pixels, image.grey.data().len())) " of the " (side) " image." }
                     }
                 }
                 li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
@@ -85,7 +70,7 @@ impl Report {
                     li { (count(run.used())) " matches took part, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }
                 }
                 @if let Some(score) = &run.score {
-                    li { (text::percent(score.right, matches.len())) " of the matches are right by the truth of the simulated pair." }
+                    li { (percent(score.right, matches.len())) " of the matches are right by the truth of the simulated pair." }
                 }
             }
         }
@@ -99,12 +84,12 @@ impl Report {
         result.orientation.iter().flat_map(|o| &o.rejected).for_each(|i| rejected[*i] = true);
         let of = |wanted: bool, right: bool| {
             let kept = matches.iter().zip(&rejected).filter(move |(_, r)| **r == wanted);
-            picture::dots(kept.map(|(m, _)| if right { m.right_px } else { m.left_px }))
+            dots(kept.map(|(m, _)| if right { m.right_px } else { m.left_px }))
         };
         let side = |index: usize| {
             let points = if index == 0 { &result.left.points } else { &result.right.points };
             let layers = [
-                Layer { class: "dot", path: picture::dots(points.iter().map(|p| [p.x, p.y])) },
+                Layer { class: "dot", path: dots(points.iter().map(|p| [p.x, p.y])) },
                 Layer { class: "dot matched", path: of(false, index == 1) },
                 Layer { class: "dot rejected", path: of(true, index == 1) },
             ];

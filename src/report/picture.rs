@@ -72,13 +72,3 @@ fn data_address(pixels: &[u8], [columns, rows]: [usize; 2], colour: ExtendedColo
     encoder.write_image(pixels, columns as u32, rows as u32, colour).expect("an image of its own size is encoded into memory");
     format!("data:image/png;base64,{}", BASE64_STANDARD.encode(bytes))
 }
-
-/// Dots: strokes of no length, which round caps make visible.
-pub fn dots(points: impl IntoIterator<Item = [f64; 2]>) -> String {
-    points.into_iter().map(|[x, y]| format!("M{x:.1} {y:.1}h0")).collect()
-}
-
-/// Lines from a place by a displacement.
-pub fn strokes(vectors: impl IntoIterator<Item = ([f64; 2], [f64; 2])>) -> String {
-    vectors.into_iter().map(|([x, y], [dx, dy])| format!("M{x:.1} {y:.1}l{dx:.1} {dy:.1}")).collect()
-}

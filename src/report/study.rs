@@ -1,7 +1,7 @@
 //! One way of matching the pair, and what came of it.
 
 use super::input::ReportTruth;
-use super::text::five;
+use super::unknowns::five;
 use crate::{
     DenseTruth, Error, MatchScore, Operator, PairImage, PairInput, PairResult, PairSettings, Refinement, Strategy, match_pair,
     score_matches,

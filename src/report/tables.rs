@@ -4,7 +4,8 @@ use super::input::ReportTruth;
 use super::paper::PAPER;
 use super::steps::Report;
 use super::study::Study;
-use super::text::{UNKNOWNS, count, five, fixed, percent};
+use super::unknowns::{UNKNOWNS, five};
+use crate::html::{count, fixed, percent};
 use crate::{Denominator, FiveParameters, MatchOptions, MatchScore, Rule, Texts};
 use maud::{Markup, html};
 
@@ -17,7 +18,7 @@ pub fn counts(report: &Report) -> Markup {
         ("Suppression of non-maxima", first.left.counts.after_suppression, first.right.counts.after_suppression, Some(PAPER.points[1])),
     ];
     html! {
-        table {
+        table tabindex="0" {
             caption { "Table 1. Points after each phase" }
             thead { tr { th { "Phase" } th { "Left" } th { "Right" } th.paper { "Paper, left" } th.paper { "Paper, right" } } }
             tbody {
@@ -43,7 +44,7 @@ pub fn refusals(report: &Report) -> Markup {
     let number = |study: &Study, rule: Rule| study.result.matching.verdicts.iter().filter(|v| v.rule == rule).count();
     let applied = Rule::ALL.into_iter().filter(|rule| report.studies.iter().any(|study| number(study, *rule) > 0));
     html! {
-        table {
+        table tabindex="0" {
             caption { "What became of the left points" }
             (head(&report.studies, "", false))
             tbody {
@@ -65,7 +66,7 @@ pub fn scores(report: &Report) -> Markup {
     let rows: [(&str, Counted); 3] =
         [("right, at edges too", |s| s.right), ("strictly right", |s| s.strict), ("seen in both, but not matched rightly", |s| s.missed)];
     html! {
-        table {
+        table tabindex="0" {
             caption { "Matches against the truth" }
             (head(&report.studies, "", false))
             tbody {
@@ -97,7 +98,7 @@ pub fn standard_errors(report: &Report) -> Markup {
     let total = |study: &Study| study.result.orientation.as_ref().ok().and_then(|o| o.total_standard_errors).map(|e| five(&e));
     let half_widths = |study: &Study| study.result.orientation.as_ref().ok().and_then(|o| o.half_widths_95).map(|e| five(&e));
     html! {
-        table {
+        table tabindex="0" {
             caption { "Table 2. Standard errors" }
             (head(&report.studies, "Paper", true))
             tbody {
@@ -127,7 +128,7 @@ pub fn standard_errors(report: &Report) -> Markup {
 pub fn orientations(report: &Report) -> Markup {
     let value = |study: &Study| study.result.orientation.as_ref().ok().map(|o| five(&o.parameters));
     html! {
-        table {
+        table tabindex="0" {
             caption { "Table 3. Relative orientation by each strategy" }
             thead {
                 tr {
@@ -187,7 +188,7 @@ fn true_error(study: &Study, k: usize, digits: usize) -> Markup {
 }
 
 fn head(studies: &[Study], last: &str, paper: bool) -> Markup {
-    html! { thead { tr { th {} @for study in studies { th { (study.name) } } @if paper { th.paper { (last) } } } } }
+    html! { thead { tr { td {} @for study in studies { th { (study.name) } } @if paper { th.paper { (last) } } } } }
 }
 
 fn parameter_rows(studies: &[Study], of: impl Fn(&Study) -> Option<[f64; 5]>, paper: Option<&FiveParameters>) -> Markup {

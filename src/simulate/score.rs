@@ -1,6 +1,7 @@
 //! Scores matches by the known answer of a simulated pair.
 
-use crate::Error;
+use crate::error::refuse;
+use crate::{Error, Refusal};
 use serde::{Deserialize, Serialize};
 use std::collections::HashSet;
 
@@ -52,11 +53,8 @@ pub struct MatchScore {
 /// [`Error::InvalidInput`] for a truth that is not of the left image's size.
 pub fn score_matches(matches: &[[f64; 4]], left_points: &[[f64; 2]], truth: &DenseTruth<'_>) -> Result<MatchScore, Error> {
     if truth.left_width.checked_mul(truth.left_height) != Some(truth.right_position.len()) || truth.right_position.is_empty() {
-        return Err(Error::InvalidInput {
-            what: "truth",
-            got: format!("{} positions for {} x {} px", truth.right_position.len(), truth.left_width, truth.left_height),
-            allowed: "one position for each pixel of the left image".into(),
-        });
+        let (positions, width, height) = (truth.right_position.len(), truth.left_width, truth.left_height);
+        return refuse(Refusal::TruthSize { positions, width, height });
     }
     let rightness: Vec<Rightness> = matches.iter().map(|m| truth.rightness(m)).collect();
     let of = |wanted| rightness.iter().filter(|r| **r == wanted).count();

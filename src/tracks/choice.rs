@@ -1,8 +1,9 @@
 //! Which pairs of images are worth matching: all, those near each other, those that follow each other, those that look alike.
 
-use crate::Error;
 use crate::catalogue::{Form, OptionValue};
+use crate::error::refuse;
 use crate::message::messages;
+use crate::{Error, Refusal};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -59,11 +60,7 @@ pub fn sequence_pairs(images: u32, reach: u32) -> Vec<ChosenPair> {
 pub fn near_pairs(positions: &[Option<[f64; 3]>], neighbours: usize) -> Result<Vec<ChosenPair>, Error> {
     let known: Vec<(u32, [f64; 2])> = positions.iter().enumerate().filter_map(|(i, p)| p.map(|[x, y, _]| (i as u32, [x, y]))).collect();
     if let Some((image, at)) = known.iter().find(|(_, at)| !at.iter().all(|v| v.abs() <= 1e12)) {
-        return Err(Error::InvalidInput {
-            what: "position of an image",
-            got: format!("{at:?} of image {image}"),
-            allowed: "finite numbers in m".into(),
-        });
+        return refuse(Refusal::PlaceOfImage { position: format!("{at:?}"), image: *image });
     }
     if known.is_empty() || neighbours == 0 {
         return Ok(Vec::new());
@@ -85,12 +82,7 @@ pub fn alike_pairs(similar: &[Vec<(u32, f32)>], most: usize) -> Result<Vec<Chose
     let mut chosen = Vec::new();
     for (image, list) in similar.iter().enumerate() {
         if let Some((other, value)) = list.iter().find(|(other, value)| *other as usize >= similar.len() || value.is_nan()) {
-            let got = format!("image {other} with similarity {value} in the list of image {image}");
-            return Err(Error::InvalidInput {
-                what: "similar images",
-                got,
-                allowed: format!("images below {} and numbers", similar.len()),
-            });
+            return refuse(Refusal::SimilarImage { other: *other, similarity: value.to_string(), image, images: similar.len() });
         }
         let mut list: Vec<_> = list.iter().filter(|(other, _)| *other as usize != image).collect();
         list.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));

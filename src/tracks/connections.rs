@@ -1,8 +1,9 @@
 //! Which images are connected, by how many matches, and why the others are not.
 
 use super::PairRule;
+use crate::error::refuse;
 use crate::message::{messages, written};
-use crate::{Error, Failure, Message, NoGeometry};
+use crate::{Error, Failure, Message, NoGeometry, Refusal};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -102,8 +103,7 @@ impl ConnectionGraph {
 
     fn key(&self, [a, b]: [u32; 2]) -> Result<[u32; 2], Error> {
         if a == b || a.max(b) >= self.images {
-            let allowed = format!("two different images of {}", self.images);
-            return Err(Error::InvalidInput { what: "pair of images", got: format!("{:?}", [a, b]), allowed });
+            return refuse(Refusal::PairOfImages { images: [a, b], count: self.images as usize });
         }
         Ok([a.min(b), a.max(b)])
     }

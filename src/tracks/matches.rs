@@ -1,6 +1,7 @@
 //! The pairwise matches of a whole block, kept small: twelve bytes a match.
 
-use crate::Error;
+use crate::error::refuse;
+use crate::{Error, Refusal};
 use std::collections::BTreeMap;
 
 /// A match of two features.
@@ -47,8 +48,7 @@ impl BlockMatches {
             starts.push(total as u32);
             total += u64::from(*count);
             if total >= u64::from(u32::MAX) {
-                let allowed = format!("up to {} features in all images", u32::MAX - 1);
-                return Err(Error::InvalidInput { what: "features of the block", got: format!("{total} or more"), allowed });
+                return refuse(Refusal::ManyFeatures { features: total, most: u32::MAX - 1 });
             }
         }
         starts.push(total as u32);
@@ -66,23 +66,21 @@ impl BlockMatches {
     /// strength that is no number. Nothing is added then.
     pub fn add_pair(&mut self, images: [u32; 2], matches: &[FeatureMatch]) -> Result<(), Error> {
         let key = [images[0].min(images[1]), images[0].max(images[1])];
-        let refused = |got: String, allowed: String| Err(Error::InvalidInput { what: "pair of images", got, allowed });
         if key[1] as usize >= self.images() || key[0] == key[1] {
-            return refused(format!("{images:?}"), format!("two different images of {}", self.images()));
+            return refuse(Refusal::PairOfImages { images, count: self.images() });
         }
         if self.pairs.contains_key(&key) {
-            return refused(format!("{images:?} again"), "each pair once".into());
+            return refuse(Refusal::PairAgain { images });
         }
         let counts = images.map(|image| self.features(image));
         for (index, m) in matches.iter().enumerate() {
             if m.features[0] >= counts[0] || m.features[1] >= counts[1] || m.strength.is_nan() {
-                let got = format!("features {:?} with strength {} as match {index} of images {images:?}", m.features, m.strength);
-                let allowed = format!("feature indices below {} and {}, a strength that is a number", counts[0], counts[1]);
-                return Err(Error::InvalidInput { what: "match", got, allowed });
+                let (features, strength, [left, right]) = (m.features, m.strength.to_string(), counts);
+                return refuse(Refusal::MatchedFeatures { features, strength, index, images, left, right });
             }
         }
         if self.edges.len() + matches.len() >= i32::MAX as usize {
-            return refused(format!("more than {} matches with it", i32::MAX), "fewer matches in all pairs".into());
+            return refuse(Refusal::ManyMatches { most: i32::MAX });
         }
         self.pairs.insert(key, self.edges.len());
         self.firsts.push(self.edges.len());

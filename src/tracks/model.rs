@@ -1,7 +1,7 @@
 //! Chosen multi-ray points as points of a block that is exchanged.
 
 use crate::error::refuse;
-use crate::{BlockModel, Error, FeatureObservation, ImageFeatures, ImageObservation, ObjectPoint, TiePoints};
+use crate::{BlockModel, Error, FeatureObservation, ImageFeatures, ImageObservation, Input, ObjectPoint, Refusal, TiePoints};
 
 impl BlockModel {
     /// Adds points, not intersected yet, in the order of `chosen`; `features` are those of the block's images, in their order.
@@ -9,18 +9,14 @@ impl BlockModel {
     /// # Errors
     /// [`Error::InvalidInput`] for points, images or features that do not exist. Nothing is added then.
     pub fn add_points(&mut self, points: &TiePoints, chosen: &[u32], features: &[ImageFeatures<'_>]) -> Result<(), Error> {
-        let what = "points of the block";
         if features.len() != self.images.len() {
-            return refuse(
-                what,
-                format!("features of {} images", features.len()),
-                &format!("those of the block's {} images", self.images.len()),
-            );
+            let (images, wanted) = (features.len(), self.images.len());
+            return refuse(Refusal::FeaturesOfImages { input: Input::PointsOfBlock, images, wanted });
         }
         let ray = |ray: &FeatureObservation| {
             let place = features.get(ray.image as usize).and_then(|image| image.positions.get(ray.feature as usize));
             let Some([x, y]) = place else {
-                return refuse(what, format!("feature {} of image {}", ray.feature, ray.image), "features that exist");
+                return refuse(Refusal::NoFeature { feature: ray.feature, image: ray.image });
             };
             Ok(ImageObservation {
                 image: ray.image as usize,
@@ -32,7 +28,7 @@ impl BlockModel {
         let point = |index: &u32| {
             let index = *index as usize;
             if index >= points.len() {
-                return refuse(what, format!("point {index}"), &format!("points below {}", points.len()));
+                return refuse(Refusal::NoTiePoint { point: index, points: points.len() });
             }
             let rays = points.rays(index).iter().map(ray).collect::<Result<_, _>>()?;
             Ok(ObjectPoint { position: None, colour: [128; 3], rmse_px: None, confidence: f64::from(points.confidence(index)), rays })

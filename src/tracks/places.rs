@@ -1,7 +1,8 @@
 //! Where in an image a point lies: cells of an even grid, nine groups of which are the von Gruber positions.
 
 use super::{FeatureObservation, TiePoints};
-use crate::Error;
+use crate::error::refuse;
+use crate::{Error, Refusal};
 
 /// Where the features of an image are.
 #[derive(Debug, Clone, Copy)]
@@ -67,20 +68,17 @@ impl<'a> Cells<'a> {
 
 /// Refuses rays whose images or features do not exist, and features that lie outside their images.
 pub(crate) fn check(points: &TiePoints, images: &[ImageFeatures<'_>]) -> Result<(), Error> {
-    let refused = |got: String, allowed: &str| Err(Error::InvalidInput { what: "features of the images", got, allowed: allowed.into() });
     for (index, image) in images.iter().enumerate() {
         let inside = |[x, y]: &[f32; 2]| (0.0..=image.width_px as f32).contains(x) && (0.0..=image.height_px as f32).contains(y);
         if let Some(at) = image.positions.iter().find(|at| !inside(at)) {
-            return refused(
-                format!("{at:?} in image {index} of {} x {} px", image.width_px, image.height_px),
-                "positions inside their image",
-            );
+            let (position, width_px, height_px) = (format!("{at:?}"), image.width_px, image.height_px);
+            return refuse(Refusal::FeatureOutside { position, image: index, width_px, height_px });
         }
     }
     let missing =
         |ray: &&FeatureObservation| images.get(ray.image as usize).is_none_or(|image| ray.feature as usize >= image.positions.len());
     match points.iter().flatten().find(missing) {
-        Some(ray) => refused(format!("none for feature {} of image {}", ray.feature, ray.image), "a position for each ray of the points"),
+        Some(ray) => refuse(Refusal::LostFeature { feature: ray.feature, image: ray.image }),
         None => Ok(()),
     }
 }

@@ -1,10 +1,21 @@
-//! How exact what places a block is, where it does not say so itself.
+//! The system of coordinates that place a block, and how exact they are where they do not say so themselves.
 
+use crate::Error;
 use crate::catalogue::options;
+use crate::crs::Definition;
 
 options! {
-    /// Standard errors of GNSS positions and control points that state none.
+    /// The coordinate system; standard errors of GNSS positions and control points that state none, of image measurements, and what errors share.
     pub struct GeoreferencingOptions in "placing" {
+        section "Coordinate system";
+
+        /// The coordinate reference system of the control points, in which tables give the results, too: an EPSG code (EPSG:25832), PROJ text or WKT. GNSS positions and control points then georeference the block together.
+        crs: Option<String> = None, "Coordinate system", absent "control points are in a system of their own, in m; results in theirs, or in one that touches the earth at the block";
+
+        /// The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights.
+        /// Heights of GNSS positions, which are above the ellipsoid, then take part beside those of control points.
+        geoid_m: Option<f64> = None, "Height of the geoid", in "m", -200..=200, absent "not known: heights of GNSS positions take no part beside control points, unless the system has ellipsoidal heights", acts "placing.crs is not absent";
+
         section "Standard errors of positions";
 
         /// The standard error of east and of north of GNSS positions that state none, some metres, or centimetres where they were corrected:
@@ -19,13 +30,43 @@ options! {
 
         /// The standard error of the height of control points that state none: higher gives it less weight.
         surveyed_up_m: f64 = 0.03, "Control points, vertical", in "m", 0.0001..=100;
+
+        /// The standard error of a coordinate of an image measurement of a control or check point: higher gives it less weight beside tie points.
+        /// Measurements beyond five times as much do not fit.
+        mark_sigma_px: f64 = 1.0, "Image measurements", in "px", 0.01..=100;
+
+        /// Whether standard errors of image measurements, GNSS positions and control points are estimated from the residuals, and weights follow
+        /// them where they differ from what is stated by more than chance.
+        variance_components: bool = false, "Estimate standard errors";
+
+        /// The standard deviation of errors that the observations of an image share, as matches do, in standard errors of an observation: higher
+        /// makes the printed standard errors larger. 0: observations are independent.
+        shared_errors: f64 = 0.25, "Shared errors", 0..=10;
+    }
+}
+
+impl GeoreferencingOptions {
+    /// Rejects values outside their ranges, and a coordinate system that cannot be read.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`]; [`Error::InvalidInput`] for the coordinate system.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        self.check_ranges()?;
+        self.definition().map(|_| ())
+    }
+
+    /// The coordinate system as it was given; absent where none was.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] where it cannot be read.
+    pub(crate) fn definition(&self) -> Result<Option<Definition>, Error> {
+        self.crs.as_deref().map(Definition::read).transpose()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Error;
 
     #[test]
     fn a_standard_error_is_a_number_above_zero() {

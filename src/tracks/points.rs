@@ -1,6 +1,7 @@
 //! Multi-ray points: each a set of features, at most one in an image, that show the same place.
 
-use crate::Error;
+use crate::error::refuse;
+use crate::{Error, Refusal};
 
 /// A feature that shows a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,8 +49,7 @@ impl TiePoints {
         let mut some = Self::with_capacity(chosen.len(), 0);
         for index in chosen {
             if *index as usize >= self.len() {
-                let allowed = format!("points below {}", self.len());
-                return Err(Error::InvalidInput { what: "points of the block", got: format!("point {index}"), allowed });
+                return refuse(Refusal::NoTiePoint { point: *index as usize, points: self.len() });
             }
             some.push(self.rays(*index as usize).iter().copied(), self.confidence(*index as usize));
         }

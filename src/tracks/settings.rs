@@ -127,17 +127,17 @@ impl BlockSettings {
         .flatten()
     }
 
-    /// Rejects values outside their ranges.
+    /// Rejects values outside their ranges, and a coordinate system that cannot be read.
     ///
     /// # Errors
-    /// [`Error::InvalidOption`].
+    /// [`Error::InvalidOption`]; [`Error::InvalidInput`] for the coordinate system.
     pub fn check(&self) -> Result<(), Error> {
         self.features.multiscale.check_ranges()?;
         self.features.gradient.check_ranges()?;
         self.nearest.check_ranges()?;
         self.geometry.check()?;
         self.pairs.check_ranges()?;
-        self.placing.check_ranges()?;
+        self.placing.check()?;
         self.block.check_ranges()?;
         self.selection.check_ranges()?;
         self.refinement.check_ranges()

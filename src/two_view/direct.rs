@@ -3,7 +3,8 @@
 use super::frame::{Frame, rows};
 use super::fundamental::{eight_point, seven_point};
 use super::homography::direct_linear;
-use crate::{Cause, Computation, Error};
+use crate::error::refuse;
+use crate::{Cause, Computation, Error, Refusal};
 
 /// The fundamental matrix of eight or more matches `[x left, y left, x right, y right]` in px, all of them good: qᵀ F p = 0, of norm 1. The
 /// coordinates are normalised within.
@@ -60,9 +61,6 @@ fn frame_of(what: &'static str, points: &[[f64; 4]], needed: usize) -> Result<Fr
 pub(super) fn check_points(points: &[[f64; 4]]) -> Result<(), Error> {
     match points.iter().enumerate().find(|(_, p)| p.iter().any(|v| !(v.abs() <= 1e6))) {
         None => Ok(()),
-        Some((index, p)) => {
-            let got = format!("{p:?} in match {index} (counted from 0)");
-            Err(Error::InvalidInput { what: "positions of matches", got, allowed: "-1e6 to 1e6 px".into() })
-        }
+        Some((index, p)) => refuse(Refusal::MatchPosition { position: format!("{p:?}"), index }),
     }
 }

@@ -1,8 +1,9 @@
 //! What the user chooses of the geometry of two views.
 
 use super::scale::NoiseLimits;
-use crate::Error;
 use crate::catalogue::{FOCAL_PX, check_values, options};
+use crate::error::refuse;
+use crate::{Error, Input, Location, Refusal, Side};
 use serde::{Deserialize, Serialize};
 
 /// A camera without distortion.
@@ -68,25 +69,24 @@ impl TwoViewOptions {
     /// Refuses values outside their ranges.
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.check_ranges()?;
-        for (camera, side) in [(self.left, "left"), (self.right, "right")] {
+        for (camera, side) in [(self.left, Side::Left), (self.right, Side::Right)] {
             let Some(Pinhole { focal_px, principal_px }) = camera else { continue };
-            let place = || format!("geometry.{side}");
-            check_values("focal length of a camera", focal_px.as_slice(), FOCAL_PX, place)?;
-            check_values("principal point of a camera", &principal_px, -1e6..=1e6, place)?;
+            let place = || Location::Geometry { side };
+            check_values(Input::CameraFocalLength, focal_px.as_slice(), FOCAL_PX, place)?;
+            check_values(Input::CameraPrincipalPoint, &principal_px, -1e6..=1e6, place)?;
         }
         self.cameras().map(|_| ())
     }
 
     pub(super) fn cameras(&self) -> Result<Cameras, Error> {
-        let one = |what: &str| Error::InvalidInput { what: "the cameras", got: what.into(), allowed: "both or neither".into() };
         match (self.left, self.right) {
             (None, None) => Ok(Cameras::Unknown),
             (Some(left), Some(right)) => match (left.focal_px, right.focal_px) {
                 (None, None) => Ok(Cameras::Principal([left.principal_px, right.principal_px])),
                 (Some(a), Some(b)) => Ok(Cameras::Known([(a, left.principal_px), (b, right.principal_px)])),
-                _ => Err(one("one focal length")),
+                _ => refuse(Refusal::OneFocalLength),
             },
-            _ => Err(one("one camera")),
+            _ => refuse(Refusal::OneCamera),
         }
     }
 

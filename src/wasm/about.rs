@@ -1,7 +1,7 @@
 //! What the module says of itself: version, defaults, parameters.
 
 use super::convert::{JsResult, pack, read, read_options};
-use crate::{PairHint, PairSettings, PairVerdict, acting};
+use crate::{PairHint, PairPreset, PairSettings, PairVerdict, acting};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -46,6 +46,18 @@ pub fn version() -> String {
 #[wasm_bindgen(unchecked_return_type = "PairSettings")]
 pub fn defaults() -> JsValue {
     pack(&PairSettings::default())
+}
+
+/// The names of ready-made settings.
+#[wasm_bindgen(unchecked_return_type = "PairPreset[]")]
+pub fn pair_presets() -> JsValue {
+    pack(&PairPreset::ALL)
+}
+
+/// Ready-made settings.
+#[wasm_bindgen(unchecked_return_type = "PairSettings")]
+pub fn pair_preset(#[wasm_bindgen(unchecked_param_type = "PairPreset")] name: &JsValue) -> JsResult<JsValue> {
+    Ok(pack(&read::<PairPreset>("preset", name)?.settings()))
 }
 
 /// Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.

@@ -91,7 +91,7 @@ pub fn rows<'a, const N: usize>(what: &'static str, flat: &'a [f64]) -> JsResult
     if rest.is_empty() {
         return Ok(rows);
     }
-    Err(thrown(Error::InvalidInput { what, got: format!("{} numbers", flat.len()), allowed: format!("a multiple of {N} numbers") }))
+    Err(thrown(Error::InvalidArgument { what, got: format!("{} numbers", flat.len()), allowed: format!("a multiple of {N} numbers") }))
 }
 
 /// Points of a flat array of x, y, value.

@@ -78,7 +78,11 @@ fn read_piece(piece: &JsValue) -> JsResult<NearestTable> {
     let field = |name: &str| Reflect::get(piece, &name.into()).unwrap_or(JsValue::UNDEFINED);
     let numbers = |name: &str| field(name).dyn_into::<Uint32Array>().map(|values| values.to_vec()).unwrap_or_default();
     let first = field("first").as_f64().filter(|v| v.fract() == 0.0 && (0.0..4294967295.0).contains(v)).ok_or_else(|| {
-        thrown(Error::InvalidInput { what: "a piece of nearest neighbours", got: "no whole number as first".into(), allowed: "one".into() })
+        thrown(Error::InvalidArgument {
+            what: "a piece of nearest neighbours",
+            got: "no whole number as first".into(),
+            allowed: "one".into(),
+        })
     })?;
     NearestTable::from_numbers(first as usize, &numbers("left"), &numbers("right")).map_err(thrown)
 }

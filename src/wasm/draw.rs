@@ -30,7 +30,7 @@ impl View {
             [scale, x, y, left, top, right, bottom] if view.iter().all(|v| v.is_finite()) && scale > 0.0 => {
                 Ok(Self { scale, shift: [x, y], low: [left, top], high: [right, bottom] })
             }
-            _ => Err(Error::InvalidInput {
+            _ => Err(Error::InvalidArgument {
                 what,
                 got: format!("{view:?}"),
                 allowed: "scale > 0, shift x, shift y, left, top, right, bottom, all finite".into(),
@@ -88,7 +88,7 @@ impl Shape {
     fn from_code(code: f64) -> Result<Self, Error> {
         const ALL: [Shape; 8] =
             [Shape::Dot, Shape::Circle, Shape::Plus, Shape::Cross, Shape::Square, Shape::TriangleUp, Shape::TriangleDown, Shape::Diamond];
-        ALL.into_iter().enumerate().find(|(index, _)| *index as f64 == code).map(|(_, shape)| shape).ok_or_else(|| Error::InvalidInput {
+        ALL.into_iter().enumerate().find(|(index, _)| *index as f64 == code).map(|(_, shape)| shape).ok_or_else(|| Error::InvalidArgument {
             what: "shape of a point style",
             got: code.to_string(),
             allowed: "0 dot, 1 circle, 2 plus, 3 cross, 4 square, 5 and 6 triangle up and down, 7 diamond".into(),
@@ -143,7 +143,7 @@ fn check_rows(what: &'static str, values: &[f64], stride: usize, codes: &[u8]) -
     if values.len() == codes.len() * stride {
         return Ok(());
     }
-    Err(Error::InvalidInput {
+    Err(Error::InvalidArgument {
         what,
         got: format!("{} numbers for {} codes", values.len(), codes.len()),
         allowed: format!("{stride} numbers a code"),

@@ -2,10 +2,11 @@
 
 use super::convert::{JsResult, emitting, numbers, object, pack, read, set, thrown};
 use crate::{
-    BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, Error, ExportFormat, FileFault, PointColumns, Project, check_truth,
-    export_block, planned_files as plan, read_project, score_block, write_block_project,
+    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, Error, ExportFormat, FileFault, ObservationPart, PointColumns,
+    Project, block_covariances, block_epipolar_line, check_truth, covariance_table, export_block, image_points, planned_files as plan,
+    point_detail, point_ids, read_project, score_block, write_block_project,
 };
-use js_sys::{Function, Uint16Array};
+use js_sys::{Function, Uint8Array, Uint16Array, Uint32Array};
 use std::rc::Rc;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -23,6 +24,18 @@ export interface PointColumns {
     errors: Float64Array;
     /** Probability, 0..1, that all rays belong together. */
     confidence: Float64Array;
+}
+
+/** The observations of an image. */
+export interface ImagePoints {
+    /** Index of the point of each in the model that is written. */
+    points: Uint32Array;
+    /** Column and row in px; stride 2. */
+    places: Float64Array;
+    /** Observed minus computed in px; NaN where there is none; stride 2. */
+    residuals: Float64Array;
+    /** 0: it takes part; 1: it was rejected; 2: it was rejected by hand. */
+    parts: Uint8Array;
 }
 
 /** A message and its text. */
@@ -43,6 +56,10 @@ impl FinishedBlock {
     pub(super) fn of(run: BlockRun) -> Self {
         Self { run: Rc::new(run) }
     }
+
+    pub(super) fn run(&self) -> &BlockRun {
+        &self.run
+    }
 }
 
 #[wasm_bindgen]
@@ -60,6 +77,12 @@ impl FinishedBlock {
     /// The text of its project file.
     pub fn project(&self) -> JsResult<String> {
         write_block_project(&self.run).map_err(thrown)
+    }
+
+    /// What came of the orthophoto that the block was given; null where it was given none.
+    #[wasm_bindgen(unchecked_return_type = "OnOrthophoto | null")]
+    pub fn on_orthophoto(&self) -> JsValue {
+        pack(&self.run.orthophoto)
     }
 
     /// The model that is written.
@@ -82,6 +105,56 @@ impl FinishedBlock {
         ]);
         set(&packed, "points", &columns);
         Ok(packed)
+    }
+
+    /// The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found.
+    pub fn edited(&self, #[wasm_bindgen(unchecked_param_type = "readonly BlockEdit[]")] edits: &JsValue) -> JsResult<FinishedBlock> {
+        let edits: Vec<BlockEdit> = read("edits", edits)?;
+        self.run.with_edits(&edits).map(Self::of).map_err(thrown)
+    }
+
+    /// The edits that it has.
+    #[wasm_bindgen(unchecked_return_type = "BlockEdit[]")]
+    pub fn edits(&self) -> JsValue {
+        pack(&self.run.edits())
+    }
+
+    /// The points of the model that is written by what they are, whatever their indices; empty for a block that is not oriented.
+    #[wasm_bindgen(unchecked_return_type = "PointSource[]")]
+    pub fn point_ids(&self) -> JsValue {
+        pack(&point_ids(&self.run))
+    }
+
+    /// All that is known of a point of the model that is written.
+    #[wasm_bindgen(unchecked_return_type = "PointDetail")]
+    pub fn point(&self, point: usize) -> JsResult<JsValue> {
+        point_detail(&self.run, point).map(|detail| pack(&detail)).map_err(thrown)
+    }
+
+    /// The observations of an image.
+    #[wasm_bindgen(unchecked_return_type = "ImagePoints")]
+    pub fn image_points(&self, image: usize) -> JsResult<JsValue> {
+        let found = image_points(&self.run, image).map_err(thrown)?;
+        let points: Vec<u32> = found.iter().map(|seen| seen.point as u32).collect();
+        let parts: Vec<u8> = found.iter().map(|seen| part_code(seen.part)).collect();
+        Ok(object([
+            ("points", Uint32Array::from(&points[..]).unchecked_into()),
+            ("places", numbers(found.iter().flat_map(|seen| seen.place_px))),
+            ("residuals", numbers(found.iter().flat_map(|seen| seen.residual_px.unwrap_or([f64::NAN; 2])))),
+            ("parts", Uint8Array::from(&parts[..]).unchecked_into()),
+        ]))
+    }
+
+    /// The epipolar line of a place of one image in another one: x, y in px, stride 2, as far as that shows it, from near to far.
+    pub fn epipolar_line(&self, from: usize, x_px: f64, y_px: f64, to: usize) -> JsResult<Vec<f64>> {
+        block_epipolar_line(&self.run, from, [x_px, y_px], to).map(|line| line.into_iter().flatten().collect()).map_err(thrown)
+    }
+
+    /// The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
+    /// error, then its covariances with all of them.
+    pub fn covariances(&self, #[wasm_bindgen(unchecked_param_type = "readonly string[]")] names: &JsValue) -> JsResult<String> {
+        let names: Vec<String> = read("names", names)?;
+        block_covariances(&self.run, &names).map(|found| covariance_table(&found)).map_err(thrown)
     }
 
     /// How near a simulated block is to its truth.
@@ -108,6 +181,14 @@ impl FinishedBlock {
     ) -> JsResult<BlockWriting> {
         let (formats, score): (Vec<ExportFormat>, Option<BlockScore>) = (read("formats", formats)?, read("score", score)?);
         Ok(BlockWriting { run: self.run.clone(), files: BlockFiles::new(&formats, score) })
+    }
+}
+
+fn part_code(part: ObservationPart) -> u8 {
+    match part {
+        ObservationPart::Accepted | ObservationPart::NotAdjusted => 0,
+        ObservationPart::RejectedByHand => 2,
+        _ => 1,
     }
 }
 

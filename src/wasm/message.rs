@@ -29,19 +29,21 @@ export interface Messages {
     camera_origin: CameraOrigin;
     camera_parameter: CameraParameter;
     error: { kind: string };
-    /** Texts of the page itself: `kind` names one, the other fields are its figures. */
-    page: { kind: string };
     overview_warning: OverviewWarning;
     placing_verdict: PlacingVerdict;
+    image_reason: ImageReason;
+    on_orthophoto: OnOrthophoto;
 }
 "#;
 
-/// The English text of a message, or, by its name, another text that belongs to it, as its `label`.
+/// The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
+/// that there is a catalogue of.
 #[wasm_bindgen]
 pub fn message(
     #[wasm_bindgen(unchecked_param_type = "keyof Messages")] family: &str,
     #[wasm_bindgen(unchecked_param_type = "Messages[keyof Messages]")] message: &JsValue,
     attribute: Option<String>,
+    language: Option<String>,
 ) -> JsResult<String> {
-    Ok(Texts::english().text_of(family, &read::<Value>("message", message)?, attribute.as_deref()))
+    Ok(Texts::of(language.as_deref().unwrap_or("en")).text_of(family, &read::<Value>("message", message)?, attribute.as_deref()))
 }

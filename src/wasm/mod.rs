@@ -11,6 +11,8 @@ mod convert;
 mod descriptors;
 mod digest;
 mod draw;
+#[cfg(test)]
+mod everywhere;
 mod features;
 mod finished;
 mod geometry;

@@ -2,9 +2,9 @@
 
 use super::convert::{JsResult, numbers, pack, read, read_options, rows, set, thrown};
 use crate::{
-    CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, Match, Observation, OrientationOptions, PairInterior, PairVerdict,
-    PhotoInput, PointStatistics, RelativeOrientation, judged, observations as photo_observations, orient_fiducials as orient_marks,
-    orient_matches as orient_by_matches, orient_relative as orient_pair, photo_interior,
+    CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, Match, ModelPoint, Observation, OrientationOptions, PairInterior,
+    PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, judged, model_points as points_of, observations as photo_observations,
+    orient_fiducials as orient_marks, orient_matches as orient_by_matches, orient_relative as orient_pair, photo_interior,
 };
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
@@ -97,7 +97,7 @@ pub fn orient_matches(
     let (rows, fits) = (rows::<5>("matches", matches)?, rows::<5>("fits", fits)?);
     if !fits.is_empty() && fits.len() != rows.len() {
         let got = format!("{} fits for {} matches", fits.len(), rows.len());
-        return Err(thrown(Error::InvalidInput { what: "fits", got, allowed: "one for each match, or none".into() }));
+        return Err(thrown(Error::InvalidArgument { what: "fits", got, allowed: "one for each match, or none".into() }));
     }
     let fit = |[correlation, xx, xy, yy, iterations]: &[f64; 5]| {
         correlation.is_finite().then_some(Fit { correlation: *correlation, covariance: [*xx, *xy, *yy], iterations: *iterations as usize })
@@ -124,15 +124,42 @@ pub fn orient_relative(
     weights: Option<Vec<f64>>,
 ) -> JsResult<JsValue> {
     let options: OrientationOptions = read_options("orientation", options)?;
+    orient_pair(&weighted(observations, weights.as_deref())?, focal_mm, &options).map(|o| pack_orientation(&o)).map_err(thrown)
+}
+
+/// Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are
+/// none), 1 where the observation took part and 0 where it was rejected; stride 7, NaN for parallel rays. `base`: the length of the base in
+/// the unit that the points shall have; 1: the base is the unit.
+#[wasm_bindgen]
+pub fn model_points(
+    observations: &[f64],
+    focal_mm: f64,
+    #[wasm_bindgen(unchecked_param_type = "Given<OrientationOptions>")] options: &JsValue,
+    base: f64,
+    weights: Option<Vec<f64>>,
+) -> JsResult<Vec<f64>> {
+    let options: OrientationOptions = read_options("orientation", options)?;
+    let observations = weighted(observations, weights.as_deref())?;
+    let orientation = orient_pair(&observations, focal_mm, &options).map_err(thrown)?;
+    let points = points_of(&orientation, &observations, base).map_err(thrown)?;
+    let row = |point: Option<ModelPoint>| {
+        let Some(ModelPoint { position: [x, y, z], errors, accepted }) = point else { return [f64::NAN; 7] };
+        let [sx, sy, sz] = errors.unwrap_or([f64::NAN; 3]);
+        [x, y, z, sx, sy, sz, if accepted { 1.0 } else { 0.0 }]
+    };
+    Ok(points.into_iter().flat_map(row).collect())
+}
+
+/// Observations of stride 4 with their weights, or all of weight 1.
+fn weighted(observations: &[f64], weights: Option<&[f64]>) -> JsResult<Vec<Observation>> {
     let rows = rows::<4>("observations", observations)?;
-    if let Some(weights) = weights.as_ref().filter(|weights| weights.len() != rows.len()) {
+    if let Some(weights) = weights.filter(|weights| weights.len() != rows.len()) {
         let got = format!("{} weights for {} observations", weights.len(), rows.len());
-        return Err(thrown(Error::InvalidInput { what: "weights", got, allowed: "one weight for each observation".into() }));
+        return Err(thrown(Error::InvalidArgument { what: "weights", got, allowed: "one weight for each observation".into() }));
     }
-    let weight = |k: usize| weights.as_ref().map_or(1.0, |weights| weights[k]);
-    let observed =
-        rows.iter().enumerate().map(|(k, [xl, yl, xr, yr])| Observation { left: [*xl, *yl], right: [*xr, *yr], weight: weight(k) });
-    orient_pair(&observed.collect::<Vec<_>>(), focal_mm, &options).map(|o| pack_orientation(&o)).map_err(thrown)
+    let weight = |k: usize| weights.map_or(1.0, |weights| weights[k]);
+    let of = |(k, [xl, yl, xr, yr]): (usize, &[f64; 4])| Observation { left: [*xl, *yl], right: [*xr, *yr], weight: weight(k) };
+    Ok(rows.iter().enumerate().map(of).collect())
 }
 
 /// The orientation of matches, with the verdict on it.

@@ -1,10 +1,11 @@
 //! Images placed on an orthophoto.
 
 use super::convert::{JsResult, object, pack, read, read_options, thrown};
+use super::finished::FinishedBlock;
 use crate::{
-    CameraRules, DecodeLimits, Error, ExifImage, FileFault, HeightModel, Heights, Mosaic, Orthophoto, PlacedImage, Placement,
-    PlacingCamera, PlacingOptions, Project, SearchArea, decode, heights_of_points, links_table, place_image, placed_table, read_project,
-    rectify_placed, write_geotiff,
+    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, GivenLink, GreyImage, HeightModel, Heights, Mosaic, Orthophoto,
+    PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, ground_positions, halve, heights_of_points,
+    image_positions, links_table, place_by_links, place_image, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -20,6 +21,8 @@ export interface OrthophotoInfo {
     georeference: Georeference;
     epsg: number | null;
     heights: [number, number];
+    /** Share of the picture that has a height, 0 to 1. */
+    heights_share: number;
 }
 "#;
 
@@ -29,6 +32,18 @@ pub struct OrthophotoReference {
     orthophoto: Orthophoto,
     options: PlacingOptions,
     area: Option<SearchArea>,
+    /// The picture halved once, twice and so on, made when it is first shown.
+    reduced: Vec<GreyImage>,
+}
+
+impl OrthophotoReference {
+    /// The points among which images are sought, found where they are not yet; to be put back.
+    fn taken_area(&mut self) -> JsResult<SearchArea> {
+        match self.area.take() {
+            Some(area) => Ok(area),
+            None => SearchArea::new(&self.orthophoto, &self.options).map_err(thrown),
+        }
+    }
 }
 
 #[wasm_bindgen]
@@ -37,7 +52,7 @@ impl OrthophotoReference {
     pub fn open(file: &[u8], world_file: Option<String>) -> JsResult<OrthophotoReference> {
         let level = Heights::Level(0.0);
         let orthophoto = Orthophoto::read(file, world_file.as_deref(), level, &DecodeLimits::default()).map_err(thrown)?;
-        Ok(Self { orthophoto, options: PlacingOptions::default(), area: None })
+        Ok(Self { orthophoto, options: PlacingOptions::default(), area: None, reduced: Vec::new() })
     }
 
     /// The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
@@ -46,7 +61,16 @@ impl OrthophotoReference {
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array")] heights: &JsValue,
         world_file: Option<String>,
     ) -> JsResult<()> {
-        self.orthophoto.heights = read_heights(heights, world_file.as_deref())?;
+        let earlier = std::mem::replace(&mut self.orthophoto.heights, read_heights(heights, world_file.as_deref())?);
+        if self.orthophoto.heights_share() == 0.0 {
+            self.orthophoto.heights = earlier;
+            let got = "none under the orthophoto".to_string();
+            return Err(thrown(Error::InvalidArgument {
+                what: "heights of a height model",
+                got,
+                allowed: "a model of the same ground in the same system".into(),
+            }));
+        }
         self.area = None;
         Ok(())
     }
@@ -70,6 +94,7 @@ impl OrthophotoReference {
             ("georeference", pack(georeference)),
             ("epsg", pack(epsg)),
             ("heights", pack(&heights.range())),
+            ("heights_share", self.orthophoto.heights_share().into()),
         ])
     }
 
@@ -81,13 +106,88 @@ impl OrthophotoReference {
         let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
         let camera = PlacingCamera::of(&rules, name, [image.width() as u32, image.height() as u32], &exif);
-        let area = match self.area.take() {
-            Some(area) => area,
-            None => SearchArea::new(&self.orthophoto, &self.options).map_err(thrown)?,
-        };
+        let area = self.taken_area()?;
         let placed = place_image(image.view(), &camera, &self.orthophoto, &area, &self.options);
         self.area = Some(area);
         placed.map(|placed| pack(&placed)).map_err(thrown)
+    }
+
+    /// Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
+    /// picture on, 0 where it shows nothing.
+    pub fn picture(&mut self, column: usize, row: usize, width: usize, height: usize, halvings: usize) -> JsResult<Vec<u8>> {
+        if width.saturating_mul(height) > MOST_SHOWN || halvings > MOST_HALVINGS {
+            let got = format!("{width} x {height} px, halved {halvings} times");
+            let allowed = format!("{MOST_SHOWN} pixels, halved {MOST_HALVINGS} times at most");
+            return Err(thrown(Error::InvalidArgument { what: "part of a picture", got, allowed }));
+        }
+        let whole = &self.orthophoto.grey;
+        while self.reduced.len() < halvings {
+            let next = halve(self.reduced.last().unwrap_or(whole).view());
+            self.reduced.push(next);
+        }
+        let level = if halvings == 0 { whole } else { &self.reduced[halvings - 1] };
+        let px = f64::from(1_u32 << halvings);
+        let shown = |x: usize, y: usize| {
+            let shows = x < level.width() && y < level.height() && self.orthophoto.shows([x, y].map(|v| (v as f64 + 0.5) * px));
+            if shows { level.view().at(x, y).max(1) } else { 0 }
+        };
+        let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        Ok(places.map(|(x, y)| shown(column.saturating_add(x), row.saturating_add(y))).collect())
+    }
+
+    /// Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
+    /// links. The file tells its camera. `options`: as of `search`; absent: those that it had.
+    #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
+    pub fn adjust(
+        &self,
+        name: &str,
+        file: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "readonly GivenLink[]")] links: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Placement | null")] start: &JsValue,
+        cameras: Option<String>,
+        #[wasm_bindgen(unchecked_optional_param_type = "Given<PlacingOptions>")] options: &JsValue,
+    ) -> JsResult<JsValue> {
+        let options = if options.is_undefined() { self.options.clone() } else { read_options::<PlacingOptions>("placing", options)? };
+        let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
+        let links: Vec<GivenLink> = read("links", links)?;
+        let start: Option<Placement> = if start.is_null() || start.is_undefined() { None } else { Some(read("start", start)?) };
+        let size = match &start {
+            Some(start) => [start.camera.width_px, start.camera.height_px],
+            None => {
+                let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
+                [image.width() as u32, image.height() as u32]
+            }
+        };
+        let exif = ExifImage::read(file, u64::from(size[0]), u64::from(size[1]));
+        let camera = PlacingCamera::of(&rules, name, size, &exif);
+        place_by_links(&camera, &self.orthophoto, start.as_ref(), &links, &options).map(|placed| pack(&placed)).map_err(thrown)
+    }
+
+    /// Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.
+    pub fn image_positions(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Placement")] placement: &JsValue,
+        places: &[f64],
+    ) -> JsResult<Vec<f64>> {
+        let placement: Placement = read("placement", placement)?;
+        let positions = image_positions(&placement, &self.orthophoto.heights, pairs("places", places)?);
+        Ok(positions.into_iter().flat_map(|at| at.unwrap_or([f64::NAN; 2])).collect())
+    }
+
+    /// The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
+    pub fn ground_positions(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Placement")] placement: &JsValue,
+        positions: &[f64],
+    ) -> JsResult<Vec<f64>> {
+        let placement: Placement = read("placement", placement)?;
+        let ground = ground_positions(&placement, &self.orthophoto.heights, pairs("positions", positions)?);
+        Ok(ground.into_iter().flat_map(|place| place.unwrap_or([f64::NAN; 3])).collect())
+    }
+
+    /// The heights of places X, Y, stride 2; no number where there is none.
+    pub fn heights_at(&self, places: &[f64]) -> JsResult<Vec<f64>> {
+        Ok(pairs("places", places)?.iter().map(|place| self.orthophoto.heights.at(*place).unwrap_or(f64::NAN)).collect())
     }
 
     /// A placed image resampled to the ground, grey, as GeoTIFF.
@@ -99,12 +199,66 @@ impl OrthophotoReference {
     }
 }
 
+/// The images of an oriented block while they are placed on an orthophoto, one after the other, in wasm memory. Call `free` when it is no longer
+/// needed.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct BlockOnOrthophoto {
+    links: BlockLinks,
+}
+
+#[wasm_bindgen]
+impl BlockOnOrthophoto {
+    /// None is placed yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
+    #[wasm_bindgen(unchecked_return_type = "PlacingVerdict | null")]
+    pub fn place(&mut self, block: &FinishedBlock, index: usize, file: &[u8], reference: &mut OrthophotoReference) -> JsResult<JsValue> {
+        let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
+        let area = reference.taken_area()?;
+        let placed = self.links.place(block.run(), index, image.view(), &reference.orthophoto, &area, &reference.options);
+        reference.area = Some(area);
+        placed.map(|placed| pack(&placed.map(|placed| &placed.verdict))).map_err(thrown)
+    }
+
+    /// The block in the system of the orthophoto, adjusted by places of its ground; what came of it stands in the summary. Where it could not be
+    /// linked it is as it was.
+    pub fn linked(&self, block: &FinishedBlock, reference: &OrthophotoReference) -> JsResult<FinishedBlock> {
+        self.links.linked(block.run(), &reference.orthophoto, &reference.options).map(FinishedBlock::of).map_err(thrown)
+    }
+}
+
+/// Pixels of a part of a picture, and how often it is halved, at most.
+const MOST_SHOWN: usize = 1 << 24;
+const MOST_HALVINGS: usize = 16;
+
+/// Numbers two by two.
+fn pairs<'a>(what: &'static str, numbers: &'a [f64]) -> JsResult<&'a [[f64; 2]]> {
+    match numbers.as_chunks::<2>() {
+        (pairs, []) => Ok(pairs),
+        _ => Err(thrown(Error::InvalidArgument { what, got: format!("{} numbers", numbers.len()), allowed: "two for each".into() })),
+    }
+}
+
 /// One height for all, or a file.
 fn read_heights(heights: &JsValue, world_file: Option<&str>) -> JsResult<Heights> {
     match heights.dyn_ref::<Uint8Array>() {
         Some(file) => HeightModel::read(&file.to_vec(), world_file).map(Heights::Model).map_err(thrown),
         None => read("heights", heights).map(Heights::Level),
     }
+}
+
+/// Refuses what is no height of the ground, nor a file of heights.
+#[wasm_bindgen]
+pub fn check_heights(
+    #[wasm_bindgen(unchecked_param_type = "number | Uint8Array")] heights: &JsValue,
+    world_file: Option<String>,
+) -> JsResult<()> {
+    read_heights(heights, world_file.as_deref()).map(drop)
 }
 
 /// The tables of images that were placed: of the images, and of their links.
@@ -170,6 +324,14 @@ impl OrthoMosaic {
     pub fn add(&mut self, index: usize, file: &[u8]) -> JsResult<()> {
         let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
         self.mosaic.add(index, image.view()).map_err(thrown)
+    }
+
+    /// The heights on which it lies, as GeoTIFF; absent where these are one for all.
+    pub fn heights(&self) -> JsResult<Option<Vec<u8>>> {
+        match self.mosaic.heights() {
+            Heights::Model(model) => write_heights(model, None).map(Some).map_err(thrown),
+            Heights::Level(_) => Ok(None),
+        }
     }
 
     /// The mosaic, grey, as GeoTIFF.

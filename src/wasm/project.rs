@@ -130,7 +130,7 @@ fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
     let of_points = [best.len(), places.len(), measures.len()].iter().all(|length| *length == rules.len());
     if !of_matches || !of_points {
         let allowed = "three arrays of as many matches and four of as many points".into();
-        return Err(thrown(Error::InvalidInput { what: "matches", got: "arrays of other lengths".into(), allowed }));
+        return Err(thrown(Error::InvalidArgument { what: "matches", got: "arrays of other lengths".into(), allowed }));
     }
     let fit = |[correlation, xx, xy, yy, iterations]: [f64; 5]| {
         (!correlation.is_nan()).then_some(Fit { correlation, covariance: [xx, xy, yy], iterations: iterations as usize })

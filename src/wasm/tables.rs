@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, pack, rows, thrown};
 use crate::{
-    matches_csv as write_matches, parse_camera as read_camera, parse_fiducials as read_fiducials, parse_observations as read_observations,
-    points_csv as write_points,
+    ModelPoint, matches_csv as write_matches, model_points_csv as write_model_points, parse_camera as read_camera,
+    parse_fiducials as read_fiducials, parse_observations as read_observations, points_csv as write_points,
 };
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -37,4 +37,14 @@ pub fn matches_csv(matches: &[f64]) -> JsResult<String> {
 #[wasm_bindgen]
 pub fn points_csv(points: &[f64]) -> JsResult<String> {
     Ok(write_points(rows("points", points)?))
+}
+
+/// Writes object points of a pair (stride 7, as `model_points` gives them) as CSV.
+#[wasm_bindgen]
+pub fn model_points_csv(points: &[f64]) -> JsResult<String> {
+    let point = |[x, y, z, sx, sy, sz, accepted]: &[f64; 7]| {
+        let errors = Some([*sx, *sy, *sz]).filter(|errors| errors.iter().all(|error| error.is_finite()));
+        x.is_finite().then_some(ModelPoint { position: [*x, *y, *z], errors, accepted: *accepted != 0.0 })
+    };
+    Ok(write_model_points(&rows::<7>("points", points)?.iter().map(point).collect::<Vec<_>>()))
 }

@@ -186,12 +186,18 @@ test('killed while it writes, the next run knows its files', async () => {
 });
 
 test('the exactness of recorded positions is an option', () => {
-  const sigma = (/** @type {string[]} */ ...options) => json(...BLOCK.call, '--out', folder(), ...options).settings.placing;
+  const sigma = (/** @type {string[]} */ ...options) => {
+    const { crs: _, geoid_m: __, ...errors } = json(...BLOCK.call, '--out', folder(), ...options).settings.placing;
+    return errors;
+  };
   assert.deepEqual(sigma('--receiver-across-m', '0.02', '--receiver-up-m', '0.04'), {
     receiver_across_m: 0.02,
     receiver_up_m: 0.04,
     surveyed_across_m: 0.02,
     surveyed_up_m: 0.03,
+    mark_sigma_px: 1,
+    shared_errors: 0.25,
+    variance_components: false,
   });
   assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--receiver-up-m', '0').stderr, /--receiver-up-m is 0; allowed: 0\.001 to 1000/);
 });

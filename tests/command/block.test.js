@@ -35,6 +35,7 @@ test('a block is matched, oriented and written', () => {
     'points.csv',
     'rays.csv',
     'orientation.json',
+    'report.html',
     'summary.json',
     'colmap/sparse/images.txt',
     'bingo/bingo.dat',
@@ -372,4 +373,74 @@ test('a damaged project is refused plainly', () => {
   flipped[bytes.length - 50] = (flipped[bytes.length - 50] ?? 0) ^ 4;
   refused(flipped);
   refused(Buffer.from('{}'));
+});
+
+test('covariances of images and points of a project are written as a table', () => {
+  const project = join(WHOLE.out, 'project.tiepoint');
+  const [first] = FinishedBlock.open(readFileSync(project)).model().images;
+  const out = join(folder(), 'covariances.csv');
+  const { code, stderr } = tiepoint('covariances', project, '--of', `${first?.name},point:0`, '--out', out);
+  assert.equal(code, 0, stderr);
+  const [head = [], ...rows] = readFileSync(out, 'utf8')
+    .trim()
+    .split('\n')
+    .map((line) => line.split(','));
+  assert.equal(head[5], `${first?.name} omega [deg]`);
+  assert.equal(rows.length, 9);
+  const sigmas = readFileSync(join(WHOLE.out, 'images.csv'), 'utf8')
+    .split('\n')
+    .slice(0, 2)
+    .map((line) => line.split(','));
+  const sigma = Number(sigmas[1]?.[sigmas[0]?.indexOf('sigma_x') ?? -1]);
+  assert.ok(Math.abs(Number(rows[3]?.[4]) / sigma - 1) < 1e-5, `${rows[3]} ${sigma}`);
+  for (const [k, row] of rows.entries()) assert.ok(Math.abs(Number(row[5 + k]) / Number(row[4]) ** 2 - 1) < 1e-9);
+  const refused = tiepoint('covariances', project, '--of', 'nobody.jpg', '--out', out);
+  assert.ok(refused.code === 1 && /nobody\.jpg/.test(refused.stderr), refused.stderr);
+  assert.match(tiepoint('covariances', project, '--out', out).stderr, /--of is missing/);
+});
+
+test('edits by hand are applied to a project, and undone to the byte', () => {
+  const project = join(WHOLE.out, 'project.tiepoint');
+  const found = FinishedBlock.open(readFileSync(project));
+  const [point] = found.point_ids();
+  const [first, second] = found.point(0).observations;
+  assert.ok(point && first && second);
+  const edits = [
+    { kind: 'reject_observations', observations: [{ point, image: first.image }] },
+    { kind: 'measure', point, image: second.image, x_px: second.x_px + 0.2, y_px: second.y_px },
+    { kind: 'reject_images', images: [5] },
+  ];
+  const [at, out] = [folder(), folder()];
+  const edited = json('edit', project, '--edits', file(at, 'edits.json', JSON.stringify(edits)), '--out', out, '--export', 'colmap');
+  assert.equal(edited.edits, 3);
+  assert.equal(edited.orientation.oriented, 5);
+  assert.deepEqual(JSON.parse(readFileSync(join(out, 'summary.json'), 'utf8')), edited);
+  assert.ok(contents(out).has('colmap/sparse/images.txt'));
+  const [head = ''] = readFileSync(join(out, 'rays.csv'), 'utf8').split('\n');
+  assert.match(head, /,by_hand$/);
+  const kept = FinishedBlock.open(readFileSync(join(out, 'project.tiepoint')));
+  assert.deepEqual(kept.edits(), [edits[0], { ...edits[1], by: 'hand' }, edits[2]]);
+  // Without --edits those of the project stay, [] undoes them.
+  assert.equal(json('edit', join(out, 'project.tiepoint'), '--out', folder()).edits, 3);
+  const undone = folder();
+  assert.equal(json('edit', join(out, 'project.tiepoint'), '--edits', file(at, 'none.json', '[]'), '--out', undone).edits, 0);
+  for (const name of ['project.tiepoint', 'points.csv', 'orientation.json']) {
+    assert.equal(readFileSync(join(undone, name), 'utf8'), readFileSync(join(WHOLE.out, name), 'utf8'), name);
+  }
+});
+
+test('edits that cannot be are refused by name', () => {
+  const project = join(WHOLE.out, 'project.tiepoint');
+  const at = folder();
+  const refused = (/** @type {string} */ text) => {
+    const { code, stderr } = tiepoint('edit', project, '--edits', file(at, 'edits.json', text), '--out', folder());
+    assert.ok(code !== 0 && stderr.includes('edits.json'), stderr);
+    return stderr;
+  };
+  assert.match(refused('[{"kind": "reject_points", "points": [{"tie_point": 4000000}]}]'), /tie point 4000000/);
+  assert.match(refused('[{"kind": "reject_images", "images": [9]}]'), /index 9/);
+  assert.match(refused('[{"kind": "paint"}]'), /paint/);
+  assert.match(refused('{"kind": "reject_images"}'), /no list of edits/);
+  assert.match(refused('[{'), /no JSON/);
+  assert.match(tiepoint('edit', project).stderr, /--out is missing/);
 });

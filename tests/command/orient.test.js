@@ -1,4 +1,6 @@
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { file, folder, json, speckle, tiepoint } from './command.js';
 
@@ -119,4 +121,28 @@ test('the table shows values with their standard errors', () => {
   assert.equal(code, 0);
   assert.match(stdout, /kappa \[deg\] +1\.2000 +0\.0000/);
   assert.match(stdout, /35 degrees of freedom/);
+});
+
+test('object points are written with their standard errors', () => {
+  const from = file(
+    at,
+    'noisy-points.csv',
+    observations(40, (i) => 0.01 * (speckle(i, 7) / 255 - 0.5)),
+  );
+  const rowsOf = (/** @type {string[]} */ ...more) => {
+    const out = join(folder(), 'points.csv');
+    assert.equal(tiepoint('orient', from, ...CALL, '--points', out, ...more).code, 0);
+    const [names = '', ...lines] = readFileSync(out, 'utf8').trimEnd().split('\n');
+    assert.equal(names, 'point,x,y,z,sigma_x,sigma_y,sigma_z,use');
+    assert.equal(lines.length, 40);
+    return lines.map((line) => line.split(','));
+  };
+  const [unit, metres] = [rowsOf(), rowsOf('--base-length', '500')];
+  for (const [k, row] of unit.entries()) {
+    assert.equal(row[0], String(k));
+    for (let c = 1; c < 7; c++) assert.ok(Math.abs(500 * Number(row[c]) - Number(metres[k]?.[c])) < 1e-6 * Math.abs(Number(metres[k]?.[c])), row.join());
+    assert.ok(Number(row[3]) < 0 && Number(row[6]) > 0 && row[7] === 'used', row.join());
+  }
+  assert.equal(tiepoint('orient', from, ...CALL, '--base-length', '500').code, 2);
+  assert.equal(tiepoint('orient', from, ...CALL, '--points', join(folder(), 'p.csv'), '--base-length', '0').code, 2);
 });

@@ -47,6 +47,14 @@ test('photos are placed on the orthophoto of their scene, and their pictures lie
   assert.deepEqual(JSON.parse(readFileSync(join(out, 'result.json'), 'utf8')), result);
 });
 
+test('without check links images are placed, and the call says that nothing checks them', () => {
+  const [photo = ''] = OWN.photos;
+  const { code, stdout, stderr } = tiepoint('place', photo, ...GROUND, '--check-share', '0');
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /Placed by \d+ points/);
+  assert.match(stderr, /no link checks the result/);
+});
+
 test('a photo of elsewhere is not placed, and the exit code says so', () => {
   const other = flown('4');
   const stranger = file(folder(), 'stranger.png', readFileSync(other.photos[0]));
@@ -114,5 +122,9 @@ test('a block becomes an orthomosaic, on which its photos are placed again', () 
   const placed = json('place', join(block, 'photos', 'photo_00001.png'), '--orthophoto', picture, '--level', '0', '--points', '3000');
   assert.notEqual(placed.images[0].verdict.kind, 'not_placed', JSON.stringify(placed.images[0].verdict));
   assert.match(tiepoint('mosaic', join(block, 'out', 'project.tiepoint'), folder(), '--out', picture).stderr, /none of the images/);
-  assert.match(tiepoint('mosaic', join(OWN.at, 'truth.json'), OWN.at, '--out', picture).stderr, /truth\.json/);
+  // Faults of the project are not those of the heights.
+  const heights = join(OWN.at, 'heights.tif');
+  assert.match(tiepoint('mosaic', join(OWN.at, 'truth.json'), OWN.at, '--out', picture, '--heights', heights).stderr, /: .*truth\.json: /);
+  const broken = file(folder(), 'broken.asc', 'ncols 3');
+  assert.match(tiepoint('mosaic', join(block, 'out', 'project.tiepoint'), OWN.at, '--out', picture, '--heights', broken).stderr, /broken\.asc: /);
 });

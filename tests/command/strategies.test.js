@@ -48,8 +48,10 @@ test('a refinement moves right positions between pixels and makes σ₀ smaller'
 });
 
 test('with nothing set all matches of gradients stay, and those that least squares matching confirms are refined', () => {
-  const [auto, gradient] = [run(), run('--strategy', 'gradient')];
+  const [auto, gradient] = [run('--no-fill-in'), run('--strategy', 'gradient')];
   assert.equal(auto.counts.matches, gradient.counts.matches);
+  const filled = run();
+  assert.ok(filled.counts.matches > 1.4 * auto.counts.matches && filled.score.right_share > 0.98, `${filled.counts.matches}, ${filled.score.right_share}`);
   const confirmed = auto.fits.filter((/** @type {number[] | null} */ fit) => fit !== null);
   assert.ok(confirmed.length > 0.5 * auto.counts.matches && confirmed.length < auto.counts.matches);
   assert.ok(auto.orientation.sigma0_mm < 0.7 * gradient.orientation.sigma0_mm);
@@ -110,4 +112,18 @@ test('bad values are usage errors that name what is allowed', () => {
     assert.match(stderr, pattern);
     assert.equal(stderr.trimEnd().split('\n').length, 1);
   }
+});
+
+test("ready-made settings stand under other options, and the paper's are those of moments", () => {
+  const paper = run('--preset', 'zahran-2007');
+  assert.equal(paper.settings.matching.strategy, 'moments');
+  assert.deepEqual([paper.settings.points.threshold, paper.settings.window.side, paper.settings.matching.search], [40, 11, 25]);
+  assert.ok(paper.counts.matches > 100, JSON.stringify(paper.counts));
+  const many = run('--preset', 'many-points', '--template', '15');
+  assert.deepEqual([many.settings.multiscale.number, many.settings.matching.template], [20_000, 15]);
+  const wide = run('--preset', 'little-in-common');
+  assert.equal(wide.settings.matching.template, 21);
+  const { code, stderr } = tiepoint(...call, '--preset', 'city');
+  assert.equal(code, 2);
+  assert.match(stderr, /--preset is city; allowed: many-points, little-in-common, zahran-2007/);
 });

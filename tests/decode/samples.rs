@@ -7,7 +7,7 @@ use image::{DynamicImage, ExtendedColorType, ImageEncoder, ImageFormat};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 
-use crate::jpeg_writer::Jpeg;
+use super::jpeg_writer::Jpeg;
 
 pub const WIDTH: u32 = 37;
 pub const HEIGHT: u32 = 23;

@@ -10,7 +10,8 @@ fn what_cannot_be_oriented_is_refused_with_its_reason() {
             let options = OrientationOptions { robust, ..NADIR.options() };
             orient_relative(observations, FOCAL_MM, &options).expect_err("no orientation")
         });
-        assert_eq!(robust, plain);
+        // A value that is no number is unequal to itself.
+        assert_eq!(robust.to_string(), plain.to_string());
         robust
     };
     let good = NADIR.observe(50, 0.01, 30);

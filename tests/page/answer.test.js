@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { status } from './blocks.js';
-import { choose, done, hosted, number, open, part, pngs, sample, SKIP, upload } from './page.js';
+import { choose, done, hosted, number, open, pair, part, pngs, sample, SKIP, upload } from './page.js';
 
 hosted('/answer/');
 
@@ -70,7 +70,7 @@ for (const [width, height] of /** @type {const} */ ([
 
 test('matches alone are drawn at first; one press shows the rejected points, and a press on one says why', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true });
-  await sample(page);
+  await pair(page);
   /** How many pixels of the marks have the colour of the rule that rejects most points of the sample. */
   const rejected = () =>
     page.evaluate(async () => {
@@ -133,7 +133,7 @@ test('photographs are drawn in colour, exactly where the crate has their pixels,
   const { page, complaints, close } = await open({ fresh: true });
   await part(page, 'file-input').setInputFiles(await photographs(page));
   await done(page);
-  assert.match((await part(page, 'name-left').getAttribute('title')) ?? '', /450 × 700 px/);
+  assert.match((await part(page, 'name-left').getAttribute('title')) ?? '', /270 × 400 px/);
   const picture = await page.evaluate(() => {
     const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="layer-pictures"]'));
     const { data } = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height) ?? { data: [] };
@@ -153,7 +153,7 @@ test('photographs are drawn in colour, exactly where the crate has their pixels,
 
 test('settings are closed at first, stay as they are left, and what was changed is marked, counted and set back', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true });
-  await sample(page);
+  await pair(page);
   const button = part(page, 'settings');
   const numberOf = page.locator('#panel-settings [data-key="multiscale.number"]');
   const strategy = page.locator('.control:has(> select[data-key="matching.strategy"])');
@@ -183,6 +183,24 @@ test('settings are closed at first, stay as they are left, and what was changed 
   await close();
 });
 
+test('ready-made settings are chosen at once, and named as long as they are what is set', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  const button = part(page, 'settings');
+  await button.click();
+  const preset = part(page, 'preset');
+  assert.equal(await preset.inputValue(), 'defaults');
+  await preset.selectOption('zahran-2007');
+  assert.equal(await page.locator('#panel-settings [data-key="points.threshold"]').inputValue(), '40');
+  assert.match((await part(page, 'preset-help').textContent()) ?? '', /^The paper's method/);
+  await page.locator('#panel-settings [data-testid="all-settings"]').click();
+  await page.locator('#panel-settings [data-key="matching.search"]').fill('31');
+  assert.equal(await preset.inputValue(), 'own');
+  await preset.selectOption('defaults');
+  assert.equal(await button.textContent(), 'Settings');
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('a pair without a camera asks for it, and the next step leads there', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true });
   await part(page, 'file-input').setInputFiles(pngs());
@@ -198,13 +216,11 @@ test('a pair without a camera asks for it, and the next step leads there', { ski
 test('a sample block is photographed, run and answered by one press', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width: 1366, height: 768 } } });
   await part(page, 'sample-block-first').click();
-  await page.waitForFunction(() => document.querySelector('[data-testid="block-answer"]')?.getAttribute('data-verdict') === 'oriented', undefined, {
-    timeout: 240_000,
-  });
-  for (const id of ['block-status', 'block-figures', 'block-next', 'block-picture']) await inSight(page, id);
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-answer"]')?.getAttribute('data-verdict') === 'oriented');
+  for (const id of ['block-status', 'block-figures', 'block-next', 'block-map']) await inSight(page, id);
   // The photos themselves lie where they were taken: of dots and lines alone there would be fewer colours.
   await page.waitForFunction(() => {
-    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="layer-plan"]'));
+    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="layer-map"]'));
     const { data } = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height) ?? { data: new Uint8ClampedArray() };
     let grey = 0;
     for (let i = 0; i < data.length; i += 4) if (data[i + 3] === 255 && data[i] === data[i + 1] && data[i] === data[i + 2]) grey += 1;

@@ -2,8 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { block, photograph, status } from './blocks.js';
-import { hosted, open, part, sample, SKIP } from './page.js';
+import { block, photos, status } from './blocks.js';
+import { hosted, open, pair, part, SKIP } from './page.js';
 
 hosted();
 
@@ -73,7 +73,7 @@ async function moves(page, host, layer, arrow) {
 
 test('the images of a pair are moved by wheel, drag, keys and two fingers', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ options: { hasTouch: true } });
-  await sample(page);
+  await pair(page);
   await moves(page, 'view', 'layer-pictures', 'ArrowRight');
   assert.deepEqual(complaints, []);
   await close();
@@ -81,10 +81,10 @@ test('the images of a pair are moved by wheel, drag, keys and two fingers', { sk
 
 test('the picture and the matrix of a block are moved in the same way', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block({ options: { hasTouch: true } });
-  await photograph(page);
+  await photos(page);
   await part(page, 'block-run').click();
   await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/);
-  await moves(page, 'block-picture', 'layer-plan', 'ArrowRight');
+  await moves(page, 'block-map', 'layer-map', 'ArrowRight');
   await part(page, 'block-show-matrix').click();
   // Its arrows go from cell to cell.
   await moves(page, 'block-matrix', 'layer-matrix', null);

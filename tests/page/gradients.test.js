@@ -5,7 +5,7 @@ import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { grey_png } from '../../pkg/node.js';
-import { again, choose, done, hosted, number, open, part, pngs, ROOT, sample, saved, SHOTS, SKIP, upload } from './page.js';
+import { again, choose, done, hosted, number, open, pair, part, pngs, ROOT, sample, saved, SHOTS, SKIP, SMALL, upload } from './page.js';
 
 hosted();
 
@@ -73,13 +73,13 @@ test('the matches are the same to the last byte for any number of workers', { sk
   const found = [];
   for (const workers of [1, 2, 3]) {
     const { page, complaints, close } = await open({ workers });
-    await sample(page);
+    await pair(page);
     await choose(page, 'matching.strategy', 'gradient');
     found.push({ csv: (await saved(page, 'export-csv')).toString(), workers: page.workers().length });
     assert.deepEqual(complaints, []);
     await close();
   }
-  assert.ok((found[0]?.csv.split('\n').length ?? 0) > 3000);
+  assert.ok((found[0]?.csv.split('\n').length ?? 0) > 1000);
   assert.ok(found.every(({ csv }) => csv === found[0]?.csv));
   // Those of the images and of the pair are there in any case.
   assert.deepEqual(
@@ -121,12 +121,13 @@ test('one photo twice, photos of different ground and a photo of one pixel are t
   await page.locator('select[data-key="matching.strategy"]').selectOption('gradient');
   await part(page, 'file-input').setInputFiles([left, { ...left, name: 'copy.png' }]);
   assert.match(await done(page), /Not oriented: both images show the same at the same positions\. Is it one photo twice\?/);
-  const noise = Uint8Array.from({ length: 450 * 700 }, (_, i) => Math.imul(i ^ (i >>> 7), 2654435761) >>> 24);
+  const { width_px: width, height_px: height } = SMALL;
+  const noise = Uint8Array.from({ length: width * height }, (_, i) => Math.imul(i ^ (i >>> 7), 2654435761) >>> 24);
   const replace = async (/** @type {ReturnType<typeof upload>} */ file) => {
     const [chooser] = await Promise.all([page.waitForEvent('filechooser'), part(page, 'replace-right').click()]);
     await chooser.setFiles([file]);
   };
-  await replace(upload('noise.png', grey_png(450, 700, noise), 'image/png'));
+  await replace(upload('noise.png', grey_png(width, height, noise), 'image/png'));
   await again(page);
   assert.match(await text(page, 'status'), /Not oriented: .*Do both photos show the same ground\?/);
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'partial');
@@ -134,7 +135,7 @@ test('one photo twice, photos of different ground and a photo of one pixel are t
   await page.waitForFunction(() => /^Right image: the image has 1 × 1 px/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
   await replace(right);
   await again(page);
-  assert.ok((await number(page, 'count-matches')) > 1000, 'it goes on with another image');
+  assert.ok((await number(page, 'count-matches')) > 500, 'it goes on with another image');
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -166,17 +167,18 @@ test('a mask leaves points out, is shown, and goes with its image; one of anothe
   await part(page, 'file-input').setInputFiles([upload('left-mask.png', grey_png(40, 30, new Uint8Array(1200)), 'image/png')]);
   await page.waitForFunction(() => /as large as its image/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
   assert.equal(await number(page, 'count-left-after_suppression'), all);
-  const half = Uint8Array.from({ length: 450 * 700 }, (_, i) => (i % 450 < 225 ? 0 : 255));
+  const middle = SMALL.width_px / 2;
+  const half = Uint8Array.from({ length: SMALL.width_px * SMALL.height_px }, (_, i) => (i % SMALL.width_px < middle ? 0 : 255));
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), part(page, 'mask-left').click()]);
-  await chooser.setFiles([upload('half.png', grey_png(450, 700, half), 'image/png')]);
+  await chooser.setFiles([upload('half.png', grey_png(SMALL.width_px, SMALL.height_px, half), 'image/png')]);
   await page.waitForFunction(
     (before) => Number(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent?.replaceAll(/\D/g, '')) < before,
     all,
   );
   assert.match(await done(page), /masks 50\.0 % of the left image/);
   const { points, images } = await everything(page);
-  assert.ok(points.left.length > 500 && points.left.every((/** @type {number[]} */ [x]) => (x ?? 0) >= 225));
-  assert.ok(points.right.some((/** @type {number[]} */ [x]) => (x ?? 0) < 225));
+  assert.ok(points.left.length > 500 && points.left.every((/** @type {number[]} */ [x]) => (x ?? 0) >= middle));
+  assert.ok(points.right.some((/** @type {number[]} */ [x]) => (x ?? 0) < middle));
   assert.deepEqual([images.left.mask, images.right.mask], ['half.png', null]);
   assert.ok((await coloured(part(page, 'layer-pictures'))) > 1000, 'the overlay');
   await page.screenshot({ path: join(SHOTS, 'mask.png') });

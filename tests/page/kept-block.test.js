@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
-import { block, photoFolder, photograph, status } from './blocks.js';
-import { done, hosted, number, open, part, pngs, SKIP, upload } from './page.js';
+import { block, photoFolder, photos, status } from './blocks.js';
+import { done, hosted, number, open, part, pngs, SKIP, until, upload } from './page.js';
 
 hosted('/kept-block/');
 
@@ -32,11 +32,7 @@ const partsNamed = (page, name) =>
 
 /** Waits until so many parts of a name are kept.  @param {Page} page @param {string} name @param {number} least */
 async function kept(page, name, least = 1) {
-  for (let i = 0; i < 300; i++) {
-    if (/** @type {number} */ (await partsNamed(page, name)) >= least) return;
-    await page.waitForTimeout(100);
-  }
-  assert.fail(`${name} was not kept`);
+  await until(page, `${name} is kept`, async () => /** @type {number} */ (await partsNamed(page, name)) >= least);
 }
 
 /** All that the panels of a block show.  @param {Page} page */
@@ -55,7 +51,7 @@ async function shown(page) {
 
 test('after a reload a block is as it was, its pairs open, and nothing is computed twice', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
-  await photograph(page);
+  await photos(page);
   await part(page, 'block-run').click();
   const line = await status(page, FINISHED);
   const before = await shown(page);
@@ -100,8 +96,7 @@ test('a run that a reload breaks off goes on where it stood', { skip: SKIP }, as
   assert.match((await part(page, 'stage-images').textContent()) ?? '', /4 of 4, [1-4] from an earlier run/);
   // Images that are removed are not kept either.
   await part(page, 'block-clear').click();
-  for (let i = 0; i < 100 && (await partsNamed(page, 'block/')) !== 0; i++) await page.waitForTimeout(100);
-  assert.equal(await partsNamed(page, 'block/'), 0);
+  await until(page, 'nothing of the block is kept', async () => (await partsNamed(page, 'block/')) === 0);
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
   await close();
@@ -142,7 +137,7 @@ test('files that are dropped before the program has loaded are opened when it ha
   }, files);
   for (const type of ['dragover', 'drop']) await part(page, 'view').dispatchEvent(type, { dataTransfer: transfer });
   load();
-  await page.waitForFunction(() => /matches/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''), undefined, { timeout: 60_000 });
+  await page.waitForFunction(() => /matches/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
   assert.ok((await number(page, 'count-matches')) > 500);
   assert.deepEqual(
     complaints.filter((complaint) => !complaint.includes(new URL(url).origin)),

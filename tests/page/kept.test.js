@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isDeepStrictEqual } from 'node:util';
-import { grey_png, simulate } from '../../pkg/node.js';
-import { again, choose, done, hosted, number, open, part, pngs, sample, saved, SKIP, upload } from './page.js';
+import { grey_png } from '../../pkg/node.js';
+import { again, choose, done, hosted, number, open, pair, part, pngs, sample, saved, SKIP, SMALL, until, upload } from './page.js';
 
 hosted('/kept/');
 
@@ -45,7 +45,6 @@ async function says(page, id, pattern) {
   await page.waitForFunction(
     ([at = '', source = '']) => new RegExp(source).test(document.querySelector(`[data-testid="${at}"]`)?.textContent ?? ''),
     [id, pattern.source],
-    { timeout: 60_000 },
   );
   return (await part(page, id).textContent()) ?? '';
 }
@@ -77,24 +76,19 @@ const stored = (page, store) =>
 
 /** Waits until the storage holds a part in which a text stands.  @param {Page} page @param {string} name @param {string} [text] */
 async function kept(page, name, text = '') {
-  for (let i = 0; i < 300; i++) {
-    const parts = await stored(page, 'parts');
-    if (parts.some((row) => row.part.startsWith(name) && row.text.includes(text))) return;
-    await page.waitForTimeout(100);
-  }
-  assert.fail(`${name} with ${text} was not kept`);
+  await until(page, `${name} with ${text} is kept`, async () =>
+    (await stored(page, 'parts')).some((row) => row.part.startsWith(name) && row.text.includes(text)),
+  );
 }
 
 /** Waits until the storage holds the results of what it holds of files and fields.  @param {Page} page */
 async function whole(page) {
-  for (let i = 0; i < 300; i++) {
+  await until(page, 'the results are kept', async () => {
     const parts = await stored(page, 'parts');
     const [given, result] = ['pair', 'pair/result'].map((name) => JSON.parse(parts.find((row) => row.part === name)?.text || 'null'));
     const files = given && [given.images.left, given.images.right, given.masks.left, given.masks.right].map((file) => file?.file ?? null);
-    if (result !== null && result.of === JSON.stringify(files) && isDeepStrictEqual(result.typed, given.typed)) return;
-    await page.waitForTimeout(100);
-  }
-  assert.fail('the results were not kept');
+    return result !== null && result.of === JSON.stringify(files) && isDeepStrictEqual(result.typed, given.typed);
+  });
 }
 
 /** Changes rows of the storage.  @param {Page} page @param {'projects' | 'parts'} store @param {Record<string, any>} which fields of the rows @param {Record<string, any>} change */
@@ -150,7 +144,7 @@ test('after a reload a pair is as it was, and no stage is computed again', { ski
   assert.deepEqual(await computed(page), []);
   // What is changed now is computed from what was kept.
   await page.locator('select[data-key="matching.strategy"]').selectOption('moments');
-  await page.waitForFunction(() => /** @type {any} */ (window).calls.includes('match'), undefined, { timeout: 60_000 });
+  await page.waitForFunction(() => /** @type {any} */ (window).calls.includes('match'));
   await done(page);
   await page.locator('select[data-key="matching.strategy"]').selectOption('auto');
   await done(page);
@@ -174,12 +168,12 @@ test('a simulated pair keeps its truth', { skip: SKIP }, async () => {
 
 test('mask, marks, offset and the order of the images are kept, and the results that follow from them', { skip: SKIP }, async () => {
   const { page, complaints, close } = await noting();
-  const { left } = simulate({});
-  const half = left.grey.map((_, i) => (i % left.width < left.width / 2 ? 0 : 255));
-  const marks = `col,row,x_mm,y_mm\n10.5,10.5,-3,5\n440.5,10.5,3,5\n440.5,690.5,3,-5\n10.5,690.5,-3,-5\n`;
+  const { width_px: width, height_px: height } = SMALL;
+  const half = Uint8Array.from({ length: width * height }, (_, i) => (i % width < width / 2 ? 0 : 255));
+  const marks = `col,row,x_mm,y_mm\n10.5,10.5,-3,5\n260.5,10.5,3,5\n260.5,390.5,3,-5\n10.5,390.5,-3,-5\n`;
   await part(page, 'file-input').setInputFiles([
     ...pngs(),
-    upload('left_mask.png', grey_png(left.width, left.height, half), 'image/png'),
+    upload('left_mask.png', grey_png(width, height, half), 'image/png'),
     upload('left.csv', Buffer.from(marks), 'text/csv'),
     upload('right.csv', Buffer.from(marks), 'text/csv'),
     upload('camera.json', Buffer.from('{"focal_mm": 9}'), 'application/json'),
@@ -210,14 +204,14 @@ test('mask, marks, offset and the order of the images are kept, and the results 
 
 test('a project file whose images are not there is kept as it was opened', { skip: SKIP }, async () => {
   const { page, complaints, close } = await noting();
-  await sample(page);
+  await pair(page);
   const project = await saved(page, 'export-project');
   await part(page, 'file-input').setInputFiles([upload('pair.tiepoint', project)]);
   await says(page, 'status', /pair\.tiepoint was opened/);
   await whole(page);
   const before = await shown(page);
   await page.reload();
-  await says(page, 'status', /Restored from this browser: sample left and sample right\.$/);
+  await says(page, 'status', /Restored from this browser: left\.png and right\.png\.$/);
   assert.deepEqual(await shown(page), before);
   assert.deepEqual(await computed(page), []);
   assert.equal((await saved(page, 'export-project')).toString(), project.toString());
@@ -294,11 +288,11 @@ test('a full storage is said at once, and what was kept before stays whole', { s
 
 test('damage never stops the page: it is said, a new project begins, and what is kept can be saved', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
-  await sample(page);
+  await pair(page);
   await whole(page);
   await damage(page, 'parts', { part: 'pair/result' }, { value: { project: 'cut', typed: 1 } });
   await page.reload();
-  await says(page, 'keeping', /“sample left and sample right” cannot be restored: .*It stays in the storage as it is/);
+  await says(page, 'keeping', /“left\.png and right\.png” cannot be restored: .*It stays in the storage as it is/);
   await says(page, 'status', /^Ready/);
   assert.equal(await saved(page, 'keeping-save').then((bytes) => bytes.subarray(0, 2).toString()), 'PK');
   await part(page, 'keeping-close').click();
@@ -350,7 +344,7 @@ test('where the browser keeps nothing the page says so once and works', { skip: 
   await page.goto(await address());
   await says(page, 'keeping', /keeps nothing/);
   await part(page, 'keeping-close').click();
-  await sample(page);
+  await pair(page);
   assert.ok(await part(page, 'keeping').isHidden());
   await close();
 });
@@ -370,8 +364,22 @@ for (const locks of [true, false])
     await second.goto(page.url());
     await says(second, 'keeping', /“left\.png and right\.png” is open in another tab/);
     await says(second, 'status', /^Ready/);
-    await part(second, 'keeping-take').click();
+    // It can be looked at as it is kept; what is changed there stays there.
+    await part(second, 'keeping-look').click();
     await says(second, 'status', /Restored from this browser: left\.png and right\.png\.$/);
+    await says(second, 'keeping', /what that tab has kept so far/);
+    await part(page, 'tab-camera').click();
+    await type(page, 'camera-focal', '44');
+    await kept(page, 'pair', '"focal_mm":44');
+    await part(second, 'tab-camera').click();
+    await type(second, 'camera-focal', '33');
+    await done(second);
+    await part(second, 'keeping-look').click();
+    await second.waitForFunction(() => /** @type {HTMLInputElement} */ (document.querySelector('[data-testid="camera-focal"]')).value === '44');
+    assert.ok((await stored(page, 'parts')).every(({ text }) => !text.includes('"focal_mm":33')));
+    await part(second, 'keeping-take').click();
+    await part(second, 'keeping').waitFor({ state: 'hidden' });
+    assert.equal(await part(second, 'camera-focal').inputValue(), '44');
     await says(page, 'keeping', /Another tab has taken “left\.png and right\.png” over/);
     // What the first tab changes is its own.
     await part(page, 'tab-camera').click();

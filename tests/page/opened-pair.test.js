@@ -25,12 +25,8 @@ async function openedPair(page, camera) {
   await part(page, 'block-files-input').setInputFiles(photos);
   await part(page, 'block-cameras-input').setInputFiles([upload('cameras.json', Buffer.from(JSON.stringify({ cameras: [camera] })), 'application/json')]);
   await part(page, 'block-run').click();
-  await page.waitForFunction(
-    () => /^(Oriented|Weak orientation|Not oriented|The block was)/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''),
-    undefined,
-    {
-      timeout: 60_000,
-    },
+  await page.waitForFunction(() =>
+    /^(Oriented|Weak orientation|Not oriented|The block was)/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''),
   );
   await part(page, 'block-export-kind').selectOption('project');
   const block = FinishedBlock.open(await saved(page, 'block-export')).model();

@@ -3,13 +3,13 @@
 import { mkdirSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before } from 'node:test';
+import { after, afterEach, before } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
-import { grey_png, simulate } from '../../pkg/node.js';
 import { writeSingle } from '../../tools/lib/compose.mjs';
 import { findChromium } from '../../tools/lib/setup.mjs';
 import { servePage } from '../../tools/lib/page-server.mjs';
+import { pairPhotos } from './rendered.js';
 
 export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 export const SHOTS = join(ROOT, 'target', 'screenshots');
@@ -25,6 +25,12 @@ let browser;
 /** @type {Awaited<ReturnType<typeof servePage>>} */
 let server;
 
+/** How long a test waits for what the page does. None measures speed by it: two tests at a time on a small machine are slow. */
+const PATIENCE_MS = 180_000;
+
+/** What the tests of a file have opened. @type {Set<import('playwright-core').BrowserContext>} */
+const opened = new Set();
+
 /** Starts browser and server for the tests of a file; gives the page's address below a folder. */
 export function hosted(prefix = '/') {
   before(async () => {
@@ -32,6 +38,11 @@ export function hosted(prefix = '/') {
     mkdirSync(SHOTS, { recursive: true });
     server = await servePage({ prefix });
     browser = await chromium.launch({ executablePath: program, args: FLAGS });
+  });
+  // A test that failed leaves its page to go on, and would slow down those after it.
+  afterEach(async () => {
+    for (const context of opened) await context.close();
+    opened.clear();
   });
   after(async () => {
     await browser?.close();
@@ -52,7 +63,10 @@ export function singleUrl() {
  * processor seems to allow; fresh: with its drawers closed, as a stranger finds it
  */
 export async function open({ url = server.url, options = {}, workers, fresh = false } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  // The files that a browser keeps of the page would be fetched anew by each test.
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers: 'block', ...options });
+  context.setDefaultTimeout(PATIENCE_MS);
+  opened.add(context);
   const page = await context.newPage();
   if (!fresh) await page.addInitScript(openDrawers);
   if (workers !== undefined)
@@ -77,11 +91,23 @@ export async function open({ url = server.url, options = {}, workers, fresh = fa
 export function openDrawers() {
   try {
     if (localStorage.getItem('tiepoint-open') !== null) return;
-    localStorage.setItem('tiepoint-open', 'settings details all-settings');
+    localStorage.setItem('tiepoint-open', 'settings details all-settings table');
     localStorage.setItem('tiepoint-wait', 'yes');
   } catch {
     // A page without storage.
   }
+}
+
+/**
+ * Asks until the answer is neither null nor false; gives it.
+ * @template T @param {import('playwright-core').Page} page @param {string} what is waited for @param {() => Promise<T | null | false>} question @returns {Promise<T>}
+ */
+export async function until(page, what, question) {
+  for (const end = Date.now() + PATIENCE_MS; Date.now() < end; await page.waitForTimeout(100)) {
+    const answer = await question();
+    if (answer !== null && answer !== false) return answer;
+  }
+  throw new Error(`waited ${PATIENCE_MS} ms until ${what}`);
 }
 
 /** @param {import('playwright-core').Page} page @param {string} id */
@@ -92,7 +118,7 @@ const hasEnded = () => /^(done|partial)$/.test(document.querySelector('[data-tes
 
 /** Waits for a run to end, oriented or not; gives the status line.  @param {import('playwright-core').Page} page */
 export async function done(page) {
-  await page.waitForFunction(hasEnded, undefined, { timeout: 60_000 });
+  await page.waitForFunction(hasEnded);
   return (await part(page, 'status').textContent()) ?? '';
 }
 
@@ -122,11 +148,19 @@ export async function saved(page, id) {
 /** @param {string} name @param {Uint8Array} content @param {string} [mimeType] */
 export const upload = (name, content, mimeType = 'application/octet-stream') => ({ name, mimeType, buffer: Buffer.from(content) });
 
-/** The sample pair as two PNG files. */
-export function pngs() {
-  const { left, right } = simulate({});
-  const png = (/** @type {{ width: number, height: number, grey: Uint8Array }} */ i) => grey_png(i.width, i.height, i.grey);
-  return [upload('left.png', png(left), 'image/png'), upload('right.png', png(right), 'image/png')];
+/** Photos of a third of the area of the sample: they are matched in a third of its time. */
+export const SMALL = { width_px: 270, height_px: 400 };
+
+/** Two simulated photos as PNG files: small ones, or others than these.  @param {object} [flight] */
+export const pngs = (flight = SMALL) => pairPhotos(flight).map(({ name, bytes }) => upload(name, bytes, 'image/png'));
+
+/** The camera of the simulated photos. */
+export const CAMERA = upload('camera.json', Buffer.from('{"focal_mm": 153.38, "pixel_mm": 0.2542}'), 'application/json');
+
+/** Gives a small pair with its camera, as a user does, and waits for it.  @param {import('playwright-core').Page} page */
+export async function pair(page) {
+  await part(page, 'file-input').setInputFiles([...pngs(), CAMERA]);
+  return done(page);
 }
 
 /** Matches and refused points together.  @param {import('playwright-core').Page} page */
@@ -144,10 +178,48 @@ export async function choose(page, key, value) {
 
 /** Waits until a changed setting has been computed.  @param {import('playwright-core').Page} page */
 export async function again(page) {
+  // A run may have ended before it was seen to begin.
   await page
     .waitForFunction(() => !/^(done|partial)$/.test(document.querySelector('[data-testid="status"]')?.getAttribute('data-kind') ?? ''), undefined, {
       timeout: 10_000,
     })
     .catch(() => {});
   await done(page);
+}
+
+/** Waits until a part says something.  @param {import('playwright-core').Page} page @param {string} id @param {RegExp} pattern */
+export async function says(page, id, pattern) {
+  await page.waitForFunction(
+    ([at = '', source = '', flags = '']) => new RegExp(source, flags).test(document.querySelector(`[data-testid="${at}"]`)?.textContent ?? ''),
+    [id, pattern.source, pattern.flags],
+  );
+  return (await part(page, id).textContent()) ?? '';
+}
+
+/** The edits that the browser keeps under a name.  @param {import('playwright-core').Page} page @param {string} name @returns {Promise<{ done: number, edits: any[] }>} */
+export const journal = (page, name) =>
+  page.evaluate(
+    (of) =>
+      new Promise((resolve) => {
+        const opening = indexedDB.open('tiepoint');
+        opening.onsuccess = () => {
+          const reading = opening.result.transaction('parts').objectStore('parts').getAll();
+          reading.onsuccess = () => {
+            opening.result.close();
+            const value = (/** @type {string} */ at) => reading.result.find((kept) => kept.part === at)?.value;
+            const head = value(of) ?? { done: 0, pieces: 0 };
+            const edits = Array.from({ length: head.pieces }, (_, i) => value(`${of}/${i}`)).flat();
+            resolve({ done: head.done, edits });
+          };
+        };
+      }),
+    name,
+  );
+
+/** Waits until so many edits are kept under a name.  @param {import('playwright-core').Page} page @param {string} name @param {number} edits @param {number} held */
+export async function keptEdits(page, name, edits, held) {
+  return until(page, `${edits} edits are kept`, async () => {
+    const kept = await journal(page, name);
+    return kept.edits.length === edits && kept.done === held ? kept : null;
+  });
 }

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { done, hosted, open, part, sample, SKIP } from './page.js';
+import { done, hosted, open, pair, part, SKIP } from './page.js';
 
 hosted();
 
@@ -21,7 +21,7 @@ test('keys work in the picture once a button has opened a pair, and after a pres
   await part(page, 'layer-lines').focus();
   await page.keyboard.press('m');
   assert.equal(await pressed(), 'false');
-  assert.match((await page.locator('#keys').textContent()) ?? '', /^In the picture:/);
+  assert.match((await page.locator('#keys').textContent()) ?? '', /arrows pan .* N P points/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -33,7 +33,7 @@ for (const [name, width, height] of /** @type {const} */ ([
 ])) {
   test(`the bars with the names of the images cover none of them on a ${name} screen`, { skip: SKIP }, async () => {
     const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width, height } } });
-    await sample(page);
+    await pair(page);
     for (const side of ['left', 'right']) {
       const covered = await page.evaluate((of) => {
         const bar = document.querySelector(`[data-testid="pane-${of}"] .pane-head`);

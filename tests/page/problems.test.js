@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { choose, done, hosted, number, open, part, sample, SKIP } from './page.js';
+import { CAMERA, choose, done, hosted, number, open, pair, part, pngs, sample, SKIP } from './page.js';
 
 hosted();
 
@@ -12,9 +12,7 @@ hosted();
 async function says(page, id, pattern) {
   const given = { id, source: pattern.source, flags: pattern.flags };
   await page
-    .waitForFunction((p) => new RegExp(p.source, p.flags).test(document.querySelector(`[data-testid="${p.id}"]`)?.textContent ?? ''), given, {
-      timeout: 20_000,
-    })
+    .waitForFunction((p) => new RegExp(p.source, p.flags).test(document.querySelector(`[data-testid="${p.id}"]`)?.textContent ?? ''), given)
     .catch(async () => assert.match((await part(page, id).textContent()) ?? '', pattern));
 }
 
@@ -35,7 +33,7 @@ const broken = (page) => part(page, 'file-input').setInputFiles([{ name: 'bad.pn
 
 test('what was said of a bad file is over with the next deed', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
-  await sample(page);
+  await pair(page);
   await broken(page);
   await says(page, 'status', /bad\.png cannot be opened/);
   await part(page, 'view').focus();
@@ -53,8 +51,10 @@ test('what was said of a bad file is over with the next deed', { skip: SKIP }, a
 
 test('what is told of a file stands beside the result of the run', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
-  await sample(page);
-  await part(page, 'file-input').setInputFiles([{ name: 'camera.json', mimeType: 'application/json', buffer: Buffer.from('{"focal_mm": 153.4}') }]);
+  await pair(page);
+  await part(page, 'file-input').setInputFiles([
+    { name: 'camera.json', mimeType: 'application/json', buffer: Buffer.from('{"focal_mm": 153.4, "pixel_mm": 0.2542}') },
+  ]);
   await says(page, 'status', /^(Oriented|Weak) .*Camera data from camera\.json\.$/);
   assert.deepEqual(complaints, []);
   await close();
@@ -172,17 +172,28 @@ test('the keyboard stays where it was when what it was on is built anew', { skip
   await done(page);
   assert.equal(await focused(page), 'view');
   await part(page, 'tab-matches').click();
-  const row = page.locator('[data-testid="statistics"] tbody button[data-key="4"]');
-  await row.focus();
+  const table = part(page, 'statistics');
+  await table.focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
   await part(page, 'statistics-selected').waitFor();
   // Asked of the page in one go: a row that a locator has found may be built anew before it is looked at.
-  await page.waitForFunction(() => document.activeElement?.matches('[data-testid="statistics"] tbody button[data-key="4"]'));
-  // Out of sight it gives the keyboard to the table, which scrolls.
+  await page.waitForFunction(
+    () => document.querySelector('[data-testid="statistics-selected"]')?.id === document.activeElement?.getAttribute('aria-activedescendant'),
+  );
+  assert.equal(await focused(page), 'statistics');
+  // The table keeps it while its rows are built anew, and goes on from the row that was left.
   await page.locator('#panel-matches .rows').evaluate((rows) => {
     rows.scrollTop = 12_000;
   });
-  await page.waitForFunction(() => document.activeElement?.classList.contains('rows'));
+  await page.waitForFunction(() => document.querySelector('[data-testid="statistics-selected"]') === null);
+  assert.equal(await focused(page), 'statistics');
+  await page.keyboard.press('ArrowDown');
+  await page.waitForFunction(() =>
+    document
+      .getElementById(document.activeElement?.getAttribute('aria-activedescendant') ?? '')
+      ?.previousElementSibling?.matches('[data-testid="statistics-selected"]'),
+  );
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -213,6 +224,31 @@ test('all is in sight: one row of tools at 1280 px, menus at 360 px, wide choice
   await close();
 });
 
+test('where there is no room drawers make way: details for settings and the other way round, settings for a phone', { skip: SKIP }, async () => {
+  const { page, close } = await open({ fresh: true });
+  await says(page, 'status', /^Ready/);
+  const seen = async () => [await part(page, 'tab-settings').isVisible(), await part(page, 'tab-results').isVisible()];
+  await part(page, 'settings').click();
+  await part(page, 'file-input').setInputFiles([...pngs(), CAMERA]);
+  await done(page);
+  assert.deepEqual(await seen(), [true, false]);
+  await part(page, 'details').click();
+  assert.deepEqual(await seen(), [false, true]);
+  await part(page, 'settings').click();
+  assert.deepEqual(await seen(), [true, false]);
+  await page.setViewportSize({ width: 1600, height: 900 });
+  await part(page, 'details').click();
+  assert.deepEqual(await seen(), [true, true]);
+  await page.setViewportSize({ width: 1366, height: 768 });
+  assert.deepEqual(await seen(), [false, true]);
+  await part(page, 'settings').click();
+  await page.setViewportSize({ width: 360, height: 740 });
+  await page.reload();
+  await says(page, 'status', /Restored/);
+  assert.deepEqual(await seen(), [false, false]);
+  await close();
+});
+
 test('each bad file of several is told, and what was open only where something was', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await page.waitForFunction(() => document.querySelector('[data-testid="sample"]:enabled') !== null);
@@ -221,7 +257,7 @@ test('each bad file of several is told, and what was open only where something w
   await give();
   await says(page, 'status', /a\.txt holds no fiducial marks: .*bad\.jpg cannot be opened: .*worse\.jpg cannot be opened: /);
   assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /images are kept/);
-  await sample(page);
+  await pair(page);
   await give();
   await says(page, 'status', /a\.txt .*bad\.jpg .*worse\.jpg .* The open images are kept\.$/);
   assert.deepEqual(complaints, []);

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { photos } from './blocks.js';
 import { hosted, number, open, part, SKIP } from './page.js';
 
 hosted('/refinement/');
@@ -11,15 +12,10 @@ const FLIGHT = { strips: 2, exposures: 2, width_px: 480, height_px: 360, pixel_m
 test('rays are refined when it is chosen, and the page tells how many and why not all', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   const status = (/** @type {string} */ pattern) =>
-    page.waitForFunction((source) => new RegExp(source).test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), pattern, {
-      timeout: 40_000,
-    });
+    page.waitForFunction((source) => new RegExp(source).test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), pattern);
   await part(page, 'mode-block').click();
   await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
-  await part(page, 'tab-block-flight').click();
-  for (const [field, value] of Object.entries(FLIGHT)) await page.locator(`input[data-key="block_flight.${field}"]`).first().fill(String(value));
-  await part(page, 'block-photograph').click();
-  await status('Press Run');
+  await photos(page, FLIGHT);
   await part(page, 'block-run').click();
   await status('^(Oriented|Weak orientation): .*\\. 4 images');
   assert.equal(await page.locator('[data-testid="block-refined"]').count(), 0);
@@ -28,7 +24,7 @@ test('rays are refined when it is chosen, and the page tells how many and why no
   await part(page, 'tab-block-settings').click();
   await page.locator('select[data-key="refinement.method"]').selectOption('least-squares');
   await part(page, 'block-run').click();
-  await page.waitForFunction(() => document.querySelector('[data-testid="block-refined"]') !== null, undefined, { timeout: 40_000 });
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-refined"]') !== null);
   const [refined = 0, all = 0] = ((await part(page, 'block-refined').textContent()) ?? '')
     .replaceAll(/[^\d ]/g, '')
     .trim()

@@ -7,10 +7,10 @@ import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { DATA, ROOT } from '../lib/paths.mjs';
 import { run } from '../lib/process.mjs';
-import { cargo, ensureToolchain } from '../lib/rust.mjs';
 import { findChromium } from '../lib/setup.mjs';
 import { servePage } from '../lib/page-server.mjs';
 import { have } from './data.mjs';
+import { example } from './example.mjs';
 import { numberOption } from './options.mjs';
 
 const NAME = 'block_caliterra';
@@ -157,18 +157,6 @@ async function pageOf() {
 
 /** Blocks whose every answer is known, natively.  @param {string} seeds of each kind of block */
 async function examples(seeds) {
-  const toolchain = await ensureToolchain();
-  const example = async (/** @type {string} */ name, /** @type {string[]} */ ...args) => {
-    const { code, output } = await run(...cargo(toolchain, ['run', '--release', '--locked', '--quiet', '--example', name, '--', ...args]), { quiet: true });
-    if (code !== 0) throw new Error(`the example ${name} ended with ${code}\n${output.slice(-2000)}`);
-    console.log(
-      output
-        .trimEnd()
-        .split('\n')
-        .map((line) => `  ${line}`)
-        .join('\n'),
-    );
-  };
   console.log('Simulated blocks beside their truth (native, one thread)');
   await example('block_truth', seeds);
   console.log('Large simulated blocks (native, one thread): joining and orientation');

@@ -9,3 +9,8 @@ export function numberOption(name, otherwise) {
   console.error(`--${name} is ${given || 'empty'}; allowed: whole numbers from 1`);
   process.exit(2);
 }
+
+/** @param {string} name @returns {string | null} null where it is not given */
+export function textOption(name) {
+  return process.argv.find((word) => word.startsWith(`--${name}=`))?.slice(name.length + 3) || null;
+}

@@ -1,9 +1,12 @@
 /** The page's server, for this machine alone, with the headers a host should send. It knows the page's files and no others. */
 
-import { readFile } from 'node:fs/promises';
+import { createHash } from 'node:crypto';
+import { readFile, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname } from 'node:path';
-import { FILES, pathOf, singleFile } from './compose.mjs';
+import { promisify } from 'node:util';
+import { brotliCompress, constants, gzip } from 'node:zlib';
+import { contentOf, FILES, isAsItLies, pathOf, singleFile } from './compose.mjs';
 import { SERVER_POLICY } from './policy.mjs';
 
 /** @type {Record<string, string>} */
@@ -12,6 +15,9 @@ const TYPES = {
   '.js': 'text/javascript; charset=utf-8',
   '.css': 'text/css; charset=utf-8',
   '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json; charset=utf-8',
+  '.svg': 'image/svg+xml; charset=utf-8',
+  '.png': 'image/png',
 };
 
 const HEADERS = {
@@ -20,7 +26,19 @@ const HEADERS = {
   'Cross-Origin-Resource-Policy': 'same-origin',
   'X-Content-Type-Options': 'nosniff',
   'Referrer-Policy': 'no-referrer',
+  // Names of files say nothing of their content: a browser asks whether they are still the same, and mostly hears that they are.
   'Cache-Control': 'no-cache',
+  Vary: 'Accept-Encoding',
+};
+
+/** Brotli gains little by more effort than this in as much time: of texts, and of the module, which is large. */
+const EFFORT = { text: 9, module: 5 };
+
+/** How content is compressed, best first. @type {Record<string, (content: Buffer, effort: number) => Promise<Buffer>>} */
+const ENCODINGS = {
+  br: (content, effort) =>
+    promisify(brotliCompress)(content, { params: { [constants.BROTLI_PARAM_QUALITY]: effort, [constants.BROTLI_PARAM_SIZE_HINT]: content.length } }),
+  gzip: (content) => promisify(gzip)(content),
 };
 
 /**
@@ -76,19 +94,73 @@ async function answer(prefix, request, response) {
   }
   const [path = ''] = (request.url ?? '/').split('?');
   const name = path === prefix ? 'index.html' : path.startsWith(prefix) ? path.slice(prefix.length) : '';
-  const content = await contentOf(name);
-  if (content === null) {
+  const file = await fileOf(name);
+  if (file === null) {
     response.writeHead(404, { 'Content-Type': 'text/plain; charset=utf-8' }).end('There is no such file.\n');
     return;
   }
   // The page in one file names its own scripts by their hashes; the web's policy would forbid them.
   if (name !== 'tiepoint.html') response.setHeader('Content-Security-Policy', SERVER_POLICY);
+  const encoding = encodingOf(request.headers['accept-encoding']);
+  const tag = `"${file.digest}${encoding === null ? '' : `-${encoding}`}"`;
+  response.setHeader('ETag', tag);
+  if (isNamed(request.headers['if-none-match'], tag)) {
+    response.writeHead(304).end();
+    return;
+  }
+  const content = await file.encoded(encoding);
+  if (encoding !== null) response.setHeader('Content-Encoding', encoding);
   response.writeHead(200, { 'Content-Type': TYPES[extname(name)], 'Content-Length': content.length });
   response.end(request.method === 'HEAD' ? undefined : content);
 }
 
-/** @param {string} name @returns {Promise<Buffer | null>} null where the page has no such file */
-async function contentOf(name) {
-  if (name === 'tiepoint.html') return Buffer.from(singleFile());
-  return FILES.includes(name) ? readFile(pathOf(name)) : null;
+/** The first of the encodings that a browser takes; null where it takes none.  @param {string | string[] | undefined} accepted */
+function encodingOf(accepted = '') {
+  const taken = String(accepted)
+    .split(',')
+    .map((part) => part.trim().split(/\s*;\s*q=/))
+    .filter(([, weight = '1']) => Number(weight) > 0)
+    .map(([coding]) => coding);
+  return Object.keys(ENCODINGS).find((encoding) => taken.includes(encoding)) ?? null;
+}
+
+/** Whether a browser has what a tag names.  @param {string | undefined} known @param {string} tag */
+const isNamed = (known, tag) => known?.split(',').some((one) => one.trim().replace(/^W\//, '') === tag) ?? false;
+
+/** A file of the page as it was read last, with what it was compressed to. */
+class Served {
+  /** @type {Map<string, Promise<Buffer>>} */
+  #made = new Map();
+
+  /** @param {Buffer} content @param {number} changed when its file was written */
+  constructor(content, changed) {
+    this.content = content;
+    this.changed = changed;
+    this.digest = createHash('sha256').update(content).digest('base64url');
+  }
+
+  /** @param {string | null} encoding @returns {Promise<Buffer>} */
+  encoded(encoding) {
+    const encode = encoding === null ? undefined : ENCODINGS[encoding];
+    if (encode === undefined || encoding === null) return Promise.resolve(this.content);
+    const made = this.#made.get(encoding) ?? encode(this.content, this.content.length > 1e6 ? EFFORT.module : EFFORT.text);
+    this.#made.set(encoding, made);
+    return made;
+  }
+}
+
+/** @type {Map<string, Served>} */
+const served = new Map();
+
+/** @param {string} name @returns {Promise<Served | null>} null where the page has no such file */
+async function fileOf(name) {
+  if (name === 'tiepoint.html') return new Served(Buffer.from(singleFile()), 0);
+  if (!FILES.includes(name)) return null;
+  if (!isAsItLies(name)) return new Served(contentOf(name), 0);
+  const { mtimeMs } = await stat(pathOf(name));
+  const known = served.get(name);
+  if (known?.changed === mtimeMs) return known;
+  const fresh = new Served(await readFile(pathOf(name)), mtimeMs);
+  served.set(name, fresh);
+  return fresh;
 }

@@ -1,8 +1,13 @@
-/** Builds the page's text files from `www/`: dist/index.html, page.js, page.css, worker.js. They are readable and keep their names, so that a small change is a small difference. */
+/**
+ * Builds the page's text files from `www/`, as `compose.mjs` names them. They are readable and keep their names, so that a small change is a small difference.
+ */
 
-import { writeFileSync } from 'node:fs';
+import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { build } from 'vite';
+import { TEXTS } from './compose.mjs';
+import { iconSvg } from './icon.mjs';
+import { licences } from './licences.mjs';
 import { ROOT } from './paths.mjs';
 import { WEB_POLICY } from './policy.mjs';
 
@@ -17,24 +22,51 @@ const policy = {
   transformIndexHtml: () => [{ tag: 'meta', attrs: { 'http-equiv': 'Content-Security-Policy', content: WEB_POLICY }, injectTo: 'head-prepend' }],
 };
 
+/** The icon stands in the page itself: so the page in one file has it too.  @type {import('vite').Plugin} */
+const icon = {
+  name: 'tiepoint-icon',
+  transformIndexHtml: () => [{ tag: 'link', attrs: { rel: 'icon', href: `data:image/svg+xml,${encodeURIComponent(iconSvg())}` }, injectTo: 'head' }],
+};
+
+/** The program is fetched at the same time as what starts it.  @type {import('vite').Plugin} */
+const early = {
+  name: 'tiepoint-early',
+  transformIndexHtml: {
+    order: 'post',
+    handler: () => [{ tag: 'link', attrs: { rel: 'modulepreload', href: './program.js' }, injectTo: 'head' }],
+  },
+};
+
+/** What Vite puts around an import loads the styles of a part first: these have none of their own.  @type {import('vite').Plugin} */
+const plainImports = {
+  name: 'tiepoint-plain-imports',
+  load: { order: 'pre', handler: (id) => (id.includes('vite/preload-helper') ? 'export const __vitePreload = (load) => load();' : null) },
+};
+
 /** @param {string} out folder that receives the page; emptied first */
 export async function buildPage(out) {
   const common = /** @type {import('vite').InlineConfig} */ ({ configFile: false, root: WWW, base: './', logLevel: 'warn' });
   await build({
     ...common,
-    plugins: [policy],
+    plugins: [policy, icon, early, plainImports, licences],
     build: {
       ...READABLE,
       outDir: out,
       emptyOutDir: true,
-      rollupOptions: { output: { entryFileNames: 'page.js', assetFileNames: 'page[extname]', codeSplitting: false } },
+      cssCodeSplit: false,
+      // Parts give and take names as they stand in the sources: another one renames none.
+      rollupOptions: { output: { entryFileNames: 'page.js', chunkFileNames: '[name].js', assetFileNames: 'page[extname]', minifyInternalExports: false } },
     },
   });
-  const worker = await build({
-    ...common,
-    build: { ...READABLE, write: false, rollupOptions: { input: join(WWW, 'worker.ts'), output: { format: 'iife', codeSplitting: false } } },
-  });
-  writeFileSync(join(out, 'worker.js'), onlyScript(worker));
+  for (const script of ['worker', 'service-worker']) {
+    const built = await build({
+      ...common,
+      build: { ...READABLE, write: false, rollupOptions: { input: join(WWW, `${script}.ts`), output: { format: 'iife', codeSplitting: false } } },
+    });
+    writeFileSync(join(out, `${script}.js`), onlyScript(built));
+  }
+  const [made, named] = [readdirSync(out).sort().join(', '), [...TEXTS].sort().join(', ')];
+  if (made !== named) throw new Error(`Vite made other files than the page has: ${made}; named in compose.mjs: ${named}`);
 }
 
 /** @param {Awaited<ReturnType<typeof build>>} result @returns {string} */
@@ -43,6 +75,6 @@ function onlyScript(result) {
   const files = built && 'output' in built ? built.output : [];
   const [script, ...others] = files;
   if (script?.type !== 'chunk' || others.length > 0)
-    throw new Error(`the worker must be one script, Vite made ${files.map(({ fileName }) => fileName).join(', ')}`);
+    throw new Error(`a worker must be one script, Vite made ${files.map(({ fileName }) => fileName).join(', ')}`);
   return script.code;
 }

@@ -10,6 +10,7 @@ export const WEB_POLICY = [
   "img-src 'self' blob: data:",
   "connect-src 'self'",
   "worker-src 'self'",
+  "manifest-src 'self'",
 ].join('; ');
 
 /**

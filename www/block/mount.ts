@@ -1,5 +1,6 @@
 /** The block's part of the page: makes its parts and wires them together. */
-import './style/block.css';
+import { showIn } from '../shared/panel/mode';
+import type { Modes } from '../shared/state/mode';
 import { button, byId, fill, h } from '../shared/panel/dom';
 import { drawerButton, reveal, setDrawer } from '../shared/panel/drawers';
 import type { Taker } from '../shared/files/drop';
@@ -7,25 +8,48 @@ import type { Keepable } from '../shared/files/keepable';
 import { fileButton } from '../shared/panel/picker';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
+import { breath } from '../shared/engine/breath';
+import { Facts } from './engine/facts';
+import { BlockPlacing } from './engine/block-placing';
 import { BlockEngine } from './engine/engine';
+import { PlacingEngine } from './engine/placing';
 import type { BlockStore } from './engine/engine';
+import { EditFollower } from './engine/follow';
+import { mountBlockEditKeys, mountEditBar, mountEditPanel } from './panel/edits';
+import type { Measures } from './panel/edits';
 import { mountExports, saveAs } from './panel/exports';
 import { BlockFiles } from './files/files';
 import { KeptBlocks } from './files/keep';
+import { BlockRuns } from './files/runs';
+import { mountAddress } from './panel/address';
+import { makeDock } from './panel/dock';
 import { mountFlight } from './panel/flight';
-import { mountBack, mountMode } from './panel/mode';
+import { mountBack } from './panel/back';
 import { mountProgress } from './panel/progress';
 import { reduceBlock } from './state/reducer';
+import { imagesView } from './panel/images-view';
+import { MATRIX_VIEW } from './panel/matrix-view';
+import { mapView } from './panel/map-view';
+import { makeMosaic } from './panel/mosaic';
+import { orthophotoView } from './panel/orthophoto-view';
+import { savePlaced } from './panel/placing-exports';
+import { mountPlacingSettings } from './panel/placing-settings';
+import { placingTables } from './panel/placing-tables';
+import { plotsView } from './panel/plots-view';
 import { mountResults } from './panel/results';
 import { mountSettings } from './panel/settings';
 import { mountStage } from './panel/stage';
+import type { Choice } from './state/selection';
 import { BLOCK_INITIAL, isBusy } from './state/state';
 import type { BlockCatalogue } from './state/state';
 import { mountBlockStatus } from './panel/status';
-import { mountImages, mountPoints } from './panel/tables';
+import { say } from '../shared/text/words';
 
 /** The sample has so few photos that it is done in half a minute. */
 const SAMPLE = { strips: 3, exposures: 4 };
+/** The sample of images on an orthophoto; the side of its pixels in m is near that of the photos. */
+const PLACED_SAMPLE = { strips: 2, exposures: 2, pixel_mm: 0.045 };
+const PLACED_GSD_M = 0.5;
 
 export interface Block {
   store: BlockStore;
@@ -40,54 +64,59 @@ export interface Block {
   open: (file: File) => Promise<void>;
 }
 
-/** `openPair` shows a pair of the block by itself; `openProject` opens a project of whatever kind where it belongs. */
-export function mountBlock(
-  catalogue: BlockCatalogue,
-  openPair: (block: BlockStore, images: [number, number]) => void,
-  openProject: (file: File) => Promise<void>,
-): Block {
+/** What of the page is no part of the block. */
+interface Elsewhere {
+  modes: Modes;
+  /** Shows a pair of the block by itself. */
+  openPair: (block: BlockStore, images: [number, number]) => void;
+  /** Opens a project of whatever kind where it belongs. */
+  openProject: (file: File) => Promise<void>;
+  /** Leaves the block in the list of projects; false where it cannot be. `twice`: what else is on the page may be kept twice. */
+  putAside: (block: Keepable, twice: boolean) => Promise<boolean>;
+}
+
+/** In pieces, between which the page answers what the user does. */
+export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, openProject, putAside }: Elsewhere): Promise<Block> {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
-  const files = new BlockFiles(store, engine, openProject);
+  const placing = new PlacingEngine(store);
+  const onGround = new BlockPlacing(store, engine, placing);
+  const runs = new BlockRuns(store, engine, placing, onGround);
+  const kept = new KeptBlocks(store, engine, catalogue);
+  const files = new BlockFiles(store, engine, placing, runs, openProject, (twice) => putAside(kept, twice));
   const looking = {
-    choose: (choice: typeof store.state.choice) => store.dispatch({ type: 'choose', choice }),
+    choose: (choice: Choice | null) => store.dispatch({ type: 'choose', choice }),
+    point: (choice: Choice | null) => store.dispatch({ type: 'point', choice }),
     open: (images: [number, number]) => openPair(store, images),
   };
-  const actions = h('div', { class: 'actions', role: 'group', aria: { label: 'Images of the block' } });
-  const exports = h('div', { class: 'actions', role: 'group', aria: { label: 'Export of the block' } });
-  const settings = tabbed('Settings', [
-    ['block-settings', 'Settings'],
-    ['block-flight', 'Simulate'],
+  const actions = h('div', { class: 'actions', role: 'group', aria: { label: say('images-of-the-block') } });
+  const exports = h('div', { class: 'actions', role: 'group', aria: { label: say('export-of-the-block') } });
+  const settings = tabbed('settings', say('settings'), [
+    ['block-settings', say('settings')],
+    ['block-orthophoto', say('orthophoto')],
+    ['block-flight', say('simulate')],
   ]);
-  const results = tabbed('Results', [
-    ['block-results', 'Results'],
-    ['block-images', 'Images'],
-    ['block-points', 'Points'],
+  const results = tabbed('details', say('results'), [
+    ['block-results', say('results')],
+    ['block-edits', say('edits')],
   ]);
-  const stage = h('section', { class: 'stage', aria: { label: 'Block' } });
+  const stage = h('section', { class: 'stage', aria: { label: say('views-of-the-block') } });
   const main = h('main', { class: 'block' }, settings.element, stage, results.element);
-  const opener = drawerButton('settings', 'Settings', 'block-settings', settings.element);
-  const drawers = h('div', { class: 'drawers', role: 'group', aria: { label: 'Settings of the block' } }, opener);
+  const opener = drawerButton('settings', say('settings'), 'block-settings', settings.element);
+  const drawers = h('div', { class: 'drawers', role: 'group', aria: { label: say('settings-of-the-block') } }, opener);
 
-  const heading = document.querySelector('.bar h1');
-  if (heading === null) throw new Error('the page has no bar');
-  const pairParts = document.querySelectorAll<HTMLElement>('.bar .actions, .bar .drawers, body > main');
   byId('page-actions').before(actions, exports);
   byId('menu').before(drawers);
   document.querySelector('body > main')?.after(main);
-  const back = mountBack(store);
-  document.querySelector('body > main')?.before(back);
-  heading.after(mountMode(store, { pair: [...pairParts], block: [actions, exports, drawers, main] }));
-  store.watch(['mode', 'opened'], ([mode, opened]) => {
-    back.hidden = mode !== 'pair' || opened === null;
-  });
+  document.querySelector('body > main')?.before(mountBack(store, modes));
+  showIn(modes, 'block', [actions, exports, drawers, main]);
 
   const pick = mountActions(actions, store, files);
-  mountExports(exports, store, engine);
+  mountExports(exports, store, engine, placing);
   const status = mountBlockStatus(
     store,
-    engine,
     {
+      run: () => void files.run(),
       why: () => {
         showTab('tab-block-results');
         setDrawer('details', true);
@@ -95,25 +124,62 @@ export function mountBlock(
       },
       save: () => void saveAs(store, engine, 'project'),
       open: pick,
+      place: () => void runs.placeImages(),
+      decide: (purpose) => void files.decide(purpose),
+      cancel: () => {
+        placing.cancel();
+        onGround.cancel();
+        engine.cancel();
+      },
+      openHeights: () => pickers.heights(),
+      savePlaced: () => void savePlaced(store, placing, 'placed'),
+      whyPlaced: () => {
+        setDrawer('table', true);
+        showTab('tab-block-placed');
+      },
     },
-    drawerButton('details', 'Details', 'block-details', results.element),
+    drawerButton('details', say('details'), 'block-details', results.element),
   );
+  await breath();
   mountSettings(settings.panels[0], store, files, opener);
-  mountFlight(settings.panels[1], store, files);
+  await breath();
+  const pickers = mountPlacingSettings(settings.panels[1], store, files);
+  mountFlight(settings.panels[2], store, files);
   mountProgress(results.panels[0], store);
-  mountResults(results.panels[0], store);
+  mountResults(results.panels[0], store, () => void runs.takeOff());
+  await breath();
+  const placedSample = () => void files.sampleOnOrthophoto({ ...catalogue.flight, ...PLACED_SAMPLE }, PLACED_GSD_M);
   const sample = () => void files.sample({ ...catalogue.flight, ...SAMPLE });
-  mountStage(stage, store, looking, { sample, open: pick });
+  const facts = new Facts(store, engine);
+  let measures: Measures | null = null;
+  const images = imagesView(engine, facts, pick, (made) => {
+    measures = made;
+  });
+  const views = [
+    mapView(facts, placing, () => void makeMosaic(store, engine, placing)),
+    images,
+    MATRIX_VIEW,
+    plotsView(facts),
+    orthophotoView(engine, placing, { open: pickers.orthophoto, sample: placedSample }),
+  ];
+  mountStage(stage, store, looking, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
   stage.prepend(status);
-  mountImages(results.panels[1], store, { ...looking, point: () => undefined });
-  mountPoints(results.panels[2], store);
+  byId('block-view').before(mountEditBar(store, facts, () => measures));
+  mountEditPanel(results.panels[1], store);
+  mountBlockEditKeys(store, [stage, results.element]);
+  new EditFollower(store, engine);
+  mountAddress(store, modes);
   store.watch(['running'], ([running]) => {
     if (running.kind === 'yes') showTab('tab-block-results');
   });
   return {
     store,
-    kept: new KeptBlocks(store, engine, catalogue),
-    taker: files.taker,
+    kept,
+    taker: {
+      isActive: () => modes.state.mode === 'block',
+      markAt: () => 'block',
+      take: (found) => void files.take(found),
+    },
     give: (given, masks) => void files.give(given, masks),
     sample,
     open: (file) => files.open(file),
@@ -124,24 +190,28 @@ export function mountBlock(
 function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): () => void {
   const take = (given: File[]) => void files.take(given.map((file) => ({ file, path: file.webkitRelativePath })));
   const [images, imagesInput] = fileButton(
-    'Images …',
-    { testid: 'block-files', label: 'Images, cameras or project of a block', multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint' },
+    say('images'),
+    { testid: 'block-files', label: say('images-cameras-or-project-of'), multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint' },
     take,
-    'Image files; a cameras file or a saved project too',
+    say('image-files-a-cameras-file'),
   );
-  const [folder, folderInput] = fileButton('Folder …', { testid: 'block-folder', label: 'Folder of images', folder: true }, take, 'All images of a folder');
+  const [folder, folderInput] = fileButton(
+    say('folder'),
+    { testid: 'block-folder', label: say('folder-of-images'), folder: true },
+    take,
+    say('all-images-of-a-folder'),
+  );
   const buttons = [
     images,
     folder,
-    button('Simulated block', 'block-simulate', () => void files.photograph(), 'Photos of a synthetic scene, rendered in this tab'),
-    button('Clear', 'block-clear', () => store.dispatch({ type: 'clear' }), 'Removes all images'),
+    button(say('simulated-block'), 'block-simulate', () => void files.photograph(), say('photos-of-a-synthetic-scene')),
+    button(say('clear'), 'block-clear', () => void files.clear(), say('removes-all-images-an-edited')),
   ];
-  images.classList.add('primary');
   fill(host, ...buttons, imagesInput, folderInput);
-  store.watch(['running', 'notice', 'files', 'shown', 'catalogue'], ([, , given, shown, catalogue]) => {
+  store.watch(['running', 'notice', 'files', 'shown', 'catalogue', 'placing'], ([, , given, shown, catalogue, placing]) => {
     for (const press of buttons) press.disabled = catalogue === null || isBusy(store.state);
     const last = buttons.at(-1);
-    if (last !== undefined) last.disabled ||= given.length === 0 && shown === null;
+    if (last !== undefined) last.disabled ||= given.length === 0 && shown === null && placing.orthophoto === null;
   });
   return () => imagesInput.click();
 }

@@ -2,24 +2,26 @@
 import { photo_camera } from '../../pkg/wasm/tiepoint.js';
 import type { Engine } from '../pair/engine/engine';
 import type { CameraMm } from '../shared/crate';
+import type { Modes } from '../shared/state/mode';
 import { SIDES } from '../pair/state/state';
 import type { GivenImage, Side } from '../pair/state/state';
 import type { Store } from '../pair/state/store';
 import type { BlockFile } from './state/state';
 import type { BlockStore } from './engine/engine';
-import { messageOf } from '../shared/text/format';
+import { say } from '../shared/text/words';
+import { messageOf } from '../shared/text/messages';
 
 /** The pair's own images count up from 1: those of blocks count down. */
 let nextId = -1;
 
 /** Opens both images with the strategy that the block used; where one cannot be opened the block stays. */
-export async function openPair(block: BlockStore, store: Store, engine: Engine, [a, b]: [number, number]): Promise<void> {
+export async function openPair(block: BlockStore, modes: Modes, store: Store, engine: Engine, [a, b]: [number, number]): Promise<void> {
   const { shown } = block.state;
   if (shown === null) return;
   const files = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
   const [left, right] = files;
   if (left === undefined || right === undefined) {
-    say(block, 'The files of these images are not open: drop them and try again.');
+    tell(block, say('the-files-of-these-images'));
     return;
   }
   const images: Record<Side, GivenImage> = { left: given(left), right: given(right) };
@@ -28,13 +30,13 @@ export async function openPair(block: BlockStore, store: Store, engine: Engine, 
     camera = cameraOf(block, a, b);
     await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
   } catch (error) {
-    say(block, `The pair cannot be shown: ${messageOf(error)}.`);
+    tell(block, say('the-pair-cannot-be-shown', { error: messageOf(error) }));
     return;
   }
   readyFor(store, block, camera);
   store.dispatch({ type: 'images', images });
   block.dispatch({ type: 'openedPair', images: [a, b] });
-  block.dispatch({ type: 'mode', mode: 'pair' });
+  modes.dispatch('pair');
 }
 
 /** The block's settings of features and its camera, in place of whatever the pair before had. */
@@ -74,6 +76,6 @@ function given({ name, file }: BlockFile): GivenImage {
   return { id: nextId--, name, source: { kind: 'file', file } };
 }
 
-function say(block: BlockStore, text: string): void {
+function tell(block: BlockStore, text: string): void {
   block.dispatch({ type: 'notice', notice: { kind: 'problem', text } });
 }

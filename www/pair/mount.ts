@@ -1,5 +1,4 @@
 /** The pair's part of the page: makes its parts and wires them together. */
-import './style/pair.css';
 import type { Catalogue } from '../shared/crate';
 import type { Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
@@ -9,6 +8,7 @@ import { readSetting, withSetting } from '../shared/panel/settings';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { readable } from '../shared/text/names';
 import { Engine } from './engine/engine';
+import { breath } from '../shared/engine/breath';
 import { fitted } from './engine/fit';
 import { KeptPairs } from './files/keep';
 import { Files, takerOf } from './files/open';
@@ -36,7 +36,8 @@ import { Store } from './state/store';
 import { mountInput } from './view/input';
 import { Navigator } from './view/navigate';
 import { View } from './view/view';
-import { messageOf } from '../shared/text/format';
+import { say } from '../shared/text/words';
+import { messageOf } from '../shared/text/messages';
 
 export interface Pair {
   store: Store;
@@ -62,29 +63,30 @@ export interface Elsewhere {
   putAside: (pair: Keepable) => Promise<boolean>;
 }
 
-export function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBlock, putAside }: Elsewhere): Pair {
+/** In pieces, between which the page answers what the user does. */
+export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBlock, putAside }: Elsewhere): Promise<Pair> {
   const store = new Store();
   const {
     element: left,
     panels: [settings, camera, simulate],
-  } = tabbed('Settings', [
-    ['settings', 'Settings'],
-    ['camera', 'Camera'],
-    ['simulate', 'Simulate'],
+  } = tabbed('settings', say('settings'), [
+    ['settings', say('settings')],
+    ['camera', say('camera')],
+    ['simulate', say('simulate')],
   ]);
   const {
     element: right,
     panels: [results, point, matches],
-  } = tabbed('Results', [
-    ['results', 'Results'],
-    ['point', 'Point'],
-    ['matches', 'Matches'],
+  } = tabbed('details', say('results'), [
+    ['results', say('results')],
+    ['point', say('point')],
+    ['matches', say('matches-2')],
   ]);
   byId('stage').before(left);
   byId('stage').after(right);
-  const settingsButton = drawerButton('settings', 'Settings', 'settings', left);
-  byId('menu').before(h('div', { class: 'drawers', aria: { label: 'Settings of the pair' }, role: 'group' }, settingsButton));
-  byId('answer-actions').append(drawerButton('details', 'Details', 'details', right));
+  const settingsButton = drawerButton('settings', say('settings'), 'settings', left);
+  byId('menu').before(h('div', { class: 'drawers', aria: { label: say('settings-of-the-pair') }, role: 'group' }, settingsButton));
+  byId('answer-actions').append(drawerButton('details', say('details'), 'details', right));
   const engine = new Engine(store);
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);
@@ -110,9 +112,11 @@ export function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBl
     mask: (side) => pick(side, 'mask'),
     unmask: (side) => store.dispatch({ type: 'mask', side, mask: null }),
   });
+  await breath();
   mountControls(settings, store, settingsButton);
   mountCamera(camera, store, () => pick(null));
   mountFiducials(camera, store, (side) => pick(side));
+  await breath();
   mountCounts(results, store);
   mountGeometry(results, store);
   mountOrientation(results, store);
@@ -121,6 +125,7 @@ export function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBl
   mountEdits(matches, store, editing, () => navigator.followDraft());
   mountEditKeys(matches, store, editing);
   mountStatistics(matches, store, editing, (side, index) => navigator.select({ side, index }));
+  await breath();
   mountSimulate(simulate, store, engine, (name, flight) => void attempt(() => files.takeFlight(name, flight)));
   mountAnnouncements(byId('announce'), store, () => {
     showTab('tab-point');

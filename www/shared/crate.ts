@@ -1,6 +1,17 @@
 /** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
-import { defaults, flight_parameters, flight_preset, flight_presets, paper, parameters, rule_names, version } from '../../pkg/wasm/tiepoint.js';
-import type { Flight, PairSettings as Settings, Paper, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
+import {
+  defaults,
+  flight_parameters,
+  flight_preset,
+  flight_presets,
+  pair_preset,
+  pair_presets,
+  paper,
+  parameters,
+  rule_names,
+  version,
+} from '../../pkg/wasm/tiepoint.js';
+import type { Flight, PairPreset, PairSettings as Settings, Paper, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
 
 export type {
   CameraMm,
@@ -53,13 +64,15 @@ export {
   resolved,
 } from '../../pkg/wasm/tiepoint.js';
 
-export type { Flight, Paper, Parameter, Preset, Settings };
+export type { Flight, PairPreset, Paper, Parameter, Preset, Settings };
 
 /** What the crate says of itself: read once, when the module is there. */
 export interface Catalogue {
   version: string;
   parameters: Parameter[];
   defaults: Settings;
+  /** Ready-made settings. */
+  presets: { name: PairPreset; settings: Settings }[];
   rules: string[];
   flightParameters: Parameter[];
   flights: { name: Preset; flight: Flight }[];
@@ -71,6 +84,7 @@ export function readCatalogue(): Catalogue {
     version: version(),
     parameters: parameters(),
     defaults: defaults(),
+    presets: pair_presets().map((name) => ({ name, settings: pair_preset(name) })),
     rules: rule_names(),
     flightParameters: flight_parameters(),
     paper: paper(),

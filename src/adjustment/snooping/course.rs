@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::adjustment::block::Block;
 use crate::adjustment::check::check_network;
+use crate::adjustment::components::Weights;
 use crate::adjustment::datum::moved_to_observed;
 use crate::adjustment::network::Network;
 use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
@@ -17,7 +18,10 @@ use std::rc::Rc;
 
 /// What changes from round to round.
 pub(super) struct Course<'a> {
-    pub block: &'a Block,
+    /// As it was given, and with the weights and standard errors that hold now.
+    pub given: &'a Block,
+    pub block: Block,
+    pub weights: Weights,
     pub options: &'a AdjustmentOptions,
     pub verdicts: Vec<ObservationVerdict>,
     pub free: Vec<[bool; CAMERA_PARAMETERS]>,
@@ -48,7 +52,9 @@ impl<'a> Course<'a> {
     pub fn new(block: &'a Block, options: &'a AdjustmentOptions) -> Result<Self, Error> {
         let start = State::of(block);
         let mut course = Self {
-            block,
+            given: block,
+            block: block.clone(),
+            weights: Weights::default(),
             options,
             verdicts: Vec::new(),
             free: block.cameras.iter().map(|camera| camera.free.flags()).collect(),
@@ -85,7 +91,7 @@ impl<'a> Course<'a> {
 
     pub fn network(&mut self) -> Result<Network, Error> {
         let accepted: Vec<bool> = self.verdicts.iter().map(|v| *v == ObservationVerdict::Accepted).collect();
-        let network = Network::new(self.block, &accepted, self.pattern.as_ref());
+        let network = Network::new(&self.block, &accepted, self.pattern.as_ref());
         if !self.pattern.as_ref().is_some_and(|pattern| Rc::ptr_eq(pattern, &network.pattern)) {
             self.pattern = Some(network.pattern.clone());
             self.forget();
@@ -106,7 +112,7 @@ impl<'a> Course<'a> {
 
     /// The observed positions of images and points that take part.
     pub fn observed(&self, weighted_by: f64) -> (Vec<Option<Weighted>>, Vec<Option<Weighted>>) {
-        let (mut gnss, control) = observed(self.block, self.options.datum, weighted_by);
+        let (mut gnss, control) = observed(&self.block, self.options.datum, weighted_by);
         gnss.iter_mut().zip(&self.placed).filter(|(_, placed)| !**placed).for_each(|(prior, _)| *prior = None);
         (gnss, control)
     }

@@ -23,11 +23,11 @@ impl Course<'_> {
         }
         let network = self.network()?;
         let (gnss, control) = self.observed(self.weighted_by());
-        let axes = observed_axes(self.block, self.options.datum, self.weighted_by());
+        let axes = observed_axes(&self.block, self.options.datum, self.weighted_by());
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
         loop {
             let columns = Columns::new(&self.free);
-            let known = KnownParameter::of_block(self.block, &columns, self.weighted_by());
+            let known = KnownParameter::of_block(&self.block, &columns, self.weighted_by());
             let problem =
                 Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &known };
             let limit = FIRST_TOLERANCE * self.options.calibration_limit_px;

@@ -23,7 +23,7 @@ impl Course<'_> {
         if self.keeps_agreed {
             return false;
         }
-        let (gnss, control) = observed(self.block, self.options.datum, weighted_by);
+        let (gnss, control) = observed(&self.block, self.options.datum, weighted_by);
         let scale = Scale::of_tests(self.options.sigma0_px.unwrap_or(self.sigma).max(LEAST_SIGMA_PX));
         let judge = |(image, prior): (usize, &Option<Weighted>)| {
             let at = &self.state.images[image].position;
@@ -79,7 +79,14 @@ mod tests {
     use super::*;
 
     fn tested(w: f64) -> Option<PriorStatistics> {
-        Some(PriorStatistics { accepted: true, residual: [0.0; 3], redundancy: None, w: Some([w, -0.7, 0.6]), detectable: [None; 3] })
+        Some(PriorStatistics {
+            accepted: true,
+            residual: [0.0; 3],
+            redundancy: None,
+            w: Some([w, -0.7, 0.6]),
+            detectable: [None; 3],
+            left_out: None,
+        })
     }
 
     #[test]
@@ -104,6 +111,7 @@ mod tests {
                     redundancy: None,
                     w: Some([3.0, -4.0, 2.0 + f64::from(k)]),
                     detectable: [None; 3],
+                    left_out: None,
                 })
             })
             .collect();

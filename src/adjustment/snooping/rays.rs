@@ -9,12 +9,17 @@ use crate::adjustment::reliability::Judged;
 use crate::adjustment::result::ObservationVerdict;
 use crate::adjustment::scale::sigma_by_median;
 use crate::adjustment::statistics::judge_by;
+use crate::math::{normal_median_within, weighted_median};
 
 /// Rounds of least squares in which what was rejected may come back; rays may once more at most, so that the rounds end.
 pub(super) const FREE_ROUNDS: usize = 2;
 
 /// Cofactors of an earlier round serve as long as they tell the same σ₀ but for this share.
 const ALIKE_SIGMA: f64 = 0.03;
+
+/// Known standard errors are judged with this redundancy and more, by rays that have so much of their own.
+const FEW_KNOWN: f64 = 8.0;
+const LEAST_CHECKED: f64 = 0.1;
 
 /// Below this redundancy the median alone is no estimate.
 const FEW: i64 = 20;
@@ -66,7 +71,7 @@ impl Course<'_> {
     pub fn snoop_by_earlier(&mut self, problem: &Problem<'_>, adjusted: &Adjusted, loss: Loss, calm_rounds: usize) -> bool {
         let Some((of_loss, orientations)) = self.orientations.as_ref().filter(|(of_loss, _)| *of_loss == loss) else { return false };
         let is_robust = *of_loss != Loss::Squares;
-        let judged = judge_by(orientations, problem, adjusted, self.block, &self.verdicts);
+        let judged = judge_by(orientations, problem, adjusted, &self.block, &self.verdicts);
         let sigma = self.scale(&judged.rays, adjusted, problem.redundancy());
         // Where something is hardly determined, small steps make large cofactors others: then they no longer serve.
         if (sigma - self.sigma).abs() > ALIKE_SIGMA * self.sigma {
@@ -83,16 +88,30 @@ impl Course<'_> {
         if redundancy < FEW { by_median.max(adjusted.sigma) } else { by_median }
     }
 
+    /// Rays of a known standard error are judged by how they scatter, where that is more: it may be stated too small, as that of positions.
+    fn scale_of_known(&self, rays: &[Option<[Judged; 2]>], limit: f64) -> f64 {
+        let known = self.block.rays.iter().zip(rays).filter(|(ray, _)| ray.sigma_px.is_some()).filter_map(|(_, judged)| judged.as_ref());
+        let mut sizes: Vec<(f64, f64)> = known
+            .flat_map(|judged| judged.map(|j| (j.standardised.abs(), if j.redundancy > LEAST_CHECKED { j.redundancy } else { 0.0 })))
+            .collect();
+        let sigma = self.sigma.max(LEAST_SIGMA_PX);
+        let freedom: f64 = sizes.iter().map(|(_, redundancy)| redundancy).sum();
+        let middle = weighted_median(&mut sizes).filter(|_| freedom >= FEW_KNOWN);
+        middle.map_or(1.0, |middle| (middle / normal_median_within(limit) / sigma).max(1.0))
+    }
+
     /// Rejects the worst ray of each point that exceeds the limit, and takes back what no longer does: in the first rounds, and once more when
     /// nothing is left to reject, for what fell by errors that were found after it. Whether anything changed.
     pub fn snoop(&mut self, rays: &[Option<[Judged; 2]>], loss: Loss, calm_rounds: usize) -> bool {
         let limit = self.options.limit() * self.sigma.max(self.options.sigma0_px.unwrap_or(0.0)).max(LEAST_SIGMA_PX);
         let sizes = rays.iter().map(|judged| judged.map(|[x, y]| x.standardised.abs().max(y.standardised.abs())));
+        let known = self.scale_of_known(rays, self.options.limit());
         let before = self.verdicts.clone();
         let mut worst: Vec<Option<(usize, f64)>> = vec![None; self.block.points.len()];
         let mut fitting = Vec::new();
         for (ray, size) in sizes.enumerate() {
             let Some(size) = size else { continue };
+            let size = if self.block.rays[ray].sigma_px.is_some() { size / known } else { size };
             match before[ray] {
                 ObservationVerdict::Accepted if size > limit => {
                     let worst = &mut worst[self.block.rays[ray].point];

@@ -3,16 +3,18 @@
 use super::course::Course;
 use crate::adjustment::axis::observed_axes;
 use crate::adjustment::block::Block;
+use crate::adjustment::components::sums_of_groups;
 use crate::adjustment::datum::{held_images, moved_onto};
 use crate::adjustment::gauss_newton::{Adjusted, Demand};
 use crate::adjustment::network::Columns;
 use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
 use crate::adjustment::reduced::{KnownParameter, Problem};
-use crate::adjustment::result::{FixedParameter, ObservationVerdict};
+use crate::adjustment::result::{FixedParameter, GroupWeighting, ObservationVerdict, VarianceComponent};
+use crate::adjustment::shared::{SharedCofactors, shared_cofactors};
 use crate::adjustment::statistics::{Statistics, statistics};
 use crate::{Cause, Computation, Error, Unsettled};
 
-/// Rounds with the robust loss, and in all but for those that fix camera parameters.
+/// Rounds with the robust loss, and in all from one weighting of groups to the next, but for those that fix camera parameters.
 const ROBUST_ROUNDS: usize = 10;
 const MAX_ROUNDS: usize = 40;
 /// Where a robust round rejects no more than this share of the rays, least squares can go on.
@@ -27,8 +29,14 @@ const SETTLED_SIGMA: f64 = 0.02;
 
 /// A settled adjustment.
 pub(in crate::adjustment) struct Settled {
+    /// With the weights and standard errors that held in it.
+    pub block: Block,
+    /// What the residuals say of stated standard errors.
+    pub components: Vec<VarianceComponent>,
     pub adjusted: Adjusted,
     pub statistics: Option<Statistics>,
+    /// What errors add that the rays of an image share; absent where none are expected.
+    pub shared: Option<SharedCofactors>,
     pub verdicts: Vec<ObservationVerdict>,
     pub columns: Columns,
     pub fixed: Vec<Vec<FixedParameter>>,
@@ -37,8 +45,11 @@ pub(in crate::adjustment) struct Settled {
     pub placed: Vec<bool>,
     /// Standard error of a coordinate of weight 1 that the observed positions were weighted by.
     pub weighted_by: f64,
+    /// Those before groups of observations were weighted anew.
     pub iterations: usize,
     pub rounds: usize,
+    /// Absent where no variance components are estimated.
+    pub weighting: Option<GroupWeighting>,
 }
 
 /// Adjusts a block until nothing changes any more.
@@ -50,8 +61,12 @@ pub(in crate::adjustment) fn settle(block: &Block, options: &AdjustmentOptions) 
     course.fix_undetermined()?;
     let mut is_robust = options.loss != Loss::Squares;
     let (mut calm_rounds, mut rounds, mut fixing) = (0, 0, 0);
+    // What the adjustment with the weights that were stated took.
+    let mut stated: Option<(usize, usize)> = None;
+    // Rounds before the last weighting.
+    let mut before = 0;
     let mut last = Unsettled::GrossErrors;
-    while rounds - fixing < MAX_ROUNDS {
+    while rounds - before - fixing < MAX_ROUNDS {
         rounds += 1;
         let outcome = course.round(if is_robust { options.loss } else { Loss::Squares }, calm_rounds)?;
         calm_rounds += usize::from(!is_robust);
@@ -60,9 +75,17 @@ pub(in crate::adjustment) fn settle(block: &Block, options: &AdjustmentOptions) 
             Outcome::Changed { rejected, what } => {
                 last = what;
                 let few = rejected as f64 <= FEW_GROSS_ERRORS * block.rays.len() as f64;
-                is_robust &= !(options.snooping && (few || rounds - fixing >= ROBUST_ROUNDS));
+                is_robust &= !(options.snooping && (few || rounds - before - fixing >= ROBUST_ROUNDS));
             }
-            Outcome::Settled(settled) => return Ok(Settled { rounds, ..*settled }),
+            Outcome::Weighted => {
+                stated = stated.or(Some((rounds, course.iterations)));
+                (before, fixing) = (rounds, 0);
+            }
+            Outcome::Settled(settled) => {
+                let (rounds, iterations) = stated.unwrap_or((rounds, course.iterations));
+                let weighting = options.variance_components.then(|| course.weighting(course.iterations - iterations));
+                return Ok(Settled { rounds, iterations, weighting, ..*settled });
+            }
         }
     }
     let cause = Cause::Unsettled { unsettled: last, rounds: MAX_ROUNDS };
@@ -78,6 +101,8 @@ enum Outcome {
     },
     /// Camera parameters were fixed, and nothing else changed.
     Fixed,
+    /// A group of observations was weighted anew by its residuals, and nothing else changed.
+    Weighted,
     Settled(Box<Settled>),
 }
 
@@ -106,21 +131,23 @@ impl<'a> Course<'a> {
     /// | `impossible` | points lie behind images or are not determined | rejects rays | `Changed` |
     /// | `by_earlier_cofactors` | an earlier round of this loss left cofactors | rejects rays | `Changed` |
     /// | `by_own_cofactors` | always | rejects and takes back rays and positions, weighs positions anew, ends the robust loss | `Changed` |
+    /// | `weights` | variance components are estimated | weighs a group of observations anew | `Weighted` |
     /// | `undetermined` | camera parameters are worse than the limit | fixes them | `Fixed` |
     ///
     /// Below the last row the adjustment is settled.
-    const CHECKS: [Check<'a>; 5] =
-        [Self::creeping, Self::impossible, Self::by_earlier_cofactors, Self::by_own_cofactors, Self::undetermined];
+    const CHECKS: [Check<'a>; 6] =
+        [Self::creeping, Self::impossible, Self::by_earlier_cofactors, Self::by_own_cofactors, Self::weights, Self::undetermined];
 
     /// Adjusts the accepted rays and makes the checks.
     fn round(&mut self, loss: Loss, calm_rounds: usize) -> Result<Outcome, Error> {
+        let weighted_by = self.weighted_by();
+        self.weights.weigh_rays(&mut self.block, weighted_by);
         let network = self.network()?;
         let columns = Columns::new(&self.free);
-        let weighted_by = self.weighted_by();
         let (gnss, control) = self.observed(weighted_by);
-        let axes = observed_axes(self.block, self.options.datum, weighted_by);
+        let axes = observed_axes(&self.block, self.options.datum, weighted_by);
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
-        let known = KnownParameter::of_block(self.block, &columns, weighted_by);
+        let known = KnownParameter::of_block(&self.block, &columns, weighted_by);
         let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &known };
         let adjusted = self.adjusted(&problem, loss)?;
         let mut round = Round { problem, adjusted, loss, calm_rounds, sigma_before: self.sigma, weighted_by, statistics: None };
@@ -129,7 +156,11 @@ impl<'a> Course<'a> {
                 return Ok(outcome);
             }
         }
+        let shared = self.shared(&round)?;
         Ok(Outcome::Settled(Box::new(Settled {
+            shared,
+            block: self.block.clone(),
+            components: self.weights.components(),
             redundancy: round.problem.redundancy() as usize,
             adjusted: round.adjusted,
             statistics: round.statistics.filter(|_| self.options.statistics),
@@ -138,9 +169,19 @@ impl<'a> Course<'a> {
             fixed: self.fixed.clone(),
             placed: self.placed.clone(),
             weighted_by,
-            iterations: self.iterations,
+            iterations: 0,
             rounds: 0,
+            weighting: None,
         })))
+    }
+
+    /// What the shared errors of a settled round add.
+    fn shared(&self, round: &Round<'_>) -> Result<Option<SharedCofactors>, Error> {
+        let Some(factored) = self.nearby.as_ref().filter(|_| self.options.statistics && self.options.shared_errors > 0.0) else {
+            return Ok(None);
+        };
+        let reduced = round.problem.eliminated(&self.state, 0.0, round.adjusted.robust);
+        shared_cofactors(&round.problem, &reduced, factored, &round.adjusted, &self.block).map(Some)
     }
 
     /// One adjustment from the present state, which becomes the adjusted one.
@@ -194,7 +235,7 @@ impl<'a> Course<'a> {
         let options = self.options;
         let mut is_snooped = false;
         if options.statistics || options.snooping {
-            let (found, factored, orientations) = statistics(&round.problem, &round.adjusted, self.block, &self.verdicts)?;
+            let (found, factored, orientations) = statistics(&round.problem, &round.adjusted, &self.block, &self.verdicts)?;
             self.sigma = self.scale(&found.rays, &round.adjusted, round.problem.redundancy());
             is_snooped = options.snooping && self.snoop(&found.rays, round.loss, round.calm_rounds);
             self.nearby = Some(factored);
@@ -203,7 +244,7 @@ impl<'a> Course<'a> {
         } else {
             self.sigma = round.adjusted.sigma;
         }
-        let is_observed = options.datum != Datum::Free || !self.block.camera_priors.is_empty();
+        let is_observed = options.datum != Datum::Free || !self.block.camera_priors.is_empty() || self.weights.has_known_rays;
         let is_weighted = is_observed && options.sigma0_px.is_none();
         let is_reweighted = is_weighted && (self.sigma - round.sigma_before).abs() > SETTLED_SIGMA * self.sigma;
         let found = round.statistics.as_ref().filter(|_| options.snooping);
@@ -218,6 +259,21 @@ impl<'a> Course<'a> {
             _ => return Ok(None),
         };
         Ok(Some(self.changed(round, what)))
+    }
+
+    fn weights(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
+        let Some(found) = round.statistics.as_ref().filter(|_| self.options.variance_components) else { return Ok(None) };
+        let sums = sums_of_groups(&self.block, &round.problem, &round.adjusted.state, found, &self.verdicts);
+        let changed = self.weights.update(&sums, round.weighted_by);
+        if changed {
+            self.weights.state_anew(&mut self.block, self.given);
+        }
+        Ok(changed.then_some(Outcome::Weighted))
+    }
+
+    /// What weighting groups took; `iterations`: those of its adjustments.
+    fn weighting(&self, iterations: usize) -> GroupWeighting {
+        GroupWeighting { rounds: self.weights.rounds, iterations, converged: self.weights.is_converged }
     }
 
     fn undetermined(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {

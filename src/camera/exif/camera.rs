@@ -1,6 +1,7 @@
 //! The camera of a file: of what EXIF, XMP and the table of sensors say, the most certain.
 
 use super::fields::{Directory, Fields, Tag};
+use crate::Location;
 use crate::camera::distortion::fitted_terms;
 use crate::camera::origin::{CameraCaution, CameraOrigin};
 use crate::camera::px::Camera;
@@ -200,7 +201,7 @@ fn xmp_lens(xmp: &Xmp, taken: Option<[f64; 2]>, size: [u64; 2], pixel_mm: Option
     let of_pix4d = || pix4d_camera(xmp.pix4d_lens.as_ref()?, taken, size, pixel_mm);
     let of_dji = || Some(dji_camera(xmp.dji_lens.as_ref()?, taken, size));
     // A lens whose distortion folds the image is a damaged field.
-    of_pix4d().or_else(of_dji).filter(|(camera, _)| camera.check(String::new).is_ok() && camera.photo_camera().is_ok())
+    of_pix4d().or_else(of_dji).filter(|(camera, _)| camera.check(|| Location::CameraOfImage).is_ok() && camera.photo_camera().is_ok())
 }
 
 fn dji_camera(lens: &DjiLens, taken: Option<[f64; 2]>, size: [u64; 2]) -> (Camera, CameraOrigin) {

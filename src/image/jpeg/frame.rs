@@ -1,8 +1,8 @@
 //! The frame header: size, components and how they are sampled.
 
 use super::segments::{Segment, cut_off, write_segment};
-use crate::Error;
 use crate::image::layout::{FileLayout, Format, damaged};
+use crate::{Damage, Error, Unsupported};
 
 /// The frame header.
 pub struct Frame {
@@ -24,27 +24,23 @@ pub struct Component {
 impl Frame {
     /// Reads the header and refuses what is not decoded.
     pub fn read(segment: &Segment<'_>) -> Result<Self, Error> {
-        let refuse = |what, allowed| Err(Error::UnsupportedImage { what, allowed });
         let progressive = match segment.marker {
             0xc0 | 0xc1 => false,
             0xc2 => true,
-            marker => {
-                let process = if marker > 0xc8 { "arithmetic-coded" } else { "lossless or hierarchical" };
-                let what = format!("{process} JPEG (SOF{})", marker & 15);
-                return refuse(what, "baseline, extended and progressive Huffman-coded JPEG");
-            }
+            marker @ 0xc9.. => return Err(Unsupported::JpegArithmetic { frame: marker & 15 }.into_error()),
+            marker => return Err(Unsupported::JpegLossless { frame: marker & 15 }.into_error()),
         };
         let [precision, h1, h0, w1, w0, count, rest @ ..] = segment.body else {
             return Err(cut_off());
         };
         if *precision != 8 {
-            return refuse(format!("JPEG of {precision} bits"), "JPEG of 8 bits");
+            return Err(Unsupported::JpegBits { bits: *precision }.into_error());
         }
         if !matches!(count, 1 | 3) {
-            return refuse(format!("JPEG of {count} components (4: CMYK)"), "grey and three-component colour JPEG");
+            return Err(Unsupported::JpegComponents { components: *count }.into_error());
         }
         if rest.len() != 3 * usize::from(*count) {
-            return Err(damaged(Format::Jpeg, "the length of its frame header does not fit its components"));
+            return Err(damaged(Format::Jpeg, Damage::FrameHeaderLength));
         }
         let components = rest.chunks_exact(3).map(|c| Component { id: c[0], sampling: (c[1] >> 4, c[1] & 15), table: c[2] }).collect();
         let mut frame = Self {
@@ -69,8 +65,7 @@ impl Frame {
             [] => false,
         };
         if !allowed {
-            let what = format!("JPEG with the sampling factors {:?}", self.components.iter().map(|c| c.sampling).collect::<Vec<_>>());
-            return Err(Error::UnsupportedImage { what, allowed: "the first component sampled 1, 2 or 4 times, the others once" });
+            return Err(Unsupported::JpegSampling { sampling: self.components.iter().map(|c| c.sampling).collect() }.into_error());
         }
         Ok(())
     }

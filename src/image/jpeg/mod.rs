@@ -14,9 +14,9 @@ use zune_jpeg::zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options:
 use self::frame::Frame;
 use self::segments::{Segments, marker};
 use self::stream::{CheckedStream, Output};
-use super::layout::{FileLayout, Format, damaged};
+use super::layout::{FileLayout, Format, damaged, undecodable};
 use super::luminance::{SampleLayout, grey_of_u8};
-use crate::Error;
+use crate::{Damage, Error};
 
 /// Reads the layout from the frame header.
 pub(super) fn read_header(bytes: &[u8]) -> Result<FileLayout, Error> {
@@ -27,7 +27,7 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<FileLayout, Error> {
             return Ok(Frame::read(&segment)?.layout());
         }
         if matches!(segment.marker, marker::SOS | marker::EOI) {
-            return Err(damaged(Format::Jpeg, "its image data come before its frame header"));
+            return Err(damaged(Format::Jpeg, Damage::NoFrameHeader));
         }
     }
 }
@@ -46,9 +46,9 @@ pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<Vec<u8>, Error> {
         .set_max_width(usize::from(u16::MAX))
         .set_max_height(usize::from(u16::MAX))
         .jpeg_set_out_colorspace(colours);
-    let samples = JpegDecoder::new_with_options(ZCursor::new(file.bytes), options).decode().map_err(|e| damaged(Format::Jpeg, e))?;
+    let samples = JpegDecoder::new_with_options(ZCursor::new(file.bytes), options).decode().map_err(|e| undecodable(Format::Jpeg, e))?;
     if samples.len() != pixels * channels {
-        return Err(damaged(Format::Jpeg, "the decoder gave another size than the header declares"));
+        return Err(damaged(Format::Jpeg, Damage::OtherThanHeader));
     }
     let layout = SampleLayout { channels, colour: file.output == Output::Rgb, plane_stride: None };
     Ok(grey_of_u8(samples, pixels, layout))

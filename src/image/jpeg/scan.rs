@@ -1,8 +1,8 @@
 //! One scan: whether its data are all there.
 
 use super::frame::Frame;
-use crate::Error;
 use crate::image::layout::{Format, damaged};
+use crate::{Damage, Error};
 
 /// Bytes of ones into which no code and no bits after one reach so far that another code could be read from them.
 const ONES: usize = 4;
@@ -51,10 +51,7 @@ impl Scan {
         let expected = self.units.div_ceil(self.interval).saturating_sub(1);
         let in_order = restarts.iter().enumerate().all(|(i, &number)| usize::from(number) == i % 8);
         if !in_order || !(expected..=expected + 1).contains(&restarts.len()) {
-            return Err(damaged(
-                Format::Jpeg,
-                format!("it has {} of {expected} restart markers, or not in order: data are missing", restarts.len()),
-            ));
+            return Err(damaged(Format::Jpeg, Damage::RestartMarkers { markers: restarts.len(), expected }));
         }
         Ok(())
     }
@@ -70,7 +67,7 @@ impl Scan {
             let (interval, after) = rest.split_at(restart.unwrap_or(rest.len()));
             let bits = 8 * (interval.len() - interval.windows(2).filter(|pair| *pair == [0xff, 0]).count());
             if self.coding == Coding::Bits && bits < left.min(self.interval) * self.blocks_of_a_unit {
-                return Err(damaged(Format::Jpeg, "a scan ends before the image does: data are missing"));
+                return Err(damaged(Format::Jpeg, Damage::ShortScan));
             }
             left = left.saturating_sub(self.interval);
             stream.extend(interval);

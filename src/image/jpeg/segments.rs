@@ -1,7 +1,7 @@
 //! The segments of a JPEG file.
 
-use crate::Error;
 use crate::image::layout::{Format, damaged, truncated};
+use crate::{Damage, Error};
 
 /// Markers, the second byte after 0xff.
 pub mod marker {
@@ -66,7 +66,7 @@ impl<'a> Segments<'a> {
         }
         let length = usize::from(u16::from_be_bytes(*self.bytes.get(self.at..).and_then(|r| r.first_chunk()).ok_or_else(cut_off)?));
         if length < 2 {
-            return Err(damaged(Format::Jpeg, format!("the segment with marker {code:02x} has the length {length}")));
+            return Err(damaged(Format::Jpeg, Damage::SegmentLength { marker: code, length }));
         }
         let body = self.bytes.get(self.at + 2..self.at + length).ok_or_else(cut_off)?;
         self.at += length;

@@ -3,8 +3,8 @@
 use super::frame::Frame;
 use super::scan::Scan;
 use super::segments::{Segment, Segments, marker, write_segment};
-use crate::Error;
 use crate::image::layout::{Format, damaged};
+use crate::{Damage, Error, Unsupported};
 
 /// Each scan of a progressive file is a walk over all blocks, however few bytes it has. Encoders write 10 to 20 scans.
 const MOST_SCANS: usize = 64;
@@ -60,7 +60,7 @@ struct Writer {
 impl Writer {
     fn frame(&mut self, segment: &Segment<'_>) -> Result<(), Error> {
         if self.frame.is_some() {
-            return Err(damaged(Format::Jpeg, "it has two frame headers"));
+            return Err(damaged(Format::Jpeg, Damage::TwoFrameHeaders));
         }
         self.frame = Some(Frame::read(segment)?);
         Ok(())
@@ -71,7 +71,7 @@ impl Writer {
         match segment.marker {
             _ if self.complete => {}
             marker::DRI => {
-                let interval = segment.body.first_chunk().ok_or_else(|| damaged(Format::Jpeg, "its restart interval is cut off"))?;
+                let interval = segment.body.first_chunk().ok_or_else(|| damaged(Format::Jpeg, Damage::RestartInterval))?;
                 self.restart_interval = usize::from(u16::from_be_bytes(*interval));
                 write_segment(marker::DRI, segment.body, &mut self.stream);
             }
@@ -81,7 +81,7 @@ impl Writer {
                 write_segment(marker::APP14, segment.body, &mut self.stream);
             }
             marker::APP0..=marker::APP15 | marker::COM => {}
-            other => return Err(damaged(Format::Jpeg, format!("it has the unexpected marker {other:02x}"))),
+            other => return Err(damaged(Format::Jpeg, Damage::UnexpectedMarker { marker: other })),
         }
         Ok(())
     }
@@ -93,19 +93,19 @@ impl Writer {
         }
         self.scans += 1;
         if self.scans > MOST_SCANS {
-            return Err(Error::UnsupportedImage { what: format!("JPEG of more than {MOST_SCANS} scans"), allowed: "up to 64 scans" });
+            return Err(Unsupported::JpegScans { most: MOST_SCANS }.into_error());
         }
         let stores_rgb = self.stores_rgb();
-        let frame = self.frame.as_mut().ok_or_else(|| damaged(Format::Jpeg, "its image data come before its frame header"))?;
+        let frame = self.frame.as_mut().ok_or_else(|| damaged(Format::Jpeg, Damage::NoFrameHeader))?;
         let scanned: Vec<u8> = segment.body.get(1..).unwrap_or_default().chunks(2).map(|selector| selector[0]).collect();
         let scanned = &scanned[..scanned.len().min(segment.body.first().copied().unwrap_or(0).into())];
         if !frame.progressive {
             let first = frame.components[0].id;
             if scanned.len() < frame.components.len() {
                 match scanned {
-                    _ if stores_rgb => return Err(scans_apart("RGB")),
+                    _ if stores_rgb => return Err(Unsupported::JpegRgbApart.into_error()),
                     [only] if *only == first => frame.keep_first(),
-                    some if some.contains(&first) => return Err(scans_apart("luma and one chroma")),
+                    some if some.contains(&first) => return Err(Unsupported::JpegLumaApart.into_error()),
                     _ => return Ok(()),
                 }
             }
@@ -145,12 +145,7 @@ impl Writer {
                 };
                 Ok(CheckedStream { bytes: self.stream, output })
             }
-            _ => Err(damaged(Format::Jpeg, "it ends before its image data")),
+            _ => Err(damaged(Format::Jpeg, Damage::NoImageData)),
         }
     }
-}
-
-fn scans_apart(components: &str) -> Error {
-    let what = format!("baseline JPEG with scans of {components} apart");
-    Error::UnsupportedImage { what, allowed: "one scan of all components, or one of luma alone" }
 }

@@ -9,9 +9,9 @@ use tiff::TiffError;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 
 pub(crate) use self::directory::Directory;
-use super::layout::{DEFLATE_MOST, FileLayout, Format, damaged, truncated};
+use super::layout::{DEFLATE_MOST, FileLayout, Format, damaged, truncated, undecodable};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
-use crate::Error;
+use crate::{Damage, Error, Unsupported};
 
 mod tag {
     pub const WIDTH: u64 = 256;
@@ -89,10 +89,10 @@ impl TiffLayout {
     /// Reads the directory and refuses what is not decoded.
     pub fn read(bytes: &[u8]) -> Result<Self, Error> {
         let directory = checked_directory(bytes)?;
-        let side = |tag, name| directory.value(tag).ok_or_else(|| damaged(Format::Tiff, format!("it does not declare its {name}")));
+        let side = |tag, missing| directory.value(tag).ok_or_else(|| damaged(Format::Tiff, missing));
         let layout = Self {
-            width: side(tag::WIDTH, "width")?,
-            height: side(tag::HEIGHT, "height")?,
+            width: side(tag::WIDTH, Damage::NoWidth)?,
+            height: side(tag::HEIGHT, Damage::NoHeight)?,
             bits: directory.value(tag::BITS).unwrap_or(1),
             samples: directory.value(tag::SAMPLES).unwrap_or(1),
             photometric: directory.value(tag::PHOTOMETRIC).unwrap_or(BLACK_IS_ZERO),
@@ -120,31 +120,27 @@ impl TiffLayout {
     }
 
     fn check_supported(&self, directory: &Directory<'_>) -> Result<(), Error> {
-        let refuse = |what: String, allowed| Err(Error::UnsupportedImage { what: format!("TIFF {what}"), allowed });
         match directory.value(tag::SAMPLE_FORMAT) {
             None | Some(1) => {}
-            Some(3) => return refuse("with floating-point samples".into(), "unsigned integers of 8 or 16 bits"),
-            Some(_) => return refuse("with signed or undefined samples".into(), "unsigned integers of 8 or 16 bits"),
+            Some(3) => return Err(Unsupported::TiffFloats.into_error()),
+            Some(_) => return Err(Unsupported::TiffSigned.into_error()),
         }
         if !matches!(self.bits, 8 | 16) {
-            return refuse(format!("of {} bits a sample", self.bits), "8 or 16 bits a sample");
+            return Err(Unsupported::TiffBits { bits: self.bits }.into_error());
         }
         match (self.photometric, self.samples, self.bits) {
             (0 | BLACK_IS_ZERO, 1.., _) | (RGB, 3.., _) | (PALETTE, 1, 8) => {}
-            (photometric, samples, bits) => {
-                let what = format!("of photometric interpretation {photometric} with {samples} samples of {bits} bits");
-                return refuse(what, "grey (0, 1), RGB (2) with 3 or more samples, palette (3) of 8 bits");
-            }
+            (photometric, samples, bits) => return Err(Unsupported::TiffColours { photometric, samples, bits }.into_error()),
         }
         if !matches!(self.compression, 1 | LZW | DEFLATE | OLD_DEFLATE | PACK_BITS) {
-            return refuse(format!("with compression {}", self.compression), "none, LZW, Deflate, PackBits (1, 5, 8, 32946, 32773)");
+            return Err(Unsupported::TiffCompression { compression: self.compression }.into_error());
         }
         if [tag::TILE_WIDTH, tag::TILE_HEIGHT].iter().any(|&side| directory.value(side).is_some_and(|side| side > MAX_TILE_SIDE)) {
-            return refuse("with a tile side of more than 65,536 px".into(), "tile sides of up to 65,536 px");
+            return Err(Unsupported::TiffTileSide.into_error());
         }
         let tile_row_bytes = directory.value(tag::TILE_WIDTH).unwrap_or(0).saturating_mul(self.file_layout().bytes_per_pixel);
         if tile_row_bytes > MAX_TILE_ROW_BYTES {
-            return refuse(format!("with {tile_row_bytes} bytes in a row of a tile"), "up to 16,777,216");
+            return Err(Unsupported::TiffTileRow { bytes: tile_row_bytes }.into_error());
         }
         Ok(())
     }
@@ -167,7 +163,7 @@ pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<(Vec<u8>, u8), Error
             Ok((grey, 8))
         }
         DecodingResult::U16(samples) if Some(samples.len()) == expected => Ok((grey_of_u16(&samples, pixels, layout), 16)),
-        _ => Err(damaged(Format::Tiff, "the decoder gave another size than the directory declares")),
+        _ => Err(damaged(Format::Tiff, Damage::OtherThanDirectory)),
     }
 }
 
@@ -177,13 +173,12 @@ fn read_samples(bytes: &[u8], declared: &TiffLayout) -> Result<(DecodingResult, 
     let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(decoder_error)?.with_limits(Limits::unlimited());
     let (width, height) = decoder.dimensions().map_err(decoder_error)?;
     if (u64::from(width), u64::from(height)) != (declared.width, declared.height) {
-        return Err(damaged(Format::Tiff, "its directory declares two sizes"));
+        return Err(damaged(Format::Tiff, Damage::TwoDirectorySizes));
     }
     let channels = decoder.colortype().map_err(decoder_error)?.num_samples();
     if u64::from(channels) < declared.samples && declared.predictor != 1 && !declared.planar {
         // The decoder leaves out the further bands before it undoes the prediction, which then mixes the bands.
-        let what = format!("TIFF of {} bands with a predictor", declared.samples);
-        return Err(Error::UnsupportedImage { what, allowed: "1, 3 or 4 bands (the fourth alpha), or no predictor" });
+        return Err(Unsupported::TiffBands { bands: declared.samples }.into_error());
     }
     let mut samples = DecodingResult::U8(Vec::new());
     decoder.read_image_to_buffer(&mut samples).map_err(decoder_error)?;
@@ -203,7 +198,7 @@ pub(crate) fn checked_directory(bytes: &[u8]) -> Result<Directory<'_>, Error> {
 /// Refuses directories that cost much to read: the decoder holds what they say of strips and tiles, and the values of other tags.
 fn check_counts(directory: &Directory<'_>) -> Result<(), Error> {
     if directory.entries > MOST_TAGS {
-        return Err(damaged(Format::Tiff, format!("its directory has {} tags; up to {MOST_TAGS} are read", directory.entries)));
+        return Err(damaged(Format::Tiff, Damage::ManyTags { tags: directory.entries, most: MOST_TAGS }));
     }
     for (tag, count) in directory.counts() {
         let most = match tag {
@@ -212,7 +207,7 @@ fn check_counts(directory: &Directory<'_>) -> Result<(), Error> {
             _ => continue,
         };
         if count > most {
-            return Err(damaged(Format::Tiff, format!("tag {tag} has {count} values; up to {most} are read")));
+            return Err(damaged(Format::Tiff, Damage::ManyValues { tag, values: count, most }));
         }
     }
     Ok(())
@@ -221,7 +216,7 @@ fn check_counts(directory: &Directory<'_>) -> Result<(), Error> {
 /// The grey value of each palette index; the colour map holds 16-bit red, then green, then blue.
 fn palette_greys(bytes: &[u8]) -> Result<Vec<u8>, Error> {
     let map = Directory::first(bytes).and_then(|directory| directory.shorts(tag::COLOUR_MAP, 768));
-    let map = map.ok_or_else(|| damaged(Format::Tiff, "its colour map has not 3 x 256 entries"))?;
+    let map = map.ok_or_else(|| damaged(Format::Tiff, Damage::ColourMap))?;
     Ok(grey_of_u16(&map, 256, SampleLayout { channels: 3, colour: true, plane_stride: Some(256) }))
 }
 
@@ -256,9 +251,7 @@ pub(crate) fn with_rows_of_image(bytes: &[u8]) -> Cow<'_, [u8]> {
 pub(crate) fn decoder_error(error: TiffError) -> Error {
     match error {
         TiffError::IoError(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => truncated(Format::Tiff),
-        TiffError::UnsupportedError(e) => {
-            Error::UnsupportedImage { what: format!("this TIFF ({e})"), allowed: "grey and RGB of 8 or 16 bits, in strips or tiles" }
-        }
-        e => damaged(Format::Tiff, e),
+        TiffError::UnsupportedError(e) => Unsupported::TiffDecoder { words: e.to_string() }.into_error(),
+        e => undecodable(Format::Tiff, e),
     }
 }

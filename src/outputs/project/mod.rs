@@ -2,9 +2,10 @@
 
 mod version_1;
 
+use crate::error::refuse;
 use crate::json;
 use crate::text::shorten;
-use crate::{BlockRun, Error, FileFault, PairRun};
+use crate::{BlockModel, BlockRun, Error, FileFault, Input, ObservationVerdict, PairRun, ReconstructedModel, Reconstruction, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// The version that is written, and the newest one that is read.
@@ -124,37 +125,80 @@ fn header_line(version: u32, body: &str) -> Result<String, Error> {
 
 /// Refuses a block whose parts do not fit together.
 fn check(run: &BlockRun) -> Result<(), Error> {
-    run.model.check()?;
-    let (images, cameras) = (run.images.len(), run.cameras.len());
-    same("images of the project", images, run.model.images.len())?;
-    same("cameras of the project", cameras, run.model.cameras.len())?;
-    same("geometries of the project", run.geometries.len(), run.connections.len())?;
-    let refused = |what: &'static str, got: String, allowed: String| Err(Error::InvalidInput { what, got, allowed });
-    let differs =
-        run.images.iter().zip(&run.model.images).find(|(image, modelled)| (&image.name, image.camera) != (&modelled.name, modelled.camera));
-    if let Some((image, modelled)) = differs {
-        return refused(
-            "image of the project",
-            format!("'{}' of camera {}", image.name, image.camera),
-            format!("'{}' of camera {}", modelled.name, modelled.camera),
-        );
-    }
+    same(Input::GeometriesOfProject, run.geometries.len(), run.connections.len())?;
+    let images = run.images.len();
     if let Some(connection) = run.connections.iter().find(|c| c.images[0] >= c.images[1] || c.images[1] as usize >= images) {
-        let allowed = format!("two images below {images} in ascending order");
-        return refused("connection of the project", format!("{:?}", connection.images), allowed);
+        return refuse(Refusal::ProjectConnection { images: connection.images, count: images });
     }
-    for model in run.reconstruction.iter().flat_map(|assembly| &assembly.models) {
-        same("images of a model of the project", model.adjusted.images.len(), model.images.len())?;
-        let beyond = |indices: &[usize], end: usize| indices.iter().copied().find(|index| *index >= end);
-        if let Some(index) = beyond(&model.images, images).or(beyond(&model.cameras, cameras)) {
-            return refused("model of the project", format!("index {index}"), format!("images below {images} and cameras below {cameras}"));
-        }
+    check_oriented(run, &run.model, run.reconstruction.as_ref().ok())?;
+    let Some(found) = &run.edited else { return Ok(()) };
+    if !run.reconstruction.as_ref().is_ok_and(|assembly| !assembly.models.is_empty()) || found.reconstruction.models.is_empty() {
+        return refuse(Refusal::ProjectEdits);
+    }
+    check_oriented(run, &found.model, Some(&found.reconstruction))
+}
+
+/// Refuses a model and the reconstruction that it comes from where they are not of the block.
+fn check_oriented(run: &BlockRun, model: &BlockModel, reconstruction: Option<&Reconstruction>) -> Result<(), Error> {
+    model.check()?;
+    let (images, cameras) = (run.images.len(), run.cameras.len());
+    same(Input::ImagesOfProject, images, model.images.len())?;
+    same(Input::CamerasOfProject, cameras, model.cameras.len())?;
+    let differs =
+        run.images.iter().zip(&model.images).find(|(image, modelled)| (&image.name, image.camera) != (&modelled.name, modelled.camera));
+    if let Some((image, modelled)) = differs {
+        let (name, camera, other, other_camera) = (image.name.clone(), image.camera, modelled.name.clone(), modelled.camera);
+        return refuse(Refusal::ProjectImage { name, camera, other, other_camera });
+    }
+    for model in reconstruction.iter().flat_map(|assembly| &assembly.models) {
+        check_model(model, images, cameras)?;
+    }
+    reconstruction.and_then(|assembly| assembly.models.first()).map_or(Ok(()), |first| check_written(model, first))
+}
+
+/// Refuses a written model that is not the adjusted one: tables go through both at once.
+fn check_written(model: &BlockModel, adjusted: &ReconstructedModel) -> Result<(), Error> {
+    let mut rays = vec![0; adjusted.points.len()];
+    let of_rays = adjusted.adjusted.block.rays.iter().zip(&adjusted.adjusted.rays);
+    of_rays.filter(|(_, known)| known.verdict == ObservationVerdict::Accepted).for_each(|(ray, _)| rays[ray.point] += 1);
+    let written: Vec<usize> =
+        rays.into_iter().zip(&adjusted.adjusted.points).filter(|(_, known)| known.is_some()).map(|(rays, _)| rays).collect();
+    same(Input::PointsOfProject, model.points.len(), written.len())?;
+    model.points.iter().zip(written).try_for_each(|(point, rays)| same(Input::ObservationsOfPoint, point.rays.len(), rays))
+}
+
+/// Refuses a model whose lists do not fit together: what reads it counts on that.
+fn check_model(model: &ReconstructedModel, images: usize, cameras: usize) -> Result<(), Error> {
+    let block = &model.adjusted.block;
+    same(Input::ImagesOfModel, model.adjusted.images.len(), model.images.len())?;
+    same(Input::ImagesOfBlock, block.images.len(), model.images.len())?;
+    same(Input::CamerasOfBlock, block.cameras.len(), model.cameras.len())?;
+    same(Input::PointsOfModel, model.points.len(), block.points.len())?;
+    same(Input::PointsOfModel, model.adjusted.points.len(), block.points.len())?;
+    same(Input::ObservationsOfModel, model.rays.len(), block.rays.len())?;
+    same(Input::ObservationsOfModel, model.adjusted.rays.len(), block.rays.len())?;
+    let beyond = |indices: &[usize], end: usize| indices.iter().copied().find(|index| *index >= end);
+    if let Some(index) = beyond(&model.images, images).or(beyond(&model.cameras, cameras)) {
+        return refuse(Refusal::ProjectIndex { index, images, cameras });
+    }
+    let camera_of = block.images.iter().map(|image| image.camera).collect::<Vec<usize>>();
+    if let Some(camera) = beyond(&camera_of, model.cameras.len()) {
+        return refuse(Refusal::ProjectCamera { camera, cameras: model.cameras.len() });
+    }
+    if !model.images.is_sorted_by(|a, b| a < b) {
+        return refuse(Refusal::ProjectOrder);
+    }
+    let seen = block.rays.iter().map(|ray| (ray.image, ray.point)).chain(model.rejected.iter().map(|ray| (ray.image, ray.point)));
+    let supporting = model.supporting.iter().flat_map(|point| &point.rays).map(|ray| (ray.image, 0));
+    let (own, points) = (model.images.len(), block.points.len().max(1));
+    if let Some((image, point)) = seen.chain(supporting).find(|(image, point)| *image >= own || *point >= points) {
+        return refuse(Refusal::ProjectObservation { point, image, images: own, points });
     }
     Ok(())
 }
 
-fn same(what: &'static str, got: usize, wanted: usize) -> Result<(), Error> {
-    if got == wanted { Ok(()) } else { Err(Error::InvalidInput { what, got: got.to_string(), allowed: wanted.to_string() }) }
+fn same(input: Input, got: usize, wanted: usize) -> Result<(), Error> {
+    if got == wanted { Ok(()) } else { refuse(Refusal::Count { input, got, wanted }) }
 }
 
 #[cfg(test)]

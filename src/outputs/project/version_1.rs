@@ -116,6 +116,8 @@ impl From<Project> for BlockRun {
             refinement: None,
             reconstruction: Ok(Reconstruction { origin: model.origin, ..Reconstruction::default() }),
             model,
+            edited: None,
+            orthophoto: None,
         }
     }
 }

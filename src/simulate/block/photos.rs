@@ -4,6 +4,7 @@ use super::exposures::{Exposure, exposures};
 use super::flight::{BlockFlight, BlockView};
 use super::truth::true_block;
 use crate::catalogue::refuse;
+use crate::error::refuse as refuse_input;
 use crate::simulate::buckets::Rectangle;
 use crate::simulate::flight::Flight;
 use crate::simulate::ground_area::{seen_ground, with_surroundings};
@@ -14,7 +15,9 @@ use crate::simulate::render::render;
 use crate::simulate::scene::{Moment, Scene};
 use crate::simulate::sensor::Sensor;
 use crate::simulate::view::View;
-use crate::{BlockModel, Error, ExifCamera, ExifImage, ExifPosition, GeographicOrigin, GreyImage, geographic_from_local, write_png};
+use crate::{
+    BlockModel, Error, ExifCamera, ExifImage, ExifPosition, GeographicOrigin, GreyImage, Input, Refusal, geographic_from_local, write_png,
+};
 
 /// The scene below a block, ready to be photographed.
 ///
@@ -110,8 +113,8 @@ impl BlockScene {
         let size = [self.flight.width_px, self.flight.height_px];
         let outside = |position: &&[f64; 2]| !(0..2).all(|axis| position[axis] >= 0.0 && position[axis] < f64::from(size[axis]));
         if let Some(position) = positions.iter().find(outside) {
-            let allowed = format!("positions inside the photo of {} x {} px", size[0], size[1]);
-            return Err(Error::InvalidInput { what: "position in a photo", got: format!("{position:?}"), allowed });
+            let (position, [width_px, height_px]) = (format!("{position:?}"), size);
+            return refuse_input(Refusal::PhotoPosition { position, width_px, height_px });
         }
         let view = View::new(&self.scene, &photo, Moment::First, size[0] as usize, size[1] as usize);
         Ok(positions.iter().map(|[x, y]| view.hit(*x, *y).point.into()).collect())
@@ -137,12 +140,8 @@ impl BlockScene {
     }
 
     fn exposure(&self, index: usize) -> Result<&Exposure, Error> {
-        let allowed = || format!("below {}", self.exposures.len());
-        self.exposures.get(index).ok_or_else(|| Error::InvalidInput {
-            what: "photo of the block",
-            got: index.to_string(),
-            allowed: allowed(),
-        })
+        let beyond = || Refusal::Below { input: Input::PhotoOfBlock, index, count: self.exposures.len() };
+        self.exposures.get(index).ok_or_else(|| beyond().into_error())
     }
 }
 

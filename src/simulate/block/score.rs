@@ -2,7 +2,8 @@
 
 use super::super::score::RIGHT_WITHIN_PX;
 use crate::camera::matrix;
-use crate::{BlockModel, Camera, Error, ImageObservation, Pose, Similarity};
+use crate::error::refuse;
+use crate::{BlockModel, Camera, Error, ImageObservation, Pose, Refusal, Similarity};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -80,24 +81,20 @@ pub fn check_truth(truth: &BlockModel, names: &[String]) -> Result<(), Error> {
 }
 
 fn of_other_images<T>() -> Result<T, Error> {
-    refused("none of the block's images".into(), "a truth of these images")
+    refuse(Refusal::TruthOfOthers)
 }
 
 fn true_images(truth: &BlockModel) -> Result<BTreeMap<&str, TrueImage<'_>>, Error> {
     let mut known = BTreeMap::new();
     for image in &truth.images {
         let camera = &truth.cameras[image.camera];
-        let Some(pose) = &image.pose else { return refused(format!("'{}' without orientation", image.name), "oriented images") };
+        let Some(pose) = &image.pose else { return refuse(Refusal::TruthNotOriented { name: image.name.clone() }) };
         if camera.radial != [0.0; 3] || camera.tangential != [0.0; 2] {
-            return refused(format!("distortion of camera {}", image.camera), "cameras without distortion");
+            return refuse(Refusal::TruthDistortion { camera: image.camera });
         }
         known.insert(image.name.as_str(), TrueImage { camera, pose });
     }
     Ok(known)
-}
-
-fn refused<T>(got: String, allowed: &str) -> Result<T, Error> {
-    Err(Error::InvalidInput { what: "truth of the block", got, allowed: allowed.into() })
 }
 
 /// The angle between the axes of an image, moved with the block, and the true ones.

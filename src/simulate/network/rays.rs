@@ -43,7 +43,14 @@ pub(super) fn observe(flight: &BlockFlight, truth: &mut Block) -> Vec<usize> {
                 gross.push(truth.rays.len());
                 error = nalgebra::Vector2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0)) * flight.gross_px;
             }
-            truth.rays.push(BlockObservation { image, point: kept.len(), x_px: at[0] + error.x, y_px: at[1] + error.y, weight: 1.0 });
+            truth.rays.push(BlockObservation {
+                image,
+                point: kept.len(),
+                x_px: at[0] + error.x,
+                y_px: at[1] + error.y,
+                weight: 1.0,
+                sigma_px: None,
+            });
         }
         kept.push(point);
     }

@@ -1,8 +1,9 @@
 //! Windows of an image around rays: what is kept of it, so that points are refined without their images.
 
 use super::RefinementOptions;
+use crate::error::refuse;
 use crate::image::halve;
-use crate::{Error, GreyImage, GreyView};
+use crate::{Error, GreyImage, GreyView, Refusal};
 
 /// A ray's windows are cut from the image and from halved ones as long as its scale there is at least this, px.
 const LEAST_SCALE_PX: f64 = 1.6;
@@ -27,8 +28,7 @@ impl WindowCentre {
         if self.position.iter().all(|v| v.is_finite()) && self.scale_px.is_finite() && self.scale_px > 0.0 {
             return Ok(());
         }
-        let got = format!("position {:?} with scale {}", self.position, self.scale_px);
-        Err(Error::InvalidInput { what: "ray", got, allowed: "finite numbers, a scale above 0 px".into() })
+        refuse(Refusal::RayNumbers { position: format!("{:?}", self.position), scale_px: self.scale_px })
     }
 
     /// Halvings after which the scale is still large enough to be matched by.
@@ -85,7 +85,7 @@ impl<'a> WindowedObservation<'a> {
         if self.orientation_rad.is_finite() {
             return Ok(());
         }
-        Err(Error::InvalidInput { what: "direction of a ray", got: self.orientation_rad.to_string(), allowed: "finite numbers".into() })
+        refuse(Refusal::RayDirection { direction_rad: self.orientation_rad })
     }
 }
 
@@ -116,8 +116,8 @@ pub fn observation_windows(image: GreyView<'_>, rays: &[WindowCentre], options: 
         ray.check()?;
         let size = [image.width() as f64, image.height() as f64];
         if !(0..2).all(|axis| (0.0..=size[axis]).contains(&ray.position[axis])) {
-            let allowed = format!("places inside the image of {} x {} px", image.width(), image.height());
-            return Err(Error::InvalidInput { what: "ray", got: format!("position {:?}", ray.position), allowed });
+            let position = format!("{:?}", ray.position);
+            return refuse(Refusal::RayPlace { position, width: image.width(), height: image.height() });
         }
     }
     let most = rays.iter().map(WindowCentre::most_halvings).max().unwrap_or(0);
@@ -143,21 +143,14 @@ impl ObservationWindows {
     /// values than they have.
     pub fn new(places: Vec<[u32; 4]>, grey: Vec<u8>, options: &RefinementOptions) -> Result<Self, Error> {
         options.check_ranges()?;
-        let what = "windows of rays";
         let side = cut_side(options);
         if grey.len() != places.len() * side * side {
-            let got = format!("{} grey values for {} windows", grey.len(), places.len());
-            return Err(Error::InvalidInput { what, got, allowed: format!("{side} x {side} values each") });
+            return refuse(Refusal::WindowValues { values: grey.len(), windows: places.len(), side });
         }
         let ordered = places.windows(2).all(|pair| pair[0][..2] < pair[1][..2]);
         match places.iter().find(|place| place[1] > MOST_HALVINGS) {
-            Some(place) => {
-                Err(Error::InvalidInput { what, got: format!("{} halvings", place[1]), allowed: format!("0 to {MOST_HALVINGS}") })
-            }
-            None if !ordered => {
-                let got = "another order".to_string();
-                Err(Error::InvalidInput { what, got, allowed: "windows ordered by ray and halvings, each once".into() })
-            }
+            Some(place) => refuse(Refusal::WindowHalvings { halvings: place[1], most: MOST_HALVINGS }),
+            None if !ordered => refuse(Refusal::WindowOrder),
             None => Ok(Self { side, places, grey }),
         }
     }

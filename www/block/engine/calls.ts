@@ -1,7 +1,14 @@
 /** The calls of a block that workers answer, and what passes between a run and the page while it goes on. */
 import type { BlockJob, RunOptions, Step } from '../../../pkg/block/index.js';
-import type { BlockFlight, BlockModel, ExportFormat } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockFlight, BlockModel, ExportFormat, OrthophotoInfo, Placement, PlacingVerdict, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type { Position } from '../../shared/state/pane';
+import type { LinksInput } from './block-links';
+import type { Turn, Window } from './match';
+import type { AdjustInput, Ground, LaidInput, LaidPicture, PlaceInput, PredictInput, TileInput } from './orthophoto';
+import type { ImagePoints, ViewObservations } from '../state/facts';
+import type { LinkedImage } from '../state/links';
 import type { BlockFile } from '../state/state';
+import type { ViewGround } from '../state/ground';
 import type { BlockView } from '../state/view';
 
 /** What the crate says against an image or a pair; the run goes on without it. */
@@ -52,15 +59,50 @@ export interface MadeFile {
   bytes: Uint8Array<ArrayBuffer>;
 }
 
+/** A block of a file, with the edits that it was saved with. */
+export interface OpenedBlock {
+  view: BlockView;
+  edits: BlockEdit[];
+}
+
 export interface BlockCalls {
   // Any worker of the pool.
   blockJob: { input: BlockJob; output: JobAnswer };
   /** The truth of a flight, which names its photos. */
   blockPlan: { input: BlockFlight; output: BlockModel };
   blockPhoto: { input: { flight: BlockFlight; index: number }; output: Uint8Array<ArrayBuffer> };
+  /** The grey values of an image that the browser cannot decode. */
+  blockGrey: { input: { file: Blob }; output: ImageBitmap };
+  /** The grey values around a place of an image. */
+  blockWindow: { input: { file: Blob; at: Position; turn: Turn | null }; output: Window };
+  blockFit: { input: { left: Window; right: Window }; output: Position | null };
   // The worker of the block: it holds the block that was run or opened last.
   blockRun: { input: RunInput; output: BlockView };
-  blockOpen: { input: { bytes: Uint8Array }; output: BlockView };
+  blockOpen: { input: { bytes: Uint8Array; truth: BlockModel | null }; output: OpenedBlock };
+  /** The block as it was found with these edits, adjusted anew. */
+  blockEdited: { input: { edits: readonly BlockEdit[]; truth: BlockModel | null }; output: BlockView };
+  blockImagePoints: { input: { image: number }; output: ImagePoints };
+  blockObservations: { input: { images: number }; output: ViewObservations };
+  blockGround: { input: null; output: ViewGround };
+  blockPoint: { input: { point: number }; output: PointDetail };
+  blockLine: { input: { from: number; x: number; y: number; to: number }; output: Float64Array };
   /** A message through `stop` breaks it off. */
   blockExport: { input: { kind: ExportKind; name: string; stop: MessagePort }; output: MadeFile };
+  // The worker that shows an orthophoto, and those that place images on it.
+  orthoInfo: { input: Ground; output: OrthophotoInfo };
+  orthoTile: { input: TileInput; output: ImageBitmap };
+  orthoSearch: { input: Pick<PlaceInput, 'ground' | 'options'>; output: number };
+  orthoPlace: { input: PlaceInput; output: LinkedImage };
+  orthoRectified: { input: { ground: Ground; file: Blob; placement: Placement }; output: Uint8Array };
+  orthoAdjust: { input: AdjustInput; output: LinkedImage };
+  orthoPredict: { input: PredictInput; output: [number, number] | null };
+  orthoLaid: { input: LaidInput; output: LaidPicture };
+  // The worker that places a block on it; the images by their indices.
+  linksOpen: { input: LinksInput; output: (string | null)[] };
+  linksPlace: { input: { index: number; file: Blob }; output: PlacingVerdict | null };
+  linksFinish: { input: null; output: Uint8Array };
+  mosaicOpen: { input: { project: Blob; heights: Ground['heights'] | null }; output: string[] };
+  mosaicAdd: { input: { index: number; file: Blob }; output: null };
+  mosaicFinish: { input: null; output: Uint8Array };
+  sceneOrthophoto: { input: { flight: BlockFlight; gsd: number }; output: { picture: Uint8Array<ArrayBuffer>; heights: Uint8Array<ArrayBuffer> } };
 }

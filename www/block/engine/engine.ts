@@ -1,30 +1,50 @@
 /** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
 import type { BlockJob } from '../../../pkg/block/index.js';
-import type { BlockFlight, BlockModel, BlockSettings } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockFlight, BlockModel, BlockSettings, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import { breakdownOf, Cancelled, WorkerClient } from '../../shared/engine/client';
 import { WorkerPool } from '../../shared/engine/pool';
-import { messageOf, sentence } from '../../shared/text/format';
+import { sentence } from '../../shared/text/format';
 import type { Holder } from '../../shared/state/store';
-import type { BlockCalls, ExportKind, FromRun, MadeFile, RunInput, ToRun } from './calls';
+import type { Position } from '../../shared/state/pane';
+import type { Turn, Window } from './match';
+import type { BlockCalls, ExportKind, FromRun, MadeFile, OpenedBlock, RunInput, ToRun } from './calls';
+import type { ImagePoints, ViewObservations } from '../state/facts';
+import type { ViewGround } from '../state/ground';
 import type { BlockFile, BlockOptions, BlockState } from '../state/state';
 import { firstProblem } from '../state/given';
 import type { BlockAction } from '../state/reducer';
 import { isBusy, wantedKey } from '../state/state';
 import type { BlockView } from '../state/view';
+import { say } from '../../shared/text/words';
+import { messageOf } from '../../shared/text/messages';
+
+/** A block that was read from its project file and is not on the screen yet. */
+export interface ReadBlock extends OpenedBlock {
+  /** Puts it in the place of the one on the screen; not called where it is not wanted. */
+  hold: () => void;
+}
 
 export type BlockStore = Holder<BlockState, BlockAction>;
 
 /** How long a run that was stopped may take to end by itself, in ms; computing what cannot be interrupted it is ended with its worker. */
 const PATIENCE_MS = 80;
+/** The same of an export, which ends after the file that it writes, and after what the views asked before: its worker holds the block. */
+const EXPORT_PATIENCE_MS = 3000;
 
 export class BlockEngine {
   readonly pool = new WorkerPool<BlockCalls>();
-  /** Holds the block of the last run. */
-  private readonly block = new WorkerClient<BlockCalls>('block');
+  /** Holds the block on the screen, or of the run that goes on. */
+  private block = new WorkerClient<BlockCalls>('block');
   /** Records of images and pairs that were done, by key: what is done once is not done again. */
   private readonly kept = new Map<string, Blob>();
   private recorded: () => void = () => undefined;
   private port: MessagePort | null = null;
+  /** Opens a project; what it read is not held yet, or was not wanted. */
+  private reading: WorkerClient<BlockCalls> | null = null;
+  /** Of the worker that holds the block. */
+  private heldIn = -1;
+  private spare: Blob | null = null;
+  private regaining: Promise<void> | null = null;
   /** Of the export that is written. */
   private writing: MessagePort | null = null;
 
@@ -36,7 +56,7 @@ export class BlockEngine {
     if (settings === null || state.running.kind === 'yes') return;
     const problem = firstProblem(state);
     if (problem !== null) {
-      this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `Not run: ${sentence(problem)}` } });
+      this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text: say('not-run', { problem: sentence(problem) }) } });
       return;
     }
     const key = wantedKey(state);
@@ -56,6 +76,8 @@ export class BlockEngine {
         port: channel.port2,
       };
       const view = await this.block.call('blockRun', input, [channel.port2]);
+      this.heldIn = this.block.generation;
+      this.spare = null;
       this.store.dispatch({ type: 'done', key, view, files, seconds: (performance.now() - started) / 1000 });
     } catch (error) {
       this.pool.cancel();
@@ -76,9 +98,12 @@ export class BlockEngine {
     port?.postMessage({ kind: 'stop' } satisfies ToRun);
     writing?.postMessage('stop');
     if (port === null && writing === null) return;
-    window.setTimeout(() => {
-      if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
-    }, PATIENCE_MS);
+    window.setTimeout(
+      () => {
+        if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
+      },
+      port === null ? EXPORT_PATIENCE_MS : PATIENCE_MS,
+    );
   }
 
   /** Records of images and pairs that were done. */
@@ -99,6 +124,7 @@ export class BlockEngine {
 
   /** The project file of the block that is held. */
   async project(): Promise<Blob> {
+    await this.regained();
     const { port1, port2 } = new MessageChannel();
     try {
       const { bytes } = await this.block.call('blockExport', { kind: 'project', name: 'block', stop: port2 }, [port2]);
@@ -108,14 +134,100 @@ export class BlockEngine {
     }
   }
 
-  /** Holds the block of a project file; what is shown stays. */
-  read(bytes: Uint8Array): Promise<BlockView> {
-    return this.block.call('blockOpen', { bytes }, [bytes.buffer as ArrayBuffer]);
+  /** Opens a project file in a worker of its own: the block on the screen can be looked at and edited until `hold` is called. `truth`: of its photos. */
+  async read(bytes: Uint8Array, truth: BlockModel | null = null): Promise<ReadBlock> {
+    this.reading?.cancel();
+    const worker = new WorkerClient<BlockCalls>('block');
+    this.reading = worker;
+    const opened = await worker.call('blockOpen', { bytes, truth }, [bytes.buffer as ArrayBuffer]);
+    const hold = () => {
+      this.block.cancel();
+      this.block = worker;
+      this.reading = null;
+      this.heldIn = worker.generation;
+      this.spare = null;
+    };
+    return { ...opened, hold };
   }
 
-  async open(bytes: Uint8Array): Promise<void> {
-    const view = await this.read(bytes);
-    this.store.dispatch({ type: 'openedFile', view });
+  /** The block that is held with these edits, in place of those that it has; it stays as it is where they are refused. */
+  async edited(edits: readonly BlockEdit[]): Promise<BlockView> {
+    await this.regained();
+    return this.block.call('blockEdited', { edits, truth: this.store.state.truth });
+  }
+
+  /** The project file of the block that is shown, for a worker that lost it. */
+  keepSpare(project: Blob | null): void {
+    this.spare = project;
+  }
+
+  /** A worker that was ended, as with a run that was cancelled, held the block on the screen: the next one opens its project file. */
+  private async regained(): Promise<void> {
+    const { spare } = this;
+    if (this.heldIn === this.block.generation || spare === null) return;
+    this.regaining ??= this.regain(spare).finally(() => {
+      this.regaining = null;
+    });
+    await this.regaining;
+  }
+
+  private async regain(spare: Blob): Promise<void> {
+    const { block } = this;
+    const bytes = new Uint8Array(await spare.arrayBuffer());
+    await block.call('blockOpen', { bytes, truth: null }, [bytes.buffer]);
+    // Another block was opened meanwhile.
+    if (block !== this.block) return;
+    this.heldIn = block.generation;
+    const { shown, truth } = this.store.state;
+    if (shown !== null) await this.block.call('blockEdited', { edits: shown.edits, truth });
+  }
+
+  /** The observations of an image of the block that is held. */
+  async imagePoints(image: number): Promise<ImagePoints> {
+    await this.regained();
+    return this.block.call('blockImagePoints', { image });
+  }
+
+  /** All observations of the block that is held, of so many images. */
+  async observations(images: number): Promise<ViewObservations> {
+    await this.regained();
+    return this.block.call('blockObservations', { images });
+  }
+
+  /** Where images and recorded positions of the block that is held lie on the ground. */
+  async ground(): Promise<ViewGround> {
+    await this.regained();
+    return this.block.call('blockGround', null);
+  }
+
+  /** A point of the block that is held. */
+  async pointDetail(point: number): Promise<PointDetail> {
+    await this.regained();
+    return this.block.call('blockPoint', { point });
+  }
+
+  /** Where the ground at a place of one image may lie in another: x, y in px, stride 2. */
+  async epipolarLine(from: number, x: number, y: number, to: number): Promise<Float64Array> {
+    await this.regained();
+    return this.block.call('blockLine', { from, x, y, to });
+  }
+
+  /** An image that the browser cannot decode. */
+  grey(file: Blob): Promise<ImageBitmap> {
+    return this.pool.call('blockGrey', { file });
+  }
+
+  /** The window of a place that others are matched to. */
+  window(file: Blob, at: Position, turn: Turn | null): Promise<Window> {
+    return this.pool.call('blockWindow', { file, at, turn });
+  }
+
+  /** Where least squares matching finds the place of a window near a place of another image; null where it confirms none. */
+  async matched(left: Window, file: Blob, near: Position, turn: Turn): Promise<Position | null> {
+    const by = await this.pool.call('blockFit', { left, right: await this.window(file, near, turn) });
+    if (by === null) return null;
+    const [ax, ay, bx, by_] = turn;
+    return [near[0] + by[0] * ax + by[1] * bx, near[1] + by[0] * ay + by[1] * by_];
   }
 
   /** Rejects with `Cancelled` where the user ends it. */
@@ -123,6 +235,7 @@ export class BlockEngine {
     const { port1, port2 } = new MessageChannel();
     this.writing = port1;
     try {
+      await this.regained();
       return await this.block.call('blockExport', { kind, name, stop: port2 }, [port2]);
     } catch (error) {
       throw this.writing === port1 ? error : new Cancelled('cancelled');
@@ -161,14 +274,14 @@ export class BlockEngine {
   }
 
   private async perform(port: MessagePort, id: number, job: BlockJob): Promise<void> {
-    const say = (message: ToRun, transfer: Transferable[] = []) => port.postMessage(message, transfer);
+    const tell = (message: ToRun, transfer: Transferable[] = []) => port.postMessage(message, transfer);
     try {
       if (this.port !== port) return;
       const answer = await this.pool.call('blockJob', job, buffersOf(job));
-      say({ kind: 'answer', id, answer }, 'made' in answer ? [answer.made.buffer as ArrayBuffer] : []);
+      tell({ kind: 'answer', id, answer }, 'made' in answer ? [answer.made.buffer as ArrayBuffer] : []);
     } catch (error) {
       // A run that was stopped waits for nothing.
-      if (!(error instanceof Cancelled)) say({ kind: 'broke', id, message: reasonOf(error) });
+      if (!(error instanceof Cancelled)) tell({ kind: 'broke', id, message: reasonOf(error) });
     }
   }
 }

@@ -3,8 +3,25 @@ import type { Handlers } from '../../shared/engine/messages';
 import { jobs } from '../../../pkg/block/jobs.js';
 import type { BlockJob } from '../../../pkg/block/index.js';
 import type { BlockCalls, JobAnswer } from './calls';
+import { linksFinish, linksOpen, linksPlace } from './block-links';
+import { blockFit, blockWindow } from './match';
 import { blockPhoto, blockPlan } from './photo';
-import { blockExport, blockOpen, blockRun } from './session';
+import { blockGrey } from './grey';
+import {
+  mosaicAdd,
+  mosaicFinish,
+  mosaicOpen,
+  orthoAdjust,
+  orthoInfo,
+  orthoLaid,
+  orthoPlace,
+  orthoPredict,
+  orthoRectified,
+  orthoSearch,
+  orthoTile,
+  sceneOrthophoto,
+} from './orthophoto';
+import { blockEdited, blockExport, blockGround, blockImagePoints, blockLine, blockObservations, blockOpen, blockPoint, blockRun } from './session';
 
 /** The crate's refusal of an image is an answer; what else goes wrong ends the call, and perhaps the worker. */
 async function blockJob(job: BlockJob): Promise<JobAnswer> {
@@ -17,4 +34,35 @@ async function blockJob(job: BlockJob): Promise<JobAnswer> {
   }
 }
 
-export const BLOCK_HANDLERS: Handlers<BlockCalls> = { blockJob, blockPlan, blockPhoto, blockRun, blockOpen, blockExport };
+export const BLOCK_HANDLERS: Handlers<BlockCalls> = {
+  blockJob,
+  blockPlan,
+  blockPhoto,
+  blockGrey,
+  blockWindow,
+  blockFit,
+  blockRun,
+  blockOpen,
+  blockEdited,
+  blockImagePoints,
+  blockObservations,
+  blockGround,
+  blockPoint,
+  blockLine,
+  blockExport,
+  orthoInfo,
+  orthoTile,
+  orthoSearch,
+  orthoPlace,
+  orthoRectified,
+  orthoAdjust,
+  orthoPredict,
+  orthoLaid,
+  linksOpen,
+  linksPlace,
+  linksFinish,
+  mosaicOpen,
+  mosaicAdd,
+  mosaicFinish,
+  sceneOrthophoto,
+};

@@ -1,11 +1,13 @@
 /** What of a block, finished or under way, the page shows. */
-import { connected_groups, export_formats, message } from '../../../pkg/wasm/tiepoint.js';
+import { connected_groups, export_formats } from '../../../pkg/wasm/tiepoint.js';
+import { message } from '../../shared/text/messages';
 import type { Connection, FinishedBlock, PairRow, ReadImage, TwoView } from '../../../pkg/wasm/tiepoint.js';
-import { page } from '../../shared/text/words';
 import { layoutOf } from './layout';
-import type { BlockView, ViewConnection } from '../state/view';
+import { codeOfSource } from '../state/edits';
+import type { BlockView, ViewConnection, ViewGeometry } from '../state/view';
 
 export function viewOf(block: FinishedBlock): BlockView {
+  const onOrthophoto = block.on_orthophoto();
   const {
     images,
     skipped,
@@ -22,11 +24,15 @@ export function viewOf(block: FinishedBlock): BlockView {
     rmse_px,
     sigma0_px,
     warnings,
-    verdict: { kind, text },
+    verdict,
     checks,
+    surveyed,
     points,
   } = block.overview();
   const connections = pairs.map(connectionOf);
+  const ids = block.point_ids();
+  // Surveyed points stand in the order of the points.
+  const controls = ids.flatMap((id, point) => ('ground_control' in id ? [{ control: id.ground_control, point }] : []));
   return {
     partial: false,
     images: images.map(
@@ -40,14 +46,28 @@ export function viewOf(block: FinishedBlock): BlockView {
         observations: rays,
         rmse_px: rmsePx,
         is_oriented,
+        position,
         exif_orientation: exifOrientation,
         reason: why,
-      }) => ({ name, width, height, camera, features, places, rays, rmsePx, oriented: is_oriented, exifOrientation, why: why?.text ?? '' }),
+      }) => ({
+        name,
+        width,
+        height,
+        camera,
+        features,
+        places,
+        rays,
+        rmsePx,
+        oriented: is_oriented,
+        position,
+        exifOrientation,
+        why: why === null ? '' : message('image_reason', why),
+      }),
     ),
-    leftOut: skipped.map(({ name, reason }) => ({ name, reason: reason.text })),
+    leftOut: skipped.map(({ name, reason }) => ({ name, reason: message('failure', reason) })),
     strayMasks: unused_masks,
     strayMarks: unknown_images,
-    remarks: remarks.map(({ text }) => text),
+    remarks: remarks.map((remark) => message('remark', remark)),
     cameras: cameras.map(({ label, images: count, given, calibrated, focal_error_px: focalErrorPx }) => ({
       label,
       images: count,
@@ -64,6 +84,8 @@ export function viewOf(block: FinishedBlock): BlockView {
     ),
     points: {
       count: points.rays.length,
+      taking: points.rays.length,
+      sources: Float64Array.from(ids, codeOfSource),
       rays: points.rays,
       rmsePx: points.rmse_px,
       positions: points.positions,
@@ -74,12 +96,14 @@ export function viewOf(block: FinishedBlock): BlockView {
     refinement,
     byRays: by_rays.map(({ rays, points: count, rmse_px: rmsePx }) => ({ rays, points: count, rmsePx })),
     oriented,
-    verdict: { kind, text },
+    verdict: { kind: verdict.kind, text: message('block_verdict', verdict) },
+    orthophoto: onOrthophoto === null ? null : { kind: onOrthophoto.kind, text: message('on_orthophoto', onOrthophoto) },
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     checks,
+    surveyed: surveyed.map((known, i) => ({ ...known, ...(controls[i] ?? { control: -1, point: -1 }), isUsed: true })),
     score: null,
-    warnings: warnings.map(({ text }) => text),
+    warnings: warnings.map((warning) => message('overview_warning', warning)),
     formats: export_formats(),
   };
 }
@@ -93,7 +117,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
   const links: ViewConnection[] = connections.map((connection, i) => ({
     ...connection,
     reason: message('connection', connection),
-    geometry: geometryName(geometries[i] ?? null),
+    geometry: geometryOf(geometries[i] ?? null),
     shared: 0,
     chosen: 0,
   }));
@@ -110,8 +134,9 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
       rays: 0,
       rmsePx: null,
       oriented: false,
+      position: null,
       exifOrientation: exif.orientation,
-      why: 'not oriented yet',
+      why: null,
     })),
     leftOut: [],
     strayMasks: [],
@@ -131,32 +156,29 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
       read.map(({ exif }) => exif.position),
       links,
     ),
-    points: { count: 0, rays: new Uint16Array(), rmsePx: none, positions: none, errors: none, confidence: none },
+    points: { count: 0, taking: 0, sources: none, rays: new Uint16Array(), rmsePx: none, positions: none, errors: none, confidence: none },
     found: null,
     refinement: null,
     byRays: [],
     oriented: 0,
     verdict: null,
+    orthophoto: null,
     rmsePx: null,
     sigma0Px: null,
     checks: null,
+    surveyed: [],
     score: null,
     warnings: [],
     formats: export_formats(),
   };
 }
 
-function connectionOf({ images, rule, outcome, reason, geometry, common_points: shared, chosen_points: chosen }: PairRow): ViewConnection {
-  return { images, rule, outcome, reason, geometry: geometryName(geometry), shared, chosen };
+function connectionOf({ images, rule, outcome, geometry, common_points: shared, chosen_points: chosen }: PairRow): ViewConnection {
+  return { images, rule, outcome, reason: message('connection', { images, rule, outcome }), geometry: geometryOf(geometry), shared, chosen };
 }
 
-function geometryName(geometry: TwoView | null): string {
-  if (geometry === null) return '';
-  const {
-    model: { kind },
-    sigma_px: sigma,
-    degenerate,
-  } = geometry;
-  const weak = degenerate === null ? null : message('degeneracy', degenerate, 'short');
-  return page('geometry', { model: message('two_view_model', { kind }, 'short'), weak, sigma_px: sigma });
+function geometryOf(geometry: TwoView | null): ViewGeometry | null {
+  if (geometry === null) return null;
+  const { model, degenerate, sigma_px: sigmaPx } = geometry;
+  return { kind: model.kind, degenerate, sigmaPx };
 }

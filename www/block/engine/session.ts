@@ -2,18 +2,26 @@
 import { runBlock } from '../../../pkg/block/index.js';
 import type { BlockJob, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
 import { FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
-import type { ExportKind, FromRun, JobAnswer, MadeFile, Refusal, RunInput, ToRun } from './calls';
+import type { BlockEdit, BlockModel, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type { ImagePoints, ViewObservations } from '../state/facts';
+import type { ViewGround } from '../state/ground';
+import type { ExportKind, FromRun, JobAnswer, MadeFile, OpenedBlock, Refusal, RunInput, ToRun } from './calls';
 import type { BlockFile } from '../state/state';
 import { Coming } from './coming';
+import { groundOf } from './ground';
 import { made } from './made';
+import { Found, Rejected } from './rejected';
 import { viewOf } from './outcome';
 import type { BlockView } from '../state/view';
 
 let held: FinishedBlock | null = null;
+/** The block as it was found, once edits have left something out; what they left out. */
+let found: Found | null = null;
+let rejected: Rejected | null = null;
 
 /** The block that was run or opened last. */
 function heldBlock(): FinishedBlock {
-  if (held === null) throw new Error('no block is held: run it again');
+  if (held === null) throw new Error('no block is held');
   return held;
 }
 
@@ -32,7 +40,7 @@ export async function blockRun({ files, options, masks, truth, workers, kept, po
         signal: link.stopped.signal,
       },
     );
-    return { ...hold(finished), score: truth === null ? null : finished.score(truth) };
+    return hold(finished, truth, 'another');
   } catch (error) {
     coming.tell();
     throw error;
@@ -42,14 +50,81 @@ export async function blockRun({ files, options, masks, truth, workers, kept, po
   }
 }
 
-export function blockOpen({ bytes }: { bytes: Uint8Array }): BlockView {
-  return hold(FinishedBlock.open(bytes));
+export function blockOpen({ bytes, truth }: { bytes: Uint8Array; truth: BlockModel | null }): OpenedBlock {
+  const block = FinishedBlock.open(bytes);
+  return { view: hold(block, truth, 'another'), edits: block.edits() };
 }
 
-function hold(block: FinishedBlock): BlockView {
-  held?.free();
-  held = block;
-  return viewOf(block);
+/** The former block stays where the edits are refused. */
+export function blockEdited({ edits, truth }: { edits: readonly BlockEdit[]; truth: BlockModel | null }): BlockView {
+  return hold(heldBlock().edited(edits), truth, 'edited');
+}
+
+/** Takes the place of the former block, which stays where anything of this one is refused. */
+function hold(block: FinishedBlock, truth: BlockModel | null, kind: 'another' | 'edited'): BlockView {
+  try {
+    const view = { ...viewOf(block), score: truth === null ? null : block.score(truth) };
+    const edits = block.edits();
+    const before = kind === 'edited' ? found : null;
+    const own = edits.length === 0 ? null : (before ?? foundOf(block));
+    const gone = own === null ? null : new Rejected(own, edits, view.points.count, view.points.sources);
+    const shown = gone === null ? view : gone.inView(view);
+    held?.free();
+    if (found !== own) found?.block.free();
+    [held, found, rejected] = [block, own, gone];
+    return shown;
+  } catch (error) {
+    block.free();
+    throw error;
+  }
+}
+
+function foundOf(block: FinishedBlock): Found {
+  const before = block.edited([]);
+  return new Found(before, viewOf(before).surveyed);
+}
+
+function imagePoints(image: number): ImagePoints {
+  const of = heldBlock().image_points(image);
+  return rejected === null ? of : rejected.inImage(of, image);
+}
+
+export function blockImagePoints({ image }: { image: number }): ImagePoints {
+  return imagePoints(image);
+}
+
+export function blockObservations({ images }: { images: number }): ViewObservations {
+  const each = Array.from({ length: images }, (_, image) => imagePoints(image));
+  const total = each.reduce((sum, { points }) => sum + points.length, 0);
+  const all: ViewObservations = {
+    images: new Uint32Array(total),
+    points: new Uint32Array(total),
+    places: new Float64Array(2 * total),
+    residuals: new Float64Array(2 * total),
+    parts: new Uint8Array(total),
+  };
+  let at = 0;
+  each.forEach(({ points, places, residuals, parts }, image) => {
+    all.images.fill(image, at, at + points.length);
+    all.points.set(points, at);
+    all.places.set(places, 2 * at);
+    all.residuals.set(residuals, 2 * at);
+    all.parts.set(parts, at);
+    at += points.length;
+  });
+  return all;
+}
+
+export function blockGround(): ViewGround {
+  return groundOf(heldBlock());
+}
+
+export function blockPoint({ point }: { point: number }): PointDetail {
+  return rejected?.detail(point) ?? heldBlock().point(point);
+}
+
+export function blockLine({ from, x, y, to }: { from: number; x: number; y: number; to: number }): Float64Array {
+  return heldBlock().epipolar_line(from, x, y, to);
 }
 
 export async function blockExport({ kind, name, stop }: { kind: ExportKind; name: string; stop: MessagePort }): Promise<MadeFile> {

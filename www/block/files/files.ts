@@ -1,39 +1,54 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
-import type { FoundFile, Taker } from '../../shared/files/drop';
+import type { FoundFile } from '../../shared/files/drop';
 import { Cancelled } from '../../shared/engine/client';
 import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
-import { keepChoice, keptChoice } from '../../shared/state/choices';
-import { messageOf, sentence } from '../../shared/text/format';
-import type { BlockFile } from '../state/state';
+import { keepChoice, keptChoice } from '../../shared/choices';
+import { sentence } from '../../shared/text/format';
+import type { BlockFile, BlockState } from '../state/state';
 import type { BlockEngine, BlockStore } from '../engine/engine';
+import type { PlacingEngine } from '../engine/placing';
+import { asksPurpose, lacksPlaceAlone, purposeOf } from '../state/purpose';
+import { carriedOver } from '../state/carrying';
+import { editsInForce } from '../state/editing';
+import { namesOf, withoutPlaces } from '../state/naming';
+import type { Purpose } from '../state/placing';
 import { PARTNER_MISSING, problemsOf } from '../state/given';
 import type { GivenText } from '../state/given';
+import { GroundFiles } from './ground';
+import { newId } from './ids';
+import { asGiven, sortRasters } from './rasters';
+import type { BlockRuns } from './runs';
+import { say } from '../../shared/text/words';
+import { messageOf } from '../../shared/text/messages';
 
 const IMAGE = /\.(?:jpe?g|png|tiff?|bmp|webp|p[gpn]m)$/iu;
 const PROJECT = /\.tiepoint$/iu;
 const CAMERAS = /\.json$/iu;
 
-let nextId = 1;
+const TEXTS: Readonly<Record<GivenText, string>> = { cameras: say('cameras'), control: say('ground-control-points'), marks: say('image-measurements') };
 
-/** Later files have other numbers than these. */
-export function passIds(taken: readonly number[]): void {
-  for (const id of taken) nextId = Math.max(nextId, id + 1);
-}
-
-const TEXTS: Readonly<Record<GivenText, string>> = { cameras: 'Cameras', control: 'Ground control points', marks: 'Image measurements' };
+const NEEDS_MORE = say('a-block-needs-two-images');
 
 const WAITS = 'tiepoint-wait';
 
 export class BlockFiles {
+  /** Orthophotos and heights. */
+  readonly ground: GroundFiles;
   /** Images that are given wait until Run is pressed: large blocks have settings and files that come first. */
   private waiting = keptChoice(WAITS) === 'yes';
 
   constructor(
     private readonly store: BlockStore,
     private readonly engine: BlockEngine,
+    private readonly placing: PlacingEngine,
+    private readonly runs: BlockRuns,
     /** Opens a project of whatever kind where it belongs. */
     private readonly openProject: (file: File) => Promise<void>,
-  ) {}
+    /** Leaves the block that is shown in the list of projects; false where it cannot be. `twice`: what else is on the page may be kept twice. */
+    private readonly putAside: (twice: boolean) => Promise<boolean>,
+  ) {
+    this.ground = new GroundFiles(store, placing);
+  }
 
   get waits(): boolean {
     return this.waiting;
@@ -44,58 +59,114 @@ export class BlockFiles {
     keepChoice(WAITS, waits ? 'yes' : 'no');
   }
 
-  /** Takes what is dropped on the page while the block is shown. */
-  readonly taker: Taker = {
-    isActive: () => this.store.state.mode === 'block',
-    markAt: () => 'block',
-    take: (found) => void this.take(found),
-  };
-
   /** Adds images to the block; what a folder holds besides images is left aside. `why` is said first. */
-  async take(found: readonly FoundFile[], why = ''): Promise<void> {
+  async take(given: readonly FoundFile[], why = ''): Promise<void> {
+    const { others: found, taken, ...rasters } = asGiven(await sortRasters(given));
+    const ground = await this.ground.take(rasters);
+    const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
+    const said = ground === null ? null : [ground, several].filter((text) => text !== '').join(' ');
+    // Nothing else is taken with what is wrong: it can be given again.
+    if (said === null) return;
     const alone = found.filter(({ path }) => path === '');
     const project = alone.find(({ file }) => PROJECT.test(file.name));
     const cameras = alone.find(({ file }) => CAMERAS.test(file.name));
-    const images = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith('image/'));
+    const photos = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.openProject(project.file);
     if (cameras !== undefined) await this.takeText('cameras', cameras.file);
-    const aside = found.length - images.length - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
-    if (images.length > 0 || aside > 0) this.add(images, aside, why);
+    const aside = found.length - photos.length - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
+    if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '));
+    else await this.said(said);
+  }
+
+  /** Takes files that are given as an orthophoto with what belongs to it, or as its heights: what they hold decides where it can be told. */
+  async takeGround(given: readonly File[], asHeights = false): Promise<void> {
+    const { others, ...sorted } = await sortRasters(given.map((file) => ({ file, path: '' })));
+    // A picture that does not say where it lies is refused with the crate's reason.
+    const unknown = others.map(({ file }) => ({ file, world: null }));
+    const pictures = asHeights ? [] : [...sorted.orthophotos, ...(sorted.orthophotos.length > 0 ? [] : unknown)];
+    const heights = asHeights ? [...sorted.heights, ...sorted.orthophotos, ...unknown] : sorted.heights;
+    await this.said(await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds }));
+  }
+
+  /** Takes one height for all of the ground. */
+  async takeLevel(height: number): Promise<void> {
+    await this.said(await this.ground.takeLevel(height));
+  }
+
+  /** Says what was taken; images that wait for nothing else are placed. */
+  private async said(text: string | null): Promise<void> {
+    if (text === null || text === '') return;
+    this.tell('info', text);
+    // A finished block is placed when the user asks, one that is run when it is finished.
+    const { shown, placing, files, running } = this.store.state;
+    if (shown === null && running.kind !== 'yes' && !this.waits && files.length > 0 && placing.placed.size === 0) await this.start();
+  }
+
+  /** Places the images that are given, or runs them as a block. */
+  private async start(): Promise<void> {
+    const { state } = this.store;
+    if (purposeOf(state) === 'images') await this.runs.placeImages();
+    // What is done with the orthophoto comes first.
+    else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run();
   }
 
   /** Takes more images than a pair has, which were given there. */
   async give(files: readonly File[], masks: readonly File[]): Promise<void> {
     await this.take(
       files.map((file) => ({ file, path: '' })),
-      'More than two images are a block.',
+      say('more-than-two-images-are'),
     );
     if (masks.length > 0) this.takeMasks(masks);
   }
 
   /** Photographs a block and runs it, whatever waits. */
   async sample(flight: BlockFlight): Promise<void> {
-    if (await this.simulate(flight)) await this.engine.run();
+    if (await this.simulate(flight)) await this.runs.run();
+  }
+
+  /** Photographs a block and the orthophoto of its scene, with pixels of so many m, and places the photos on it. */
+  async sampleOnOrthophoto(flight: BlockFlight, gsd: number): Promise<void> {
+    if (!(await this.simulate(flight))) return;
+    this.tell('busy', say('making-the-orthophoto-of-the'));
+    try {
+      const { picture, heights } = await this.placing.scene(flight, gsd);
+      const rasters = {
+        orthophotos: [{ file: new File([picture], 'orthophoto.tif'), world: null }],
+        heights: [{ file: new File([heights], 'heights.tif'), world: null }],
+        worlds: [],
+      };
+      if ((await this.ground.take(rasters)) !== null) await this.runs.placeImages();
+    } catch (error) {
+      this.failed(say('the-orthophoto-could-not-be'), error);
+    }
   }
 
   /** Photographs the simulated block that is set and runs it. */
   async photograph(): Promise<void> {
     const { flight } = this.store.state;
     if (flight === null || !(await this.simulate(flight))) return;
-    if (this.waits) this.say('info', `${String(this.store.state.files.length)} photos of a simulated block. Press Run.`);
-    else await this.engine.run();
+    if (this.waits) this.tell('info', say('photos-of-a-simulated-block', { files: this.store.state.files.length }));
+    else await this.runs.run();
   }
 
   /** Photographs a flight, in place of the images that are there; false where that failed. */
   private async simulate(flight: BlockFlight): Promise<boolean> {
-    this.say('busy', 'Building the synthetic scene …');
+    this.tell('busy', say('building-the-synthetic-scene'));
     try {
       const { files, truth } = await this.engine.photograph(flight, (count, of) =>
-        this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`),
+        this.tell('busy', say('photographing-the-simulated-block-of', { count, of })),
       );
-      this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: nextId++ })), truth });
+      const stays = await this.leave(say('photograph-another-block'));
+      if (stays === null) {
+        this.store.dispatch({ type: 'notice', notice: null });
+        return false;
+      }
+      // A block with edits would lend them to the images of the next one, which have the same names; its orthophoto shows other ground.
+      if (this.store.state.history.edits.length > 0 || this.store.state.placing.orthophoto !== null) this.store.dispatch({ type: 'clear' });
+      this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: newId() })), truth });
       return true;
     } catch (error) {
-      this.failed('The block could not be simulated', error);
+      this.failed(say('the-block-could-not-be'), error);
       return false;
     }
   }
@@ -104,27 +175,81 @@ export class BlockFiles {
   async takeText(given: GivenText, file: File): Promise<void> {
     this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text: await file.text() } } });
     const problem = problemsOf(this.store.state)[given];
-    if (problem === undefined) this.say('info', `${TEXTS[given]} from ${file.name}.`);
-    else if (problem === PARTNER_MISSING[given]) this.say('info', `${TEXTS[given]} from ${file.name}. ${problem}.`);
-    else this.say('problem', `${sentence(problem)} The block cannot be run with it.`);
+    if (problem === undefined) this.tell('info', say('from', { texts: TEXTS[given], name: file.name }));
+    else if (problem === PARTNER_MISSING[given]) this.tell('info', say('from-2', { texts: TEXTS[given], name: file.name, problem }));
+    else this.tell('problem', say('the-block-cannot-be-run', { problem: sentence(problem) }));
   }
 
   /** Takes masks in place of those that are there. */
   takeMasks(files: readonly File[]): void {
-    this.store.dispatch({ type: 'options', options: { masks: files.map((file) => ({ id: nextId++, name: file.name, file })) } });
+    this.store.dispatch({ type: 'options', options: { masks: files.map((file) => ({ id: newId(), name: file.name, file })) } });
     const problem = problemsOf(this.store.state).masks;
-    if (problem !== undefined) this.say('problem', `${sentence(problem)} The block cannot be run with them.`);
+    if (problem !== undefined) this.tell('problem', say('the-block-cannot-be-run-with', { problem: sentence(problem) }));
   }
 
   /** Opens a block that was saved. */
   async open(file: File): Promise<void> {
-    this.say('busy', `Reading ${file.name} …`);
+    this.tell('busy', say('reading', { name: file.name }));
     try {
-      await this.engine.open(new Uint8Array(await file.arrayBuffer()));
-      this.say('info', `${file.name} was opened. The file does not hold its images: drop them too to open pairs.`);
+      const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
+      const edited = await this.leave(say('open-the-other-project'));
+      if (edited === null) {
+        this.store.dispatch({ type: 'notice', notice: null });
+        return;
+      }
+      const stays = edited || (this.store.state.shown !== null && (await this.putAside(false)));
+      hold();
+      this.store.dispatch({ type: 'openedFile', view, edits });
+      const former = stays ? say('the-former-block-stays-under') : '';
+      this.tell('info', say('was-opened-the-file-does', { name: file.name, former }));
     } catch (error) {
-      this.failed(`${file.name} cannot be opened`, error);
+      this.failed(say('cannot-be-opened', { name: file.name }), error);
     }
+  }
+
+  /** What the user decides to do with the orthophoto. */
+  async decide(purpose: Purpose): Promise<void> {
+    this.store.dispatch({ type: 'purpose', purpose });
+    this.store.dispatch({ type: 'notice', notice: null });
+    if (purpose === 'images') await this.runs.placeImages();
+    else if (purpose === 'block') await this.run();
+    else this.store.dispatch({ type: 'stage', view: 'map' });
+  }
+
+  /** Runs the block. One with edits that do not hold for the next one stays in the list of projects. */
+  async run(): Promise<void> {
+    const { shown, history } = this.store.state;
+    const edits = editsInForce(history);
+    const names = shown === null ? null : namesOf(shown.found);
+    const loses = names !== null && carriedOver(edits, names, withoutPlaces(names)).length < edits.length;
+    if (!loses || lacksPlaceAlone(this.store.state)) return this.runs.run();
+    this.tell('busy', say('keeping-the-edited-block'));
+    const stays = await this.leave(say('run-it-again'));
+    this.store.dispatch({ type: 'notice', notice: null });
+    if (stays === null) return;
+    await this.runs.run();
+    const { notice, running } = this.store.state;
+    if (!stays || running.kind !== 'no' || notice === null) return;
+    this.store.dispatch({ type: 'notice', notice: { ...notice, text: say('the-former-block-stays-under-projects', { text: notice.text }) } });
+  }
+
+  /** Removes all images, and the block. */
+  async clear(): Promise<void> {
+    const { shown } = this.store.state;
+    const stays = await this.leave(say('remove-all-images'));
+    if (stays === null) return;
+    this.store.dispatch({ type: 'clear' });
+    if (stays) this.tell('info', say('the-stays-under-projects', { what: shown === null ? say('project') : say('edited-block') }));
+  }
+
+  /** Before the block is gone: one with edits, and what was placed on an orthophoto, stay in the list of projects, which is true then. Null where it cannot, and the user keeps it. */
+  private async leave(step: string): Promise<boolean | null> {
+    const { history, placing } = this.store.state;
+    const { length } = history.edits;
+    if (length === 0 && placing.placed.size === 0) return false;
+    if (await this.putAside(true)) return true;
+    const edits = length === 0 ? say('what-was-placed-on-the') : length === 1 ? say('the-edit-by-hand-of') : say('the-edits-by-hand-of', { length });
+    return window.confirm(say('cannot-be-kept-in-this', { edits, step, length })) ? false : null;
   }
 
   private add(found: readonly FoundFile[], aside: number, why: string): void {
@@ -133,38 +258,48 @@ export class BlockFiles {
     for (const { file, path } of found) {
       // Images of one name in two folders are told apart by their paths.
       const name = [file.name, path].find((text) => text !== '' && !files.has(text));
-      if (name !== undefined) files.set(name, { id: nextId++, name, file });
+      if (name !== undefined) files.set(name, { id: newId(), name, file });
     }
     const twice = found.length - (files.size - before);
     const sorted: BlockFile[] = [...files.values()].sort((a, b) => (a.name < b.name ? -1 : 1));
+    const own = ofOpened(this.store.state, sorted);
     if (sorted.length > before) {
       this.store.dispatch({ type: 'files', files: sorted, truth: this.store.state.truth });
       // What is given is run; what was given before goes on.
-      if (sorted.length >= 2 && !this.waits) void this.engine.run();
+      if (!this.waits && own === null) void this.start();
     }
-    const runs = this.store.state.running.kind === 'yes';
+    const runs = this.store.state.running.kind === 'yes' || this.store.state.placing.running !== null;
     const notes = [
       why,
-      runs ? '' : `${images(sorted.length)} in the block.`,
-      twice > 0 ? `${images(twice)} skipped: their names are in the block already.` : '',
-      aside > 0 ? `${String(aside)} ${aside === 1 ? 'file' : 'files'} skipped: not an image by name.` : '',
-      runs ? '' : sorted.length >= 2 ? 'Press Run.' : 'A block needs two images or more.',
+      runs || own !== null ? '' : say('in-the-block', { sorted: images(sorted.length) }),
+      own ?? '',
+      twice > 0 ? say('skipped-their-names-are-in', { twice: images(twice) }) : '',
+      aside > 0 ? say('skipped-not-an-image-by', { aside }) : '',
+      runs || own !== null ? '' : purposeOf(this.store.state) === 'images' ? say('press-place') : sorted.length >= 2 ? say('press-run') : NEEDS_MORE,
     ].filter((note) => note !== '');
     // Why it cannot be run was said.
     if (notes.length === 0 || this.store.state.notice?.kind === 'problem') return;
     this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: notes.join(' '), beside: runs } });
   }
 
-  private say(kind: 'info' | 'busy' | 'problem', text: string): void {
+  private tell(kind: 'info' | 'busy' | 'problem', text: string): void {
     this.store.dispatch({ type: 'notice', notice: { kind, text } });
   }
 
   private failed(what: string, error: unknown): void {
-    if (error instanceof Cancelled) this.say('info', 'Cancelled. Nothing was changed.');
-    else this.say('problem', `${what}: ${messageOf(error)}. The block is unchanged.`);
+    if (error instanceof Cancelled) this.tell('info', say('cancelled-nothing-was-changed'));
+    else this.tell('problem', say('the-block-is-unchanged', { what, error: messageOf(error) }));
   }
 }
 
+/** What is said of files that are the images of a block that was opened without them: it needs no run. Null where they are not, or not all of them are. */
+function ofOpened({ shown }: BlockState, files: readonly BlockFile[]): string | null {
+  if (shown === null || shown.view.partial || shown.files.length > 0) return null;
+  const names = new Set(shown.view.images.map(({ name }) => name));
+  if (!files.every(({ name }) => names.has(name))) return null;
+  return files.length === names.size ? say('all-images-of-the-block') : say('of-of-the-block-are', { files: files.length, size: images(names.size) });
+}
+
 function images(count: number): string {
-  return `${String(count)} ${count === 1 ? 'image' : 'images'}`;
+  return say('so-many-images', { images: count });
 }

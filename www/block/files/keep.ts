@@ -1,18 +1,26 @@
 /** Keeps the block in the browser's storage, and reads it from there. */
-import type { BlockModel } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockModel } from '../../../pkg/wasm/tiepoint.js';
 import type { Kept } from '../../shared/files/database';
+import { Journal } from '../../shared/files/journal';
 import { fitted, likeOf, listOf, nameOf, objectOf, orNull } from '../../shared/files/keepable';
 import type { Keepable } from '../../shared/files/keepable';
+import type { History } from '../../shared/state/history';
 import { remember } from '../../shared/state/remember';
 import { titleOf } from '../../shared/text/project';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import { isBlank } from '../state/kept';
 import type { KeptBlock, KeptFile, KeptShown } from '../state/kept';
 import type { BlockCatalogue, BlockFile, BlockState, Shown, TextFile } from '../state/state';
-import { passIds } from './files';
+import type { EditStep } from '../state/edits';
+import type { OnGround } from '../state/placing';
+import { bytesOfStep, stepFrom } from './edit';
+import { passIds } from './ids';
+import { keptPlacing, placingFrom, rastersOf, sizeOfPlaced } from './keep-placing';
+import { say } from '../../shared/text/words';
 
 const GIVEN = 'block';
 const SHOWN = 'block/shown';
+const PLACED = 'block/placed/';
 const FILE = 'block/file/';
 const RECORD = 'block/record/';
 
@@ -21,8 +29,9 @@ const SMALL = 4096;
 
 export class KeptBlocks implements Keepable {
   /** The finished block on the screen as it is kept; null until its file is written. */
-  private made: { shown: Shown; kept: KeptShown } | null = null;
-  private making = false;
+  private made: { found: Shown['found']; kept: KeptShown } | null = null;
+  private readonly journal = new Journal('block/edits', stepFrom, bytesOfStep);
+  private making: Promise<void> | null = null;
   private changed: () => void = () => undefined;
 
   constructor(
@@ -34,28 +43,48 @@ export class KeptBlocks implements Keepable {
   watch(changed: () => void): void {
     this.changed = changed;
     this.engine.watchRecords(changed);
-    this.store.watch(['files', 'options', 'flight', 'truth', 'shown', 'opened', 'mode', 'running'], () => {
+    this.store.watch(['files', 'options', 'flight', 'truth', 'shown', 'opened', 'running', 'history', 'placing'], () => {
       changed();
-      void this.make();
+      void this.settled();
     });
   }
 
+  /** Writes the finished block as a project file, unless that is done. */
+  async settled(): Promise<void> {
+    const { shown, running } = this.store.state;
+    if (shown === null || shown.view.partial || running.kind === 'yes' || this.made?.found === shown.found) return;
+    const before = this.making;
+    this.making ??= this.make(shown).finally(() => {
+      this.making = null;
+    });
+    await this.making;
+    // Another one has come meanwhile.
+    if (before !== null || this.store.state.shown?.found !== shown.found) await this.settled();
+  }
+
   images(): readonly string[] {
-    const { files, shown } = this.store.state;
-    return (files.length > 0 ? files : (shown?.view.images ?? [])).map(({ name }) => name);
+    const { files, shown, placing } = this.store.state;
+    const names = (files.length > 0 ? files : (shown?.view.images ?? [])).map(({ name }) => name);
+    return names.length === 0 && placing.orthophoto !== null ? [placing.orthophoto.raster.name] : names;
   }
 
   parts(): ReadonlyMap<string, Kept> {
     const { state } = this.store;
     const parts = new Map<string, Kept>();
     if (isBlank(state)) return parts;
-    const { files, options, flight, truth, opened, shown } = state;
-    parts.set(GIVEN, { value: given(files, options, flight, truth, opened), bytes: SMALL });
+    const { files, options, flight, truth, opened, shown, placing } = state;
+    parts.set(GIVEN, {
+      value: given(files, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.options, placing.purpose),
+      bytes: SMALL,
+    });
+    for (const [id, placed] of placing.placed) parts.set(PLACED + String(id), { value: placed, bytes: sizeOfPlaced(placed) });
     if (truth !== null) parts.set(FILE + nameOf(truth), { value: truth, bytes: SMALL, alone: true });
-    for (const { file } of [...files, ...options.masks, ...(shown?.files ?? [])])
+    for (const { file } of [...files, ...options.masks, ...(shown?.files ?? []), ...rastersOf(placing)])
       parts.set(FILE + nameOf(file), { value: file, bytes: file.size, alone: true });
     const { made } = this;
-    if (made !== null && made.shown === shown) parts.set(SHOWN, { value: made.kept, bytes: SMALL + made.kept.project.size });
+    for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
+    if (made !== null && made.found === shown?.found)
+      parts.set(SHOWN, { value: made.kept, bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0) });
     // Of images that were all removed nothing is left to go on with.
     if (files.length > 0) {
       for (const [key, record] of this.engine.records) parts.set(RECORD + key, { value: record, bytes: record.size, again: true });
@@ -68,7 +97,10 @@ export class KeptBlocks implements Keepable {
     const kept = givenFrom(parts.get(GIVEN), this.catalogue);
     const files = kept.files.map((file) => fileFrom(parts, file));
     const masks = kept.masks.map((file) => fileFrom(parts, file));
-    const finished = await this.finished(parts);
+    const placed = new Map([...parts].flatMap(([part, value]) => (part.startsWith(PLACED) ? [[Number(part.slice(PLACED.length)), value] as const] : [])));
+    const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
+    const history = this.journal.read(parts);
+    const finished = await this.finished(parts, history);
     const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
     const records = new Map(
       [...parts].flatMap(([part, record]) => (part.startsWith(RECORD) && record instanceof Blob ? [[part.slice(RECORD.length), record] as const] : [])),
@@ -77,48 +109,51 @@ export class KeptBlocks implements Keepable {
     const count = shown?.view.images.length ?? 0;
     const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
     return () => {
-      passIds([...files, ...masks, ...(shown?.files ?? [])].map(({ id }) => id));
+      passIds([...files, ...masks, ...(shown?.files ?? []), ...rastersOf(placing)].map(({ id }) => id));
       this.engine.takeRecords(records);
-      this.made = finished;
-      this.store.dispatch({ type: 'restored', restored: { files, options: { ...kept.options, masks }, flight: kept.flight, truth, shown, opened } });
+      this.made = finished === null ? null : { found: finished.shown.found, kept: finished.kept };
+      finished?.hold();
+      this.engine.keepSpare(finished?.kept.project ?? null);
+      this.store.dispatch({
+        type: 'restored',
+        restored: { files, options: { ...kept.options, masks }, flight: kept.flight, truth, shown, opened, history, placing },
+      });
       const names = this.images();
       if (names.length === 0) return;
-      const goesOn = records.size > 0 && shown === null ? ' The work that was done is kept: Run goes on from there.' : '';
-      const text = `Restored from this browser: ${titleOf({ name: null, images: names })}.${goesOn}`;
+      const goesOn = records.size > 0 && shown === null ? say('the-work-that-was-done') : '';
+      const text = say('restored-from-this-browser', { title_of: titleOf({ name: null, images: names }), goes_on: goesOn });
       this.store.dispatch({ type: 'notice', notice: { kind: 'info', text, beside: true } });
     };
   }
 
   clear(): void {
     this.made = null;
+    this.engine.keepSpare(null);
     // What comes of an earlier run belongs to no project any more.
     if (this.store.state.running.kind === 'yes') this.engine.cancel();
     this.engine.takeRecords(new Map());
     this.store.dispatch({ type: 'cleared' });
   }
 
-  /** Writes the finished block as a project file; its worker may be busy with another one, or be ended: then after the next change. */
-  private async make(): Promise<void> {
-    const { shown, running } = this.store.state;
-    if (this.making || shown === null || shown.view.partial || running.kind === 'yes' || this.made?.shown === shown) return;
-    this.making = true;
+  /** Its worker may be busy with another one, or be ended: then it is made after the next change. */
+  private async make(shown: Shown): Promise<void> {
     try {
       const project = await this.engine.project();
-      const { key, files, steps, seconds, view } = shown;
-      if (this.store.state.shown === shown) this.made = { shown, kept: { project, key, files: files.map(keptFile), steps, seconds, score: view.score } };
+      const { key, files, steps, seconds, view, ground } = shown;
+      if (this.store.state.shown?.found === shown.found)
+        this.made = { found: shown.found, kept: { project, key, files: files.map(keptFile), steps, seconds, score: view.score, ground } };
     } catch {
       // See above.
     }
-    this.making = false;
     this.changed();
-    if (this.store.state.shown !== shown) void this.make();
+    if (this.made?.found === this.store.state.shown?.found) this.engine.keepSpare(this.made?.kept.project ?? null);
   }
 
-  private async finished(parts: ReadonlyMap<string, unknown>): Promise<{ shown: Shown; kept: KeptShown } | null> {
+  private async finished(parts: ReadonlyMap<string, unknown>, history: History<EditStep>): Promise<{ shown: Shown; kept: KeptShown; hold: () => void } | null> {
     if (!parts.has(SHOWN)) return null;
     const value = objectOf(parts.get(SHOWN), 'shown');
     const { project } = value;
-    if (!(project instanceof Blob)) throw new Error('the finished block is damaged');
+    if (!(project instanceof Blob)) throw new Error(say('the-finished-block-is-damaged'));
     const kept: KeptShown = {
       project,
       key: likeOf(value['key'], '', 'shown.key'),
@@ -126,12 +161,33 @@ export class KeptBlocks implements Keepable {
       steps: objectOf(value['steps'], 'shown.steps'),
       seconds: likeOf(value['seconds'], 0, 'shown.seconds'),
       score: orNull(value['score'], (score) => objectOf(score, 'shown.score') as unknown as KeptShown['score']),
+      ground: orNull(value['ground'], groundFrom),
     };
     const files = kept.files.map((file) => fileFrom(parts, file));
-    const view = await this.engine.read(new Uint8Array(await project.arrayBuffer()));
-    const { key, steps, seconds, score } = kept;
-    return { shown: { key, files, steps, seconds, view: { ...view, score } }, kept: value as unknown as KeptShown };
+    const opened = await this.engine.read(new Uint8Array(await project.arrayBuffer()));
+    const { key, steps, seconds, score, ground } = kept;
+    const view = { ...opened.view, score };
+    return {
+      shown: { key, files, steps, seconds, view, found: view, edits: theSame(opened.edits, history.edits.flat()), ground },
+      kept: value as unknown as KeptShown,
+      hold: opened.hold,
+    };
   }
+}
+
+/** The edits of a file by those of the history that are like them: what is the same needs no new adjustment. */
+function theSame(edits: readonly BlockEdit[], history: readonly BlockEdit[]): readonly BlockEdit[] {
+  return edits.map((edit, i) => {
+    const known = history[i];
+    return known !== undefined && JSON.stringify(known) === JSON.stringify(edit) ? known : edit;
+  });
+}
+
+/** @throws Error naming the field that is damaged */
+function groundFrom(value: unknown): OnGround {
+  const { key, before } = objectOf(value, 'shown.ground');
+  if (!(before instanceof Blob)) throw new Error(say('the-finished-block-is-damaged'));
+  return { key: likeOf(key, '', 'shown.ground.key'), before };
 }
 
 function keptFile({ id, name, file }: BlockFile): KeptFile {
@@ -146,7 +202,19 @@ const given = remember(
     flight: BlockState['flight'],
     truth: BlockState['truth'],
     opened: BlockState['opened'],
-  ): KeptBlock => ({ files: files.map(keptFile), options, masks: masks.map(keptFile), flight, truth: orNull(truth, (known) => nameOf(known)), opened }),
+    orthophoto: BlockState['placing']['orthophoto'],
+    heights: BlockState['placing']['heights'],
+    placing: BlockState['placing']['options'],
+    purpose: BlockState['placing']['purpose'],
+  ): KeptBlock => ({
+    files: files.map(keptFile),
+    options,
+    masks: masks.map(keptFile),
+    flight,
+    truth: orNull(truth, (known) => nameOf(known)),
+    opened,
+    placing: keptPlacing(orthophoto, heights, placing, purpose),
+  }),
 );
 
 function fileOf(value: unknown, name: string): KeptFile {
@@ -155,7 +223,7 @@ function fileOf(value: unknown, name: string): KeptFile {
 }
 
 /** @throws Error naming the field that is damaged */
-function givenFrom(value: unknown, catalogue: BlockCatalogue): KeptBlock {
+function givenFrom(value: unknown, catalogue: BlockCatalogue): Omit<KeptBlock, 'placing'> & { placing: unknown } {
   const kept = objectOf(value, 'block');
   const options = objectOf(kept['options'], 'options');
   const text = (name: string) =>
@@ -177,13 +245,14 @@ function givenFrom(value: unknown, catalogue: BlockCatalogue): KeptBlock {
     flight: orNull(kept['flight'], (flight) => fitted(flight, catalogue.flight, 'flight')),
     truth: orNull(kept['truth'], (name) => likeOf(name, '', 'truth')),
     opened: opened?.length === 2 ? (opened as [number, number]) : null,
+    placing: kept['placing'],
   };
 }
 
 /** @throws Error where the file is not there */
 function fileFrom(parts: ReadonlyMap<string, unknown>, { id, name, file: at }: KeptFile): BlockFile {
   const file = parts.get(FILE + at);
-  if (!(file instanceof Blob)) throw new Error(`the image ${name} is damaged`);
+  if (!(file instanceof Blob)) throw new Error(say('the-image-is-damaged', { name }));
   nameOf(file, at);
   return { id, name, file };
 }

@@ -4,57 +4,74 @@ import { Cancelled } from '../../shared/engine/client';
 import { save } from '../../shared/files/save';
 import type { ExportKind } from '../engine/calls';
 import type { BlockEngine, BlockStore } from '../engine/engine';
+import type { PlacingEngine } from '../engine/placing';
+import { editsInForce, isSameList } from '../state/editing';
 import { isBusy } from '../state/state';
-import { messageOf } from '../../shared/text/format';
+import { saveMosaic } from './mosaic';
+import { say } from '../../shared/text/words';
+import { messageOf } from '../../shared/text/messages';
 
 const NAMES: Readonly<Record<ExportKind, string>> = {
-  project: 'Project file',
-  everything: 'Everything (.zip)',
+  project: say('project-file'),
+  everything: say('everything-zip'),
   colmap: 'COLMAP',
   micmac: 'MicMac',
-  bundler: 'Bundler',
-  nvm: 'NVM (VisualSFM)',
+  bundler: say('bundler'),
+  nvm: say('nvm-visualsfm'),
   opensfm: 'OpenSfM',
   bingo: 'BINGO',
   isat: 'ISAT',
-  agisoft: 'Agisoft',
+  agisoft: say('agisoft'),
   patb: 'PAT-B',
-  csv: 'CSV tables',
+  csv: say('csv-tables'),
   json: 'JSON',
   geojson: 'GeoJSON',
 };
 
-export function mountExports(host: HTMLElement, store: BlockStore, engine: BlockEngine): void {
-  const select = h('select', { id: 'block-export-kind', testid: 'block-export-kind', aria: { label: 'Format' } });
-  const press = button('Save', 'block-export', () => void saveAs(store, engine, select.value as ExportKind));
-  host.append(h('span', { class: 'group-label' }, 'Export'), select, press);
-  store.watch(['shown', 'running', 'notice'], ([shown]) => {
+/** Made of the images as well. */
+const MOSAIC = 'mosaic';
+
+export function mountExports(host: HTMLElement, store: BlockStore, engine: BlockEngine, placing: PlacingEngine): void {
+  const select = h('select', { id: 'block-export-kind', testid: 'block-export-kind', aria: { label: say('format') } });
+  const press = button(
+    say('save'),
+    'block-export',
+    () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing) : saveAs(store, engine, select.value as ExportKind)),
+  );
+  host.append(h('span', { class: 'group-label' }, say('export')), select, press);
+  store.watch(['shown', 'running', 'notice', 'history', 'placing'], ([shown, , , history]) => {
     // A part of a block has no points yet.
     const whole = shown !== null && !shown.view.partial;
-    press.disabled = !whole || isBusy(store.state);
+    // What is saved has all edits that were made: the last of them may still be on their way.
+    press.disabled = !whole || isBusy(store.state) || !isSameList(editsInForce(history), shown.edits);
     select.disabled = !whole;
   });
   store.watch(['shown'], ([shown]) => {
     const formats = shown?.view.formats ?? [];
-    const kinds: ExportKind[] = ['project', 'everything', ...formats];
+    const kinds: readonly (ExportKind | typeof MOSAIC)[] = [
+      'project',
+      'everything',
+      ...((shown?.view.oriented ?? 0) > 0 ? ([MOSAIC] as const) : []),
+      ...formats,
+    ];
     const { value } = select;
-    fill(select, ...kinds.map((kind) => new Option(NAMES[kind], kind)));
-    if (kinds.includes(value as ExportKind)) select.value = value;
+    fill(select, ...kinds.map((kind) => new Option(kind === MOSAIC ? say('orthomosaic-geotiff') : NAMES[kind], kind)));
+    if (kinds.some((kind) => kind === value)) select.value = value;
   });
 }
 
 export async function saveAs(store: BlockStore, engine: BlockEngine, kind: ExportKind): Promise<void> {
-  store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Writing ${NAMES[kind]} …` } });
+  store.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('writing', { names: NAMES[kind] }) } });
   try {
     const { name, type, bytes } = await engine.export(kind, 'block');
     save(new Blob([bytes], { type }), name);
-    store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${name} was saved.` } });
+    store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('was-saved', { name }) } });
   } catch (error) {
     if (error instanceof Cancelled) {
-      store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled: nothing was saved. The block is unchanged.' } });
+      store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('cancelled-nothing-was-saved-the') } });
       return;
     }
     const reason = messageOf(error);
-    store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${NAMES[kind]} was not written: ${reason}.` } });
+    store.dispatch({ type: 'notice', notice: { kind: 'problem', text: say('was-not-written', { names: NAMES[kind], reason }) } });
   }
 }

@@ -5,6 +5,7 @@ import { withSetting } from '../../shared/panel/settings';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
 import { isBusy } from '../state/state';
+import { say } from '../../shared/text/words';
 
 export function mountFlight(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
   store.watch(['catalogue'], ([catalogue]) => {
@@ -16,18 +17,13 @@ export function mountFlight(host: HTMLElement, store: BlockStore, files: BlockFi
       },
       defaults: () => catalogue.flight,
     });
-    const take = button('Photograph this block', 'block-photograph', () => void files.photograph());
+    const take = button(say('photograph-this-block'), 'block-photograph', () => void files.photograph());
     take.className = 'primary';
-    fill(
-      host,
-      h('p', { class: 'note' }, 'A flight in strips over a made town. Larger photos take longer: 12 million pixels some seconds each.'),
-      h('div', { class: 'buttons' }, take),
-      ...sections.elements,
-    );
+    fill(host, h('p', { class: 'note' }, say('a-flight-in-strips-over')), h('div', { class: 'buttons' }, take), ...sections.elements);
     store.watch(['flight'], ([flight]) => {
       if (flight !== null) sections.show(flight);
     });
-    store.watch(['running', 'notice'], () => {
+    store.watch(['running', 'notice', 'placing'], () => {
       take.disabled = isBusy(store.state);
     });
   });

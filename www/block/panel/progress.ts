@@ -1,19 +1,19 @@
 /** How far a run is: a line for each stage, and for the one that runs a bar with the time that is left. */
 import type { StageName, Step } from '../../../pkg/block/index.js';
 import { fill, h, section } from '../../shared/panel/dom';
-import { count } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Steps } from '../state/state';
+import { say } from '../../shared/text/words';
 
 const STAGES: Readonly<Record<StageName, string>> = {
-  photos: 'Photos',
-  images: 'Images: features',
-  likeness: 'Similarity of images',
-  pairs: 'Pairs: matches',
-  points: 'Tie points',
-  windows: 'Windows of observations',
-  refinement: 'Refinement',
-  orientation: 'Orientation',
+  photos: say('photos'),
+  images: say('images-features'),
+  likeness: say('similarity-of-images'),
+  pairs: say('pairs-matches'),
+  points: say('tie-points'),
+  windows: say('windows-of-observations'),
+  refinement: say('refinement'),
+  orientation: say('orientation'),
 };
 
 /** Stages whose steps are parts of one computation, none that the user counts. */
@@ -24,7 +24,7 @@ const NAMES = Object.keys(STAGES) as StageName[];
 
 export function mountProgress(host: HTMLElement, store: BlockStore): void {
   const body = h('div', { class: 'stages' });
-  const whole = section('Run', 'block-progress', body);
+  const whole = section(say('run'), 'block-progress', body);
   host.append(whole);
   store.watch(['running', 'shown'], ([running, shown]) => {
     const steps = running.kind === 'no' ? (shown?.steps ?? {}) : running.steps;
@@ -48,8 +48,8 @@ function stage(name: StageName, step: Step): HTMLElement {
 function stepText(stage: StageName, { done, total, found, seconds, secondsLeft, name }: Step): string {
   const goesOn = done < total;
   const parts = [
-    OF_ONE_PIECE.has(stage) ? '' : `${count(done)} of ${count(total)}${found > 0 ? `, ${count(found)} from an earlier run` : ''}`,
-    `${duration(seconds)}${secondsLeft === undefined || !goesOn ? '' : `, about ${duration(secondsLeft)} left`}`,
+    OF_ONE_PIECE.has(stage) ? '' : say('of-3', { done, total, what: found > 0 ? say('from-an-earlier-run', { found }) : '' }),
+    `${duration(seconds)}${secondsLeft === undefined || !goesOn ? '' : say('about-left', { seconds_left: duration(secondsLeft) })}`,
     goesOn ? (name ?? '') : '',
   ];
   return parts.filter((part) => part !== '').join('; ');
@@ -59,12 +59,12 @@ function stepText(stage: StageName, { done, total, found, seconds, secondsLeft, 
 export function runText(steps: Steps): string {
   const name = NAMES.findLast((stage) => steps[stage] !== undefined);
   const step = name === undefined ? undefined : steps[name];
-  return name === undefined || step === undefined ? 'Starting …' : `${STAGES[name]}: ${stepText(name, step)}`;
+  return name === undefined || step === undefined ? say('starting') : `${STAGES[name]}: ${stepText(name, step)}`;
 }
 
 export function duration(seconds: number): string {
-  if (seconds < 9.95) return `${seconds.toFixed(1)} s`;
-  if (seconds < 90) return `${String(Math.round(seconds))} s`;
+  if (seconds < 9.95) return say('seconds', { value: seconds.toFixed(1) });
+  if (seconds < 90) return say('seconds', { value: String(Math.round(seconds)) });
   const minutes = Math.round(seconds / 60);
-  return minutes < 90 ? `${String(minutes)} min` : `${(seconds / 3600).toFixed(1)} h`;
+  return minutes < 90 ? say('min', { minutes }) : say('hours', { value: (seconds / 3600).toFixed(1) });
 }

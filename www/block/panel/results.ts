@@ -1,59 +1,76 @@
 /** What came of a block: images oriented, points by rays, residuals, calibrated cameras, warnings, and what was skipped. */
-import { fill, h, row, section } from '../../shared/panel/dom';
+import { button, fill, h, row, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
 import { count, fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
-import { isOutdated } from '../state/state';
+import { isStale } from '../state/purpose';
+import { isBusy } from '../state/state';
+import type { Shown } from '../state/state';
 import type { BlockScore, CheckSummary, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewCamera } from '../state/view';
 import { matchesOf } from '../state/words';
+import { say } from '../../shared/text/words';
 
 /** Reasons listed one by one; the others are in the table of images. */
 const LISTED = 50;
 
-export function mountResults(host: HTMLElement, store: BlockStore): void {
+/** `takeOff`: gives the block as it was before it was placed on an orthophoto. */
+export function mountResults(host: HTMLElement, store: BlockStore, takeOff: () => void): void {
   const body = h('div', { testid: 'block-results' });
   host.append(body);
-  store.watch(['shown', 'files', 'options'], ([shown]) => {
-    body.classList.toggle('is-stale', isOutdated(store.state));
-    if (shown === null) fill(body, h('p', { class: 'note' }, 'No block yet. Drop images or a folder, or simulate a block, then press Run.'));
-    else fill(body, ...sectionsOf(shown.view));
+  const off = button(say('without-the-orthophoto'), 'block-off-ground', takeOff, say('the-block-as-it-was'));
+  store.watch(['shown', 'files', 'options', 'placing'], ([shown]) => {
+    body.classList.toggle('is-stale', isStale(store.state));
+    if (shown === null) fill(body, h('p', { class: 'note' }, say('no-block-yet-drop-images')));
+    else fill(body, ...sectionsOf(shown, off));
+  });
+  store.watch(['running', 'notice', 'placing'], () => {
+    off.disabled = isBusy(store.state);
   });
 }
 
-function sectionsOf(view: BlockView): (HTMLElement | null)[] {
-  if (view.partial) return [leftOut(view), section('So far', 'block-facts', facts(partialFacts(view))), section('Cameras', 'block-cameras', cameraTable(view))];
+function sectionsOf(shown: Shown, off: HTMLElement): (HTMLElement | null)[] {
+  const { view } = shown;
+  if (view.partial)
+    return [leftOut(view), section(say('so-far'), 'block-facts', facts(partialFacts(view))), section(say('cameras'), 'block-cameras', cameraTable(view))];
   return [
     leftOut(view),
-    strays('Masks without an image', 'block-stray-masks', view.strayMasks, 'no image has their name'),
-    strays('Image measurements without an image', 'block-stray-marks', view.strayMarks, 'not among the images read'),
-    listOf('Remarks', 'block-remarks', view.remarks),
-    section('Block', 'block-facts', facts(factsOf(view))),
-    view.score === null ? null : section('Against the truth', 'block-score', facts(scoreFacts(view.score))),
-    listOf('Warnings', 'block-warnings', view.warnings),
+    strays(say('masks-without-an-image'), 'block-stray-masks', view.strayMasks, say('no-image-has-their-name')),
+    strays(say('image-measurements-without-an-image'), 'block-stray-marks', view.strayMarks, say('not-among-the-images-read')),
+    listOf(say('remarks'), 'block-remarks', view.remarks),
+    section(say('block'), 'block-facts', facts(factsOf(view))),
+    onGround(shown, off),
+    view.score === null ? null : section(say('against-the-truth'), 'block-score', facts(scoreFacts(view.score))),
+    listOf(say('warnings'), 'block-warnings', view.warnings),
     notOriented(view),
-    section('Tie points by number of rays', 'block-by-rays', rayTable(view)),
-    section('Cameras', 'block-cameras', cameraTable(view)),
+    section(say('tie-points-by-number-of'), 'block-by-rays', rayTable(view)),
+    section(say('cameras'), 'block-cameras', cameraTable(view)),
   ];
+}
+
+/** What came of the orthophoto. */
+function onGround({ view: { orthophoto }, ground }: Shown, off: HTMLElement): HTMLElement | null {
+  if (orthophoto === null) return null;
+  return section(say('orthophoto'), 'block-on-orthophoto', h('p', {}, orthophoto.text), ground === null ? null : h('p', { class: 'buttons' }, off));
 }
 
 /** What is known before there are points. */
 function partialFacts(view: BlockView): Fact[] {
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
   return [
-    { name: 'Images read', testid: 'block-read', value: count(view.images.length), help: 'Images whose features are detected.' },
+    { name: say('images-read'), testid: 'block-read', value: count(view.images.length), help: say('images-whose-features-are-detected') },
     {
-      name: 'Connected pairs',
+      name: say('connected-pairs'),
       testid: 'block-connected',
-      value: `${count(connected.length)} of ${count(view.connections.length)} tried`,
-      help: 'Pairs with enough matches that agree with one geometry.',
+      value: say('of-tried', { connected: connected.length, connections: view.connections.length }),
+      help: say('pairs-with-enough-matches-that'),
     },
     {
-      name: 'Matches',
+      name: say('matches-2'),
       testid: 'block-matches',
       value: count(connected.reduce((sum, connection) => sum + matchesOf(connection), 0)),
-      help: 'Verified matches of all connected pairs.',
+      help: say('verified-matches-of-all-connected'),
     },
   ];
 }
@@ -69,10 +86,10 @@ function listOf(title: string, testid: string, texts: readonly string[]): HTMLEl
 
 function checkFact({ points, rmse_m: rmse, ratio }: CheckSummary): Fact {
   return {
-    name: 'Check points, RMSE',
+    name: say('check-points-rmse'),
     testid: 'block-checks',
-    value: `${rmse.map((value) => fixed(value, 3)).join(' ')} m, ${count(points)} points${ratio === null ? '' : `, ${fixed(ratio, 2)} predicted`}`,
-    help: 'Root mean square difference of x, y, z between adjusted and surveyed check points, whose coordinates took no part; then the same in predicted standard errors, about 1 where these hold.',
+    value: say('m-points', { join: rmse.map((value) => fixed(value, 3)).join(' '), points, what: ratio === null ? '' : say('predicted', { ratio }) }),
+    help: say('root-mean-square-difference-of'),
   };
 }
 
@@ -82,60 +99,60 @@ function factsOf(view: BlockView): Fact[] {
   const rays = view.images.reduce((sum, image) => sum + image.rays, 0);
   return [
     {
-      name: 'Images oriented',
+      name: say('images-oriented-3'),
       testid: 'block-oriented',
-      value: `${count(view.oriented)} of ${count(view.images.length)}`,
-      help: 'Images with an exterior orientation: position and attitude in object space.',
+      value: say('of-4', { oriented: view.oriented, images: view.images.length }),
+      help: say('images-with-an-exterior-orientation'),
     },
     {
-      name: 'Connected pairs',
+      name: say('connected-pairs'),
       testid: 'block-connected',
-      value: `${count(connected.length)} of ${count(view.connections.length)} tried`,
-      help: 'Pairs with enough matches that agree with one geometry. The matrix states for each pair why it is connected or not.',
+      value: say('of-tried', { connected: connected.length, connections: view.connections.length }),
+      help: say('pairs-with-enough-matches-that-agree'),
     },
     {
-      name: 'Groups',
+      name: say('groups'),
       testid: 'block-groups',
       value: groupText(view),
-      help: 'Images that are connected directly or through others. Images are oriented to each other only within a group.',
+      help: say('images-that-are-connected-directly'),
     },
-    { name: 'Matches', testid: 'block-matches', value: count(matches), help: 'Verified matches of all connected pairs.' },
+    { name: say('matches-2'), testid: 'block-matches', value: count(matches), help: say('verified-matches-of-all-connected') },
     ...(view.found === null
       ? []
       : [
           {
-            name: 'Tie points',
+            name: say('tie-points'),
             testid: 'block-found',
-            value: `${count(view.found.points)}, ${count(view.found.rays)} observations`,
-            help: 'Points seen in two or more images. A well distributed selection of them is adjusted.',
+            value: say('observations-2', { points: view.found.points, rays: view.found.rays }),
+            help: say('points-seen-in-two-or'),
           },
         ]),
     ...(view.refinement === null ? [] : [refinementFact(view.refinement)]),
     {
-      name: 'Selected tie points',
+      name: say('selected-tie-points'),
       testid: 'block-points-count',
-      value: `${count(view.points.count)}, ${count(rays)} observations`,
-      help: 'The tie points of the block and their image observations.',
+      value: say('observations-3', { taking: view.points.taking, rays }),
+      help: say('the-tie-points-of-the'),
     },
     ...(view.checks === null ? [] : [checkFact(view.checks)]),
     {
       name: 'RMSE',
       testid: 'block-rmse',
-      value: `${fixed(view.rmsePx, 3)} px`,
-      help: 'Root mean square length of the residuals of all accepted observations after the adjustment.',
+      value: say('px-3', { value: view.rmsePx }),
+      help: say('root-mean-square-length-of'),
     },
-    { name: 'σ₀', testid: 'block-sigma0', value: `${fixed(view.sigma0Px, 3)} px`, help: 'Standard error of one image coordinate, from the adjustment.' },
+    { name: 'σ₀', testid: 'block-sigma0', value: say('px-3', { value: view.sigma0Px }), help: say('standard-error-of-one-image') },
   ];
 }
 
 /** Why observations keep their positions. */
 const KEPT: Readonly<Record<Exclude<RefinementOutcome, 'reference' | 'refined'>, string>> = {
-  not_converged: 'did not converge',
-  left_image: 'at the border',
-  moved_too_far: 'moved too far',
-  low_correlation: 'low correlation',
-  no_texture: 'no texture',
-  inconsistent: 'inconsistent',
+  not_converged: say('did-not-converge'),
+  left_image: say('at-the-border'),
+  moved_too_far: say('moved-too-far'),
+  low_correlation: say('low-correlation-2'),
+  no_texture: say('no-texture'),
+  inconsistent: say('inconsistent'),
 };
 
 function refinementFact(counts: NonNullable<BlockView['refinement']>): Fact {
@@ -146,10 +163,10 @@ function refinementFact(counts: NonNullable<BlockView['refinement']>): Fact {
     return number === 0 ? [] : [`${count(number)} ${words}`];
   });
   return {
-    name: 'Refined observations',
+    name: say('refined-observations'),
     testid: 'block-refined',
-    value: `${count(refined)} of ${count(refined + others)}`,
-    help: `Observations moved by least squares matching to the reference observations of ${count(reference)} points. The others keep their positions${reasons.length > 0 ? `: ${reasons.join(', ')}` : ''}.`,
+    value: say('of-5', { refined, refined_2: refined + others }),
+    help: say('observations-moved-by-least-squares', { reference, what: reasons.length > 0 ? say('n--3', { join: reasons.join(', ') }) : '' }),
   };
 }
 
@@ -157,28 +174,28 @@ function scoreFacts(score: BlockScore): Fact[] {
   const positions = score.position_rmse_m?.map((error) => fixed(error, 3)).join(', ');
   return [
     {
-      name: 'Right points',
+      name: say('right-points'),
       testid: 'score-points',
-      value: `${count(score.right_points)} of ${count(score.points)}`,
-      help: 'Points whose observations all agree within 1.5 px in each image, by the true orientations.',
+      value: say('of-6', { right_points: score.right_points, points: score.points }),
+      help: say('points-whose-observations-all-agree'),
     },
     {
-      name: 'Their observations',
+      name: say('their-observations'),
       testid: 'score-rays',
-      value: `${fixed(score.right_rmse_px, 3)} px`,
-      help: 'Root mean square distance of the observations of right points from their intersection.',
+      value: say('px-3', { value: score.right_rmse_px }),
+      help: say('root-mean-square-distance-of'),
     },
     {
-      name: 'Positions',
+      name: say('positions'),
       testid: 'score-positions',
       value: positions === undefined ? '–' : `${positions} m`,
-      help: 'Root mean square errors of x, y, z of the projection centres after the best similarity transformation to the truth.',
+      help: say('root-mean-square-errors-of'),
     },
     {
-      name: 'Angles',
+      name: say('angles'),
       testid: 'score-angles',
       value: `${fixed(score.angle_rmse_deg, 4)}°`,
-      help: 'Root mean square angle between the oriented and the true attitudes after the same transformation.',
+      help: say('root-mean-square-angle-between'),
     },
   ];
 }
@@ -187,20 +204,20 @@ function groupText({ groups, images }: BlockView): string {
   const sizes = groups.map(({ length }) => length);
   const alone = sizes.filter((size) => size === 1).length;
   const largest = sizes[0] ?? 0;
-  if (largest === images.length) return 'one';
-  return `${count(sizes.length - alone)} (the largest of ${count(largest)})${alone > 0 ? `, ${count(alone)} single` : ''}`;
+  if (largest === images.length) return say('one-group');
+  return say('the-largest-of', { sizes: sizes.length - alone, largest, what: alone > 0 ? say('single', { alone }) : '' });
 }
 
 function leftOut(view: BlockView): HTMLElement | null {
   if (view.leftOut.length === 0) return null;
-  return section(`Skipped: ${count(view.leftOut.length)} that cannot be read`, 'block-left-out', reasons(view.leftOut));
+  return section(say('skipped-that-cannot-be-read', { left_out: view.leftOut.length }), 'block-left-out', reasons(view.leftOut));
 }
 
 function notOriented(view: BlockView): HTMLElement | null {
   const lost = view.images.filter(({ oriented }) => !oriented);
   // Before any is oriented there is nothing to say of one.
   if (view.oriented === 0 || lost.length === 0) return null;
-  return section(`Not oriented: ${count(lost.length)}`, 'block-not-oriented', reasons(lost.map(({ name, why }) => ({ name, reason: why }))));
+  return section(say('not-oriented', { lost: lost.length }), 'block-not-oriented', reasons(lost.map(({ name, why }) => ({ name, reason: why ?? '' }))));
 }
 
 function reasons(list: readonly { name: string; reason: string }[]): HTMLElement {
@@ -209,12 +226,12 @@ function reasons(list: readonly { name: string; reason: string }[]): HTMLElement
     'ul',
     { class: 'reasons' },
     ...list.slice(0, LISTED).map(({ name, reason }) => h('li', {}, h('b', {}, name), `: ${reason}`)),
-    rest > 0 ? h('li', {}, `and ${count(rest)} more in the table of images`) : null,
+    rest > 0 ? h('li', {}, say('and-more-in-the-table', { rest })) : null,
   );
 }
 
 function rayTable({ byRays }: BlockView): HTMLElement {
-  const head = h('thead', {}, h('tr', {}, ...['Rays', 'Points', 'RMSE px'].map((text) => h('th', { scope: 'col' }, text))));
+  const head = h('thead', {}, h('tr', {}, ...[say('rays-2'), say('points'), say('rmse-px-4')].map((text) => h('th', { scope: 'col' }, text))));
   const number = (text: string) => h('td', { class: 'number' }, text);
   return h(
     'table',
@@ -226,8 +243,12 @@ function rayTable({ byRays }: BlockView): HTMLElement {
 
 function cameraTable({ cameras, found }: BlockView): HTMLElement {
   // A block that was opened does not say what was known before.
-  const given = ({ given: known }: ViewCamera) => (known === null ? (found === null ? '–' : 'unknown') : fixed(known.focal_px, 1));
-  const head = h('thead', {}, h('tr', {}, ...['Camera', 'Images', 'Given f px', 'Calibrated f px'].map((text) => h('th', { scope: 'col' }, text))));
+  const given = ({ given: known }: ViewCamera) => (known === null ? (found === null ? '–' : say('unknown-2')) : fixed(known.focal_px, 1));
+  const head = h(
+    'thead',
+    {},
+    h('tr', {}, ...[say('camera'), say('images-2'), say('given-f-px'), say('calibrated-f-px')].map((text) => h('th', { scope: 'col' }, text))),
+  );
   const number = (text: string) => h('td', { class: 'number' }, text);
   return h(
     'div',

@@ -10,6 +10,7 @@ import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
 import { problemsOf } from '../state/given';
 import type { Given, GivenText } from '../state/given';
+import { say } from '../../shared/text/words';
 
 /** `opener` opens the settings, and says how many were changed. */
 export function mountSettings(host: HTMLElement, store: BlockStore, files: BlockFiles, opener: HTMLElement): void {
@@ -25,9 +26,10 @@ export function mountSettings(host: HTMLElement, store: BlockStore, files: Block
       refused: (label: string) => store.dispatch({ type: 'refused', label }),
     };
     const sections = makeFolded(catalogue.parameters, bound, {
-      title: 'Method',
+      title: say('method'),
       first: ['pairs.rule', 'refinement.method'],
-      reset: () => store.dispatch({ type: 'options', options: { settings: defaults } }),
+      of: 'block',
+      take: (settings) => store.dispatch({ type: 'options', options: { settings: settings as typeof defaults } }),
       changed: (count) => fill(opener, settingsText(count)),
     });
     const [back, method, ...others] = sections.elements;
@@ -54,8 +56,8 @@ function positions(store: BlockStore): HTMLElement {
   return h(
     'div',
     { class: 'control' },
-    h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Use GNSS positions')),
-    h('p', { class: 'help' }, 'They choose near pairs and georeference the block.'),
+    h('div', { class: 'control-head' }, input, h('label', { for: input.id }, say('use-gnss-positions'))),
+    h('p', { class: 'help' }, say('they-choose-near-pairs-and')),
   );
 }
 
@@ -69,30 +71,28 @@ function waiting(files: BlockFiles): HTMLElement {
   return h(
     'div',
     { class: 'control' },
-    h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Wait for Run')),
-    h('p', { class: 'help' }, 'Images that are given wait until Run is pressed, so that settings and files come first. Otherwise they run at once.'),
+    h('div', { class: 'control-head' }, input, h('label', { for: input.id }, say('wait-for-run'))),
+    h('p', { class: 'help' }, say('images-that-are-given-wait')),
   );
 }
 
-const CAMERAS =
-  'From EXIF. A JSON file overrides it: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
-const CONTROL =
-  'None. Two files georeference the block: ground control points (name, x, y, z, optionally two standard errors) and their image measurements (image, point, column, row), one per line.';
+const CAMERAS = say('from-exif-a-json-file', { example: '{"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}' });
+const CONTROL = say('none-two-files-georeference-the');
 
 /** Files that say more of the block than its images do. */
 function besides(store: BlockStore, files: BlockFiles): HTMLElement {
   return h(
     'fieldset',
     { class: 'group' },
-    h('legend', {}, 'Files'),
-    textFile(store, files, 'cameras', 'Cameras', CAMERAS, '.json,application/json'),
-    textFile(store, files, 'control', 'Ground control points', CONTROL, '.txt,.csv,text/*'),
-    textFile(store, files, 'marks', 'Image measurements', '', '.txt,.csv,text/*'),
+    h('legend', {}, say('files')),
+    textFile(store, files, 'cameras', say('cameras'), CAMERAS, '.json,application/json'),
+    textFile(store, files, 'control', say('ground-control-points'), CONTROL, '.txt,.csv,text/*'),
+    textFile(store, files, 'marks', say('image-measurements'), '', '.txt,.csv,text/*'),
     masks(store, files),
   );
 }
 
-const MASKS = 'None. Images of the same size, black where no features are detected; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.';
+const MASKS = say('none-images-of-the-same');
 
 /** What is wrong with what was given, beside where it is given. */
 function problemOf(store: BlockStore, given: Given): HTMLElement {
@@ -108,7 +108,7 @@ function masks(store: BlockStore, files: BlockFiles): HTMLElement {
   const part = besideField(
     store,
     'masks',
-    'Masks',
+    say('masks'),
     { multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.pnm' },
     (given) => files.takeMasks(given),
     () => store.dispatch({ type: 'options', options: { masks: [] } }),
@@ -120,7 +120,10 @@ function masks(store: BlockStore, files: BlockFiles): HTMLElement {
         .slice(0, 3)
         .map(({ name }) => name)
         .join(', ');
-      part.show(given.length === 0 ? null : given.length === 1 ? names : `${String(given.length)} masks: ${names}${given.length > 3 ? ' …' : ''}`, MASKS);
+      part.show(
+        given.length === 0 ? null : given.length === 1 ? names : say('masks-2', { given: given.length, names, what: given.length > 3 ? ' …' : '' }),
+        MASKS,
+      );
     },
   );
   return part.element;
@@ -153,9 +156,9 @@ function besideField(
   take: (files: File[]) => void,
   clear: () => void,
 ): { element: HTMLElement; show: (name: string | null, none: string) => void } {
-  const [press, input] = fileButton(`${title} …`, { testid: `block-${given}`, label: `File: ${title}`, ...how }, take);
-  const remove = button('Remove', `block-${given}-remove`, clear);
-  remove.setAttribute('aria-label', `Remove: ${title}`);
+  const [press, input] = fileButton(`${title} …`, { testid: `block-${given}`, label: say('file', { title }), ...how }, take);
+  const remove = button(say('remove'), `block-${given}-remove`, clear);
+  remove.setAttribute('aria-label', say('remove-2', { title }));
   const name = h('p', { class: 'note', testid: `block-${given}-name` });
   return {
     element: h('div', { class: 'control' }, h('div', { class: 'buttons' }, press, remove), name, problemOf(store, given), input),

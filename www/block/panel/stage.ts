@@ -1,174 +1,136 @@
-/** The middle of the block's page: its picture or its matrix, and what is said of what is pointed at or chosen. */
+/** The middle of the block's page: one of its views, and what is said of what is pointed at or chosen. */
 import { button, fill, h } from '../../shared/panel/dom';
+import { drawerButton } from '../../shared/panel/drawers';
 import { zoomButtons } from '../../shared/panel/zoom';
-import { count } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Looking } from '../view/looking';
-import { Matrix } from '../view/matrix';
-import { Picture } from '../view/picture';
 import { isBusy } from '../state/state';
-import type { Choice } from '../state/state';
-import type { BlockView, Layout } from '../state/view';
-import { describe, matchesOf } from '../state/words';
-
-const LAYOUTS: Readonly<Record<Layout['kind'], string>> = {
-  oriented: 'Oriented positions, from above',
-  recorded: 'GNSS positions, from above',
-  connections: 'Arranged by connections: positions have no meaning',
-};
+import type { ViewName } from '../state/state';
+import { isSame } from '../state/selection';
+import type { Choice } from '../state/selection';
+import { describe } from '../state/words';
+import { KEYS_ID } from './view';
+import type { MountedView, StageView } from './view';
+import { say } from '../../shared/text/words';
 
 /** What the invitation offers. */
 export interface Invitation {
   /** Photographs a block and runs it. */
   sample: () => void;
+  /** The same, and places the photos on the orthophoto of its scene. */
+  placedSample: () => void;
   /** Asks for images. */
   open: () => void;
 }
 
-export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<Looking, 'point'>, invitation: Invitation): void {
-  const pictureHost = h('div', {
-    class: 'view block-view',
-    id: 'block-view',
-    testid: 'block-picture',
-    tabindex: 0,
-    role: 'group',
-    aria: {
-      roledescription: 'plan of the block',
-      label: 'Images of the block, joined by lines whose width grows with their common points',
-      describedby: 'block-keys',
-    },
-  });
-  const matrixHost = h('div', {
-    class: 'view block-matrix',
-    testid: 'block-matrix',
-    tabindex: 0,
-    hidden: true,
-    role: 'group',
-    aria: { roledescription: 'matrix of matches', label: 'Images by images; arrow keys choose a pair', describedby: 'block-keys' },
-  });
-  const pointed = h('p', { class: 'pointed', testid: 'block-pointed' });
-  const chosen = h('p', { class: 'chosen', testid: 'block-chosen', role: 'status', aria: { live: 'polite' } });
-  const open = button('Open this pair', 'block-open-pair', () => {
-    const { choice } = store.state;
-    if (choice?.kind === 'pair') looking.open(choice.images);
-  });
-  const hint = 'Point at an image, a line or a cell to see what it is and why a pair is not connected.';
-  let pointedAt: Choice | null = null;
-  const showPointed = () => {
-    say(pointed, store, pointedAt, hint);
-    // What is chosen is said already.
-    if (pointed.textContent === chosen.textContent) pointed.textContent = '';
-  };
-  const looks = {
-    ...looking,
-    point: (choice: Choice | null) => {
-      pointedAt = choice;
-      showPointed();
-    },
-  };
-  const picture = new Picture(pictureHost, store, looks);
-  const matrix = new Matrix(matrixHost, store, looks);
-  const layout = h('span', { class: 'note', testid: 'block-layout' });
-  const cells = h('span', { class: 'note', testid: 'block-cells', hidden: true });
-  const switched = switcher([
-    ['Picture', pictureHost, layout],
-    ['Matrix', matrixHost, cells],
-  ]);
-  const tools = h('div', { class: 'actions' }, ...zoomButtons('block-', 'Whole block', () => (matrixHost.hidden ? picture : matrix)));
-  host.append(
-    h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, layout, cells),
-    welcomed(pictureHost, store, invitation),
-    matrixHost,
-    h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
-    h(
-      'p',
-      { class: 'keys', id: 'block-keys' },
-      'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Drag pans · wheel and + − zoom · 0 fit. Picture: N P images · C pairs of an image · arrows pan. Matrix: arrows choose.',
-    ),
+export function mountStage(
+  host: HTMLElement,
+  store: BlockStore,
+  looking: Looking,
+  views: readonly StageView[],
+  dock: HTMLElement,
+  invitation: Invitation,
+): void {
+  const shelf = h('div', { class: 'views', id: 'block-view', tabindex: -1 }, invited(store, invitation));
+  const tools = h('div', { class: 'view-tools' });
+  const keys = h('p', { class: 'keys', id: KEYS_ID });
+  const mounted = new Map<ViewName, MountedView>();
+  const now = () => mounted.get(store.state.onStage);
+  const buttons = views.map((view) => ({
+    view,
+    press: button(view.title, `block-show-${view.name}`, () => store.dispatch({ type: 'stage', view: view.name })),
+  }));
+  const switched = h('div', { class: 'mode', role: 'group', aria: { label: say('view-2') } }, ...buttons.map(({ press }) => press));
+  const zoom = h(
+    'div',
+    { class: 'actions' },
+    ...zoomButtons('block-', say('whole-block'), () => ({ fit: () => now()?.zoomable.fit(), zoomMiddle: (factor) => now()?.zoomable.zoomMiddle(factor) })),
   );
-  looks.point(null);
-  // The invitation lies over the picture.
-  store.watch(['shown'], ([shown]) => {
-    if (shown === null) switched.show(0);
+  // The link that skips to the view, and the way back from a pair, lead here.
+  shelf.addEventListener('focus', () => now()?.element.focus());
+  host.append(
+    h(
+      'div',
+      { class: 'toolbar', role: 'toolbar', aria: { label: say('view-of-the-block') } },
+      switched,
+      drawerButton('table', say('table-2'), 'block-table', dock),
+      zoom,
+      tools,
+    ),
+    shelf,
+    said(store, looking),
+    dock,
+    keys,
+  );
+  store.watch(['onStage'], ([onStage]) => {
+    const wanted = views.find(({ name }) => name === onStage) ?? views[0];
+    if (wanted === undefined) return;
+    for (const { view, press } of buttons) press.setAttribute('aria-pressed', String(view === wanted));
+    if (!mounted.has(wanted.name)) {
+      const made = wanted.mount(store, looking);
+      mounted.set(wanted.name, made);
+      shelf.append(made.element);
+      tools.append(...made.tools);
+    }
+    for (const [name, { element, tools: own }] of mounted) for (const part of [element, ...own]) part.hidden = name !== wanted.name;
+    fill(keys, mounted.get(wanted.name)?.keys ?? '');
   });
-  store.watch(['choice', 'shown', 'running', 'notice'], ([choice, shown]) => {
-    say(chosen, store, choice, '');
-    showPointed();
-    open.hidden = choice?.kind !== 'pair' || shown === null;
+}
+
+/** The line that says what is chosen, and what is pointed at. */
+function said(store: BlockStore, looking: Looking): HTMLElement {
+  const pointedAt = h('p', { class: 'pointed', testid: 'block-pointed' });
+  const chosenNow = h('p', { class: 'chosen', testid: 'block-chosen', role: 'status', aria: { live: 'polite' } });
+  const open = button(say('open-this-pair'), 'block-open-pair', () => {
+    const { chosen } = store.state.selection;
+    if (chosen?.kind === 'pair') looking.open(chosen.images);
+  });
+  store.watch(['selection', 'shown', 'running', 'notice', 'placing'], ([{ chosen, pointed }, shown]) => {
+    tell(chosenNow, store, chosen, '');
+    tell(pointedAt, store, pointed, say('point-at-an-image-a'));
+    // What is chosen is said already.
+    if (pointed !== null && isSame(pointed, chosen)) pointedAt.textContent = '';
+    open.hidden = chosen?.kind !== 'pair' || shown === null;
     open.disabled = isBusy(store.state);
-    fill(layout, shown === null ? '' : legend(shown.view));
-    fill(cells, shown === null ? '' : cellLegend(shown.view));
   });
+  return h('div', { class: 'said' }, h('div', {}, chosenNow, pointedAt), open);
 }
 
-function mostMatches({ connections }: BlockView): number {
-  return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
-}
-
-/** What cells mean. */
-function cellLegend(view: BlockView): string {
-  return `Strongest cell: ${count(mostMatches(view))} matches. Small square: not connected. Blank: not tried.`;
-}
-
-/** What places and lines mean. */
-function legend(view: BlockView): string {
-  const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
-  const matches = mostMatches(view);
-  const widest = most > 0 ? `${count(most)} common points` : `${count(matches)} matches`;
-  return `${LAYOUTS[view.layout.kind]}. ${most + matches > 0 ? `Widest line: ${widest}.` : ''}`;
-}
-
-function say(element: HTMLElement, store: BlockStore, choice: Choice | null, otherwise: string): void {
+function tell(element: HTMLElement, store: BlockStore, choice: Choice | null, otherwise: string): void {
   const { shown } = store.state;
   const text = choice === null || shown === null ? otherwise : describe(shown.view, choice);
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** Buttons of which one is pressed: its part is shown, with the tools that belong to it. */
-function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement])[]): { element: HTMLElement; show: (part: number) => void } {
-  const buttons = parts.map(([name], i) => button(name, `block-show-${name.toLowerCase()}`, () => show(i)));
-  const show = (shown: number) => {
-    parts.forEach(([, part, tools], i) => {
-      part.hidden = i !== shown;
-      tools.hidden = i !== shown;
-      buttons[i]?.setAttribute('aria-pressed', String(i === shown));
-    });
-  };
-  return { element: h('div', { class: 'mode', role: 'group', aria: { label: 'Shown' } }, ...buttons), show };
-}
-
-/** The picture with the invitation over it while there is no block. */
-function welcomed(host: HTMLElement, store: BlockStore, { sample, open }: Invitation): HTMLElement {
-  const own = button('Open your photos …', 'block-open-first', open);
-  own.className = 'primary';
-  const simulate = button('Try a sample block', 'block-simulate-first', sample);
+/** The invitation, which lies over the views while there is no block. */
+function invited(store: BlockStore, { sample, placedSample, open }: Invitation): HTMLElement {
+  const own = button(say('open-your-photos'), 'block-open-first', open);
+  const simulate = button(say('try-a-sample-block'), 'block-simulate-first', sample);
+  const placed = button(say('try-a-sample-orthophoto'), 'block-place-first', placedSample);
   const list = h('p', { class: 'note', testid: 'block-given' });
   const gains = [
-    'where each photo was taken and how it was turned',
-    'points that several photos show, in space, and how precise they are',
-    'a plain word on whether the result can be trusted, and why',
-    'files for other programs: COLMAP, MicMac, OpenSfM, Agisoft and more',
+    say('where-each-photo-was-taken'),
+    say('points-that-several-photos-show'),
+    say('a-plain-word-on-whether'),
+    say('files-for-other-programs-colmap'),
   ];
   const welcome = h(
     'div',
     { class: 'welcome', testid: 'block-welcome' },
-    h('h2', {}, 'Where did each photo stand?'),
-    h('p', {}, 'Drop the photographs of a flight or of a walk around something, or a folder of them, anywhere on this page. You get:'),
+    h('h2', {}, say('where-did-each-photo-stand')),
+    h('p', {}, say('drop-the-photographs-of-a')),
     h('ul', {}, ...gains.map((gain) => h('li', {}, gain))),
-    h('p', { class: 'buttons' }, own, simulate),
+    h('p', { class: 'buttons' }, own, simulate, placed),
     list,
-    h(
-      'p',
-      { class: 'note' },
-      'Nothing leaves this computer. Work is kept in this browser: a run that was cancelled, or ended with its tab, goes on from there.',
-    ),
+    h('p', { class: 'note' }, say('nothing-leaves-this-computer-work')),
   );
-  host.append(welcome);
-  store.watch(['shown', 'files', 'running', 'notice', 'catalogue'], ([shown, given, , , catalogue]) => {
-    welcome.hidden = shown !== null;
-    for (const press of [own, simulate]) press.disabled = catalogue === null || isBusy(store.state);
+  store.watch(['shown', 'files', 'running', 'notice', 'catalogue', 'onStage', 'placing'], ([shown, given, , , catalogue, onStage]) => {
+    welcome.hidden = shown !== null || onStage === 'orthophoto';
+    for (const press of [own, simulate, placed]) press.disabled = catalogue === null || isBusy(store.state);
     const names = given.map(({ name }) => name);
-    fill(list, names.length === 0 ? '' : `${String(names.length)} images: ${names.slice(0, 8).join(', ')}${names.length > 8 ? ' …' : ''}`);
+    // Photos that are there are to be run.
+    own.classList.toggle('primary', names.length < 2);
+    fill(list, names.length === 0 ? '' : say('images-3', { names: names.length, join: names.slice(0, 8).join(', '), what: names.length > 8 ? ' …' : '' }));
   });
-  return host;
+  return welcome;
 }

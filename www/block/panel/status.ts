@@ -2,30 +2,50 @@
 import { button, h } from '../../shared/panel/dom';
 import { answerCard } from '../../shared/panel/answer';
 import type { Answer, Figure, Next } from '../../shared/panel/answer';
-import { message } from '../../shared/crate';
-import { count, fixed, refusedText, sentence } from '../../shared/text/format';
+import { count, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
-import { page } from '../../shared/text/words';
-import type { BlockEngine, BlockStore } from '../engine/engine';
+import type { BlockStore } from '../engine/engine';
+import { heightsText, placingAnswer, placingRuns } from './placing-answer';
 import { duration, runText } from './progress';
+import { orthophotoText } from '../files/ground';
+import { unplacedFiles } from '../state/placed';
+import type { Purpose } from '../state/placing';
+import { asksPurpose, isOffGround, lacksPlaceAlone, purposeOf } from '../state/purpose';
 import { isBusy, isOutdated } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
 import type { BlockView } from '../state/view';
+import { refusedText, say } from '../../shared/text/words';
+import { message } from '../../shared/text/messages';
 
 /** What the button beside the answer can do. */
 export interface BlockAnswerActions {
+  run: () => void;
   /** Shows what speaks against the result. */
   why: () => void;
   save: () => void;
   /** Opens photos of one's own. */
   open: () => void;
+  /** Places images on the orthophoto. */
+  place: () => void;
+  /** Does it with the orthophoto, from now on. */
+  decide: (purpose: Purpose) => void;
+  /** Ends whatever goes on. */
+  cancel: () => void;
+  openHeights: () => void;
+  /** Saves what was placed. */
+  savePlaced: () => void;
+  /** Shows the table of what was placed. */
+  whyPlaced: () => void;
 }
 
 /** `details`: the button that shows them. */
-export function mountBlockStatus(store: BlockStore, engine: BlockEngine, actions: BlockAnswerActions, details: HTMLElement): HTMLElement {
+export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions, details: HTMLElement): HTMLElement {
   const line = h('p', { class: 'status', testid: 'block-status', role: 'status', aria: { live: 'polite' } });
-  const run = button('Run', 'block-run', () => void engine.run());
-  const cancel = button('Cancel', 'block-cancel', () => engine.cancel());
+  const run = button(say('run'), 'block-run', () => {
+    if (places(store.state)) actions.place();
+    else actions.run();
+  });
+  const cancel = button(say('cancel'), 'block-cancel', actions.cancel);
   const buttons = h('div', { class: 'answer-actions' }, run, cancel, details);
   const card = h('div', { class: 'answer', testid: 'block-answer' }, line, buttons);
   const show = answerCard(card, line, buttons, 'block-');
@@ -37,51 +57,105 @@ export function mountBlockStatus(store: BlockStore, engine: BlockEngine, actions
       line.setAttribute('aria-live', answer.kind === 'busy' ? 'off' : 'polite');
       // Messages of the crate name parameters by their keys.
       show({ ...answer, text: readable(state.catalogue?.labels ?? null, answer.text) });
-      run.disabled = isBusy(state) || state.files.length < 2;
-      run.textContent = state.running.kind === 'ended' ? 'Go on' : 'Run';
-      run.classList.toggle('primary', answer.next == null);
+      run.disabled = isBusy(state) || (places(state) ? unplacedFiles(state).length === 0 : state.files.length < 2);
+      run.textContent = places(state) ? say('place-them') : state.running.kind === 'ended' ? say('go-on') : say('run');
+      run.classList.toggle('primary', answer.next == null && !run.disabled && (state.onStage !== 'orthophoto' || places(state)));
       cancel.disabled = !isBusy(state);
     },
   );
   return card;
 }
 
+function placed(state: BlockState, actions: BlockAnswerActions): Answer {
+  return placingAnswer(state, { ...actions, asBlock: () => actions.decide('block'), save: actions.savePlaced, why: actions.whyPlaced });
+}
+
+/** Whether it is about images on an orthophoto, each by itself. */
+function places(state: BlockState): boolean {
+  return state.onStage === 'orthophoto' && purposeOf(state) === 'images';
+}
+
+/** Whether what is said is of the orthophoto: of images on it, or of a block that is not there yet. */
+function isOfGround(state: BlockState): boolean {
+  const { onStage, placing, shown } = state;
+  if (onStage !== 'orthophoto') return false;
+  const purpose = purposeOf(state);
+  return placing.orthophoto === null || purpose === 'images' || (purpose === 'block' && (shown === null || shown.view.partial));
+}
+
+/** What can be done with an orthophoto under a finished block: one choice. */
+function offered(state: BlockState, { decide }: BlockAnswerActions): Pick<Answer, 'more' | 'next' | 'others'> {
+  return {
+    more: [say('a-block-on-an-orthophoto'), state.placing.heights.kind === 'level' ? heightsText(state) : ''].join(' ').trim(),
+    next: { text: say('place-the-block-on-the'), act: () => decide('block') },
+    others: [
+      { text: say('place-each-image'), act: () => decide('images') },
+      // In the block's own system it does not lie there.
+      {
+        text: state.shown?.view.surveyed.some(({ role }) => role === 'control') === true ? say('only-under-the-map') : say('not-now'),
+        act: () => decide('map'),
+      },
+    ],
+  };
+}
+
+function placeBlock({ run }: BlockAnswerActions): Next {
+  return { text: say('place-the-block-on-the'), act: run };
+}
+
 function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   const { running, notice, shown, files } = state;
   const line = (kind: Answer['kind'], text: string): Answer => ({ kind, text, verdict: null });
-  if (running.kind === 'yes') return line('busy', runText(running.steps));
+  if (running.kind === 'yes') return { ...line('busy', runText(running.steps)), more: notice?.beside === true ? notice.text : '' };
+  if (state.placing.running !== null) return placingRuns(state.placing.running);
   if (notice?.beside === true) {
     const answer = answerOf({ ...state, notice: null }, actions);
     return { ...answer, more: `${answer.more ?? ''} ${notice.text}`.trimStart() };
   }
-  if (notice !== null) return line(notice.kind === 'info' ? 'idle' : notice.kind, notice.text);
+  if (notice !== null) {
+    const said = line(notice.kind === 'info' ? 'idle' : notice.kind, notice.text);
+    if (notice.kind !== 'busy' && asksPurpose(state)) return { ...said, ...offered(state, actions) };
+    // What was taken in is said; what is next stays.
+    if (notice.kind === 'info' && lacksPlaceAlone(state)) return { ...said, next: placeBlock(actions) };
+    if (notice.kind !== 'info' || state.placing.orthophoto === null || !isOfGround(state)) return said;
+    const { next = null, others = [] } = placed(state, actions);
+    return { ...said, next, others };
+  }
   if (state.refused !== null) return line('problem', refusedText(state.refused));
+  if (asksPurpose(state) && state.placing.orthophoto !== null) return { ...line('idle', orthophotoText(state.placing.orthophoto)), ...offered(state, actions) };
+  if (isOfGround(state)) return placed(state, actions);
   if (running.kind === 'ended') {
-    const former = shown !== null && !shown.view.partial ? ' The screen shows the former block.' : '';
-    if (running.failure === null)
-      return line('idle', `Cancelled.${former} The work done is ${former === '' ? 'shown and ' : ''}kept: Go on continues from there.`);
-    return line('problem', `The block was not finished: ${sentence(running.failure)}${former === '' ? ' The work done is kept.' : former}`);
+    const former = shown !== null && !shown.view.partial ? say('the-screen-shows-the-former') : '';
+    if (running.failure === null) return line('idle', say('cancelled-the-work-done-is', { former, what: former === '' ? say('shown-and') : '' }));
+    return line(
+      'problem',
+      say('the-block-was-not-finished', { failure: sentence(running.failure), what: former === '' ? say('the-work-done-is-kept') : former }),
+    );
   }
-  if (shown !== null && !shown.view.partial && !isOutdated(state)) return answered(state, shown, actions);
+  if (shown !== null && !shown.view.partial && !isOutdated(state)) {
+    if (isOffGround(state)) return { ...line('idle', say('the-block-is-not-on')), more: heightsText(state), next: placeBlock(actions) };
+    return answered(state, shown, actions);
+  }
   if (files.length >= 2) {
-    const why = shown === null || shown.view.partial ? 'Press Run.' : 'Images or settings have changed: press Run.';
-    return line('idle', `${page('block_images', { images: files.length })} ${why}`);
+    const why = shown === null || shown.view.partial ? say('press-run') : say('images-or-settings-have-changed');
+    return line('idle', `${say('block-images', { images: files.length })} ${why}`);
   }
-  return line('idle', 'Open the images of a block: files, a folder, or a simulated block.');
+  return line('idle', say('open-the-images-of-a'));
 }
 
 function answered(state: BlockState, shown: Shown, actions: BlockAnswerActions): Answer {
   const { view, files } = shown;
-  const why: Next = { text: 'Show why', act: actions.why };
+  const why: Next = { text: say('show-why'), act: actions.why };
   // A block that was opened may never have been oriented.
   if (view.oriented > 0 || files.length === 0) {
     const sound = view.verdict?.kind === 'oriented';
-    const next = state.truth === null ? { text: 'Save the project', act: actions.save } : { text: 'Open your photos …', act: actions.open };
+    const next = state.truth === null ? { text: say('save-the-project'), act: actions.save } : { text: say('open-your-photos'), act: actions.open };
     return {
       kind: sound ? 'done' : 'partial',
       verdict: view.verdict?.kind ?? 'weak',
       text: view.verdict?.text ?? '',
-      more: countsOf(shown),
+      // Where it lies says more than its counts, which the results have.
+      more: view.orthophoto?.kind === 'linked' ? view.orthophoto.text : countsOf(shown),
       figures: figuresOf(view),
       next: sound ? next : why,
     };
@@ -92,16 +166,18 @@ function answered(state: BlockState, shown: Shown, actions: BlockAnswerActions):
     group: group < view.images.length ? group : null,
     images: view.images.length,
     pairs: connectedPairs(view),
-    points: view.points.count,
+    points: view.points.taking,
   };
-  return { kind: 'problem', verdict: 'not_oriented', text: page('block_not_oriented', figures), next: why };
+  // Images that show no common ground may each lie on the orthophoto.
+  const others = state.placing.orthophoto === null ? [] : [{ text: say('place-each-image'), act: () => actions.decide('images') }];
+  return { kind: 'problem', verdict: 'not_oriented', text: say('block-not-oriented', figures), next: why, others };
 }
 
 function figuresOf(view: BlockView): Figure[] {
   return [
-    { value: `${count(view.oriented)} of ${count(view.images.length)}`, label: 'photos oriented' },
-    { value: count(view.points.count), label: 'points on several photos' },
-    ...(view.sigma0Px === null ? [] : [{ value: `${fixed(view.sigma0Px, 2)} px`, label: 'precision (σ₀)' }]),
+    { value: say('of-4', { oriented: view.oriented, images: view.images.length }), label: say('photos-oriented') },
+    { value: count(view.points.taking), label: say('points-on-several-photos') },
+    ...(view.sigma0Px === null ? [] : [{ value: say('px-2', { value: view.sigma0Px }), label: say('precision') }]),
   ];
 }
 
@@ -111,12 +187,12 @@ function connectedPairs({ connections }: BlockView): number {
 
 /** What there is of it, after its verdict. */
 function countsOf({ view, seconds }: Shown): string {
-  return page('block_done', {
+  return say('block-done', {
     images: view.images.length,
     verdict: '',
     skipped: view.leftOut.length,
     pairs: connectedPairs(view),
-    points: view.points.count,
+    points: view.points.taking,
     found: view.found?.points ?? null,
     time: seconds === 0 ? null : duration(seconds),
     warnings: view.warnings.length,

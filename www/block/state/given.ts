@@ -3,7 +3,8 @@ import { check_cameras, check_control, check_masks, parse_image_measurements, pa
 import type { GeoreferencingOptions } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import type { BlockOptions, BlockState } from './state';
-import { messageOf } from '../../shared/text/format';
+import { say } from '../../shared/text/words';
+import { messageOf } from '../../shared/text/messages';
 
 /** What a run can be given beside its images. */
 export type Given = 'cameras' | 'control' | 'marks' | 'masks';
@@ -15,8 +16,8 @@ export type Problems = Readonly<Partial<Record<Given, string>>>;
 
 /** Control points and their marks are of use together. */
 export const PARTNER_MISSING: Readonly<Partial<Record<Given, string>>> = {
-  control: 'Ground control points need their image measurements: give both files, or neither',
-  marks: 'Image measurements need their ground control points: give both files, or neither',
+  control: say('ground-control-points-need-their'),
+  marks: say('image-measurements-need-their-ground'),
 };
 
 export function problemsOf({ files, options }: Pick<BlockState, 'files' | 'options'>): Problems {

@@ -1,9 +1,21 @@
 /** What of a block is kept in the browser's storage. */
-import type { BlockScore } from '../../../pkg/wasm/tiepoint.js';
-import type { BlockFile, BlockOptions, BlockState, Steps } from './state';
+import type { BlockScore, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
+import type { OnGround, Purpose } from './placing';
+import type { BlockFile, BlockOptions, BlockState, Steps, TextFile } from './state';
 
 /** A file that is kept by itself, under a name that does not change. */
 export type KeptFile = Omit<BlockFile, 'file'> & { file: string };
+
+/** A picture of the ground, or its heights. */
+export type KeptRaster = KeptFile & { world: TextFile | null };
+
+/** What was given to place images on an orthophoto. */
+export interface KeptPlacing {
+  orthophoto: { raster: KeptRaster; info: OrthophotoInfo; ofBlock: string | null } | null;
+  heights: { kind: 'level'; height: number } | { kind: 'model'; model: KeptRaster };
+  options: PlacingOptions | null;
+  purpose: Purpose | null;
+}
 
 /** All but the files and the finished block. */
 export interface KeptBlock {
@@ -14,6 +26,7 @@ export interface KeptBlock {
   /** The name of the truth of simulated photos. */
   truth: string | null;
   opened: BlockState['opened'];
+  placing: KeptPlacing;
 }
 
 /** A finished block, with what its project file does not hold. */
@@ -25,15 +38,17 @@ export interface KeptShown {
   steps: Steps;
   seconds: number;
   score: BlockScore | null;
+  ground: OnGround | null;
 }
 
 /** What was kept, ready to be shown. */
-export type RestoredBlock = Pick<BlockState, 'files' | 'options' | 'flight' | 'truth' | 'shown' | 'opened'>;
+export type RestoredBlock = Pick<BlockState, 'files' | 'options' | 'flight' | 'truth' | 'shown' | 'opened' | 'history' | 'placing'>;
 
 /** Whether there is nothing yet that would have to be kept. */
-export function isBlank({ catalogue, files, shown, options, flight }: BlockState): boolean {
+export function isBlank({ catalogue, files, shown, options, flight, placing }: BlockState): boolean {
   const { settings, gps, cameras, control, marks, masks } = options;
   const noText = cameras === null && control === null && marks === null;
-  const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === 'use' && noText && masks.length === 0;
-  return catalogue === null || (files.length === 0 && shown === null && untouched);
+  const untouched =
+    settings === catalogue?.defaults && flight === catalogue?.flight && gps === 'use' && noText && masks.length === 0 && placing.options === catalogue?.placing;
+  return catalogue === null || (files.length === 0 && shown === null && placing.orthophoto === null && untouched);
 }

@@ -1,15 +1,24 @@
 /** How the state of the block changes. Pure: the same state and action give the same state. */
 import type { Step } from '../../../pkg/block/index.js';
-import type { BlockFlight, BlockModel } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockFlight, BlockModel } from '../../../pkg/wasm/tiepoint.js';
 import type { Notice } from '../../shared/state/notice';
-import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Choice, Mode } from './state';
+import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Shown, ViewName } from './state';
 import { BLOCK_INITIAL } from './state';
+import { UNEDITED } from './edited';
+import { carried, carriedToGround, reduceEdits } from './editing';
+import type { EditsAction } from './editing';
+import { panesInOtherView, reducePanes } from './panes';
+import type { PanesAction } from './panes';
 import type { RestoredBlock } from './kept';
+import { NO_PLACING, reducePlacing } from './placing';
+import type { OnGround, PlacingAction } from './placing';
+import { inOtherView, NOTHING_SELECTED, reduceSelection } from './selection';
+import type { SelectionAction } from './selection';
+import { together } from './together';
 import type { BlockView } from './view';
 
 export type BlockAction =
   | { type: 'ready'; catalogue: BlockCatalogue }
-  | { type: 'mode'; mode: Mode }
   | { type: 'files'; files: readonly BlockFile[]; truth: BlockModel | null }
   | { type: 'options'; options: Partial<BlockOptions> }
   /** The field of a setting holds a value that is not allowed. */
@@ -22,22 +31,38 @@ export type BlockAction =
   | { type: 'done'; key: string; view: BlockView; files: readonly BlockFile[]; seconds: number }
   /** `failure`: null where the user ended it. */
   | { type: 'ended'; failure: string | null }
-  | { type: 'openedFile'; view: BlockView }
+  /** The block on the screen in the system of an orthophoto, or as it was before; `edits`: those that it has there. */
+  | { type: 'onGround'; view: BlockView; edits: readonly BlockEdit[]; ground: OnGround | null }
+  /** `edits`: those that it was saved with. */
+  | { type: 'openedFile'; view: BlockView; edits: readonly BlockEdit[] }
   /** What the browser kept. */
   | { type: 'restored'; restored: RestoredBlock }
   /** Nothing is on the page any more, and all options have their defaults. */
   | { type: 'cleared' }
   | { type: 'clear' }
-  | { type: 'choose'; choice: Choice | null }
+  | SelectionAction
+  | PanesAction
+  | EditsAction
+  | PlacingAction
+  | { type: 'stage'; view: ViewName }
   | { type: 'openedPair'; images: [number, number] | null }
   | { type: 'notice'; notice: Notice | null };
 
 export function reduceBlock(state: BlockState, action: BlockAction): BlockState {
+  const after = reduced(state, action);
+  return action.type === 'choose' || action.type === 'choosePlaced' ? together(state, after) : after;
+}
+
+function reduced(state: BlockState, action: BlockAction): BlockState {
   switch (action.type) {
     case 'ready':
-      return { ...state, catalogue: action.catalogue, options: { ...state.options, settings: action.catalogue.defaults }, flight: action.catalogue.flight };
-    case 'mode':
-      return { ...state, mode: action.mode };
+      return {
+        ...state,
+        catalogue: action.catalogue,
+        options: { ...state.options, settings: action.catalogue.defaults },
+        flight: action.catalogue.flight,
+        placing: { ...state.placing, options: action.catalogue.placing },
+      };
     case 'files':
       return { ...state, files: action.files, truth: action.truth, running: onOtherInput(state.running) };
     case 'options':
@@ -53,22 +78,84 @@ export function reduceBlock(state: BlockState, action: BlockAction): BlockState 
     case 'flight':
       return { ...state, flight: action.flight };
     case 'choose':
-      return { ...state, choice: action.choice };
+    case 'point':
+    case 'filter': {
+      const selection = reduceSelection(state.selection, action);
+      // A point that is measured is the chosen one.
+      const draft = action.type === 'choose' && state.draft?.of != null ? null : state.draft;
+      return selection === state.selection ? state : { ...state, selection, draft };
+    }
+    case 'showImages':
+    case 'moveViews':
+    case 'wholeImages':
+    case 'activeImage':
+    case 'look':
+      return { ...state, panes: reducePanes(state.panes, action) };
+    case 'stage':
+      return { ...state, onStage: action.view };
+    case 'edit':
+    case 'goto':
+    case 'adjusting':
+    case 'edited':
+    case 'editRefused':
+    case 'draft':
+      return reduceEdits(state, action);
+    case 'orthophoto':
+    case 'heights':
+    case 'placingOptions':
+    case 'purpose':
+    case 'placing':
+    case 'placed':
+    case 'choosePlaced':
+    case 'pointPlaced':
+    case 'picksPlace':
+    case 'linkDraft':
+    case 'adjustsLinks':
+    case 'showLinks': {
+      const placing = reducePlacing(state.placing, action);
+      if (placing === state.placing) return state;
+      // What was said is of what was set before.
+      const isSet = (action.type === 'placingOptions' || action.type === 'purpose') && state.notice?.kind !== 'busy';
+      return { ...state, placing, notice: isSet ? null : state.notice };
+    }
     case 'openedPair':
       return { ...state, opened: action.images };
     case 'notice':
       return { ...state, notice: action.notice };
+    case 'onGround':
+      return state.shown === null ? state : onGround(state, state.shown, action);
     case 'openedFile':
-      return { ...state, ...blank(state), running: { kind: 'no' }, shown: { key: '', view: action.view, files: [], steps: {}, seconds: 0 } };
+      return {
+        ...state,
+        ...blank(state),
+        panes: panesInOtherView(state.panes, null, action.view),
+        ...UNEDITED,
+        history: { edits: action.edits.map((edit) => [edit]), done: action.edits.length },
+        // The truth is that of the photos that were simulated, not of this block.
+        truth: null,
+        running: { kind: 'no' },
+        shown: { key: '', view: action.view, found: action.view, edits: action.edits, files: [], steps: {}, seconds: 0, ground: null },
+      };
     case 'restored':
-      return { ...BLOCK_INITIAL, mode: state.mode, catalogue: state.catalogue, ...action.restored };
+      return { ...BLOCK_INITIAL, catalogue: state.catalogue, ...action.restored, onStage: viewOf(action.restored) };
     case 'cleared':
-      return state.catalogue === null ? state : reduceBlock({ ...BLOCK_INITIAL, mode: state.mode }, { type: 'ready', catalogue: state.catalogue });
+      return state.catalogue === null ? state : reduceBlock(BLOCK_INITIAL, { type: 'ready', catalogue: state.catalogue });
     case 'clear':
-      return { ...BLOCK_INITIAL, mode: state.mode, catalogue: state.catalogue, options: state.options, flight: state.flight };
+      return {
+        ...BLOCK_INITIAL,
+        catalogue: state.catalogue,
+        options: state.options,
+        flight: state.flight,
+        placing: { ...NO_PLACING, options: state.placing.options },
+      };
     default:
       return withRun(state, action);
   }
+}
+
+/** The view that shows what was kept: images on an orthophoto are no block, whose views would have nothing. */
+function viewOf({ shown, placing }: RestoredBlock): ViewName {
+  return shown === null && placing.orthophoto !== null ? 'orthophoto' : BLOCK_INITIAL.onStage;
 }
 
 /** A run that goes on keeps what it was given; of one that was ended nothing is left to take up as it was. */
@@ -77,17 +164,30 @@ function onOtherInput(running: BlockState['running']): BlockState['running'] {
 }
 
 /** What refers to the images of a block that is no longer shown. */
-function blank(state: BlockState): Pick<BlockState, 'choice' | 'opened' | 'notice'> {
-  return { choice: null, opened: null, notice: state.notice?.kind === 'busy' ? null : state.notice };
+function blank(state: BlockState): Pick<BlockState, 'selection' | 'opened' | 'notice'> {
+  return { selection: NOTHING_SELECTED, opened: null, notice: state.notice?.kind === 'busy' ? null : state.notice };
 }
 
-/** What was chosen, by the names of its images in another view of them; null where they are not in it. */
-function sameChoice({ shown, choice }: BlockState, view: BlockView): Choice | null {
-  if (shown === null || choice === null) return null;
-  const place = (image: number) => view.images.findIndex(({ name }) => name === shown.view.images[image]?.name);
-  if (choice.kind === 'image') return place(choice.image) < 0 ? null : { kind: 'image', image: place(choice.image) };
-  const images: [number, number] = [place(choice.images[0]), place(choice.images[1])];
-  return images.includes(-1) ? null : { kind: 'pair', images };
+/** What refers to the images of a block, in another view of them. */
+function inOther({ selection, panes, shown }: BlockState, view: BlockView): Pick<BlockState, 'selection' | 'panes'> {
+  const before = shown?.view ?? null;
+  return { selection: inOtherView(selection, before, view), panes: panesInOtherView(panes, before, view) };
+}
+
+function onGround(state: BlockState, shown: Shown, { view, edits: own, ground }: Extract<BlockAction, { type: 'onGround' }>): BlockState {
+  const { edits, said } = carriedToGround(state, view);
+  const { orthophoto } = state.placing;
+  // One that was made of the block in another system does not lie under it.
+  const placing = orthophoto?.ofBlock === shown.key ? { ...state.placing, orthophoto: { ...orthophoto, ofBlock: '' } } : state.placing;
+  return {
+    ...state,
+    ...blank(state),
+    ...inOther(state, view),
+    ...edits,
+    ...(said === '' ? {} : { notice: { kind: 'info', text: said, beside: true } }),
+    placing,
+    shown: { ...shown, view, found: view, edits: own, ground },
+  };
 }
 
 type RunAction = Extract<BlockAction, { type: 'started' | 'step' | 'part' | 'done' | 'ended' }>;
@@ -103,17 +203,20 @@ function withRun(state: BlockState, action: RunAction): BlockState {
     case 'part': {
       if (running.kind !== 'yes' || (state.shown !== null && !state.shown.view.partial)) return state;
       const { view, files } = action;
-      const shown = { key: running.key, view, files, seconds: 0, steps: {} };
-      return { ...state, shown, opened: null, choice: sameChoice(state, view) };
+      const shown = { key: running.key, view, found: view, edits: [], files, seconds: 0, steps: {}, ground: null };
+      return { ...state, shown, opened: null, ...inOther(state, view) };
     }
     case 'done': {
       const { key, view, files, seconds } = action;
+      const { edits, said } = carried(state, view);
       return {
         ...state,
         ...blank(state),
-        choice: sameChoice(state, view),
+        ...inOther(state, view),
+        ...edits,
+        ...(said === '' ? {} : { notice: { kind: 'info', text: said, beside: true } }),
         running: { kind: 'no' },
-        shown: { key, view, files, seconds, steps: running.kind === 'yes' ? running.steps : {} },
+        shown: { key, view, found: view, edits: [], files, seconds, steps: running.kind === 'yes' ? running.steps : {}, ground: null },
       };
     }
     case 'ended':

@@ -1,18 +1,20 @@
 /** The state of the block's part of the page. */
 import type { Step, StageName } from '../../../pkg/block/index.js';
-import type { BlockFlight, BlockModel, BlockSettings, Parameter } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockFlight, BlockModel, BlockSettings, Parameter, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
 import type { Notice } from '../../shared/state/notice';
 import type { Labels } from '../../shared/text/names';
+import { UNEDITED } from './edited';
+import type { Edits } from './edited';
+import type { BlockFile, TextFile } from './file';
+import { NO_PANES } from './panes';
+import type { Panes } from './panes';
+import { NO_PLACING } from './placing';
+import type { OnGround, Placing } from './placing';
+import { NOTHING_SELECTED } from './selection';
+import type { Selection } from './selection';
 import type { BlockView } from './view';
 
-/** An image file of a block. */
-export interface BlockFile {
-  /** Differs for every file ever given. */
-  id: number;
-  /** No two of a block have the same. */
-  name: string;
-  file: Blob;
-}
+export type { BlockFile, TextFile } from './file';
 
 /** What the crate says of blocks: read once, when the module is there. */
 export interface BlockCatalogue {
@@ -20,14 +22,10 @@ export interface BlockCatalogue {
   defaults: BlockSettings;
   flightParameters: Parameter[];
   flight: BlockFlight;
+  placingParameters: Parameter[];
+  placing: PlacingOptions;
   /** Of these and the pair's: messages name any of them. */
   labels: Labels;
-}
-
-/** A file that was read as text. */
-export interface TextFile {
-  name: string;
-  text: string;
 }
 
 /** What the user chooses of a run. */
@@ -42,14 +40,8 @@ export interface BlockOptions {
   masks: readonly BlockFile[];
 }
 
-export type Mode = 'pair' | 'block';
-
-export function isMode(text: string): text is Mode {
-  return text === 'pair' || text === 'block';
-}
-
-/** An image or a pair that is looked at. */
-export type Choice = { kind: 'image'; image: number } | { kind: 'pair'; images: [number, number] };
+/** What the stage shows of the block. */
+export type ViewName = 'map' | 'matrix' | 'images' | 'plots' | 'orthophoto';
 
 /** How far each stage is that was begun. */
 export type Steps = Partial<Record<StageName, Step>>;
@@ -63,15 +55,20 @@ export type Running =
 /** A block, and what it was made from. */
 export interface Shown {
   key: string;
+  /** The block as it was found or opened: the same one whatever is edited. */
+  found: BlockView;
+  /** The edits that the view is made of. */
+  edits: readonly BlockEdit[];
   view: BlockView;
   /** Empty for a block that was opened. */
   files: readonly BlockFile[];
   steps: Steps;
   seconds: number;
+  /** Null for one that was not placed here. */
+  ground: OnGround | null;
 }
 
-export interface BlockState {
-  mode: Mode;
+export interface BlockState extends Edits {
   catalogue: BlockCatalogue | null;
   files: readonly BlockFile[];
   /** Of photos that were simulated. */
@@ -83,14 +80,19 @@ export interface BlockState {
   running: Running;
   /** The block on the screen. */
   shown: Shown | null;
-  choice: Choice | null;
+  selection: Selection;
+  /** What the images view shows. */
+  panes: Panes;
+  /** Images on an orthophoto. */
+  placing: Placing;
+  /** The view on the stage. */
+  onStage: ViewName;
   /** The pair of the block that the pair's part shows. */
   opened: [number, number] | null;
   notice: Notice | null;
 }
 
 export const BLOCK_INITIAL: BlockState = {
-  mode: 'pair',
   catalogue: null,
   files: [],
   truth: null,
@@ -99,7 +101,11 @@ export const BLOCK_INITIAL: BlockState = {
   flight: null,
   running: { kind: 'no' },
   shown: null,
-  choice: null,
+  selection: NOTHING_SELECTED,
+  panes: NO_PANES,
+  placing: NO_PLACING,
+  ...UNEDITED,
+  onStage: 'map',
   opened: null,
   notice: null,
 };
@@ -114,6 +120,13 @@ export function isOutdated(state: BlockState): boolean {
   return state.shown !== null && state.shown.files.length > 0 && state.shown.key !== wantedKey(state);
 }
 
-export function isBusy({ running, notice }: BlockState): boolean {
-  return running.kind === 'yes' || notice?.kind === 'busy';
+export function isBusy({ running, notice, placing }: BlockState): boolean {
+  return running.kind === 'yes' || notice?.kind === 'busy' || placing.running !== null;
+}
+
+/** The files of the images of the block that is shown, as far as they are there. */
+export function imagesOfBlock({ shown, files }: Pick<BlockState, 'shown' | 'files'>): readonly BlockFile[] {
+  if (shown === null) return [];
+  const byName = new Map([...files, ...shown.files].map((file) => [file.name, file]));
+  return shown.view.images.flatMap(({ name }) => byName.get(name) ?? []);
 }

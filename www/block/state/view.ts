@@ -1,5 +1,16 @@
 /** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
-import type { BlockScore, BlockVerdict, CheckSummary, Connection, ExportFormat, Camera, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
+import type {
+  BlockScore,
+  BlockVerdict,
+  Camera,
+  CheckSummary,
+  Connection,
+  ExportFormat,
+  OnOrthophoto,
+  RefinementOutcome,
+  SurveyedPoint,
+  TwoView,
+} from '../../../pkg/wasm/tiepoint.js';
 
 export interface ViewImage {
   name: string;
@@ -14,10 +25,12 @@ export interface ViewImage {
   rays: number;
   rmsePx: number | null;
   oriented: boolean;
+  /** Its projection centre; null where it is not oriented. */
+  position: readonly [number, number, number] | null;
   /** Of EXIF, 1 to 8: how the stored rows and columns lie; they are taken as they are stored. Null where it is not told. */
   exifOrientation: number | null;
-  /** Why it is not oriented, in words; empty where it is. */
-  why: string;
+  /** Why it is not oriented, in words; empty where it is, null while no image is. */
+  why: string | null;
 }
 
 export interface ViewCamera {
@@ -30,14 +43,21 @@ export interface ViewCamera {
   focalErrorPx: number | null;
 }
 
+/** What relates two views, with the standard error of a coordinate. */
+export interface ViewGeometry {
+  kind: TwoView['model']['kind'];
+  degenerate: TwoView['degenerate'];
+  sigmaPx: number;
+}
+
 export interface ViewConnection {
   images: [number, number];
   rule: Connection['rule'];
   outcome: Connection['outcome'];
   /** Why the images are connected or are not, in words. */
   reason: string;
-  /** What relates the views, with the standard error of a coordinate; empty where nothing does. */
-  geometry: string;
+  /** Null where nothing relates the views. */
+  geometry: ViewGeometry | null;
   /** Multi-ray points that both see. */
   shared: number;
   /** Of them, the points that were chosen and kept. */
@@ -55,6 +75,10 @@ export interface Layout {
 /** One a point. */
 export interface ViewPoints {
   count: number;
+  /** The first of them, so many, take part; the others were rejected by hand. */
+  taking: number;
+  /** What each is, as a code (see `edits.ts`); empty where the block is not oriented. */
+  sources: Float64Array;
   rays: Uint16Array;
   /** NaN where the points are not adjusted. */
   rmsePx: Float64Array;
@@ -77,6 +101,16 @@ export interface RayCount {
 export interface SkippedImage {
   name: string;
   reason: string;
+}
+
+/** A surveyed point, with what it is in the block. */
+export interface ViewSurveyed extends SurveyedPoint {
+  /** Its number among the surveyed points that were given. */
+  control: number;
+  /** Index of the point. */
+  point: number;
+  /** Whether it takes part; else it was left out by hand. */
+  isUsed: boolean;
 }
 
 export interface BlockView {
@@ -104,8 +138,12 @@ export interface BlockView {
   oriented: number;
   /** What the block is worth, in one sentence; null while it is under way. */
   verdict: { kind: BlockVerdict['kind']; text: string } | null;
+  /** What came of the orthophoto that it was given, in one sentence; null where it was given none. */
+  orthophoto: { kind: OnOrthophoto['kind']; text: string } | null;
   rmsePx: number | null;
   sigma0Px: number | null;
+  /** Ground control points and check points of the block. */
+  surveyed: readonly ViewSurveyed[];
   /** What check points say of the block; null without any. */
   checks: CheckSummary | null;
   /** How near a simulated block is to its truth. */

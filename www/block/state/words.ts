@@ -1,7 +1,9 @@
 /** What the page says of an image or a pair of a block. */
 import { count, fixed } from '../../shared/text/format';
-import type { Choice } from './state';
-import type { BlockView, ViewConnection } from './view';
+import type { Choice } from './selection';
+import type { BlockView, ViewConnection, ViewGeometry } from './view';
+import { message } from '../../shared/text/messages';
+import { say } from '../../shared/text/words';
 
 /** The connection of two images; undefined where they were not tried. */
 export function connectionOf(view: BlockView, [a, b]: readonly [number, number]): ViewConnection | undefined {
@@ -27,8 +29,24 @@ export function matchesOf({ outcome }: ViewConnection): number {
   return outcome.kind === 'connected' ? outcome.matches : 0;
 }
 
+/** Of the pair that has most. */
+export function mostMatches({ connections }: BlockView): number {
+  return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+}
+
 export function describe(view: BlockView, choice: Choice): string {
-  return choice.kind === 'image' ? describeImage(view, choice.image) : describePair(view, choice.images);
+  switch (choice.kind) {
+    case 'image':
+      return describeImage(view, choice.image);
+    case 'pair':
+      return describePair(view, choice.images);
+    case 'point':
+      return describePoint(view, choice.point);
+    case 'observation':
+      return `${view.images[choice.image]?.name ?? ''}, ${describePoint(view, choice.point)}`;
+    case 'points':
+      return describePoints(view, choice.points);
+  }
 }
 
 function describeImage(view: BlockView, index: number): string {
@@ -36,21 +54,79 @@ function describeImage(view: BlockView, index: number): string {
   if (image === undefined) return '';
   const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === 'connected').length;
   const parts = [
-    `${image.name}: ${image.features === null ? '' : `${count(image.features)} features, `}${count(image.rays)} observations${image.places === null ? '' : ` in ${String(image.places)} of 9 von Gruber positions`}`,
-    `connected with ${count(partners)} of ${count(view.images.length - 1)} images`,
-    image.rmsePx === null ? '' : `RMSE ${fixed(image.rmsePx, 2)} px`,
-    image.oriented ? 'oriented' : image.why,
+    say('observations-4', {
+      name: image.name,
+      what: image.features === null ? '' : say('features-2', { features: image.features }),
+      rays: image.rays,
+      what_2: image.places === null ? '' : say('in-of-9-von-gruber', { places: image.places }),
+    }),
+    say('connected-with-of-images', { partners, images: view.images.length - 1 }),
+    image.rmsePx === null ? '' : say('rmse-px-3', { rmse_px: image.rmsePx }),
+    image.oriented ? say('oriented') : (image.why ?? say('not-oriented-yet')),
     // 1 is the usual one.
-    image.exifOrientation === null || image.exifOrientation === 1 ? '' : `used as stored, EXIF orientation ${String(image.exifOrientation)}`,
+    image.exifOrientation === null || image.exifOrientation === 1 ? '' : say('used-as-stored-exif-orientation', { exif_orientation: image.exifOrientation }),
   ];
   return `${parts.filter((part) => part !== '').join('; ')}.`;
+}
+
+const GEOMETRIES = new WeakMap<ViewGeometry, string>();
+
+/** What relates two views, in words; empty where nothing does. */
+export function geometryText(geometry: ViewGeometry | null): string {
+  if (geometry === null) return '';
+  const { kind, degenerate, sigmaPx } = geometry;
+  const weak = degenerate === null ? null : message('degeneracy', degenerate, 'short');
+  const text = GEOMETRIES.get(geometry) ?? say('geometry', { model: message('two_view_model', { kind }, 'short'), weak, sigma_px: sigmaPx });
+  GEOMETRIES.set(geometry, text);
+  return text;
 }
 
 function describePair(view: BlockView, images: readonly [number, number]): string {
   const names = images.map((image) => view.images[image]?.name ?? '').join(' – ');
   const connection = connectionOf(view, images);
-  if (connection === undefined) return `${names}: this pair was not tried (the choice of pairs skips it).`;
+  if (connection === undefined) return say('this-pair-was-not-tried', { names });
   const { reason, geometry, shared, chosen } = connection;
-  const parts = [reason.replace(/\.$/u, ''), geometry, shared > 0 ? `${count(shared)} common points, ${count(chosen)} selected` : ''];
+  const parts = [reason.replace(/\.$/u, ''), geometryText(geometry), shared > 0 ? say('common-points-selected', { shared, chosen }) : ''];
   return `${names}: ${parts.filter((part) => part !== '').join('; ')}.`;
+}
+
+function describePoint({ points, surveyed }: BlockView, point: number): string {
+  const axes = [0, 1, 2].map((axis) => 3 * point + axis);
+  const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(' ');
+  const errors = axes.map((at) => points.errors[at] ?? NaN);
+  const parts = [
+    say('rays-3', {
+      name: surveyed.find((known) => known.point === point)?.name ?? say('point-of-number', { number: point + 1 }),
+      rays: points.rays[point] ?? 0,
+    }),
+    known(points.rmsePx[point]) ? say('rmse-px-3', { rmse_px: points.rmsePx[point] ?? NaN }) : '',
+    known(points.positions[3 * point]) ? `X Y Z ${place}` : say('not-intersected'),
+    errors.every(known) ? `± ${errors.map((error) => fixed(error, 3)).join(' ')}` : '',
+    point < points.taking ? '' : say('rejected-by-hand-2'),
+  ];
+  return `${parts.filter((part) => part !== '').join('; ')}.`;
+}
+
+function describePoints({ points }: BlockView, chosen: Uint32Array): string {
+  let [least, most, squares, adjusted] = [Infinity, 0, 0, 0];
+  for (const point of chosen) {
+    const rays = points.rays[point] ?? 0;
+    [least, most] = [Math.min(least, rays), Math.max(most, rays)];
+    const rmse = points.rmsePx[point] ?? NaN;
+    if (!known(rmse)) continue;
+    squares += rays * rmse * rmse;
+    adjusted += rays;
+  }
+  const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
+  const rays = least === most ? count(most) : say('to', { least, most });
+  return say('tie-points-of-rays', {
+    chosen: chosen.length,
+    rays,
+    what: adjusted > 0 ? say('rmse-px-5', { squares: Math.sqrt(squares / adjusted) }) : '',
+    what_2: gone > 0 ? say('rejected-by-hand-3', { gone }) : '',
+  });
+}
+
+function known(value: number | undefined): boolean {
+  return value !== undefined && !Number.isNaN(value);
 }

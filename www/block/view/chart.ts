@@ -1,23 +1,31 @@
-/** What the picture and the matrix of a block have in common: shown whole until it is moved, pointed at, pressed. */
+/** What the map and the matrix of a block have in common: shown whole until it is moved, pointed at, pressed. */
 import { onRecolour, themeColours } from '../../shared/view/colours';
 import type { Colours } from '../../shared/view/colours';
+import { declare } from '../../shared/view/commands';
+import type { Command } from '../../shared/view/commands';
 import { listen } from '../../shared/view/gestures';
 import { Layers } from '../../shared/view/layers';
-import { panned, zoomedAbout } from '../../shared/view/transform';
-import type { Transform } from '../../shared/view/transform';
+import { panned, resized, zoomedAbout } from '../../shared/view/transform';
+import type { Size, Transform } from '../../shared/view/transform';
 import type { BlockStore } from '../engine/engine';
-import type { Choice } from '../state/state';
+import type { Choice } from '../state/selection';
 import type { BlockView } from '../state/view';
 import { press } from './looking';
 import type { Looking, Zoomable } from './looking';
+import { say } from '../../shared/text/words';
+
+/** What is drawn with Shift held down: from one place of the canvas to another, null where it was given up, by all places on the way. */
+export interface Drawn {
+  from: [number, number];
+  to: [number, number] | null;
+  path: readonly [number, number][];
+}
 
 export abstract class Chart implements Zoomable {
   protected readonly layers: Layers<string>;
-  /** Null: all of it is shown. */
-  private moved: Transform | null = null;
+  /** Where it was moved to, and how large the canvas was; null: all of it is shown. */
+  private moved: { t: Transform; on: Size } | null = null;
   private of: BlockView | null = null;
-  /** What the pointer is over. */
-  protected hovered: Choice | null = null;
 
   constructor(
     host: HTMLElement,
@@ -30,6 +38,7 @@ export abstract class Chart implements Zoomable {
       if (view !== null && view.images.length > 0) this.paint(context, themeColours(), view, this.current(view));
     });
     onRecolour(() => this.layers.redraw());
+    const ofChoice = declare({ where: name === 'map' ? say('map') : say('matrix'), host, list: this.choiceKeys() });
     listen<BlockView>(host, {
       at: () => this.view(),
       focused: () => this.view(),
@@ -38,15 +47,16 @@ export abstract class Chart implements Zoomable {
       zoomMiddle: (factor) => this.zoomMiddle(factor),
       fit: () => this.fit(),
       pressed: (x, y) => press(store, looking, this.choiceAt(x, y)),
+      encloses: (shift) => shift && this.enclosed !== null,
+      enclosed: (view, from, to, ended, path) => this.enclosed?.(view, { from, to, path }, ended),
       pointed: (at, dragging) => {
-        if (!dragging) this.hover(at === null ? null : this.choiceAt(...at));
+        this.placed?.(at);
+        if (!dragging) this.looking.point(at === null ? null : this.choiceAt(...at));
       },
-      command: (key) => this.command(key) || this.commandOfChoice(key),
+      command: (key) => this.command(key) || ofChoice(key, false),
     });
-    store.watch(['shown', 'choice'], ([shown]) => {
-      // What the user looks at stays while more of the same comes in.
-      const same = shown?.view.partial === true && this.of?.partial === true && shown.view.layout.kind === this.of.layout.kind;
-      if (shown?.view !== this.of && !same) this.moved = null;
+    store.watch(['shown', 'selection'], ([shown]) => {
+      if (shown?.view !== this.of && !isSameBlock(this.of, shown?.view ?? null)) this.moved = null;
       this.of = shown?.view ?? null;
       this.layers.redraw();
     });
@@ -60,6 +70,11 @@ export abstract class Chart implements Zoomable {
   protected abstract paint(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, t: Transform): void;
   /** Runs the command of a key; false where it has none. */
   protected abstract command(key: string): boolean;
+
+  /** Takes what is drawn with Shift; `ended`: it stands. Null: nothing can be drawn. */
+  protected readonly enclosed: ((view: BlockView, drawn: Drawn, ended: boolean) => void) | null = null;
+  /** Told where the pointer is; null where it has left. */
+  protected readonly placed: ((at: [number, number] | null) => void) | null = null;
 
   /** Keeps it in sight. */
   protected held(_view: BlockView, t: Transform): Transform {
@@ -81,11 +96,12 @@ export abstract class Chart implements Zoomable {
   }
 
   protected current(view: BlockView): Transform {
-    return this.moved ?? this.whole(view);
+    return this.moved === null ? this.whole(view) : this.held(view, resized(this.moved.t, this.moved.on, this.layers));
   }
 
   protected move(view: BlockView, t: Transform): void {
-    this.moved = this.held(view, t);
+    const { width, height } = this.layers;
+    this.moved = { t: this.held(view, t), on: { width, height } };
     this.layers.redraw();
   }
 
@@ -98,17 +114,25 @@ export abstract class Chart implements Zoomable {
     return view === null ? null : this.hit(view, this.current(view), x, y);
   }
 
-  private hover(choice: Choice | null): void {
-    this.hovered = choice;
-    this.looking.point(choice);
-    this.layers.redraw();
+  /** What keys do with what is chosen. */
+  private choiceKeys(): Command[] {
+    const pair = () => {
+      const { chosen } = this.store.state.selection;
+      return chosen?.kind === 'pair' ? chosen.images : null;
+    };
+    const open = () => {
+      const images = pair();
+      if (images !== null) this.looking.open(images);
+    };
+    return [
+      { keys: ['Enter'], does: say('opens-the-chosen-pair'), can: () => pair() !== null, run: open },
+      { keys: ['Escape'], does: say('chooses-nothing'), run: () => this.looking.choose(null) },
+    ];
   }
+}
 
-  private commandOfChoice(key: string): boolean {
-    const { choice } = this.store.state;
-    if (key === 'Enter' && choice?.kind === 'pair') this.looking.open(choice.images);
-    else if (key === 'Escape') this.looking.choose(null);
-    else return false;
-    return true;
-  }
+/** What the user looks at stays while more of the same comes in, and while the same images are adjusted anew. */
+function isSameBlock(before: BlockView | null, after: BlockView | null): boolean {
+  if (before === null || after === null || before.layout.kind !== after.layout.kind || before.partial !== after.partial) return false;
+  return after.partial || before.images.length === after.images.length;
 }

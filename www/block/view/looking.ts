@@ -1,7 +1,8 @@
-/** What pointing at and pressing on an image or a pair does, in the picture as in the matrix. */
+/** What pointing and pressing does, the same in each view. */
 import type { BlockStore } from '../engine/engine';
 import { isBusy } from '../state/state';
-import type { Choice } from '../state/state';
+import { isSame } from '../state/selection';
+import type { Choice } from '../state/selection';
 
 export interface Looking {
   /** What the pointer is over. */
@@ -19,8 +20,7 @@ export interface Zoomable {
 
 /** A press chooses; a press on the pair that is chosen opens it. */
 export function press(store: BlockStore, looking: Looking, choice: Choice | null): void {
-  const { choice: before } = store.state;
-  const again = choice?.kind === 'pair' && before?.kind === 'pair' && choice.images.every((image) => before.images.includes(image));
+  const again = isSame(choice, store.state.selection.chosen);
   if (choice?.kind === 'pair' && again && !isBusy(store.state)) looking.open(choice.images);
   else looking.choose(choice);
 }

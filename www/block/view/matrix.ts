@@ -4,9 +4,11 @@ import { within } from '../../shared/view/layers';
 import { toCanvas, toPosition } from '../../shared/view/transform';
 import type { Transform } from '../../shared/view/transform';
 import type { BlockStore } from '../engine/engine';
-import type { Choice } from '../state/state';
+import type { Choice } from '../state/selection';
 import type { BlockView } from '../state/view';
-import { connectionOf, connectionsOf, matchesOf } from '../state/words';
+import { keptBy } from '../state/columns';
+import { imagesOf } from '../state/selection';
+import { connectionOf, matchesOf } from '../state/words';
 import { Chart } from './chart';
 import type { Looking } from './looking';
 
@@ -52,8 +54,7 @@ export class Matrix extends Chart {
     const step = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[key];
     const view = this.view();
     if (step === undefined || view === null) return false;
-    const { choice } = this.store.state;
-    const [row, column] = choice === null ? [0, 0] : cellOf(choice);
+    const [row, column] = cellOf(this.store.state.selection.chosen) ?? [0, 0];
     const inside = (index: number) => Math.min(Math.max(index, 0), view.images.length - 1);
     const cell: Cell = [inside(row + (step[0] ?? 0)), inside(column + (step[1] ?? 0))];
     this.looking.choose(choiceOf(cell));
@@ -81,7 +82,9 @@ export class Matrix extends Chart {
     const { scale: side } = t;
     const count = view.images.length;
     const most = view.connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 1);
-    for (const connection of connectionsOf(view).values()) {
+    const keeps = keptBy('pairs', view, this.store.state.selection);
+    for (const [pair, connection] of view.connections.entries()) {
+      if (!keeps(pair)) continue;
       const [a, b] = connection.images;
       const matches = matchesOf(connection);
       const tried = connection.outcome.kind === 'connected';
@@ -108,19 +111,19 @@ export class Matrix extends Chart {
   }
 
   private paintMarks(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, t: Transform): void {
-    const { choice } = this.store.state;
+    const { chosen, pointed } = this.store.state.selection;
     const { scale: side } = t;
     context.strokeStyle = colours.accent;
     context.lineWidth = 2;
-    const cells = [choice?.kind === 'pair' ? choice : null, this.hovered].filter((one) => one !== null);
-    for (const [row, column] of cells.map(cellOf)) {
+    const cells = [chosen?.kind === 'pair' ? chosen : null, pointed].map(cellOf).filter((cell) => cell !== null);
+    for (const [row, column] of cells) {
       context.strokeRect(...toCanvas(t, column, row), side, side);
       if (connectionOf(view, [row, column]) !== undefined) context.strokeRect(...toCanvas(t, row, column), side, side);
     }
-    if (choice?.kind !== 'image') return;
+    if (chosen?.kind !== 'image') return;
     const length = view.images.length * side;
-    context.strokeRect(...toCanvas(t, 0, choice.image), length, side);
-    context.strokeRect(...toCanvas(t, choice.image, 0), side, length);
+    context.strokeRect(...toCanvas(t, 0, chosen.image), length, side);
+    context.strokeRect(...toCanvas(t, chosen.image, 0), side, length);
   }
 }
 
@@ -128,9 +131,10 @@ function choiceOf([row, column]: Cell): Choice {
   return row === column ? { kind: 'image', image: row } : { kind: 'pair', images: [row, column] };
 }
 
-/** Of an image that on the diagonal. */
-function cellOf(choice: Choice): Cell {
-  return choice.kind === 'pair' ? choice.images : [choice.image, choice.image];
+/** Of an image that on the diagonal; null for what has none. */
+function cellOf(choice: Choice | null): Cell | null {
+  const [row, column = row] = imagesOf(choice);
+  return row === undefined || column === undefined ? null : [row, column];
 }
 
 /** A pair that was tried in vain is a small square: told apart from a weak one without its colour. */

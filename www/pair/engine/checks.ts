@@ -1,6 +1,7 @@
 /** What the crate takes of what is typed. The crate itself is asked, so that no range stands here a second time; none of this takes time. */
 import { check_flight, constant_offset, interior, parse_camera } from '../../../pkg/wasm/tiepoint.js';
 import type { CameraMm, Flight } from '../../shared/crate';
+import { refusalText } from '../../shared/text/allowed';
 
 /** The message of the crate's refusal; null where it takes what it is given. */
 function refusalOf(call: () => unknown): string | null {
@@ -8,7 +9,7 @@ function refusalOf(call: () => unknown): string | null {
     call();
     return null;
   } catch (error) {
-    if (error instanceof Error && 'code' in error) return error.message;
+    if (error instanceof Error && 'code' in error) return refusalText(error);
     throw error;
   }
 }
@@ -16,7 +17,7 @@ function refusalOf(call: () => unknown): string | null {
 /** What is allowed instead, in the crate's words; null where it takes what it is given. */
 function allowedInstead(call: () => unknown): string | null {
   const message = refusalOf(call);
-  return message === null ? null : message.replace(/^.*; allowed: /u, '');
+  return message === null ? null : message.replace(/^.*(?:; allowed|؛ المسموح): /u, '');
 }
 
 /** What of a camera is allowed; the rest of it is taken for granted. */

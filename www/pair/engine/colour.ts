@@ -1,9 +1,8 @@
-/** The colours of an image as the browser decodes it, where they lie exactly over the crate's grey values. They are only looked at: nothing is computed from them. */
+/** The colours of an image as the browser decodes it, where they lie exactly over the crate's grey values. */
 import type { ReducedImage } from '../../shared/crate';
 
 /** Larger images are shown in grey: their colours would take more memory than a tab has to spare. */
 const MOST_PIXELS = 50e6;
-const MOST_BYTES = 2 ** 25;
 
 /** Pixels of the reduced image that are looked at, one in so many. */
 const STRIDE = 7;
@@ -15,33 +14,6 @@ const LEAST_COLOURED = 0.001;
 
 /** The decoded pixels lie as the crate's do where their brightness correlates so well. */
 const LEAST_CORRELATION = 0.9;
-
-/** The image as it is stored: the crate too leaves its EXIF orientation aside. Null where the browser cannot decode it. */
-export async function decodeColour(bytes: Uint8Array<ArrayBuffer>): Promise<ImageBitmap | null> {
-  if (bytes.length > MOST_BYTES) return null;
-  try {
-    return await createImageBitmap(new Blob(withoutExif(bytes)));
-  } catch {
-    return null;
-  }
-}
-
-/** A JPEG file without its EXIF segments: browsers turn images by the orientation that stands there, whatever they are asked. Of others all stays. */
-function withoutExif(bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer>[] {
-  const kept: Uint8Array<ArrayBuffer>[] = [];
-  let [from, at] = [0, 2];
-  const isJpeg = bytes[0] === 0xff && bytes[1] === 0xd8;
-  // Up to the first scan.
-  while (isJpeg && bytes[at] === 0xff && bytes[at + 1] !== 0xda && at + 4 < bytes.length) {
-    const next = at + 2 + 256 * (bytes[at + 2] ?? 0) + (bytes[at + 3] ?? 0);
-    if (bytes[at + 1] === 0xe1 && String.fromCharCode(...bytes.subarray(at + 4, at + 8)) === 'Exif') {
-      kept.push(bytes.subarray(from, at));
-      from = next;
-    }
-    at = next;
-  }
-  return [...kept, bytes.subarray(from)];
-}
 
 /** The coloured copy of a reduced image; null where it has no colours, or other pixels than the crate decoded. */
 export function reducedColour(colour: ImageBitmap, grey: ReducedImage, width: number, height: number): ImageBitmap | null {
@@ -63,7 +35,7 @@ export function colourTile(colour: ImageBitmap, level: number, column: number, r
   const [width, height] = [Math.min(side * step, colour.width - left), Math.min(side * step, colour.height - top)];
   const canvas = new OffscreenCanvas(Math.ceil(width / step), Math.ceil(height / step));
   const context = canvas.getContext('2d');
-  if (context === null) throw new Error('this browser offers no canvas to draw on');
+  if (context === null) throw new Error('no canvas can be drawn on here');
   context.imageSmoothingQuality = 'high';
   context.drawImage(colour, left, top, width, height, 0, 0, width / step, height / step);
   return canvas.transferToImageBitmap();

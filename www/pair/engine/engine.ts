@@ -13,6 +13,7 @@ import { WorkerPool } from '../../shared/engine/pool';
 import { RUNS } from './runs';
 import { STAGES, STAGE_NAMES } from '../state/stages';
 import type { WorkerName } from '../state/stages';
+import { say } from '../../shared/text/words';
 
 /** Quiet time after a change of settings before work starts, in ms. */
 const DEBOUNCE_MS = 150;
@@ -21,8 +22,8 @@ const OVERVIEW_SIDE = 2048;
 
 export class Engine implements Workers {
   private clients: Record<WorkerName, PairClient> = {
-    left: new WorkerClient<PairCalls>('left image'),
-    right: new WorkerClient<PairCalls>('right image'),
+    left: new WorkerClient<PairCalls>(say('left-image')),
+    right: new WorkerClient<PairCalls>(say('right-image')),
     pair: new WorkerClient<PairCalls>('pair'),
     preview: new WorkerClient<PairCalls>('preview'),
     report: new WorkerClient<PairCalls>('report'),
@@ -46,7 +47,7 @@ export class Engine implements Workers {
 
   /** Opens an image in the worker of a side; the earlier answer where that worker holds it already. */
   open(side: Side, image: GivenImage): Promise<Output<'open'>> {
-    if (image.source.kind === 'project') return Promise.reject(new Error(`the project does not hold its images; open ${image.name} too`));
+    if (image.source.kind === 'project') return Promise.reject(new Error(say('the-project-does-not-hold', { name: image.name })));
     const client = this.clients[side];
     const tag = lifeTag(client, String(image.id));
     const held = this.opened.get(client);

@@ -4,47 +4,48 @@ import type { StageName } from '../state/state';
 import type { Catalogue } from '../../shared/crate';
 import { CallError } from '../../shared/engine/client';
 import { STAGES } from '../state/stages';
-import { messageOf } from '../../shared/text/format';
+import { say } from '../../shared/text/words';
+import { messageOf } from '../../shared/text/messages';
 
-const KEPT = 'Images, settings and earlier results are kept.';
+const KEPT = say('images-settings-and-earlier-results');
 
 function advice(stage: StageName): string {
   switch (stage) {
     case 'openLeft':
     case 'openRight':
-      return 'Try a smaller image, or close other tabs.';
+      return say('try-a-smaller-image-or');
     case 'pointsLeft':
     case 'pointsRight':
-      return 'Try a higher threshold or a smaller image, then run again.';
+      return say('try-a-higher-threshold-or');
     case 'descriptorsLeft':
     case 'descriptorsRight':
     case 'match':
-      return 'Try fewer points (a higher threshold, a larger suppression window) or a smaller search window, then run again.';
+      return say('try-fewer-points-a-higher');
     default:
-      return 'Change a setting or run again.';
+      return say('change-a-setting-or-run');
   }
 }
 
 /** A sentence or two for the user. */
 export function plainMessage(stage: StageName, error: unknown, catalogue: Catalogue | null): string {
   const text = readable(catalogue, messageOf(error));
-  if (!(error instanceof CallError)) return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT}`;
+  if (!(error instanceof CallError)) return say('failed', { label: capital(STAGES[stage].label), text, kept: KEPT });
   switch (error.failure.kind) {
     case 'refused':
       // Of two images it says which; what is wrong with a setting is wrong with both.
       return error.failure.code === 'image-too-small' ? `${sideOf(stage)}${text}.` : `${capital(text)}.`;
     case 'memory':
-      return `Memory ran out while ${STAGES[stage].label} (${text}). ${KEPT} ${advice(stage)}`;
+      return say('memory-ran-out-while', { label: STAGES[stage].label, text, kept: KEPT, stage: advice(stage) });
     case 'fault':
-      return `The program broke off while ${STAGES[stage].label} (${text}): a fault of its own, please report it. ${KEPT} ${advice(stage)}`;
+      return say('the-program-broke-off-while', { label: STAGES[stage].label, text, kept: KEPT, stage: advice(stage) });
     case 'other':
-      return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT} ${advice(stage)}`;
+      return say('failed-2', { label: capital(STAGES[stage].label), text, kept: KEPT, stage: advice(stage) });
   }
 }
 
 function sideOf(stage: StageName): string {
   const side = /(Left|Right)$/u.exec(stage)?.[1];
-  return side === undefined ? '' : `${side} image: `;
+  return side === undefined ? '' : say('image-3', { side });
 }
 
 function capital(text: string): string {

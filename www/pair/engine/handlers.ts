@@ -26,10 +26,11 @@ import {
 import type { Handlers } from '../../shared/engine/messages';
 import type { ImageSource } from '../state/data';
 import type { Input, Output, PairCalls } from './calls';
-import { colourTile, decodeColour, reducedColour } from './colour';
+import { decodeColour } from '../../shared/engine/colour';
+import { bitmapOf, tileOf } from '../../shared/engine/tiles';
+import { colourTile, reducedColour } from './colour';
 import { overlayOf, shareLeftOut } from './mask';
 import { patchOf } from './patch';
-import { bitmapOf, tileOf } from './tiles';
 
 interface OpenPhoto {
   photo: Photo;

@@ -5,7 +5,7 @@ import { knownInterior } from '../state/interior';
 import { comparesGradients, comparesGreyValues } from '../state/keys';
 import { readable } from '../../shared/text/names';
 import { leftIndexOf, placeOf } from '../state/selected';
-import type { Position } from '../state/selected';
+import type { Position } from '../../shared/state/pane';
 import { otherSide } from '../state/state';
 import type { FeatureView, Inspection, PointWindow, SeenAt, Side, StageValues, State } from '../state/state';
 import { CallError } from '../../shared/engine/client';

@@ -1,5 +1,4 @@
 /** How each stage is computed: which calls, on which worker, from which results. */
-import { message } from '../../shared/crate';
 import type { Side, StageName, StageValues, State } from '../state/state';
 import { editedPair } from '../state/edited';
 import type { Edited } from '../state/edited';
@@ -9,6 +8,7 @@ import { truthOf } from '../state/truth';
 import { matchInput, needed, settingsOf } from './inputs';
 import type { Run } from './inputs';
 import { inspection, line } from './inspect';
+import { message } from '../../shared/text/messages';
 
 /** Longest side of the copies from which the offset is estimated, in px. */
 const OFFSET_SIDE = 1024;

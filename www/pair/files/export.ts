@@ -10,6 +10,7 @@ import { truthOf } from '../state/truth';
 import type { Side, State } from '../state/state';
 import { save } from '../../shared/files/save';
 import type { View } from '../view/view';
+import { say } from '../../shared/text/words';
 
 /** Rows of a flat array. */
 function rows(values: ArrayLike<number>, stride: number): number[][] {
@@ -155,7 +156,7 @@ export function exportEverything(state: State): void {
 export async function exportPicture(state: State, view: View): Promise<void> {
   const canvas = view.snapshot();
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
-  if (blob === null) throw new Error('the picture is too large for this browser to encode; make the window smaller');
+  if (blob === null) throw new Error(say('the-picture-is-too-large'));
   save(blob, `${baseName(state)}.png`);
 }
 

@@ -1,75 +1,46 @@
-/** The journal of the edits by hand, kept in pieces: an edit writes the last piece alone. */
+/** The journal of the edits of a pair, and of pairs that are not on the page. */
 import type { Kept } from '../../shared/files/database';
+import { doneFrom, Journal as Edits } from '../../shared/files/journal';
 import { likeOf, listOf, objectOf } from '../../shared/files/keepable';
-import { NO_HISTORY } from '../state/edits';
-import type { Edit, History, Place, Target } from '../state/edits';
+import type { History } from '../../shared/state/history';
+import type { Edit, Place, Target } from '../state/edits';
 import type { State } from '../state/state';
+import { say } from '../../shared/text/words';
 
-const HEAD = 'pair/edits';
-const PIECE = 'pair/edits/';
 /** Edits of pairs that are not on the page. */
 const SHELF = 'pair/shelf';
-/** Edits of a piece. */
-const SIDE = 64;
 /** About what a match takes in an edit, in bytes. */
 const OF_MATCH = 40;
 
 export class Journal {
-  private head: { done: number; pieces: number } = { done: 0, pieces: 0 };
-  private pieces: readonly (readonly Edit[])[] = [];
+  private readonly edits = new Edits('pair/edits', editFrom, bytesOf);
 
   /** What is kept of the edits; what has not changed is the same value as before. Nothing where there are none. */
-  parts({ history: { edits, done }, shelf }: Pick<State, 'history' | 'shelf'>): Map<string, Kept> {
-    const parts = new Map<string, Kept>();
-    if (shelf.size > 0) parts.set(SHELF, { value: shelf, bytes: [...shelf.values()].reduce((sum, other) => sum + bytesOf(other.edits), 0) });
-    const pieces = Math.ceil(edits.length / SIDE);
-    this.pieces = Array.from({ length: pieces }, (_, i) => same(this.pieces[i], edits, i * SIDE));
-    if (this.head.done !== done || this.head.pieces !== pieces) this.head = { done, pieces };
-    if (pieces === 0) return parts;
-    parts.set(HEAD, { value: this.head, bytes: OF_MATCH });
-    for (const [i, piece] of this.pieces.entries()) parts.set(PIECE + String(i), { value: piece, bytes: bytesOf(piece) });
+  parts({ history, shelf }: Pick<State, 'history' | 'shelf'>): Map<string, Kept> {
+    const parts = this.edits.parts(history);
+    if (shelf.size > 0) parts.set(SHELF, { value: shelf, bytes: [...shelf.values()].reduce((sum, other) => sum + this.edits.size(other.edits), 0) });
     return parts;
   }
 
   /** @throws Error naming what is damaged */
   read(parts: ReadonlyMap<string, unknown>): Pick<State, 'history' | 'shelf'> {
-    return { history: historyFrom(parts), shelf: shelfFrom(parts.get(SHELF)) };
+    return { history: this.edits.read(parts), shelf: shelfFrom(parts.get(SHELF)) };
   }
-}
-
-function historyFrom(parts: ReadonlyMap<string, unknown>): History {
-  const value = parts.get(HEAD);
-  if (value === undefined) return NO_HISTORY;
-  const { done, pieces } = objectOf(value, 'edits');
-  const list = Array.from({ length: likeOf(pieces, 0, 'edits.pieces') }, (_, i) => parts.get(PIECE + String(i)));
-  const edits = list.flatMap((piece, i) => listOf(piece, `edits[${String(i)}]`, editFrom));
-  return { edits, done: doneFrom(done, edits, 'edits.done') };
-}
-
-function doneFrom(value: unknown, edits: readonly Edit[], name: string): number {
-  return Math.min(edits.length, Math.max(0, Math.trunc(likeOf(value, 0, name))));
 }
 
 function shelfFrom(value: unknown): State['shelf'] {
   if (value === undefined) return new Map();
-  if (!(value instanceof Map)) throw new Error('the edits of other pairs are damaged');
-  const entry = ([key, kept]: [unknown, unknown]): [string, History] => {
+  if (!(value instanceof Map)) throw new Error(say('the-edits-of-other-pairs'));
+  const entry = ([key, kept]: [unknown, unknown]): [string, History<Edit>] => {
     const { edits, done } = objectOf(kept, 'shelf');
     const list = listOf(edits, 'shelf.edits', editFrom);
-    return [likeOf(key, '', 'shelf'), { edits: list, done: doneFrom(done, list, 'shelf.done') }];
+    return [likeOf(key, '', 'shelf'), { edits: list, done: doneFrom(done, list.length, 'shelf.done') }];
   };
   return new Map([...value].map(entry));
 }
 
-/** The piece that begins at an edit; the earlier one where it holds the same edits. */
-function same(earlier: readonly Edit[] | undefined, edits: readonly Edit[], from: number): readonly Edit[] {
-  const length = Math.min(SIDE, edits.length - from);
-  const stays = earlier?.length === length && earlier.every((edit, i) => edit === edits[from + i]);
-  return stays ? earlier : edits.slice(from, from + length);
-}
-
-function bytesOf(piece: readonly Edit[]): number {
-  return piece.reduce((sum, edit) => sum + OF_MATCH * (edit.kind === 'reject' || edit.kind === 'restore' ? edit.of.length : 2), 0);
+function bytesOf(edit: Edit): number {
+  return OF_MATCH * (edit.kind === 'reject' || edit.kind === 'restore' ? edit.of.length : 2);
 }
 
 /** @throws Error naming the field that is damaged */
@@ -85,7 +56,7 @@ function editFrom(value: unknown, name: string): Edit {
     case 'move':
       return { kind, of: targetFrom(edit['of'], `${name}.of`), to: placeFrom(edit['to'], `${name}.to`) };
     default:
-      throw new Error(`the field ${name}.kind is damaged`);
+      throw new Error(say('the-field-kind-is-damaged', { name }));
   }
 }
 
@@ -95,6 +66,6 @@ function targetFrom(value: unknown, name: string): Target {
 
 function placeFrom(value: unknown, name: string): Place {
   const [xl = NaN, yl = NaN, xr = NaN, yr = NaN, ...more] = listOf(value, name, (number, at) => likeOf(number, 0, at));
-  if (more.length > 0 || [xl, yl, xr, yr].some(Number.isNaN)) throw new Error(`the field ${name} is damaged`);
+  if (more.length > 0 || [xl, yl, xr, yr].some(Number.isNaN)) throw new Error(say('the-field-is-damaged', { name }));
   return [xl, yl, xr, yr];
 }

@@ -18,6 +18,7 @@ import { Journal } from './journal';
 import { freshId, MASK_SIDE } from './open';
 import { standingFor } from '../state/project';
 import { projectText, readProject } from './project';
+import { say } from '../../shared/text/words';
 
 const GIVEN = 'pair';
 const RESULT = 'pair/result';
@@ -124,7 +125,7 @@ export class KeptPairs implements Keepable {
       if (result !== null) this.made = { kept: result.kept, results: resultsOf(unedited(this.store.state)) };
       const names = this.images();
       if (names.length === 0) return;
-      const text = `Restored from this browser: ${titleOf({ name: null, images: names })}.`;
+      const text = say('restored-from-this-browser-2', { title_of: titleOf({ name: null, images: names }) });
       this.store.dispatch({ type: 'notice', notice: { kind: 'info', text } });
     };
   }
@@ -287,7 +288,7 @@ function typedFrom(value: unknown, { defaults }: Catalogue, name: string): Typed
 /** @throws Error where the file is not there */
 function sourceFrom(parts: ReadonlyMap<string, unknown>, file: string): ImageSource {
   const source = objectOf(parts.get(FILE + file), `file ${file}`) as unknown as ImageSource;
-  if (source.kind === 'file' && !(source.file instanceof Blob)) throw new Error('an image is damaged');
+  if (source.kind === 'file' && !(source.file instanceof Blob)) throw new Error(say('an-image-is-damaged'));
   nameOf(source, file);
   return source;
 }
@@ -296,7 +297,7 @@ function sourceFrom(parts: ReadonlyMap<string, unknown>, file: string): ImageSou
 function truthFrom(truth: NonNullable<KeptPair['truth']>, kept: KeptPair, parts: ReadonlyMap<string, unknown>, images: State['images']): FlightTruth {
   const { file, ...known } = truth;
   const rightPosition = parts.get(FILE + file);
-  if (!(rightPosition instanceof Float32Array)) throw new Error('the truth of the simulated pair is damaged');
+  if (!(rightPosition instanceof Float32Array)) throw new Error(say('the-truth-of-the-simulated'));
   nameOf(rightPosition, file);
   const idOf = (id: number) => {
     const side = SIDES.find((one) => kept.images[one]?.id === id);

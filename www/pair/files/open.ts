@@ -2,7 +2,7 @@
 import { breakdownOf, Cancelled } from '../../shared/engine/client';
 import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
-import { messageOf, sentence } from '../../shared/text/format';
+import { sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
 import { isWorthKeeping } from '../state/kept';
 import { editsOfFile } from '../state/project';
@@ -17,6 +17,8 @@ import { panesOf } from '../view/geometry';
 import type { View } from '../view/view';
 import { readProject, sideOfFile } from './project';
 import { sortFiles } from './sort';
+import { say } from '../../shared/text/words';
+import { messageOf } from '../../shared/text/messages';
 
 /** Longest side of the copy of a mask that is shown, px. */
 export const MASK_SIDE = 1024;
@@ -44,9 +46,9 @@ const info = (text: string): Told => ({ kind: 'info', text });
 /** A file holds the matches as the edits left them, and not the edits. */
 function editsToldOf({ project }: OpenedProject): Told {
   const { rejected, manual } = editsOfFile(project);
-  const of = (number: number, what: string) => (number === 0 ? [] : [`${String(number)} ${number === 1 ? 'match' : 'matches'} ${what} by hand`]);
+  const of = (number: number, what: string) => (number === 0 ? [] : [say('matches-by-hand', { number, what })]);
   const said = [...of(rejected, 'rejected'), ...of(manual, 'measured')];
-  return said.length === 0 ? null : info(`It holds ${said.join(' and ')}; the history of these edits is not in the file, so they cannot be undone.`);
+  return said.length === 0 ? null : info(say('it-holds-the-history-of', { join: said.join(say('and-between')) }));
 }
 
 export class Files {
@@ -104,14 +106,14 @@ export class Files {
 
   /** Opens a pair that was saved. */
   async takeProject(file: File): Promise<void> {
-    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Reading ${file.name} …` } });
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('reading', { name: file.name }) } });
     try {
       const opened = await readProject(this.engine, file, freshId);
       const aside = await this.leave();
       this.store.dispatch({ type: 'opened', opened });
-      this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`), editsToldOf(opened), aside]);
+      this.tell([info(say('was-opened-the-file-does-not', { name: file.name })), editsToldOf(opened), aside]);
     } catch (error) {
-      this.tell([this.failed(`${file.name} cannot be opened`, error)]);
+      this.tell([this.failed(say('cannot-be-opened', { name: file.name }), error)]);
     }
   }
 
@@ -122,25 +124,25 @@ export class Files {
 
   private async readMask(file: File, side: Side): Promise<Told> {
     const opened = this.store.state.images[side];
-    if (opened === null) return problem(`${file.name} is a mask of the ${side} image, which is not open. Open that first.`);
+    if (opened === null) return problem(say('is-a-mask-of-the', { name: file.name, side }));
     try {
       const { info: photo } = await this.engine.open(side, opened);
       const mask = await this.engine.client('pair').call('mask', { file, overlaySide: MASK_SIDE });
       if (mask.width !== photo.width || mask.height !== photo.height) {
         return problem(
-          `${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`,
+          say('has-px-the-image-px', { name: file.name, width: mask.width, height: mask.height, side, width_2: photo.width, height_2: photo.height }),
         );
       }
       this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: freshId(), name: file.name, source: { kind: 'file', file } } });
-      return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
+      return info(say('masks-of-the-image', { name: file.name, left_out: 100 * mask.leftOut, side }));
     } catch (error) {
-      return this.failed(`${file.name} cannot be used as a mask`, error);
+      return this.failed(say('cannot-be-used-as-a', { name: file.name }), error);
     }
   }
 
   /** Renders the pair of a flight in a worker and opens it. */
   async takeFlight(name: string, flight: Flight): Promise<void> {
-    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a synthetic scene …' } });
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('rendering-the-pair-a-simulated') } });
     try {
       const pair = await this.engine.client('pair').call('simulate', flight);
       const given = (side: Side): GivenImage => ({ id: freshId(), name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
@@ -148,7 +150,7 @@ export class Files {
       this.store.dispatch({ type: 'simulated', left: given('left'), right: given('right'), pair });
       this.tell([aside]);
     } catch (error) {
-      this.tell([this.failed('The pair could not be rendered', error)]);
+      this.tell([this.failed(say('the-pair-could-not-be'), error)]);
     }
   }
 
@@ -164,13 +166,13 @@ export class Files {
     const bad = said.some(({ kind }) => kind === 'problem');
     const { left, right } = this.store.state.images;
     // Where nothing was open there is nothing to be afraid for.
-    const kept = bad && (left !== null || right !== null) ? ' The open images are kept.' : '';
+    const kept = bad && (left !== null || right !== null) ? say('the-open-images-are-kept') : '';
     const text = `${said.map((one) => one.text).join(' ')}${kept}`;
     this.store.dispatch({ type: 'notice', notice: said.length === 0 ? null : { kind: bad ? 'problem' : 'info', text } });
   }
 
   private failed(what: string, error: unknown): Told {
-    if (error instanceof Cancelled) return info('Cancelled. Nothing was changed.');
+    if (error instanceof Cancelled) return info(say('cancelled-nothing-was-changed'));
     return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
   }
 
@@ -185,9 +187,9 @@ export class Files {
     try {
       const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await file.text() });
       this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
-      return info(`${String(fiducials.length)} fiducial ${fiducials.length === 1 ? 'mark' : 'marks'} of the ${side} image from ${file.name}.`);
+      return info(say('fiducial-of-the-image-from', { fiducials: fiducials.length, side, name: file.name }));
     } catch (error) {
-      return this.failed(`${file.name} holds no fiducial marks`, error);
+      return this.failed(say('holds-no-fiducial-marks', { name: file.name }), error);
     }
   }
 
@@ -195,16 +197,16 @@ export class Files {
     try {
       const camera = await this.engine.client('pair').call('parseCamera', { text: await file.text() });
       this.store.dispatch({ type: 'camera', camera });
-      return info(`Camera data from ${file.name}.`);
+      return info(say('camera-data-from', { name: file.name }));
     } catch (error) {
-      return this.failed(`${file.name} holds no camera data`, error);
+      return this.failed(say('holds-no-camera-data', { name: file.name }), error);
     }
   }
 
   /** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
   private async takeImages(files: readonly File[], side: Side | null): Promise<Told[]> {
     const tooLarge = files.find((file) => file.size > MOST_BYTES);
-    if (tooLarge !== undefined) return [problem(`${tooLarge.name} has ${String(Math.round(tooLarge.size / 2 ** 20))} MB; up to 1,024 MB are read.`)];
+    if (tooLarge !== undefined) return [problem(say('has-mb-up-to-1', { name: tooLarge.name, size: Math.round(tooLarge.size / 2 ** 20) }))];
     const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
     if (known.every((place) => place !== null)) return this.takeFound(files, known);
     const sides = files.length === 2 ? (['left', 'right'] as const) : [side ?? this.freeSide()];
@@ -213,7 +215,10 @@ export class Files {
       const target = sides[i];
       if (target !== undefined) images[target] = { id: freshId(), name: file.name, source: { kind: 'file', file } };
     }
-    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Reading ${files.map((file) => file.name).join(' and ')} …` } });
+    this.store.dispatch({
+      type: 'notice',
+      notice: { kind: 'busy', text: say('reading-2', { join: files.map((file) => file.name).join(say('and-between')) }) },
+    });
     return this.check(images);
   }
 
@@ -231,7 +236,7 @@ export class Files {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
     const told: Told[] = outcomes.flatMap((outcome, i) =>
-      outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? 'the file', outcome.reason)] : [],
+      outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? say('the-file'), outcome.reason)] : [],
     );
     if (told.length > 0) return told;
     const aside = entries.length === 2 && type === 'images' ? await this.leave() : null;
@@ -243,13 +248,13 @@ export class Files {
   private async leave(): Promise<Told> {
     if (!isWorthKeeping(this.store.state)) return null;
     const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
-    return (await this.putAside()) ? info(`${titleOf({ name: null, images: names })} stay under Projects.`) : null;
+    return (await this.putAside()) ? info(say('stay-under-projects', { title_of: titleOf({ name: null, images: names }) })) : null;
   }
 
   private failedImage(name: string, error: unknown): Told {
     const breakdown = breakdownOf(error);
-    if (breakdown !== null) return problem(`${name} could not be opened: ${breakdown}. Try a smaller image, or close other tabs.`);
-    return this.failed(`${name} cannot be opened`, error);
+    if (breakdown !== null) return problem(say('could-not-be-opened-try', { name, breakdown }));
+    return this.failed(say('cannot-be-opened', { name }), error);
   }
 
   /** Where a single image goes: an empty place, else the active one. */

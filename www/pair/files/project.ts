@@ -8,6 +8,7 @@ import { SIDES } from '../state/state';
 import type { GivenImage, GivenMask, Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import { baseName } from './export';
+import { say } from '../../shared/text/words';
 
 /** Longest side of what stands for an image that is not there, px. */
 const STANDING_SIDE = 256;
@@ -18,7 +19,7 @@ const STANDING_GREY = 0x80;
 export async function exportProject(store: Store, engine: Engine): Promise<void> {
   const { state } = store;
   const text = await projectText(state, engine);
-  if (text === null) throw new Error('the pair is not matched with the present settings yet');
+  if (text === null) throw new Error(say('the-pair-is-not-matched'));
   save(new Blob([text], { type: 'application/octet-stream' }), `${baseName(state)}.tiepoint`);
 }
 

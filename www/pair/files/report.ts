@@ -8,6 +8,7 @@ import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import { baseName } from './export';
 import { save } from '../../shared/files/save';
+import { say } from '../../shared/text/words';
 
 /** What the report is made of; null where an image is missing. */
 function inputOf(state: State): ReportInput | null {
@@ -29,24 +30,24 @@ function inputOf(state: State): ReportInput | null {
 export async function exportReport(store: Store, engine: Engine): Promise<void> {
   const input = inputOf(store.state);
   if (input === null) return;
-  const say = (text: string) => store.dispatch({ type: 'notice', notice: { kind: 'busy', text } });
+  const tell = (text: string) => store.dispatch({ type: 'notice', notice: { kind: 'busy', text } });
   const client = engine.client('report');
   try {
-    say('Report: reading the images …');
+    tell(say('report-reading-the-images'));
     const steps = await client.call('reportOpen', input);
     for (const [i, step] of steps.entries()) {
-      say(`Report, step ${String(i + 1)} of ${String(steps.length + 1)}: matching, ${step} …`);
+      tell(say('report-step-of-matching', { i: i + 1, steps: steps.length + 1, step }));
       await client.call('reportStep', null);
     }
-    say(`Report, step ${String(steps.length + 1)} of ${String(steps.length + 1)}: writing …`);
+    tell(say('report-step-of-writing', { steps: steps.length + 1 }));
     const page = await client.call('reportPage', null);
     save(new Blob([page], { type: 'text/html' }), `${baseName(store.state)}-report.html`);
     // It matches the images by each strategy anew.
-    const text = 'The report was saved. It matches by every strategy anew: edits by hand are not in it.';
+    const text = say('the-report-was-saved-it');
     store.dispatch({ type: 'notice', notice: isEdited(store.state) ? { kind: 'info', text } : null });
   } catch (error) {
     if (!(error instanceof Cancelled)) throw error;
-    store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The report was cancelled.' } });
+    store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('the-report-was-cancelled') } });
   } finally {
     // Its images and results would stay in memory.
     client.cancel();

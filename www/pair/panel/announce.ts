@@ -4,14 +4,14 @@ import { UNDECIDED } from '../state/codes';
 import { textOfCode } from '../state/labels';
 import type { Store } from '../state/store';
 import { button, byId, fill, h } from '../../shared/panel/dom';
-import { count, fixed } from '../../shared/text/format';
 import { verdictOf } from './verdict';
+import { say } from '../../shared/text/words';
 
 /** `details` shows all that is known of it. */
 export function mountAnnouncements(host: HTMLElement, store: Store, details: () => void): void {
   const keys = byId('keys');
   const text = h('span', {});
-  fill(host, text, ' ', button('Details', 'selected-details', details));
+  fill(host, text, ' ', button(say('details'), 'selected-details', details));
   store.watch(['selection'], ([selection]) => {
     const { state } = store;
     host.hidden = selection === null;
@@ -26,6 +26,6 @@ export function mountAnnouncements(host: HTMLElement, store: Store, details: () 
     const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
     const label = textOfCode(codes[selection.index] ?? UNDECIDED, 'label');
     const why = shown.match === null ? '' : verdictOf(state, shown, shown.match).text;
-    text.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${why === '' ? `${label}.` : why}`;
+    text.textContent = say('point-at', { side: selection.side, index: selection.index + 1, x, y, what: why === '' ? say('n--4', { label }) : why });
   });
 }

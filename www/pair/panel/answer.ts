@@ -1,9 +1,8 @@
 /** What came of a pair: its verdict, the figures that decided, and what to do next. */
-import { message, pair_hint } from '../../shared/crate';
+import { pair_hint } from '../../shared/crate';
 import type { OrientedPair, Warning } from '../../shared/crate';
 import type { Answer, Figure, Next } from '../../shared/panel/answer';
 import { count, fixed } from '../../shared/text/format';
-import { page } from '../../shared/text/words';
 import { interiorInUse } from '../state/interior';
 import { isCurrent } from '../state/keys';
 import { whyNone } from '../state/project';
@@ -13,6 +12,8 @@ import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
 import { summary } from './counts';
 import { whyNotOriented } from './orientation';
+import { say } from '../../shared/text/words';
+import { message } from '../../shared/text/messages';
 
 /** What the button beside the answer can do. */
 export interface AnswerActions {
@@ -31,13 +32,13 @@ export interface AnswerActions {
 export function resting(state: State, waiting: boolean, actions: AnswerActions): Answer {
   const { images } = state;
   const line = (kind: Answer['kind'], text: string, next: Next | null = null): Answer => ({ kind, text, verdict: null, next });
-  if (state.catalogue === null) return line('busy', 'Loading the program …');
-  if (images.left === null && images.right === null) return line('idle', 'Ready. Open two overlapping images, or use the sample pair.');
+  if (state.catalogue === null) return line('busy', say('loading-the-program'));
+  if (images.left === null && images.right === null) return line('idle', say('ready-open-two-overlapping-images'));
   const missing = SIDES.find((side) => images[side] === null);
   if (missing !== undefined) {
-    return line('idle', `One image is open. Open the ${missing} one.`, { text: `Open the ${missing} image …`, act: () => actions.open(missing) });
+    return line('idle', say('one-image-is-open-open', { missing }), { text: say('open-the-image', { missing }), act: () => actions.open(missing) });
   }
-  return waiting ? line('busy', 'Waiting …') : answered(state, actions);
+  return waiting ? line('busy', say('waiting')) : answered(state, actions);
 }
 
 function answered(state: State, actions: AnswerActions): Answer {
@@ -46,21 +47,23 @@ function answered(state: State, actions: AnswerActions): Answer {
     0,
   );
   // A pair that was opened took none.
-  const matched = milliseconds === 0 ? `${summary(state)}.` : page('worked', { matched: summary(state), seconds: milliseconds / 1000 });
+  const matched = milliseconds === 0 ? `${summary(state)}.` : say('worked', { matched: summary(state), seconds: milliseconds / 1000 });
   const reason = whyNotOriented(state);
   const oriented = reason === null && isCurrent(state, 'orientation') ? state.results.orientation?.value : undefined;
   const verdict = oriented?.verdict;
   const hint = state.settings === null ? null : pair_hint(verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) }, state.settings);
   const more = `${matched}${hint === null ? '' : ` ${message('pair_hint', hint)}`}`;
   if (oriented === undefined || verdict === undefined) {
-    const next = hint === null ? nextWithout(state, actions) : { text: 'Use “auto”', act: actions.otherStrategy };
+    const next = hint === null ? nextWithout(state, actions) : { text: say('use-auto'), act: actions.otherStrategy };
     if (reason === null) return { kind: 'partial', verdict: 'not_oriented', text: more, next };
     return { kind: 'partial', verdict: 'not_oriented', text: reason, more, figures: figuresWithout(state), next };
   }
   const answer = { text: message('pair_verdict', verdict), more, figures: figuresOf(state, oriented) };
   if (verdict.kind === 'oriented') return { ...answer, kind: 'done', verdict: 'oriented', next: nextAfter(state, actions) };
   const next =
-    verdict.kind === 'weak' && asksForCamera(verdict.warning) ? { text: 'Give the camera', act: actions.camera } : { text: 'Show why', act: actions.why };
+    verdict.kind === 'weak' && asksForCamera(verdict.warning)
+      ? { text: say('give-the-camera'), act: actions.camera }
+      : { text: say('show-why'), act: actions.why };
   return { ...answer, kind: 'partial', verdict: verdict.kind, next };
 }
 
@@ -69,9 +72,13 @@ function figuresOf(state: State, result: OrientedPair): Figure[] {
   const interior = interiorInUse(state)?.left;
   const half = result.half_widths_95?.kappa_deg;
   return [
-    { value: count(used), label: 'points on both photos' },
-    ...(interior === undefined || result.sigma0_mm == null ? [] : [{ value: `${fixed(result.sigma0_mm / pixelMm(interior), 2)} px`, label: 'precision (σ₀)' }]),
-    ...(half == null ? [] : [{ value: `${fixed(result.kappa_deg, 2)}° ± ${half < 99 ? half.toPrecision(2) : fixed(half, 0)}°`, label: 'right photo turned' }]),
+    { value: count(used), label: say('points-on-both-photos') },
+    ...(interior === undefined || result.sigma0_mm == null
+      ? []
+      : [{ value: say('px-2', { value: result.sigma0_mm / pixelMm(interior) }), label: say('precision') }]),
+    ...(half == null
+      ? []
+      : [{ value: `${fixed(result.kappa_deg, 2)}° ± ${half < 99 ? half.toPrecision(2) : fixed(half, 0)}°`, label: say('right-photo-turned') }]),
   ];
 }
 
@@ -79,8 +86,8 @@ function figuresWithout(state: State): Figure[] {
   const { match, left } = shownPair(state);
   if (match === null || left === null) return [];
   return [
-    { value: count(match.counts.matches), label: 'points on both photos' },
-    { value: count(left.length / 3), label: 'points tried' },
+    { value: count(match.counts.matches), label: say('points-on-both-photos') },
+    { value: count(left.length / 3), label: say('points-tried') },
   ];
 }
 
@@ -92,11 +99,11 @@ function asksForCamera({ kind }: Warning): boolean {
 function nextWithout(state: State, actions: AnswerActions): Next {
   const { kind } = whyNone(state);
   const camera = kind === 'no_camera' || kind === 'no_focal_length' || kind === 'no_pixel_size';
-  return camera ? { text: 'Give the camera', act: actions.camera } : { text: 'Show why', act: actions.why };
+  return camera ? { text: say('give-the-camera'), act: actions.camera } : { text: say('show-why'), act: actions.why };
 }
 
 /** A sound result is saved; after a simulated one come photos of one's own. */
 function nextAfter({ images }: State, { open, save }: AnswerActions): Next {
   const simulated = SIDES.some((side) => images[side]?.source.kind === 'grey');
-  return simulated ? { text: 'Open your photos …', act: () => open(null) } : { text: 'Save the project', act: save };
+  return simulated ? { text: say('open-your-photos'), act: () => open(null) } : { text: say('save-the-project'), act: save };
 }

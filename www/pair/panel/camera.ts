@@ -1,6 +1,5 @@
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
-import { message } from '../../shared/crate';
 import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { comparesGradients, pairCameras } from '../state/keys';
 import { interiorInUse } from '../state/interior';
@@ -8,8 +7,10 @@ import { pixelMm } from '../state/residuals';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
-import { fixed, significant } from '../../shared/text/format';
+import { significant } from '../../shared/text/format';
 import { firstRefused, numberField, problemLine, readNumber, readPair, showNumber } from '../../shared/panel/numberfield';
+import { say } from '../../shared/text/words';
+import { message } from '../../shared/text/messages';
 
 /** The numbers of a camera: where each stands, and a camera of which nothing else is said. */
 interface CameraNumber {
@@ -21,10 +22,10 @@ interface CameraNumber {
 }
 
 const NUMBERS = [
-  { label: 'Focal length', unit: 'mm', testid: 'camera-focal', of: (c) => c.focal_mm, alone: (v) => ({ focal_mm: v }) },
-  { label: 'Pixel size', unit: 'mm', testid: 'camera-pixel', of: (c) => c.pixel_mm, alone: (v) => ({ pixel_mm: v }) },
-  { label: 'Principal pt x', unit: 'mm', testid: 'camera-x0', of: (c) => c.principal_point_mm?.[0], alone: (v) => ({ principal_point_mm: [v, 0] }) },
-  { label: 'Principal pt y', unit: 'mm', testid: 'camera-y0', of: (c) => c.principal_point_mm?.[1], alone: (v) => ({ principal_point_mm: [0, v] }) },
+  { label: say('focal-length'), unit: 'mm', testid: 'camera-focal', of: (c) => c.focal_mm, alone: (v) => ({ focal_mm: v }) },
+  { label: say('pixel-size'), unit: 'mm', testid: 'camera-pixel', of: (c) => c.pixel_mm, alone: (v) => ({ pixel_mm: v }) },
+  { label: say('principal-pt-x'), unit: 'mm', testid: 'camera-x0', of: (c) => c.principal_point_mm?.[0], alone: (v) => ({ principal_point_mm: [v, 0] }) },
+  { label: say('principal-pt-y'), unit: 'mm', testid: 'camera-y0', of: (c) => c.principal_point_mm?.[1], alone: (v) => ({ principal_point_mm: [0, v] }) },
   { label: 'k1', unit: 'mm⁻²', testid: 'camera-k1', of: (c) => c.radial_distortion?.[0], alone: (v) => ({ radial_distortion: [v, 0, 0] }) },
   { label: 'k2', unit: 'mm⁻⁴', testid: 'camera-k2', of: (c) => c.radial_distortion?.[1], alone: (v) => ({ radial_distortion: [0, v, 0] }) },
   { label: 'k3', unit: 'mm⁻⁶', testid: 'camera-k3', of: (c) => c.radial_distortion?.[2], alone: (v) => ({ radial_distortion: [0, 0, v] }) },
@@ -57,13 +58,13 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
   };
   const fields = NUMBERS.map(({ label, unit, testid }) => numberField(label, unit, testid, change));
   const source = h('p', { class: 'note', testid: 'camera-source' });
-  const load = button('Load camera.json …', 'load-camera', loadFile);
-  const clear = button('Clear', 'clear-camera', () => store.dispatch({ type: 'camera', camera: null }));
+  const load = button(say('load-camera-json'), 'load-camera', loadFile);
+  const clear = button(say('clear'), 'clear-camera', () => store.dispatch({ type: 'camera', camera: null }));
   host.append(
     h(
       'fieldset',
       { class: 'group' },
-      h('legend', {}, 'Camera'),
+      h('legend', {}, say('camera')),
       source,
       h('div', { class: 'pairs' }, ...fields.map(({ element }) => element)),
       h('div', { class: 'buttons' }, load, clear),
@@ -83,13 +84,21 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
 }
 
 function exifText(name: string, exif: ExifCamera): string {
-  if (exif.origin === 'panorama') return (exif.cautions ?? []).map((caution) => `The ${name} image is ${message('camera_caution', caution)}.`).join(' ');
+  if (exif.origin === 'panorama')
+    return (exif.cautions ?? []).map((caution) => say('the-image-is', { name, message: message('camera_caution', caution) })).join(' ');
   // Many makers repeat their name in the model's.
   const make = exif.make != null && exif.model?.startsWith(exif.make) === true ? null : exif.make;
   const camera = [make, exif.model].filter((part) => part != null).join(' ');
-  const pixel = exif.pixel_mm == null ? 'no pixel size' : `pixel ${significant(exif.pixel_mm)} mm`;
-  const cautions = (exif.cautions ?? []).map((caution) => ` Caution: ${message('camera_caution', caution)}.`).join('');
-  return `${message('camera_origin', exif.origin ?? 'exif_focal_plane')}, ${name}: ${camera === '' ? 'camera not named' : camera}, f = ${significant(exif.focal_mm)} mm, ${pixel}.${cautions}`;
+  const pixel = exif.pixel_mm == null ? say('no-pixel-size') : say('pixel-mm', { pixel_mm: significant(exif.pixel_mm) });
+  const cautions = (exif.cautions ?? []).map((caution) => say('caution', { message: message('camera_caution', caution) })).join('');
+  return say('f-mm', {
+    message: message('camera_origin', exif.origin ?? 'exif_focal_plane'),
+    name,
+    what: camera === '' ? say('camera-not-named') : camera,
+    focal_mm: significant(exif.focal_mm),
+    pixel,
+    cautions,
+  });
 }
 
 function sourceText(state: State): string {
@@ -104,12 +113,12 @@ function sourceText(state: State): string {
     .join(' ');
   const used = pairCameras(state);
   const told = estimatedText(state);
-  if (state.camera !== null) return `In use: the values below${state.truth === null ? '' : ' (they came with the sample)'}. ${exif}`;
-  if (!('missing' in used)) return `In use: the photos' own camera${told}. Values below replace it. ${exif}`;
+  if (state.camera !== null) return say('in-use-the-values-below', { what: state.truth === null ? '' : say('they-came-with-the-sample'), exif });
+  if (!('missing' in used)) return say('in-use-the-photos-own', { told, exif });
   if (used.missing.kind !== 'panorama' && state.results.match?.value.estimated != null) {
-    return `No camera is known: that of most photographs is assumed${told}. Values below replace it. ${exif}`;
+    return say('no-camera-is-known-that', { told, exif });
   }
-  return `Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. ${exif}`;
+  return say('orientation-needs-a-focal-length', { exif });
 }
 
 /** What is known of a camera that nobody calibrated. */
@@ -118,7 +127,7 @@ function estimatedText(state: State): string {
   const interior = interiorInUse(state)?.left;
   if (camera == null || interior === undefined) return '';
   const [focal, error] = [camera.focal_mm, camera.focal_standard_error_mm].map((v) => v / pixelMm(interior));
-  return `, focal length ${fixed(focal ?? NaN, 0)} ± ${fixed(error ?? NaN, 0)} px`;
+  return say('focal-length-px', { focal: focal ?? NaN, error: error ?? NaN });
 }
 
 /** The offset of the right image: estimated, or given. */
@@ -130,8 +139,8 @@ function offsetGroup(store: Store): HTMLElement {
       type: 'refused',
       part: 'offset',
       label: firstRefused([
-        ['Offset dx', dx.input],
-        ['Offset dy', dy.input],
+        [say('offset-dx'), dx.input],
+        [say('offset-dy'), dy.input],
       ]),
     });
   };
@@ -147,23 +156,32 @@ function offsetGroup(store: Store): HTMLElement {
     (s) => [s.results.offset, s.offset, s.settings] as const,
     ([result, given, settings]) => {
       if (settings !== null && comparesGradients(settings)) {
-        fill(found, 'Matching by gradients searches the whole right image: it needs no offset.');
+        fill(found, say('matching-by-gradients-searches-the'));
         return;
       }
       if (given !== null || result === undefined) {
-        fill(
-          found,
-          given !== null ? 'Given. Clear both fields to estimate it.' : 'Right minus left position. Empty: estimated by correlation, coarse to fine.',
-        );
+        fill(found, given !== null ? say('given-clear-both-fields-to') : say('right-minus-left-position-empty'));
         return;
       }
       const [mx, my] = result.value.median_px;
       const correlation = result.value.correlation;
       fill(
         found,
-        `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low. Do the images overlap? A given offset may help' : ''}.`,
+        say('estimated-median-px', {
+          mx: significant(mx),
+          my: significant(my),
+          what: correlation == null ? '' : say('correlation-2', { correlation }),
+          what_2: correlation != null && correlation < 0.5 ? say('low-do-the-images-overlap') : '',
+        }),
       );
     },
   );
-  return h('fieldset', { class: 'group' }, h('legend', {}, 'Offset of the right image'), found, h('div', { class: 'pairs' }, dx.element, dy.element), problem);
+  return h(
+    'fieldset',
+    { class: 'group' },
+    h('legend', {}, say('offset-of-the-right-image')),
+    found,
+    h('div', { class: 'pairs' }, dx.element, dy.element),
+    problem,
+  );
 }

@@ -4,9 +4,11 @@ import type { Catalogue, Settings } from '../../shared/crate';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import type { Value } from '../../shared/panel/control';
+import { makePresets } from './presets';
 import { fill } from '../../shared/panel/dom';
 import { makeFolded, settingsText } from '../../shared/panel/sections';
 import { withSetting } from '../../shared/panel/settings';
+import { say } from '../../shared/text/words';
 
 /** Fills the settings panel once the crate's catalogue is there; `opener` opens it, and says how many settings were changed. */
 export function mountControls(host: HTMLElement, store: Store, opener: HTMLElement): void {
@@ -20,16 +22,19 @@ export function mountControls(host: HTMLElement, store: Store, opener: HTMLEleme
       refused: (label: string) => store.dispatch({ type: 'refused', part: 'settings', label }),
     };
     const { elements, show } = makeFolded(catalogue.parameters, bound, {
-      title: 'Method',
+      title: say('method'),
       first: ['matching.strategy', 'matching.refine'],
-      reset: () => store.dispatch({ type: 'settings', settings: standardOf(store.state, catalogue) }),
+      of: 'pair',
+      take: (settings) => store.dispatch({ type: 'settings', settings: settings as Settings }),
       changed: (count) => fill(opener, settingsText(count)),
     });
-    fill(host, ...elements);
+    const presets = makePresets(catalogue.presets, (settings) => store.dispatch({ type: 'settings', settings }));
+    fill(host, presets.element, ...elements);
     store.watch(['settings', 'truth'], ([settings]) => {
       if (settings === null) return;
       acts = resolved(settings);
       show(settings, acting_parameters(settings));
+      presets.show(settings, standardOf(store.state, catalogue));
     });
   });
 }

@@ -12,17 +12,17 @@ import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, markStale, row, section } from '../../shared/panel/dom';
 import { count, percent, significant } from '../../shared/text/format';
-import { page } from '../../shared/text/words';
 import { swatch } from './swatch';
+import { say } from '../../shared/text/words';
 
 /** Places in the paper's Table 1; it does not count what the threshold of roundness leaves. */
 const PAPER: Readonly<Record<keyof PointCounts, 0 | 1 | null>> = { candidates: 0, after_roundness: null, after_suppression: 1 };
 const PAPER_MATCHES = 2;
 
 const PHASES: readonly [keyof PointCounts, string][] = [
-  ['candidates', 'Operator'],
-  ['after_roundness', 'Roundness'],
-  ['after_suppression', 'Suppression'],
+  ['candidates', say('operator')],
+  ['after_roundness', say('roundness')],
+  ['after_suppression', say('suppression')],
 ];
 
 /** The settings by which the paper counted, whose Table 1 says nothing of others. */
@@ -38,8 +38,8 @@ const RARE: ReadonlySet<string> = new Set(['border', 'left_right', 'not_converge
 export function mountCounts(host: HTMLElement, store: Store): void {
   const phases = h('div', {});
   const rules = h('div', {});
-  const points = section('Points', 'counts-section', phases);
-  const matches = section('Matches', 'matches-section', rules);
+  const points = section(say('points'), 'counts-section', phases);
+  const matches = section(say('matches-2'), 'matches-section', rules);
   host.append(points, matches);
   store.watch(
     (s) => [s.results, s.history, s.settings, s.images, s.display, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const,
@@ -74,17 +74,17 @@ function phaseTable(state: State): HTMLElement {
   const threshold = (value: number | undefined) => (value === undefined ? '–' : significant(value));
   return h(
     'table',
-    { aria: { label: 'Points after each phase' } },
+    { aria: { label: say('points-after-each-phase') } },
     h(
       'thead',
       {},
       h(
         'tr',
         {},
-        h('th', { scope: 'col' }, 'Phase'),
-        h('th', { scope: 'col' }, 'Left'),
-        h('th', { scope: 'col' }, 'Right'),
-        printed !== undefined ? h('th', { scope: 'col', class: 'paper', title: "The paper's Table 1, for its own pair" }, 'Paper, l / r') : null,
+        h('th', { scope: 'col' }, say('phase')),
+        h('th', { scope: 'col' }, say('left')),
+        h('th', { scope: 'col' }, say('right')),
+        printed !== undefined ? h('th', { scope: 'col', class: 'paper', title: say('the-papers-table-1-for') }, say('paper-l-r')) : null,
       ),
     ),
     h(
@@ -92,11 +92,11 @@ function phaseTable(state: State): HTMLElement {
       {},
       ...body,
       markStale(
-        row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)), ...counted(PAPER_MATCHES)),
+        row(say('matching'), cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)), ...counted(PAPER_MATCHES)),
         isStale(state, 'match') && !pointsAreStale(state),
       ),
       row(
-        'Threshold',
+        say('threshold'),
         cell('threshold-left', threshold(left?.threshold)),
         cell('threshold-right', threshold(right?.threshold)),
         ...paper((of) => [of.threshold, of.threshold].map(count).join(' / ')),
@@ -113,7 +113,9 @@ function matchOf(state: State): MatchResult | undefined {
 function ruleTable(state: State, store: Store): HTMLElement {
   const result = matchOf(state);
   const total = result?.rules.length ?? 0;
-  const share = (n: number | undefined) => (n === undefined || total === 0 ? '–' : percent(n / total));
+  const shareOf = (all: number | undefined) => (n: number | undefined) => (n === undefined || all === undefined || all === 0 ? '–' : percent(n / all));
+  const share = shareOf(total);
+  const ofThese = shareOf(result?.counts.matches);
   // A rule that the strategy does not have refuses nothing; its row would only lengthen the table.
   const applied = REFUSALS.filter((rule) => !RARE.has(rule) || (result?.counts[rule] ?? 0) > 0);
   const refused = applied.map((rule) => ruleRow(codeOf(rule), `refused-${rule}`, result?.counts[rule], share, state, store));
@@ -121,17 +123,17 @@ function ruleTable(state: State, store: Store): HTMLElement {
   const gross = shown.orientation?.rejected.length;
   return h(
     'table',
-    { aria: { label: 'What became of the left points' } },
+    { aria: { label: say('what-became-of-the-left') } },
     h(
       'thead',
       {},
       h(
         'tr',
         {},
-        h('th', { scope: 'col' }, 'Left points'),
-        h('th', { scope: 'col' }, 'Number'),
-        h('th', { scope: 'col' }, 'Share'),
-        h('th', { scope: 'col' }, 'Show'),
+        h('th', { scope: 'col' }, say('left-points')),
+        h('th', { scope: 'col' }, say('number')),
+        h('th', { scope: 'col' }, say('share')),
+        h('th', { scope: 'col' }, say('show')),
       ),
     ),
     h(
@@ -139,11 +141,11 @@ function ruleTable(state: State, store: Store): HTMLElement {
       {},
       ruleRow(MATCHED, 'count-matches', result?.counts.matches, share, state, store),
       markStale(
-        ruleRow(GROSS_ERROR, 'count-gross-errors', gross, share, state, store, 'of these, gross errors'),
+        ruleRow(GROSS_ERROR, 'count-gross-errors', gross, ofThese, state, store, say('of-these-gross-errors')),
         gross !== undefined && isStale(state, 'orientation') && !isStale(state, 'match'),
       ),
-      ...byHand(result).map(([code, testid, value, label]) => ruleRow(code, testid, value, share, state, store, label)),
-      h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, 'Rejected by')),
+      ...byHand(result).map(([code, testid, value, label]) => ruleRow(code, testid, value, code === MANUAL ? ofThese : share, state, store, label)),
+      h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, say('rejected-by'))),
       ...refused,
     ),
   );
@@ -154,7 +156,7 @@ function byHand(result: MatchResult | undefined): [code: number, testid: string,
   if (result === undefined) return [];
   const { rejected, manual } = countsByHand(result);
   const rows: ReturnType<typeof byHand> = [
-    [MANUAL, 'count-manual', manual, 'of these, measured by hand'],
+    [MANUAL, 'count-manual', manual, say('of-these-measured-by-hand')],
     [BY_HAND, 'count-rejected-by-hand', rejected],
   ];
   return rows.filter(([, , value]) => value > 0);
@@ -170,7 +172,7 @@ function ruleRow(
   label?: string,
 ): HTMLTableRowElement {
   const own = textOfCode(code, 'label');
-  const toggle = h('input', { type: 'checkbox', testid: `show-${String(code)}`, aria: { label: `Show: ${own}` } });
+  const toggle = h('input', { type: 'checkbox', testid: `show-${String(code)}`, aria: { label: say('show-2', { own }) } });
   toggle.checked = isCodeShown(state.display, code);
   toggle.addEventListener('change', () => {
     store.dispatch({ type: 'display', display: withCode(store.state.display, code, toggle.checked) });
@@ -195,20 +197,18 @@ function scoreLines(state: State): HTMLElement | null {
   const share = (value: number) => percent(value / score.matches);
   return h(
     'table',
-    { testid: 'score', aria: { label: 'Matches against the truth' } },
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Against the truth'), h('th', { scope: 'col' }, 'Number'), h('th', { scope: 'col' }, 'Share'))),
+    { testid: 'score', aria: { label: say('matches-against-the-truth') } },
+    h(
+      'thead',
+      {},
+      h('tr', {}, h('th', { scope: 'col' }, say('against-the-truth')), h('th', { scope: 'col' }, say('number')), h('th', { scope: 'col' }, say('share'))),
+    ),
     h(
       'tbody',
       {},
-      line(
-        'Right',
-        'score-right',
-        score.right,
-        share(score.right),
-        'Within 1.5 px of where the surface at the left pixel, or at one of its 8 neighbours, is seen: points lie on edges, where the surface may jump between two pixels.',
-      ),
-      line('Strictly right', 'score-strict', score.strict, share(score.strict), 'Within 1.5 px of where the surface at the left pixel itself is seen.'),
-      line('Missed', 'score-missed', score.missed, '', 'Left points that are visible in the right image and have no right match.'),
+      line(say('right-matches'), 'score-right', score.right, share(score.right), say('within-1-5-px-of')),
+      line(say('strictly-right'), 'score-strict', score.strict, share(score.strict), say('within-1-5-px-of-where')),
+      line(say('missed'), 'score-missed', score.missed, '', say('left-points-that-are-visible')),
     ),
   );
 }
@@ -218,5 +218,5 @@ export function summary(state: State): string {
   const shown = shownPair(state);
   if (shown.match === null) return '';
   const codes = leftCodes(shown.left, shown.match, shown.orientation);
-  return page('matched', { matches: shown.match.counts.matches, points: codes.length });
+  return say('matched', { matches: shown.match.counts.matches, points: codes.length });
 }

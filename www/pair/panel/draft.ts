@@ -6,24 +6,33 @@ import { editedPair } from '../state/edited';
 import type { Editing } from '../state/editing';
 import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
+import { say } from '../../shared/text/words';
 
 /** In the bar above the pictures. `follow` shows the points that are measured. */
 export function mountDraft(host: HTMLElement, store: Store, editing: Editing, follow: () => void): void {
-  const tool = button('Add match', 'tool-measure', () => editing.toggle('measure'), 'Measure a match by hand (A)');
+  const tool = button(say('add-match'), 'tool-measure', () => editing.toggle('measure'), say('measure-a-match-by-hand'));
   const text = h('span', { testid: 'draft-text', role: 'status' });
-  const accept = button('Accept', 'draft-accept', () => editing.accept(), 'The match is measured (Enter)');
-  const fit = button('Fit', 'draft-fit', () => void editing.fit(), 'Move the right point to where least squares matching finds it (F)');
+  const accept = button(say('accept'), 'draft-accept', () => editing.accept(), say('the-match-is-measured-enter'));
+  const fit = button(say('fit'), 'draft-fit', () => void editing.fit(), say('move-the-right-point-to'));
   const exchange = button(
-    'Other image',
+    say('other-image'),
     'draft-exchange',
     () => {
       editing.exchange();
       follow();
     },
-    'Go on with the point in the other image (O)',
+    say('go-on-with-the-point'),
   );
-  const cancel = button('Cancel', 'draft-cancel', () => editing.leave(), 'Give this match up (Escape)');
-  const bar = h('div', { class: 'drafting', testid: 'draft', role: 'group', aria: { label: 'Match measured by hand' } }, text, accept, exchange, fit, cancel);
+  const cancel = button(say('cancel'), 'draft-cancel', () => editing.leave(), say('give-this-match-up-escape'));
+  const bar = h(
+    'div',
+    { class: 'drafting', testid: 'draft', role: 'group', aria: { label: say('match-measured-by-hand') } },
+    text,
+    accept,
+    exchange,
+    fit,
+    cancel,
+  );
   host.append(tool, bar);
   store.watch(
     (s) => [s.tool, s.draft, s.results, s.history, s.images] as const,
@@ -43,11 +52,11 @@ export function mountDraft(host: HTMLElement, store: Store, editing: Editing, fo
 
 function textOf(state: State): string {
   const { draft } = state;
-  if (draft === null) return 'New match: press a point in either picture, or Enter for the middle of the active one.';
+  if (draft === null) return say('new-match-press-a-point');
   const place = (side: Side) => {
     const at = placeOfDraft(state, side);
     return at === null ? `${side} –` : `${side} ${fixed(at[0], 2)}, ${fixed(at[1], 2)}`;
   };
-  const what = draft.of === null ? 'New match' : 'Moved match';
-  return `${what}: ${place('left')} · ${place('right')} px. Place the ${draft.side} point: press, or arrows by 0.1 px, with Shift by 1 px.`;
+  const what = draft.of === null ? say('new-match') : say('moved-match');
+  return say('px-place-the-point-press', { what, place: place('left'), place_2: place('right'), side: draft.side });
 }

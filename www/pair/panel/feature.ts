@@ -3,7 +3,8 @@ import { PATCH_SIDE, SURROUNDINGS } from '../engine/inspect';
 import { CELLS, DIRECTIONS } from '../state/descriptor';
 import type { FeatureView, Inspection, Side } from '../state/state';
 import { h } from '../../shared/panel/dom';
-import { fixed } from '../../shared/text/format';
+import { remember } from '../../shared/state/remember';
+import { say } from '../../shared/text/words';
 
 /** Canvas px of a sample. */
 const PIXEL = 3;
@@ -11,29 +12,26 @@ const SIZE = PATCH_SIDE * PIXEL;
 const STAR = '#ffd400';
 const GRID = 'rgb(255 212 0 / 0.55)';
 
-/** Both points: as they lie in their images with the grid of their descriptors, then turned and scaled to their frames. */
-export function featurePictures({ features }: Inspection): HTMLElement[] {
+/** Both points: as they lie in their images with the grid of their descriptors, then turned and scaled to their frames. The same ones of the same inspection. */
+export const featurePictures = remember(({ features }: Inspection): HTMLElement[] => {
   if (features === null) return [];
   const both = (name: string, testid: string, picture: (feature: FeatureView) => HTMLCanvasElement, text: (feature: FeatureView) => string) => {
     const one = (side: Side, label: string) => {
       const feature = features[side];
-      if (feature === null) return h('figure', {}, h('p', { class: 'note' }, 'No point.'), h('figcaption', {}, label));
+      if (feature === null) return h('figure', {}, h('p', { class: 'note' }, say('no-point')), h('figcaption', {}, label));
       const canvas = picture(feature);
-      canvas.setAttribute('aria-label', `${label} point, ${name}`);
+      canvas.setAttribute('aria-label', say('point-2', { label, name }));
       return h('figure', {}, canvas, h('figcaption', {}, `${label}${text(feature)}`));
     };
-    return [h('h4', {}, name), h('div', { class: 'windows', testid }, one('left', 'Left'), one('right', 'Right'))];
+    return [h('h4', {}, name), h('div', { class: 'windows', testid }, one('left', say('left')), one('right', say('right')))];
   };
   return [
-    ...both('Turned and scaled to the point, contrast stretched', 'point-patches', turnedPicture, () => ''),
-    ...both(
-      'Descriptor, as it lies in the image',
-      'point-descriptors',
-      uprightPicture,
-      ({ scale, direction, reach }) => ` · scale ${fixed(scale, 1)} px, direction ${fixed((direction * 180) / Math.PI, 0)}°, ${fixed(reach, 0)} px wide`,
+    ...both(say('turned-and-scaled-to-the'), 'point-patches', turnedPicture, () => ''),
+    ...both(say('descriptor-as-it-lies-in'), 'point-descriptors', uprightPicture, ({ scale, direction, reach }) =>
+      say('scale-px-direction-px-wide', { scale, direction: (direction * 180) / Math.PI, reach }),
     ),
   ];
-}
+});
 
 /** Grey values from black to white: what is dull would show nothing. */
 function stretched(grey: Uint8Array): Uint8Array {
@@ -46,11 +44,16 @@ function canvasOf(grey: Uint8Array): [HTMLCanvasElement, CanvasRenderingContext2
   canvas.width = SIZE;
   canvas.height = SIZE;
   const context = canvas.getContext('2d');
-  stretched(grey).forEach((value, i) => {
-    if (context === null) return;
-    context.fillStyle = `rgb(${String(value)} ${String(value)} ${String(value)})`;
-    context.fillRect((i % PATCH_SIDE) * PIXEL, Math.floor(i / PATCH_SIDE) * PIXEL, PIXEL, PIXEL);
-  });
+  if (context === null) return [canvas, context];
+  const samples = stretched(grey);
+  const pixels = context.createImageData(SIZE, SIZE);
+  // Pixel by pixel: a rectangle of a colour a sample takes as long as all of an edit may.
+  for (let i = 0; i < SIZE * SIZE; i++) {
+    const sample = PATCH_SIDE * Math.floor(i / SIZE / PIXEL) + Math.floor((i % SIZE) / PIXEL);
+    pixels.data.fill(samples[sample] ?? 0, 4 * i, 4 * i + 3);
+    pixels.data[4 * i + 3] = 255;
+  }
+  context.putImageData(pixels, 0, 0);
   return [canvas, context];
 }
 

@@ -6,13 +6,14 @@ import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
 import { fixed } from '../../shared/text/format';
 import { firstRefused, numberInput, problemLine, readPair, showNumber } from '../../shared/panel/numberfield';
+import { say } from '../../shared/text/words';
 
 const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
-const HEADS: Record<(typeof FIELDS)[number], string> = { col: 'col px', row: 'row px', x_mm: 'x mm', y_mm: 'y mm' };
+const HEADS: Record<(typeof FIELDS)[number], string> = { col: say('col-px'), row: say('row-px'), x_mm: 'x mm', y_mm: 'y mm' };
 
 export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side: Side) => void): void {
   const model = h('select', { id: 'fiducial-model', testid: 'fiducial-model' });
-  model.append(new Option('Affine, 6 parameters', 'affine'), new Option('Similarity, 4 parameters', 'similarity'));
+  model.append(new Option(say('affine-6-parameters'), 'affine'), new Option(say('similarity-4-parameters'), 'similarity'));
   model.addEventListener('change', () => {
     store.dispatch({ type: 'fiducialModel', model: model.value === 'similarity' ? 'similarity' : 'affine' });
   });
@@ -23,8 +24,8 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
     h(
       'fieldset',
       { class: 'group' },
-      h('legend', {}, 'Interior orientation'),
-      h('div', { class: 'control' }, h('label', { for: 'fiducial-model' }, 'Transformation'), model),
+      h('legend', {}, say('interior-orientation')),
+      h('div', { class: 'control' }, h('label', { for: 'fiducial-model' }, say('transformation')), model),
       photo('left', store, loadFile),
       photo('right', store, loadFile),
     ),
@@ -35,12 +36,12 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void): HTMLEl
   const table = h('div', { class: 'scroll' });
   const result = h('p', { class: 'note', testid: `interior-${side}` });
   const set = (change: Partial<PhotoData>) => store.dispatch({ type: 'photo', side, photo: change });
-  const name = side === 'left' ? 'Left' : 'Right';
-  const add = button('Add mark', `add-fiducial-${side}`, () => {
+  const name = side === 'left' ? say('left') : say('right');
+  const add = button(say('add-mark'), `add-fiducial-${side}`, () => {
     set({ fiducials: [...store.state.photos[side].fiducials, { col: NaN, row: NaN, x_mm: NaN, y_mm: NaN }] });
   });
-  const load = button('Load CSV …', `load-fiducials-${side}`, () => loadFile(side));
-  const clear = button('Clear', `clear-fiducials-${side}`, () => set({ fiducials: [] }));
+  const load = button(say('load-csv'), `load-fiducials-${side}`, () => loadFile(side));
+  const clear = button(say('clear'), `clear-fiducials-${side}`, () => set({ fiducials: [] }));
   let shown: readonly Fiducial[] | null = null;
   const stage = side === 'left' ? 'interiorLeft' : 'interiorRight';
   store.watch(
@@ -57,13 +58,21 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void): HTMLEl
       fill(result, interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, fiducials.length));
     },
   );
-  return h('div', { class: 'photo' }, h('h4', {}, `${name} image`), result, table, h('div', { class: 'buttons' }, add, load, clear), originFields(side, store));
+  return h(
+    'div',
+    { class: 'photo' },
+    h('h3', {}, say('image-4', { name })),
+    result,
+    table,
+    h('div', { class: 'buttons' }, add, load, clear),
+    originFields(side, store),
+  );
 }
 
 function interiorText(sigma: number | null | undefined, freedom: number | undefined, marks: number): string {
-  if (marks === 0) return 'No fiducial marks. The pixel size is used.';
-  if (freedom === undefined) return `${String(marks)} marks.`;
-  return `${String(marks)} marks, σ₀ ${sigma == null ? 'not determined' : `${fixed(1000 * sigma, 1)} µm`}, ${String(freedom)} degrees of freedom.`;
+  if (marks === 0) return say('no-fiducial-marks-the-pixel');
+  if (freedom === undefined) return say('marks', { marks });
+  return say('marks-degrees-of-freedom', { marks, what: sigma == null ? say('not-determined') : say('um-1', { value: 1000 * sigma }), freedom });
 }
 
 function marksTable(side: Side, store: Store, rows: number): HTMLElement | string {
@@ -80,7 +89,7 @@ function marksTable(side: Side, store: Store, rows: number): HTMLElement | strin
   );
   return h(
     'table',
-    { class: 'marks', testid: `fiducials-${side}`, aria: { label: `Fiducial marks, ${side}` } },
+    { class: 'marks', testid: `fiducials-${side}`, aria: { label: say('fiducial-marks', { side }) } },
     h(
       'thead',
       {},
@@ -89,7 +98,7 @@ function marksTable(side: Side, store: Store, rows: number): HTMLElement | strin
         {},
         h('th', {}, ''),
         ...FIELDS.map((field) => h('th', { scope: 'col' }, HEADS[field])),
-        h('th', { scope: 'col', title: 'Residuals vx, vy' }, 'v µm'),
+        h('th', { scope: 'col', title: say('residuals-vx-vy') }, 'v µm'),
         h('th', {}, ''),
       ),
     ),
@@ -98,7 +107,7 @@ function marksTable(side: Side, store: Store, rows: number): HTMLElement | strin
 }
 
 function markInput(side: Side, store: Store, index: number, field: (typeof FIELDS)[number]): HTMLInputElement {
-  const input = h('input', { type: 'number', aria: { label: `Mark ${String(index + 1)}, ${HEADS[field]}` } });
+  const input = h('input', { type: 'number', aria: { label: say('mark', { index: index + 1, heads: HEADS[field] }) } });
   input.step = 'any';
   input.addEventListener('change', () => {
     const fiducials = store.state.photos[side].fiducials.map((mark, i) => (i === index ? { ...mark, [field]: input.valueAsNumber } : mark));
@@ -112,7 +121,7 @@ function removeButton(side: Side, store: Store, index: number): HTMLButtonElemen
     store.dispatch({ type: 'photo', side, photo: { fiducials: store.state.photos[side].fiducials.filter((_, i) => i !== index) } });
   });
   remove.className = 'icon';
-  remove.setAttribute('aria-label', `Remove mark ${String(index + 1)}`);
+  remove.setAttribute('aria-label', say('remove-mark', { index: index + 1 }));
   return remove;
 }
 
@@ -136,11 +145,11 @@ function originFields(side: Side, store: Store): HTMLElement {
   const change = () => {
     const origin = readPair(inputs, problem, allowedOfOrigin);
     if (origin !== undefined) store.dispatch({ type: 'photo', side, photo: { origin } });
-    store.dispatch({ type: 'refused', part: 'photos', label: firstRefused(inputs.map((input) => [`Origin of the ${side} image in the scan`, input])) });
+    store.dispatch({ type: 'refused', part: 'photos', label: firstRefused(inputs.map((input) => [say('origin-of-the-image-in', { side }), input])) });
   };
   const field = (name: string, testid: string) => {
     const input = numberInput(testid, problem, change);
-    input.setAttribute('aria-label', `${side} image in the scan, ${name}, px`);
+    input.setAttribute('aria-label', say('image-in-the-scan-px', { side, name }));
     return input;
   };
   const inputs = [field('column', `origin-${side}-col`), field('row', `origin-${side}-row`)] as const;
@@ -155,12 +164,7 @@ function originFields(side: Side, store: Store): HTMLElement {
   return h(
     'div',
     { class: 'control compact origin' },
-    h(
-      'span',
-      { title: 'Column and row of this image’s top-left corner in the scan in which the marks were measured. Empty: the image is the whole scan.' },
-      'Origin in the scan ',
-      h('span', { class: 'unit' }, 'col, row px'),
-    ),
+    h('span', { title: say('column-and-row-of-this') }, say('origin-in-the-scan'), h('span', { class: 'unit' }, say('col-row-px'))),
     ...inputs,
     problem,
   );

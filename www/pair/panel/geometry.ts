@@ -1,5 +1,4 @@
 /** What relates the two views, by which matches of gradients were verified: the kind of model, its precision, where it is degenerate. */
-import { message } from '../../shared/crate';
 import type { MatchResult } from '../../shared/crate';
 import { comparesGradients, isStale } from '../state/keys';
 import { shownPair } from '../state/select';
@@ -8,11 +7,13 @@ import type { Store } from '../state/store';
 import { fill, h, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
-import { count, fixed } from '../../shared/text/format';
+import { count } from '../../shared/text/format';
+import { say } from '../../shared/text/words';
+import { message } from '../../shared/text/messages';
 
 export function mountGeometry(host: HTMLElement, store: Store): void {
   const body = h('div', {});
-  const panel = section('Geometry of the two views', 'geometry-section', body);
+  const panel = section(say('geometry-of-the-two-views'), 'geometry-section', body);
   host.append(panel);
   store.watch(['results', 'settings', 'images', 'camera', 'photos', 'masks'], () => {
     const { state } = store;
@@ -24,7 +25,7 @@ export function mountGeometry(host: HTMLElement, store: Store): void {
 
 function content(state: State): HTMLElement[] {
   const { match } = shownPair(state);
-  if (match === null) return [h('p', { class: 'note' }, 'Not computed yet.')];
+  if (match === null) return [h('p', { class: 'note' }, say('not-computed-yet'))];
   if (match.geometry === null) {
     // Matches of another strategy stay on the screen until those of this one come.
     const none = match.no_geometry;
@@ -32,7 +33,7 @@ function content(state: State): HTMLElement[] {
       h(
         'p',
         { class: none === null ? 'note' : 'field-problem', testid: 'geometry-reason' },
-        none === null ? 'Not computed yet.' : `None: ${message('no_geometry', none)}.`,
+        none === null ? say('not-computed-yet') : say('none', { message: message('no_geometry', none) }),
       ),
     ];
   }
@@ -45,33 +46,33 @@ function content(state: State): HTMLElement[] {
 
 function figures(match: MatchResult, { model: { kind }, sigma_px: sigma, threshold_px: threshold, focal }: NonNullable<MatchResult['geometry']>): Fact[] {
   return [
-    { name: 'Model', testid: 'geometry-kind', value: message('two_view_model', { kind }, 'label'), help: message('two_view_model', { kind }, 'help') },
+    { name: say('model'), testid: 'geometry-kind', value: message('two_view_model', { kind }, 'label'), help: message('two_view_model', { kind }, 'help') },
     {
-      name: 'Matches that agree',
+      name: say('matches-that-agree'),
       testid: 'geometry-matches',
       value: count(match.counts.matches),
-      help: 'All others are rejected. Matches that only the geometry made unambiguous are among them.',
+      help: say('all-others-are-rejected-matches'),
     },
     {
-      name: 'Standard error of a coordinate',
+      name: say('standard-error-of-a-coordinate'),
       testid: 'geometry-sigma',
-      value: `${fixed(sigma, 3)} px`,
-      help: 'From the distances of these matches to their epipolar lines, or to their predicted positions.',
+      value: say('px-3', { value: sigma }),
+      help: say('from-the-distances-of-these'),
     },
     {
-      name: 'Threshold',
+      name: say('threshold'),
       testid: 'geometry-threshold',
-      value: `${fixed(threshold, 2)} px`,
-      help: 'Largest distance of a match that agrees. It follows from the scatter of the matches where none is given.',
+      value: say('px-2', { value: threshold }),
+      help: say('largest-distance-of-a-match'),
     },
     ...(focal === null
       ? []
       : [
           {
-            name: 'Focal length, estimated',
+            name: say('focal-length-estimated'),
             testid: 'geometry-focal',
-            value: `${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px`,
-            help: 'Of both cameras, from the matches alone, with its standard error. The principal point is assumed at the image centre. A relative error of a tenth is small enough for the relative orientation.',
+            value: say('px-5', { focal_px: focal.focal_px, standard_error_px: focal.standard_error_px }),
+            help: say('of-both-cameras-from-the'),
           },
         ]),
   ];

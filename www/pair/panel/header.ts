@@ -13,6 +13,7 @@ import type { Store } from '../state/store';
 import { truthOf } from '../state/truth';
 import type { View } from '../view/view';
 import { isBusy } from './status';
+import { say } from '../../shared/text/words';
 
 /** Opens the file dialog for a side, or for any files; or for the mask of a side. */
 export type Pick = (side: Side | null, what?: 'any' | 'mask') => void;
@@ -91,8 +92,7 @@ export function mountHeader({ store, engine, view, files, pick, attempt, sampleB
 function swap(store: Store, engine: Engine): void {
   const known = truthOf(store.state) !== null;
   engine.swap();
-  if (known)
-    store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The truth of the simulated pair holds in its own order only: swap again to compare.' } });
+  if (known) store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('the-truth-of-the-simulated-pair') } });
 }
 
 /** Hides the welcome; the keyboard goes on to the images where it was in there, or on the button that gave them. */
@@ -101,5 +101,5 @@ function leaveWelcome(left: boolean): void {
   const { activeElement } = document;
   const focused = welcome.contains(activeElement) || (!welcome.hidden && [byId('open'), byId('sample'), byId('menu')].some((press) => press === activeElement));
   welcome.hidden = left;
-  if (left && focused) byId('view').focus();
+  if (left && focused) byId('view').focus({ preventScroll: true });
 }

@@ -11,6 +11,7 @@ import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, markStale, section, svg } from '../../shared/panel/dom';
 import { count, significant } from '../../shared/text/format';
+import { say } from '../../shared/text/words';
 
 const BINS = 40;
 const WIDTH = 320;
@@ -26,7 +27,7 @@ const interestRight = remember((points: Float64Array) => histogram(columnOf(poin
 
 export function mountHistograms(host: HTMLElement, store: Store): void {
   const body = h('div', { class: 'histograms' });
-  const panel = section('Histograms', 'histograms-section', body);
+  const panel = section(say('histograms'), 'histograms-section', body);
   host.append(panel);
   let round = 0;
   store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
@@ -45,28 +46,28 @@ async function update(body: HTMLElement, store: Store, round: () => number, own:
     const made = make(store.state);
     if (made !== null) charts.push(made);
   }
-  fill(body, ...(charts.length > 0 ? charts : [h('p', { class: 'note' }, 'No points yet.')]));
+  fill(body, ...(charts.length > 0 ? charts : [h('p', { class: 'note' }, say('no-points-yet'))]));
 }
 
 const CHARTS: readonly ((state: State) => HTMLElement | null)[] = [
   (state) => {
     const { match } = shownPair(state);
-    return match === null || match.counts.matches === 0 ? null : chart('Measure of the matches', '', measures(match.matches), 'histogram-measure');
+    return match === null || match.counts.matches === 0 ? null : chart(say('measure-of-the-matches'), '', measures(match.matches), 'histogram-measure');
   },
   (state) => {
     const { orientation } = shownPair(state);
     const interior = interiorInUse(state)?.left;
     if (orientation === null || interior === undefined) return null;
-    const figure = chart('y-parallax residuals of the matches used', 'px', residuals(parallaxResiduals(orientation, interior)), 'histogram-residuals');
+    const figure = chart(say('y-parallax-residuals-of-the'), 'px', residuals(parallaxResiduals(orientation, interior)), 'histogram-residuals');
     return markStale(figure, isStale(state, 'orientation') && !isStale(state, 'match'));
   },
   (state) => {
     const { left } = shownPair(state);
-    return left === null || left.length === 0 ? null : chart('Interest value, left', '', interestLeft(left), 'histogram-interest-left');
+    return left === null || left.length === 0 ? null : chart(say('interest-value-left'), '', interestLeft(left), 'histogram-interest-left');
   },
   (state) => {
     const { right } = shownPair(state);
-    return right === null || right.length === 0 ? null : chart('Interest value, right', '', interestRight(right), 'histogram-interest-right');
+    return right === null || right.length === 0 ? null : chart(say('interest-value-right'), '', interestRight(right), 'histogram-interest-right');
   },
 ];
 
@@ -81,7 +82,15 @@ function chart(title: string, unit: string, data: Histogram, testid: string): HT
     .join('');
   const at = (value: number) => (WIDTH * (value - data.low)) / (data.high - data.low);
   const suffix = unit === '' ? '' : ` ${unit}`;
-  const words = `${title}: ${count(data.total)} values, median ${significant(data.median)}${suffix}, shown from ${significant(data.low)} to ${significant(data.high)}${suffix}, at most ${count(most)} in a bar`;
+  const words = say('values-median-shown-from-to', {
+    title,
+    total: data.total,
+    median: significant(data.median),
+    suffix,
+    low: significant(data.low),
+    high: significant(data.high),
+    most,
+  });
   const picture = svg(
     'svg',
     { viewBox: `0 0 ${String(WIDTH)} ${String(HEIGHT + 1)}`, class: 'histogram', role: 'img', 'aria-label': words, preserveAspectRatio: 'none' },
@@ -98,7 +107,7 @@ function chart(title: string, unit: string, data: Histogram, testid: string): HT
       'div',
       { class: 'scale' },
       h('span', {}, significant(data.low)),
-      h('span', {}, `median ${significant(data.median)}`),
+      h('span', {}, say('median', { median: significant(data.median) })),
       h('span', {}, significant(data.high)),
     ),
   );

@@ -3,6 +3,7 @@ import type { ErrorEllipse, RelativeOrientation } from '../../shared/crate';
 import { h, svg } from '../../shared/panel/dom';
 import { fixed, significant } from '../../shared/text/format';
 import { UNKNOWNS } from './unknowns';
+import { say } from '../../shared/text/words';
 
 const CELL = 44;
 const HEAD = 26;
@@ -14,7 +15,7 @@ const FOOT = 12;
 export function correlationPicture({ correlations }: RelativeOrientation): HTMLElement {
   const size = HEAD + CELL * UNKNOWNS.length;
   const words = UNKNOWNS.flatMap(({ symbol }, i) =>
-    UNKNOWNS.slice(i + 1).map((other, k) => `${symbol} and ${other.symbol} ${fixed(correlations[i]?.[i + 1 + k], 2)}`),
+    UNKNOWNS.slice(i + 1).map((other, k) => say('and', { symbol, symbol_2: other.symbol, correlations: correlations[i]?.[i + 1 + k] })),
   );
   const heads = UNKNOWNS.flatMap(({ symbol }, i) => [
     svg('text', { x: HEAD + CELL * (i + 0.5), y: HEAD - 8, class: 'matrix-name' }, symbol),
@@ -24,14 +25,10 @@ export function correlationPicture({ correlations }: RelativeOrientation): HTMLE
   return h(
     'figure',
     { testid: 'correlations' },
-    h(
-      'figcaption',
-      { title: 'From the inverse of the normal equations: near ±1 two unknowns are hardly separable, and an error of one passes into the other.' },
-      'Correlations of the unknowns',
-    ),
+    h('figcaption', { title: say('from-the-inverse-of-the') }, say('correlations-of-the-unknowns')),
     svg(
       'svg',
-      { viewBox: `0 0 ${String(size)} ${String(size)}`, class: 'correlations', role: 'img', 'aria-label': `Correlations: ${words.join(', ')}` },
+      { viewBox: `0 0 ${String(size)} ${String(size)}`, class: 'correlations', role: 'img', 'aria-label': say('correlations', { join: words.join(', ') }) },
       ...heads,
       ...cells,
     ),
@@ -60,7 +57,7 @@ export function ellipsePicture(ellipse: ErrorEllipse, deviation: [number, number
   const { semi_major: major, semi_minor: minor, bearing_deg: angle } = ellipse;
   const reach = Math.max(2 * major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
   const scale = PLOT / 2 / reach;
-  const words = `Standard error ellipse of by and bz: ${significant(major)} by ${significant(minor)} mm, longer axis at ${fixed(angle, 0)} degrees from by`;
+  const words = say('standard-error-ellipse-of-by', { major: significant(major), minor: significant(minor), angle });
   // The truth lies where the deviation is undone.
   const truth = deviation === null ? [] : [svg('path', { d: cross(-deviation[0] * scale, deviation[1] * scale), class: 'truth' })];
   const half = PLOT / 2;
@@ -70,7 +67,7 @@ export function ellipsePicture(ellipse: ErrorEllipse, deviation: [number, number
     h(
       'figcaption',
       { title: words },
-      `by, bz: ellipse ${significant(1000 * major)} × ${significant(1000 * minor)} µm; dashed: twice as large, 2 standard errors${deviation === null ? '' : '; cross: truth'}`,
+      say('by-bz-ellipse-m-dashed', { major: significant(1000 * major), minor: significant(1000 * minor), what: deviation === null ? '' : say('cross-truth') }),
     ),
     svg(
       'svg',

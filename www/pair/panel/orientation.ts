@@ -1,5 +1,4 @@
 /** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
-import { message } from '../../shared/crate';
 import type { FiveParameters, Paper, RelativeOrientation } from '../../shared/crate';
 import { interiorInUse } from '../state/interior';
 import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
@@ -12,16 +11,16 @@ import { fill, h, row, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
 import { count, fixed, significant } from '../../shared/text/format';
-import { page } from '../../shared/text/words';
 import { correlationPicture, ellipsePicture } from './matrix';
 import { UNKNOWNS } from './unknowns';
+import { say } from '../../shared/text/words';
+import { message } from '../../shared/text/messages';
 
-const SIGMA_CAVEAT =
-  'σ₀ is computed from y-parallaxes. It sees only the component of an error across the epipolar line, and cannot prove a match right: a wrong match along the line leaves it unchanged.';
+const SIGMA_CAVEAT = say('is-computed-from-y-parallaxes');
 
 export function mountOrientation(host: HTMLElement, store: Store): void {
   const body = h('div', {});
-  const panel = section('Relative orientation', 'orientation-section', body);
+  const panel = section(say('relative-orientation'), 'orientation-section', body);
   host.append(panel);
   store.watch(['results', 'settings', 'images', 'failures', 'camera', 'photos', 'offset', 'fiducialModel'], () => {
     const { state } = store;
@@ -34,7 +33,7 @@ function content(state: State): HTMLElement[] {
   const reason = whyNotOriented(state);
   if (reason !== null) return [h('p', { class: 'note', testid: 'orientation-reason' }, reason)];
   const result = state.results.orientation?.value;
-  if (result === undefined) return [h('p', { class: 'note', testid: 'orientation-reason' }, 'Not computed yet.')];
+  if (result === undefined) return [h('p', { class: 'note', testid: 'orientation-reason' }, say('not-computed-yet'))];
   return [
     ...estimatedFocal(state),
     valueTable(state, result),
@@ -50,7 +49,7 @@ function estimatedFocal(state: State): HTMLElement[] {
   const { match } = state.results;
   const focal = match?.value.geometry?.focal ?? null;
   if (!('missing' in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
-  return [h('p', { class: 'note', testid: 'estimated-focal' }, page('estimated_focal', { focal_px: focal.focal_px, error_px: focal.standard_error_px }))];
+  return [h('p', { class: 'note', testid: 'estimated-focal' }, say('estimated-focal', { focal_px: focal.focal_px, error_px: focal.standard_error_px }))];
 }
 
 /** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
@@ -68,23 +67,23 @@ function areEqual(matches: Float64Array): boolean {
 /** Why there is no orientation for what is wanted now; null where there is one, or one to come. */
 export function whyNotOriented(state: State): string | null {
   const keys = wantedKeys(state);
-  if (state.images.left === null || state.images.right === null) return 'Two images are needed.';
+  if (state.images.left === null || state.images.right === null) return say('two-images-are-needed');
   const match = isCurrent(state, 'match') ? (state.results.match?.value ?? null) : null;
   if (match?.geometry?.degenerate === 'pure-rotation') {
     return areEqual(match.matches)
-      ? 'Not oriented: both images show the same at the same positions. Is it one photo twice?'
-      : `Not oriented: ${message('no_orientation', { kind: 'pure_rotation' })}.`;
+      ? say('not-oriented-both-images-show')
+      : say('not-oriented-2', { message: message('no_orientation', { kind: 'pure_rotation' }) });
   }
-  if (match?.no_geometry != null) return `Not oriented: ${message('no_geometry', match.no_geometry)}. Do both photos show the same ground?`;
+  if (match?.no_geometry != null) return say('not-oriented-do-both-photos', { message: message('no_geometry', match.no_geometry) });
   const cameras = pairCameras(state);
   if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras && keys.orientation === null) {
-    if (cameras.missing.kind === 'panorama') return `Not oriented: ${message('no_orientation', cameras.missing)}.`;
-    const untold = match?.geometry == null ? '' : ', and the matches do not determine the focal length';
-    return `Not oriented: ${message('no_orientation', cameras.missing)}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
+    if (cameras.missing.kind === 'panorama') return say('not-oriented-2', { message: message('no_orientation', cameras.missing) });
+    const untold = match?.geometry == null ? '' : say('and-the-matches-do-not');
+    return say('not-oriented-give-the-focal', { message: message('no_orientation', cameras.missing), untold });
   }
   for (const stage of ['interiorLeft', 'interiorRight', 'orientation'] as const) {
     const failure = state.failures[stage];
-    if (failure !== undefined && failure.key === keys[stage]) return `Not oriented. ${failure.message}`;
+    if (failure !== undefined && failure.key === keys[stage]) return say('not-oriented-3', { message: failure.message });
   }
   return null;
 }
@@ -119,32 +118,22 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
         : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
     return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, interval, ...compared);
   });
-  const heads: [string, string][] = [
-    ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
-    ['Std error', 'What the scatter of the matches leaves uncertain.'],
-    ...(total === null
-      ? []
-      : [
-          [
-            'In total',
-            'Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks.',
-          ] satisfies [string, string],
-        ]),
-    [
-      '95 % ±',
-      'Half-width of the interval that holds the unknown in 95 of 100 cases: of the last standard error, by the distribution of Student for the degrees of freedom.',
-    ],
+  const heads: [text: string, title: string, kind?: string][] = [
+    [say('value'), say('the-right-photo-relative-to')],
+    [say('std-error'), say('what-the-scatter-of-the')],
+    ...(total === null ? [] : [[say('in-total'), say('standard-error-including-what-does')] satisfies [string, string]]),
+    ['95 % ±', say('half-width-of-the-interval')],
     ...(paper !== undefined
       ? ([
-          ['Paper', "The paper's Table 3, of its own pair"],
-          ['its error', "The paper's Table 2"],
-        ] satisfies [string, string][])
+          [say('paper-2'), say('the-papers-table-3-of'), 'paper'],
+          [say('its-error'), say('the-papers-table-2'), 'paper'],
+        ] satisfies [string, string, string][])
       : []),
     ...(truth === null
       ? []
       : ([
-          ['True error', 'Value minus truth; by and bz at the scale of the base used.'],
-          ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.'],
+          [say('true-error'), say('value-minus-truth-by-and')],
+          [say('in-std-errors'), say('the-true-error-divided-by')],
         ] satisfies [string, string][])),
   ];
   const note = paper !== undefined ? h('p', { class: 'note' }, paperNote(state, paper)) : null;
@@ -156,15 +145,15 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
       { class: 'scroll' },
       h(
         'table',
-        { class: 'tight', aria: { label: 'Relative orientation' } },
+        { class: 'tight', aria: { label: say('relative-orientation') } },
         h(
           'thead',
           {},
           h(
             'tr',
             {},
-            h('th', { scope: 'col' }, 'Unknown'),
-            ...heads.map(([text, title]) => h('th', { scope: 'col', title, class: text === 'Paper' || text === 'its error' ? 'paper' : '' }, text)),
+            h('th', { scope: 'col' }, say('unknown')),
+            ...heads.map(([text, title, kind = '']) => h('th', { scope: 'col', title, class: kind }, text)),
           ),
         ),
         h('tbody', {}, ...rows),
@@ -177,7 +166,7 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
 /** Whose pair it was, and with what it was photographed. */
 function paperNote({ catalogue }: State, { pixel_mm: pixel }: Paper): string {
   const flight = catalogue?.flights.find(({ name }) => name === 'paper')?.flight;
-  return page('paper', { focal_mm: flight?.focal_mm ?? null, base_mm: flight?.base_mm ?? null, pixel_um: 1000 * pixel });
+  return say('paper', { focal_mm: flight?.focal_mm ?? null, base_mm: flight?.base_mm ?? null, pixel_um: 1000 * pixel });
 }
 
 function warnings({ warnings: found }: RelativeOrientation): HTMLElement[] {
@@ -193,78 +182,81 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
   const printed = hasPaperCamera(state) ? state.catalogue?.paper : undefined;
   const list: Fact[] = [
     {
-      name: 'σ₀ of a photo coordinate',
+      name: say('of-a-photo-coordinate'),
       testid: 'sigma0',
-      value: sigma == null ? '–' : `${fixed(1000 * sigma, 2)} µm${pixel === null ? '' : ` = ${fixed(sigma / pixel, 3)} px`}`,
-      help: `Standard error of one photo coordinate of weight 1, from the residuals. ${SIGMA_CAVEAT}`,
+      value: sigma == null ? '–' : `${fixed(1000 * sigma, 2)} µm${pixel === null ? '' : say('px-6', { sigma: sigma / pixel })}`,
+      help: say('standard-error-of-one-photo', { sigma_caveat: SIGMA_CAVEAT }),
     },
     {
-      name: 'of a y-parallax (√2 σ₀)',
+      name: say('of-a-y-parallax-2'),
       testid: 'sigma-parallax',
-      value: sigma == null || pixel === null ? '–' : `${fixed((Math.SQRT2 * sigma) / pixel, 3)} px`,
-      help: 'Standard error of the y-parallax of a match: the distance at which its two rays pass each other.',
+      value: sigma == null || pixel === null ? '–' : say('px-3', { value: (Math.SQRT2 * sigma) / pixel }),
+      help: say('standard-error-of-the-y'),
     },
     ...(test === null
       ? []
       : [
           {
-            name: 'Global test',
+            name: say('global-test-2'),
             testid: 'global-test',
-            value: `${fixed(test.statistic, 1)}: ${test.passed ? 'passed' : 'FAILED'}`,
+            value: `${fixed(test.statistic, 1)}: ${test.passed ? say('passed') : say('failed-3')}`,
             ...(test.passed ? {} : { kind: 'problem' as const }),
-            help: page('global_test', { lower: test.lower, upper: test.upper }),
+            help: say('global-test', { lower: test.lower, upper: test.upper }),
           },
         ]),
-    { name: 'Degrees of freedom', testid: 'degrees-of-freedom', value: count(result.degrees_of_freedom), help: 'Matches used minus the five unknowns.' },
+    { name: say('degrees-of-freedom'), testid: 'degrees-of-freedom', value: count(result.degrees_of_freedom), help: say('matches-used-minus-the-five') },
     {
-      name: 'Matches used',
+      name: say('matches-used'),
       testid: 'matches-used',
-      value: `${count(used)} of ${count(result.residuals_mm.length)}`,
-      help: 'Data snooping rejected the others as gross errors, or their rays meet behind a camera.',
+      value: say('of-7', { used, residuals_mm: result.residuals_mm.length }),
+      help: say('data-snooping-rejected-the-others'),
     },
     {
-      name: 'Condition',
+      name: say('condition'),
       testid: 'condition',
       value: significant(result.condition),
-      help: 'Largest by smallest eigenvalue of the matrix of correlations: 1 where the unknowns are independent, some thousands for vertical photographs, far more where they are hardly separable.',
+      help: say('largest-by-smallest-eigenvalue-of'),
     },
     {
-      name: 'Misfit to a plane',
+      name: say('misfit-to-a-plane'),
       testid: 'plane-misfit',
       value: result.plane_misfit === null ? '–' : `${significant(result.plane_misfit)} σ₀`,
-      help: 'How far the matches deviate from the best map of one plane onto another, in standard errors: about 1 over a plane, where a second orientation may fit as well; large over relief.',
+      help: say('how-far-the-matches-deviate'),
     },
     {
-      name: 'Parallax beside a rotation',
+      name: say('parallax-beside-a-rotation'),
       testid: 'rotation-parallax',
-      value: pixel === null ? `${significant(result.parallax_beside_rotation_mm)} mm` : `${significant(result.parallax_beside_rotation_mm / pixel)} px`,
-      help: 'Median parallax that the best rotation of the right photo leaves: what of the difference of the photos only a base explains. Next to nothing where the camera only turned.',
+      value:
+        pixel === null
+          ? say('mm-2', { value: significant(result.parallax_beside_rotation_mm) })
+          : say('px-7', { value: significant(result.parallax_beside_rotation_mm / pixel) }),
+      help: say('median-parallax-that-the-best'),
     },
     {
-      name: 'Spread',
+      name: say('spread'),
       testid: 'spread',
       value: `${fixed(result.spread, 3)} f`,
-      help: 'Root mean square distance of the points from their middle in the left photo, in principal distances. Small where they cover little of the photo.',
+      help: say('root-mean-square-distance-of-the'),
     },
     {
-      name: 'Iterations, last step',
+      name: say('iterations-last-step'),
       testid: 'iterations',
       value: `${String(result.iterations)}, ${significant(result.last_step)}`,
-      help: 'The last step relative to a millionth of the standard errors: below 1 the adjustment has converged.',
+      help: say('the-last-step-relative-to'),
     },
     {
-      name: 'Base b, principal distance',
+      name: say('base-b-principal-distance'),
       testid: 'base',
-      value: `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`,
-      help: 'The base component that was fixed gives by and bz their scale.',
+      value: say('mm-mm', { base_mm: significant(result.base_mm), focal_mm: significant(result.focal_mm) }),
+      help: say('the-base-component-that-was'),
     },
     ...(printed !== undefined
       ? [
           {
-            name: 'Paper',
+            name: say('paper-2'),
             testid: 'paper-sigma0',
-            value: page('paper_sigma', { sigma0_mm: printed.sigma0_mm, sigma0_px: printed.sigma0_mm / printed.pixel_mm }),
-            help: 'What the paper printed for its own pair.',
+            value: say('paper-sigma', { sigma0_mm: printed.sigma0_mm, sigma0_px: printed.sigma0_mm / printed.pixel_mm }),
+            help: say('what-the-paper-printed-for'),
           },
         ]
       : []),

@@ -5,7 +5,7 @@ import type { Store } from '../state/store';
 import { panesOf } from '../view/geometry';
 import type { View } from '../view/view';
 import { button, fill, h } from '../../shared/panel/dom';
-import { count } from '../../shared/text/format';
+import { say } from '../../shared/text/words';
 
 export interface PaneActions {
   open: (side: Side) => void;
@@ -42,13 +42,13 @@ export function mountPanes(view: View, store: Store, actions: PaneActions): void
 
 function label(side: Side, actions: PaneActions): { element: HTMLElement; show: (state: State) => void } {
   const name = h('span', { class: 'pane-name', testid: `name-${side}` });
-  const replace = button('Replace …', `replace-${side}`, () => actions.open(side));
-  replace.setAttribute('aria-label', `Replace the ${side} image`);
-  const empty = button(`Open the ${side} image …`, `open-${side}`, () => actions.open(side));
+  const replace = button(say('replace'), `replace-${side}`, () => actions.open(side));
+  replace.setAttribute('aria-label', say('replace-the-image', { side }));
+  const empty = button(say('open-the-image-2', { side }), `open-${side}`, () => actions.open(side));
   empty.className = 'invitation';
-  const mask = button('Mask …', `mask-${side}`, () => actions.mask(side), 'An image of the same size: no points are detected where it is 0 (black)');
-  const unmask = button('× mask', `unmask-${side}`, () => actions.unmask(side));
-  unmask.setAttribute('aria-label', `Remove the mask of the ${side} image`);
+  const mask = button(say('mask'), `mask-${side}`, () => actions.mask(side), say('an-image-of-the-same'));
+  const unmask = button(say('mask-2'), `unmask-${side}`, () => actions.unmask(side));
+  unmask.setAttribute('aria-label', say('remove-the-mask-of-the', { side }));
   const head = h('div', { class: 'pane-head' }, name, replace, mask, unmask);
   const element = h('div', { class: 'pane-frame', testid: `pane-${side}` }, head, empty);
   const show = (state: State) => {
@@ -58,9 +58,9 @@ function label(side: Side, actions: PaneActions): { element: HTMLElement; show: 
     head.hidden = image === null;
     mask.hidden = given !== null;
     unmask.hidden = given === null;
-    unmask.title = given === null ? '' : `Remove ${given.name}`;
+    unmask.title = given === null ? '' : say('remove-3', { name: given.name });
     empty.hidden = image !== null;
-    const size = opened === undefined || image === null ? '' : ` · ${count(opened.value.info.width)} × ${count(opened.value.info.height)} px`;
+    const size = opened === undefined || image === null ? '' : say('px-8', { width: opened.value.info.width, height: opened.value.info.height });
     // Beside the buttons a long one is cut off, and the size left out where it has no place.
     name.title = image === null ? '' : `${image.name}${size}`;
     fill(name, h('span', {}, image?.name ?? ''), h('span', {}, size));

@@ -17,6 +17,7 @@ import { count, fixed, significant } from '../../shared/text/format';
 import { swatch } from './swatch';
 import { verdictOf } from './verdict';
 import { windowPicture } from './window';
+import { say } from '../../shared/text/words';
 
 const MOST_ROWS = 50;
 
@@ -38,24 +39,18 @@ function content(state: State, select: (side: 'left' | 'right', index: number) =
   const shown = shownPair(state);
   const points = selection === null ? null : shown[selection.side];
   if (selection === null || points === null || 3 * selection.index >= points.length) {
-    return [
-      h(
-        'p',
-        { class: 'note' },
-        'Click a point in an image, or press N with the image in focus, to see what was compared, its candidates and the rule that decided.',
-      ),
-    ];
+    return [h('p', { class: 'note' }, say('click-a-point-in-an'))];
   }
   const at = points.subarray(3 * selection.index, 3 * selection.index + 3);
   const parts: HTMLElement[] = [
-    h('h3', {}, `${selection.side === 'left' ? 'Left' : 'Right'} point ${count(selection.index + 1)}`),
-    h('p', { class: 'facts-line', testid: 'point-position' }, `x ${fixed(at[0], 1)} px, y ${fixed(at[1], 1)} px, interest value ${significant(at[2] ?? 0)}`),
+    h('h3', {}, say('point-3', { what: selection.side === 'left' ? say('left') : say('right'), index: selection.index + 1 })),
+    h('p', { class: 'facts-line', testid: 'point-position' }, say('x-px-y-px-interest', { at: at[0], at_2: at[1], significant: significant(at[2] ?? 0) })),
   ];
-  if (shown.match === null) return [...parts, h('p', { class: 'note' }, 'Not matched yet.')];
+  if (shown.match === null) return [...parts, h('p', { class: 'note' }, say('not-matched-yet'))];
   parts.push(verdict(state, shown, shown.match));
   const inspection = state.results.inspection?.value;
   if (inspection === undefined || !isCurrent(state, 'inspection'))
-    return [...parts, h('p', { class: 'note' }, problemOr(state, 'Loading the window and the candidates …'))];
+    return [...parts, h('p', { class: 'note' }, problemOr(state, say('loading-the-window-and-the')))];
   // Grey values are compared as they are: moments of their windows would say nothing about the verdict.
   const byGrey = state.settings !== null && comparesGreyValues(state.settings);
   const byGradients = state.settings !== null && comparesGradients(state.settings);
@@ -72,17 +67,8 @@ function content(state: State, select: (side: 'left' | 'right', index: number) =
 /** What is drawn of the geometry in the other image. */
 function lineNote({ line }: Inspection, { geometry }: MatchResult): HTMLElement[] {
   if (line === null || geometry === null) return [];
-  const text =
-    'fundamental' in geometry.model
-      ? `The dashed line in the ${line.side} image is the epipolar line of this point: its match lies on it, whatever the height.`
-      : `The cross in the ${line.side} image is where the geometry has this point.`;
-  return [
-    h(
-      'p',
-      { class: 'note', testid: 'point-line' },
-      line.positions.length === 0 ? `By the geometry of the two views this point lies outside the ${line.side} image.` : text,
-    ),
-  ];
+  const text = 'fundamental' in geometry.model ? say('the-dashed-line-in-the', { side: line.side }) : say('the-cross-in-the-image', { side: line.side });
+  return [h('p', { class: 'note', testid: 'point-line' }, line.positions.length === 0 ? say('by-the-geometry-of-the', { side: line.side }) : text)];
 }
 
 function problemOr(state: State, text: string): string {
@@ -98,10 +84,10 @@ function windows({ left, right }: Inspection, axes: boolean): HTMLElement {
   const one = (name: string, window: PointWindow | null) => {
     const report = window?.report ?? null;
     const picture =
-      window === null || report === null ? h('p', { class: 'note' }, window?.problem ?? 'No point.') : windowPicture(report, window.col, window.row, axes);
-    return h('figure', {}, picture, h('figcaption', {}, name, report === null || !axes ? '' : ` · axis ${fixed(report.axis_angle_deg, 1)}°`));
+      window === null || report === null ? h('p', { class: 'note' }, window?.problem ?? say('no-point')) : windowPicture(report, window.col, window.row, axes);
+    return h('figure', {}, picture, h('figcaption', {}, name, report === null || !axes ? '' : say('axis', { axis_angle_deg: report.axis_angle_deg })));
   };
-  return h('div', { class: 'windows', testid: 'point-windows' }, one('Left window', left), one('Right window', right));
+  return h('div', { class: 'windows', testid: 'point-windows' }, one(say('left-window'), left), one(say('right-window'), right));
 }
 
 const MOMENTS = [
@@ -118,21 +104,21 @@ function moments({ left, right }: Inspection): HTMLElement[] {
   if ((left?.report ?? right?.report ?? null) === null) return [];
   const value = (number: number | undefined) => h('td', { class: 'number' }, number === undefined ? '–' : significant(number));
   const head = (text: string) =>
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, text), h('th', { scope: 'col' }, 'Left'), h('th', { scope: 'col' }, 'Right')));
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, text), h('th', { scope: 'col' }, say('left')), h('th', { scope: 'col' }, say('right'))));
   return [
     h(
       'div',
       { class: 'moments' },
       h(
         'table',
-        { testid: 'point-moments', aria: { label: 'Normalised central moments' } },
-        head('Moment'),
+        { testid: 'point-moments', aria: { label: say('normalised-central-moments') } },
+        head(say('moment')),
         h('tbody', {}, ...MOMENTS.map(([field, name]) => row(name, value(left?.report?.normalized[field]), value(right?.report?.normalized[field])))),
       ),
       h(
         'table',
-        { testid: 'point-invariants', aria: { label: 'Invariants' } },
-        head('Invariant'),
+        { testid: 'point-invariants', aria: { label: say('invariants') } },
+        head(say('invariant')),
         h('tbody', {}, ...MOMENTS.map((_, i) => row(`I${'₀₁₂₃₄₅₆'.charAt(i)}`, value(left?.report?.invariants[i]), value(right?.report?.invariants[i])))),
       ),
     ),
@@ -148,10 +134,10 @@ function matchStatistics(state: State, shown: ShownPair, match: MatchResult): HT
   const right = match.matches.subarray(5 * index + 2, 5 * index + 4);
   const list: Fact[] = [
     {
-      name: 'Right position',
+      name: say('right-position'),
       testid: 'match-right',
-      value: `${fixed(right[0], 2)}, ${fixed(right[1], 2)} px`,
-      help: 'Where the match lies in the right image.',
+      value: say('px-9', { right: right[0], right_2: right[1] }),
+      help: say('where-the-match-lies-in'),
     },
     ...columns
       .filter(({ key }) => key !== 'x' && key !== 'y')
@@ -162,7 +148,7 @@ function matchStatistics(state: State, shown: ShownPair, match: MatchResult): HT
         help,
       })),
   ];
-  return [h('h4', {}, `Match ${count(index + 1)}`), facts(list)];
+  return [h('h4', {}, say('match', { index: index + 1 })), facts(list)];
 }
 
 function candidateTable(state: State, match: MatchResult, { candidates }: Inspection, select: (side: 'left' | 'right', index: number) => void): HTMLElement[] {
@@ -172,7 +158,7 @@ function candidateTable(state: State, match: MatchResult, { candidates }: Inspec
   if (points === undefined || leftIndex < 0 || total === 0) return [];
   const rows = Array.from({ length: Math.min(total, MOST_ROWS) }, (_, i) => {
     const index = candidates[2 * i] ?? 0;
-    const go = h('button', { type: 'button', class: 'link', aria: { label: `Select right point ${String(index + 1)}` } }, count(index + 1));
+    const go = h('button', { type: 'button', class: 'link', aria: { label: say('select-right-point', { index: index + 1 }) } }, count(index + 1));
     go.addEventListener('click', () => select('right', index));
     const cells = [points[3 * index], points[3 * index + 1]].map((v) => h('td', { class: 'number' }, fixed(v, 1)));
     const [least = NaN, own = NaN] = [candidates[1], candidates[2 * i + 1]];
@@ -186,10 +172,10 @@ function candidateTable(state: State, match: MatchResult, { candidates }: Inspec
       h('td', { class: 'number' }, i === 0 ? '' : fixed(least / own, 3)),
     );
   });
-  const measure = state.settings !== null && comparesGradients(state.settings) ? 'Distance' : 'Measure';
-  const heads = ['', 'Right point', 'x px', 'y px', measure].map((text) => h('th', { scope: 'col' }, text));
-  heads.push(h('th', { scope: 'col', title: 'The smallest measure divided by its own: that of the second decides whether the best is ambiguous.' }, 'Ratio'));
-  const caption = `${count(total)} ${total === 1 ? 'candidate' : 'candidates'} of left point ${count(leftIndex + 1)}${total > MOST_ROWS ? `, the best ${String(MOST_ROWS)}` : ''}`;
+  const measure = state.settings !== null && comparesGradients(state.settings) ? say('distance-2') : say('measure');
+  const heads = [say('rank'), say('right-point'), 'x px', 'y px', measure].map((text) => h('th', { scope: 'col' }, text));
+  heads.push(h('th', { scope: 'col', title: say('the-smallest-measure-divided-by') }, say('ratio-2')));
+  const caption = say('of-left-point', { total, left_index: leftIndex + 1, what: total > MOST_ROWS ? say('the-best', { most_rows: MOST_ROWS }) : '' });
   return [
     h('h4', {}, caption),
     h(

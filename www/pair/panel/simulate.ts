@@ -9,6 +9,7 @@ import { button, h } from '../../shared/panel/dom';
 import { makeSections } from '../../shared/panel/sections';
 import type { Sections } from '../../shared/panel/sections';
 import { withSetting } from '../../shared/panel/settings';
+import { say } from '../../shared/text/words';
 
 /** Longest side of the preview's images, in px. */
 const PREVIEW_SIDE = 240;
@@ -18,10 +19,10 @@ const DEBOUNCE_MS = 120;
 type Field = keyof Flight;
 
 const PRESETS: Readonly<Record<string, string>> = {
-  sample: 'Sample: the built-in pair',
-  paper: 'Paper: its geometry and angles',
-  hard: 'Hard: high relief, blur, noise',
-  lively: 'Lively: river, traffic, grain, haze',
+  sample: say('sample-the-built-in-pair'),
+  paper: say('paper-its-geometry-and-angles'),
+  hard: say('hard-high-relief-blur-noise'),
+  lively: say('lively-river-traffic-grain-haze'),
 };
 
 export function mountSimulate(host: HTMLElement, store: Store, engine: Engine, render: (name: string, flight: Flight) => void): void {
@@ -55,27 +56,23 @@ class SimulatePanel {
       },
       defaults: () => this.standard(),
     });
-    const go = button('Render this pair', 'render-flight', () => {
+    const go = button(say('render-this-pair'), 'render-flight', () => {
       const { flight } = store.state;
       if (flight !== null) render(this.preset.value, flight);
     });
     go.className = 'primary';
     const another = button(
-      'Another town',
+      say('another-town'),
       'flight-reseed',
       () => {
         const { flight } = store.state;
         if (flight !== null) store.dispatch({ type: 'flight', flight: { ...flight, seed: (flight.seed + 1) % 2 ** 32 } });
       },
-      'The next seed',
+      say('the-next-seed'),
     );
     host.append(
-      h(
-        'p',
-        { class: 'note' },
-        'A flight over a synthetic scene. The truth is known: matches and orientation are compared with it, and errors are shown beside standard errors.',
-      ),
-      h('div', { class: 'control' }, h('label', { for: 'flight-preset' }, 'Preset'), this.preset),
+      h('p', { class: 'note' }, say('a-flight-over-a-synthetic')),
+      h('div', { class: 'control' }, h('label', { for: 'flight-preset' }, say('preset')), this.preset),
       h('div', { class: 'previews' }, ...this.pictures),
       this.problem,
       h('div', { class: 'buttons' }, go, another),
@@ -107,7 +104,7 @@ class SimulatePanel {
     if (this.rendering || flight === null || flight === this.shown || this.host.offsetParent === null) return;
     this.shown = flight;
     const problem = problemOfFlight(flight);
-    this.say(problem);
+    this.tell(problem);
     if (problem !== null) {
       // The preview's own problems would be those of its coarser pixels.
       this.sections.controls.find(({ parameter }) => problem.startsWith(`${parameter.key} is `))?.refuse(`${readable(this.catalogue, problem)}.`);
@@ -116,10 +113,10 @@ class SimulatePanel {
     this.rendering = true;
     try {
       const { left, right } = await this.engine.client('preview').call('simulate', reduced(flight, this.catalogue));
-      paint(this.pictures[0], left, 'Preview of the left image');
-      paint(this.pictures[1], right, 'Preview of the right image');
+      paint(this.pictures[0], left, say('preview-of-the-left-image'));
+      paint(this.pictures[1], right, say('preview-of-the-right-image'));
     } catch (error) {
-      if (error instanceof CallError) this.say(`no preview: ${error.message}`);
+      if (error instanceof CallError) this.tell(say('no-preview', { message: error.message }));
       else if (!(error instanceof Cancelled)) throw error;
     } finally {
       this.rendering = false;
@@ -127,7 +124,7 @@ class SimulatePanel {
     if (this.store.state.flight !== flight) this.later();
   }
 
-  private say(problem: string | null): void {
+  private tell(problem: string | null): void {
     this.problem.textContent = problem === null ? '' : `${readable(this.catalogue, problem)}.`;
   }
 }

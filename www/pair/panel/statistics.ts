@@ -15,28 +15,29 @@ import type { Side, State } from '../state/state';
 import { isKept, statisticsOf } from '../state/statistics';
 import type { Filter, Statistics } from '../state/statistics';
 import type { Store } from '../state/store';
+import { say } from '../../shared/text/words';
 
 const FILTERS: readonly (readonly [Filter, string])[] = [
-  ['all', 'all matches'],
-  ['used', 'used'],
-  ['rejected', 'gross errors'],
-  ['by-hand', 'by hand'],
-  ['wrong', 'wrong by the truth'],
+  ['all', say('all-matches')],
+  ['used', say('used')],
+  ['rejected', say('gross-errors')],
+  ['by-hand', say('by-hand')],
+  ['wrong', say('wrong-by-the-truth')],
 ];
 /** What became of a match, in a word. */
-const STATES: Readonly<Record<number, string>> = { [GROSS_ERROR]: 'gross error', [BY_HAND]: 'rejected by hand', [MANUAL]: 'by hand' };
-const RIGHTNESS = ['wrong', 'at an edge', 'right'];
+const STATES: Readonly<Record<number, string>> = { [GROSS_ERROR]: say('gross-error'), [BY_HAND]: say('rejected-by-hand-2'), [MANUAL]: say('by-hand') };
+const RIGHTNESS = [say('wrong'), say('at-an-edge'), say('correct')];
 
 export function mountStatistics(host: HTMLElement, store: Store, editing: Editing, select: (side: Side, index: number) => void): void {
-  const filter = h('select', { testid: 'statistics-filter', aria: { label: 'Matches to show' } });
+  const filter = h('select', { testid: 'statistics-filter', aria: { label: say('matches-to-show') } });
   const caption = h('p', { class: 'note', testid: 'statistics-caption' });
   // More columns than the panel is wide are found by scrolling, which a scrollbar that hides does not tell.
-  const sideways = h('p', { class: 'note', hidden: true, testid: 'statistics-sideways' }, 'Scroll sideways for more columns →');
-  const all = button('Choose all', 'choose-listed', () => chooseListed(), 'Choose the matches that the list shows, to reject or restore them');
+  const sideways = h('p', { class: 'note', hidden: true, testid: 'statistics-sideways' }, say('scroll-sideways-for-more-columns'));
+  const all = button(say('choose-all'), 'choose-listed', () => chooseListed(), say('choose-the-matches-that-the'));
   host.append(h('div', { class: 'statistics-head' }, filter, caption, all), sideways);
   const table = new Table(host, {
     testid: 'statistics',
-    words: { table: 'Matches with their statistics', region: 'Table of matches' },
+    words: { table: say('matches-with-their-statistics'), region: say('table-of-matches') },
     choose: (match) => {
       const left = statistics?.lefts[match];
       editing.chooseNone();
@@ -44,7 +45,6 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
     },
     chooseMore: (rows) => editing.chooseLefts(leftsOf(rows)),
     isChosen: (match) => chosen.has(statistics?.lefts[match] ?? -1),
-    chooseLabel: (match) => `Select match ${String(match + 1)}`,
   });
   new ResizeObserver(() => {
     sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
@@ -53,7 +53,7 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
   let chosen: ReadonlySet<number> = new Set();
   let statistics: Statistics | null = null;
   let columns: readonly Column[] = [];
-  const leftsOf = (rows: readonly number[]) => rows.flatMap((row) => statistics?.lefts[row] ?? []);
+  const leftsOf = (rows: Iterable<number>) => [...rows].flatMap((row) => statistics?.lefts[row] ?? []);
   const chooseListed = () => {
     editing.chooseNone();
     editing.chooseLefts(leftsOf(table.listed));
@@ -61,7 +61,7 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
   const show = () => {
     const shown = table.show(statistics?.count ?? 0, columns, (match) => statistics !== null && isKept(statistics, filter.value as Filter, match));
     all.disabled = shown === 0;
-    fill(caption, statistics === null ? 'No matches yet.' : `${count(shown)} of ${count(statistics.count)} matches`);
+    fill(caption, statistics === null ? say('no-matches-yet') : say('of-matches', { shown, count: statistics.count }));
   };
   filter.addEventListener('change', show);
   store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
@@ -86,27 +86,27 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
 }
 
 function columnsOf({ columns, codes, rightness }: Statistics): Column[] {
-  const word = (key: string, help: string, text: (match: number) => string): Column => ({ key, label: key, unit: '', help, value: text, text });
+  const word = (key: string, label: string, help: string, text: (match: number) => string): Column => ({
+    key,
+    label,
+    unit: '',
+    help,
+    value: text,
+    text,
+    words: true,
+  });
   return [
     {
       key: '',
-      label: 'Match',
+      label: say('match-2'),
       unit: '',
-      help: 'Number of the match, in the order of its left points.',
+      help: say('number-of-the-match-in'),
       value: (match) => match,
       text: (match) => count(match + 1),
     },
     ...columns,
-    word('state', 'Whether the adjustment used the match, and what was done to it by hand.', (match) => STATES[codes[match] ?? 0] ?? 'used'),
-    ...(rightness === null
-      ? []
-      : [
-          word(
-            'truth',
-            'Whether the match is right: within 1.5 px of where the surface is seen, there or at a neighbouring pixel.',
-            (match) => RIGHTNESS[rightness[match] ?? 0] ?? '',
-          ),
-        ]),
+    word('state', say('state-2'), say('whether-the-adjustment-used-the'), (match) => STATES[codes[match] ?? 0] ?? say('used')),
+    ...(rightness === null ? [] : [word('truth', say('truth'), say('whether-the-match-is-right'), (match) => RIGHTNESS[rightness[match] ?? 0] ?? '')]),
   ];
 }
 

@@ -6,11 +6,10 @@ import type { Store } from '../state/store';
 import { resting } from './answer';
 import type { AnswerActions } from './answer';
 import { summary } from './counts';
-import { refusedText } from '../../shared/text/format';
-import { page } from '../../shared/text/words';
 import { answerCard } from '../../shared/panel/answer';
 import type { Answer } from '../../shared/panel/answer';
 import { byId } from '../../shared/panel/dom';
+import { refusedText, say } from '../../shared/text/words';
 
 /** A run shorter than this shows no bar: it would only flicker. */
 const PATIENCE_MS = 250;
@@ -60,9 +59,9 @@ function answerOf(state: State, actions: AnswerActions): Answer {
   if (state.notice?.kind === 'problem') return line('problem', state.notice.text);
   const { running, wanted, done } = progress(state);
   if (running.length > 0)
-    return line('busy', page('step', { step: Math.min(done + 1, wanted), steps: wanted, stages: running.map((stage) => STAGES[stage].label).join('; ') }));
+    return line('busy', say('step', { step: Math.min(done + 1, wanted), steps: wanted, stages: running.map((stage) => STAGES[stage].label).join('; ') }));
   if (state.notice?.kind === 'busy') return line('busy', state.notice.text);
-  if (state.paused) return line('idle', 'Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.');
+  if (state.paused) return line('idle', say('cancelled-results-on-the-screen'));
   if (failure !== null && !isOrientation(failure)) return line('problem', `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
   const [refused] = Object.values(state.refused);
   if (refused !== undefined) return line('problem', refusedText(refused));
@@ -80,5 +79,5 @@ function isOrientation({ stage, ended }: { stage: StageName; ended: boolean }): 
 /** Without an interior orientation there are matches, but no more. */
 function matchedAllTheSame(state: State, failed: StageName): string {
   const matches = summary(state);
-  return (failed === 'interiorLeft' || failed === 'interiorRight') && matches !== '' ? `Not oriented: ${matches}.` : '';
+  return (failed === 'interiorLeft' || failed === 'interiorRight') && matches !== '' ? say('not-oriented-4', { matches }) : '';
 }

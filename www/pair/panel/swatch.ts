@@ -1,5 +1,6 @@
 /** The mark of a code as a small picture, for legends. */
-import { SHAPES, styleOf } from '../view/palette';
+import { SHAPES } from '../../shared/view/palette';
+import { styleOf } from '../view/palette';
 import { svg } from '../../shared/panel/dom';
 
 const OUTLINES: Readonly<Record<number, string>> = {

@@ -1,13 +1,14 @@
 /** A window as enlarged pixels, with the centroid and axis of its moments where these were compared. */
 import type { WindowReport } from '../../shared/crate';
 import { h } from '../../shared/panel/dom';
+import { say } from '../../shared/text/words';
 
 const SIDE = 132;
 
 /** The pixels of the window about the pixel `col`, `row`, the ones outside a circular window darkened; the ring marks the centroid, the line the axis. */
 export function windowPicture(report: WindowReport, col: number, row: number, axis: boolean): HTMLCanvasElement {
   const { side } = report;
-  const canvas = h('canvas', { class: 'window', role: 'img', aria: { label: `${String(side)} × ${String(side)} px window, enlarged` } });
+  const canvas = h('canvas', { class: 'window', role: 'img', aria: { label: say('px-window-enlarged', { side }) } });
   const pixel = Math.max(2, Math.floor((2 * SIDE) / side));
   canvas.width = side * pixel;
   canvas.height = side * pixel;

@@ -1,24 +1,11 @@
 /** Everything that can happen to the state. */
+import type { PaneView } from '../../shared/state/pane';
 import type { CameraMm, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../../shared/crate';
 import type { Notice } from '../../shared/state/notice';
 import type { RestoredPair } from './kept';
 import type { OpenedProject } from './project';
 import type { Edit } from './edits';
-import type {
-  Display,
-  Draft,
-  GivenImage,
-  GivenMask,
-  PaneView,
-  PhotoData,
-  Selection,
-  Side,
-  StageFailure,
-  StageName,
-  StageResult,
-  Tool,
-  TypedPart,
-} from './state';
+import type { Display, Draft, GivenImage, GivenMask, PhotoData, Selection, Side, StageFailure, StageName, StageResult, Tool, TypedPart } from './state';
 
 export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
 

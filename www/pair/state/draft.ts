@@ -1,4 +1,5 @@
 /** A match that is measured by hand: where it lies so far, and where its other point may be. */
+import { movedWith, NEIGHBOURS, onLine } from '../../shared/state/neighbours';
 import { remember } from '../../shared/state/remember';
 import { BY_HAND, MATCHED } from './codes';
 import { editedPair, placeOfLeft, targetOfLeft } from './edited';
@@ -6,15 +7,10 @@ import type { Edited } from './edited';
 import { freshNumber } from './edits';
 import type { Edit, Place } from './edits';
 import { isCurrent } from './keys';
-import type { Position } from './selected';
+import type { Position } from '../../shared/state/pane';
 import { leftIndexOf } from './selected';
 import { otherSide } from './state';
 import type { Draft, SeenAt, Side, State } from './state';
-
-/** Matches around a place that say where it lies in the other image. */
-const NEIGHBOURS = 12;
-/** Fewer of them say only how far things move. */
-const LEAST_OF_MAP = 6;
 
 /** Places are kept to so many parts of a px: nobody measures better. */
 const STEPS_OF_PX = 100;
@@ -33,53 +29,9 @@ function nearest({ match }: Edited, side: Side, [x, y]: Position): Place[] {
   });
 }
 
-/** The median of some values; NaN of none. */
-function middle(values: readonly number[]): number {
-  const sorted = [...values].sort((a, b) => a - b);
-  return sorted[Math.floor(sorted.length / 2)] ?? NaN;
-}
-
-/** How one coordinate of the other image follows from a place, by least squares about the neighbours' middle; null where they lie along a line. */
-function mapped(places: readonly Place[], at: Position, k: 2 | 3): number | null {
-  const mean = (of: (place: Place) => number) => places.reduce((sum, place) => sum + of(place), 0) / places.length;
-  const [mx, my, mv] = [mean((p) => p[0]), mean((p) => p[1]), mean((p) => p[k])];
-  let [xx, xy, yy, xv, yv] = [0, 0, 0, 0, 0];
-  for (const place of places) {
-    const [x, y, v] = [place[0] - mx, place[1] - my, place[k] - mv];
-    xx += x * x;
-    xy += x * y;
-    yy += y * y;
-    xv += x * v;
-    yv += y * v;
-  }
-  const determinant = xx * yy - xy * xy;
-  if (!(determinant > 1e-3 * xx * yy)) return null;
-  return mv + ((yy * xv - xy * yv) * (at[0] - mx) + (xx * yv - xy * xv) * (at[1] - my)) / determinant;
-}
-
 /** Where the ground at a place of one image lies in the other, by the matches around it; null without matches. */
 export function byNeighbours(edited: Edited, side: Side, at: Position): Position | null {
-  const places = nearest(edited, side, at);
-  if (places.length === 0) return null;
-  const [x, y] = places.length < LEAST_OF_MAP ? [null, null] : [mapped(places, at, 2), mapped(places, at, 3)];
-  if (x !== null && y !== null) return [x, y];
-  return [at[0] + middle(places.map((p) => p[2] - p[0])), at[1] + middle(places.map((p) => p[3] - p[1]))];
-}
-
-/** The place nearest to another one along a line of positions (stride 2); the one place where there is only one, and the same without any. */
-export function onLine({ positions }: SeenAt, [x, y]: Position): Position {
-  let best: [Position, number] | null = null;
-  for (let i = 0; i + 3 < positions.length; i += 2) {
-    const [ax = NaN, ay = NaN, bx = NaN, by = NaN] = positions.subarray(i, i + 4);
-    const [dx, dy] = [bx - ax, by - ay];
-    const share = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
-    const place: Position = [ax + share * dx, ay + share * dy];
-    const distance = (place[0] - x) ** 2 + (place[1] - y) ** 2;
-    if (best === null || distance < best[1]) best = [place, distance];
-  }
-  if (best !== null) return best[0];
-  const [px, py] = positions;
-  return px === undefined || py === undefined ? [x, y] : [px, py];
+  return movedWith(nearest(edited, side, at), at);
 }
 
 const predicted = remember((edited: Edited, draft: Draft, line: SeenAt | null): Position | null => {
@@ -87,7 +39,7 @@ const predicted = remember((edited: Edited, draft: Draft, line: SeenAt | null): 
   if (place === null) return null;
   const known: Position = [place[0], place[1]];
   const around = byNeighbours(edited, otherSide(draft.side), known);
-  return around === null || line?.side !== draft.side ? around : onLine(line, around);
+  return around === null || line?.side !== draft.side ? around : onLine(line.positions, around);
 });
 
 /** Where the point that is placed now is expected: by the matches around it, on its epipolar line where one is known. */

@@ -5,6 +5,7 @@ import type { MatchesInUse, PairMatches } from './data';
 import { isNothing, keyOfTarget, standingOf } from './edits';
 import type { Place, Standing, Target } from './edits';
 import type { State } from './state';
+import { say } from '../../shared/text/words';
 
 /** Stands for the right point of a match whose place is none. */
 export const NO_POINT = 0xffffffff;
@@ -247,10 +248,10 @@ export function countsByHand(match: Pick<PairMatches, 'matches' | 'rules'>): { r
 export function keptText({ match, found, lost }: Edited): string | null {
   if (match === found && lost === 0) return null;
   const { rejected, manual } = countsByHand(match);
-  const of = (number: number, one: string, more: string) => (number === 0 ? [] : [`${String(number)} ${number === 1 ? one : more}`]);
-  const kept = [...of(rejected, 'match rejected by hand', 'matches rejected by hand'), ...of(manual, 'match measured by hand', 'matches measured by hand')];
-  const none = lost === 0 ? '' : ` Of ${String(lost)} more ${lost === 1 ? 'rejection' : 'rejections'} there is no match at the same place.`;
-  return `${kept.length === 0 ? 'No edits by hand apply to this result.' : `Kept: ${kept.join(', ')}.`}${none}`;
+  const of = (number: number, what: string) => (number === 0 ? [] : [say('matches-by-hand', { number, what })]);
+  const kept = [...of(rejected, 'rejected'), ...of(manual, 'measured')];
+  const none = lost === 0 ? '' : say('of-more-there-is-no', { lost });
+  return `${kept.length === 0 ? say('no-edits-by-hand-apply') : say('kept', { join: kept.join(', ') })}${none}`;
 }
 
 const remembered = remember(applied);

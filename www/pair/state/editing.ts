@@ -4,10 +4,11 @@ import { begun, editOfDraft, moving, placed, placeOfDraft } from './draft';
 import { editedPair, leftsByTarget } from './edited';
 import { keyOfTarget } from './edits';
 import { leftIndexOf } from './selected';
-import type { Position } from './selected';
+import type { Position } from '../../shared/state/pane';
 import { otherSide } from './state';
 import type { Selection, Side, Tool } from './state';
 import type { Store } from './store';
+import { say } from '../../shared/text/words';
 
 /** Finds the place in the right image near a given one by least squares; null where there is none. */
 export type Fitter = (left: Position, right: Position) => Promise<Position | null>;
@@ -97,7 +98,7 @@ export class Editing {
     // Meanwhile something else may be measured.
     if (this.store.state.draft !== draft) return;
     if (found !== null) this.store.dispatch({ type: 'draft', draft: placed(state, placed(state, draft, 'left', left), 'right', found) });
-    const text = 'Least squares matching confirms no place near this one: the windows differ too much, or are turned to each other.';
+    const text = say('least-squares-matching-confirms-no');
     this.store.dispatch({ type: 'notice', notice: found === null ? { kind: 'info', text } : null });
   }
 

@@ -1,5 +1,8 @@
 /** Edits of the matches by hand: records of what was done to which match, and what stands after some of them. */
+import { NO_HISTORY } from '../../shared/state/history';
+import type { History } from '../../shared/state/history';
 import { remember } from '../../shared/state/remember';
+import { say } from '../../shared/text/words';
 
 /** Where a match lies: x and y in the left, x and y in the right image, px. */
 export type Place = readonly [xLeft: number, yLeft: number, xRight: number, yRight: number];
@@ -14,14 +17,6 @@ export interface Sorting {
 }
 
 export type Edit = Sorting | { kind: 'add'; id: number; at: Place } | { kind: 'move'; of: Target; to: Place };
-
-/** All edits; the first `done` of them hold, the others were undone and can be done again. */
-export interface History {
-  edits: readonly Edit[];
-  done: number;
-}
-
-export const NO_HISTORY: History = { edits: [], done: 0 };
 
 /** What stands after the edits: by the keys of their targets. */
 export interface Standing {
@@ -69,18 +64,8 @@ export function isNothing({ rejected, placed }: Standing): boolean {
   return rejected.size === 0 && placed.size === 0;
 }
 
-/** The history after one more edit: what was undone before is given up. */
-export function recorded({ edits, done }: History, edit: Edit): History {
-  return { edits: [...edits.slice(0, done), edit], done: done + 1 };
-}
-
-/** The history with the first `done` edits. */
-export function wentTo({ edits }: History, done: number): History {
-  return { edits, done: Math.min(edits.length, Math.max(0, done)) };
-}
-
 /** A number that no match measured by hand has yet. */
-export function freshNumber({ edits }: History): number {
+export function freshNumber({ edits }: History<Edit>): number {
   return edits.reduce((most, edit) => (edit.kind === 'add' ? Math.max(most, edit.id) : most), 0) + 1;
 }
 
@@ -89,16 +74,16 @@ export function nameOfEdit(edit: Edit): string {
   switch (edit.kind) {
     case 'reject':
     case 'restore':
-      return `${edit.kind} ${edit.of.length === 1 ? '1 match' : `${String(edit.of.length)} matches`}`;
+      return say('step-matches', { kind: edit.kind, matches: edit.of.length });
     case 'add':
-      return 'add 1 match';
+      return say('step-add-match');
     case 'move':
-      return 'move 1 match';
+      return say('step-move-match');
   }
 }
 
 /** The edits of exchanged images. */
-export function exchanged({ edits, done }: History): History {
+export function exchanged({ edits, done }: History<Edit>): History<Edit> {
   if (edits.length === 0) return NO_HISTORY;
   const place = ([xl, yl, xr, yr]: Place): Place => [xr, yr, xl, yl];
   const target = (of: Target): Target => (typeof of === 'number' ? of : place(of));

@@ -2,7 +2,7 @@
 import { comparesGradients, isCurrent } from './keys';
 import { expectedOrigin, expectedPosition } from './offset';
 import { remember } from '../../shared/state/remember';
-import type { Position } from './selected';
+import type { Position } from '../../shared/state/pane';
 import type { Side, State } from './state';
 
 /** x' = a x + b y + c, y' = d x + e y + f. */

@@ -1,7 +1,9 @@
 /** What of the pair is kept in the browser's storage: of the state, and back. */
+import { NO_HISTORY } from '../../shared/state/history';
+import type { History } from '../../shared/state/history';
 import type { CameraMm, Flight, PairInterior, PairProject, Settings } from '../../shared/crate';
-import { isNothing, NO_HISTORY, standingOf } from './edits';
-import type { History } from './edits';
+import { isNothing, standingOf } from './edits';
+import type { Edit } from './edits';
 import { isCurrent, wantedKeys } from './keys';
 import { withResults } from './project';
 import type { Beside, Times } from './project';
@@ -60,7 +62,7 @@ export interface RestoredPair {
   images: State['images'];
   masks: State['masks'];
   truth: FlightTruth | null;
-  history: History;
+  history: History<Edit>;
   shelf: Shelf;
   /** The images as they are opened again. */
   opened: Pick<Beside, 'openLeft' | 'openRight'>;

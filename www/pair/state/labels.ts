@@ -1,11 +1,12 @@
 /** What is said of a point by its code. */
-import { message } from '../../shared/crate';
 import { CODES } from './codes';
+import { say } from '../../shared/text/words';
+import { message } from '../../shared/text/messages';
 
 /** What the crate's catalogue does not know: edits are the page's. */
 const EDITED = {
-  rejected_by_hand: { text: 'Matched, then rejected by hand.', label: 'Rejected by hand' },
-  manual: { text: 'Measured by hand.', label: 'Measured by hand' },
+  rejected_by_hand: { text: say('matched-then-rejected-by-hand'), label: say('rejected-by-hand') },
+  manual: { text: say('measured-by-hand'), label: say('measured-by-hand-2') },
 } as const;
 
 /** What a code says of a point: a sentence, or its label. */

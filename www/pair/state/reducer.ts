@@ -1,8 +1,10 @@
 /** How the state changes. Pure: the same state and action give the same state. */
 import type { Action } from './actions';
 import { editedPair, keptText } from './edited';
-import { exchanged, recorded, wentTo } from './edits';
-import type { History } from './edits';
+import { recorded, wentTo } from '../../shared/state/history';
+import type { History } from '../../shared/state/history';
+import { exchanged } from './edits';
+import type { Edit } from './edits';
 import { isCurrent } from './keys';
 import { withKept } from './kept';
 import { withFiles, withProject } from './project';
@@ -153,7 +155,7 @@ function withKeptEdits(stage: StageName, state: State): State {
 }
 
 /** The state with other edits. What they do to the orientation is compared with the one before them. */
-function withHistory(state: State, history: History): State {
+function withHistory(state: State, history: History<Edit>): State {
   if (history.done === state.history.done && history.edits === state.history.edits) return state;
   const before = isCurrent(state, 'orientation') ? (state.results.orientation?.value ?? null) : state.before;
   // The run goes on with the edited matches.

@@ -1,8 +1,7 @@
 /** Which left point a selection is about, and where its best place lies. */
+import type { Position } from '../../shared/state/pane';
 import { BY_HAND, MATCHED } from './codes';
 import type { State } from './state';
-
-export type Position = [number, number];
 
 /** Where the best place of a left point lies in the right image; null where it has none. */
 export function placeOf(places: Float64Array, index: number): Position | null {

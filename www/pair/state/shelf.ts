@@ -1,9 +1,10 @@
 /** Edits of pairs that are not on the page: a pair that is opened again, as one of a block, has its edits again. */
-import type { History } from './edits';
-import { NO_HISTORY } from './edits';
+import { NO_HISTORY } from '../../shared/state/history';
+import type { History } from '../../shared/state/history';
+import type { Edit } from './edits';
 import type { GivenImage, Side, State } from './state';
 
-export type Shelf = ReadonlyMap<string, History>;
+export type Shelf = ReadonlyMap<string, History<Edit>>;
 
 /** The same for the same two files, in this order; null where an image is no file. */
 function keyOfPair(images: Record<Side, GivenImage | null>): string | null {

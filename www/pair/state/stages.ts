@@ -1,5 +1,6 @@
 /** The stages of a run, in the order in which they depend on each other. */
 import type { StageName } from './state';
+import { say } from '../../shared/text/words';
 
 export type WorkerName = 'left' | 'right' | 'pair' | 'preview' | 'report';
 
@@ -14,20 +15,20 @@ export interface StageInfo {
 }
 
 export const STAGES: Readonly<Record<StageName, StageInfo>> = {
-  openLeft: { label: 'decoding the left image', worker: 'left', needs: [] },
-  openRight: { label: 'decoding the right image', worker: 'right', needs: [] },
-  pointsLeft: { label: 'detecting points, left', worker: 'left', needs: ['openLeft'] },
-  pointsRight: { label: 'detecting points, right', worker: 'right', needs: ['openRight'] },
-  descriptorsLeft: { label: 'describing points, left', worker: 'left', needs: ['pointsLeft'] },
-  descriptorsRight: { label: 'describing points, right', worker: 'right', needs: ['pointsRight'] },
-  offset: { label: 'estimating the offset of the images', worker: 'pair', needs: ['openLeft', 'openRight'] },
-  match: { label: 'matching', worker: 'pair', needs: ['descriptorsLeft', 'descriptorsRight', 'offset'], uses: ['interiorLeft', 'interiorRight'] },
-  interiorLeft: { label: 'interior orientation, left', worker: 'pair', needs: ['openLeft'] },
-  interiorRight: { label: 'interior orientation, right', worker: 'pair', needs: ['openRight'] },
-  orientation: { label: 'relative orientation', worker: 'pair', needs: ['match', 'interiorLeft', 'interiorRight'] },
-  score: { label: 'comparing with the truth', worker: 'pair', needs: ['match'] },
-  line: { label: 'looking where the point may lie', worker: 'pair', needs: ['match'] },
-  inspection: { label: 'loading the selected point', worker: 'pair', needs: ['match'] },
+  openLeft: { label: say('decoding-the-left-image'), worker: 'left', needs: [] },
+  openRight: { label: say('decoding-the-right-image'), worker: 'right', needs: [] },
+  pointsLeft: { label: say('detecting-points-left'), worker: 'left', needs: ['openLeft'] },
+  pointsRight: { label: say('detecting-points-right'), worker: 'right', needs: ['openRight'] },
+  descriptorsLeft: { label: say('describing-points-left'), worker: 'left', needs: ['pointsLeft'] },
+  descriptorsRight: { label: say('describing-points-right'), worker: 'right', needs: ['pointsRight'] },
+  offset: { label: say('estimating-the-offset-of-the'), worker: 'pair', needs: ['openLeft', 'openRight'] },
+  match: { label: say('matching-2'), worker: 'pair', needs: ['descriptorsLeft', 'descriptorsRight', 'offset'], uses: ['interiorLeft', 'interiorRight'] },
+  interiorLeft: { label: say('interior-orientation-left'), worker: 'pair', needs: ['openLeft'] },
+  interiorRight: { label: say('interior-orientation-right'), worker: 'pair', needs: ['openRight'] },
+  orientation: { label: say('relative-orientation-2'), worker: 'pair', needs: ['match', 'interiorLeft', 'interiorRight'] },
+  score: { label: say('comparing-with-the-truth'), worker: 'pair', needs: ['match'] },
+  line: { label: say('looking-where-the-point-may'), worker: 'pair', needs: ['match'] },
+  inspection: { label: say('loading-the-selected-point'), worker: 'pair', needs: ['match'] },
 };
 
 export const STAGE_NAMES = Object.keys(STAGES) as StageName[];

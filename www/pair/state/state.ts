@@ -1,4 +1,5 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
+import type { PaneView } from '../../shared/state/pane';
 import type { ImageSource, InteriorOutput, MaskImage, MatchesInUse, Overview, PairMatches } from './data';
 import type {
   CameraMm,
@@ -16,8 +17,9 @@ import type {
   OrientedPair,
   WindowReport,
 } from '../../shared/crate';
-import { NO_HISTORY } from './edits';
-import type { History, Target } from './edits';
+import { NO_HISTORY } from '../../shared/state/history';
+import type { History } from '../../shared/state/history';
+import type { Edit, Target } from './edits';
 import type { Notice } from '../../shared/state/notice';
 
 export type Side = 'left' | 'right';
@@ -152,13 +154,6 @@ export interface Selection {
   index: number;
 }
 
-/** Where a pane looks: the image position at its centre and CSS px per image px. */
-export interface PaneView {
-  x: number;
-  y: number;
-  scale: number;
-}
-
 /** `matched`: accepted matches alone; `all`: the points that were rejected too, and those that nothing was decided about. */
 export type PointLayer = 'all' | 'matched' | 'none';
 export type LineLayer = 'all' | 'some' | 'none';
@@ -213,9 +208,9 @@ export interface State {
   paused: boolean;
   selection: Selection | null;
   /** What was done to the matches by hand. */
-  history: History;
+  history: History<Edit>;
   /** The same of other pairs, which may be opened again. */
-  shelf: ReadonlyMap<string, History>;
+  shelf: ReadonlyMap<string, History<Edit>>;
   /** Keys of the matches that are chosen together, beside the selection. */
   chosen: readonly string[];
   /** The orientation before the latest edit. */

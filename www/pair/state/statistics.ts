@@ -6,6 +6,7 @@ import { matchCodes } from './select';
 import { remember } from '../../shared/state/remember';
 import type { Column } from '../../shared/state/rows';
 import { fixed } from '../../shared/text/format';
+import { say } from '../../shared/text/words';
 
 /** Values a match has in `RelativeOrientation.points`. */
 const POINT_STRIDE = 9;
@@ -33,47 +34,47 @@ export type Filter = 'all' | 'used' | 'rejected' | 'by-hand' | 'wrong';
 type Described = Omit<Figure, 'value' | 'text'>;
 
 const POSITION: readonly Described[] = [
-  { key: 'x', label: 'x', unit: 'px', digits: 1, help: 'Column of the left point; the top-left pixel’s centre is at 0.5.' },
-  { key: 'y', label: 'y', unit: 'px', digits: 1, help: 'Row of the left point.' },
+  { key: 'x', label: 'x', unit: 'px', digits: 1, help: say('column-of-the-left-point') },
+  { key: 'y', label: 'y', unit: 'px', digits: 1, help: say('row-of-the-left-point') },
 ];
 const MEASURE: Described = {
   key: 'measure',
-  label: 'measure',
+  label: say('measure-2'),
   unit: '',
   digits: 4,
-  help: 'Dissimilarity of the points: by the moments of their windows, 1 minus the correlation coefficient, or the distance of their descriptors. Small is good.',
+  help: say('dissimilarity-of-the-points-by'),
 };
 const FIT: Described = {
   key: 'standard_error',
   label: 's(x, y)',
   unit: 'px',
   digits: 3,
-  help: 'Standard error of the right position from least squares matching, in its worse direction.',
+  help: say('standard-error-of-the-right'),
 };
 
 /** In the order of a row of `RelativeOrientation.points`; lengths in mm are given in px where that is easier to read. */
 const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
   {
     key: 'v',
-    label: 'y-parallax',
+    label: say('y-parallax'),
     unit: 'px',
     digits: 3,
     inPixels: true,
-    help: 'Residual y-parallax: the distance at which the two rays pass each other, at photo scale.',
+    help: say('residual-y-parallax-the-distance'),
   },
   {
     key: 'r',
     label: 'r',
     unit: '',
     digits: 3,
-    help: 'Redundancy number: the share of an error of this match that shows in its residual. Near 0 the other matches do not check it.',
+    help: say('redundancy-number-the-share-of'),
   },
   {
     key: 'w',
     label: 'w',
     unit: '',
     digits: 2,
-    help: 'w-statistic: standardised residual. Data snooping rejects above the limit that α₀ sets (3.29 for 0.001).',
+    help: say('w-statistic-standardised-residual-data'),
   },
   {
     key: 'detectable',
@@ -81,19 +82,19 @@ const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
     unit: 'px',
     digits: 3,
     inPixels: true,
-    help: 'Minimal detectable bias (MDB) across the epipolar line: an error of this size is detected with the probability β₀.',
+    help: say('minimal-detectable-bias-mdb-across'),
   },
   {
     key: 'influence',
     label: 'δ',
     unit: '',
     digits: 2,
-    help: 'External reliability: the largest effect of an undetected error of that size on an unknown, in its standard errors.',
+    help: say('external-reliability-the-largest-effect'),
   },
-  { key: 'weight', label: 'weight', unit: '', digits: 2, help: 'Weight in the adjustment; 0 where rejected.' },
-  { key: 'model_x', label: 'X', unit: 'mm', digits: 2, help: 'Model coordinate at photo scale, along the base.' },
-  { key: 'model_y', label: 'Y', unit: 'mm', digits: 2, help: 'Model coordinate at photo scale, across the base.' },
-  { key: 'model_z', label: 'Z', unit: 'mm', digits: 2, help: 'Model coordinate at photo scale, upwards; the photo lies at minus the principal distance.' },
+  { key: 'weight', label: say('weight'), unit: '', digits: 2, help: say('weight-in-the-adjustment-0') },
+  { key: 'model_x', label: 'X', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale') },
+  { key: 'model_y', label: 'Y', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale-across') },
+  { key: 'model_z', label: 'Z', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale-upwards') },
 ];
 
 /** The larger semi-axis of the error ellipse of a fit, in px. */

@@ -6,7 +6,7 @@ import { chosenLefts } from '../state/choice';
 import { editedPair, placeOfLeft } from '../state/edited';
 import { SIDES } from '../state/state';
 import type { State } from '../state/state';
-import { SELECTED } from './palette';
+import { SELECTED } from '../../shared/view/palette';
 import type { Scene } from './scene';
 
 const RADIUS = 6;

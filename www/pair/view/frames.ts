@@ -6,7 +6,8 @@ import type { Settings } from '../../shared/crate';
 import type { State } from '../state/state';
 import type { Rect, Transform } from '../../shared/view/transform';
 import { toCanvas } from '../../shared/view/transform';
-import { SELECTED, STYLES } from './palette';
+import { SELECTED } from '../../shared/view/palette';
+import { STYLES } from './palette';
 import type { Pane } from './scene';
 
 /** Radius of the circle in scales. */

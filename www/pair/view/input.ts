@@ -1,5 +1,7 @@
 /** Pointer, wheel, touch and keys on the images. */
 import { isCodeShown } from '../state/display';
+import { declare } from '../../shared/view/commands';
+import type { Command } from '../../shared/view/commands';
 import { listen } from '../../shared/view/gestures';
 import { toPosition } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
@@ -7,17 +9,20 @@ import { keysWithin } from '../state/choice';
 import { editedPair } from '../state/edited';
 import type { Editing } from '../state/editing';
 import { otherSide } from '../state/state';
-import type { Selection, Side } from '../state/state';
+import type { Selection, Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import type { Navigator } from './navigate';
 import { paneAt } from './scene';
 import type { View } from './view';
+import { say } from '../../shared/text/words';
 
 export function mountInput(view: View, store: Store, navigator: Navigator, editing: Editing): void {
   const { host } = view;
   const activate = (side: Side) => {
     if (store.state.activeSide !== side) store.dispatch({ type: 'activeSide', side });
   };
+  const measuring = declare({ where: say('pictures-of-a-pair-while'), host, list: measuringKeys(store, navigator, editing) });
+  const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(store, navigator, editing) });
   listen<Side>(
     host,
     {
@@ -38,7 +43,7 @@ export function mountInput(view: View, store: Store, navigator: Navigator, editi
       encloses: (shift) => shift || store.state.tool === 'choose',
       enclosed: (side, from, to, ended) => enclose(view, store, side, from, to, ended),
       pointed: (at) => view.point(at),
-      command: (key, shift) => (store.state.tool === 'measure' && measuring(key, shift, store, navigator, editing)) || command(key, store, navigator, editing),
+      command: (key, shift) => measuring(key, shift) || look(key, shift),
       // The bar of the view belongs to it: after a press there the keys go on.
     },
     host.closest<HTMLElement>('.stage') ?? host,
@@ -81,102 +86,73 @@ function measure(view: View, x: number, y: number, editing: Editing, navigator: 
   navigator.followDraft();
 }
 
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 /** How far an arrow moves a point, px; with Shift. */
 const FINE = 0.1;
 const COARSE = 1;
 
-/** Runs the command of a key while a match is measured; false where it has none then. */
-function measuring(key: string, shift: boolean, store: Store, navigator: Navigator, editing: Editing): boolean {
-  const { draft } = store.state;
-  if (draft === null) {
-    const middle = key === 'Enter' ? navigator.middle() : null;
-    if (middle === null) return false;
+/** While a match is measured. */
+function measuringKeys(store: Store, navigator: Navigator, editing: Editing): Command[] {
+  const measures = () => store.state.tool === 'measure';
+  const drafts = () => measures() && store.state.draft !== null;
+  const nudge = (key: string, dx: number, dy: number): Command => ({
+    keys: [key],
+    does: say('moves-the-measured-point-by'),
+    can: drafts,
+    run: (shift) => {
+      const step = shift ? COARSE : FINE;
+      editing.nudge(step * dx, step * dy);
+      navigator.followDraft();
+    },
+  });
+  const begin = () => {
+    const middle = navigator.middle();
+    if (middle === null) return;
     editing.place(...middle);
     navigator.followDraft();
-    return true;
-  }
-  const arrow = ARROWS[key];
-  if (arrow !== undefined) {
-    const step = shift ? COARSE : FINE;
-    editing.nudge(step * arrow[0], step * arrow[1]);
+  };
+  const exchange = () => {
+    editing.exchange();
     navigator.followDraft();
-    return true;
-  }
-  switch (key) {
-    case 'Enter':
-      editing.accept();
-      return true;
-    case 'o':
-    case 'O':
-      editing.exchange();
-      navigator.followDraft();
-      return true;
-    case 'f':
-    case 'F':
-      void editing.fit();
-      return true;
-    default:
-      return false;
-  }
+  };
+  return [
+    {
+      keys: ['Enter'],
+      does: say('takes-the-middle-of-the-picture'),
+      can: () => measures() && !drafts() && navigator.middle() !== null,
+      run: begin,
+    },
+    nudge('ArrowLeft', -1, 0),
+    nudge('ArrowRight', 1, 0),
+    nudge('ArrowUp', 0, -1),
+    nudge('ArrowDown', 0, 1),
+    { keys: ['Enter'], does: say('accepts-the-measured-match'), can: drafts, run: () => editing.accept() },
+    { keys: ['o'], does: say('goes-to-the-point-in'), can: drafts, run: exchange },
+    { keys: ['f'], does: say('fits-the-point-by-least'), can: drafts, run: () => void editing.fit() },
+  ];
 }
 
-/** Runs the command of a key; false where it has none. */
-function command(key: string, store: Store, navigator: Navigator, editing: Editing): boolean {
-  const { activeSide, display } = store.state;
-  switch (key) {
-    case '1':
-      navigator.actualSize();
-      return true;
-    case 'n':
-    case 'N':
-      navigator.step(1);
-      return true;
-    case 'p':
-    case 'P':
-      navigator.step(-1);
-      return true;
-    case 'o':
-    case 'O':
-      store.dispatch({ type: 'activeSide', side: otherSide(activeSide) });
-      return true;
-    case 'l':
-    case 'L':
-      store.dispatch({ type: 'display', display: { linked: !display.linked } });
-      return true;
-    case 'm':
-    case 'M':
-      store.dispatch({ type: 'display', display: { magnifier: !display.magnifier } });
-      return true;
-    case 'Delete':
-    case 'Backspace':
-      editing.edit('reject');
-      return true;
-    case 'r':
-    case 'R':
-      editing.edit('restore');
-      return true;
-    case 'x':
-    case 'X':
-      editing.choose(store.state.selection);
-      return true;
-    case 's':
-    case 'S':
-      editing.toggle('choose');
-      return true;
-    case 'a':
-    case 'A':
-      editing.toggle('measure');
-      return true;
-    case 'e':
-    case 'E':
-      editing.move();
-      navigator.followDraft();
-      return true;
-    case 'Escape':
-      if (!editing.leave()) navigator.select(null);
-      return true;
-    default:
-      return false;
-  }
+function pictureKeys(store: Store, navigator: Navigator, editing: Editing): Command[] {
+  const show = (display: Partial<State['display']>) => store.dispatch({ type: 'display', display });
+  const move = () => {
+    editing.move();
+    navigator.followDraft();
+  };
+  const leave = () => {
+    if (!editing.leave()) navigator.select(null);
+  };
+  return [
+    { keys: ['n'], does: say('selects-the-next-point'), run: () => navigator.step(1) },
+    { keys: ['p'], does: say('selects-the-previous-point'), run: () => navigator.step(-1) },
+    { keys: ['1'], does: say('shows-one-image-pixel-as'), run: () => navigator.actualSize() },
+    { keys: ['o'], does: say('goes-to-the-other-picture'), run: () => store.dispatch({ type: 'activeSide', side: otherSide(store.state.activeSide) }) },
+    { keys: ['l'], does: say('links-both-pictures-or-no'), run: () => show({ linked: !store.state.display.linked }) },
+    { keys: ['m'], does: say('shows-the-magnifier-or-no'), run: () => show({ magnifier: !store.state.display.magnifier }) },
+    { keys: ['x'], does: say('chooses-the-selected-match-beside'), run: () => editing.choose(store.state.selection) },
+    { keys: ['s'], does: say('chooses-matches-by-rectangles'), run: () => editing.toggle('choose') },
+    { keys: ['Delete', 'Backspace'], does: say('rejects-the-chosen-matches'), run: () => editing.edit('reject') },
+    { keys: ['r'], does: say('restores-the-chosen-matches'), run: () => editing.edit('restore') },
+    { keys: ['a'], does: say('adds-a-match-by-measuring'), run: () => editing.toggle('measure') },
+    { keys: ['e'], does: say('measures-the-selected-match-anew'), run: move },
+    { keys: ['Escape'], does: say('gives-up-or-selects-nothing'), run: leave },
+  ];
 }

@@ -7,8 +7,9 @@ import { within } from '../../shared/view/layers';
 import { SIDES } from '../state/state';
 import type { PointLayer, Side, State } from '../state/state';
 import { drawFrames } from './frames';
-import { drawView } from './geometry';
+import { drawView, halfSize } from '../../shared/view/panes';
 import type { Rect, Transform } from '../../shared/view/transform';
+import { RESIDUAL, RESIDUAL_REJECTED } from '../../shared/view/palette';
 import { DRAWN, LINE, LINE_REJECTED, STYLES } from './palette';
 import type { Pane, Scene } from './scene';
 
@@ -16,11 +17,6 @@ import type { Pane, Scene } from './scene';
 export const SOME_LINES = 100;
 const ALL = 0xffffffff;
 const NOT_DRAWN = 255;
-
-/** Half the size of a mark in CSS px: small in the overview, larger when pixels are enlarged. */
-function halfSize(scale: number): number {
-  return Math.min(7, Math.max(1.5, 2.6 * scale));
-}
 
 interface Styles {
   styles: Float64Array;
@@ -82,7 +78,15 @@ function drawLines(context: CanvasRenderingContext2D, state: State, scene: Scene
 function drawResiduals(context: CanvasRenderingContext2D, state: State, scene: Scene, pane: Pane): void {
   if (pane.vectors === null || state.display.vectors === 0) return;
   const codes = scene.matchCodes.map((code) => (code === GROSS_ERROR ? 1 : 0));
-  draw_vectors(context, pane.vectors, codes, Float64Array.of(1.4, 1.4), ['#f0e442', '#ff7a1a'], state.display.vectors, drawView(pane.transform, pane.rect));
+  draw_vectors(
+    context,
+    pane.vectors,
+    codes,
+    Float64Array.of(1.4, 1.4),
+    [RESIDUAL, RESIDUAL_REJECTED],
+    state.display.vectors,
+    drawView(pane.transform, pane.rect),
+  );
 }
 
 /** Draws all layers of marks over both panes. */

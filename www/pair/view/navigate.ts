@@ -1,14 +1,15 @@
 /** Moves through the images and from point to point. */
+import type { PaneView } from '../../shared/state/pane';
 import { isCodeShown } from '../state/display';
 import { sameGround } from '../state/follow';
 import { otherSide, SIDES } from '../state/state';
-import type { PaneView, Selection, Side } from '../state/state';
+import type { Selection, Side } from '../state/state';
 import type { Store } from '../state/store';
-import { clamped, fitView, zoomed } from './geometry';
+import { clamped, fitView, inPane, zoomed } from '../../shared/view/panes';
 import { contains, toCanvas, toPosition } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
 import { placeOfDraft } from '../state/draft';
-import type { Position } from '../state/selected';
+import type { Position } from '../../shared/state/pane';
 import type { Pane, Scene } from './scene';
 import type { View } from './view';
 
@@ -120,7 +121,8 @@ export class Navigator {
     const move = (pane: Pane): [Side, PaneView][] => {
       if (pane.picture === null) return [];
       const whole = fitView(pane.rect, pane.picture.width, pane.picture.height);
-      return [[pane.side, clamped(next(pane, state.views[pane.side] ?? whole, whole.scale / 4), pane.picture)]];
+      const own = state.views[pane.side];
+      return [[pane.side, clamped(next(pane, own === null ? whole : inPane(own, pane.rect), whole.scale / 4), pane.picture)]];
     };
     const own = move(scene.panes[side]);
     const other = state.display.linked ? move(scene.panes[otherSide(side)]) : [];

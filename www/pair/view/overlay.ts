@@ -6,16 +6,14 @@ import type { State } from '../state/state';
 import { drawSupport } from './frames';
 import { within } from '../../shared/view/layers';
 import { contains, toCanvas, toPosition } from '../../shared/view/transform';
-import type { Rect, Transform } from '../../shared/view/transform';
+import type { Rect } from '../../shared/view/transform';
 import { drawPoints } from './marks';
-import { CANDIDATE, EPIPOLAR, SELECTED } from './palette';
+import { CANDIDATE, SELECTED } from '../../shared/view/palette';
+import { crosshair, drawLine, LENS_FACTOR, lensFrame, lensRect, lensTransform, ring } from '../../shared/view/pointer';
 import { paintPicture } from './picture';
 import type { Pane, Scene } from './scene';
 import type { TileCache } from './tilecache';
 
-/** Side of the magnifier in CSS px, and how much more it enlarges. */
-const LENS_SIDE = 176;
-const LENS_FACTOR = 4;
 const MOST_CANDIDATES_DRAWN = 200;
 /** Candidates by gradients lie all over the image: the nearest of them. */
 const MOST_GRADIENT_CANDIDATES_DRAWN = 10;
@@ -24,19 +22,6 @@ function pointOf(pane: Pane, index: number): [number, number] | null {
   const x = pane.points?.[3 * index];
   const y = pane.points?.[3 * index + 1];
   return x === undefined || y === undefined ? null : [x, y];
-}
-
-/** A ring with a dark edge, so that it shows on light and dark ground. */
-function ring(context: CanvasRenderingContext2D, pane: Pane, at: [number, number], radius: number, colour: string, width: number): void {
-  const [x, y] = toCanvas(pane.transform, at[0], at[1]);
-  context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
-  context.lineWidth = width + 2;
-  context.strokeStyle = 'rgb(0 0 0 / 0.65)';
-  context.stroke();
-  context.lineWidth = width;
-  context.strokeStyle = colour;
-  context.stroke();
 }
 
 function square(context: CanvasRenderingContext2D, pane: Pane, [x, y]: [number, number], side: number, colour: string, dash: number[]): void {
@@ -68,33 +53,6 @@ export function drawSelection(context: CanvasRenderingContext2D, state: State, s
   if (leftAt === null) return;
   if (selection.side === 'right') within(context, scene.panes.left.rect, () => ring(context, scene.panes.left, leftAt, 9, SELECTED, 2));
   drawCandidates(context, state, scene, leftIndex, leftAt, placeOf(scene.match.places, leftIndex));
-}
-
-/** An epipolar line, or a cross at the one place that a map gives. */
-export function drawLine(context: CanvasRenderingContext2D, pane: Pane, positions: Float64Array): void {
-  const places = Array.from({ length: positions.length / 2 }, (_, i) => toCanvas(pane.transform, positions[2 * i] ?? 0, positions[2 * i + 1] ?? 0));
-  const path = new Path2D();
-  for (const [i, [x, y]] of places.entries()) {
-    if (places.length > 1) {
-      if (i === 0) path.moveTo(x, y);
-      else path.lineTo(x, y);
-      continue;
-    }
-    path.moveTo(x - 14, y);
-    path.lineTo(x + 14, y);
-    path.moveTo(x, y - 14);
-    path.lineTo(x, y + 14);
-  }
-  within(context, pane.rect, () => {
-    context.lineWidth = 3;
-    context.strokeStyle = 'rgb(0 0 0 / 0.5)';
-    context.stroke(path);
-    context.setLineDash([9, 5]);
-    context.lineWidth = 1.5;
-    context.strokeStyle = EPIPOLAR;
-    context.stroke(path);
-    context.setLineDash([]);
-  });
 }
 
 function drawCandidates(
@@ -146,7 +104,7 @@ export function paintLens(
   state: State,
   scene: Scene,
   pane: Pane,
-  [x, y]: [number, number],
+  at: [number, number],
   rect: Rect,
   scale: number,
   ratio: number,
@@ -154,7 +112,7 @@ export function paintLens(
 ): void {
   const { picture } = pane;
   if (picture === null) return;
-  const transform: Transform = { scale, x: rect.left + rect.width / 2 - scale * x, y: rect.top + rect.height / 2 - scale * y };
+  const transform = lensTransform(rect, at, scale);
   within(context, rect, () => {
     context.fillStyle = '#000000';
     context.fillRect(rect.left, rect.top, rect.width, rect.height);
@@ -162,33 +120,5 @@ export function paintLens(
     drawPoints(context, state, scene, pane, transform, rect);
     crosshair(context, rect);
   });
-  context.lineWidth = 2;
-  context.strokeStyle = SELECTED;
-  context.strokeRect(rect.left, rect.top, rect.width, rect.height);
-}
-
-/** Beside the pointer, on the canvas. */
-function lensRect([x, y]: [number, number], bounds: Rect): Rect {
-  const side = Math.min(LENS_SIDE, bounds.width, bounds.height);
-  const left = x + 24 + side > bounds.width ? x - 24 - side : x + 24;
-  const top = y + 24 + side > bounds.height ? y - 24 - side : y + 24;
-  return { left: Math.max(1, left), top: Math.max(1, top), width: side, height: side };
-}
-
-function crosshair(context: CanvasRenderingContext2D, rect: Rect): void {
-  const x = rect.left + rect.width / 2;
-  const y = rect.top + rect.height / 2;
-  context.beginPath();
-  for (const [ux, uy] of [
-    [1, 0],
-    [-1, 0],
-    [0, 1],
-    [0, -1],
-  ] as const) {
-    context.moveTo(x + 6 * ux, y + 6 * uy);
-    context.lineTo(x + 18 * ux, y + 18 * uy);
-  }
-  context.lineWidth = 1;
-  context.strokeStyle = SELECTED;
-  context.stroke();
+  lensFrame(context, rect);
 }

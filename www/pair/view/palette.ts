@@ -1,17 +1,11 @@
 /** Colours and shapes of points. Okabe and Ito's colours, told apart with any colour vision; shapes differ as well. */
 import { BY_HAND, CODES, GROSS_ERROR, MANUAL, MATCHED, REFUSALS, UNDECIDED, codeOf } from '../state/codes';
 import type { CodeName } from '../state/codes';
-
-/** Shape codes of the crate's `draw_points`. */
-export const SHAPES = { dot: 0, circle: 1, plus: 2, cross: 3, square: 4, triangleUp: 5, triangleDown: 6, diamond: 7 } as const;
-
-export interface PointStyle {
-  colour: string;
-  shape: number;
-}
+import { ACCEPTED, MEASURED, REJECTED, REJECTED_BY_HAND, SHAPES } from '../../shared/view/palette';
+import type { PointStyle } from '../../shared/view/palette';
 
 const STYLE_OF: Readonly<Record<CodeName, PointStyle>> = {
-  matched: { colour: '#00c08b', shape: SHAPES.circle },
+  matched: ACCEPTED,
   no_descriptor: { colour: '#b0b0b0', shape: SHAPES.dot },
   no_candidate: { colour: '#ffffff', shape: SHAPES.plus },
   threshold: { colour: '#e69f00', shape: SHAPES.triangleUp },
@@ -23,10 +17,10 @@ const STYLE_OF: Readonly<Record<CodeName, PointStyle>> = {
   not_converged: { colour: '#56b4e9', shape: SHAPES.diamond },
   imprecise: { colour: '#f0e442', shape: SHAPES.triangleUp },
   frame: { colour: '#b0b0b0', shape: SHAPES.square },
-  gross_error: { colour: '#d55e00', shape: SHAPES.diamond },
+  gross_error: REJECTED,
   undecided: { colour: '#56b4e9', shape: SHAPES.plus },
-  rejected_by_hand: { colour: '#ff3b30', shape: SHAPES.cross },
-  manual: { colour: '#9cff57', shape: SHAPES.square },
+  rejected_by_hand: REJECTED_BY_HAND,
+  manual: MEASURED,
 };
 
 /** By code. */
@@ -41,8 +35,5 @@ export function styleOf(code: number): PointStyle {
 /** The codes in drawing order: the common ones below, matches on top. */
 export const DRAWN: readonly number[] = [UNDECIDED, ...REFUSALS.map(codeOf), BY_HAND, GROSS_ERROR, MATCHED, MANUAL];
 
-export const SELECTED = '#ffd400';
-export const CANDIDATE = '#56b4e9';
-export const EPIPOLAR = '#ff9ee0';
 export const LINE = 'rgb(0 222 160 / 0.5)';
 export const LINE_REJECTED = 'rgb(255 110 20 / 0.85)';

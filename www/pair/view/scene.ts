@@ -7,7 +7,8 @@ import type { Places } from '../state/select';
 import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
 import { wantedKeys } from '../state/keys';
-import { fitView, panesOf, transformOf } from './geometry';
+import { fitView, inPane, transformOf } from '../../shared/view/panes';
+import { panesOf } from './geometry';
 import { contains } from '../../shared/view/transform';
 import type { Rect, Transform } from '../../shared/view/transform';
 import type { Picture } from './picture';
@@ -53,7 +54,9 @@ export function sceneOf(state: State, width: number, height: number): Scene {
   };
   const pane = (side: Side): Pane => {
     const picture = pictureOf(state, side);
-    const view = state.views[side] ?? (picture === null ? { x: 0, y: 0, scale: 1 } : fitView(rects[side], picture.width, picture.height));
+    const own = state.views[side];
+    const whole = picture === null ? { x: 0, y: 0, scale: 1 } : fitView(rects[side], picture.width, picture.height);
+    const view = own === null ? whole : inPane(own, rects[side]);
     const interior = interiorInUse(state)?.[side];
     const vectors =
       shown.match !== null && shown.orientation !== null && interior !== undefined ? residualVectors[side](shown.match, shown.orientation, interior) : null;

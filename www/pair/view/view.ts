@@ -11,7 +11,7 @@ import { toCanvas, toPosition } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
 import { drawChosen, drawRectangle } from './chosen';
 import { drawDraft, drawDraftLenses } from './draft';
-import { PointGrid } from './grid';
+import { PointGrid } from '../../shared/view/grid';
 import { drawMarks } from './marks';
 import { drawLens, drawSelection } from './overlay';
 import { paintMask, paintPicture } from './picture';

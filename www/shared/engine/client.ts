@@ -1,7 +1,9 @@
 /** One worker as the page sees it: typed calls that are answered, refused, or ended with the worker. */
 import type { RequestMessage, ResponseMessage, StartMessage, Table, WireFailure } from './messages';
 import { spawnWorker, wasmModule } from './platform';
-import { messageOf } from '../text/format';
+import { ownWords } from '../text/allowed';
+import { say } from '../text/words';
+import { messageOf } from '../text/messages';
 
 /** A call that was refused or failed. `ended`: the worker is gone, and with it what it held. */
 export class CallError extends Error {
@@ -10,7 +12,7 @@ export class CallError extends Error {
     readonly failure: WireFailure,
     readonly ended: boolean,
   ) {
-    super(failure.message);
+    super(ownWords(failure.error) ?? failure.message);
   }
 }
 
@@ -18,13 +20,13 @@ export class CallError extends Error {
 export function breakdownOf(error: unknown): string | null {
   if (!(error instanceof CallError) || !error.ended) return null;
   return error.failure.kind === 'memory'
-    ? `the worker ran out of memory (${error.message})`
-    : `the worker broke off at a fault of the program (${error.message}): please report it`;
+    ? say('the-worker-ran-out-of', { message: error.message })
+    : say('the-worker-broke-off-at', { message: error.message });
 }
 
 /** A call that the user cancelled. */
 export class Cancelled extends Error {
-  override readonly name = 'Cancelled';
+  override readonly name = say('cancelled');
 }
 
 interface Pending {
@@ -68,7 +70,7 @@ export class WorkerClient<C extends Table<C>> {
     handle.onmessage = (event: MessageEvent<ResponseMessage>) => this.receive(event.data);
     handle.onerror = (event) => {
       event.preventDefault();
-      this.end(new CallError({ kind: 'fault', code: null, message: event.message || 'the worker could not start' }, true));
+      this.end(new CallError({ kind: 'fault', code: null, message: event.message || say('the-worker-could-not-start') }, true));
     };
     const ready = wasmModule().then((module) => {
       const start: StartMessage = { module };

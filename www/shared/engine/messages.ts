@@ -11,6 +11,14 @@ export interface StartMessage {
   module: WebAssembly.Module;
 }
 
+/** The only message to a worker that compiles the module; its address. */
+export interface CompileMessage {
+  compile: string;
+}
+
+/** `status`: what the host answered in place of the module; null where something else went wrong. */
+export type CompiledMessage = { compiled: WebAssembly.Module } | { status: number | null; message: string };
+
 export interface RequestMessage {
   id: number;
   call: string;

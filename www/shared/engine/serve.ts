@@ -1,8 +1,9 @@
 /** The worker's end of the calls: answers them in their order, each by the handler of its name. */
 import { breakdownOf } from '../../../pkg/block/faults.js';
 import { initSync } from '../../../pkg/wasm/tiepoint.js';
-import type { Handlers, RequestMessage, StartMessage, Table, WireFailure } from './messages';
-import { messageOf } from '../text/format';
+import { compiled } from './compile';
+import type { CompileMessage, Handlers, RequestMessage, StartMessage, Table, WireFailure } from './messages';
+import { messageOf } from '../text/messages';
 
 /** Buffers and bitmaps of an answer, moved rather than copied. Every array the crate hands out is a copy of its own. */
 function transferables(value: unknown): Transferable[] {
@@ -50,9 +51,10 @@ export function serve<C extends Table<C>>(handlers: Handlers<C>): void {
   };
   // Calls are answered one after the other: what reads a file comes before what needs its content.
   let queue: Promise<void> = Promise.resolve();
-  addEventListener('message', (event: MessageEvent<StartMessage | RequestMessage>) => {
+  addEventListener('message', (event: MessageEvent<StartMessage | CompileMessage | RequestMessage>) => {
     const message = event.data;
-    if ('module' in message) start(message);
+    if ('compile' in message) void compiled(message.compile).then((made) => postMessage(made));
+    else if ('module' in message) start(message);
     else queue = queue.then(() => answer(message));
   });
 }

@@ -1,6 +1,7 @@
 /** The browser's own storage: projects, each kept in named parts. A change is one transaction: it is there whole, or not at all. */
 import { openDB } from 'idb';
 import type { DBSchema, IDBPDatabase, IDBPObjectStore } from 'idb';
+import { say } from '../text/words';
 
 const NAME = 'tiepoint';
 /** Of the database itself; what projects look like inside has a number of its own (`FORM`). */
@@ -83,7 +84,7 @@ export class Database {
       blocking: (_, __, event) => (event.target as IDBDatabase).close(),
     });
     // An answer that came while the page was busy is heard first.
-    const late = new Promise<never>((_, reject) => setTimeout(() => setTimeout(() => reject(new Error('the storage does not answer'))), PATIENCE_MS));
+    const late = new Promise<never>((_, reject) => setTimeout(() => setTimeout(() => reject(new Error(say('the-storage-does-not-answer')))), PATIENCE_MS));
     return new Database(await Promise.race([opening, late]));
   }
 
@@ -120,9 +121,9 @@ export class Database {
   async write(row: ProjectRow, { put, drop }: Change, isNew: boolean): Promise<void> {
     await this.change(async (projects, parts) => {
       const there = await projects.get(row.id);
-      if (there !== undefined && there.writer !== row.writer) throw new KeepError('taken', 'another tab has taken the project over');
-      if (there !== undefined && there.form > row.form) throw new KeepError('other', 'a later version of this page wrote the project');
-      if (there === undefined && !isNew) throw new KeepError('gone', 'the project is no longer in the storage');
+      if (there !== undefined && there.writer !== row.writer) throw new KeepError('taken', say('another-tab-has-taken-the'));
+      if (there !== undefined && there.form > row.form) throw new KeepError('other', say('a-later-version-of-this'));
+      if (there === undefined && !isNew) throw new KeepError('gone', say('the-project-is-no-longer'));
       await Promise.all([
         projects.put(row),
         ...[...put].map(([part, { value, bytes }]) => parts.put({ project: row.id, part, bytes, value })),
@@ -135,7 +136,7 @@ export class Database {
   async edit(id: string, changed: Partial<ProjectRow>): Promise<void> {
     await this.change(async (projects) => {
       const there = await projects.get(id);
-      if (there === undefined) throw new KeepError('gone', 'the project is no longer in the storage');
+      if (there === undefined) throw new KeepError('gone', say('the-project-is-no-longer'));
       await projects.put({ ...there, ...changed });
     });
   }
@@ -143,7 +144,7 @@ export class Database {
   async duplicate(id: string, row: Pick<ProjectRow, 'id' | 'name' | 'changed'>): Promise<void> {
     await this.change(async (projects, parts) => {
       const there = await projects.get(id);
-      if (there === undefined) throw new KeepError('gone', 'the project is no longer in the storage');
+      if (there === undefined) throw new KeepError('gone', say('the-project-is-no-longer'));
       await projects.put({ ...there, ...row, writer: '' });
       for (const part of await parts.getAll(partsOf(id))) await parts.put({ ...part, project: row.id });
     });

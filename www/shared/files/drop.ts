@@ -1,4 +1,6 @@
 /** Dropping and pasting files and folders anywhere on the page: the part that is shown takes them. */
+/** What a drag of files says of itself. */
+const FILES = 'Files';
 
 /** A file with its path below the folder that was given; the path is empty for a file given by itself. */
 export interface FoundFile {
@@ -63,7 +65,7 @@ export function mountDrop(): (takers: readonly Taker[]) => void {
 }
 
 function hasFiles(event: DragEvent): boolean {
-  return event.dataTransfer?.types.includes('Files') === true;
+  return event.dataTransfer?.types.includes(FILES) === true;
 }
 
 /** The files of an entry, those of folders below it too. */

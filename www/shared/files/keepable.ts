@@ -1,9 +1,12 @@
 /** What of a part of the page is kept in the browser's storage, and shown again. */
 import type { Kept } from './database';
+import { say } from '../text/words';
 
 export interface Keepable {
   /** Calls back whenever something that is kept has changed. */
   watch: (changed: () => void) => void;
+  /** Resolves when `parts` has all that there is, as far as it can be made now. */
+  settled?: () => Promise<void>;
   /** All that is kept, by names that begin with the part's own. What has not changed is the same value as before. Empty where there is nothing. */
   parts: () => ReadonlyMap<string, Kept>;
   /** The names of its images. */
@@ -30,7 +33,7 @@ export function randomName(): string {
 
 /** A field of what was kept is not as it should be. */
 function wrong(name: string): Error {
-  return new Error(`the field ${name} is damaged`);
+  return new Error(say('the-field-is-damaged', { name }));
 }
 
 /** A kept object. @throws Error where it is none */

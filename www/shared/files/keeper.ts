@@ -1,6 +1,5 @@
 /** Keeps the project of this tab in the browser's storage as it changes, and shows it again. */
 import { Holder } from '../state/store';
-import { messageOf } from '../text/format';
 import { titleOf } from '../text/project';
 import { Claims } from './claim';
 import type { Claim } from './claim';
@@ -8,6 +7,8 @@ import { type Database, FORM, KeepError } from './database';
 import type { Kept, ProjectRow } from './database';
 import { randomName } from './keepable';
 import type { Keepable } from './keepable';
+import { say } from '../text/words';
+import { messageOf } from '../text/messages';
 
 /** Changes are gathered for so long before they are written, in ms. */
 const GATHER_MS = 200;
@@ -25,10 +26,13 @@ const CALM_MS = 15_000;
 
 /** What stands in the way of keeping. `project`: the one that it is about, with its title. */
 export interface Trouble {
-  kind: 'absent' | 'full' | 'failed' | 'elsewhere' | 'taken' | 'unreadable' | 'broke-off';
+  kind: 'absent' | 'full' | 'failed' | 'elsewhere' | 'reading' | 'taken' | 'unreadable' | 'broke-off';
   reason: string;
   project: { id: string; title: string } | null;
 }
+
+/** As its one writer, where no other tab is that; in the place of that tab; or only to look at what is kept. */
+export type Opening = 'claim' | 'steal' | 'look';
 
 export interface Keeping {
   /** The project of this tab. */
@@ -37,16 +41,20 @@ export interface Keeping {
   trouble: Trouble | null;
   /** Whether the browser keeps anything. */
   works: boolean;
+  /** The title of the project that a start is reading. */
+  opening: string | null;
 }
 
 /** The part of the page that is shown. */
 export interface Mode {
   now: () => string;
   show: (mode: string) => void;
+  /** Calls back whenever it is another. */
+  watch: (changed: () => void) => void;
 }
 
 export class Keeper {
-  readonly keeping = new Holder<Keeping, Partial<Keeping>>({ project: '', name: null, trouble: null, works: false }, (state, changed) => ({
+  readonly keeping = new Holder<Keeping, Partial<Keeping>>({ project: '', name: null, trouble: null, works: false, opening: null }, (state, changed) => ({
     ...state,
     ...changed,
   }));
@@ -68,7 +76,7 @@ export class Keeper {
   ) {}
 
   /** Opens the project that this tab had, else the one changed last. `ready`: called before anything is shown, in any case. */
-  async start(opening: Promise<Database>, ready: () => void): Promise<void> {
+  async start(opening: Promise<Database>, ready: () => Promise<void>): Promise<void> {
     let show = () => {};
     try {
       this.database = await opening;
@@ -78,11 +86,13 @@ export class Keeper {
       this.database = null;
       this.keeping.dispatch({ works: false, trouble: { kind: 'absent', reason: messageOf(error), project: null } });
     }
-    ready();
+    await ready();
     await this.shown(show);
+    this.keeping.dispatch({ opening: null });
     if (this.claim === null) await this.begin();
     this.writtenMode = this.mode.now();
     for (const keepable of this.keepables) keepable.watch(() => this.later());
+    this.mode.watch(() => this.later());
     // A tab that is left may never get the time that it would still need.
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden') void this.flush();
@@ -91,6 +101,14 @@ export class Keeper {
       forgetBreaks();
       void this.flush();
     });
+  }
+
+  /** Whether something on the page would be lost if it were left now. */
+  get isLost(): boolean {
+    const { works, trouble } = this.keeping.state;
+    if (trouble?.kind === 'reading') return this.isChanged();
+    const stays = works && trouble?.kind !== 'full' && trouble?.kind !== 'failed' && trouble?.kind !== 'taken';
+    return !stays && this.keepables.some((keepable) => keepable.parts().size > 0);
   }
 
   /** All projects that are kept, the one changed last first. */
@@ -103,12 +121,12 @@ export class Keeper {
   }
 
   /** Opens a kept project in place of the present one, which stays in the list; where it cannot be opened nothing changes. */
-  async open(id: string, steal = false): Promise<void> {
-    await this.flush();
-    const show = await this.read(id, steal);
+  async open(id: string, how: Opening = 'claim'): Promise<void> {
+    await this.settle();
+    const show = await this.read(id, how);
     if (show === null) return;
     // What was changed while it was read.
-    await this.flush();
+    await this.settle();
     for (const keepable of this.keepables) keepable.clear();
     await this.shown(show);
     this.writtenMode = this.mode.now();
@@ -124,13 +142,13 @@ export class Keeper {
       this.keeping.dispatch({ project: '' });
       for (const keepable of this.keepables) keepable.clear();
       await this.begin();
-      this.keeping.dispatch({ trouble: { kind: 'unreadable', reason: messageOf(error), project: { id: project, title: 'The project' } } });
+      this.keeping.dispatch({ trouble: { kind: 'unreadable', reason: messageOf(error), project: { id: project, title: say('the-project') } } });
     }
   }
 
   /** Puts the present project aside and begins a new one. */
   async anew(): Promise<void> {
-    await this.flush();
+    await this.settle();
     await this.begin();
     for (const keepable of this.keepables) keepable.clear();
     this.keeping.dispatch({ trouble: null });
@@ -138,13 +156,13 @@ export class Keeper {
 
   /**
    * Leaves the project in the list as it is and goes on with the same in a new one; false where nothing is kept, or another part of the page
-   * has something in it too, which would be kept twice.
+   * has something in it too, which would be kept twice: `twice` allows that.
    */
-  async putAside(part: Keepable): Promise<boolean> {
-    await this.flush();
+  async putAside(part: Keepable, twice = false): Promise<boolean> {
+    await this.settle();
     const { trouble } = this.keeping.state;
     const others = this.keepables.some((keepable) => keepable !== part && keepable.parts().size > 0);
-    if (this.isNew || trouble !== null || others) return false;
+    if (this.isNew || trouble !== null || (others && !twice)) return false;
     await this.begin();
     return true;
   }
@@ -168,7 +186,7 @@ export class Keeper {
 
   /** Deletes a project; of the one on the page nothing is left there either. @throws Error where another tab has it open */
   async remove(id: string): Promise<void> {
-    if (await this.claims.elsewhere(id)) throw new Error('another tab has this project open: close it there first');
+    if (await this.claims.elsewhere(id)) throw new Error(say('another-tab-has-this-project'));
     if (id === this.keeping.state.project) await this.anew();
     await this.database?.remove(id);
   }
@@ -181,6 +199,12 @@ export class Keeper {
   /** What was said is known. */
   dismiss(): void {
     this.keeping.dispatch({ trouble: null });
+  }
+
+  /** Resolves when all that there is is written, or could not be. */
+  private async settle(): Promise<void> {
+    await Promise.all(this.keepables.map((keepable) => keepable.settled?.()));
+    await this.flush();
   }
 
   /** Resolves when all changes so far are written, or could not be. */
@@ -208,11 +232,12 @@ export class Keeper {
     }
     countBreak(row.id);
     window.setTimeout(forgetBreaks, CALM_MS);
-    return (await this.read(row.id, false)) ?? nothing;
+    this.keeping.dispatch({ opening: titleOf(row) });
+    return (await this.read(row.id, 'claim')) ?? nothing;
   }
 
   /** Claims and reads a project; gives what shows it, or null where it cannot be opened, for which there is then a trouble. */
-  private async read(id: string, steal: boolean): Promise<(() => void) | null> {
+  private async read(id: string, how: Opening): Promise<(() => void) | null> {
     const { database } = this;
     const row = await database?.project(id);
     if (database === null || row === undefined) return null;
@@ -221,13 +246,14 @@ export class Keeper {
       this.keeping.dispatch({ trouble: { kind, reason, project } });
       return null;
     };
-    if (row.form > FORM) return refuse('unreadable', 'a later version of this page wrote it');
-    const claim = await this.claims.take(id, steal, () => this.lost(id));
-    if (claim === null) return refuse('elsewhere', '');
+    if (row.form > FORM) return refuse('unreadable', say('a-later-version-of-this-page'));
+    const looks = how === 'look';
+    const claim = looks ? null : await this.claims.take(id, how === 'steal', () => this.lost(id));
+    if (claim === null && !looks) return refuse('elsewhere', '');
     try {
-      if (steal) await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
+      if (how === 'steal') await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
       // From now on what another tab would still write is refused.
-      await database.edit(id, { writer: this.tab });
+      if (!looks) await database.edit(id, { writer: this.tab });
       const parts = await database.parts(id);
       const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
       return () => {
@@ -235,13 +261,13 @@ export class Keeper {
         this.claim = claim;
         this.isNew = false;
         this.written = new Map(parts);
-        this.keeping.dispatch({ project: id, name: row.name, trouble: null });
+        this.keeping.dispatch({ project: id, name: row.name, trouble: looks ? { kind: 'reading', reason: '', project } : null });
         rememberProject(id);
         for (const show of shows) show();
         this.mode.show(row.mode);
       };
     } catch (error) {
-      if (this.claim !== claim) claim.release();
+      if (claim !== null && this.claim !== claim) claim.release();
       return refuse('unreadable', messageOf(error));
     }
   }
@@ -274,14 +300,25 @@ export class Keeper {
     return this.keepables.map((keepable) => keepable.images()).find((images) => images.length > 0) ?? [];
   }
 
+  /** What is other than in the storage. */
+  private changes(): { put: Map<string, Kept>; drop: string[] } {
+    const parts = new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
+    const put = new Map([...parts].filter(([part, { value }]) => !this.written.has(part) || this.written.get(part) !== value));
+    return { put, drop: [...this.written.keys()].filter((part) => !parts.has(part)) };
+  }
+
+  private isChanged(): boolean {
+    const { put, drop } = this.changes();
+    // What the page makes again by itself is no change of the user's.
+    return drop.length > 0 || [...put.values()].some(({ again }) => again !== true);
+  }
+
   /** Writes what has changed since it was written last. */
   private async save(): Promise<void> {
     const { database, keeping } = this;
     const { project, name, trouble } = keeping.state;
-    if (database === null || project === '' || trouble?.kind === 'taken') return;
-    const parts = new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
-    const put = new Map([...parts].filter(([part, { value }]) => !this.written.has(part) || this.written.get(part) !== value));
-    const drop = [...this.written.keys()].filter((part) => !parts.has(part));
+    if (database === null || project === '' || trouble?.kind === 'taken' || trouble?.kind === 'reading') return;
+    const { put, drop } = this.changes();
     const mode = this.mode.now();
     if (put.size === 0 && drop.length === 0 && (this.isNew || mode === this.writtenMode)) return;
     const row: ProjectRow = { id: project, form: FORM, name, images: this.images(), mode, changed: Date.now(), writer: this.tab };

@@ -22,6 +22,8 @@ export interface Answer {
   more?: string;
   figures?: readonly Figure[];
   next?: Next | null;
+  /** What can be done in its place. */
+  others?: readonly Next[];
 }
 
 /** Shows answers in `host`, whose line for the sentence is `line`; the button for what is next comes before the others. */
@@ -30,20 +32,41 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
   let act: () => void = () => undefined;
   const press = button('', `${prefix}next`, () => act());
   press.className = 'primary';
+  const others = h('span', { class: 'answer-others' });
+  let offered = '';
   line.after(figures);
-  buttons.prepend(press);
-  return ({ kind, verdict, text, more = '', figures: found = [], next = null }) => {
+  const scrolled = new ResizeObserver((entries) => {
+    for (const { target } of entries) byKeys(target);
+  });
+  buttons.prepend(press, others);
+  return ({ kind, verdict, text, more = '', figures: found = [], next = null, others: instead = [] }) => {
     host.dataset.kind = kind;
     host.dataset.verdict = verdict ?? '';
     line.dataset.kind = kind;
     // What is said already would be read out again.
     if (line.textContent !== (more === '' ? text : `${text} ${more}`)) {
-      fill(line, h('strong', {}, text), more === '' ? null : ' ', more === '' ? null : h('span', {}, more));
+      const rest = more === '' ? null : h('span', {}, more);
+      fill(line, h('strong', {}, text), rest === null ? null : ' ', rest);
+      scrolled.disconnect();
+      if (rest !== null) scrolled.observe(rest);
     }
     fill(figures, ...found.map(({ value, label }) => h('div', {}, h('dt', {}, label), h('dd', {}, value))));
     figures.hidden = found.length === 0;
     act = next?.act ?? (() => undefined);
     press.hidden = next === null;
     if (press.textContent !== (next?.text ?? '')) press.textContent = next?.text ?? '';
+    host.classList.toggle('has-choice', instead.length > 0);
+    // What is offered already keeps its focus.
+    const texts = instead.map(({ text: own }) => own).join('\n');
+    if (texts === offered) return;
+    offered = texts;
+    fill(others, ...instead.map(({ text: own, act: does }, i) => button(own, `${prefix}other-${String(i + 1)}`, does)));
+    others.hidden = instead.length === 0;
   };
+}
+
+/** What has too little room is scrolled, by keys too. */
+function byKeys(text: Element): void {
+  if (text.scrollHeight > text.clientHeight) text.setAttribute('tabindex', '0');
+  else text.removeAttribute('tabindex');
 }

@@ -1,6 +1,7 @@
 /** A control for a parameter that the crate names: label, unit, range and help come from there. */
 import type { Parameter } from '../crate';
 import { button, h } from './dom';
+import { say } from '../text/words';
 
 export type Value = number | string | boolean | null;
 
@@ -32,9 +33,9 @@ export function makeControl(parameter: Parameter, binding: Binding): Control {
   const field = makeField(parameter, id, binding);
   const help = h('p', { class: 'help', id: `${id}-help`, hidden: true }, parameter.help);
   const problem = h('p', { class: 'field-problem', id: `${id}-problem`, role: 'alert' });
-  const reset = button('↺', `reset-${parameter.key}`, () => binding.set(binding.standard()), 'Default');
+  const reset = button('↺', `reset-${parameter.key}`, () => binding.set(binding.standard()), say('default'));
   reset.className = 'icon';
-  reset.setAttribute('aria-label', `${parameter.label}: default`);
+  reset.setAttribute('aria-label', say('default-2', { label: parameter.label }));
   const flag = parameter.kind === 'flag';
   const element = h(
     'div',
@@ -82,7 +83,7 @@ function helpButton(parameter: Parameter, help: HTMLElement): HTMLButtonElement 
   made.className = 'icon';
   made.setAttribute('aria-expanded', 'false');
   made.setAttribute('aria-controls', help.id);
-  made.setAttribute('aria-label', `Help: ${parameter.label}`);
+  made.setAttribute('aria-label', say('help', { label: parameter.label }));
   return made;
 }
 
@@ -93,14 +94,32 @@ interface Field {
 }
 
 function makeField(parameter: Parameter, id: string, binding: Binding): Field {
+  const { key } = parameter;
   switch (parameter.kind) {
     case 'flag':
       return flagField(parameter, id, binding);
     case 'choice':
       return choiceField(parameter, id, binding);
-    default:
+    case 'integer':
+    case 'real':
       return numberField(parameter, id, binding);
+    default:
+      return textField(key, id, binding);
   }
+}
+
+/** Words, which the check of the settings reads; none where it is empty. */
+function textField(key: string, id: string, { set }: Binding): Field {
+  const input = h('input', { id, type: 'text', key, aria: { describedby: `${id}-help ${id}-problem` } });
+  // Codes keep their direction among words from right to left.
+  input.dir = 'ltr';
+  input.spellcheck = false;
+  input.addEventListener('change', () => set(input.value.trim() || null));
+  const show = (value: Value) => {
+    input.removeAttribute('aria-invalid');
+    input.value = String(value ?? '');
+  };
+  return { elements: [input], show, onProblem: () => undefined };
 }
 
 function flagField(parameter: Parameter, id: string, { set }: Binding): Field {
@@ -118,7 +137,7 @@ function flagField(parameter: Parameter, id: string, { set }: Binding): Field {
 function choiceField(parameter: ChoiceParameter, id: string, { set, standard, whenEmpty }: Binding): Field {
   const { key, values, labels, absent } = parameter;
   const select = h('select', { id, key, aria: { describedby: `${id}-help` } });
-  const empty = new Option('default', '');
+  const empty = new Option(say('default-4'), '');
   empty.title = absent;
   if (standard() === null) select.append(empty);
   values.forEach((value, i) => {
@@ -127,7 +146,7 @@ function choiceField(parameter: ChoiceParameter, id: string, { set, standard, wh
   select.addEventListener('change', () => set(select.value === '' ? null : select.value));
   const show = (value: Value) => {
     const meant = labels[values.indexOf(String(whenEmpty()))];
-    empty.text = meant === undefined ? 'default' : `default: ${meant}`;
+    empty.text = meant === undefined ? say('default-4') : say('default-3', { meant });
     select.value = String(value ?? '');
   };
   return { elements: [select], show, onProblem: () => undefined };
@@ -143,8 +162,8 @@ function stepOf(parameter: NumberParameter): number | null {
 }
 
 function rangeText(parameter: NumberParameter): string {
-  const what = { 2: 'an odd number', 1: 'a whole number', any: 'a number' }[stepOf(parameter) ?? 'any'];
-  return `${what ?? 'a number'} from ${String(parameter.min)} to ${String(parameter.max)}`;
+  const what = { 2: say('an-odd-number'), 1: say('a-whole-number'), any: say('a-number') }[stepOf(parameter) ?? 'any'];
+  return say('from-to', { what: what ?? say('a-number'), min: parameter.min, max: parameter.max });
 }
 
 function numberField(parameter: NumberParameter, id: string, { set, standard, whenEmpty }: Binding): Field {
@@ -164,7 +183,7 @@ function numberField(parameter: NumberParameter, id: string, { set, standard, wh
     }
     if (!input.validity.valid || input.value === '') {
       input.setAttribute('aria-invalid', 'true');
-      tell(`Allowed: ${rangeText(parameter)}${optional() ? ', or empty' : ''}. The last valid value stays in use.`);
+      tell(say('allowed-the-last-valid-value', { parameter: rangeText(parameter), what: optional() ? say('or-empty') : '' }));
       return;
     }
     set(input.valueAsNumber);
@@ -173,8 +192,8 @@ function numberField(parameter: NumberParameter, id: string, { set, standard, wh
   const show = (value: Value) => {
     input.removeAttribute('aria-invalid');
     const absent = optional() ? whenEmpty() : null;
-    input.placeholder = optional() ? String(absent ?? 'default') : '';
-    input.title = optional() ? `Empty: ${String(absent ?? parameter.absent)}` : '';
+    input.placeholder = optional() ? String(absent ?? say('default-4')) : '';
+    input.title = optional() ? say('empty', { absent: absent ?? parameter.absent }) : '';
     if (input.value === '' || input.valueAsNumber !== value) input.value = value === null ? '' : String(value);
     const shown = value ?? absent;
     if (slider !== null) slider.value = String(typeof shown === 'number' ? shown : parameter.min);
@@ -191,7 +210,7 @@ function numberField(parameter: NumberParameter, id: string, { set, standard, wh
 function makeSlider(parameter: NumberParameter, step: number | null): HTMLInputElement | null {
   const range = parameter.max - parameter.min;
   if (step === null ? range > WIDEST_SLIDER : range / step > SLIDER_STEPS) return null;
-  const slider = h('input', { type: 'range', aria: { label: `${parameter.label}, slider` } });
+  const slider = h('input', { type: 'range', aria: { label: say('slider', { label: parameter.label }) } });
   slider.min = String(parameter.min);
   slider.max = String(parameter.max);
   slider.step = String(step ?? range / 100);

@@ -1,4 +1,5 @@
 /** Building the document from code, with types and without inline styles. */
+import { say } from '../text/words';
 
 type Child = Node | string | null;
 
@@ -75,7 +76,7 @@ export function section(title: string, testid: string, ...children: Child[]): HT
 export function markStale<E extends HTMLElement>(element: E, stale: boolean): E {
   if (stale) {
     element.classList.add('is-earlier');
-    element.querySelector('th, figcaption')?.append(h('span', { class: 'earlier' }, 'earlier settings'));
+    element.querySelector('th, figcaption')?.append(h('span', { class: 'earlier' }, say('earlier-settings-2')));
   }
   return element;
 }

@@ -1,13 +1,29 @@
-/** What is closed at first and opened by a button: the settings, the details of the results, the settings that few need. It stays as it was left. */
+/** What is opened and closed by a button: the settings, the details of the results, the settings that few need, the tables. It stays as it was left. */
 import { button } from './dom';
-import { keepChoice, keptChoice } from '../state/choices';
+import { keepChoice, keptChoice } from '../choices';
+import { say } from '../text/words';
 
-export type Drawer = 'settings' | 'details' | 'all-settings';
+export type Drawer = 'settings' | 'details' | 'all-settings' | 'table';
 
 const NAME = 'tiepoint-open';
 
-const open = new Set<string>((keptChoice(NAME) ?? '').split(' '));
+/** Where a screen has room for pictures and tables, a stranger finds both. */
+const AT_FIRST = window.innerHeight >= 900 && window.innerWidth >= 1180 ? 'table' : '';
+
+const open = new Set<string>((keptChoice(NAME) ?? AT_FIRST).split(' '));
 const watchers: (() => void)[] = [];
+
+/** Here the settings lie over the pictures, as the style sheet has it. */
+const OVER = window.matchMedia('(width < 1180px)');
+/** Here settings and details leave room for the pictures between them. */
+const ROOM = window.matchMedia('(width >= 1500px)');
+
+/** What gives way to a drawer where there is no room for both. */
+const BESIDE: Readonly<Partial<Record<Drawer, readonly Drawer[]>>> = { settings: ['details'], details: ['settings'] };
+
+// What was left open on a wider screen would hide what is to be seen.
+if (OVER.matches) open.delete('settings');
+ROOM.addEventListener('change', () => !ROOM.matches && isOpen('details') && setDrawer('settings', false));
 
 /** Calls back now and whenever a drawer is opened or closed. */
 export function watchDrawers(callback: () => void): void {
@@ -23,6 +39,7 @@ export function setDrawer(drawer: Drawer, wanted: boolean): void {
   if (isOpen(drawer) === wanted) return;
   if (wanted) open.add(drawer);
   else open.delete(drawer);
+  if (wanted && !ROOM.matches) for (const other of BESIDE[drawer] ?? []) open.delete(other);
   keepChoice(NAME, [...open].filter((name) => name !== '').join(' '));
   for (const callback of watchers) callback();
 }
@@ -38,7 +55,7 @@ export function drawerButton(drawer: Drawer, text: string, testid: string, eleme
     made.focus();
   });
   close.className = 'icon close';
-  close.setAttribute('aria-label', `Close: ${text}`);
+  close.setAttribute('aria-label', say('close-3', { text }));
   element.append(close);
   watchDrawers(() => {
     element.classList.toggle('is-closed', !isOpen(drawer));

@@ -1,6 +1,7 @@
 /** A line that says what stands in the way of keeping the project, with what can be done. */
 import type { Keeper, Trouble } from '../files/keeper';
 import { button, byId, fill, h } from './dom';
+import { say } from '../text/words';
 
 export interface KeepingActions {
   projects: () => void;
@@ -21,38 +22,46 @@ function textOf({ kind, reason, project }: Trouble): string {
   const title = `“${project?.title ?? ''}”`;
   switch (kind) {
     case 'absent':
-      return `This browser keeps nothing of the page (a private window, or its storage is blocked): save the project as a file before you leave. ${reason}`;
+      return say('this-browser-keeps-nothing-of', { reason });
     case 'full':
-      return 'The storage of this browser is full: the last changes are not kept. What was kept before is whole. Delete projects that you no longer need, or save this one as a file.';
+      return say('the-storage-of-this-browser');
     case 'failed':
-      return `The last changes could not be kept: ${reason}. What was kept before is whole. Save the project as a file before you leave.`;
+      return say('the-last-changes-could-not', { reason });
     case 'elsewhere':
-      return `${title} is open in another tab. This tab has a project of its own.`;
+      return say('is-open-in-another-tab', { title });
+    case 'reading':
+      return say('is-open-in-another-tab-this', { title });
     case 'taken':
-      return `Another tab has taken ${title} over. What is changed here is no longer kept.`;
+      return say('another-tab-has-taken-over', { title });
     case 'unreadable':
-      return `${title} cannot be restored: ${reason}. It stays in the storage as it is.`;
+      return say('cannot-be-restored-it-stays', { title, reason });
     case 'broke-off':
-      return `${title} was not opened: the page broke off the last times that it was. This is a new project.`;
+      return say('was-not-opened-the-page', { title });
   }
 }
 
 function buttonsFor({ kind, project }: Trouble, keeper: Keeper, { projects, saveFiles }: KeepingActions): HTMLButtonElement[] {
   const id = project?.id ?? '';
-  const list = button('Projects …', 'keeping-projects', projects);
-  const close = button('Close', 'keeping-close', () => keeper.dismiss());
+  const take = () => void keeper.open(id, 'steal');
+  const look = () => void keeper.open(id, 'look');
+  const asNew = () => void keeper.keepAsNew();
+  const list = button(say('projects'), 'keeping-projects', projects);
+  const close = button(say('close-2'), 'keeping-close', () => keeper.dismiss());
   switch (kind) {
     case 'elsewhere':
-      return [button('Take it over', 'keeping-take', () => void keeper.open(id, true)), close];
-    case 'taken':
+      return [button(say('look-at-it'), 'keeping-look', look), button(say('take-it-over'), 'keeping-take', take), close];
+    case 'reading':
       return [
-        button('Take it back', 'keeping-take', () => void keeper.open(id, true), 'Shows the project as the other tab has kept it'),
-        button('Keep this as a new project', 'keeping-new', () => void keeper.keepAsNew()),
+        button(say('show-the-latest'), 'keeping-look', look, say('reads-again-what-the-other')),
+        button(say('take-it-over'), 'keeping-take', take, say('goes-on-with-the-project')),
+        button(say('keep-this-as-a-new'), 'keeping-new', asNew),
       ];
+    case 'taken':
+      return [button(say('take-it-back'), 'keeping-take', take, say('shows-the-project-as-the')), button(say('keep-this-as-a-new'), 'keeping-new', asNew)];
     case 'unreadable':
-      return [button('Save its files', 'keeping-save', () => saveFiles(id)), list, close];
+      return [button(say('save-its-files'), 'keeping-save', () => saveFiles(id)), list, close];
     case 'broke-off':
-      return [button('Open it', 'keeping-open', () => void keeper.open(id)), button('Save its files', 'keeping-save', () => saveFiles(id)), close];
+      return [button(say('open-it'), 'keeping-open', () => void keeper.open(id)), button(say('save-its-files'), 'keeping-save', () => saveFiles(id)), close];
     case 'full':
       return [list, close];
     default:

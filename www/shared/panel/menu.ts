@@ -1,4 +1,14 @@
 /** A menu: a button, and what it unfolds. A press elsewhere, a choice or Escape folds it again. On wide screens a style may show it unfolded. */
+import { h } from './dom';
+import { say } from '../text/words';
+
+/** Tools of a view: side by side where there is room, a menu on a phone. */
+export function unfolded(testid: string, ...tools: HTMLElement[]): HTMLElement {
+  const more = h('div', { class: 'more', id: `${testid}-tools` }, ...tools);
+  const press = h('button', { type: 'button', class: 'menu-button', testid }, say('view'));
+  mountMenu(press, more);
+  return h('div', { class: 'view-tools' }, press, more);
+}
 
 export function mountMenu(press: HTMLElement, panel: HTMLElement): void {
   const show = (unfolded: boolean) => {

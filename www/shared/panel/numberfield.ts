@@ -1,5 +1,6 @@
 /** Fields for numbers that are no parameters of the crate's catalogue: what is not allowed is said, and the last valid value stays. */
 import { h } from './dom';
+import { say } from '../text/words';
 
 export interface NumberField {
   element: HTMLElement;
@@ -7,7 +8,7 @@ export interface NumberField {
   problem: HTMLElement;
 }
 
-const STAYS = 'The last valid value stays in use.';
+const STAYS = say('the-last-valid-value-stays');
 
 /** A number input that tells what it is described by; `change` is called when a number was typed. */
 export function numberInput(testid: string, problem: HTMLElement, change: () => void): HTMLInputElement {
@@ -59,7 +60,7 @@ export function readNumber({ input, problem }: NumberField, allowed: (value: num
   const value = typed(input);
   const instead = value === undefined ? null : Number.isNaN(value) ? 'a number' : allowed(value);
   mark(input, instead !== null);
-  problem.textContent = instead === null ? '' : `Allowed: ${instead}, or empty. ${STAYS}`;
+  problem.textContent = instead === null ? '' : say('allowed-or-empty', { instead, stays: STAYS });
   return instead === null ? value : last;
 }
 
@@ -70,26 +71,26 @@ export function readPair(
   allowed: (a: number, b: number) => string | null,
 ): [number, number] | null | undefined {
   const [a, b] = [typed(inputs[0]), typed(inputs[1])];
-  const say = (text: string, wrong: readonly [boolean, boolean]) => {
+  const tell = (text: string, wrong: readonly [boolean, boolean]) => {
     problem.textContent = text;
     inputs.forEach((input, i) => {
       mark(input, wrong[i] === true);
     });
   };
   if (a === undefined && b === undefined) {
-    say('', [false, false]);
+    tell('', [false, false]);
     return null;
   }
   if (a === undefined || b === undefined) {
-    say(`Give both numbers, or empty both. ${STAYS}`, [a === undefined, b === undefined]);
+    tell(say('give-both-numbers-or-empty', { stays: STAYS }), [a === undefined, b === undefined]);
     return undefined;
   }
-  const instead = Number.isNaN(a + b) ? 'two numbers' : allowed(a, b);
+  const instead = Number.isNaN(a + b) ? say('two-numbers') : allowed(a, b);
   if (instead === null) {
-    say('', [false, false]);
+    tell('', [false, false]);
     return [a, b];
   }
   const alone = [allowed(a, 0) !== null, allowed(0, b) !== null] as const;
-  say(`Allowed: ${instead}. ${STAYS}`, alone);
+  tell(say('allowed', { instead, stays: STAYS }), alone);
   return undefined;
 }

@@ -3,14 +3,17 @@ import type { ProjectRow } from '../files/database';
 import type { Keeper } from '../files/keeper';
 import { archiveOf } from '../files/rescue';
 import { save } from '../files/save';
-import { messageOf, sentence } from '../text/format';
+import { sentence } from '../text/format';
+import { LANGUAGE } from '../text/language';
 import { sizeText, titleOf } from '../text/project';
 import { button, byId, fill, h } from './dom';
 import { mountKeeping } from './keeping';
+import { say } from '../text/words';
+import { messageOf } from '../text/messages';
 
 type Row = ProjectRow & { bytes: number };
 
-const DATE = new Intl.DateTimeFormat('en-GB', { dateStyle: 'medium', timeStyle: 'short' });
+const DATE = new Intl.DateTimeFormat(LANGUAGE === 'en' ? 'en-GB' : `${LANGUAGE}-u-nu-latn`, { dateStyle: 'medium', timeStyle: 'short' });
 
 /** The buttons of the bar, the dialog, and the line that says what stands in the way of keeping. */
 export function mountProjects(keeper: Keeper): void {
@@ -33,10 +36,8 @@ export function mountProjects(keeper: Keeper): void {
 }
 
 /** Asks before what could not be kept is lost. */
-function mayLeave({ keeping }: Keeper): boolean {
-  const kind = keeping.state.trouble?.kind;
-  const isLost = kind === 'full' || kind === 'failed' || kind === 'taken';
-  return !isLost || window.confirm('The last changes on the page could not be kept in this browser. Leave them?');
+function mayLeave({ isLost }: Keeper): boolean {
+  return !isLost || window.confirm(say('the-last-changes-on-the'));
 }
 
 async function saveFiles(keeper: Keeper, project: string, name: string): Promise<void> {
@@ -48,14 +49,14 @@ class ProjectList {
   private readonly rows = h('ul', { class: 'projects', testid: 'project-list' });
   private readonly room = h('p', { class: 'note', testid: 'project-room' });
   private readonly problem = h('p', { class: 'field-problem', role: 'alert', testid: 'project-problem' });
-  private readonly stay = button('Ask the browser never to clear it', 'project-persist', () => void this.attempt(() => this.persist()));
+  private readonly stay = button(say('ask-the-browser-never-to'), 'project-persist', () => void this.attempt(() => this.persist()));
 
   constructor(private readonly keeper: Keeper) {
-    const close = button('Close', 'projects-close', () => this.dialog.close());
-    const anew = button('New project', 'project-new', () => void this.leave(() => keeper.anew()));
+    const close = button(say('close-2'), 'projects-close', () => this.dialog.close());
+    const anew = button(say('new-project'), 'project-new', () => void this.leave(() => keeper.anew()));
     anew.className = 'primary';
-    const heading = h('h2', { id: 'projects-heading' }, 'Projects');
-    const note = h('p', { class: 'note' }, 'This browser keeps each project as it changes. Nothing leaves this computer.');
+    const heading = h('h2', { id: 'projects-heading' }, say('projects-2'));
+    const note = h('p', { class: 'note' }, say('this-browser-keeps-each-project'));
     const foot = h('div', { class: 'buttons' }, this.stay, close);
     this.dialog = h('dialog', { class: 'dialog', testid: 'projects-dialog', aria: { labelledby: heading.id } });
     this.dialog.append(h('div', { class: 'dialog-head' }, heading, anew), note, this.rows, this.problem, this.room, foot);
@@ -95,7 +96,7 @@ class ProjectList {
   /** `focus`: what has the keyboard among the new rows, at once: the next key is meant for it. */
   private async show(focus?: () => string): Promise<void> {
     const projects = await this.keeper.projects();
-    const none = h('li', { class: 'note' }, 'Nothing is kept yet.');
+    const none = h('li', { class: 'note' }, say('nothing-is-kept-yet'));
     fill(this.rows, ...(projects.length === 0 ? [none] : projects.map((row) => this.row(row))));
     if (focus !== undefined) {
       const next = this.rows.querySelector<HTMLElement>(`[data-testid="${focus()}"]`) ?? this.dialog.querySelector<HTMLElement>('button');
@@ -109,15 +110,15 @@ class ProjectList {
     // Absent where the page comes by plain http from another machine.
     const storage = (navigator as { storage?: StorageManager }).storage;
     const { usage = 0, quota = 0 } = (await storage?.estimate().catch(() => undefined)) ?? {};
-    const left = quota > usage ? ` About ${sizeText(quota - usage)} are left.` : '';
+    const left = quota > usage ? say('about-are-left', { quota: sizeText(quota - usage) }) : '';
     const persisted = (await storage?.persisted?.().catch(() => false)) ?? false;
     this.stay.hidden = storage === undefined || persisted || projects.length === 0;
-    const may = persisted ? '' : ' The browser may clear it where room is short.';
-    this.room.textContent = `The projects take about ${sizeText(own)}.${left}${may}`;
+    const may = persisted ? '' : say('the-browser-may-clear-it');
+    this.room.textContent = say('the-projects-take-about', { own: sizeText(own), left, may });
   }
 
   private async persist(): Promise<void> {
-    if (!(await navigator.storage.persist())) throw new Error('the browser does not promise it: save what matters as a file');
+    if (!(await navigator.storage.persist())) throw new Error(say('the-browser-does-not-promise'));
     await this.show();
   }
 
@@ -125,10 +126,15 @@ class ProjectList {
     const { id } = row;
     const title = titleOf(row);
     const current = id === this.keeper.keeping.state.project;
-    const open = button(title, `project-open-${id}`, () => void this.leave(() => (current ? Promise.resolve() : this.keeper.open(id))), 'Open this project');
+    const open = button(
+      title,
+      `project-open-${id}`,
+      () => void this.leave(() => (current ? Promise.resolve() : this.keeper.open(id))),
+      say('open-this-project'),
+    );
     open.className = 'link';
-    const images = `${String(row.images.length)} ${row.images.length === 1 ? 'image' : 'images'}`;
-    const facts = h('span', { class: 'note' }, `${images} · ${sizeText(row.bytes)} · ${DATE.format(row.changed)}${current ? ' · on the page' : ''}`);
+    const images = say('so-many-images', { images: row.images.length });
+    const facts = h('span', { class: 'note' }, `${images} · ${sizeText(row.bytes)} · ${DATE.format(row.changed)}${current ? say('on-the-page') : ''}`);
     const named = (text: string, what: string, action: () => void) => {
       const made = button(text, `project-${what}-${id}`, action);
       made.setAttribute('aria-label', `${text}: ${title}`);
@@ -138,25 +144,25 @@ class ProjectList {
     const buttons = h(
       'div',
       { class: 'buttons' },
-      named('Rename', 'rename', () => this.rename(element, row)),
+      named(say('rename'), 'rename', () => this.rename(element, row)),
       named(
-        'Duplicate',
+        say('duplicate'),
         'duplicate',
         () =>
           void this.change(
-            () => this.keeper.duplicate(id, `${title} (copy)`),
+            () => this.keeper.duplicate(id, say('copy', { title })),
             () => `project-duplicate-${id}`,
           ),
       ),
-      named('Save files', 'save', () => void this.attempt(() => saveFiles(this.keeper, id, 'tiepoint-project'))),
-      named('Delete', 'delete', () => this.confirm(element, row)),
+      named(say('save-files'), 'save', () => void this.attempt(() => saveFiles(this.keeper, id, 'tiepoint-project'))),
+      named(say('delete'), 'delete', () => this.confirm(element, row)),
     );
     element.append(h('div', { class: 'project-name' }, open, facts), buttons);
     return element;
   }
 
   private rename(element: HTMLElement, { id, ...row }: Row): void {
-    const input = h('input', { type: 'text', testid: 'project-name', aria: { label: `New name of ${titleOf(row)}` } });
+    const input = h('input', { type: 'text', testid: 'project-name', aria: { label: say('new-name-of', { row: titleOf(row) }) } });
     input.value = titleOf(row);
     const take = () => {
       const name = input.value.trim();
@@ -177,14 +183,18 @@ class ProjectList {
       event.preventDefault();
       cancel();
     });
-    fill(element, input, h('div', { class: 'buttons' }, button('Rename', 'project-name-take', take), button('Cancel', 'project-name-cancel', cancel)));
+    fill(
+      element,
+      input,
+      h('div', { class: 'buttons' }, button(say('rename'), 'project-name-take', take), button(say('cancel'), 'project-name-cancel', cancel)),
+    );
     input.focus();
     input.select();
   }
 
   private confirm(element: HTMLElement, row: Row): void {
     const keep = button(
-      'Keep',
+      say('keep'),
       'project-keep',
       () =>
         void this.change(
@@ -193,7 +203,7 @@ class ProjectList {
         ),
     );
     const remove = button(
-      'Delete',
+      say('delete'),
       'project-delete',
       () =>
         void this.change(
@@ -201,7 +211,7 @@ class ProjectList {
           () => '',
         ),
     );
-    const question = h('p', { role: 'alert' }, `Delete “${titleOf(row)}” with its images and results? This cannot be undone.`);
+    const question = h('p', { role: 'alert' }, say('delete-with-its-images-and', { row: titleOf(row) }));
     fill(element, question, h('div', { class: 'buttons' }, remove, keep));
     keep.focus();
   }

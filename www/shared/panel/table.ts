@@ -1,8 +1,13 @@
-/** A table of any length, sorted by any of its columns. */
-import { ordered } from '../state/rows';
-import type { Column, Order } from '../state/rows';
-import { fill, h } from './dom';
+/** A table of any length: sorted by any of its columns, searched, chosen from by mouse and keys, and saved as it is shown. */
+import { save } from '../files/save';
+import { keepChoice, keptChoice } from '../choices';
+import { conditionOf, conditionText, csvOf, keeping, ordered, tabbedOf, totalOf } from '../state/rows';
+import type { Column, Filter, Order, Total } from '../state/rows';
+import { count as counted, fixed } from '../text/format';
+import { button, fill, h } from './dom';
 import { RowsInSight, sortHead } from './rows';
+import { intoEnglish } from '../engine/texts';
+import { say } from '../text/words';
 
 export interface TableOptions {
   testid: string;
@@ -14,31 +19,67 @@ export interface TableOptions {
   chooseMore?: (rows: readonly number[]) => void;
   /** Whether a row is one of those chosen together. */
   isChosen?: (row: number) => boolean;
-  /** What the button of a row is called, where its text says too little. */
-  chooseLabel?: (row: number) => string;
+  /** Called with the row that the pointer is over; -1 where it has left. */
+  point?: (row: number) => void;
+  /** Called when other conditions are typed; without it nothing can be typed over the columns. */
+  filter?: (filter: Filter) => void;
+  /** What the file is called that the rows are saved as; with it the table has a bar that counts, saves and chooses columns. */
+  file?: string;
+  /** Further things in the bar. */
+  tools?: readonly HTMLElement[];
 }
 
 const ALL = () => true;
 
+/** So many rows say how wide a column is. */
+const MEASURED = 200;
+
+const TOTALS: Readonly<Record<Total, string>> = { sum: 'Σ', mean: say('mean'), rms: 'RMS' };
+
 export class Table {
   private readonly help: HTMLElement;
   private readonly table: RowsInSight;
+  private readonly bar: TableBar | null;
+  private all: readonly Column[] = [];
+  /** Those that the user has not hidden. */
   private columns: readonly Column[] = [];
   private count = 0;
   private keep: (row: number) => boolean = ALL;
-  private shown: readonly number[] = [];
+  private conditions: Filter = {};
+  private shown: Uint32Array = new Uint32Array();
   private order: Order = { key: '', descending: false };
   private marked = -1;
   /** The row that was pressed last. */
   private anchor = -1;
+  /** The row that keys start from. */
+  private active = -1;
 
   constructor(
     host: HTMLElement,
     private readonly options: TableOptions,
   ) {
-    this.help = h('p', { class: 'help', hidden: true, testid: `${options.testid}-help` });
-    this.table = new RowsInSight(options.testid, options.words, (place) => this.row(this.shown[place] ?? 0));
-    host.append(this.help, this.table.scroller);
+    const { testid, words, file } = options;
+    this.help = h('p', { class: 'help', hidden: true, testid: `${testid}-help` });
+    this.table = new RowsInSight(testid, words, (place) => this.row(this.shown[place] ?? 0, place));
+    this.bar =
+      file === undefined
+        ? null
+        : new TableBar(
+            testid,
+            words.table,
+            {
+              hide: (hidden) => this.hide(hidden),
+              csv: async () => save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: 'text/csv' }), file),
+              copied: async () => tabbedOf(this.columns, this.shown, await intoEnglish()),
+              clear: () => options.filter?.({}),
+            },
+            options.tools ?? [],
+          );
+    host.append(...(this.bar === null ? [] : [this.bar.element]), this.help, this.table.scroller);
+    this.table.table.addEventListener('keydown', (event) => this.key(event));
+    if (options.choose !== undefined && (options.chooseMore !== undefined || options.isChosen !== undefined))
+      this.table.table.setAttribute('aria-multiselectable', 'true');
+    this.table.scroller.addEventListener('pointerleave', () => options.point?.(-1));
   }
 
   get scroller(): HTMLElement {
@@ -49,17 +90,49 @@ export class Table {
     return this.table.head;
   }
 
-  /** Shows rows of other columns; `keep` leaves some of them out. Returns how many are shown. */
-  show(count: number, columns: readonly Column[], keep: (row: number) => boolean = ALL): number {
-    if (columns !== this.columns) fill(this.table.head, columns.length === 0 ? null : h('tr', {}, ...columns.map((column) => this.headCell(column))));
-    Object.assign(this, { count, columns, keep });
+  /** Shows rows of other columns; `keep` and the conditions leave some of them out. Returns how many are shown. */
+  show(count: number, columns: readonly Column[], keep: (row: number) => boolean = ALL, conditions: Filter = {}): number {
+    const others = columns !== this.all;
+    Object.assign(this, { count, all: columns, keep, conditions });
+    if (others) this.showColumns();
+    this.showConditions();
     return this.sort();
   }
 
   /** Marks a row and brings it into sight; none where it is negative. */
   mark(row: number): void {
     this.marked = row;
-    this.table.reveal(this.shown.indexOf(row));
+    this.reveal(row);
+  }
+
+  /** Brings a row into sight, and draws all anew. */
+  reveal(row: number): void {
+    this.table.reveal(row < 0 ? -1 : this.shown.indexOf(row));
+  }
+
+  /** Draws the rows anew, as others are chosen. */
+  redraw(): void {
+    this.table.show(this.shown.length);
+  }
+
+  /** The rows that are shown, in their order. */
+  get listed(): Uint32Array {
+    return this.shown;
+  }
+
+  private hide(hidden: ReadonlySet<string>): void {
+    this.columns = this.all.filter(({ key }) => !hidden.has(key));
+    const { columns } = this;
+    const heads = columns.map((column) => this.headCell(column));
+    const filters = this.options.filter === undefined || columns.length === 0 ? null : h('tr', {}, ...columns.map((column) => this.filterCell(column)));
+    fill(this.table.head, columns.length === 0 ? null : h('tr', {}, ...heads), filters);
+    this.table.table.setAttribute('aria-colcount', String(columns.length));
+    this.showConditions();
+    this.sort();
+  }
+
+  private showColumns(): void {
+    this.hide(this.bar?.offer(this.all) ?? new Set());
   }
 
   private headCell(column: Column): HTMLElement {
@@ -73,52 +146,269 @@ export class Table {
     });
   }
 
-  private press(row: number, event: MouseEvent, choose: (row: number) => void): void {
-    const { chooseMore } = this.options;
+  private filterCell({ key, label, unit, words }: Column): HTMLElement {
+    const hint = words === true ? say('contains') : '2..5  >2  ≤0.5';
+    const input = h('input', {
+      type: 'text',
+      class: 'filter',
+      key,
+      testid: `${this.options.testid}-filter-${key}`,
+      title: `${label}: ${words === true ? say('rows-that-contain-this-text') : say('rows-within-these-limits-as')}`,
+      aria: { label: say('filter', { label, what: unit === '' ? '' : say('in-2', { unit }) }) },
+    });
+    input.placeholder = hint;
+    input.size = 1;
+    input.addEventListener('input', () => {
+      const condition = conditionOf(input.value, words === true);
+      input.setAttribute('aria-invalid', String(condition === undefined));
+      if (condition === undefined) return;
+      const { [key]: _, ...others } = this.conditions;
+      this.options.filter?.(condition === null ? others : { ...others, [key]: condition });
+    });
+    return h('td', {}, input);
+  }
+
+  /** Writes the conditions into their fields; one that is being typed stays as it is. */
+  private showConditions(): void {
+    for (const input of this.table.head.querySelectorAll<HTMLInputElement>('input.filter')) {
+      const key = input.dataset.key ?? '';
+      const column = this.columns.find((candidate) => candidate.key === key);
+      const typed = conditionOf(input.value, column?.words === true);
+      const stands = typed !== undefined && JSON.stringify(typed) === JSON.stringify(this.conditions[key] ?? null);
+      if (stands || input === document.activeElement) continue;
+      input.value = conditionText(this.conditions[key]);
+      input.removeAttribute('aria-invalid');
+    }
+  }
+
+  private press(row: number, { shiftKey, ctrlKey, metaKey }: Pick<MouseEvent, 'shiftKey' | 'ctrlKey' | 'metaKey'>): void {
+    const { choose, chooseMore } = this.options;
+    this.active = row;
     const [from, to] = [this.shown.indexOf(this.anchor), this.shown.indexOf(row)];
-    if (chooseMore !== undefined && event.shiftKey && from >= 0) chooseMore(this.shown.slice(Math.min(from, to), Math.max(from, to) + 1));
-    else if (chooseMore !== undefined && (event.ctrlKey || event.metaKey)) chooseMore([row]);
-    else choose(row);
-    if (!event.shiftKey || from < 0) this.anchor = row;
+    if (chooseMore !== undefined && shiftKey && from >= 0) chooseMore([...this.shown.subarray(Math.min(from, to), Math.max(from, to) + 1)]);
+    else if (chooseMore !== undefined && (ctrlKey || metaKey)) chooseMore([row]);
+    else choose?.(row);
+    if (!shiftKey || from < 0) this.anchor = row;
+    this.redraw();
   }
 
-  /** Draws the rows anew, as others are chosen. */
-  redraw(): void {
-    this.table.show(this.shown.length);
-  }
-
-  /** The rows that are shown, in their order. */
-  get listed(): readonly number[] {
-    return this.shown;
+  /** Arrows go from row to row, Enter chooses; with Shift the rows between are chosen together. */
+  private key(event: KeyboardEvent): void {
+    if (event.target !== this.table.table || event.altKey || this.shown.length === 0) return;
+    const last = this.shown.length - 1;
+    const at = this.shown.indexOf(this.active);
+    const places: Readonly<Record<string, number>> = {
+      ArrowDown: at + 1,
+      ArrowUp: at - 1,
+      PageDown: at + this.table.page,
+      PageUp: at - this.table.page,
+      Home: 0,
+      End: last,
+    };
+    const place = places[event.key];
+    if (place !== undefined) {
+      if (this.anchor < 0) this.anchor = this.active;
+      this.active = this.shown[Math.min(last, Math.max(0, place))] ?? -1;
+      if (event.shiftKey && this.options.chooseMore !== undefined) this.press(this.active, { shiftKey: true, ctrlKey: false, metaKey: false });
+      else this.options.point?.(this.active);
+      this.table.reveal(this.shown.indexOf(this.active), true);
+    } else if ((event.key === 'Enter' || event.key === ' ') && at >= 0) this.press(this.active, event);
+    else if (event.key === 'a' && (event.ctrlKey || event.metaKey) && this.options.chooseMore !== undefined) this.options.chooseMore([...this.shown]);
+    else return;
+    event.preventDefault();
   }
 
   private sort(): number {
-    this.shown = ordered(this.count, this.columns, this.order, this.keep);
-    this.table.markOrder(this.order.key, this.order.descending);
+    const { columns, order, keep } = this;
+    const meets = keeping(this.all, this.conditions);
+    this.shown = ordered(this.count, columns, order, meets === null ? keep : (row) => keep(row) && meets(row));
+    this.table.markOrder(order.key, order.descending);
+    this.measure();
+    this.showFoot(meets !== null);
+    const heads = this.table.head.childElementCount;
+    this.table.table.setAttribute('aria-rowcount', String(this.shown.length + heads));
     this.table.show(this.shown.length);
     return this.shown.length;
   }
 
-  private row(row: number): HTMLElement {
-    const { testid, choose, chooseLabel } = this.options;
-    const chosen = row === this.marked;
-    const together = this.options.isChosen?.(row) === true;
-    const line = h(
-      'tr',
-      { class: `${chosen ? 'best' : ''} ${together ? 'chosen' : ''}`.trim(), testid: chosen ? `${testid}-selected` : `${testid}-row` },
-      ...this.columns.map(({ value, text }, i) => {
-        const number = typeof value(row) === 'number';
-        if (i > 0 || choose === undefined) return h('td', { class: number ? 'number' : '' }, text(row));
-        const press = h(
-          'button',
-          { type: 'button', class: 'link', key: String(row), ...(chooseLabel === undefined ? {} : { aria: { label: chooseLabel(row) } }) },
-          text(row),
-        );
-        return h('td', {}, press);
+  /** Columns as wide as their longest texts of some rows, so that they do not move while rows come into sight. */
+  private measure(): void {
+    const step = Math.max(1, Math.floor(this.shown.length / MEASURED));
+    const longest = this.columns.map(({ text }) => {
+      let most = 0;
+      for (let place = this.shown.length - 1; place >= 0; place -= step) most = Math.max(most, text(this.shown[place] ?? 0).length);
+      return most;
+    });
+    fill(
+      this.table.columns,
+      ...longest.map((length) => {
+        const column = h('col', {});
+        column.style.minWidth = column.style.width = `calc(${String(Math.min(length, 48))}ch + 8px)`;
+        return column;
       }),
     );
-    if (choose !== undefined) line.addEventListener('click', (event) => this.press(row, event, choose));
+  }
+
+  private showFoot(filtered: boolean): void {
+    if (this.bar === null) return;
+    this.bar.say(this.shown.length, this.count, filtered);
+    const cells = this.columns.map((column) => {
+      const { total, value, text } = column;
+      if (total === undefined || this.shown.length === 0) return h('td', {});
+      const number = totalOf(column, this.shown);
+      // With as many decimals as the figures have, a mean of whole numbers with one.
+      const digits = Math.max(
+        total === 'sum' ? 0 : 1,
+        ...[...this.shown.subarray(0, 20)].filter((row) => !Number.isNaN(value(row))).map((row) => decimals(text(row))),
+      );
+      return h(
+        'td',
+        { class: 'number' },
+        h('span', { class: 'unit' }, `${TOTALS[total]} `),
+        digits === 0 ? counted(Number.isNaN(number) ? null : Math.round(number)) : fixed(number, digits),
+      );
+    });
+    fill(this.table.foot, cells.every((cell) => cell.textContent === '') ? null : h('tr', {}, ...cells));
+  }
+
+  private row(row: number, place: number): HTMLElement {
+    const { testid, choose, isChosen, point } = this.options;
+    const chosen = row === this.marked;
+    const together = isChosen?.(row) === true;
+    const id = `${testid}-row-${String(row)}`;
+    const active = row === this.active;
+    const line = h(
+      'tr',
+      {
+        id,
+        class: `${chosen ? 'best' : ''} ${together ? 'chosen' : ''} ${active ? 'active' : ''}`.trim(),
+        testid: chosen ? `${testid}-selected` : `${testid}-row`,
+        aria: {
+          rowindex: String(place + 1 + this.table.head.childElementCount),
+          ...(choose === undefined ? {} : { selected: String(chosen || together) }),
+        },
+      },
+      ...this.columns.map(({ value, text }) => h('td', { class: typeof value(row) === 'number' ? 'number' : '' }, text(row))),
+    );
+    if (active) this.table.table.setAttribute('aria-activedescendant', id);
+    if (choose !== undefined) line.addEventListener('click', (event) => this.press(row, event));
     else line.classList.add('plain');
+    if (point !== undefined) line.addEventListener('pointerenter', () => point(row));
     return line;
+  }
+}
+
+/** How many digits stand behind the point. */
+function decimals(text: string): number {
+  return text.split('.')[1]?.length ?? 0;
+}
+
+/** What the bar over a table does. */
+interface Doing {
+  hide: (hidden: ReadonlySet<string>) => void;
+  /** Saves them as a file. */
+  csv: () => Promise<void>;
+  /** What is copied. */
+  copied: () => Promise<string>;
+  clear: () => void;
+}
+
+/** The line over a table: how many rows it shows, its columns, and what is made of them. */
+class TableBar {
+  readonly element: HTMLElement;
+  private readonly caption = h('span', { class: 'note', role: 'status', aria: { live: 'polite' } });
+  private readonly list = h('div', { class: 'menu' });
+  private readonly clear: HTMLButtonElement;
+  private readonly hidden: Set<string>;
+  private readonly name: string;
+
+  constructor(
+    testid: string,
+    private readonly words: string,
+    private readonly doing: Doing,
+    tools: readonly HTMLElement[],
+  ) {
+    this.name = `tiepoint-hidden-${testid}`;
+    this.hidden = new Set((keptChoice(this.name) ?? '').split(' ').filter((key) => key !== ''));
+    this.caption.dataset.testid = `${testid}-caption`;
+    this.clear = button(say('show-all'), `${testid}-clear`, doing.clear, say('takes-away-what-is-typed'));
+    const csv = button('CSV', `${testid}-csv`, () => void this.save(csv), say('saves-the-rows-and-columns'));
+    const copy = button(say('copy-2'), `${testid}-copy`, () => void this.copy(copy), say('copies-the-rows-and-columns'));
+    const columns = button(say('columns'), `${testid}-columns`, () => this.unfold(columns, this.list.classList.toggle('is-open')));
+    columns.setAttribute('aria-expanded', 'false');
+    const menu = h('div', { class: 'exports' }, columns, this.list);
+    menu.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      this.unfold(columns, false);
+      columns.focus();
+    });
+    menu.addEventListener('focusout', (event) => {
+      if (!menu.contains(event.relatedTarget as Node | null)) this.unfold(columns, false);
+    });
+    this.element = h('div', { class: 'table-bar' }, this.caption, ...tools, this.clear, menu, copy, csv);
+  }
+
+  say(shown: number, all: number, filtered: boolean): void {
+    const text = `${this.words}: ${filtered ? say('of-8', { shown: counted(shown) }) : ''}${counted(all)}`;
+    if (this.caption.textContent !== text) this.caption.textContent = text;
+    this.clear.hidden = !filtered;
+  }
+
+  /** Lists the columns; gives those that are hidden. */
+  offer(columns: readonly Column[]): ReadonlySet<string> {
+    fill(
+      this.list,
+      ...columns.map(({ key, label, unit }) => {
+        const box = h('input', { type: 'checkbox', key });
+        box.checked = !this.hidden.has(key);
+        box.addEventListener('change', () => {
+          if (box.checked) this.hidden.delete(key);
+          else this.hidden.add(key);
+          keepChoice(this.name, [...this.hidden].join(' '));
+          this.doing.hide(this.hidden);
+        });
+        return h('label', { class: 'choice' }, box, unit === '' ? label : `${label} ${unit}`);
+      }),
+    );
+    return this.hidden;
+  }
+
+  private unfold(columns: HTMLElement, open: boolean): void {
+    this.list.classList.toggle('is-open', open);
+    columns.setAttribute('aria-expanded', String(open));
+  }
+
+  private async copy(press: HTMLElement): Promise<void> {
+    const done = await this.doing.copied().then(toClipboard, () => false);
+    tellOn(press, done ? say('copied') : say('not-copied'));
+  }
+
+  private async save(press: HTMLElement): Promise<void> {
+    // The heads of a file are English, whose texts another language loads for it.
+    await this.doing.csv().catch(() => tellOn(press, say('not-saved')));
+  }
+}
+
+/** Says on a button for a moment what came of it. */
+function tellOn(press: HTMLElement, text: string): void {
+  const own = press.dataset.own ?? press.textContent;
+  press.dataset.own = own;
+  press.textContent = text;
+  window.setTimeout(() => fill(press, own), 2000);
+}
+
+/** Pages from plain http have no clipboard of their own: there the browser copies what is selected. */
+async function toClipboard(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const field = h('textarea', { class: 'visually-hidden', aria: { hidden: 'true' } });
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    const done = document.execCommand('copy');
+    field.remove();
+    return done;
   }
 }

@@ -1,5 +1,6 @@
 /** Light, dark, or as the system has it. */
-import { keepChoice, keptChoice } from '../state/choices';
+import { keepChoice, keptChoice } from '../choices';
+import { say } from '../text/words';
 
 const NEXT: Readonly<Record<string, string>> = { auto: 'light', light: 'dark', dark: 'auto' };
 const NAME = 'tiepoint-theme';
@@ -7,7 +8,7 @@ const NAME = 'tiepoint-theme';
 export function mountTheme(button: HTMLElement): void {
   const show = (theme: string) => {
     document.documentElement.dataset.theme = theme;
-    button.textContent = { auto: 'Theme: auto', light: 'Theme: light', dark: 'Theme: dark' }[theme] ?? 'Theme';
+    button.textContent = { auto: say('theme-auto'), light: say('theme-light'), dark: say('theme-dark') }[theme] ?? say('theme');
   };
   const saved = keptChoice(NAME);
   show(saved !== null && saved in NEXT ? saved : 'auto');

@@ -1,4 +1,4 @@
-/** Rows of a table as figures and words, and the order in which they are shown. */
+/** Rows of a table as figures and words: which are kept, in which order they are shown, and their text in a file. */
 
 export interface Column {
   key: string;
@@ -9,7 +9,13 @@ export interface Column {
   /** What rows are sorted by; NaN comes last either way. */
   value: (row: number) => number | string;
   text: (row: number) => string;
+  /** Holds words: is searched for a text, where others are kept by limits. */
+  words?: boolean;
+  /** What the foot of the table says of the rows that are shown; figures are those of `value`. */
+  total?: Total;
 }
+
+export type Total = 'sum' | 'mean' | 'rms';
 
 export interface Order {
   /** Of the column; the rows keep their own order where there is no such column. */
@@ -17,18 +23,136 @@ export interface Order {
   descending: boolean;
 }
 
+/** What a column must hold: a text, in any case of letters; or a number within limits, null where there is none. */
+export type Condition = { kind: 'contains'; text: string } | { kind: 'range'; from: number | null; to: number | null };
+
+/** By the key of the column. */
+export type Filter = Readonly<Record<string, Condition>>;
+
 /** The rows that are kept, in order of a column. Equal values keep their order. */
-export function ordered(count: number, columns: readonly Column[], { key, descending }: Order, keep: (row: number) => boolean): number[] {
-  const kept = Array.from({ length: count }, (_, row) => row).filter(keep);
+export function ordered(count: number, columns: readonly Column[], { key, descending }: Order, keep: (row: number) => boolean): Uint32Array {
+  const kept = keptRows(count, keep);
   const column = columns.find((candidate) => candidate.key === key);
   if (column === undefined) return kept;
-  const values = new Map(kept.map((row) => [row, column.value(row)]));
-  return kept.sort((a, b) => compared(values.get(a) ?? NaN, values.get(b) ?? NaN, descending) || a - b);
+  const sign = descending ? -1 : 1;
+  const values = new Array<number | string>(count);
+  for (const row of kept) values[row] = column.value(row);
+  if (kept.some((row) => typeof values[row] === 'string')) {
+    const words = new Intl.Collator('en', { numeric: true });
+    return kept.sort((a, b) => sign * words.compare(String(values[a]), String(values[b])) || a - b);
+  }
+  // A comparison of numbers alone, with those that are not there behind them: 100,000 rows are in order before the next frame.
+  const keys = Float64Array.from(values, (value) => (typeof value === 'number' && !Number.isNaN(value) ? sign * value : Infinity));
+  return kept.sort((a, b) => ((keys[a] ?? 0) < (keys[b] ?? 0) ? -1 : (keys[a] ?? 0) > (keys[b] ?? 0) ? 1 : a - b));
 }
 
-function compared(a: number | string, b: number | string, descending: boolean): number {
-  const sign = descending ? -1 : 1;
-  if (typeof a === 'string' || typeof b === 'string') return sign * String(a).localeCompare(String(b), 'en', { numeric: true });
-  if (Number.isNaN(a) || Number.isNaN(b)) return Number(Number.isNaN(a)) - Number(Number.isNaN(b));
-  return sign * (a - b);
+function keptRows(count: number, keep: (row: number) => boolean): Uint32Array {
+  const rows = new Uint32Array(count);
+  let length = 0;
+  for (let row = 0; row < count; row++) if (keep(row)) rows[length++] = row;
+  return rows.subarray(0, length);
+}
+
+/** Tells the rows that meet all conditions; null where there is no condition. What has no number meets no limits. */
+export function keeping(columns: readonly Column[], filter: Filter): ((row: number) => boolean) | null {
+  const tests = columns.flatMap(({ key, value, text, words }) => {
+    const condition = filter[key];
+    if (condition === undefined || (condition.kind === 'contains') !== (words === true)) return [];
+    if (condition.kind === 'contains') {
+      const wanted = condition.text.toLowerCase();
+      return [(row: number) => text(row).toLowerCase().includes(wanted)];
+    }
+    const [from, to] = [condition.from ?? -Infinity, condition.to ?? Infinity];
+    return [
+      (row: number) => {
+        const number = Number(value(row));
+        return number >= from && number <= to;
+      },
+    ];
+  });
+  return tests.length === 0 ? null : (row) => tests.every((test) => test(row));
+}
+
+const NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?`;
+const BETWEEN = new RegExp(`^(${NUMBER})\\s*(?:\\.\\.+|…|–|-|to)\\s*(${NUMBER})$`, 'iu');
+const LIMIT = new RegExp(`^(>=|<=|≥|≤|>|<)\\s*(${NUMBER})$`, 'iu');
+const EQUAL = new RegExp(`^=?\\s*(${NUMBER})$`, 'iu');
+
+/** What is typed over a column of numbers: `2..5`, `>2`, `≤0.5`, or a number as it is shown. Null: nothing; undefined: it cannot be read. */
+export function conditionOf(typed: string, words: boolean): Condition | null | undefined {
+  const text = typed.trim();
+  if (text === '') return null;
+  if (words) return { kind: 'contains', text };
+  const plain = text.replaceAll('−', '-').replaceAll(/[\u202f ](?=\d{3})/gu, '');
+  const between = BETWEEN.exec(plain);
+  if (between !== null) return { kind: 'range', from: Number(between[1]), to: Number(between[2]) };
+  const limit = LIMIT.exec(plain);
+  if (limit !== null) return limited(limit[1] ?? '', Number(limit[2]));
+  const equal = EQUAL.exec(plain)?.[1];
+  if (equal === undefined) return undefined;
+  // A number stands for all that are written so.
+  const half = /e/iu.test(equal) ? 0 : 0.5 * 10 ** -(equal.split('.')[1]?.length ?? 0);
+  return { kind: 'range', from: Number(equal) - half, to: Number(equal) + half };
+}
+
+function limited(sign: string, number: number): Condition {
+  const next = Math.max(Math.abs(number) * Number.EPSILON, Number.MIN_VALUE);
+  if (sign === '>') return { kind: 'range', from: number + next, to: null };
+  if (sign === '<') return { kind: 'range', from: null, to: number - next };
+  return sign === '>=' || sign === '≥' ? { kind: 'range', from: number, to: null } : { kind: 'range', from: null, to: number };
+}
+
+/** A condition as it could be typed. */
+export function conditionText(condition: Condition | undefined): string {
+  if (condition === undefined) return '';
+  if (condition.kind === 'contains') return condition.text;
+  const { from, to } = condition;
+  if (from !== null && to !== null) return `${String(from)}..${String(to)}`;
+  return from !== null ? `≥${String(from)}` : to !== null ? `≤${String(to)}` : '';
+}
+
+/** Sum, mean or root mean square of what a column has for these rows; NaN where it has nothing. */
+export function totalOf(column: Column, rows: Iterable<number>): number {
+  let [sum, squares, count] = [0, 0, 0];
+  for (const row of rows) {
+    const value = column.value(row);
+    if (typeof value !== 'number' || Number.isNaN(value)) continue;
+    sum += value;
+    squares += value * value;
+    count += 1;
+  }
+  if (count === 0) return NaN;
+  return column.total === 'sum' ? sum : column.total === 'mean' ? sum / count : Math.sqrt(squares / count);
+}
+
+/** Writes a text of the page in English: files for other programs are English in every language. */
+type InEnglish = (text: string) => string;
+
+/** The head of a column in a file: its unit stands with it. */
+function headText({ label, unit }: Column, inEnglish: InEnglish): string {
+  const name = inEnglish(label);
+  return unit === '' ? name : `${name} [${unit}]`;
+}
+
+/** A figure as programs read it: without groups of digits, signs of typography and dashes. */
+function plain(column: Column, row: number, inEnglish: InEnglish): string {
+  const text = column.text(row);
+  return column.words === true ? inEnglish(text) : text.replaceAll('\u202f', '').replaceAll('−', '-').replace(/^–$/u, '');
+}
+
+/** The rows as lines of comma-separated values (RFC 4180), under their heads. */
+export function csvOf(columns: readonly Column[], rows: Iterable<number>, inEnglish: InEnglish): string {
+  const field = (text: string) => (/[",\r\n]/u.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  return linesOf(columns, rows, field, ',', inEnglish);
+}
+
+/** The rows as a spreadsheet takes them from the clipboard. */
+export function tabbedOf(columns: readonly Column[], rows: Iterable<number>, inEnglish: InEnglish): string {
+  return linesOf(columns, rows, (text) => text.replaceAll(/[\t\r\n]/gu, ' '), '\t', inEnglish);
+}
+
+function linesOf(columns: readonly Column[], rows: Iterable<number>, field: (text: string) => string, between: string, inEnglish: InEnglish): string {
+  const lines = [columns.map((column) => field(headText(column, inEnglish))).join(between)];
+  for (const row of rows) lines.push(columns.map((column) => field(plain(column, row, inEnglish))).join(between));
+  return `${lines.join('\n')}\n`;
 }

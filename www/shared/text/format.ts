@@ -4,12 +4,24 @@
 export function fixed(value: number | null | undefined, digits: number): string {
   if (value == null || Number.isNaN(value)) return '–';
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
-  return value.toFixed(digits).replace('-', '−');
+  const text = value.toFixed(digits);
+  // What is rounded to nothing has no sign.
+  return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '−');
 }
 
 /** A whole number in groups of three, set apart by narrow spaces. */
 export function count(value: number | null | undefined): string {
   return value == null ? '–' : String(value).replace(/\B(?=(\d{3})+$)/gu, '\u202f');
+}
+
+/** A sentence with its whole numbers in such groups; digits of names and of decimals stay as they are. */
+export function grouped(text: string): string {
+  return text.replaceAll(/(?<![\p{L}\d_.,−-])\d{4,}(?![\p{L}\d_-]|[.,]\d|\.\p{L})/gu, (digits) => count(Number(digits)));
+}
+
+/** With all of its digits. */
+export function plain(value: number): string {
+  return String(value).replace('-', '−');
 }
 
 /** Four significant digits, with a power of ten where the number is very small or large. */
@@ -29,14 +41,4 @@ export function percent(share: number): string {
 /** With one full stop at its end. */
 export function sentence(text: string): string {
   return `${text.replace(/\.$/u, '')}.`;
-}
-
-/** What is said while a field holds a value that is not allowed. */
-export function refusedText(label: string): string {
-  return `${label}: this value is not allowed. The last valid one stays in use.`;
-}
-
-/** What is said of whatever was thrown. */
-export function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }

@@ -1,15 +1,16 @@
 /** Messages of the crate as the page writes them: parameters by their labels, a multiplication sign between the sides of an image. */
 import type { Catalogue } from '../crate';
+import { say } from './words';
 
 /** What is no parameter of the crate's catalogue, but named in its messages. */
 const OTHER: Readonly<Record<string, string>> = {
-  'camera.focal_mm': 'Focal length',
-  'camera.pixel_mm': 'Pixel size',
-  'camera.principal_point_mm': 'Principal point',
-  'camera.radial_distortion': 'Radial distortion',
-  'camera.tangential_distortion': 'Tangential distortion',
-  focal_mm: 'Focal length',
-  origin: 'Origin in the scan',
+  'camera.focal_mm': say('focal-length'),
+  'camera.pixel_mm': say('pixel-size'),
+  'camera.principal_point_mm': say('principal-point'),
+  'camera.radial_distortion': say('radial-distortion'),
+  'camera.tangential_distortion': say('tangential-distortion'),
+  focal_mm: say('focal-length'),
+  origin: say('origin-in-the-scan-2'),
 };
 
 /** Parameters by whose labels their keys are replaced. */

@@ -1,11 +1,39 @@
-/** Texts of the page itself, from the catalogue of the crate. */
-import { message } from '../crate';
+/** The texts of the page in its language. Its parts learn theirs before they are made (`parts.ts`). */
+import { Catalogue } from './catalogue';
+import type { Figures } from './catalogue';
+import { asClauses } from './direction';
+import { LANGUAGE } from './language';
 
-/** What a text writes; null where there is nothing to write. */
-export type Figures = Readonly<Record<string, number | string | boolean | object | null>>;
+export type { Figures };
 
-/** The text of a kind, with the minus sign that typography has. Numbers that are not finite are none. */
-export function page(kind: string, figures: Figures = {}): string {
-  const known = Object.entries(figures).map(([name, value]) => [name, typeof value === 'number' && !Number.isFinite(value) ? null : value] as const);
-  return message('page', { kind, ...Object.fromEntries(known) }).replace(/(?<!\w)-(?=\d)/gu, '−');
+const CATALOGUE = new Catalogue(LANGUAGE, LANGUAGE !== 'en');
+
+/** The names of texts that were written without figures in another language than English, as heads of tables are. */
+const names = new Map<string, string>();
+
+/** Texts that are said from now on. */
+export function learn(texts: readonly string[]): void {
+  CATALOGUE.add(texts);
+}
+
+/** The text of a name, with its figures. Numbers that are not finite are none. */
+export function say(name: string, figures: Figures = {}): string {
+  const text = asClauses(CATALOGUE.text(name, figures) ?? name);
+  if (LANGUAGE !== 'en' && Object.keys(figures).length === 0 && !names.has(text)) names.set(text, name);
+  return text;
+}
+
+/** The name of a text that was written without figures; null where it is none, or English. */
+export function nameOfText(text: string): string | null {
+  return names.get(text) ?? null;
+}
+
+/** The text of a name, or what belongs to it by another; null where the language of the page has none. */
+export function known(name: string, attribute: string | null = null): string | null {
+  return CATALOGUE.text(name, {}, attribute);
+}
+
+/** What is said while a field holds a value that is not allowed. */
+export function refusedText(label: string): string {
+  return say('this-value-is-not-allowed', { label });
 }

@@ -1,4 +1,5 @@
 /** Pointer, wheel, touch and keys: every canvas of the page is moved in the same way. */
+import { say } from '../text/words';
 
 /** What gestures move. `T` names what lies at a place: one of two images, or the one plan. */
 export interface Movable<T> {
@@ -19,8 +20,8 @@ export interface Movable<T> {
   pressed: (x: number, y: number, more: boolean) => void;
   /** Whether a drag that begins now draws a rectangle in place of moving; Shift asks for it too. */
   encloses?: (shift: boolean) => boolean;
-  /** A rectangle is drawn from one place to another; `ended`: it stands. Null where it was given up. */
-  enclosed?: (target: T, from: [number, number], to: [number, number] | null, ended: boolean) => void;
+  /** A rectangle is drawn from one place to another; `ended`: it stands. Null where it was given up. `path`: all places on the way, for who draws freely. */
+  enclosed?: (target: T, from: [number, number], to: [number, number] | null, ended: boolean, path: readonly [number, number][]) => void;
   /** The pointer is at a place, or has left. */
   pointed: (at: [number, number] | null, dragging: boolean) => void;
   /** Runs a command of the picture's own; false where the key has none. */
@@ -37,7 +38,30 @@ const LINE_PX = 24;
 const WHEEL_RATE = 0.0016;
 const PINCH_RATE = 0.01;
 
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+/** What keys do in every picture: the same in all of them. */
+interface Move {
+  keys: readonly string[];
+  does: string;
+  run: <T>(movable: Movable<T>, far: boolean) => void;
+}
+
+const pan =
+  (dx: number, dy: number) =>
+  <T>(movable: Movable<T>, far: boolean): void => {
+    const target = movable.focused();
+    const step = KEY_PAN * (far ? 4 : 1);
+    if (target !== null) movable.pan(target, dx * step, dy * step);
+  };
+
+export const MOVES: readonly Move[] = [
+  { keys: ['ArrowLeft'], does: say('moves-the-picture-with-shift'), run: pan(1, 0) },
+  { keys: ['ArrowRight'], does: say('moves-the-picture-with-shift'), run: pan(-1, 0) },
+  { keys: ['ArrowUp'], does: say('moves-the-picture-with-shift'), run: pan(0, 1) },
+  { keys: ['ArrowDown'], does: say('moves-the-picture-with-shift'), run: pan(0, -1) },
+  { keys: ['+', '='], does: say('key-enlarges'), run: (movable) => movable.zoomMiddle(KEY_ZOOM) },
+  { keys: ['-', '_'], does: say('makes-smaller'), run: (movable) => movable.zoomMiddle(1 / KEY_ZOOM) },
+  { keys: ['0'], does: say('shows-the-whole-picture'), run: (movable) => movable.fit() },
+];
 
 interface Press {
   x: number;
@@ -51,11 +75,21 @@ export function listen<T>(host: HTMLElement, movable: Movable<T>, keyHost: HTMLE
   new Gestures(host, movable, keyHost);
 }
 
+/** Listens for the keys of commands where there are no gestures. */
+export function listenKeys(host: HTMLElement, command: (key: string, shift: boolean) => boolean): void {
+  host.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || (event.target as Element).closest('input, select') !== null) return;
+    if (command(event.key, event.shiftKey)) event.preventDefault();
+  });
+}
+
 class Gestures<T> {
   private readonly presses = new Map<number, Press>();
   private target: T | null = null;
   private clicked = false;
   private encloses = false;
+  /** Of what is being enclosed. */
+  private path: [number, number][] = [];
 
   constructor(
     private readonly host: HTMLElement,
@@ -86,6 +120,7 @@ class Gestures<T> {
     // A second finger moves and zooms again.
     if (!this.clicked) this.giveUp();
     this.encloses = this.clicked && this.movable.encloses?.(event.shiftKey) === true;
+    this.path = [[x, y]];
     this.target = target;
     this.presses.set(event.pointerId, { x, y, startX: x, startY: y });
     this.movable.grabbed?.(target);
@@ -99,7 +134,8 @@ class Gestures<T> {
     if (this.clicked && Math.hypot(x - press.startX, y - press.startY) <= CLICK_SLACK) return;
     this.clicked = false;
     if (this.encloses) {
-      this.movable.enclosed?.(this.target, [press.startX, press.startY], [x, y], false);
+      this.path.push([x, y]);
+      this.movable.enclosed?.(this.target, [press.startX, press.startY], [x, y], false, this.path);
       return;
     }
     const still = [...this.presses].find(([id]) => id !== event.pointerId)?.[1];
@@ -122,7 +158,7 @@ class Gestures<T> {
     if (press === undefined) return;
     this.presses.delete(event.pointerId);
     if (this.clicked) this.movable.pressed(...this.place(event), event.ctrlKey || event.metaKey);
-    else if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [press.startX, press.startY], this.place(event), true);
+    else if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [press.startX, press.startY], this.place(event), true, this.path);
     this.encloses = false;
   }
 
@@ -132,7 +168,7 @@ class Gestures<T> {
   }
 
   private giveUp(): void {
-    if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [0, 0], null, false);
+    if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [0, 0], null, false, []);
     this.encloses = false;
   }
 
@@ -152,19 +188,9 @@ class Gestures<T> {
     if (this.movable.command(event.key, event.shiftKey) || this.moved(event)) event.preventDefault();
   }
 
-  /** The keys that move a picture; with Shift they pan farther. */
   private moved({ key, shiftKey }: KeyboardEvent): boolean {
-    const [dx, dy] = ARROWS[key] ?? [0, 0];
-    const target = this.movable.focused();
-    if (dx !== 0 || dy !== 0) {
-      const step = KEY_PAN * (shiftKey ? 4 : 1);
-      if (target !== null) this.movable.pan(target, dx * step, dy * step);
-      return true;
-    }
-    if (key === '+' || key === '=') this.movable.zoomMiddle(KEY_ZOOM);
-    else if (key === '-' || key === '_') this.movable.zoomMiddle(1 / KEY_ZOOM);
-    else if (key === '0') this.movable.fit();
-    else return false;
-    return true;
+    const move = MOVES.find(({ keys }) => keys.includes(key));
+    move?.run(this.movable, shiftKey);
+    return move !== undefined;
   }
 }

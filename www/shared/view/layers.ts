@@ -1,9 +1,10 @@
 /** Canvases that fill their host, one above the other, sharp on any screen; each is drawn again only when what it shows changed. */
 import type { Rect } from './transform';
+import { say } from '../text/words';
 
 function contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
   const context = canvas.getContext('2d');
-  if (context === null) throw new Error('this browser offers no canvas to draw on');
+  if (context === null) throw new Error(say('this-browser-offers-no-canvas'));
   return context;
 }
 

@@ -27,6 +27,18 @@ export function toPosition(t: Transform, x: number, y: number): [number, number]
   return [(x - t.x) / t.scale, (y - t.y) / t.scale];
 }
 
+export interface Size {
+  width: number;
+  height: number;
+}
+
+/** As a canvas of another size shows it: the same in its middle, and all that was seen. */
+export function resized(t: Transform, from: Size, to: Size): Transform {
+  const [x, y] = toPosition(t, from.width / 2, from.height / 2);
+  const scale = t.scale * Math.min(to.width / from.width, to.height / from.height);
+  return { scale, x: to.width / 2 - scale * x, y: to.height / 2 - scale * y };
+}
+
 export function panned(t: Transform, dx: number, dy: number): Transform {
   return { scale: t.scale, x: t.x + dx, y: t.y + dy };
 }

@@ -1,0 +1,29 @@
+// @ts-check
+import { basename, dirname } from 'node:path';
+import { FinishedBlock } from '../node.js';
+import { about, UsageError } from './errors.js';
+import { makeFolder, readBytes, writeInto } from './files.js';
+import { path } from './options.js';
+import { print } from './output.js';
+
+/** @type {import('./args.js').Command} */
+export const covariances = {
+  name: 'covariances',
+  summary: 'Writes the covariances of chosen images, points and cameras of an oriented block, and between all of them.',
+  positionals: ['PROJECT'],
+  options: [
+    path('of', 'NAMES', 'Images and surveyed points by their names, point:N as in points.csv, camera:N as in images.csv, with commas between; required.'),
+    path('out', 'FILE.csv', 'The table that is written; required.'),
+  ],
+  details:
+    'PROJECT is the project.tiepoint of a block. Each row is an unknown with its unit, adjusted value and standard error, then its covariances with all others, whose unit is the product of both units. ' +
+    'They hold what the printed standard errors hold, with respect to the same datum. A matrix has at most 1,000 unknowns: six of an image, three of a point.',
+  run({ positionals: [project = ''], values }) {
+    const [of, out] = [values.get('of'), values.get('out')];
+    if (typeof of !== 'string') throw new UsageError('--of is missing: name images, points or cameras, with commas between');
+    if (typeof out !== 'string') throw new UsageError('--out is missing: name the file that receives the table');
+    const text = about(project, () => FinishedBlock.open(readBytes(project)).covariances(of.split(',').filter(Boolean)));
+    makeFolder(dirname(out));
+    print(`written: ${writeInto(dirname(out), basename(out), text)}`);
+  },
+};

@@ -1,0 +1,58 @@
+// @ts-check
+import { export_formats, FinishedBlock } from '../node.js';
+import { BlockFolder, formatsOf } from './block-folder.js';
+import { about, DataError, UsageError } from './errors.js';
+import { readBytes, readText } from './files.js';
+import { JSON_FLAG, list, path } from './options.js';
+
+/** @type {import('./args.js').Command} */
+export const edit = {
+  name: 'edit',
+  summary: 'Applies edits by hand to the project of a block, adjusts it anew and writes all of its files; without edits it writes them again.',
+  positionals: ['PROJECT'],
+  options: [
+    path('out', 'DIR', 'Folder that receives the files; required.'),
+    path(
+      'edits',
+      'edits.json',
+      'Edits in their order, in place of those of the project: [{"kind": "reject_observations", "observations": [{"point": {"tie_point": 7}, "image": 0}]}, …]; [] undoes all.',
+    ),
+    list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
+    JSON_FLAG,
+  ],
+  details:
+    'PROJECT is the project.tiepoint of a block. Kinds of edits: reject_observations, restore_observations, reject_points, restore_points, reject_images, restore_images, measure (point, image, x_px, y_px; ' +
+    'moves an observation or adds one), add_point (observations in two or more images), set_use (point, use: control, check or null). The project keeps the block as it was found beside the edits: they can be undone. ' +
+    'Images are not needed. The exit code is that of the verdict: 0 oriented, 3 weak, 4 not oriented.',
+  run,
+};
+
+/** @param {import('./args.js').Call} call @returns {Promise<import('./errors.js').ExitCode>} */
+async function run({ positionals: [project = ''], values }) {
+  const [out, file] = [values.get('out'), values.get('edits')];
+  if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
+  const opened = about(project, () => FinishedBlock.open(readBytes(project)));
+  const block = typeof file === 'string' ? about(file, () => opened.edited(editsOf(file))) : opened;
+  const folder = new BlockFolder(
+    out,
+    block.model().images.map(({ name }) => name),
+    formatsOf(values),
+  );
+  try {
+    return folder.tell(folder.write(block, null), values.has('json'));
+  } finally {
+    folder.release();
+  }
+}
+
+/** @param {string} file @returns {import('../node.js').BlockEdit[]} */
+function editsOf(file) {
+  try {
+    const edits = JSON.parse(readText(file));
+    if (Array.isArray(edits)) return edits;
+  } catch (error) {
+    if (!(error instanceof SyntaxError)) throw error;
+    throw new DataError(`${file}: it is no JSON (${error.message})`);
+  }
+  throw new DataError(`${file}: it holds no list of edits`);
+}

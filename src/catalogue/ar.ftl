@@ -1,0 +1,934 @@
+# نصوص الرسائل بالعربية. أسماء المداخل ومتغيراتها كما في en.ftl، وجدول المصطلحات في docs/terms.md.
+
+## Errors. They follow `error: ` or stand in a sentence.
+
+error-invalid-option = قيمة { $field } هي { $got }؛ المسموح: { $allowed }
+error-invalid-json = { $what }: { $reason }
+error-invalid-input = { $refusal }
+error-unreadable-image = تعذرت قراءة الصورة: { $image_fault }
+error-unsupported-image = { $unsupported }
+error-too-many-pixels = تعلن الصورة عن { $width } × { $height } بكسل = { FIXED($megapixels, digits: 1) } ميغابكسل؛ المسموح: حتى { FIXED($max_megapixels, digits: 1) } ميغابكسل
+error-too-much-memory = يحتاج فك ترميز { $width } × { $height } بكسل إلى نحو { $needed_mb } ميغابايت؛ المسموح: حتى { $max_mb } ميغابايت
+error-image-too-small = أبعاد الصورة { $width } × { $height } بكسل؛ تحتاج { $operation } إلى { $min_side } بكسل على الأقل في كل ضلع
+error-window-outside = النافذة ذات { $side } × { $side } بكسل عند العمود { $col } والصف { $row } تخرج عن الصورة ذات { $width } × { $height } بكسل
+error-constant-window = النافذة ذات { $side } × { $side } بكسل عند العمود { $col } والصف { $row } ثابتة القيم: لا عزوم لها
+error-too-few = { $what }: أُعطي { $got }؛ المطلوب { $needed } على الأقل
+error-degenerate = الأرصاد لا تحدد { $computation }: { $cause }
+error-undetermined-image = { $computation } لا يحدد الصورة { $image } (العد من 0): { $cause }
+error-not-converged = { $computation } لا يتقارب في { $iterations } من التكرارات: { $cause }
+error-not-exportable = لا يمكن تصدير هذه الصور بصيغة { $formats } ({ $reason }): أعد تسميتها، أو اترك الصيغة التي لا تتسع لأسمائها
+error-interrupted = لا يمكن متابعة التشغيل: { $interruption }
+error-unreadable-file = تعذرت قراءة { $what }: { $place }: { $file_fault }
+error-not-written = تعذرت كتابة { $what }: لا يقبل المخرج نصًا آخر
+
+image-fault-empty = الملف فارغ
+image-fault-damaged = { $format }: { $damage }
+image-fault-mask = قناعها { $name }: { $error }
+
+## Where an image contradicts its format. They follow the name of the format.
+
+damage-decoder = { $words }
+damage-truncated = ينتهي الملف قبل صورته: هو مبتور
+damage-too-short = هو مبتور: تشغل { $width } × { $height } بكسل ما لا يقل عن { $least_bytes } بايت، وفي الملف { $bytes }
+damage-no-pixels = يعلن عن { $width } × { $height } بكسل؛ وفي الضلع بكسل واحد على الأقل
+damage-beyond-addresses = حجمه يتجاوز كل العناوين
+damage-two-sizes = يعلن عن حجمين
+damage-other-than-header = أعطى فاك الترميز حجمًا غير ما تعلنه الترويسة
+damage-other-than-directory = أعطى فاك الترميز حجمًا غير ما يعلنه الدليل
+damage-unknown-pam-line = في ترويسة PAM سطر غير معروف
+damage-incomplete-pam-header = تنقص ترويسة PAM ‏WIDTH أو HEIGHT أو MAXVAL أو DEPTH من 1 إلى 4
+damage-long-header = في ترويسته أكثر من { $most_bytes } بايت
+damage-no-number = في ترويسته '{ $word }' حيث ينبغي عدد
+damage-other-canvas = لوحته ({ $canvas }) بكسل تحوي إطارًا ({ $frame }) بكسل
+damage-segment-length = طول المقطع ذي الواسم { HEX($marker, digits: 2) } هو { $length }
+damage-unexpected-marker = فيه الواسم غير المتوقع { HEX($marker, digits: 2) }
+damage-no-frame-header = تأتي بيانات صورته قبل ترويسة إطاره
+damage-two-frame-headers = فيه ترويستا إطار
+damage-frame-header-length = طول ترويسة إطاره لا يوافق مركباته
+damage-restart-interval = فاصل إعادة البدء مبتور
+damage-restart-markers = فيه { $markers } من { $expected } من واسمات إعادة البدء، أو ليست مرتبة: تنقصه بيانات
+damage-short-scan = ينتهي مسح قبل الصورة: تنقصه بيانات
+damage-no-image-data = ينتهي قبل بيانات صورته
+damage-no-width = لا يعلن عن عرضه
+damage-no-height = لا يعلن عن ارتفاعه
+damage-two-directory-sizes = يعلن دليله عن حجمين
+damage-many-tags = في دليله { $tags } من الوسوم؛ يُقرأ حتى { $most }
+damage-many-values = في الوسم { $tag } من القيم { $values }؛ يُقرأ حتى { $most }
+damage-colour-map = ليست في خريطة ألوانه 3 × 256 مدخلًا
+
+## What is not decoded.
+
+unsupported-file = هذا النوع من الملفات غير مدعوم؛ المسموح: { $formats }
+unsupported-decoder = ملف { $format } هذا ({ $words }) غير مدعوم؛ المسموح: { $formats }
+unsupported-tiff-decoder = ملف TIFF هذا ({ $words }) غير مدعوم؛ المسموح: رمادي وRGB من 8 أو 16 بت، في شرائط أو بلاطات
+unsupported-samples = { $format } بعينات { $samples } غير مدعوم؛ المسموح: 8 أو 16 بت
+unsupported-animated-webp = ‏WebP المتحرك غير مدعوم؛ المسموح: صور ثابتة
+unsupported-jpeg-arithmetic = ‏JPEG بالترميز الحسابي (SOF{ $frame }) غير مدعوم؛ المسموح: JPEG أساسي أو موسع أو تدريجي بترميز هوفمان
+unsupported-jpeg-lossless = ‏JPEG بلا فقد أو هرمي (SOF{ $frame }) غير مدعوم؛ المسموح: JPEG أساسي أو موسع أو تدريجي بترميز هوفمان
+unsupported-jpeg-bits = ‏JPEG من { $bits } بت غير مدعوم؛ المسموح: JPEG من 8 بت
+unsupported-jpeg-components = ‏JPEG من { $components } مركبات (4: CMYK) غير مدعوم؛ المسموح: JPEG رمادي أو ملون بثلاث مركبات
+unsupported-jpeg-sampling = ‏JPEG بعوامل التعيين [{ $sampling }] غير مدعوم؛ المسموح: تعيين المركبة الأولى 1 أو 2 أو 4 مرات، وسائرها مرة واحدة
+unsupported-jpeg-scans = ‏JPEG بأكثر من { $most } من المسوح غير مدعوم؛ المسموح: حتى { $most }
+unsupported-jpeg-rgb-apart = ‏JPEG أساسي بمسوح منفصلة لـRGB غير مدعوم؛ المسموح: مسح واحد لجميع المركبات، أو مسح للإضاءة وحدها
+unsupported-jpeg-luma-apart = ‏JPEG أساسي بمسحين منفصلين للإضاءة ولمركبة لون غير مدعوم؛ المسموح: مسح واحد لجميع المركبات، أو مسح للإضاءة وحدها
+unsupported-tiff-floats = ‏TIFF بعينات الفاصلة العائمة غير مدعوم؛ المسموح: أعداد صحيحة بلا إشارة من 8 أو 16 بت
+unsupported-tiff-signed = ‏TIFF بعينات ذات إشارة أو غير معرَّفة غير مدعوم؛ المسموح: أعداد صحيحة بلا إشارة من 8 أو 16 بت
+unsupported-tiff-bits = ‏TIFF من { $bits } بت للعينة غير مدعوم؛ المسموح: 8 أو 16 بت للعينة
+unsupported-tiff-colours = ‏TIFF بالتفسير الضوئي { $photometric } و{ $samples } من العينات بقدر { $bits } بت غير مدعوم؛ المسموح: رمادي (0، 1)، وRGB (2) بثلاث عينات أو أكثر، ولوحة ألوان (3) من 8 بت
+unsupported-tiff-compression = ‏TIFF بالضغط { $compression } غير مدعوم؛ المسموح: بلا ضغط، LZW، Deflate، PackBits (1، 5، 8، 32946، 32773)
+unsupported-tiff-tile-side = ‏TIFF بضلع بلاطة أكبر من 65536 بكسل غير مدعوم؛ المسموح: حتى 65536 بكسل
+unsupported-tiff-tile-row = ‏TIFF فيه { $bytes } بايت في صف بلاطة غير مدعوم؛ المسموح: حتى 16777216
+unsupported-tiff-bands = ‏TIFF من { $bands } نطاقات مع متنبئ غير مدعوم؛ المسموح: 1 أو 3 أو 4 نطاقات (رابعها الشفافية)، أو بلا متنبئ
+
+file-fault-system = { $message }
+file-fault-not-text = ليس نصًا (UTF-8)
+file-fault-content = { $message }
+file-fault-no-number = ‏{ $field } هو '{ $word }'، وليس عددًا منتهيًا
+file-fault-no-whole-number = ‏{ $field } هو '{ $word }'، وليس عددًا صحيحًا من مجاله
+file-fault-short-line = ينتهي قبل { $field }
+file-fault-camera-again = تكررت الكاميرا { $camera }
+file-fault-image-again = تكررت الصورة { $image }
+file-fault-point-again = تكررت النقطة { $point }
+file-fault-no-camera = الكاميرا { $camera } ليست في cameras.txt
+file-fault-no-image = الصورة { $image } ليست في images.txt
+file-fault-no-feature = ليس للصورة { $image } نقطة { $feature }
+file-fault-camera-model = ‏{ $model } بعدد { $parameters } من المعاملات؛ المسموح: SIMPLE_PINHOLE وPINHOLE وSIMPLE_RADIAL وRADIAL وOPENCV وFULL_OPENCV ببعد بؤري واحد وحتى ثلاثة معاملات شعاعية
+file-fault-zero-quaternion = الرباعي صفر
+file-fault-after-name = ‏'{ $word }' بعد الاسم
+file-fault-no-features = سطر نقاطه ناقص
+file-fault-no-project = ‏'{ $line }' ليس السطر الأول من مشروع، أو هو السطر الوحيد
+file-fault-no-header = ‏'{ $line }' ليس السطر الأول من مشروع ({ $message })
+file-fault-other-format = صيغته '{ $format }' وليست '{ $wanted }'
+file-fault-other-version = هو من الإصدار { $version }؛ يقرأ هذا البرنامج الإصدارات من 1 إلى { $newest }
+file-fault-other-length = يلي السطر الأول { $bytes } بايت، وهو يعلن عن { $declared }: الملف مبتور أو غُيّر
+file-fault-other-checksum = المجموع الاختباري في السطر الأول لا يوافق الباقي: الملف تالف أو غُيّر يدويًا
+file-fault-holds-pair = يحوي زوجًا لا كتلة
+file-fault-holds-block = يحوي كتلة لا زوجًا
+file-fault-record-changed = أُزيل أو غُيّر أثناء التشغيل: أعد التشغيل
+file-fault-in-use = يستعمله { $owner }: انتظر انتهاءه، أو أزل القفل إن لم تكن عملية كهذه جارية
+
+interruption-image-changed = غُيّرت { $name } أثناء التشغيل: أعد التشغيل
+interruption-unreadable-work = ناتج إحدى المهام لا يُقرأ كما كُتب
+interruption-unfinished = أُنهي قبل اكتمال جميع مهامه
+interruption-job = { $failure }
+interruption-refinement = لا يمكن تدقيق أرصاد { $name }: { $failure }
+
+## What is computed.
+
+computation-affine-transformation = التحويل الأفيني
+computation-bundle-adjustment = ضبط الحزم
+computation-by-and-bz = المركبتان by وbz
+computation-datum = المرجع
+computation-determinant-form = صيغة المحدد
+computation-distortion-correction = تصحيح التشوه
+computation-free-network = الشبكة الحرة
+computation-fundamental-matrix = المصفوفة الأساسية
+computation-homography = التحويل الإسقاطي
+computation-omega-and-kappa = الزاويتان ω وκ
+computation-relative-orientation = التوجيه النسبي
+computation-two-view-geometry = هندسة المشهدين
+
+## Why observations do not determine something, or iterations do not converge.
+
+cause-points-on-line = تقع جميع نقاط الصورة { $side } على خط (العرض / الطول = { POWER($width, digits: 1) }؛ المطلوب { POWER($least, digits: 0) } على الأقل)
+cause-marks-on-line =
+    تقع العلامات { $calibrated ->
+        [true] المعايَرة
+       *[false] المقيسة
+    } على خط (العرض / الطول = { POWER($width, digits: 1) }؛ المطلوب { POWER($least, digits: 0) } على الأقل)
+cause-positions-on-line = تقع مواضع GNSS ونقاط الضبط الأرضي على خط (العرض / الطول = { POWER($width, digits: 1) }؛ المطلوب { POWER($least, digits: 0) } على الأقل)
+cause-no-extent = ليس للمواضع التقريبية امتداد
+cause-one-position = لجميع الصور الموضع نفسه
+cause-no-parallax = للصورتين الإحداثيات نفسها، فلا اختلاف منظر
+cause-no-base = لا قاعدة (دوران خالص): وسيط اختلاف المنظر بعد الدوران { FIXED($parallax, digits: 1) } من الأخطاء المعيارية لإحداثي الصورة؛ المطلوب أكثر من { $least }
+cause-inseparable = لا تكاد المجاهيل تنفصل، كما فوق أسطوانة حرجة أو بلا قاعدة (العدد الشرطي { POWER($condition, digits: 1) }؛ المقبول حتى { POWER($most, digits: 0) })
+cause-large-errors = الخطأ المعياري لزاوية أو لاتجاه القاعدة { FIXED($largest_deg, digits: 0) }°
+cause-large-residuals = ‏σ0 تبلغ { FIXED($sigma0_px, digits: 1) } بكسل؛ تبلغ المطابقة { FIXED($most_px, digits: 1) } بكسل: المطابقات خاطئة، كما في صور مقلوبة أو غير متداخلة، أو الكاميرا خاطئة
+cause-weak-support = لا يتفق إلا { $agreeing } من { $observations } من الأرصاد، وهذا أقل من أن يبيّن الصحيح منها: قِس نقاطًا أكثر، أو اضبط الكل دون حصانة
+cause-behind-cameras = لا تقع أمام الكاميرتين إلا { $in_front } من { $points } من النقاط
+cause-singular-normals = المعادلات الناظمة شاذة (1 - R² = { POWER($share, digits: 1) }؛ المطلوب أكثر من { POWER($least, digits: 0) })
+cause-base-across-x = للقاعدة { POWER($along_x, digits: 1) } من طولها على امتداد x (المطلوب { $least } على الأقل)، فلا قيمة للمركبتين by وbz بوحدة b؛ أدر الصورتين 90°
+cause-no-base-along-x = ليس للقاعدة مركبة على امتداد x، وعليها تقسم هذه الصيغة؛ أما الصيغة الدقيقة فتقبل أي قاعدة
+cause-gimbal-lock = ‏φ تساوي ±90°، حيث يدور الاثنان حول المحور نفسه
+cause-chance = يتفق { $agreeing } من { $matches } من المطابقات على واحدة، وليس هذا أكثر مما تأتي به المصادفة
+cause-several-matrices = توافقها أكثر من مصفوفة
+cause-too-many-on-line = يقع كثير من النقاط على خط
+cause-turned-away = يبتعد عن البداية: تدور الصورة اليمنى أكثر من 60°؛ البداية الحصينة تقبل أي دوران
+cause-rising-base = يبتعد عن البداية: ترتفع القاعدة أكثر من 60°؛ البداية الحصينة تقبل أي قاعدة
+cause-long-steps = الخطوة الأخيرة أطول { POWER($ratio, digits: 1) } مرة من خطوة تُعد متقاربة
+cause-stalled = لا خطوة تخفض المتبقيات أكثر، وطول الأخيرة { POWER($last_step, digits: 1) } من الأخطاء المعيارية
+cause-unsettled = ما زال { $unsettled } يتغير بعد { $rounds } من الجولات
+cause-point-in-plane = تقع نقطة في مستوى مركز إسقاط
+cause-no-rotation = لا شيء يحدد دورانها
+cause-no-position = لا شيء يحدد موضعها
+cause-few-observations = لها { $observations } من أرصاد النقاط التي تراها صور أخرى؛ المطلوب { $needed } على الأقل
+cause-no-camera-parameter = لا شيء يحدد { $camera_parameter } للكاميرا { $camera } (العد من 0)
+cause-parts = تنقسم الكتلة إلى { $parts } من الأجزاء التي لا نقاط مشتركة بينها؛ الصورتان { $first } و{ $second } (العد من 0) في جزأين مختلفين
+cause-folded-at = ليس لتشوه الكاميرا معكوس عند ({ $x_px }, { $y_px }) بكسل
+cause-folded-beyond = ليس لتشوه الكاميرا معكوس على بعد { FIXED($radius_px, digits: 0) } بكسل من النقطة الأساسية
+
+unsettled-gross-errors = رفض الأخطاء الجسيمة
+unsettled-positions = رفض مواضع GNSS
+unsettled-weights = وزن المواضع المرصودة
+
+side-left = اليسرى
+side-right = اليمنى
+
+## Why a pair has no geometry of the two views, or no orientation.
+
+no-geometry-too-few-matches = أُعطي { $matches } من المطابقات المختلفة؛ المطلوب { $needed } على الأقل
+no-geometry-chance = يتفق { $agreeing } من { $matches } من المطابقات على هندسة واحدة، وليس هذا أكثر مما تأتي به المصادفة
+
+camera-origin-xmp-calibration = ‏XMP (معايَرة)
+camera-origin-xmp-dewarped = ‏XMP (معايَرة، أزيل التشوه من قبل)
+camera-origin-xmp-design = ‏XMP (كما صُممت)
+camera-origin-exif-focal-plane = EXIF
+camera-origin-exif35-mm = ‏EXIF (مكافئ 35 مم)
+camera-origin-sensor-table = ‏EXIF والمقاس المسجل لمستشعرها
+camera-origin-focal-length-alone = ‏EXIF (البعد البؤري بالمليمتر وحده)
+camera-origin-panorama = ‏XMP (بانوراما)
+
+camera-caution-resized = التُقطت بمقاس { $taken_width_px } × { $taken_height_px } بكسل، وغُيّر حجمها إلى { $width_px } × { $height_px } بكسل: يُقاس بعدها البؤري بالبكسل على ذلك
+camera-caution-cropped = التُقطت بمقاس { $taken_width_px } × { $taken_height_px } بكسل، وهي الآن { $width_px } × { $height_px } بكسل: قُصّت، وبعدها البؤري بالبكسل غير معروف؛ أعط الكاميرا إن عرفتها
+camera-caution-focal-plane = يعطي EXIF بكسلات قدرها { SIGNIFICANT($pixel_um, digits: 2) } ميكرومتر، لكنها بهذا المستشعر أو بمكافئه 35 مم { SIGNIFICANT($expected_um, digits: 2) } ميكرومتر: غُيّر حجم الصورة أو قُصّت، وبعدها البؤري بالبكسل غير معروف؛ أعط الكاميرا إن عرفتها
+camera-caution-contradiction = يعطي XMP بعدًا بؤريًا قدره { FIXED($xmp_focal_px, digits: 0) } بكسل، وEXIF { FIXED($exif_focal_px, digits: 0) } بكسل: تُستعمل قيمة EXIF
+camera-caution-panorama = بانوراما ({ $projection }): ليس لها منظور مركزي ولا كاميرا
+
+no-orientation-no-camera = لم تُعط كاميرا، والصورة { $side } لا تذكر بعدًا بؤريًا
+no-orientation-no-focal-length = أُعطيت العلامات الإطارية دون بعد بؤري
+no-orientation-no-pixel-size = ليس للصورة { $side } علامات إطارية ولا حجم بكسل
+no-orientation-panorama = الصورة { $side } بانوراما: ليس لها منظور مركزي ولا كاميرا
+no-orientation-no-geometry = لا هندسة للمشهدين: { $no_geometry }
+no-orientation-pure-rotation = لا قاعدة (دوران خالص): تختلف الصورتان بدوران وحده
+no-orientation-refused = { $error }
+
+## What the result of a pair is worth.
+
+pair-verdict-oriented = وُجّه الزوج من { $points } من النقاط، σ0 { FIXED($sigma0_px, digits: 2) } بكسل؛ الصورة اليمنى مدارة في مستواها (κ) بمقدار { FIXED($kappa_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (‏95 %).
+    .label = موجَّه
+pair-verdict-weak = توجيه ضعيف من { $points } من النقاط. { $warning }
+    .label = ضعيف
+pair-verdict-not-oriented = لم يُوجَّه: { $no_orientation }.
+    .label = غير موجَّه
+
+## What else would do for a pair.
+
+pair-hint-other-strategy = تقارن هذه الاستراتيجية النوافذ كما هي في الصورتين: حيث تكون مدارة أو مختلفة المقياس أو متداخلة في موضع آخر تجد الاستراتيجية «auto» أكثر.
+
+## What the geometry of two views is, and where it is degenerate.
+
+two-view-model-calibrated = توجيه كاميرتين معايرتين
+    .label = كاميرتان معايرتان
+    .short = توجيه نسبي
+    .help = توجيه كاميرتين معروفتين، أو تحدد المطابقات بعدهما البؤري: تقع المطابقة على خطها القطبي وأمام الكاميرتين.
+two-view-model-fundamental = الهندسة القطبية لكاميرتين مجهولتين
+    .label = كاميرتان مجهولتان
+    .short = المصفوفة الأساسية
+    .help = الهندسة القطبية (المصفوفة الأساسية): تقع المطابقة على خطها القطبي؛ ولا يُعرف شيء عن الكاميرتين.
+two-view-model-homography = التحويل الإسقاطي لمستوى
+    .label = تحويل إسقاطي لمستوى
+    .short = مستوى
+    .help = تقع جميع النقاط في مستوى: لكل نقطة في صورة موضع واحد في الأخرى.
+two-view-model-rotation = دوران بلا قاعدة
+    .label = دوران
+    .short = دوران خالص
+    .help = لا قاعدة (دوران خالص): لكل نقطة في صورة موضع واحد في الأخرى، أيًا كان بعدها.
+
+degeneracy-plane = تقع جميع النقاط تقريبًا في مستوى: لا يتحدد التوجيه دون كاميرات معروفة؛ ومعها تبيّن التحذيرات إن كان لذلك أثر.
+    .short = أرض شبه مستوية
+degeneracy-pure-rotation = لا قاعدة (دوران خالص): تختلف الصورتان بدوران وحده، فلا يمكن توجيه شيء.
+    .short = لا قاعدة
+
+## Warnings about a relative orientation.
+
+warning-plane = تقع جميع النقاط في مستوى ضمن دقتها: يوافقها توجيه ثان بالجودة نفسها تقريبًا (σ0 له { FIXED($ratio, digits: 2) } مرة؛ يُستبعد ابتداءً من { FIXED($least, digits: 2) }).
+warning-clustered = تغطي النقاط جزءًا صغيرًا من الصورة (الجذر التربيعي لمتوسط مربعات بعدها عن وسطها { FIXED($coverage, digits: 2) } من البعد البؤري؛ السليم { $least } على الأقل).
+warning-rotation = لا تكاد الصورتان تختلفان إلا بدوران: القاعدة أقصر من أن تتميز عن الضجيج والتشوه (اختلاف المنظر { SIGNIFICANT($parallax_deg, digits: 2) }°؛ السليم { SIGNIFICANT($least_deg, digits: 2) }° على الأقل).
+warning-ill-conditioned = لا تكاد المجاهيل تنفصل، كما فوق أسطوانة حرجة (العدد الشرطي { POWER($condition, digits: 1) }؛ السليم حتى { POWER($most, digits: 0) }).
+warning-identical =
+    { $copies ->
+        [one] رصدة واحدة مطابقة لأخرى
+        [two] رصدتان مطابقتان لغيرهما
+       *[other] { $copies } من الأرصاد مطابقة لغيرها
+    } حتى الرقم الأخير: تُحسب كل منها مرة واحدة.
+warning-behind =
+    { $points ->
+        [one] استُبعدت نقطة واحدة
+        [two] استُبعدت نقطتان
+       *[other] استُبعدت { $points } من النقاط
+    }: تلتقي الأشعة خلف كاميرا، كما في المطابقات الخاطئة والإحداثيات المعكوسة.
+warning-sigma = تناقض المتبقيات قيمة σ0 المعطاة: هي { SIGNIFICANT($estimated_um, digits: 3) } ميكرومتر لا { SIGNIFICANT($given_um, digits: 3) } ميكرومتر. تستعمل الأخطاء المعيارية والاختبارات القيمة المقدّرة.
+warning-few-places = تقع المطابقات في { $places ->
+        [one] موضع واحد
+        [two] موضعين
+       *[other] { $places } من المواضع
+    } من الصورة؛ السليم { $least } على الأقل.
+warning-few-matches = لم يشارك إلا { $matches } من المطابقات؛ وقد يتفق مثل هذا العدد على نمط متكرر، والسليم { $least } على الأقل.
+warning-few-agree = لا يتفق مع التوجيه إلا { $accepted } من { $matches } من المطابقات.
+warning-mirrored = تُظهر الصورة اليمنى الأرض معكوسة كما في المرآة.
+warning-mirrored-marks = تقع العلامات الإطارية معكوسة في الصورة { $side }: هل المسح الضوئي معكوس، أم إحداثياتها؟
+warning-unknown-camera = لا يكاد البعد البؤري يُعرف، وقد قُدّر من المطابقات: أعط الكاميرا.
+warning-exact = ‏σ0 تبلغ { SIGNIFICANT($sigma0_px, digits: 1) } بكسل، كما في أجزاء من صورة واحدة؛ ولا تتفق صورتان بأدق من { $least_px } بكسل.
+warning-wide-angle = تبتعد النقاط عن المحور كثيرًا بالنسبة إلى بعدها البؤري (الجذر التربيعي لمتوسط مربعات بعدها عن وسطها { FIXED($coverage, digits: 2) } من البعد البؤري؛ المعتاد حتى { $most }): هل البعد البؤري أقصر من الصحيح؟
+warning-uncertain = يُعرف الدوران بحدود ±{ SIGNIFICANT($half_width_deg, digits: 2) }° فقط (95 %)؛ السليم حتى ±{ $most_deg }°.
+warning-uncertain-base = يُعرف اتجاه القاعدة بحدود ±{ SIGNIFICANT($half_width_deg, digits: 2) }° فقط (95 %)؛ السليم حتى ±{ $most_deg }°.
+warning-imprecise = ‏σ0 تبلغ { FIXED($sigma0_px, digits: 1) } بكسل؛ تبلغ المطابقة { FIXED($most_px, digits: 1) } بكسل حيث تكون الكاميرا وتشوهها صحيحين.
+warning-focal-length = تطلب المتبقيات بعدًا بؤريًا يختلف بنسبة { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } من الأخطاء المعيارية)، وهو ما يخرج النتيجة من مجالات الثقة 95 %.
+
+## Pairs of a block: what came of matching them, and why they were chosen.
+
+connection = { $outcome }؛ { $rule }
+
+outcome-waiting = لم يُطابَق بعد
+outcome-connected = متصل بعدد { $matches } من المطابقات
+outcome-too-few-matches = غير متصل: { $matches } من المطابقات؛ المطلوب { $needed } على الأقل
+outcome-not-oriented = غير متصل: { $no_geometry }
+outcome-failed = غير متصل: { $failure }
+
+rule-all = تُجرَّب جميع الأزواج
+rule-near = اختير لتقارب الصورتين
+rule-sequence = اختير لتتابع الصورتين
+rule-alike = اختير لتشابه الصورتين
+
+## Why a file was skipped, or a job of a run failed.
+
+failure-unreadable = { $message }
+failure-refused = { $message }
+failure-broke-off = انقطع الحساب بعطل في البرنامج ({ $message }): نرجو الإبلاغ عنه
+failure-out-of-memory = نفدت الذاكرة ({ $message })
+
+## Why an image is not oriented. They follow the name of the image and a colon.
+
+unoriented-no-points = ليس لها نقاط ربط
+unoriented-too-few-points =
+    { $points ->
+        [one] تقاطعت من نقاط ربطها نقطة واحدة
+        [two] تقاطعت من نقاط ربطها نقطتان
+       *[other] تقاطعت { $points } من نقاط ربطها
+    } بصور موجَّهة؛ المطلوب { $needed } على الأقل
+unoriented-no-agreement = يتفق { $agreeing } من { $points } من أرصادها لنقاط متقاطعة على توجيه واحد؛ المطلوب { $needed } على الأقل وخُمسها
+unoriented-narrow = تقع { $agreeing } من أرصادها المتفقة على خط أو في بقعة واحدة من الصورة
+unoriented-no-partner = نقاط ربطها المشتركة مع كل صورة أخرى قليلة، أو لا قاعدة بينها وبين أي صورة
+unoriented-lost =
+    وُجّهت، لكن لم يبق لها إلا { $rays ->
+        [one] رصدة واحدة
+        [two] رصدتان
+        [few] { $rays } أرصاد
+        [many] { $rays } رصدة
+       *[other] { $rays } رصدة من أرصادها
+    }
+unoriented-undetermined =
+    وُجّهت بـ{ $rays ->
+        [one] رصدة واحدة
+        [two] رصدتين
+        [few] { $rays } أرصاد
+       *[other] { $rays } رصدة
+    }؛ وقد رفض ضبط الحزم كثيرًا منها
+unoriented-rejected-by-hand = رُفضت يدويًا
+
+image-reason-apart = في نموذج مستقل من { $images } من الصور
+image-reason-unoriented = { $unoriented }
+image-reason-failed = { $failure }
+image-reason-unknown = غير موجَّهة
+
+## What a block is worth.
+
+block-verdict-oriented =
+    وُجّهت { $oriented } من { $images } من الصور من { $points } من النقاط{ $sigma0_px ->
+        [none] .
+       *[other] ، σ0 { FIXED($sigma0_px, digits: 2) } بكسل.
+    }
+    .label = موجَّهة
+block-verdict-weak = توجيه ضعيف: { $oriented } من { $images } من الصور من { $points } من النقاط. { $overview_warning }
+    .label = ضعيفة
+block-verdict-not-oriented =
+    لم تُوجَّه: { $connected ->
+        [0] لم يمكن وصل أي صورتين
+       *[other] { $failure ->
+            [none] لم يمكن توجيه أي صورة
+           *[other] { $failure }
+        }
+    }.
+    .label = غير موجَّهة
+
+## Warnings about a block at a glance.
+
+overview-warning-model = { $block_warning }
+overview-warning-few-oriented = وُجّهت { $oriented } من { $images } من الصور.
+overview-warning-apart = وُجّهت { $images } من الصور بمعزل عن غيرها، في نموذج مستقل.
+overview-warning-not-on-orthophoto = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
+overview-warning-none-oriented = لم يمكن توجيه أي صورة.
+overview-warning-failed = لم يمكن توجيه أي صورة: { $failure }.
+
+## Warnings about an adjusted block.
+
+block-warning-free =
+    لا مواضع مرصودة تحدد موضع النموذج ودورانه ومقياسه: هي اعتباطية{ $cause ->
+        [none] .
+       *[other] {" "}({ $cause }).
+    }
+block-warning-unknown-rotation =
+    لا تحدد { $observed } دوران الكتلة كلها حول خطها{ $tilt_deg ->
+        [none] .
+       *[other] ؛ تميل المشاهد { FIXED($tilt_deg, digits: 0) }° عن الشاقول في المتوسط.
+    }
+block-warning-uncertain-rotation =
+    لا تكاد { $observed } تحدد دوران الكتلة كلها: زواياها غير مؤكدة بمقدار ± { FIXED($error_deg, digits: 0) }° أو أكثر{ $tilt_deg ->
+        [none] .
+       *[other] ؛ تميل المشاهد { FIXED($tilt_deg, digits: 0) }° عن الشاقول في المتوسط.
+    }
+block-warning-levelled =
+    مواضع GNSS { $error_deg ->
+        [none] لا تحدد دوران الكتلة كلها
+       *[other] لا تكاد تحدد دوران الكتلة كلها (± { FIXED($error_deg, digits: 0) }°)
+    }: { $recorded ->
+        [true] تسوّيها اتجاهات النظر المسجلة
+       *[false] تُعد مشاهدها شاقولية في المتوسط
+    }، بافتراض ± { FIXED($level_deg, digits: 0) }°.
+block-warning-imprecise =
+    ‏σ0 تبلغ { FIXED($sigma0_px, digits: 1) } بكسل، فوق { FIXED($most_px, digits: 0) } بكسل التي تبلغها المطابقة بالكاميرا الصحيحة: تشوه، أو كاميرا خاطئة، أو مطابقات خاطئة.
+block-warning-weights-not-converged = ما زالت الأوزان بحسب المتبقيات تتغير بعد { $rounds } من جولات الوزن: الأخطاء المعيارية المذكورة لا يوافق بعضها بعضًا.
+block-warning-no-heights = ليس لمواضع GNSS ارتفاعات: يُعد الطيران أفقيًا، وتُحسب الارتفاعات منه، وقد تكون الكتلة مائلة.
+block-warning-positions-rejected =
+    { $images_count ->
+        [one] موضع GNSS واحد لا يوافق ورُفض، ومعه بعده
+        [two] موضعا GNSS لا يوافقان ورُفضا، ومعهما بعداهما
+       *[other] { $images_count } من مواضع GNSS لا توافق ورُفضت، ومعها أبعادها
+    }: { $images }{ $images_more ->
+        [0] .
+       *[other] {" "}و{ $images_more } أخرى.
+    }
+    .images = { $name } ({ FIXED($distance_m, digits: 1) } م)
+block-warning-scale =
+    تجعل نقاط الضبط الأرضي الكتلة أكبر { SIGNIFICANT($ratio, digits: 2) } مرة مما تجعلها مواضع GNSS: { $unit ->
+        [none] المطلوب أمتار.
+       *[other] هل هي بوحدة { $unit }؟
+    }
+block-warning-degrees = تبدو x وy لنقاط الضبط الأرضي خط طول وعرض: المطلوب إحداثيات بالأمتار لا بالدرجات.
+block-warning-point-rejected =
+    رُفضت نقطة الضبط الأرضي { $point }: { $measurements ->
+        [one] لها قياس صوري واحد في صور موجَّهة.
+        [two] قياساها الصوريان في صور موجَّهة لا يلتقيان.
+       *[other] قياساتها الصورية في صور موجَّهة، وعددها { $measurements }، لا تلتقي.
+    }
+block-warning-measurements-rejected =
+    { $images_count } من { $measurements ->
+        [one] قياس صوري واحد
+        [two] قياسين صوريين
+       *[other] { $measurements } من القياسات الصورية
+    } لنقطة الضبط الأرضي { $point } { $images_count ->
+        [one] لا يوافق
+       *[other] لا توافق
+    }: { $images }{ $images_more ->
+        [0] .
+       *[other] {" "}و{ $images_more } أخرى.
+    }
+block-warning-focal-estimated = البعد البؤري لـ{ $camera } غير معروف؛ قُدّر بخطأ معياري ± { FIXED($error_px, digits: 1) } بكسل.
+block-warning-focal-undetermined = البعد البؤري لـ{ $camera } غير معروف، ولا تحدده الكتلة: مقياس الارتفاعات خاطئ.
+block-warning-parameter-fixed = لا تحدد الكتلة { $camera_parameter } لـ{ $camera }؛ فبقي كما كان.
+block-warning-few-observations =
+    { $images_count ->
+        [one] لصورة واحدة
+        [two] لصورتين
+       *[other] لـ{ $images_count } من الصور
+    } أقل من { $least } من الأرصاد: { $images }{ $images_more ->
+        [0] .
+       *[other] {" "}و{ $images_more } أخرى.
+    }
+block-warning-two-rays = لـ{ $two } من { $points } من نقاط الضبط شعاعان فقط: لا تظهر أخطاؤها على امتداد القاعدة.
+block-warning-many-rejected = لا يوافق { $rejected } من { $observations } من الأرصاد.
+
+observed-positions = مواضع GNSS
+observed-points = نقاط الضبط الأرضي
+observed-both = مواضع GNSS ونقاط الضبط الأرضي
+
+unit-millimetres = المليمتر
+unit-centimetres = السنتيمتر
+unit-inches = البوصة
+unit-feet = القدم
+unit-kilometres = الكيلومتر
+
+# `first`: the name of its first image; `more`: how many it has beside that.
+camera =
+    { $only ->
+        [true] الكاميرا
+       *[false] الكاميرا { $number }{ $first ->
+            [none] {""}
+           *[other] {" "}({ $first }{ $more ->
+                [0] {""}
+                [one] {" "}وصورة أخرى
+                [two] {" "}وصورتان أخريان
+               *[other] {" "}و{ $more } من الصور الأخرى
+            })
+        }
+    }
+
+camera-parameter-focal = البعد البؤري
+camera-parameter-principal-x = عمود النقطة الأساسية
+camera-parameter-principal-y = صف النقطة الأساسية
+camera-parameter-k1 = k1
+camera-parameter-k2 = k2
+camera-parameter-k3 = k3
+camera-parameter-p1 = p1
+camera-parameter-p2 = p2
+
+## Remarks on what a run was given.
+
+remark-older-project = ملف المشروع من الإصدار { $version }: لا يحوي السمات ولا الكاميرات كما أُعطيت ولا الأخطاء المعيارية
+remark-result-system =
+    الملفات images.csv وpoints.csv وsurveyed.csv في { $crs }{ $accuracy_m ->
+        [none] {""}
+       *[other] . والانتقال من WGS 84 هو { $operation }، بدقة { SIGNIFICANT($accuracy_m, digits: 1) } م
+    }{ $gnss_above_m ->
+        [none] {""}
+       *[other] . وارتفاعاته من سطح خاص به: لم تشارك ارتفاعات مواضع GNSS. وهي أعلى من ارتفاعات الكتلة بمقدار { FIXED($gnss_above_m, digits: 2) } م، أي نحو ارتفاع الجيوئيد (--geoid-m) إذا كانت فوق الإهليلجي
+    }
+remark-no-result-system = النتائج ليست في { $crs }: ليس للكتلة موضع على الأرض تعطيه مواضع GNSS أو نقاط الضبط
+remark-unsupported-edits = كُتب ملف المشروع قبل أن تُحفظ جميع النقاط المضبوطة: مع التعديلات تُضبط الكتلة بالنقاط المختارة وحدها، وهي أقل دقة
+remark-unknown-columns =
+    أعمدة في جدول نقاط الضبط غير مفهومة ولا تُقرأ: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}و{ $columns_more } أخرى
+    }
+remark-unused-camera = كاميرا { $images } لا توافق اسم أي صورة
+remark-doubtful-focal =
+    البعد البؤري لـ{ $label } هو { $focal_px } بكسل، أي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }{ $in_mm ->
+        [true] : هل هو بالمليمتر؟
+       *[false] {""}
+    }
+remark-cautioned-cameras =
+    { $camera_caution }: { $images }{ $images_more ->
+        [0] {""}
+       *[other] {" "}و{ $images_more } أخرى
+    }
+remark-impossible-positions =
+    تُهمل مواضع GNSS وارتفاعات مستحيلة: { $images }{ $images_more ->
+        [0] {""}
+       *[other] {" "}و{ $images_more } أخرى
+    }
+    .images = { $name } ({ $value })
+
+## What became of a point of the left image. `label`: as a list or a legend has it.
+
+verdict-matched = مطابَقة: لا قاعدة ترفضها.
+    .label = مطابَقة
+verdict-no-descriptor = مرفوضة: تخرج نافذتها عن الصورة أو تتساوى جميع قيمها الرمادية، فلا شيء يُقارَن.
+    .label = بلا نافذة
+verdict-no-candidate = مرفوضة: لا مرشح في نافذة بحثها.
+    .label = بلا مرشح
+verdict-threshold = مرفوضة: أفضل مرشحيها غير مشابه بما يكفي.
+    .label = العتبة
+verdict-ambiguous = مرفوضة: ثاني أفضل مرشحيها يكاد يساوي الأفضل.
+    .label = ملتبسة
+verdict-many-to-one = مرفوضة: نقطة يسرى أخرى تطابق الموضع نفسه على نحو أفضل.
+    .label = كثير إلى واحد
+verdict-parallax = مرفوضة: اختلاف منظرها الصادي يحيد عن أقرب المطابقات، أو لا توافق هندسة المشهدين.
+    .label = اختلاف المنظر الصادي
+verdict-border = مرفوضة: يقع أفضل المواضع على حد نافذة البحث؛ وقد يكون الأفضل خارجه.
+    .label = الحد
+verdict-left-right = مرفوضة: عند المطابقة من الصورة اليمنى رجوعًا يشبهها موضع آخر في الصورة اليسرى أكثر.
+    .label = تحقق اليسار واليمين
+verdict-not-converged = مرفوضة: لا تتقارب المطابقة بالمربعات الصغرى ضمن حدودها للشكل والبعد والتكرارات.
+    .label = لم تتقارب
+verdict-imprecise = مرفوضة: الخطأ المعياري لموضعها الأيمن كبير، كما على حافة تنزلق عليها.
+    .label = غير دقيقة
+verdict-frame = مرفوضة: لها الموضع نفسه في الإطارين، كحد الفيلم والعلامات الإطارية وشرائط البيانات.
+    .label = الإطار
+verdict-gross-error = طوبقت ثم رُفضت من التوجيه النسبي: متبقيها المعياري يتجاوز الحد الذي تضعه α₀.
+    .label = خطأ جسيم
+verdict-undecided = لا مطابقة تستعمل هذه النقطة.
+    .label = غير مطابَقة
+
+# What came of the orthophoto that a block was given.
+on-orthophoto-linked =
+    تقع الكتلة في نظام الصورة المصححة، بعدد { $points } من المواضع التي تظهر في { $linked } من { $images } من الصور{ $checks ->
+        [0] ، دون نقاط تحقق
+        [one] ؛ ويتحقق منها موضع واحد آخر
+       *[other] ؛ وتتحقق منها { $checks } من المواضع الأخرى
+    }{ $rejected ->
+        [0] .
+       *[other] ؛ ورُفض { $rejected } منها.
+    }
+on-orthophoto-not-linked = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
+
+# Why a block is not in the system of an orthophoto.
+not-linked-not-oriented = لم توجَّه
+not-linked-own-system = للكتلة النظام المرجعي { $crs }: الصورة المصححة تعطي الكتلة نظامها، دون --crs
+not-linked-few-images = أمكن وضع { $placed } من { $images } من الصور على الصورة المصححة، والمطلوب { $needed }: هل تُظهر الأرض نفسها، وهل الارتفاعات ارتفاعات هذه الأرض؟
+not-linked-few-points = { $points } من مواضع أرضها تظهر في صورتين أو أكثر، والمطلوب { $needed }
+not-linked-disagreement = تناقض { $rejected } من { $points } من مواضع أرضها الكتلة: تحقق من الارتفاعات
+not-linked-contradiction = تناقضها نقاط الضبط الأرضية. تضع الصورة المصححة الكتلة على { FIXED($x_m, digits: 2) } م في X و{ FIXED($y_m, digits: 2) } م في Y و{ FIXED($z_m, digits: 2) } م في الارتفاع مما تضعها هذه النقاط: تحقق من نظام كليهما وارتفاعاته
+not-linked-failed = { $failure }
+
+# Why an image has no place on an orthophoto.
+not-placed-no-common-place = من { $matches } من النقاط التي تشبه مواضع في الصورة المصححة يتفق { $agreeing } على موضع واحد، كما تشاء المصادفة
+not-placed-no-orientation = تتفق { $points } من النقاط على موضع، ولا يوافقها توجيه للصورة: قد تكون الكاميرا خاطئة أو الارتفاعات
+not-placed-not-confirmed = تقع { $agreeing } من { $links } من النقاط حيث يضعها التوجيه الذي وُجد، كما تشاء المصادفة
+not-placed-failed = { $failure }
+
+# What speaks against the place of an image.
+placing-weakness-few-links = لا يربطها بالصورة المصححة إلا { $links } من النقاط؛ المطلوب { $needed }.
+placing-weakness-coverage = تقع النقاط في { PERCENT($share, digits: 0) } من الصورة؛ المطلوب { PERCENT($needed, digits: 0) }.
+placing-weakness-checks = تناقض { $beyond } من { $checks } من النقاط التي لم تشارك هذا التوجيه.
+placing-weakness-height = لا يُعرف الارتفاع فوق الأرض، وهو { FIXED($height_m, digits: 0) } م، إلا بحدود ± { SIGNIFICANT($half_width_m, digits: 2) } م (95 %): أعط الكاميرا.
+placing-weakness-rejected = رُفض { $rejected } من { $links } من النقاط: تحقق من الارتفاعات والكاميرا.
+placing-weakness-plan = لا يُعرف موضع مركز الإسقاط إلا بحدود ± { SIGNIFICANT($half_width_m, digits: 2) } م (95 %)، على { FIXED($height_m, digits: 0) } م فوق الأرض: تحقق من الارتفاعات والكاميرا.
+placing-weakness-noise = الجذر التربيعي لمتوسط مربعات المتبقيات { FIXED($rmse_px, digits: 2) } بكسل، وتبلغ الصور الجيدة { FIXED($usual_px, digits: 2) } بكسل: تحقق من الارتفاعات ومن عمر الصورة المصححة.
+
+# What the place of an image is worth.
+placing-verdict-placed = وُضعت بعدد { $links } من النقاط، σ0 { FIXED($sigma0_px, digits: 2) } بكسل؛ مركز الإسقاط ± { SIGNIFICANT($half_width_m, digits: 2) } م (95 %).
+placing-verdict-weak = وُضعت مع شك بعدد { $links } من النقاط. { $placing_weakness }
+placing-verdict-not-placed = لم توضع: { $not_placed }.
+
+error-invalid-argument = { $what }: القيمة المعطاة { $got }؛ المسموح: { $allowed }
+refusal-value = { $input }: أُعطي { $value } في { $location }؛ المسموح: من { $low } إلى { $high }
+refusal-parameter = { $input }: أُعطي { $value } في { $field } من { $location }؛ المسموح: من { $low } إلى { $high }
+refusal-index = { $input }: أُعطي الرقم { $index }؛ المسموح: أرقام دون { $count }
+refusal-below = { $input }: أُعطي { $index }؛ المسموح: ما دون { $count }
+refusal-index-as = { $input }: أُعطي { $index } في { $location }؛ المسموح: من 0 إلى { $last }
+refusal-nothing-as = { $input }: أُعطي { $index } في { $location }؛ المسموح: لا شيء، إذ لا يوجد منها شيء
+refusal-count = { $input }: أُعطي { $got }؛ المسموح: { $wanted }
+refusal-bytes = { $input }: أُعطي { $bytes } بايت؛ المسموح: مضاعفات { $each } بايت
+refusal-numbers = { $input }: أُعطي { $numbers } من الأعداد؛ المسموح: مضاعفات { $each } من الأعداد
+refusal-in-edit = { $refusal } (التعديل { $edit })
+
+# Cameras and fiducial marks.
+refusal-mark-coordinate = العلامات الإطارية: أُعطي { $coordinate } = { $value } في العلامة { $mark }؛ المسموح: أعداد من -{ $limit } إلى { $limit }
+refusal-marks-again = العلامات الإطارية: أُعطيت العلامتان { $first } و{ $second } في الموضع نفسه؛ المسموح: كل علامة مرة واحدة
+refusal-panorama = كاميرا الملف: أُعطيت بانوراما؛ المسموح: صورة بمنظور مركزي
+refusal-mark-outside = العلامات الإطارية: أُعطيت علامة عند { $col }، { $row } بكسل لصورة ذات { $width } × { $height } بكسل؛ المسموح: علامات داخل الصورة، أو مبدأ الصورة في المسح الضوئي الذي قيست فيه
+refusal-marks-sigma0 = العلامات الإطارية: ‏σ0 تبلغ { FIXED($sigma0_mm, digits: 3) } مم؛ المسموح: حتى { $most_mm } مم: بُدّلت علامات، أو في كتابة إحداها خطأ
+refusal-lone-origin = المبدأ في المسح الضوئي: أُعطي { $origin } دون علامات إطارية؛ المسموح: مبدأ مع العلامات الإطارية المقيسة في ذلك المسح
+refusal-one-camera = الكاميرتان: أُعطيت كاميرا واحدة؛ المسموح: كلتاهما أو لا واحدة
+refusal-one-focal-length = الكاميرتان: أُعطي بعد بؤري واحد؛ المسموح: كلاهما أو لا واحد
+refusal-no-cameras = الكاميرات: أُعطيت قائمة فارغة؛ المسموح: كاميرا واحدة أو أكثر
+refusal-empty-pattern = الكاميرات: نمط الكاميرا { $camera } فارغ؛ المسموح: نمط أسماء مثل DJI_*.JPG
+refusal-unused-patterns = الكاميرات: أُعطي { $patterns }، ولا يوافق ذلك أي صورة؛ المسموح: أنماط توافق أسماء مثل { $names }
+
+# The model of a block.
+refusal-image-name = صورة الكتلة: أُعطي الاسم { $name } للصورة { $image } (العد من 0)؛ المسموح: اسم بلا محارف تحكم
+refusal-image-name-again = صورة الكتلة: أُعطي الاسم '{ $name }' للصورتين { $first } و{ $second } (العد من 0)؛ المسموح: كل اسم مرة واحدة
+refusal-camera-of-image = كاميرا صورة: أُعطي الرقم { $camera } للصورة '{ $name }'؛ المسموح: أرقام دون { $cameras }
+refusal-point-numbers = نقطة الكتلة: أُعطي { $position } بمتبقيات قدرها { $rmse_px } بكسل للنقطة { $point } (العد من 0)؛ المسموح: أعداد منتهية
+refusal-confidence = نقطة الكتلة: ثقة النقطة { $point } (العد من 0) خارج المجال من 0 إلى 1؛ المسموح: من 0 إلى 1
+refusal-image-of-point = نقطة الكتلة: أُعطيت الصورة { $image } للنقطة { $point } (العد من 0)؛ المسموح: أرقام دون { $images }
+refusal-ray-outside = نقطة الكتلة: يقع شعاع النقطة { $point } (العد من 0) عند ({ $x_px }, { $y_px }) في '{ $name }'؛ المسموح: مواضع ضمن { $width_px } × { $height_px } بكسل
+refusal-two-rays = نقطة الكتلة: أُعطي للنقطة { $point } (العد من 0) شعاعان في '{ $name }'؛ المسموح: شعاع واحد في الصورة
+refusal-rotation = صورة الكتلة: أُعطي { $rotation } دورانًا للصورة '{ $name }'؛ المسموح: مصفوفة دوران
+refusal-image-position = صورة الكتلة: أُعطي { $position } موضعًا للصورة '{ $name }'؛ المسموح: أعداد منتهية
+refusal-origin = مبدأ الكتلة: أُعطي خط الطول { $longitude_deg }° والعرض { $latitude_deg }° والارتفاع { $height_m } م؛ المسموح: خط طول وعرض وارتفاع حتى 1000 كم
+refusal-other-coordinates = نقطة تحقق: إحداثيات { $point } من نوع آخر؛ المسموح: نوع إحداثيات نقاط الضبط
+refusal-no-height = الارتفاع: لم يُعط لنقطة الضبط الأرضي { $point }؛ المسموح: من -100000 إلى 1000000
+refusal-measured-image = قياس صوري لنقطة ضبط أرضي: أُعطي الرقم { $image } صورةً لنقطة الضبط الأرضي { $point }؛ المسموح: أرقام دون { $images }
+refusal-measured-outside = قياس صوري لنقطة ضبط أرضي: أُعطي ({ $x_px }, { $y_px }) للنقطة { $point } في { $name }، خارج الصورة؛ المسموح: مواضع ضمن { $width_px } × { $height_px } بكسل
+refusal-measured-twice = قياس صوري لنقطة ضبط أرضي: أُعطي قياسان للنقطة { $point } في { $name }؛ المسموح: قياس واحد في الصورة
+
+# Points and their descriptors.
+refusal-mask-size = القناع: أُعطي { $width } × { $height } بكسل؛ المسموح: أبعاد الصورة { $image_width } × { $image_height } بكسل
+refusal-raster-order = نقاط الانتقاء: أُعطي تكرار أو ترتيب غير ترتيب الصفوف؛ المسموح: نقطة واحدة على الأكثر في البكسل، بالصف ثم بالعمود
+refusal-described-point = نقطة للوصف: أُعطي ({ $x }, { $y }) بمقياس { $scale_px } بكسل؛ المسموح: مواضع داخل الصورة ذات { $width } × { $height } بكسل ومقاييس أكبر من 0 وحتى ضلعها الأطول
+refusal-no-moments = الواصفات: أُعطي { $described } لعدد { $points } من النقاط؛ المسموح: عزوم كل نقطة
+refusal-no-gradients = الواصفات: أُعطي { $described } لعدد { $points } من النقاط؛ المسموح: واصف تدرج لكل نقطة
+
+# Matching.
+refusal-neighbours-of-others = أقرب الجيران: أُعطي جيران النقاط اليسرى { $rows } بين { $among } من النقاط اليمنى؛ المسموح: جيران النقاط اليسرى 0..{ $left } بين { $right } من النقاط اليمنى
+refusal-left-point = رقم نقطة يسرى: أُعطي { $index }؛ المسموح: ما دون { $count }، وهو عدد النقاط اليسرى
+refusal-guide-matrix = المصفوفة الموجِّهة للبحث: أُعطي { $value }؛ المسموح: أعداد منتهية
+refusal-described-positions = { $input }: أُعطي { $positions } من المواضع مع { $descriptors } من الواصفات؛ المسموح: واصفات بعدد المواضع
+refusal-described-points = { $input }: أُعطي { $points } من النقاط مع { $descriptors } من الواصفات؛ المسموح: واصفات بعدد النقاط
+refusal-described-bytes = { $input }: أُعطي { $positions } من المواضع مع { $bytes } بايت من الواصفات؛ المسموح: { $each } بايت لكل موضع
+refusal-far-position = { $input }: أُعطي الموضع ({ $x }, { $y })؛ المسموح: مواضع من -1e6 إلى 1e6 بكسل
+refusal-left-rows = صفوف الواصفات اليسرى: أُعطي من { $first } إلى { $end }؛ المسموح: تصاعدية، حتى { $left }
+refusal-piece-lengths = قطعة من أقرب الجيران: أُعطي { $left } و{ $right } من الأعداد؛ المسموح: ثلاثة لكل واصف أيسر واثنان لكل واصف أيمن
+refusal-piece-descriptor = قطعة من أقرب الجيران: أُعطي الواصف { $index }؛ المسموح: واصفات القطعة
+refusal-piece-start = قطعة من أقرب الجيران: ليس أولها عددًا صحيحًا؛ المسموح: عدد صحيح
+refusal-next-piece = القطعة التالية من أقرب الجيران: أُعطيت صفوف من { $row } مع { $right } من الواصفات اليمنى؛ المسموح: صفوف من { $next_row } مع { $of_right } من الواصفات اليمنى
+refusal-offset-field = حقل الإزاحات: أُعطي { $columns } × { $rows } من العقد، و{ $offsets } من الإزاحات، والتباعد { $spacing_px } بكسل؛ المسموح: إزاحات منتهية بعدد الأعمدة × الصفوف، وتباعد أكبر من 0
+refusal-match-position = مواضع المطابقات: أُعطي { $position } في المطابقة { $index } (العد من 0)؛ المسموح: من -1e6 إلى 1e6 بكسل
+
+# Orientation.
+refusal-shared-errors = الأخطاء المشتركة: أُعطيت آثار على { $effects } من الأرصاد، وعددها { $observations }؛ المسموح: أثر واحد لكل رصدة
+refusal-oriented-observations = الأرصاد: أُعطي { $observations }؛ المسموح: الأرصاد التي وُجّهت، وعددها { $oriented }
+refusal-observation-weight = الوزن: أُعطي { $weight } للرصدة { $observation } (العد من 0)؛ المسموح: من 1e-12 إلى 1e12
+refusal-photo-coordinates = إحداثيات الصورة: أُعطي { $value_mm } مم في الرصدة { $observation } (العد من 0)؛ المسموح: من -{ $largest_mm } إلى { $largest_mm } مم، أي { $focal_lengths } من أمثال البعد البؤري
+
+# Tie points.
+refusal-place-of-image = موضع صورة: أُعطي { $position } للصورة { $image }؛ المسموح: أعداد منتهية بالمتر
+refusal-similar-image = الصور المتشابهة: أُعطيت الصورة { $other } بتشابه { $similarity } في قائمة الصورة { $image }؛ المسموح: صور دون { $images } وأعداد
+refusal-pair-of-images = زوج من الصور: أُعطي [{ $images }]؛ المسموح: صورتان مختلفتان من { $count }
+refusal-pair-again = زوج من الصور: تكرر [{ $images }]؛ المسموح: كل زوج مرة واحدة
+refusal-many-features = سمات الكتلة: أُعطي { $features } أو أكثر؛ المسموح: حتى { $most } من السمات في جميع الصور
+refusal-many-matches = زوج من الصور: تبلغ المطابقات معه أكثر من { $most }؛ المسموح: مطابقات أقل في جميع الأزواج
+refusal-matched-features = مطابقة: أُعطيت السمتان [{ $features }] بقوة { $strength } في المطابقة { $index } للصورتين [{ $images }]؛ المسموح: أرقام سمات دون { $left } و{ $right }، وقوة هي عدد
+refusal-features-of-images = { $input }: أُعطيت سمات { $images } من الصور؛ المسموح: سمات صور الكتلة، وعددها { $wanted }
+refusal-no-feature = نقاط الكتلة: أُعطيت السمة { $feature } للصورة { $image }؛ المسموح: سمات موجودة
+refusal-no-tie-point = نقاط الكتلة: أُعطيت النقطة { $point }؛ المسموح: نقاط دون { $points }
+refusal-feature-outside = سمات الصور: أُعطي { $position } في الصورة { $image } ذات { $width_px } × { $height_px } بكسل؛ المسموح: مواضع داخل صورتها
+refusal-lost-feature = سمات الصور: لم يُعط موضع للسمة { $feature } من الصورة { $image }؛ المسموح: موضع لكل شعاع من أشعة النقاط
+refusal-ray-numbers = شعاع: أُعطي الموضع { $position } بمقياس { $scale_px }؛ المسموح: أعداد منتهية، ومقياس أكبر من 0 بكسل
+refusal-ray-direction = اتجاه شعاع: أُعطي { $direction_rad }؛ المسموح: أعداد منتهية
+refusal-ray-place = شعاع: أُعطي الموضع { $position }؛ المسموح: مواضع داخل الصورة ذات { $width } × { $height } بكسل
+refusal-window-values = نوافذ الأشعة: أُعطي { $values } من القيم الرمادية لعدد { $windows } من النوافذ؛ المسموح: { $side } × { $side } من القيم لكل نافذة
+refusal-window-halvings = نوافذ الأشعة: أُعطي { $halvings } من التنصيفات؛ المسموح: من 0 إلى { $most }
+refusal-window-order = نوافذ الأشعة: أُعطيت بترتيب آخر؛ المسموح: نوافذ مرتبة بالشعاع ثم بالتنصيفات، كل منها مرة واحدة
+
+# Adjustment and reconstruction.
+refusal-rotation-as = دوران صورة: أُعطي { $rotation } في { $location }؛ المسموح: صفوف متعامدة، طول كل منها 1، في نظام يميني
+refusal-axis-direction = اتجاه محور: أُعطي { $direction } في { $location }؛ المسموح: متجه طوله 1
+refusal-prior-again = القيم المسبقة للكاميرات: أُعطيت الكاميرا { $camera } (العد من 0) مرتين؛ المسموح: كل كاميرا مرة واحدة
+refusal-control-again = نقاط الضبط: أُعطيت النقطة { $point } (العد من 0) مرتين؛ المسموح: كل نقطة مرة واحدة
+refusal-ray-again = الأشعة: أُعطي شعاعان من الصورة { $image } إلى النقطة { $point } (العد من 0)؛ المسموح: شعاع واحد على الأكثر لكل صورة ونقطة
+refusal-mixed-positions = المواضع المرصودة: أُعطي { $geographic } من المواضع الجغرافية و{ $local } من المحلية؛ المسموح: كلها محلية أو كلها جغرافية، أو مواضع الصور وحدها ومواضع { $placing } من نقاط الضبط الأرضي أو أكثر
+refusal-no-model = نموذج إعادة البناء: أُعطي النموذج { $model }؛ المسموح: نماذج دون { $models }
+refusal-no-intersection = أرصاد نقطة: أُعطي { $rays } من أشعة { $point_name }، ولا تلتقي، أو تلتقي بزاوية صغيرة جدًا؛ المسموح: أشعة تلتقي ضمن { $largest_px } بكسل، بزاوية { $least_angle_deg }° أو أكثر
+
+# Edits.
+refusal-no-observation = صورة رصدة: أُعطيت { $location }، وليس فيها رصدة لـ{ $point_name }؛ المسموح: صور تُظهر النقطة
+refusal-rejected-point = نقطة مقيسة: أُعطيت { $point_name }، وهي لا تشارك؛ المسموح: نقاط مشاركة: استعدها أولًا
+refusal-new-point-images = صور نقطة جديدة: أُعطي { $images } لعدد { $observations } من الأرصاد؛ المسموح: صورتان أو أكثر، كل منها مرة واحدة
+refusal-measured-place = موضع مقيس: أُعطي ({ $x_px }, { $y_px }) في { $location }، خارج الصورة؛ المسموح: مواضع ضمن { $width_px } × { $height_px } بكسل
+refusal-unknown-point = نقطة تعديل: أُعطيت { $point_name }؛ المسموح: نقاط الكتلة
+refusal-image-not-oriented = صورة تعديل: أُعطيت { $location }، وهي غير موجَّهة؛ المسموح: صور موجَّهة من الكتلة
+refusal-block-not-oriented = كتلة التعديلات: أُعطيت كتلة غير موجَّهة؛ المسموح: كتلة موجَّهة
+
+# Exchange formats and tables.
+refusal-feature-numbers = سمة COLMAP: أُعطي { $numbers } للسمة { $feature }؛ المسموح: أعداد منتهية
+refusal-feature-descriptor = سمة COLMAP: في واصف السمة { $feature } من الأعداد { $numbers }؛ المسموح: { $needed } من الأعداد
+refusal-own-system = ‏GeoJSON: أُعطيت كتلة في نظام خاص بها؛ المسموح: كتلة مبدؤها معروف: ليس في GeoJSON إلا خطوط الطول والعرض
+refusal-name-with-blanks = ‏{ $format }: أُعطي اسم الصورة '{ $name }'؛ المسموح: أسماء بلا فراغات
+refusal-name-of-no-file = ‏{ $format }: أُعطي اسم الصورة '{ $name }'؛ المسموح: أسماء ملفات في مجلد
+refusal-long-name = ‏{ $format }: أُعطي اسم الصورة '{ $name }' بطول { $bytes } بايت؛ المسموح: أسماء حتى { $most } بايت
+refusal-no-records = { $input }: أُعطي { $words }؛ المسموح: أسطر من حقول تفصلها فواصل أو فواصل منقوطة أو علامات جدولة
+refusal-no-column = { $input }: ليس العمود { $column } في السطر الأول '{ $names }'؛ المسموح: سطر أول يسمي الأعمدة { $columns }
+refusal-column-again = { $input }: أُعطي العمود { $column } مرتين؛ المسموح: سطر أول يسمي الأعمدة { $columns }
+refusal-no-value = { $input }: لا قيمة في { $column } في السطر { $line }؛ المسموح: أعداد منتهية بنقطة عشرية
+refusal-no-number = { $input }: أُعطي '{ $word }' في { $column } في السطر { $line }؛ المسموح: أعداد منتهية بنقطة عشرية
+refusal-control-column = جدول نقاط الضبط: ليس في السطر الأول '{ $names }' عمود '{ $column }' ولا نقطة؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
+refusal-control-error-column = جدول نقاط الضبط: أُعطي العمود '{ $column }' دون الأخطاء المعيارية الأخرى؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
+refusal-control-number = جدول نقاط الضبط: أُعطي '{ $word }' في { $column } في السطر { $line }؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
+refusal-control-name = جدول نقاط الضبط: الاسم '{ $name }' في السطر { $line } فارغ أو مكرر؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
+refusal-control-errors = جدول نقاط الضبط: ليست الأخطاء المعيارية { $errors } في السطر { $line } أكبر من 0؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
+refusal-reserved-name = اسم نقطة ضبط أرضية: أُعطي { $name }؛ المسموح: أسماء لا تبدأ بما تبدأ به مواضع الصورة المصححة، وهو { $begins }
+refusal-control-use = جدول نقاط الضبط: أُعطي '{ $word }' استعمالًا في السطر { $line }، وهو control أو check أو off؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
+refusal-measured-numbers = جدول القياسات الصورية: أُعطي '{ $x }'، '{ $y }' موضعًا في السطر { $line }؛ المسموح: أسطر من image وpoint وx وy بنقاط عشرية، كل نقطة مرة واحدة في الصورة
+refusal-measured-names = جدول القياسات الصورية: ليس في السطر { $line } اسم صورة أو نقطة؛ المسموح: أسطر من image وpoint وx وy بنقاط عشرية، كل نقطة مرة واحدة في الصورة
+refusal-measured-again = جدول القياسات الصورية: تكررت النقطة '{ $point }' في الصورة '{ $image }' في السطر { $line }؛ المسموح: أسطر من image وpoint وx وy بنقاط عشرية، كل نقطة مرة واحدة في الصورة
+
+# Coordinate reference systems.
+refusal-unknown-crs = نظام الإحداثيات المرجعي: أُعطي { $crs }، وهو رمز غير معروف هنا، أو لإسقاط أو نوع غير مدعوم؛ المسموح: رموز EPSG لأنظمة جغرافية ومسقطة، أو نص PROJ
+refusal-crs-text = نظام الإحداثيات المرجعي: أُعطي { $crs }، ولا يمكن قراءته ({ $reason })؛ المسموح: رمز EPSG (EPSG:25832) أو WKT أو نص PROJ بأحد الإسقاطات { $projections }
+refusal-geocentric-crs = نظام الإحداثيات المرجعي: أُعطي { $crs }، وتلتقي محاوره في مركز الأرض؛ المسموح: أنظمة جغرافية ومسقطة
+refusal-crs-unit = نظام الإحداثيات المرجعي: أُعطي { $crs }، ووحدته { $unit_m } م؛ المسموح: أنظمة بالأمتار أو الدرجات
+refusal-crs-axes = نظام الإحداثيات المرجعي: أُعطي { $crs }، وهو يذكر انتقال مرجع ويجعل الشمال قبل الشرق؛ المسموح: الشرق قبل الشمال مع انتقال مذكور
+refusal-no-datum-shift = نظام الإحداثيات المرجعي: أُعطي { $crs } ({ $name })، ولا يُعرف انتقال من مرجعه إلى WGS 84 دون شبكة؛ المسموح: نص PROJ مع +datum=WGS84، أو مع الانتقال في +towgs84 (+towgs84=0,0,0 حيث يساوي المرجع WGS 84 إلا بضعة ديسيمترات)
+refusal-crs-area = نظام الإحداثيات المرجعي: أُعطي { $crs } عند خط الطول { FIXED($longitude_deg, digits: 4) }° وخط العرض { FIXED($latitude_deg, digits: 4) }°، ولا يُعرف هناك انتقال من مرجعه إلى WGS 84؛ المسموح: مواضع في { $areas }. هل المنطقة وترتيب الإحداثيات صحيحان؟
+refusal-crs-place =
+    الإحداثيات: أُعطي ({ $x }, { $y })، وهي خارج { $crs }؛ المسموح: { $degrees ->
+        [true] خط الطول x من -180 إلى 180 وخط العرض y من -90 إلى 90 بالدرجات
+       *[false] الشرق x والشمال y بالأمتار
+    }
+refusal-control-place =
+    نقطة الضبط الأرضي { $point }: أُعطي ({ $x }, { $y })، وهي خارج { $crs }؛ المسموح: { $degrees ->
+        [true] خط الطول x من -180 إلى 180 وخط العرض y من -90 إلى 90 بالدرجات
+       *[false] الشرق x والشمال y بالأمتار
+    }
+refusal-control-degrees = نقطة الضبط الأرضي { $point }: أُعطي ({ $x }, { $y })، وهي تشبه الدرجات؛ المسموح: الشرق x والشمال y بالأمتار كما في { $crs }
+refusal-control-elsewhere =
+    نقطة الضبط الأرضي { $point }: أُعطي موضع يبعد { FIXED($distance_km, digits: 0) } كم عن مواضع GNSS للصور كما يضعه { $crs }؛ المسموح: حتى { $most_km } كم. { $swapped ->
+        [true] إذا تبادل x وy فهو قريب منها: x هو الشرق أو خط الطول
+       *[false] هل المنطقة صحيحة، أم مواضع GNSS خاطئة؟ دونها تشارك النقطة كما هي
+    }
+refusal-geoid-of-ellipsoid = ارتفاع الجيوئيد: أُعطي { $geoid_m } م مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: 0، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
+
+# The run of a block.
+refusal-measured-beyond = القياسات الصورية: أُعطي ({ $x_px }, { $y_px }) للنقطة { $point } في { $name }، خارج أي صورة؛ المسموح: مواضع داخل الصورة
+refusal-measured-unknown = القياسات الصورية: أُعطيت النقطة { $point }؛ المسموح: نقاط من جدول نقاط الضبط
+refusal-few-control-points =
+    نقاط الضبط الأرضي: قيس { $seen } من { $placing } في صورتين أو أكثر{ $checks ->
+        [true] {" "}(لا تُحسب نقاط التحقق)
+       *[false] {""}
+    }{ $images_count ->
+        [0] {""}
+        [one] ؛ وليست في الكتلة الصورة { $images }{ $images_more ->
+            [0] {""}
+           *[other] {" "}…
+        }
+        [two] ؛ وليست في الكتلة الصورتان { $images }{ $images_more ->
+            [0] {""}
+           *[other] {" "}…
+        }
+       *[other] ؛ وليست في الكتلة الصور { $images }{ $images_more ->
+            [0] {""}
+           *[other] {" "}…
+        }
+    }؛ المسموح: { $needed } أو أكثر، أو لا شيء منها
+refusal-job-inputs = مدخلات مهمة: أُعطي { $inputs }؛ المسموح: المدخلات التي تسميها
+refusal-mask-of-image = قناعها: أُعطي { $name } ذو { $width } × { $height } بكسل؛ المسموح: أبعاد الصورة { $image_width } × { $image_height } بكسل
+refusal-file-name-again = صور الكتلة: أُعطيت صورتان بالاسم { $name }؛ المسموح: كل اسم مرة واحدة
+refusal-file-name = صور الكتلة: أُعطي الاسم { $name }، وفيه محرف تحكم؛ المسموح: أسماء بلا محارف تحكم
+refusal-coarse-descriptors = الواصفات الخشنة: أُعطي { $bytes } بايت؛ المسموح: { $each } بايت لكل منها
+refusal-two-masks = الأقنعة: أُعطي { $first } و{ $second }، وهما للصورة نفسها؛ المسموح: قناع واحد للصورة
+refusal-refined-observations = أرصاد نقطة: أُعطي من { $first } إلى { $end }؛ المسموح: أرقام تصاعدية حتى { $windows }
+refusal-unknown-job = مهمة: أُعطي { $job }؛ المسموح: مهام جارية
+refusal-few-images =
+    صور الكتلة: قُرئ { $read } من { $given }{ $first ->
+        [none] {""}
+       *[other] {" "}({ $first }: { $failure })
+    }؛ المسموح: صورتان أو أكثر
+refusal-chosen-feature = الأرصاد: أُعطيت السمة { $feature }؛ المسموح: سمات دون { $features }
+
+# The ground: orthophotos, heights, mosaics.
+refusal-link-position = موضع رابط: أُعطي { $position } للرابط { $link }؛ المسموح: داخل الصورة ذات { $width_px } × { $height_px } بكسل
+refusal-link-place = مكان رابط على الأرض: أُعطي { $place } للرابط { $link }؛ المسموح: حيث لأرض الصورة المصححة ارتفاع
+refusal-world-file = ملف الإحداثيات (world file): أُعطي { $text }؛ المسموح: ستة أعداد، عدد في كل سطر: A وD وB وE للبكسل، وX وY لمركز البكسل العلوي الأيسر
+refusal-georeference = الإسناد الجغرافي: أُعطي { $numbers }؛ المسموح: إحداثيات منتهية وبكسلات لها امتداد
+refusal-degrees = إحداثيات صورة الأرض: أُعطي خط الطول والعرض بالدرجات؛ المسموح: نظام إسقاط بالأمتار أو الأقدام: أعد إسقاطها، بالأمر gdalwarp -t_srs مثلًا
+refusal-height-count = نموذج الارتفاعات: أُعطي { $heights } من الارتفاعات لأبعاد { $width } × { $height }؛ المسموح: 2 × 2 من الارتفاعات أو أكثر، ارتفاع لكل موضع
+refusal-height-range = ارتفاعات نموذج الارتفاعات: أُعطي من { $low } إلى { $high }؛ المسموح: من -1000 إلى 20000، وفيها ارتفاع واحد على الأقل؛ ويجب التصريح بالقيمة الدالة على «لا ارتفاع»
+refusal-no-height-model = نموذج الارتفاعات: ليس TIFF ولا نصًا؛ المسموح: GeoTIFF أو شبكة ESRI ASCII
+refusal-heights-without-place = نموذج الارتفاعات: أُعطي TIFF لا يذكر موضعه؛ المسموح: GeoTIFF، أو ملف إحداثيات (world file) بجانبه
+refusal-truncated-heights = نموذج الارتفاعات: أُعطي { $width } × { $height } من الارتفاعات في { $bytes } بايت: هو مبتور؛ المسموح: ملف كامل
+refusal-many-heights = نموذج الارتفاعات: أُعطي { $width } × { $height } من الارتفاعات؛ المسموح: حتى 100 مليون
+refusal-height-samples = نموذج الارتفاعات: أُعطي TIFF بعينات من نوع آخر؛ المسموح: عينة واحدة في البكسل: أعداد صحيحة أو فاصلة عائمة
+refusal-grid-word = شبكة ESRI ASCII: أُعطي { $name } بلا عدد؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
+refusal-grid-lacks = شبكة ESRI ASCII: تنقصها { $name }؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
+refusal-grid-size = شبكة ESRI ASCII: أُعطي { $columns } من الأعمدة و{ $rows } من الصفوف بخلية { $cell }؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
+refusal-grid-height = شبكة ESRI ASCII: أُعطي { $word } بين الارتفاعات؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
+refusal-picture-without-place = الصورة المصححة: أُعطي { $format } لا يذكر موضعه؛ المسموح: GeoTIFF، أو ملف إحداثيات (world file) بجانب الصورة (.tfw، .jgw، .pgw، .wld)
+refusal-nothing-above-ground = كتلة الموزاييك: ليس فيها صورة موجَّهة فوق الأرض؛ المسموح: صورة واحدة أو أكثر
+refusal-mosaic-pixel = ضلع بكسل الموزاييك: أُعطي { $gsd }؛ المسموح: { FIXED($least, digits: 4) } أو أكثر، حتى لا يتجاوز الموزاييك 100 ميغابكسل
+refusal-mosaic-image = صورة موزاييك: أُعطي الرقم { $image }؛ المسموح: رقم صورة من النموذج
+refusal-mosaic-image-size = صورة موزاييك: أُعطي { $width } × { $height } بكسل؛ المسموح: { $width_px } × { $height_px } بكسل، كما في كاميرتها
+refusal-empty-mosaic = الموزاييك: ليس فيه شيء تُظهره صورة؛ المسموح: ارتفاعات تحت الصور وأدنى منها، وبكسل أصغر كثيرًا من الصورة
+refusal-no-heights-there = ارتفاعات نموذج الارتفاعات: لا ارتفاع تحت الصورة المصححة؛ المسموح: نموذج للأرض نفسها في النظام نفسه
+refusal-one-coordinate = مكان قريب من صورة: أُعطي إحداثي واحد؛ المسموح: near_x وnear_y معًا، أو لا واحد منهما
+refusal-near-place = مكان قريب من صورة: أُعطي { $place }؛ المسموح: ضمن { $within_m } م من الصورة المصححة التي ركناها عند { $first } و{ $last }
+refusal-near-radius = نصف القطر حول المكان القريب من صورة: أُعطي { $within_m } م؛ المسموح: ما يتسع لضلع من { $least_px } بكسل من الصورة المصححة
+refusal-camera-size = كاميرا الصورة: أُعطي { $width_px } × { $height_px } بكسل؛ المسموح: { $width } × { $height } بكسل، كما في الصورة
+refusal-grey-values = صورة رمادية: أُعطي { $width } × { $height } بكسل مع { $values } من القيم؛ المسموح: أضلاع من 1 بكسل على الأقل، وقيم بعدد العرض × الارتفاع
+
+# Simulated photos and their truth.
+refusal-photo-position = موضع في صورة: أُعطي { $position }؛ المسموح: مواضع داخل الصورة ذات { $width_px } × { $height_px } بكسل
+refusal-truth-of-others = حقيقة الكتلة: ليس فيها شيء من صور الكتلة؛ المسموح: حقيقة هذه الصور
+refusal-truth-not-oriented = حقيقة الكتلة: أُعطيت '{ $name }' بلا توجيه؛ المسموح: صور موجَّهة
+refusal-truth-distortion = حقيقة الكتلة: أُعطي تشوه للكاميرا { $camera }؛ المسموح: كاميرات بلا تشوه
+refusal-truth-size = الحقيقة: أُعطي { $positions } من المواضع لأبعاد { $width } × { $height } بكسل؛ المسموح: موضع واحد لكل بكسل من الصورة اليسرى
+
+# Projects.
+refusal-pair-match = مطابقة الزوج: أُعطي { $left } و{ $right }؛ المسموح: نقاط دون { $points } و{ $others }
+refusal-pair-rejected = مطابقة مرفوضة من الزوج: أُعطي { $index }؛ المسموح: مطابقات دون { $matches }
+refusal-project-connection = وصلة المشروع: أُعطي [{ $images }]؛ المسموح: صورتان دون { $count } بترتيب تصاعدي
+refusal-project-edits = تعديلات المشروع: أُعطيت تعديلات كتلة غير موجَّهة؛ المسموح: تعديلات كتلة موجَّهة
+refusal-project-image = صورة المشروع: أُعطيت '{ $name }' من الكاميرا { $camera }؛ المسموح: '{ $other }' من الكاميرا { $other_camera }
+refusal-project-index = نموذج المشروع: أُعطي الرقم { $index }؛ المسموح: صور دون { $images } وكاميرات دون { $cameras }
+refusal-project-camera = نموذج المشروع: أُعطيت الكاميرا { $camera } لصورة؛ المسموح: كاميرات دون { $cameras }
+refusal-project-order = نموذج المشروع: أُعطيت صور غير مرتبة؛ المسموح: صور بترتيب تصاعدي، كل منها مرة واحدة
+refusal-project-observation = نموذج المشروع: أُعطيت رصدة للنقطة { $point } في الصورة { $image }؛ المسموح: صور دون { $images } ونقاط دون { $points }
+
+## What is given.
+input-axis-sigma = الخطأ المعياري لمحور
+input-base = القاعدة
+input-camera-distortion = تشوه كاميرا
+input-camera-focal-length = البعد البؤري لكاميرا
+input-camera-of-image = كاميرا صورة
+input-camera-of-prior = كاميرا قيمة مسبقة
+input-camera-parameter = معامل كاميرا
+input-camera-principal-point = النقطة الأساسية لكاميرا
+input-camera-sigma = الخطأ المعياري لكاميرا
+input-features-of-images = سمات الصور
+input-fiducial-table = جدول العلامات الإطارية
+input-control-table = جدول نقاط الضبط
+input-free-radial = المعاملات الشعاعية الحرة
+input-height = الارتفاع
+input-image = الصورة
+input-image-coordinates = إحداثيات الصورة
+input-image-of-ray = صورة شعاع
+input-image-size = أبعاد الصور
+input-geometries-of-project = هندسات المشروع
+input-images-of-project = صور المشروع
+input-cameras-of-project = كاميرات المشروع
+input-points-of-project = نقاط المشروع
+input-observations-of-point = أرصاد نقطة من المشروع
+input-images-of-model = صور نموذج من المشروع
+input-images-of-block = صور كتلة مضبوطة من المشروع
+input-cameras-of-block = كاميرات كتلة مضبوطة من المشروع
+input-points-of-model = نقاط نموذج من المشروع
+input-observations-of-model = أرصاد نموذج من المشروع
+input-verdicts-of-pair = أحكام الزوج
+input-matched-of-pair = النقاط المطابَقة من الزوج
+input-frames-of-pair = أطر نقاط الزوج
+input-observations-of-pair = أرصاد الزوج
+input-residuals-of-pair = متبقيات الزوج
+input-scores-of-pair = درجات الزوج
+input-latitude = خط العرض
+input-left-descriptors = الواصفات اليسرى
+input-left-features = السمات اليسرى
+input-left-points = النقاط اليسرى
+input-longitude = خط الطول
+input-mark-table = جدول القياسات الصورية
+input-observation-table = جدول الأرصاد
+input-photo-of-block = صورة من الكتلة
+input-pixel-side = ضلع بكسل
+input-point = النقطة
+input-point-of-control = نقطة لنقطة ضبط
+input-point-of-ray = نقطة شعاع
+input-points-of-block = نقاط الكتلة
+input-position = الموضع
+input-position-sigma = الخطأ المعياري لموضع
+input-mark-sigma = الخطأ المعياري لقياس في الصورة
+input-ray-sigma = الخطأ المعياري لشعاع
+input-right-descriptors = الواصفات اليمنى
+input-right-features = السمات اليمنى
+input-right-points = النقاط اليمنى
+input-surveyed-point = نقطة ممسوحة
+input-surveyed-point-of-block = نقطة ممسوحة من الكتلة
+input-text = النص
+input-weight = الوزن
+
+## Where a value stands.
+location-camera = الكاميرا { $camera } (العد من 0)
+location-named-camera = { camera }
+location-camera-of-file = الكاميرا { $camera } من الملف
+location-camera-of-images = كاميرا { $images }
+location-camera-of-image = كاميرا الصورة
+location-camera-of-prior = كاميرا قيمة مسبقة
+location-control = نقطة الضبط الأرضي { $name }
+location-element-of-control = { $element } في نقطة الضبط { $control } (العد من 0)
+location-element-of-image = { $element } في الصورة { $image } (العد من 0)
+location-element-of-ray = { $element } في الشعاع { $ray } (العد من 0)
+location-geometry = هندسة الصورة { $side }
+location-image = { $name }
+location-image-index = الرقم { $image }
+location-pair = الزوج
+location-point = النقطة { $point } (العد من 0)
+location-prior = القيمة المسبقة للكاميرا { $camera } (العد من 0)
+element-axis-direction = اتجاه المحور
+element-axis-sigma = الخطأ المعياري للمحور
+element-camera = الكاميرا
+element-coordinates = الإحداثيات
+element-gnss-position = موضع GNSS
+element-gnss-sigma = الخطأ المعياري لموضع GNSS
+element-image = الصورة
+element-point = النقطة
+element-position = الموضع
+element-rotation = الدوران
+element-sigma = الخطأ المعياري
+element-weight = الوزن
+point-name-control = { $name }
+point-name-control-index = النقطة الممسوحة { $point }
+point-name-manual = النقطة اليدوية { $point }
+point-name-tie-point = نقطة الربط { $point }
+described-none = لا شيء
+described-moments = { $descriptors } من واصفات العزوم
+described-gradients = { $bytes } بايت من التدرجات
+
+# Covariances of a finished block.
+refusal-covariance-image = التباينات المشتركة: أُعطيت الصورة { $image } من الضبط (العد من 0)، وهي تنظر على امتداد المحور X؛ المسموح: صور تبتعد فيها φ عن ±90°: عندها ω وκ زاوية واحدة
+refusal-covariance-point = التباينات المشتركة: أُعطيت النقطة { $point } من الضبط (العد من 0) وليس لها أرصاد مقبولة؛ المسموح: نقاط شاركت
+refusal-covariances-not-oriented = التباينات المشتركة: أُعطيت كتلة غير موجَّهة؛ المسموح: كتلة موجَّهة
+refusal-covariances-unsupported = التباينات المشتركة: أُعطي مشروع من إصدار سابق، ليست فيه جميع نقاط ضبطه؛ المسموح: مشاريع تحفظ جميع نقاط ضبطها
+refusal-covariance-unknowns = التباينات المشتركة: أُعطي { $unknowns } من المجاهيل؛ المسموح: من 1 إلى { $most } من المجاهيل: ستة للصورة، وثلاثة للنقطة
+refusal-covariance-again = اسم تباين مشترك: أُعطي { $name } مرتين؛ المسموح: كل اسم مرة واحدة
+refusal-covariance-name = اسم تباين مشترك: أُعطي { $name }؛ المسموح: أسماء صور موجَّهة ونقاط ممسوحة مضبوطة، وpoint:N كما في points.csv، وcamera:N كما في images.csv
+
+## What is computed.

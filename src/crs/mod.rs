@@ -1,0 +1,13 @@
+//! Coordinate reference systems: what an EPSG code, PROJ text or WKT names, the way from its coordinates to WGS 84 and back, and the directions of
+//! its axes at a place.
+//!
+//! Projections and datum shifts are those of the `proj-core` library. It computes with the sine of the platform, so that its last bits may differ
+//! between native code and WebAssembly: what leaves this module is rounded (`rounding`).
+
+mod definition;
+mod operation;
+mod rounding;
+mod system;
+
+pub(crate) use definition::Definition;
+pub(crate) use system::CoordinateSystem;

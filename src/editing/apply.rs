@@ -1,0 +1,378 @@
+//! Edits applied to the observations of a model, and the model that is adjusted by what they leave.
+
+use super::edit::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
+use crate::error::refuse;
+use crate::model::{BlockDescription, ControlRole, ImageObservation};
+use crate::reconstruction::{Changed, ObservedPoint, ObservedRay, RayPart, RayWeight, readjust};
+use crate::{
+    Camera, Error, Input, Location, ObservationSource, PointName, PointSource, ReconstructedModel, ReconstructionOptions, Refusal,
+    UnorientedImage, UnorientedReason,
+};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A model after edits, adjusted anew; and the images that are no longer in it.
+///
+/// # Errors
+/// [`Error::InvalidInput`] for an edit of what does not exist, for places outside an image, and for a new point whose rays do not meet; the
+/// errors of [`adjust_block`](crate::adjust_block) for a block that falls apart.
+pub(crate) fn edited_model(
+    model: &ReconstructedModel,
+    edits: &[BlockEdit],
+    description: &BlockDescription,
+    options: &ReconstructionOptions,
+) -> Result<(ReconstructedModel, Vec<UnorientedImage>), Error> {
+    let surveyed = model.points.iter().filter_map(|point| if let PointSource::GroundControl(index) = point { Some(*index) } else { None });
+    if let Some(index) = surveyed.max().filter(|index| *index >= description.control.len()) {
+        return refuse(Refusal::Index { input: Input::SurveyedPointOfBlock, index, count: description.control.len() });
+    }
+    let mut draft = Edited::new(model, description.clone());
+    for (number, edit) in (1..).zip(edits) {
+        draft.apply(edit).map_err(|error| in_edit(error, number))?;
+    }
+    let rejected = draft.rejected_images.iter();
+    let rejected: Vec<_> = rejected.map(|image| UnorientedImage { image: *image, reason: UnorientedReason::RejectedByHand }).collect();
+    let (points, images, now) = draft.taken();
+    let changed = Changed { images, points: &points, description: &now };
+    let (model, lost) = readjust(model, changed, description, options)?;
+    Ok((model, [rejected, lost].concat()))
+}
+
+/// Says which edit of the list is refused.
+fn in_edit(error: Error, number: usize) -> Error {
+    match error {
+        Error::InvalidInput { refusal } => Refusal::InEdit { edit: number, refusal: Box::new(refusal) }.into_error(),
+        other => other,
+    }
+}
+
+/// The observations of a model while edits are applied.
+struct Edited<'a> {
+    model: &'a ReconstructedModel,
+    description: BlockDescription,
+    points: Vec<ObservedPoint>,
+    place_of: BTreeMap<PointSource, usize>,
+    /// Those that take no part.
+    rejected_points: BTreeSet<PointSource>,
+    rejected_images: BTreeSet<usize>,
+    /// Points that were added.
+    added: u32,
+}
+
+impl<'a> Edited<'a> {
+    fn new(model: &'a ReconstructedModel, description: BlockDescription) -> Self {
+        let points = model.observed_points();
+        let place_of = points.iter().enumerate().map(|(place, point)| (point.source, place)).collect();
+        let (rejected_points, rejected_images) = (BTreeSet::new(), BTreeSet::new());
+        Self { model, description, points, place_of, rejected_points, rejected_images, added: 0 }
+    }
+
+    fn apply(&mut self, edit: &BlockEdit) -> Result<(), Error> {
+        match edit {
+            BlockEdit::RejectObservations { observations } => self.set_part(observations, RayPart::RejectedByHand),
+            BlockEdit::RestoreObservations { observations } => self.set_part(observations, RayPart::Takes),
+            BlockEdit::RejectPoints { points } => points.iter().try_for_each(|point| {
+                self.known(*point)?;
+                self.rejected_points.insert(*point);
+                Ok(())
+            }),
+            BlockEdit::RestorePoints { points } => points.iter().try_for_each(|point| {
+                self.known(*point)?;
+                self.rejected_points.remove(point);
+                Ok(())
+            }),
+            BlockEdit::RejectImages { images } => images.iter().try_for_each(|image| {
+                self.oriented(*image)?;
+                self.rejected_images.insert(*image);
+                Ok(())
+            }),
+            BlockEdit::RestoreImages { images } => images.iter().try_for_each(|image| {
+                self.oriented(*image)?;
+                self.rejected_images.remove(image);
+                Ok(())
+            }),
+            BlockEdit::Measure { point, image, x_px, y_px, by } => {
+                self.measure(*point, &HandMeasurement { image: *image, x_px: *x_px, y_px: *y_px, by: *by })
+            }
+            BlockEdit::AddPoint { observations } => self.add(observations),
+            BlockEdit::SetUse { point, role } => self.set_use(*point, *role),
+        }
+    }
+
+    fn set_part(&mut self, observations: &[PointImage], part: RayPart) -> Result<(), Error> {
+        for PointImage { point, image } in observations {
+            let place = self.known(*point)?;
+            let ray = self.points[place].rays.iter_mut().find(|ray| ray.image == *image);
+            let Some(ray) = ray else {
+                return refuse(Refusal::NoObservation { location: self.name(*image), point_name: self.label(*point) });
+            };
+            ray.part = part;
+        }
+        Ok(())
+    }
+
+    fn measure(&mut self, point: PointSource, measurement: &HandMeasurement) -> Result<(), Error> {
+        let ray = self.measured(measurement, point)?;
+        if let (PointSource::GroundControl(control), None) = (point, self.place_of.get(&point)) {
+            if control >= self.description.control.len() {
+                return self.known(point).map(|_| ());
+            }
+            let rays = self.marks_of(control);
+            self.push(ObservedPoint { source: point, place: None, is_given: true, rays });
+        }
+        let place = self.known(point)?;
+        if self.rejected_points.contains(&point) {
+            return refuse(Refusal::RejectedPoint { point_name: self.label(point) });
+        }
+        self.points[place].is_given = true;
+        let rays = &mut self.points[place].rays;
+        match rays.iter_mut().find(|known| known.image == ray.image) {
+            Some(known) => *known = ray,
+            None => rays.push(ray),
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, observations: &[HandMeasurement]) -> Result<(), Error> {
+        let source = PointSource::Manual(self.added);
+        let rays = observations.iter().map(|seen| self.measured(seen, source)).collect::<Result<Vec<ObservedRay>, Error>>()?;
+        let images: BTreeSet<usize> = rays.iter().map(|ray| ray.image).collect();
+        if images.len() < rays.len() || images.len() < 2 {
+            return refuse(Refusal::NewPointImages { images: images.len(), observations: rays.len() });
+        }
+        self.added += 1;
+        self.push(ObservedPoint { source, place: None, is_given: true, rays });
+        Ok(())
+    }
+
+    fn set_use(&mut self, point: usize, role: Option<ControlRole>) -> Result<(), Error> {
+        let Some(known) = self.description.control.get_mut(point) else {
+            return refuse(Refusal::Index { input: Input::SurveyedPoint, index: point, count: self.description.control.len() });
+        };
+        let source = PointSource::GroundControl(point);
+        match role {
+            Some(role) => {
+                known.role = role;
+                self.rejected_points.remove(&source);
+            }
+            None => drop(self.rejected_points.insert(source)),
+        }
+        Ok(())
+    }
+
+    fn push(&mut self, point: ObservedPoint) {
+        self.place_of.insert(point.source, self.points.len());
+        self.points.push(point);
+    }
+
+    /// A measurement as an observation of a point.
+    fn measured(&self, measurement: &HandMeasurement, point: PointSource) -> Result<ObservedRay, Error> {
+        let HandMeasurement { image, x_px, y_px, by } = *measurement;
+        self.oriented(image)?;
+        let camera = self.description.cameras[self.description.images[image].camera].approximate();
+        if !camera.sees(x_px, y_px) {
+            let Camera { width_px, height_px, .. } = camera;
+            return refuse(Refusal::MeasuredPlace { x_px, y_px, location: self.name(image), width_px, height_px });
+        }
+        let is_surveyed = matches!(point, PointSource::GroundControl(_));
+        let weight = if by == MeasuredBy::LeastSquares && !is_surveyed { RayWeight::Known(1.0) } else { RayWeight::Mark };
+        let source = ObservationSource { feature: None, confidence: 1.0, by_hand: true };
+        Ok(ObservedRay { image, at_px: [x_px, y_px], source, weight, part: RayPart::Takes })
+    }
+
+    /// The place of a point, or why it has none.
+    fn known(&self, point: PointSource) -> Result<usize, Error> {
+        match self.place_of.get(&point) {
+            Some(place) => Ok(*place),
+            None => refuse(Refusal::UnknownPoint { point_name: self.label(point) }),
+        }
+    }
+
+    fn oriented(&self, image: usize) -> Result<(), Error> {
+        match self.model.images.binary_search(&image) {
+            Ok(_) => Ok(()),
+            Err(_) => refuse(Refusal::ImageNotOriented { location: self.name(image) }),
+        }
+    }
+
+    fn name(&self, image: usize) -> Location {
+        match self.description.images.get(image) {
+            Some(known) => Location::Image { name: known.name.clone() },
+            None => Location::ImageIndex { image },
+        }
+    }
+
+    fn label(&self, point: PointSource) -> PointName {
+        self.description.name_of(point)
+    }
+
+    /// The image measurements of a surveyed point that was given with them and is not in the model.
+    fn marks_of(&self, control: usize) -> Vec<ObservedRay> {
+        let source = ObservationSource { feature: None, confidence: 1.0, by_hand: false };
+        let marks = self.description.control[control].measurements.iter();
+        let ray = |mark: &ImageObservation| ObservedRay {
+            image: mark.image,
+            at_px: [mark.x_px, mark.y_px],
+            source,
+            weight: RayWeight::Mark,
+            part: RayPart::Takes,
+        };
+        marks.filter(|mark| self.model.images.binary_search(&mark.image).is_ok()).map(ray).collect()
+    }
+
+    /// What the model is adjusted by: points, images, and what is known of the block.
+    fn taken(self) -> (Vec<ObservedPoint>, Vec<usize>, BlockDescription) {
+        let Self { model, mut description, points, rejected_points, rejected_images, .. } = self;
+        let images = model.images.iter().copied().filter(|image| !rejected_images.contains(image)).collect();
+        let points: Vec<ObservedPoint> = points.into_iter().filter(|point| !rejected_points.contains(&point.source)).collect();
+        for point in &points {
+            let PointSource::GroundControl(control) = point.source else { continue };
+            let taking = point.rays.iter().filter(|ray| ray.part != RayPart::RejectedByHand);
+            let measurements =
+                taking.map(|ray| ImageObservation { image: ray.image, x_px: ray.at_px[0], y_px: ray.at_px[1], confidence: 1.0 });
+            description.control[control].measurements = measurements.collect();
+        }
+        for control in &rejected_points {
+            let PointSource::GroundControl(control) = control else { continue };
+            description.control[*control].measurements = Vec::new();
+        }
+        (points, images, description)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        BlockFlight, BlockOptions, Exposure, GroundControlPoint, ObservedPosition, SelectOptions, geographic_from_local, reconstruct_block,
+        simulate_block, tie_points,
+    };
+
+    fn options() -> ReconstructionOptions {
+        ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() }
+    }
+
+    /// A block with GNSS positions on the earth and control points of another system, the last of which is marked wrong, and its model.
+    fn surveyed(control: usize) -> (BlockDescription, ReconstructedModel) {
+        let flight = BlockFlight { strips: 2, exposures: 4, features: 700, ..BlockFlight::default() };
+        let block = simulate_block(&flight).unwrap();
+        let mut description = block.description(Some(1.0));
+        for (image, exposure) in description.images.iter_mut().zip(&block.exposures) {
+            let [longitude_deg, latitude_deg, height_m] = geographic_from_local(exposure.centre, [8.0, 50.0, 200.0]);
+            image.position =
+                Some(ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: [1.0; 3] });
+        }
+        let seen = |place: &[f64; 3]| -> Vec<ImageObservation> {
+            let at = |exposure: &Exposure| exposure.project(*place, block.width_px, block.height_px);
+            let marks = block.exposures.iter().enumerate().filter_map(|(image, exposure)| Some((image, at(exposure)?)));
+            marks.map(|(image, [x_px, y_px])| ImageObservation { image, x_px, y_px, confidence: 1.0 }).collect()
+        };
+        let shown: Vec<_> = block.ground.iter().map(|place| (*place, seen(place))).filter(|(_, seen)| seen.len() >= 4).collect();
+        for k in 0..control {
+            let (position, mut measurements) = shown[k * shown.len() / control].clone();
+            if k == control - 1 {
+                // No two of these marks show one place.
+                measurements
+                    .iter_mut()
+                    .for_each(|mark| mark.y_px = (mark.y_px * 7919.0 + 613.0 * mark.image as f64) % f64::from(block.height_px));
+            }
+            let position = ObservedPosition::Local { position, sigma: [0.02; 3] };
+            description.control.push(GroundControlPoint {
+                name: format!("G{k}"),
+                position,
+                role: ControlRole::Control,
+                sigma_px: None,
+                measurements,
+            });
+        }
+        let (points, _) = tie_points(&block.matches().unwrap(), &BlockOptions::default()).unwrap();
+        let mut found = reconstruct_block(&description, &points, &block.image_features(), &options()).unwrap();
+        (description, found.models.swap_remove(0))
+    }
+
+    fn edited(known: &(BlockDescription, ReconstructedModel), edits: &[BlockEdit]) -> ReconstructedModel {
+        edited_model(&known.1, edits, &known.0, &options()).unwrap().0
+    }
+
+    #[test]
+    fn a_control_point_becomes_a_check_point_and_the_block_keeps_its_system() {
+        let known = surveyed(5);
+        assert!(known.1.in_system && known.1.surveyed.len() == 4, "{:?}", known.1.surveyed);
+        let checked = edited(&known, &[BlockEdit::SetUse { point: 1, role: Some(ControlRole::Check) }]);
+        let point = checked.surveyed.iter().find(|point| point.name == "G1").unwrap();
+        assert_eq!((point.role, checked.in_system), (ControlRole::Check, true));
+        let errors = point.standard_errors_m.map(Option::unwrap);
+        assert!((0..3).all(|k| point.difference_m[k].abs() < 5.0 * errors[k]), "{point:?}");
+        // The same as the block tells of the control point without itself.
+        let told = known.1.surveyed.iter().find(|point| point.name == "G1").unwrap().left_out.unwrap();
+        assert!((0..3).all(|k| (told.difference[k] - point.difference_m[k]).abs() < 0.3 * errors[k]), "{told:?} {point:?}");
+        // Two points place nothing: the block floats, instead of being refused for another system.
+        let off = |point| BlockEdit::SetUse { point, role: None };
+        let floating = edited(&known, &[off(0), BlockEdit::SetUse { point: 1, role: Some(ControlRole::Check) }]);
+        assert!(!floating.in_system && floating.surveyed.is_empty());
+    }
+
+    #[test]
+    fn three_control_points_tell_nothing_of_one_without_itself() {
+        let known = surveyed(4);
+        assert_eq!(known.1.surveyed.len(), 3, "{:?}", known.1.surveyed);
+        assert!(known.1.surveyed.iter().all(|point| point.left_out.is_none()), "{:?}", known.1.surveyed);
+    }
+
+    #[test]
+    fn a_surveyed_point_that_fell_out_keeps_the_marks_that_were_given() {
+        let known = surveyed(5);
+        let (point, given) = (PointSource::GroundControl(4), known.0.control[4].measurements.clone());
+        assert!(known.1.points.iter().all(|other| *other != point));
+        let first = given[0];
+        let moved = BlockEdit::Measure { point, image: first.image, x_px: first.x_px, y_px: 0.5, by: MeasuredBy::Hand };
+        let model = edited(&known, &[moved]);
+        let place = model.points.iter().position(|other| *other == point).unwrap();
+        let rays = model.adjusted.block.rays.iter().filter(|ray| ray.point == place).count();
+        assert_eq!(rays, given.len());
+    }
+
+    #[test]
+    fn a_point_that_was_added_falls_out_with_its_second_observation_and_comes_back() {
+        let known = surveyed(5);
+        let tie = known.1.observed_points().into_iter().find(|point| point.is_given && point.rays.len() >= 4).unwrap();
+        let observations: Vec<HandMeasurement> = tie.rays[..2]
+            .iter()
+            .map(|ray| HandMeasurement { image: ray.image, x_px: ray.at_px[0], y_px: ray.at_px[1], by: MeasuredBy::LeastSquares })
+            .collect();
+        let point = PointSource::Manual(0);
+        let one = vec![PointImage { point, image: observations[0].image }];
+        let add = BlockEdit::AddPoint { observations };
+        let has = |edits: &[BlockEdit]| edited(&known, edits).points.contains(&point);
+        assert!(has(std::slice::from_ref(&add)));
+        let reject = BlockEdit::RejectObservations { observations: one.clone() };
+        assert!(!has(&[add.clone(), reject.clone()]));
+        assert!(has(&[add.clone(), reject, BlockEdit::RestoreObservations { observations: one }]));
+        let measure = BlockEdit::Measure {
+            point,
+            image: tie.rays[2].image,
+            x_px: tie.rays[2].at_px[0],
+            y_px: tie.rays[2].at_px[1],
+            by: MeasuredBy::Hand,
+        };
+        let rejected = [add, BlockEdit::RejectPoints { points: vec![point] }, measure];
+        let refused = edited_model(&known.1, &rejected, &known.0, &options()).unwrap_err().to_string();
+        assert!(
+            refused.contains("manual point 0, which takes no part; allowed: points that take part: restore it first (edit 3)"),
+            "{refused}"
+        );
+    }
+
+    #[test]
+    fn what_the_user_rejects_does_not_speak_against_the_block() {
+        let known = surveyed(5);
+        let observations: Vec<PointImage> = known
+            .1
+            .observed_points()
+            .iter()
+            .flat_map(|point| point.rays.iter().take(1).map(|ray| PointImage { point: point.source, image: ray.image }))
+            .collect();
+        let model = edited(&known, &[BlockEdit::RejectObservations { observations }]);
+        let text = format!("{:?}", model.warnings);
+        assert!(!text.contains("ManyRejected") && !text.contains("MeasurementsRejected"), "{text}");
+    }
+}

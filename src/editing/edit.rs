@@ -1,0 +1,86 @@
+//! What may be changed by hand.
+
+use crate::{ControlRole, PointSource};
+use serde::{Deserialize, Serialize};
+
+/// A change of a finished block by hand. Images count as those of the block.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum BlockEdit {
+    /// They take no part, and are kept.
+    RejectObservations {
+        observations: Vec<PointImage>,
+    },
+    /// Those that did not fit before the adjustment come back, too; its tests may reject them again.
+    RestoreObservations {
+        observations: Vec<PointImage>,
+    },
+    RejectPoints {
+        points: Vec<PointSource>,
+    },
+    RestorePoints {
+        points: Vec<PointSource>,
+    },
+    RejectImages {
+        images: Vec<usize>,
+    },
+    RestoreImages {
+        images: Vec<usize>,
+    },
+    /// Moves an observation, or adds it where the image had none of the point, which takes part from then on.
+    Measure {
+        point: PointSource,
+        image: usize,
+        /// Column and row in px.
+        x_px: f64,
+        y_px: f64,
+        #[serde(default)]
+        by: MeasuredBy,
+    },
+    /// A new tie point, seen in two or more images: [`PointSource::Manual`] with the number of such edits before.
+    AddPoint {
+        observations: Vec<HandMeasurement>,
+    },
+    /// Whether a surveyed point places the block, checks it, or takes no part (absent).
+    SetUse {
+        /// Index of the surveyed point among those that the table does not say `off` of.
+        point: usize,
+        #[serde(default, rename = "use")]
+        role: Option<ControlRole>,
+    },
+}
+
+/// The observation of a point in an image.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PointImage {
+    pub point: PointSource,
+    pub image: usize,
+}
+
+/// A place in an image that was measured.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct HandMeasurement {
+    pub image: usize,
+    /// Column and row in px.
+    pub x_px: f64,
+    pub y_px: f64,
+    #[serde(default)]
+    pub by: MeasuredBy,
+}
+
+/// How a place was measured, which says what it weighs.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum MeasuredBy {
+    /// Pointed at: as precise as an image measurement of a control point.
+    #[default]
+    Hand,
+    /// Matched to another image from a place that was pointed at: as precise as a tie point.
+    LeastSquares,
+}

@@ -1,0 +1,13 @@
+//! What the pages of reports share: head and style, numbers as they are written, drawings, the table of parameters.
+
+mod drawing;
+mod figures;
+mod numbers;
+mod page;
+mod settings;
+
+pub(crate) use drawing::{dots, strokes};
+pub(crate) use figures::{correlations, histogram};
+pub(crate) use numbers::{count, fixed, percent, round_below, rounded, significant, with_error};
+pub(crate) use page::page;
+pub(crate) use settings::settings_table;

@@ -1,0 +1,190 @@
+//! Least squares matching of points that found no match, from where the matches around them foretell them.
+
+use super::area::{limits, located};
+use super::index::PositionIndex;
+use super::least_squares::{LeastSquares, LeastSquaresOptions};
+use super::local_map::LocalMap;
+use super::neighbours::Neighbours;
+use super::rules::set_of;
+use super::{MatchImage, MatchOptions, MatchSet, Rule, Verdict};
+
+/// Rounds: the matches of the first foretell points beside them.
+const ROUNDS: usize = 2;
+/// Px about the foretold place within which a point is sought: so many times the scatter of the neighbours about their map.
+const REACH: f64 = 3.0;
+const REACH_PX: [f64; 2] = [2.0, 6.0];
+/// A later round tries a point again where its foretold place moved by this, in px.
+const MOVED_PX: f64 = 1.0;
+/// Correlation at least: no rule compares these matches with others.
+const LEAST_CORRELATION: f64 = 0.8;
+/// The same once the shift is about right: most points without a match are hidden, or their surface breaks.
+const LEAST_PROMISING: f64 = 0.6;
+/// Nearer matches are of one corner, which was detected twice.
+const TWIN_PX: f64 = 3.0;
+/// Step in px below which a position is final: a tenth of what scatters at worst. A smaller one refuses a tenth of the right matches on
+/// oblique surfaces, whose corners still move.
+const CONVERGENCE_PX: f64 = 0.02;
+
+/// Adds matches of left points that have none, by least squares matching from the place and with the deformation that the nearest matches
+/// foretell. Matches that least squares matching did not confirm are tried so as well.
+///
+/// `off_px` tells how far a right position lies from where the geometry of the two views has a left point, by its index; `threshold_px` is the
+/// most that is allowed. Points that find nothing keep the rule that rejected them.
+///
+/// # Source
+/// Otto & Chau 1989, 'Region-growing' algorithm for matching of terrain images, Image and Vision Computing 7 (2).
+pub(crate) fn filled_in(
+    set: MatchSet,
+    left: MatchImage<'_>,
+    right: MatchImage<'_>,
+    options: &MatchOptions,
+    off_px: impl Fn(usize, [f64; 2]) -> f64,
+    threshold_px: f64,
+) -> MatchSet {
+    let least_correlation = options.min_correlation.max(LEAST_CORRELATION);
+    let limits =
+        LeastSquaresOptions { least_correlation, convergence_px: CONVERGENCE_PX, least_promising: LEAST_PROMISING, ..limits(options) };
+    let mut matching = LeastSquares::new(options.template);
+    let positions: Vec<[f64; 2]> = left.points.iter().map(|p| [p.x, p.y]).collect();
+    let earlier = set.verdicts;
+    let mut verdicts = earlier.clone();
+    let mut tried: Vec<Option<[f64; 2]>> = vec![None; positions.len()];
+    let mut near = Vec::new();
+    for _ in 0..ROUNDS {
+        let places: Vec<Option<[f64; 2]>> = verdicts.iter().map(|verdict| verdict.matched()).collect();
+        let matched: Vec<usize> = (0..positions.len()).filter(|k| places[*k].is_some()).collect();
+        let of_matched: Vec<[f64; 2]> = matched.iter().map(|k| positions[*k]).collect();
+        let neighbours = Neighbours::new(&of_matched);
+        for (k, position) in positions.iter().enumerate() {
+            let verdict = &mut verdicts[k];
+            if verdict.rule == Rule::Frame || verdict.fit.is_some() {
+                continue;
+            }
+            neighbours.nearest_to(*position, LocalMap::NEIGHBOURS, |_| true, &mut near);
+            // Sums are the same in one order only.
+            near.sort_unstable();
+            let around = near.iter().filter_map(|n| Some((of_matched[*n], places[matched[*n]]?)));
+            let Some(map) = LocalMap::about(*position, around) else { continue };
+            let start = places[k].unwrap_or(map.place);
+            let farthest_px = (REACH * map.scatter_px).clamp(REACH_PX[0], REACH_PX[1]);
+            if off_px(k, start) > farthest_px {
+                continue;
+            }
+            if tried[k].is_some_and(|earlier| libm::hypot(start[0] - earlier[0], start[1] - earlier[1]) < MOVED_PX) {
+                continue;
+            }
+            tried[k] = Some(start);
+            let fit = matching.fit((left.grey, *position), (right.grey, start), map.affine, &LeastSquaresOptions { farthest_px, ..limits });
+            let found = located(fit, options);
+            let Some(place) = found.matched().filter(|place| off_px(k, *place) <= threshold_px) else { continue };
+            if places[k].is_some() {
+                // The features that were matched stay what they are, and so does how they resemble each other.
+                (verdict.position, verdict.fit) = (Some(place), found.fit);
+            } else {
+                *verdict = found;
+            }
+        }
+        reject_twins(&positions, &earlier, &mut verdicts);
+    }
+    set_of(left.points, verdicts)
+}
+
+/// Gives those that were added the verdict that they had, where another match lies so near in either image that it measured the same corner.
+fn reject_twins(positions: &[[f64; 2]], earlier: &[Verdict], verdicts: &mut [Verdict]) {
+    for side in 0..2 {
+        let at = |k: usize, verdict: &Verdict| verdict.matched().map(|right| if side == 0 { positions[k] } else { right });
+        let all: Vec<(usize, [f64; 2])> = verdicts.iter().enumerate().filter_map(|(k, v)| Some((k, at(k, v)?))).collect();
+        let index = PositionIndex::of_squares(all.iter().map(|(k, [x, y])| (*k, *x, *y)));
+        for (k, [x, y]) in all {
+            let mut is_twin = false;
+            let was_matched = |k: usize| earlier[k].rule == Rule::Matched;
+            index.within(x, y, TWIN_PX, |other| {
+                // Of two that were added the first stays.
+                is_twin |= other != k && verdicts[other].rule == Rule::Matched && (was_matched(other) || other < k);
+            });
+            if is_twin && !was_matched(k) {
+                verdicts[k] = earlier[k];
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::texture::Texture;
+    use super::super::{Descriptors, Match};
+    use super::*;
+    use crate::{GreyImage, InterestPoint};
+
+    const SIZE: usize = 320;
+
+    /// Where the surface of the left image is seen in the right one: two slopes that meet in a ridge.
+    fn seen([x, y]: [f64; 2]) -> [f64; 2] {
+        let height = 12.0 - 0.12 * (x - 160.0).abs();
+        [x + height, y + 0.05 * x]
+    }
+
+    /// The left position that is seen there, by repeated substitution.
+    fn shown(at: [f64; 2]) -> [f64; 2] {
+        (0..60).fold(at, |p, _| {
+            let found = seen(p);
+            [p[0] + at[0] - found[0], p[1] + at[1] - found[1]]
+        })
+    }
+
+    fn point([x, y]: [f64; 2]) -> InterestPoint {
+        InterestPoint { x, y, value: 1.0 }
+    }
+
+    /// A set in which every ninth point is matched.
+    fn sparse(points: &[InterestPoint]) -> MatchSet {
+        let verdict = |(k, p): (usize, &InterestPoint)| match k % 9 {
+            0 => super::super::Verdict { position: Some(seen([p.x, p.y])), best: Some(k), ..super::super::Verdict::none(Rule::Matched) },
+            _ => super::super::Verdict::none(Rule::Ambiguous),
+        };
+        set_of(points, points.iter().enumerate().map(verdict).collect())
+    }
+
+    fn filled(off_px: f64) -> (usize, Vec<Match>) {
+        let texture = Texture::new(11, 4.0, 40.0);
+        let left = texture.plain(SIZE, 1.0, 1);
+        let right: GreyImage = texture.image(SIZE, shown, [0.9, 8.0, 1.0], 2);
+        let places = (0..400).map(|k| [40.5 + ((k * 37) % 240) as f64, 40.5 + ((k * 101) % 240) as f64]);
+        let points: Vec<InterestPoint> = places.map(point).collect();
+        let image = |grey| MatchImage { grey, points: &points, descriptors: Descriptors::None, frames: &[] };
+        let set = sparse(&points);
+        let before = set.matches.len();
+        (before, filled_in(set, image(left.view()), image(right.view()), &MatchOptions::default(), |_, _| off_px, 1.0).matches)
+    }
+
+    #[test]
+    fn points_beside_matches_are_found_where_the_surface_is_seen() {
+        let (before, matches) = filled(0.5);
+        assert!(matches.len() > 5 * before, "{} of {before}", matches.len());
+        let off = |m: &Match| {
+            let truth = seen(m.left_px);
+            libm::hypot(truth[0] - m.right_px[0], truth[1] - m.right_px[1])
+        };
+        let wrong = matches.iter().filter(|m| off(m) > 1.0).count();
+        assert!(wrong * 100 <= matches.len(), "{wrong} of {}", matches.len());
+        assert!(matches.iter().filter(|m| m.right.is_none()).all(|m| m.fit.is_some()), "what was added was measured");
+    }
+
+    #[test]
+    fn a_corner_that_was_detected_twice_is_matched_once() {
+        let (_, matches) = filled(0.5);
+        let near = |a: [f64; 2], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]) < TWIN_PX * 0.99;
+        let added: Vec<&Match> = matches.iter().filter(|m| m.right.is_none()).collect();
+        for m in &added {
+            let twins = matches.iter().filter(|other| other.left != m.left && near(other.left_px, m.left_px)).count();
+            assert_eq!(twins, 0, "{:?}", m.left_px);
+        }
+    }
+
+    #[test]
+    fn what_the_geometry_refuses_is_not_added() {
+        let (before, matches) = filled(1.5);
+        assert_eq!(matches.len(), before);
+        assert!(matches.iter().all(|m| m.fit.is_none()));
+    }
+}

@@ -1,0 +1,238 @@
+//! A block on an orthophoto: its images are placed, places of the ground that several of them show take part in its adjustment.
+
+use super::adjusting::{PlaceErrors, PlacingCamera, variance_px2};
+use super::heights::Heights;
+use super::links::{Found, MEASURED_PX, height_spread};
+use super::options::PlacingOptions;
+use super::outcome::{LinkUse, PlacedImage, Placement, PlacingVerdict};
+use super::place::{Part, SearchArea, checks, place_image, place_near};
+use super::rectify::Seen;
+use super::reference::Orthophoto;
+use crate::math::{dot3, median, minus};
+use crate::pipeline::GroundPoint;
+use crate::text::shorten;
+use crate::{BlockRun, ControlRole, Error, GreyView, NotLinked, Pose};
+use std::collections::BTreeMap;
+
+/// Images that are placed, at least.
+const LEAST_IMAGES: usize = 2;
+/// Neighbouring places share errors, as those of one roof do: each square of so many on the longer side of an image gives one.
+const CELLS: f64 = 10.0;
+/// Links of several images within so many px, of the orthophoto or of the images, whose are larger, are of one place.
+const ONE_PLACE_PX: f64 = 2.0;
+/// The median length of a standard normal variable.
+const NORMAL_MEDIAN: f64 = 0.6745;
+/// All squares share errors, too: of light, and of what is seen beside walls and trees, which is drawn outwards in all images. However many
+/// places there are, standard errors of the block hold this share of one's. Set on one simulated town.
+const COMMON: f64 = 0.5;
+/// Standard errors are no smaller than this share of what was stated, and those of coordinates in images within what is allowed of them, in px.
+const LEAST_FACTOR: f64 = 0.05;
+const LEAST_SIGMA_PX: f64 = 0.02;
+const MOST_SIGMA_PX: f64 = 50.0;
+/// Beside walls any height may be meant: heights about a place differ by no more than this many standard errors.
+const LEVEL: f64 = 2.0;
+
+/// The images of a block while they are placed on an orthophoto, one after the other.
+#[derive(Debug, Clone, Default)]
+pub struct BlockLinks {
+    placed: BTreeMap<usize, PlacedImage>,
+}
+
+/// A link of an image that takes part.
+#[derive(Debug, Clone, Copy)]
+struct Seeing {
+    image: usize,
+    link: Found,
+}
+
+impl BlockLinks {
+    /// Places an image of an oriented block, with the camera that the block has adjusted: near where those that were placed before have it,
+    /// otherwise anywhere. `None` for an image that is not oriented.
+    ///
+    /// # Errors
+    /// As [`place_image`].
+    pub fn place(
+        &mut self,
+        run: &BlockRun,
+        image: usize,
+        grey: GreyView<'_>,
+        reference: &Orthophoto,
+        area: &SearchArea,
+        options: &PlacingOptions,
+    ) -> Result<Option<&PlacedImage>, Error> {
+        let Some(known) = PlacingCamera::of_block(run, image) else { return Ok(None) };
+        // The block has check points of its own.
+        let all = PlacingOptions { check_share: 0.0, ..options.clone() };
+        let near = self.expected(run, image).map(|pose| place_near(grey, &known, reference, &pose, &all)).transpose()?;
+        let found = match near.filter(|found| found.placement.is_some()) {
+            Some(found) => found,
+            None => place_image(grey, &known, reference, area, &all)?,
+        };
+        self.placed.insert(image, found);
+        Ok(self.placed.get(&image))
+    }
+
+    /// Images that were placed without doubt.
+    fn sure(&self) -> impl Iterator<Item = (usize, &Placement)> {
+        let sure = self.placed.iter().filter(|(_, placed)| matches!(placed.verdict, PlacingVerdict::Placed { .. }));
+        sure.filter_map(|(image, placed)| Some((*image, placed.placement.as_ref()?)))
+    }
+
+    /// Where an image is by the one of its block that was placed nearest to it, and the distance from there to another.
+    fn expected(&self, run: &BlockRun, image: usize) -> Option<Pose> {
+        let pose = |image: usize| run.model.images.get(image)?.pose;
+        let own = pose(image)?;
+        let placed = || self.sure().filter_map(|(other, placement)| Some((pose(other)?, placement.pose)));
+        let square = |a: &Pose, b: &Pose| {
+            let off = minus(&a.position, &b.position);
+            dot3(&off, &off)
+        };
+        let (near, there) = placed().min_by(|(a, _), (b, _)| square(a, &own).total_cmp(&square(b, &own)))?;
+        let (far, far_there) = placed().max_by(|(a, _), (b, _)| square(a, &near).total_cmp(&square(b, &near)))?;
+        let scale = (square(&far_there, &there) / square(&far, &near)).sqrt();
+        if !(scale.is_finite() && scale > 0.0) {
+            return None;
+        }
+        // Of the map from the block's system: from that into the nearest photo, and back by where it was placed.
+        let turn = |row: usize, column: usize| (0..3).map(|k| there.rotation[k][row] * near.rotation[k][column]).sum::<f64>();
+        let rotation: [[f64; 3]; 3] = std::array::from_fn(|row| std::array::from_fn(|column| turn(row, column)));
+        let off = minus(&own.position, &near.position);
+        let position = [0, 1, 2].map(|row| there.position[row] + scale * dot3(&rotation[row], &off));
+        let rotation = std::array::from_fn(|row| std::array::from_fn(|column| dot3(&own.rotation[row], &rotation[column])));
+        Some(Pose { rotation, position })
+    }
+
+    /// The block in the system of the orthophoto: adjusted by places of the ground that two images or more show, beside its tie points and
+    /// ground control points. A share of the places takes no part and checks it. What came of it is `orthophoto` of the block, which is as it was where it
+    /// could not be linked.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for ground control points of names that the places have.
+    pub fn linked(&self, run: &BlockRun, reference: &Orthophoto, options: &PlacingOptions) -> Result<BlockRun, Error> {
+        let oriented = run.model.images.iter().filter(|image| image.pose.is_some()).count();
+        if oriented == 0 {
+            return Ok(run.not_linked(NotLinked::NotOriented));
+        }
+        if let Some(crs) = &run.input.settings.placing.crs {
+            return Ok(run.not_linked(NotLinked::OwnSystem { crs: shorten(crs) }));
+        }
+        let placed = self.sure().count();
+        if placed < LEAST_IMAGES {
+            return Ok(run.not_linked(NotLinked::FewImages { placed, images: oriented, needed: LEAST_IMAGES }));
+        }
+        run.on_ground(&self.points(reference, options))
+    }
+
+    /// The places of the ground, of which each square gives one.
+    fn points(&self, reference: &Orthophoto, options: &PlacingOptions) -> Vec<GroundPoint> {
+        let gsd = reference.georeference.gsd();
+        let errors = PlaceErrors::new(options, gsd, matches!(reference.heights, Heights::Model(_)));
+        let side = |placement: &Placement| placement.gsd_m * f64::from(placement.camera.width_px.max(placement.camera.height_px)) / CELLS;
+        let Some(side) = median(&mut self.sure().map(|(_, placement)| side(placement)).collect::<Vec<_>>()) else { return Vec::new() };
+        let mut squares: BTreeMap<[i64; 2], Vec<Seeing>> = BTreeMap::new();
+        let mut factors = Vec::new();
+        for (image, placement) in self.sure() {
+            let resampled = reference.georeference.with_gsd(gsd.max(placement.gsd_m));
+            let mut ratios = Vec::new();
+            for link in placement.links.iter().filter(|link| link.role == LinkUse::Used) {
+                let at = resampled.pixel([link.place[0], link.place[1]]);
+                let height_spread = height_spread(&reference.heights, &resampled, at, link.place[2]);
+                if height_spread > LEVEL * errors.height {
+                    continue;
+                }
+                let own = Found { at: link.at, place: link.place, height_spread, measured_px: MEASURED_PX };
+                let sigma = variance_px2(&own, &placement.camera, &placement.pose, errors).sqrt();
+                ratios.extend(link.residual_px.into_iter().flatten().map(|residual| residual.abs() / sigma));
+                let square = [0, 1].map(|k| (link.place[k] / side).floor() as i64);
+                squares.entry(square).or_default().push(Seeing { image, link: own });
+            }
+            factors.extend(median(&mut ratios));
+        }
+        // As where an image is placed by itself, residuals say how large all errors are, and what was stated how they differ.
+        let factor = median(&mut factors).map_or(1.0, |middle| (middle / NORMAL_MEDIAN).max(LEAST_FACTOR));
+        let of_images = median(&mut self.sure().map(|(_, placement)| placement.gsd_m).collect::<Vec<_>>()).unwrap_or(gsd);
+        let within = ONE_PLACE_PX * gsd.max(of_images);
+        let chosen: Vec<(&Found, Vec<&Seeing>)> = squares.values().filter_map(|links| most_seen(links, within)).collect();
+        let parts = checks(chosen.len(), options.check_share);
+        let controls = parts.iter().filter(|part| **part != Part::Check).count();
+        let enlarged = factor * (1.0 + COMMON * COMMON * controls as f64).sqrt();
+        let points = chosen.into_iter().zip(parts).map(|((of, links), part)| GroundPoint {
+            place: of.place,
+            sigma: {
+                // What all share is in where the block lies already.
+                let times = if part == Part::Check { factor } else { enlarged };
+                [errors.plan, libm::hypot(errors.height, of.height_spread)].map(|sigma| times * sigma)
+            },
+            sigma_px: (factor * MEASURED_PX).clamp(LEAST_SIGMA_PX, MOST_SIGMA_PX),
+            role: if part == Part::Check { ControlRole::Check } else { ControlRole::Control },
+            seen: links.into_iter().filter_map(|seeing| Some((seeing.image, self.seen_at(seeing, &of.place)?))).collect(),
+        });
+        points.filter(|point| point.seen.len() >= LEAST_IMAGES).collect()
+    }
+
+    /// Where the image of a link shows a place beside that of the link.
+    fn seen_at(&self, Seeing { image, link }: &Seeing, place: &[f64; 3]) -> Option<[f64; 2]> {
+        let placement = self.placed.get(image)?.placement.as_ref()?;
+        let seen = Seen::new(&placement.camera, &placement.pose);
+        let (there, here) = (seen.at(place)?, seen.at(&link.place)?);
+        let at = [0, 1].map(|k| link.at[k] + there[k] - here[k]);
+        placement.camera.sees(at[0], at[1]).then_some(at)
+    }
+}
+
+/// Of the links of a square the one whose place most images show, of equal ones that on the most level ground; with the nearest link of each of these
+/// images. `None` where no two images show one place.
+fn most_seen(links: &[Seeing], within: f64) -> Option<(&Found, Vec<&Seeing>)> {
+    let square = |a: &Seeing, b: &Seeing| {
+        let [dx, dy] = [0, 1].map(|k| a.link.place[k] - b.link.place[k]);
+        dx * dx + dy * dy
+    };
+    let nearest = |of: &Seeing| -> Vec<&Seeing> {
+        let mut nearest: BTreeMap<usize, &Seeing> = BTreeMap::new();
+        for seeing in links.iter().filter(|seeing| square(of, seeing) <= within * within) {
+            let known = nearest.entry(seeing.image).or_insert(seeing);
+            if square(of, seeing) < square(of, known) {
+                *known = seeing;
+            }
+        }
+        nearest.into_values().collect()
+    };
+    let mut best: Option<(&Found, Vec<&Seeing>)> = None;
+    for of in links {
+        let seen = nearest(of);
+        let is_better = best
+            .as_ref()
+            .is_none_or(|(best, most)| seen.len() > most.len() || (seen.len() == most.len() && of.link.height_spread < best.height_spread));
+        if is_better {
+            best = Some((&of.link, seen));
+        }
+    }
+    best.filter(|(_, seen)| seen.len() >= LEAST_IMAGES)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seeing(image: usize, x: f64, height_spread: f64) -> Seeing {
+        Seeing { image, link: Found { at: [0.0; 2], place: [x, 7.0, 0.0], height_spread, measured_px: MEASURED_PX } }
+    }
+
+    #[test]
+    fn a_square_gives_the_place_that_most_images_show() {
+        let links = [
+            seeing(0, 10.0, 0.0),
+            seeing(1, 11.5, 0.2),
+            seeing(2, 12.5, 0.1),
+            seeing(2, 11.0, 0.3),
+            seeing(3, 40.0, 0.0),
+            seeing(4, 40.1, 0.0),
+        ];
+        let (place, seen) = most_seen(&links, 2.0).unwrap();
+        // Three images show the places at 10, 11 and 11.5, of which the first is on the most level ground.
+        assert_eq!(place.place[0], 10.0);
+        assert_eq!(seen.iter().map(|seeing| (seeing.image, seeing.link.place[0])).collect::<Vec<_>>(), [(0, 10.0), (1, 11.5), (2, 11.0)]);
+        assert!(most_seen(&links[..1], 2.0).is_none() && most_seen(&[links[2], links[3]], 2.0).is_none());
+        assert!(most_seen(&[links[0], links[2]], 2.0).is_none());
+    }
+}

@@ -1,0 +1,121 @@
+//! Covariances of chosen images, points and cameras of a finished block.
+
+use super::inspection::surveyed;
+use super::precision::{written, written_points};
+use super::tables::word;
+use crate::adjustment::{Part, PartCovariances, Unknown};
+use crate::error::refuse;
+use crate::text::{Row, guarded, shorten, table};
+use crate::{BlockRun, CameraParameter, Error, ReconstructedModel, Refusal};
+use serde::Serialize;
+
+/// Unknowns that a matrix has at most.
+const MOST_UNKNOWNS: usize = 1000;
+
+/// An unknown of the adjustment of a block.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CovarianceUnknown {
+    /// Its image, point or camera, as it was named.
+    pub of: String,
+    /// `omega`, `phi`, `kappa`, `x`, `y`, `z`, or a parameter of a camera as `orientation.json` names it.
+    pub name: String,
+    /// `deg`, `px`, `m`, `1`, or `unit` for the lengths of a block that no observed position places.
+    pub unit: &'static str,
+    /// Adjusted.
+    pub value: f64,
+}
+
+/// Unknowns of a block with their covariances.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Covariances {
+    pub unknowns: Vec<CovarianceUnknown>,
+    /// Row by row; the unit of each is the product of those of its two unknowns.
+    pub rows: Vec<Vec<f64>>,
+}
+
+/// The covariances of images, points and cameras of the model that is written, and between all of them: those whose diagonal are the squares of its standard
+/// errors. Images and surveyed points go by their names, `point:N` is a point and `camera:N` a camera by its number in `points.csv` and `images.csv`.
+///
+/// # Errors
+/// [`Error::InvalidInput`] for names that nothing has, or that stand twice, for more than 1,000 unknowns, and for a block whose project does not keep all points
+/// by which it was adjusted; [`Error::TooFew`] without redundancy; [`Error::Degenerate`] where the normal equations are singular.
+pub fn block_covariances(run: &BlockRun, names: &[String]) -> Result<Covariances, Error> {
+    let Some(model) = written(run) else { return refuse(Refusal::CovariancesNotOriented) };
+    if model.lacks_support() {
+        return refuse(Refusal::CovariancesUnsupported);
+    }
+    let parts = names.iter().enumerate().map(|(k, name)| part(run, model, name, &names[..k])).collect::<Result<Vec<Part>, Error>>()?;
+    let unknowns: usize = parts.iter().map(|part| size(model, *part)).sum();
+    if !(1..=MOST_UNKNOWNS).contains(&unknowns) {
+        return refuse(Refusal::CovarianceUnknowns { unknowns, most: MOST_UNKNOWNS });
+    }
+    let (block, accepted) = model.with_support();
+    let PartCovariances { unknowns, mut rows } = model.adjusted.covariances(&block, &accepted, &parts)?;
+    let length = if model.in_system { "m" } else { "unit" };
+    let scales: Vec<f64> = unknowns.iter().map(|(_, unknown, _)| scale(*unknown)).collect();
+    for (row, of_row) in rows.iter_mut().zip(&scales) {
+        row.iter_mut().zip(&scales).for_each(|(value, of_column)| *value *= of_row * of_column);
+    }
+    let described = unknowns.iter().zip(&scales).map(|((part, unknown, value), scale)| {
+        let (name, unit) = described(*unknown, length);
+        CovarianceUnknown { of: names[*part].clone(), name, unit, value: value * scale }
+    });
+    Ok(Covariances { unknowns: described.collect(), rows })
+}
+
+/// `covariances.csv`: each row an unknown with its unit, adjusted value and standard error, then its covariances with all of them.
+pub fn covariance_table(covariances: &Covariances) -> String {
+    let heads: Vec<String> = covariances.unknowns.iter().map(|one| guarded(&format!("{} {} [{}]", one.of, one.name, one.unit))).collect();
+    let columns: Vec<&str> =
+        ["of", "unknown", "unit", "value", "standard_error"].into_iter().chain(heads.iter().map(|head| &head[..])).collect();
+    let rows = covariances.unknowns.iter().zip(&covariances.rows).enumerate().map(|(k, (one, row))| {
+        let head = Row::default().text(&one.of).text(&one.name).text(one.unit).number(one.value).number(row[k].max(0.0).sqrt());
+        row.iter().fold(head, |line, value| line.number(value))
+    });
+    table(&columns, rows)
+}
+
+/// What a name means; `before`: the names before it.
+fn part(run: &BlockRun, model: &ReconstructedModel, name: &str, before: &[String]) -> Result<Part, Error> {
+    if before.iter().any(|other| other == name) {
+        return refuse(Refusal::CovarianceAgain { name: shorten(name) });
+    }
+    let image = run.images.iter().position(|image| image.name == name);
+    if let Some(place) = image.and_then(|image| model.images.binary_search(&image).ok()) {
+        return Ok(Part::Image(place));
+    }
+    let is_named = |place: &usize| surveyed(model, *place).is_some_and(|point| point.name == name);
+    if let Some(place) = (0..model.points.len()).filter(|place| model.adjusted.points[*place].is_some()).find(is_named) {
+        return Ok(Part::Point(place));
+    }
+    let number = |kind: &str| name.strip_prefix(kind)?.parse::<usize>().ok();
+    let written = written_points(model);
+    let point = number("point:").and_then(|number| written.iter().position(|point| *point == Some(number)));
+    let camera = number("camera:").and_then(|number| model.cameras.binary_search(&number).ok());
+    point.map(Part::Point).or(camera.map(Part::Camera)).map_or_else(|| refuse(Refusal::CovarianceName { name: shorten(name) }), Ok)
+}
+
+/// Number of unknowns of a part, of a camera at most.
+fn size(model: &ReconstructedModel, part: Part) -> usize {
+    match part {
+        Part::Image(_) => 6,
+        Part::Camera(camera) => model.adjusted.block.cameras[camera].free.flags().iter().filter(|free| **free).count(),
+        Part::Point(_) => 3,
+    }
+}
+
+/// By which a value becomes one in its unit.
+fn scale(unknown: Unknown) -> f64 {
+    if matches!(unknown, Unknown::Angle(_)) { 1_f64.to_degrees() } else { 1.0 }
+}
+
+fn described(unknown: Unknown, length: &'static str) -> (String, &'static str) {
+    match unknown {
+        Unknown::Angle(angle) => (["omega", "phi", "kappa"][angle].into(), "deg"),
+        Unknown::Coordinate(axis) => (["x", "y", "z"][axis].into(), length),
+        Unknown::Parameter(parameter) => {
+            let is_length = matches!(parameter, CameraParameter::Focal | CameraParameter::PrincipalX | CameraParameter::PrincipalY);
+            (word(&parameter), if is_length { "px" } else { "1" })
+        }
+    }
+}

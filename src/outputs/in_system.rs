@@ -1,0 +1,174 @@
+//! A finished block in the coordinate reference system that was chosen: the adjustment has a Cartesian one, that touches the earth at the block.
+//!
+//! Positions are converted one by one. Angles, differences and standard errors turn into the axes of the system at their place, so that κ holds the
+//! convergence of the meridians; lengths stay those on the ground, without the scale of the projection.
+
+use super::precision::{ImageErrors, image_errors, point_errors, written};
+use crate::crs::CoordinateSystem;
+use crate::math::{dot3, median};
+use crate::text::shorten;
+use crate::{BlockModel, BlockRun, LeftOut, Pose, Remark, SurveyedPoint, geographic_from_local};
+use serde::Serialize;
+use std::borrow::Cow;
+
+/// Rows of directions in another system.
+type Axes = [[f64; 3]; 3];
+
+/// A finished block in the system of its results.
+pub(super) struct InSystem<'a> {
+    run: &'a BlockRun,
+    /// With the longitude, latitude and height where the system of the adjustment touches the earth; absent where results are in that.
+    chosen: Option<(CoordinateSystem, [f64; 3])>,
+}
+
+impl<'a> InSystem<'a> {
+    pub fn of(run: &'a BlockRun) -> Self {
+        let origin = run.model.origin.map(|origin| [origin.longitude_deg, origin.latitude_deg, origin.height_m]);
+        Self { run, chosen: run.system().zip(origin) }
+    }
+
+    /// The model that is written.
+    pub fn model(&self) -> Cow<'a, BlockModel> {
+        if self.chosen.is_none() {
+            return Cow::Borrowed(&self.run.model);
+        }
+        let mut model = self.run.model.clone();
+        for pose in model.images.iter_mut().filter_map(|image| image.pose.as_mut()) {
+            let axes = self.axes(pose.position);
+            *pose = Pose { rotation: pose.rotation.map(|row| turned(&axes, row)), position: self.place(pose.position) };
+        }
+        model.points.iter_mut().filter_map(|point| point.position.as_mut()).for_each(|position| *position = self.place(*position));
+        Cow::Owned(model)
+    }
+
+    /// Of each image of the block; those of angles are about the axes of the adjustment.
+    pub fn image_errors(&self) -> Vec<ImageErrors> {
+        let mut errors = image_errors(self.run);
+        if self.chosen.is_some() {
+            for (image, errors) in self.run.model.images.iter().zip(&mut errors) {
+                let Some((pose, sigma)) = image.pose.zip(errors.position) else { continue };
+                errors.position = Some(turned_errors(&self.axes(pose.position), sigma, errors.correlations.unwrap_or_default()));
+            }
+        }
+        errors
+    }
+
+    /// Of each point of the model that is written; without the correlations between the coordinates of a point, which the adjustment does not keep.
+    pub fn point_errors(&self) -> Vec<Option<[f64; 3]>> {
+        let mut errors = point_errors(self.run);
+        if self.chosen.is_some() {
+            for (point, errors) in self.run.model.points.iter().zip(&mut errors) {
+                let Some((place, sigma)) = point.position.zip(*errors) else { continue };
+                *errors = Some(turned_errors(&self.axes(place), sigma, [0.0; 3]));
+            }
+        }
+        errors
+    }
+
+    /// The surveyed points of the model that is written.
+    pub fn surveyed(&self) -> Cow<'a, [SurveyedPoint]> {
+        let own = written(self.run).map_or(&[][..], |model| &model.surveyed);
+        if self.chosen.is_none() { Cow::Borrowed(own) } else { own.iter().map(|point| self.surveyed_point(point)).collect() }
+    }
+
+    fn surveyed_point(&self, point: &SurveyedPoint) -> SurveyedPoint {
+        let axes = self.axes(point.position);
+        let errors = |sigma: [f64; 3]| turned_errors(&axes, sigma, [0.0; 3]);
+        let known = |errors: [Option<f64>; 3]| Some([errors[0]?, errors[1]?, errors[2]?]);
+        SurveyedPoint {
+            position: self.place(point.position),
+            difference_m: turned(&axes, point.difference_m),
+            // One that is absent is part of no other.
+            standard_errors_m: known(point.standard_errors_m).map_or(point.standard_errors_m, |sigma| errors(sigma).map(Some)),
+            left_out: point
+                .left_out
+                .map(|left| LeftOut { difference: turned(&axes, left.difference), standard_errors: errors(left.standard_errors) }),
+            ..point.clone()
+        }
+    }
+
+    /// What is said of the system; absent where none was chosen.
+    pub fn system(&self) -> Option<ResultSystem> {
+        let (system, _) = self.chosen.as_ref()?;
+        Some(ResultSystem {
+            name: system.definition().name(),
+            definition: system.definition().text().to_string(),
+            operation: system.operation().map(String::from),
+            accuracy_m: system.accuracy_m(),
+            geoid_m: system.geoid_m(),
+            gnss_above_m: self.gnss_above_m(),
+        })
+    }
+
+    /// The remarks of the run, and what is to be said of the system.
+    pub fn remarks(&self) -> Vec<Remark> {
+        let mut remarks = self.run.remarks.clone();
+        let crs = || self.run.input.settings.placing.crs.clone();
+        remarks.extend(match self.system() {
+            Some(ResultSystem { name: crs, operation, accuracy_m, gnss_above_m, .. }) => {
+                Some(Remark::ResultSystem { crs, operation, accuracy_m, gnss_above_m })
+            }
+            None => crs().map(|crs| Remark::NoResultSystem { crs: shorten(&crs) }),
+        });
+        remarks
+    }
+
+    /// How much higher the GNSS positions are than where the block has them, where their heights take no part: the median.
+    fn gnss_above_m(&self) -> Option<f64> {
+        let (system, origin) = self.chosen.as_ref()?;
+        if system.geoid_m().is_some() || self.run.input.control.is_none() || !self.run.input.use_gnss {
+            return None;
+        }
+        let images = self.run.images.iter().zip(&self.run.model.images);
+        let mut above: Vec<f64> = images
+            .filter_map(|(image, modelled)| {
+                let [_, _, height] = geographic_from_local(modelled.pose?.position, *origin);
+                Some(image.exif.position.as_ref()?.height_m? - height)
+            })
+            .collect();
+        median(&mut above)
+    }
+
+    /// What lies outside the system has no place in it.
+    fn place(&self, position: [f64; 3]) -> [f64; 3] {
+        let Some((system, origin)) = &self.chosen else { return position };
+        system.coordinates(geographic_from_local(position, *origin)).unwrap_or([f64::NAN; 3])
+    }
+
+    fn axes(&self, position: [f64; 3]) -> Axes {
+        let chosen = self.chosen.as_ref();
+        let axes = chosen.and_then(|(system, origin)| system.axes(geographic_from_local(position, *origin), *origin));
+        axes.unwrap_or([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    }
+}
+
+/// A vector in the axes.
+fn turned(axes: &Axes, vector: [f64; 3]) -> [f64; 3] {
+    axes.map(|axis| dot3(&axis, &vector))
+}
+
+/// Standard errors along the axes; `correlations` of x with y, of x with z, of y with z.
+fn turned_errors(axes: &Axes, [x, y, z]: [f64; 3], [xy, xz, yz]: [f64; 3]) -> [f64; 3] {
+    axes.map(|[a, b, c]| {
+        let (p, q, r) = (a * x, b * y, c * z);
+        (p * p + q * q + r * r + 2.0 * (p * q * xy + p * r * xz + q * r * yz)).max(0.0).sqrt()
+    })
+}
+
+/// The coordinate reference system of the results of a block.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ResultSystem {
+    /// As the EPSG registry has it, or the text.
+    pub name: String,
+    /// As it was given.
+    pub definition: String,
+    /// What the registry calls the operation to WGS 84; absent for what the text states, and where none is needed.
+    pub operation: Option<String>,
+    /// Accuracy of this operation, as the registry states it.
+    pub accuracy_m: Option<f64>,
+    /// The height of the zero of its heights above the ellipsoid of WGS 84; absent where it is not known.
+    pub geoid_m: Option<f64>,
+    /// How much higher the GNSS positions are than where the block has them, where their heights took no part.
+    pub gnss_above_m: Option<f64>,
+}

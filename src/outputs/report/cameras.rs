@@ -1,0 +1,76 @@
+//! Cameras: given and calibrated values, standard errors, correlations, residual fields.
+
+use super::field::field;
+use super::subject::{Subject, WORST};
+use crate::html::{correlations, count, significant, with_error};
+use crate::text::shorten;
+use crate::{Camera, CameraStatistics, ReconstructedModel};
+use maud::{Markup, html};
+
+/// Symbols and units, in the order of the standard errors.
+const PARAMETERS: [(&str, &str); 8] = [("c", "px"), ("x₀", "px"), ("y₀", "px"), ("k₁", ""), ("k₂", ""), ("k₃", ""), ("p₁", ""), ("p₂", "")];
+
+/// The cameras with most images first.
+pub(super) fn cameras(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup {
+    let images = |camera: usize| model.adjusted.block.images.iter().filter(|image| image.camera == camera).count();
+    let mut listed: Vec<(usize, usize)> = (0..model.cameras.len()).map(|camera| (camera, images(camera))).collect();
+    listed.sort_by_key(|(camera, images)| (std::cmp::Reverse(*images), *camera));
+    html! {
+        h2 { "Cameras" }
+        @for (camera, images) in listed.iter().take(WORST) { (one(subject, model, *camera, *images)) }
+        @if listed.len() > WORST { p.note { (count(listed.len() - WORST)) " more cameras are in summary.json." } }
+    }
+}
+
+fn one(subject: &Subject<'_>, model: &ReconstructedModel, camera: usize, images: usize) -> Markup {
+    let place = model.cameras[camera];
+    let Some(initial) = subject.run.cameras.get(place) else { return html! {} };
+    let calibrated = values(&model.adjusted.block.cameras[camera]);
+    let given = initial.known().map(|camera| values(&camera));
+    let statistics = &model.adjusted.cameras[camera];
+    let estimated: Vec<&str> =
+        PARAMETERS.iter().zip(&statistics.standard_errors).filter_map(|((symbol, _), error)| error.map(|_| *symbol)).collect();
+    html! {
+        h3 { "Camera " (place + 1) ": " (shorten(&initial.label)) ", " (count(images)) " images of " (initial.width_px) " × " (initial.height_px) " px" }
+        table tabindex="0" {
+            thead { tr { td {} th { "given" } th { "calibrated" } th { "standard error" } th { "state" } } }
+            tbody {
+                @for (k, (symbol, unit)) in PARAMETERS.into_iter().enumerate() {
+                    @let error = statistics.standard_errors[k];
+                    tr {
+                        th { i { (symbol) } @if !unit.is_empty() { " " small { (unit) } } }
+                        td { (given.map_or_else(|| "–".into(), |given| with_error(given[k], None))) }
+                        td { (with_error(calibrated[k], error)) }
+                        td { (significant(error)) }
+                        td.words { (state(statistics, k)) }
+                    }
+                }
+            }
+        }
+        div.pair {
+            (field(&model.adjusted, camera))
+            @if estimated.len() > 1 && statistics.correlations.len() == estimated.len() {
+                (correlations(&estimated, &statistics.correlations, "Correlations of the estimated parameters"))
+            }
+        }
+    }
+}
+
+/// Why a parameter has no standard error.
+fn state(statistics: &CameraStatistics, k: usize) -> String {
+    let fixed = statistics.fixed.iter().find(|fixed| fixed.parameter.place() == k);
+    match (fixed, statistics.standard_errors[k]) {
+        (Some(fixed), _) => match fixed.effect_px {
+            Some(effect) => format!("not determined: one standard error would move an observation by {} px", significant(effect)),
+            None => "not determined".into(),
+        },
+        (None, None) => "not estimated".into(),
+        (None, Some(_)) => String::new(),
+    }
+}
+
+fn values(camera: &Camera) -> [f64; 8] {
+    let [x, y] = camera.principal_point_px;
+    let ([k1, k2, k3], [p1, p2]) = (camera.radial, camera.tangential);
+    [camera.focal_px, x, y, k1, k2, k3, p1, p2]
+}

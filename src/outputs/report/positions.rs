@@ -1,0 +1,246 @@
+//! Observed positions: GNSS positions of images, ground control and check points.
+
+use super::range::{range, ranges, worst};
+use super::subject::{NAMED, Subject, WORST};
+use crate::html::{count, fixed, significant};
+use crate::outputs::inspection::surveyed;
+use crate::text::shorten;
+use crate::{ControlRole, ObservationVerdict, PointSource, PriorStatistics, ReconstructedModel, SurveyedPoint, VarianceComponent};
+use maud::{Markup, html};
+
+const AXES: [&str; 3] = ["X", "Y", "Z"];
+
+/// GNSS positions that the datum uses; nothing without any.
+pub(super) fn gnss(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup {
+    let all: Vec<(usize, &PriorStatistics)> = model
+        .images
+        .iter()
+        .zip(&model.adjusted.images)
+        .filter_map(|(image, statistics)| Some((*image, statistics.gnss.as_ref()?)))
+        .collect();
+    if all.is_empty() {
+        return html! {};
+    }
+    let accepted: Vec<&PriorStatistics> = all.iter().map(|(_, prior)| *prior).filter(|prior| prior.accepted).collect();
+    let of = |of: &dyn Fn(&PriorStatistics, usize) -> Option<f64>, k: usize| range(accepted.iter().filter_map(|prior| of(prior, k)));
+    let rows: Vec<(String, Option<[f64; 3]>)> = (0..3)
+        .flat_map(|k| {
+            [
+                (format!("|residual| {}, m", AXES[k]), of(&|prior, k| observed(prior, k).then(|| prior.residual[k].abs()), k)),
+                (
+                    format!("redundancy number r {}", AXES[k]),
+                    of(&|prior, k| prior.redundancy.filter(|_| observed(prior, k)).map(|r| r[k]), k),
+                ),
+                (format!("detectable error {}, m", AXES[k]), of(&|prior, k| prior.detectable[k], k)),
+            ]
+        })
+        .collect();
+    let rows: Vec<(&str, Option<[f64; 3]>)> = rows.iter().map(|(name, range)| (&name[..], *range)).collect();
+    let listed = worst(all.iter(), WORST, |(_, prior)| Some(largest_w(prior).unwrap_or_else(|| length(prior.residual))));
+    html! {
+        h2 { "GNSS positions" }
+        p { (count(accepted.len())) " of " (count(all.len())) " took part" @if accepted.len() < all.len() { "; the others lie too far from where the images have them" } "." }
+        (ranges("GNSS positions that took part", &rows))
+        table tabindex="0" {
+            caption { @if listed.len() < all.len() { "The largest standardised residuals w" } @else { "All GNSS positions, the largest standardised residuals w first" } }
+            (judged_head("Image", "m", &[]))
+            tbody {
+                @for (image, prior) in listed {
+                    tr { th { (subject.name(*image)) } (judged(prior)) td { (if prior.accepted { "used" } else { "rejected" }) } }
+                }
+            }
+        }
+        p.note { "Residual: observed minus adjusted. r is the share of an error that shows in the residual; a detectable error is found with a probability of 0.80." }
+    }
+}
+
+/// Ground control and check points; nothing without any.
+pub(super) fn control(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup {
+    if model.surveyed.is_empty() {
+        return html! {};
+    }
+    let all = surveyed_points(model);
+    let of = |role: ControlRole| all.iter().filter(move |(point, _)| point.role == role);
+    let size = |point: &SurveyedPoint| length(point.difference_m);
+    let left_out = all.iter().filter_map(|(point, _)| Some((*point, point.left_out?)));
+    let alone = worst(left_out, NAMED, |(_, left)| Some(length(left.difference)));
+    let alone: Vec<Difference<'_>> =
+        alone.into_iter().map(|(point, left)| (point, left.difference, left.standard_errors.map(Some))).collect();
+    html! {
+        @if of(ControlRole::Control).next().is_some() {
+            h2 { "Ground control points" }
+            table tabindex="0" {
+                (judged_head("Point", "m", &["image measurements"]))
+                tbody {
+                    @for (point, prior) in worst(of(ControlRole::Control), NAMED, |(point, _)| Some(size(point))) {
+                        tr {
+                            th { (shorten(&point.name)) } td { (point.rays) }
+                            @if let Some(prior) = prior { (judged(prior)) td { "used" } }
+                            @else { @for k in 0..3 { td { (significant(-point.difference_m[k])) } } @for _ in 0..9 { td { "–" } } td {} }
+                        }
+                    }
+                }
+            }
+            p.note { "Residual: surveyed minus adjusted. Points beyond " (NAMED) " are in surveyed.csv." }
+            @if !alone.is_empty() {
+                h3 { "The same points without themselves" }
+                (differences(alone.into_iter()))
+                p.note { "Where all other observations have each of these points, minus surveyed: what it is worth as a check point." }
+            }
+        }
+        @if of(ControlRole::Check).next().is_some() {
+            h2 { "Check points" }
+            (differences(worst(of(ControlRole::Check), NAMED, |(point, _)| Some(size(point))).into_iter().map(|(point, _)| (*point, point.difference_m, point.standard_errors_m))))
+            p.note { "Differences: adjusted minus surveyed. They took no part in the adjustment." }
+        }
+        (measurements(subject, model))
+    }
+}
+
+/// What the residuals say of stated standard errors; nothing where none are stated.
+pub(super) fn components(model: &ReconstructedModel) -> Markup {
+    let components = &model.adjusted.components;
+    if components.is_empty() {
+        return html! {};
+    }
+    html! {
+        h2 { "Stated standard errors" }
+        table tabindex="0" {
+            thead { tr { th { "Observations" } th { "coordinates" } th { "redundancy" } th { "by residuals / stated" } th { "95 % interval" } th { "weights by" } } }
+            tbody {
+                @for component in components {
+                    tr {
+                        th { (component.group.label()) } td { (count(component.observations)) } td { (fixed(component.redundancy, 1)) }
+                        td { (fixed(Some(component.factor).filter(|_| !component.held), 2)) }
+                        td { @if let Some([low, high]) = component.interval { (fixed(low, 2)) " – " (fixed(high, 2)) } @else { "–" } }
+                        td { (weighted_by(component)) }
+                    }
+                }
+            }
+        }
+        p.note {
+            "Variance components: standard errors by the residuals beside stated standard errors. Weights follow the residuals where 1 lies outside the interval, and stays there once they do. A factor that the redundancy does not determine is held at 1."
+            @if let Some(weighting) = model.adjusted.weighting {
+                " Rounds of weighting: " (weighting.rounds) "."
+                @if !weighting.converged { " The weights did not converge." }
+            }
+        }
+    }
+}
+
+fn weighted_by(component: &VarianceComponent) -> &'static str {
+    match (component.applied, component.held) {
+        (true, _) => "residuals",
+        (false, true) => "stated standard errors (held)",
+        (false, false) => "stated standard errors",
+    }
+}
+
+/// A surveyed point with a difference from it and the standard errors of that.
+type Difference<'a> = (&'a SurveyedPoint, [f64; 3], [Option<f64>; 3]);
+
+fn differences<'a>(rows: impl Iterator<Item = Difference<'a>>) -> Markup {
+    html! {
+        table tabindex="0" {
+            thead {
+                tr {
+                    th { "Point" } th { "image measurements" }
+                    @for axis in AXES { th { "d" (axis) " m" } } @for axis in AXES { th { "σ d" (axis) " m" } } @for axis in AXES { th { "d" (axis) " / σ" } }
+                }
+            }
+            tbody {
+                @for (point, difference, errors) in rows {
+                    tr {
+                        th { (shorten(&point.name)) } td { (point.rays) }
+                        @for value in difference { td { (significant(value)) } }
+                        @for error in errors { td { (significant(error)) } }
+                        @for k in 0..3 { td { (fixed(errors[k].map(|error| difference[k] / error), 2)) } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The surveyed points with what the adjustment says of them: nothing of check points, which took no part.
+fn surveyed_points(model: &ReconstructedModel) -> Vec<(&SurveyedPoint, Option<&PriorStatistics>)> {
+    let adjusted = &model.adjusted;
+    let statistics = |place: usize| {
+        let control = adjusted.block.control.iter().position(|control| control.point == place)?;
+        adjusted.control[control].as_ref()
+    };
+    (0..model.points.len()).filter_map(|place| Some((surveyed(model, place)?, statistics(place)))).collect()
+}
+
+/// Image measurements of surveyed points.
+fn measurements(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup {
+    let adjusted = &model.adjusted;
+    let own: Vec<_> = (adjusted.block.rays.iter().zip(&adjusted.rays))
+        .filter(|(ray, _)| matches!(model.points[ray.point], PointSource::GroundControl(_)))
+        .collect();
+    let squares = own.iter().filter(|(_, ray)| ray.verdict == ObservationVerdict::Accepted).map(|(_, ray)| {
+        let [x, y] = ray.residual_px;
+        x * x + y * y
+    });
+    let (number, sum) = squares.fold((0, 0.0), |(number, sum), square| (number + 1, sum + square));
+    let name = |place: usize| surveyed(model, place).map_or_else(String::new, |point| shorten(&point.name));
+    let listed = worst(own.iter(), WORST, |(_, ray)| Some(libm::hypot(ray.residual_px[0], ray.residual_px[1])));
+    html! {
+        @if number > 0 {
+            h3 { "Image measurements of these points" }
+            p { (count(number)) " of " (count(own.len())) " took part; RMSE " (fixed((sum / f64::from(number as u32)).sqrt(), 3)) " px." }
+            table tabindex="0" {
+                caption { "The largest residuals" }
+                thead { tr { th { "Point" } th { "Image" } th { "residual x px" } th { "y px" } th { "w x" } th { "w y" } th { "r x" } th { "r y" } th { "∇ x px" } th { "∇ y px" } th { "state" } } }
+                tbody {
+                    @for (ray, statistics) in listed {
+                        tr {
+                            th { (name(ray.point)) } td { (subject.name(model.images[ray.image])) }
+                            @for value in statistics.residual_px { td { (fixed(value, 3)) } }
+                            @for k in 0..2 { td { (fixed(statistics.w.map(|w| w[k]), 2)) } }
+                            @for k in 0..2 { td { (fixed(statistics.redundancy.map(|r| r[k]), 3)) } }
+                            @for k in 0..2 { td { (significant(statistics.detectable_px[k])) } }
+                            td { (if statistics.verdict == ObservationVerdict::Accepted { "used" } else { "rejected" }) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn judged_head(what: &str, unit: &str, more: &[&str]) -> Markup {
+    html! {
+        thead {
+            tr {
+                th { (what) }
+                @for name in more { th { (name) } }
+                @for axis in AXES { th { "residual " (axis) " " (unit) } } @for axis in AXES { th { "w " (axis) } } @for axis in AXES { th { "r " (axis) } }
+                @for axis in AXES { th { "∇ " (axis) " " (unit) } }
+                th { "state" }
+            }
+        }
+    }
+}
+
+fn judged(prior: &PriorStatistics) -> Markup {
+    html! {
+        @for k in 0..3 { td { (significant(Some(prior.residual[k]).filter(|_| observed(prior, k)))) } }
+        @for k in 0..3 { td { (fixed(prior.w.filter(|_| observed(prior, k)).map(|w| w[k]), 2)) } }
+        @for k in 0..3 { td { (fixed(prior.redundancy.filter(|_| observed(prior, k)).map(|r| r[k]), 3)) } }
+        @for k in 0..3 { td { (significant(prior.detectable[k])) } }
+    }
+}
+
+/// Whether a coordinate was observed: what was not has neither residual nor redundancy.
+fn observed(prior: &PriorStatistics, k: usize) -> bool {
+    prior.residual[k] != 0.0 || prior.redundancy.is_some_and(|redundancy| redundancy[k] != 0.0)
+}
+
+fn largest_w(prior: &PriorStatistics) -> Option<f64> {
+    prior.w.map(|w| w.iter().fold(0.0, |most: f64, w| most.max(w.abs())))
+}
+
+fn length(vector: [f64; 3]) -> f64 {
+    vector.iter().map(|value| value * value).sum::<f64>().sqrt()
+}

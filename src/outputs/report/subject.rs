@@ -1,0 +1,37 @@
+//! What a report is about.
+
+use crate::outputs::pairs::PairRow;
+use crate::outputs::precision::written;
+use crate::outputs::summary::Summary;
+use crate::text::shorten;
+use crate::{BlockRun, ReconstructedModel};
+
+/// Rows of a list of the worst.
+pub(super) const WORST: usize = 15;
+/// Rows of a list that names all where there are not too many.
+pub(super) const NAMED: usize = 100;
+
+/// A finished block with what the other files say of it.
+pub(super) struct Subject<'a> {
+    pub run: &'a BlockRun,
+    pub summary: &'a Summary,
+    pub pairs: &'a [PairRow],
+    /// The model that is written; absent without an orientation.
+    pub model: Option<&'a ReconstructedModel>,
+}
+
+impl<'a> Subject<'a> {
+    pub fn new(run: &'a BlockRun, summary: &'a Summary, pairs: &'a [PairRow]) -> Self {
+        Self { run, summary, pairs, model: written(run) }
+    }
+
+    /// The name of an image of the block.
+    pub fn name(&self, image: usize) -> String {
+        self.run.images.get(image).map_or_else(String::new, |image| shorten(&image.name))
+    }
+
+    /// The unit of lengths of the model that is written.
+    pub fn unit(&self) -> &'static str {
+        if self.model.is_some_and(|model| model.in_system) { "m" } else { "model units" }
+    }
+}

@@ -1,0 +1,67 @@
+//! A finished block with edits by hand: the block as it was found, and a new adjustment by what the edits leave.
+
+use super::points::reconstruction_options;
+use super::state::describe;
+use super::{BlockRun, EditedRun, Remark};
+use crate::editing::{BlockEdit, edited_model};
+use crate::error::refuse;
+use crate::{Error, PointSource, Reconstruction, Refusal};
+use std::collections::BTreeMap;
+
+impl BlockRun {
+    /// The edits that were applied to the block as it was found.
+    pub fn edits(&self) -> &[BlockEdit] {
+        self.edited.as_ref().map_or(&[], |edited| &edited.edits)
+    }
+
+    /// The block as it was found, without any edits.
+    #[must_use]
+    pub fn found(&self) -> Self {
+        let Some(found) = &self.edited else { return self.clone() };
+        let mut remarks = self.remarks.clone();
+        remarks.retain(|remark| *remark != Remark::UnsupportedEdits);
+        Self { reconstruction: Ok(found.reconstruction.clone()), model: found.model.clone(), edited: None, remarks, ..self.clone() }
+    }
+
+    /// The block as it was found with these edits, whatever edits it has: its largest model is adjusted anew by the observations that they
+    /// leave. The same edits give the same block; none give the block as it was found.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for a block that is not oriented, an edit of what does not exist, a place outside its image, and a new point
+    /// whose rays do not meet; the errors of [`adjust_block`](crate::adjust_block) for a block that falls apart.
+    pub fn with_edits(&self, edits: &[BlockEdit]) -> Result<Self, Error> {
+        let found = self.found();
+        let Some(model) = found.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first()) else {
+            return if edits.is_empty() { Ok(found) } else { refuse(Refusal::BlockNotOriented) };
+        };
+        if edits.is_empty() {
+            return Ok(found);
+        }
+        let is_unsupported = model.lacks_support();
+        let input = found.input.clone().checked()?;
+        let (description, _) = describe(&input, &found.images, &found.cameras)?;
+        let (model, gone) = edited_model(model, edits, &description, &reconstruction_options(&input.settings))?;
+        let confidence = confidences(&found);
+        let before = found.reconstruction.clone().unwrap_or_default();
+        let mut assembly = before.clone();
+        assembly.models[0] = model;
+        assembly.unoriented.extend(gone);
+        assembly.unoriented.sort_by_key(|unoriented| unoriented.image);
+        let written = assembly.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
+        let edited = EditedRun { edits: edits.to_vec(), reconstruction: before, model: found.model.clone() };
+        let mut remarks = found.remarks.clone();
+        remarks.extend(is_unsupported.then_some(Remark::UnsupportedEdits));
+        Ok(Self { reconstruction: Ok(assembly), model: written, edited: Some(Box::new(edited)), remarks, ..found })
+    }
+}
+
+/// The probability of each tie point of the model that is written.
+pub(super) fn confidences(run: &BlockRun) -> BTreeMap<u32, f64> {
+    let model = run.reconstruction.as_ref().ok().and_then(|Reconstruction { models, .. }| models.first());
+    let written = model.iter().flat_map(|model| model.points.iter().zip(&model.adjusted.points)).filter(|(_, known)| known.is_some());
+    let of_point = written.zip(&run.model.points).filter_map(|((source, _), point)| match source {
+        PointSource::TiePoint(index) => Some((*index, point.confidence)),
+        PointSource::GroundControl(_) | PointSource::Manual(_) => None,
+    });
+    of_point.collect()
+}

@@ -1,0 +1,235 @@
+//! A finished block in the system of an orthophoto: places of its ground that images show become ground control points.
+
+use super::edited::confidences;
+use super::points::reconstruction_options;
+use super::state::describe;
+use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, RunInput};
+use crate::error::refuse;
+use crate::formats::{ground_control_table, image_measurement_table};
+use crate::math::median;
+use crate::reconstruction::with_further_control;
+use crate::{
+    BlockDescription, ControlRole, Error, Failure, GroundControlRow, ImageMeasurementRow, ObservationVerdict, PointSource,
+    ReconstructedModel, Refusal, parse_ground_control_points, parse_image_measurements,
+};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Points that take part, at least: fewer do not tell which of them are wrong.
+const LEAST_POINTS: usize = 10;
+/// A residual beyond so many standard errors is a gross error.
+const GROSS: f64 = 3.29;
+/// The median length of a standard normal variable.
+const NORMAL_MEDIAN: f64 = 0.6745;
+/// A wrong point pulls at its neighbours: only those with this share of the largest test are rejected at a time.
+const NEAR_WORST: f64 = 0.7;
+/// Adjustments until no point is rejected any more, at most.
+const ROUNDS: usize = 8;
+/// What names of these points begin with.
+const NAME: &str = "orthophoto_";
+
+/// A place of the ground of an orthophoto, and where images show it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct GroundPoint {
+    pub place: [f64; 3],
+    /// Standard errors in plan and of the height.
+    pub sigma: [f64; 2],
+    /// Standard error of a coordinate in an image, in px.
+    pub sigma_px: f64,
+    pub role: ControlRole,
+    /// Index of the image, column and row in px.
+    pub seen: Vec<(usize, [f64; 2])>,
+}
+
+impl BlockRun {
+    /// The block as it was found, adjusted anew in the system of these points, beside ground control points that were given; edits by hand are
+    /// not kept. Points that contradict the others are rejected and stay in its table of ground control points. Where most do, or where the
+    /// ground control points contradict them, the block is not changed.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for ground control points of the same names.
+    pub(crate) fn on_ground(&self, points: &[GroundPoint]) -> Result<Self, Error> {
+        let found = self.found();
+        match Ground::new(&found, points)?.adjusted()? {
+            Ok(run) => Ok(run),
+            Err(not_linked) => Ok(found.not_linked(not_linked)),
+        }
+    }
+
+    /// The block as it is, and why it is not in the system of the orthophoto.
+    #[must_use]
+    pub(crate) fn not_linked(&self, not_linked: NotLinked) -> Self {
+        Self { orthophoto: Some(OnOrthophoto::NotLinked { not_linked }), ..self.clone() }
+    }
+}
+
+/// The points of an orthophoto beside the ground control points of a block.
+struct Ground<'a> {
+    found: &'a BlockRun,
+    /// Those that were given.
+    own: Vec<GroundControlRow>,
+    /// Those of the orthophoto; one that was rejected has no role.
+    added: Vec<GroundControlRow>,
+    measurements: Vec<ImageMeasurementRow>,
+}
+
+/// An adjustment by them.
+struct Attempt {
+    input: RunInput,
+    description: BlockDescription,
+    model: ReconstructedModel,
+}
+
+impl<'a> Ground<'a> {
+    fn new(found: &'a BlockRun, points: &[GroundPoint]) -> Result<Self, Error> {
+        let given = found.input.control.as_ref();
+        let own = given.map(|texts| parse_ground_control_points(&texts.points)).transpose()?.unwrap_or_default();
+        let mut measurements = given.map(|texts| parse_image_measurements(&texts.marks)).transpose()?.unwrap_or_default();
+        if let Some(same) = own.iter().find(|row| row.name.starts_with(NAME)) {
+            return refuse(Refusal::ReservedName { name: same.name.clone(), begins: NAME.into() });
+        }
+        let mut added = Vec::new();
+        for (number, point) in (1..).zip(points) {
+            let name = format!("{NAME}{number}");
+            let seen = point.seen.iter().filter_map(|(image, at)| Some((found.images.get(*image)?, at)));
+            measurements.extend(seen.map(|(image, [x_px, y_px])| ImageMeasurementRow {
+                image: image.name.clone(),
+                point: name.clone(),
+                x_px: *x_px,
+                y_px: *y_px,
+            }));
+            added.push(GroundControlRow {
+                name,
+                position: point.place,
+                standard_errors: Some(point.sigma),
+                role: Some(point.role),
+                sigma_px: Some(point.sigma_px),
+            });
+        }
+        Ok(Self { found, own, added, measurements })
+    }
+
+    fn used(&self, role: ControlRole) -> usize {
+        self.added.iter().filter(|row| row.role == Some(role)).count()
+    }
+
+    /// The adjusted block, or why there is none.
+    fn adjusted(mut self) -> Result<Result<BlockRun, NotLinked>, Error> {
+        let points = self.used(ControlRole::Control);
+        if points < LEAST_POINTS {
+            return Ok(Err(NotLinked::FewPoints { points, needed: LEAST_POINTS }));
+        }
+        let places = self.own.iter().any(|row| row.role == Some(ControlRole::Control));
+        // Alone first, so that what was given says whether it agrees.
+        let checking: Vec<GroundControlRow> =
+            self.own.iter().map(|row| GroundControlRow { role: row.role.and(Some(ControlRole::Check)), ..row.clone() }).collect();
+        let mut last = self.attempt(if places { &checking } else { &self.own })?;
+        for _ in 0..ROUNDS {
+            let Ok(attempt) = &last else { break };
+            let rejected = self.gross(attempt);
+            if rejected.is_empty() {
+                break;
+            }
+            rejected.iter().for_each(|row| self.added[*row].role = None);
+            let left = self.used(ControlRole::Control);
+            if left < LEAST_POINTS || 2 * left < points {
+                return Ok(Err(NotLinked::Disagreement { rejected: points - left, points }));
+            }
+            last = self.attempt(if places { &checking } else { &self.own })?;
+        }
+        let attempt = match last {
+            Ok(attempt) if places => match contradiction(&attempt.model, &self.own) {
+                Some(contradiction) => return Ok(Err(contradiction)),
+                None => self.attempt(&self.own)?,
+            },
+            other => other,
+        };
+        attempt.map_or_else(|not_linked| Ok(Err(not_linked)), |attempt| self.run(attempt).map(Ok))
+    }
+
+    /// Adjusts by the points of the orthophoto and what was given, in these roles.
+    fn attempt(&self, own: &[GroundControlRow]) -> Result<Result<Attempt, NotLinked>, Error> {
+        let found = self.found;
+        let Some(model) = found.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first()) else {
+            return Ok(Err(NotLinked::NotOriented));
+        };
+        let points = ground_control_table(&[own, &self.added].concat());
+        let texts = ControlTexts { points, marks: image_measurement_table(&self.measurements) };
+        let input = RunInput { control: Some(texts), ..found.input.clone() };
+        let checked = input.clone().checked()?;
+        let (description, _) = describe(&checked, &found.images, &found.cameras)?;
+        Ok(match with_further_control(model, &description, &reconstruction_options(&checked.settings)) {
+            Ok(model) if model.in_system => Ok(Attempt { input, description, model }),
+            Ok(_) => Err(NotLinked::Disagreement { rejected: self.added.len(), points: self.added.len() }),
+            Err(error) if error.is_usage() => return Err(error),
+            Err(error) => Err(NotLinked::Failed { failure: Failure::from(&error) }),
+        })
+    }
+
+    /// The points that are rejected after an adjustment: those that images do not show alike, and of the others those that lie farthest from
+    /// where the block has them. Differences of check points reject none of them.
+    fn gross(&self, attempt: &Attempt) -> Vec<usize> {
+        let Attempt { description, model, .. } = attempt;
+        let row_of: BTreeMap<&str, usize> = self.added.iter().enumerate().map(|(row, point)| (point.name.as_str(), row)).collect();
+        let row = |source: &PointSource| match source {
+            PointSource::GroundControl(control) => row_of.get(description.control[*control].name.as_str()).copied(),
+            PointSource::TiePoint(_) | PointSource::Manual(_) => None,
+        };
+        let mut whole: BTreeSet<usize> = model.points.iter().filter_map(row).collect();
+        for (ray, statistics) in model.adjusted.block.rays.iter().zip(&model.adjusted.rays) {
+            if statistics.verdict != ObservationVerdict::Accepted
+                && let Some(row) = row(&model.points[ray.point])
+            {
+                whole.remove(&row);
+            }
+        }
+        let apart = (0..self.added.len()).filter(|row| self.added[*row].role.is_some() && !whole.contains(row));
+        let control = model.adjusted.block.control.iter().zip(&model.adjusted.control);
+        let tests = control.filter_map(|(control, statistics)| Some((row(&model.points[control.point])?, statistics.as_ref()?.w?)));
+        let tests: Vec<(usize, [f64; 3])> = tests.filter(|(row, _)| whole.contains(row)).collect();
+        let largest = |w: &[f64; 3]| w.iter().fold(0.0, |most: f64, w| most.max(w.abs()));
+        // Standard errors that were stated too small make no point wrong.
+        let middle = median(&mut tests.iter().flat_map(|(_, w)| w.map(f64::abs)).collect::<Vec<_>>()).unwrap_or(0.0);
+        let worst = tests.iter().map(|(_, w)| largest(w)).fold(0.0, f64::max);
+        let limit = (GROSS * (middle / NORMAL_MEDIAN).max(1.0)).max(NEAR_WORST * worst);
+        apart.chain(tests.iter().filter(|(_, w)| largest(w) > limit).map(|(row, _)| *row)).collect()
+    }
+
+    /// The block of an adjustment.
+    fn run(&self, attempt: Attempt) -> Result<BlockRun, Error> {
+        let Attempt { input, description, model } = attempt;
+        let found = self.found;
+        let role = |role| self.added.iter().filter(move |row| row.role == role).map(|row| row.name.as_str());
+        let names: BTreeSet<&str> = role(Some(ControlRole::Control)).chain(role(Some(ControlRole::Check))).collect();
+        let seeing = self.measurements.iter().filter(|seen| names.contains(seen.point.as_str()));
+        let linked = seeing.map(|seen| seen.image.as_str()).collect::<BTreeSet<_>>().len();
+        let outcome = OnOrthophoto::Linked {
+            linked,
+            images: model.images.len(),
+            points: self.used(ControlRole::Control),
+            checks: self.used(ControlRole::Check),
+            rejected: role(None).count(),
+        };
+        let confidence = confidences(found);
+        let mut reconstruction = found.reconstruction.clone().unwrap_or_default();
+        reconstruction.models[0] = model;
+        // Other models lie in the system that the block had.
+        for other in &mut reconstruction.models[1..] {
+            (other.in_system, other.surveyed) = (false, Vec::new());
+        }
+        reconstruction.origin = None;
+        let model = reconstruction.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
+        Ok(BlockRun { input, reconstruction: Ok(reconstruction), model, orthophoto: Some(outcome), ..found.clone() })
+    }
+}
+
+/// Whether the ground control points of a block that lies where the orthophoto has it are all elsewhere: by the medians of their differences,
+/// since errors of the orthophoto as a whole are common to them.
+fn contradiction(model: &ReconstructedModel, own: &[GroundControlRow]) -> Option<NotLinked> {
+    let names: BTreeSet<&str> = own.iter().map(|row| row.name.as_str()).collect();
+    let given = || model.surveyed.iter().filter(|point| names.contains(point.name.as_str()));
+    let middle = |k: usize| median(&mut given().map(|point| point.difference_m[k]).collect::<Vec<_>>());
+    let error = |k: usize| median(&mut given().filter_map(|point| point.standard_errors_m[k]).collect::<Vec<_>>());
+    let differs = |k: usize| matches!((middle(k), error(k)), (Some(difference), Some(error)) if difference.abs() > GROSS * error);
+    let [x_m, y_m, z_m] = [0, 1, 2].map(|k| middle(k).unwrap_or(0.0));
+    (0..3).any(differs).then_some(NotLinked::Contradiction { x_m, y_m, z_m })
+}

@@ -1,0 +1,41 @@
+//! What came of the orthophoto that a block was given.
+
+use crate::Failure;
+use crate::message::messages;
+use serde::{Deserialize, Serialize};
+
+messages! {
+    /// What came of the orthophoto that a block was given.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum OnOrthophoto as "on_orthophoto" {
+        /// The block lies in its system, by so many places of its ground; others check it, or were rejected. `linked` of `images` show one.
+        Linked { linked: usize, images: usize, points: usize, checks: usize, rejected: usize },
+        /// The block is as it was without it.
+        NotLinked { not_linked: NotLinked },
+    }
+}
+
+messages! {
+    /// Why a block is not in the system of an orthophoto.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum NotLinked as "not_linked" {
+        /// The block has no orientation.
+        NotOriented,
+        /// The block has a coordinate reference system of its own.
+        OwnSystem { crs: String },
+        /// Too few images were placed on it.
+        FewImages { placed: usize, images: usize, needed: usize },
+        /// Too few places of its ground are shown by two images or more.
+        FewPoints { points: usize, needed: usize },
+        /// Most places contradict the block.
+        Disagreement { rejected: usize, points: usize },
+        /// The block as the orthophoto has it lies elsewhere than its ground control points: orthophoto minus control.
+        Contradiction { x_m: f64, y_m: f64, z_m: f64 },
+        /// The adjustment has no result.
+        Failed { failure: Failure },
+    }
+}

@@ -1,0 +1,306 @@
+/** Edits of a finished block by hand, as the page's own code keeps and names them: without a browser. */
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { pageModules } from './www.js';
+
+/** @type {Record<string, any>} */
+const page = {};
+
+before(async () => {
+  Object.assign(
+    page,
+    await pageModules([
+      'block/state/carrying',
+      'block/state/draft',
+      'block/state/edited',
+      'block/state/editing',
+      'block/state/edits',
+      'block/state/joining',
+      'block/state/naming',
+      'block/state/reducer',
+      'block/state/state',
+      'block/files/edit',
+      'shared/files/journal',
+    ]),
+  );
+});
+
+/** A block of four images and points of these numbers of tie points.  @param {number[]} points */
+const viewOf = (points, sigma0Px = 0.5) => ({
+  partial: false,
+  images: ['a', 'b', 'c', 'd'].map((name) => ({ name, rays: points.length })),
+  oriented: 4,
+  surveyed: [],
+  sigma0Px,
+  rmsePx: 0.3,
+  checks: null,
+  points: { count: points.length, taking: points.length, sources: Float64Array.from(points, (point) => page.edits.codeOfSource({ tie_point: point })) },
+});
+
+/** The state after actions on a block that was run.  @param {any[]} actions */
+function after(...actions) {
+  const { BLOCK_INITIAL } = page.state;
+  const run = { type: 'done', key: 'k', view: viewOf([10, 11, 12]), files: [], seconds: 1 };
+  return [run, ...actions].reduce((state, action) => page.reducer.reduceBlock(state, action), BLOCK_INITIAL);
+}
+
+const reject = { kind: 'reject_points', points: [{ tie_point: 11 }] };
+
+test('edits are named by what they did', () => {
+  const { nameOfEdit } = page.naming;
+  const observations = Array.from({ length: 14 }, (_, image) => ({ point: { tie_point: 1 }, image }));
+  assert.equal(nameOfEdit({ kind: 'reject_observations', observations }), 'reject 14 observations');
+  assert.equal(nameOfEdit(reject), 'reject 1 point');
+  assert.equal(nameOfEdit({ kind: 'restore_images', images: [1, 2] }), 'restore 2 images');
+  assert.equal(nameOfEdit({ kind: 'measure', point: { manual: 0 }, image: 0, x_px: 1, y_px: 2, by: 'hand' }), 'measure 1 observation');
+  assert.equal(nameOfEdit({ kind: 'add_point', observations: observations.slice(0, 3) }), 'add 1 point in 3 images');
+  // By the names of images and surveyed points, where these are known.
+  const names = page.naming.namesOf({ images: [{ name: 'a.jpg' }, { name: 'b.jpg' }], surveyed: [{ name: 'G7', control: 3 }] });
+  assert.equal(nameOfEdit({ kind: 'reject_images', images: [1] }, names), 'reject b.jpg');
+  assert.equal(nameOfEdit({ kind: 'reject_observations', observations: observations.slice(0, 1) }, names), 'reject 1 observation in a.jpg');
+  assert.equal(nameOfEdit({ kind: 'set_use', point: 3, use: 'check' }, names), 'use G7 as check point');
+  assert.equal(nameOfEdit({ kind: 'set_use', point: 3 }, names), 'leave G7 out');
+  const measure = (/** @type {number} */ image) => ({ kind: 'measure', point: { ground_control: 3 }, image, x_px: 1, y_px: 2, by: 'hand' });
+  assert.equal(page.naming.nameOfStep([measure(0)], names), 'measure G7 in a.jpg');
+  assert.equal(page.naming.nameOfStep([measure(0), measure(1)], names), 'measure G7 in 2 images');
+});
+
+test('points keep what they are through an edit, and what is chosen stays chosen', () => {
+  const { sourceOf, indexOfSource, codeOfSource } = page.edits;
+  for (const source of [{ tie_point: 4_000_000_000 }, { ground_control: 3 }, { manual: 0 }]) {
+    const view = { points: { sources: Float64Array.of(codeOfSource({ tie_point: 0 }), codeOfSource(source)) } };
+    assert.deepEqual(sourceOf(view, 1), source);
+    assert.equal(indexOfSource(view, source), 1);
+  }
+  const chosen = after({ type: 'choose', choice: { kind: 'observation', point: 2, image: 1 } }, { type: 'edit', edits: [reject] });
+  assert.equal(chosen.shown.edits.length, 0);
+  const edited = page.reducer.reduceBlock(chosen, { type: 'edited', view: viewOf([10, 12], 0.4), edits: [reject] });
+  assert.deepEqual(edited.selection.chosen, { kind: 'observation', point: 1, image: 1 });
+  assert.equal(edited.before.sigma0Px, 0.5);
+  assert.equal(edited.shown.found, chosen.shown.view);
+  // A point that was added is chosen.
+  const added = { kind: 'add_point', observations: [] };
+  const manual = { ...viewOf([10, 11, 12]), points: { count: 1, sources: Float64Array.of(page.edits.codeOfSource({ manual: 0 })) } };
+  assert.deepEqual(page.reducer.reduceBlock(chosen, { type: 'edited', view: manual, edits: [added] }).selection.chosen, { kind: 'point', point: 0 });
+  // What is no longer there is no longer chosen.
+  const gone = after({ type: 'choose', choice: { kind: 'point', point: 1 } }, { type: 'edited', view: viewOf([10, 12]), edits: [reject] });
+  assert.equal(gone.selection.chosen, null);
+});
+
+test('a refused edit leaves block and history as they are; undo and redo go through all others', () => {
+  let state = after({ type: 'edit', edits: [reject] }, { type: 'edited', view: viewOf([10, 12]), edits: [reject] });
+  const { shown } = state;
+  state = page.reducer.reduceBlock(state, { type: 'edit', edits: [{ kind: 'reject_images', images: [0, 1, 2] }] });
+  assert.equal(state.history.done, 2);
+  state = page.reducer.reduceBlock(state, { type: 'editRefused', reason: 'the block falls apart.' });
+  assert.deepEqual([state.history.edits, state.history.done, state.shown], [[[reject]], 1, shown]);
+  assert.match(state.notice.text, /not made: the block falls apart\. The block is unchanged\./);
+  state = page.reducer.reduceBlock(state, { type: 'goto', done: 0 });
+  assert.deepEqual([state.history.edits.length, state.history.done], [1, 0]);
+  state = page.reducer.reduceBlock(state, { type: 'goto', done: 5 });
+  assert.equal(state.history.done, 1);
+  // While a run goes on nothing is edited.
+  state = page.reducer.reduceBlock(state, { type: 'started', key: 'k' });
+  assert.equal(page.reducer.reduceBlock(state, { type: 'edit', edits: [reject] }), state);
+});
+
+test('observations that were measured together are one step; steps are tried one by one where all together are refused', () => {
+  const { nameOfStep } = page.naming;
+  const { nextEdits } = page.editing;
+  const measure = (/** @type {number} */ image, by = 'least_squares') => ({ kind: 'measure', point: { tie_point: 1 }, image, x_px: 1, y_px: 1, by });
+  const step = [measure(0), measure(1)];
+  assert.equal(nameOfStep(step), 'match 2 observations');
+  assert.equal(nameOfStep([...step, measure(2, 'hand')]), 'measure 3 observations');
+  const history = { edits: [step, [reject], [reject]], done: 3 };
+  assert.deepEqual(nextEdits(history, [], false), { edits: [...step, reject, reject], several: true });
+  assert.deepEqual(nextEdits(history, [], true), { edits: step, several: true });
+  assert.deepEqual(nextEdits(history, step, true), { edits: [...step, reject], several: true });
+  assert.deepEqual(nextEdits(history, [...step, reject], true), { edits: [...step, reject, reject], several: false });
+  assert.deepEqual(nextEdits({ ...history, done: 1 }, [...step, reject], true), { edits: step, several: false });
+});
+
+test('what is chosen is rejected once and restored once', () => {
+  const { editOfChoice, standingOf } = page.edits;
+  const view = viewOf([10, 11, 12]);
+  const none = standingOf([]);
+  const observation = { kind: 'observation', point: 1, image: 2 };
+  const off = editOfChoice('reject', observation, view, none);
+  assert.deepEqual(off, { kind: 'reject_observations', observations: [{ point: { tie_point: 11 }, image: 2 }] });
+  assert.equal(editOfChoice('restore', observation, view, none), null);
+  assert.deepEqual(editOfChoice('reject', observation, view, none, true), reject);
+  const standing = standingOf([off, reject, { kind: 'reject_images', images: [3] }]);
+  assert.equal(editOfChoice('reject', observation, view, standing), null);
+  // Of what is out with its point the point comes back first.
+  assert.deepEqual(editOfChoice('restore', observation, view, standing), { ...reject, kind: 'restore_points' });
+  const alone = standingOf([off]);
+  assert.deepEqual(editOfChoice('restore', observation, view, alone), { ...off, kind: 'restore_observations' });
+  // A point of which observations alone are out gets these back.
+  assert.deepEqual(editOfChoice('restore', { kind: 'point', point: 1 }, view, alone), { ...off, kind: 'restore_observations' });
+  // Of several points those that stand already are left aside.
+  assert.deepEqual(editOfChoice('reject', { kind: 'points', points: Uint32Array.of(0, 1, 2) }, view, standing), {
+    kind: 'reject_points',
+    points: [{ tie_point: 10 }, { tie_point: 12 }],
+  });
+  assert.deepEqual(editOfChoice('restore', { kind: 'image', image: 3 }, view, standing), { kind: 'restore_images', images: [3] });
+  assert.equal(editOfChoice('reject', { kind: 'pair', images: [0, 1] }, view, standing), null);
+  assert.deepEqual(
+    [
+      ...standingOf([
+        { kind: 'set_use', point: 1 },
+        { kind: 'set_use', point: 2 },
+        { kind: 'set_use', point: 1, use: 'check' },
+      ]).unused,
+    ],
+    [2],
+  );
+  // An observation that is measured takes part again.
+  const again = standingOf([off, { kind: 'measure', point: { tie_point: 11 }, image: 2, x_px: 1, y_px: 1, by: 'hand' }]);
+  assert.equal(again.observations.size, 0);
+  assert.deepEqual([...(again.measured.get(2) ?? [])], [page.edits.codeOfSource({ tie_point: 11 })]);
+});
+
+test('a draft is rounded, held within its image, and becomes edits once enough of it is placed', () => {
+  const { begun, placed, editsOfDraft } = page.draft;
+  const size = { width: 100, height: 80 };
+  let draft = placed(begun(null), 2, [10.1234, -5], size);
+  assert.equal(editsOfDraft(draft), null);
+  draft = placed(draft, 0, [200, 33.339], size, 'least_squares');
+  assert.deepEqual(editsOfDraft(draft), [
+    {
+      kind: 'add_point',
+      observations: [
+        { image: 2, x_px: 10.12, y_px: 0, by: 'hand' },
+        { image: 0, x_px: 100, y_px: 33.34, by: 'least_squares' },
+      ],
+    },
+  ]);
+  assert.equal(editsOfDraft(begun({ tie_point: 1 })), null);
+  assert.deepEqual(editsOfDraft(placed(begun({ tie_point: 1 }), 3, [1, 2], size)), [
+    { kind: 'measure', point: { tie_point: 1 }, image: 3, x_px: 1, y_px: 2, by: 'hand' },
+  ]);
+});
+
+test('after a new run what was measured by hand stays, by the names of the images, and it is said what does not', () => {
+  const place = (/** @type {number} */ image) => ({ image, x_px: 1, y_px: 2, by: 'hand' });
+  const edits = [
+    reject,
+    { kind: 'add_point', observations: [place(2), place(3)] },
+    { kind: 'add_point', observations: [place(0), place(1)] },
+    { kind: 'measure', point: { manual: 1 }, ...place(3) },
+    { kind: 'measure', point: { tie_point: 7 }, ...place(3) },
+    { kind: 'reject_images', images: [2] },
+  ];
+  const before = after({ type: 'edit', edits });
+  // The third image is no longer there.
+  const view = { ...viewOf([5]), images: ['x', 'a', 'b', 'd'].map((name) => ({ name, rays: 1 })) };
+  const state = page.reducer.reduceBlock(before, { type: 'done', key: 'k', view, files: [], seconds: 1 });
+  assert.deepEqual(state.history.edits, [
+    [{ kind: 'add_point', observations: [place(1), place(2)] }],
+    [{ kind: 'measure', point: { manual: 0 }, ...place(3) }],
+  ]);
+  assert.match(state.notice.text, /^2 edits by hand were kept\. 4 edits/);
+});
+
+test('points that are one are joined, one that is two is split, as one step with a name', () => {
+  const { joined, split } = page.joining;
+  const { nameOfStep } = page.naming;
+  const place = (/** @type {number} */ image, part = 'accepted', by_hand = false) => ({ image, x_px: 10 * image, y_px: 5, part, by_hand });
+  const first = { id: { tie_point: 3 }, observations: [place(0), place(1)] };
+  const second = { id: { manual: 0 }, observations: [place(1, 'accepted', true), place(2, 'gross_error'), place(3), place(4, 'rejected_by_hand')] };
+  const of = (/** @type {number} */ image, by = 'least_squares') => ({ image, x_px: 10 * image, y_px: 5, by });
+  const step = joined([first, second]);
+  assert.deepEqual(step, [
+    { kind: 'reject_points', points: [{ manual: 0 }, { tie_point: 3 }] },
+    { kind: 'add_point', observations: [of(1, 'hand'), of(2), of(3), of(0)] },
+  ]);
+  assert.equal(nameOfStep(step), 'join 2 points');
+  // A surveyed point gets the observations of the other; two of them are never one.
+  const surveyed = { id: { ground_control: 7 }, observations: [place(0)] };
+  const measured = joined([first, surveyed]);
+  assert.deepEqual(measured, [
+    { kind: 'reject_points', points: [{ tie_point: 3 }] },
+    { kind: 'measure', point: { ground_control: 7 }, ...of(1) },
+  ]);
+  assert.equal(nameOfStep(measured), 'join 2 points');
+  assert.equal(joined([surveyed, { ...surveyed, id: { ground_control: 8 } }]), null);
+  assert.equal(joined([first]), null);
+
+  const four = { id: { tie_point: 9 }, observations: [0, 1, 2, 3].map((image) => place(image)) };
+  const parts = split(four, [1, 3, 5]);
+  assert.deepEqual(parts, [
+    { kind: 'reject_points', points: [{ tie_point: 9 }] },
+    { kind: 'add_point', observations: [of(1), of(3)] },
+    { kind: 'add_point', observations: [of(0), of(2)] },
+  ]);
+  assert.equal(nameOfStep(parts), 'split 1 point into 2');
+  assert.equal(split(four, [0, 1, 2]), null);
+  assert.equal(split({ ...four, id: { ground_control: 1 } }, [1, 3]), null);
+});
+
+test('the journal reads edits of all kinds as they were, and names damage', () => {
+  const { stepFrom, bytesOfStep } = page.edit;
+  const edits = [
+    reject,
+    { kind: 'restore_observations', observations: [{ point: { ground_control: 0 }, image: 3 }] },
+    { kind: 'reject_images', images: [1] },
+    { kind: 'measure', point: { manual: 2 }, image: 1, x_px: 1.5, y_px: 2.5, by: 'least_squares' },
+    { kind: 'add_point', observations: [{ image: 0, x_px: 1, y_px: 2, by: 'hand' }] },
+    { kind: 'set_use', point: 3, use: 'check' },
+    { kind: 'set_use', point: 3 },
+  ].map((edit, i, all) => (i === 0 ? [edit, all[2]] : [edit]));
+  const journal = new page.journal.Journal('block/edits', stepFrom, bytesOfStep);
+  const kept = new Map([...journal.parts({ edits, done: 4 })].map(([name, { value }]) => [name, structuredClone(value)]));
+  assert.deepEqual(journal.read(kept), { edits, done: 4 });
+  kept.get('block/edits/0')[3][0].point = {};
+  assert.throws(() => journal.read(kept), /edits\[0\]\[3\]\[0\]\.point is damaged/);
+});
+
+test('of many edits only the one that is refused goes; those that were to follow it are still tried', () => {
+  const { withoutRefused } = page.editing;
+  const steps = [0, 1, 2, 3].map((image) => [{ kind: 'reject_images', images: [image] }]);
+  const history = { edits: steps, done: 3 };
+  const [first = [], second = [], third = []] = steps;
+  assert.deepEqual(withoutRefused(history, []), { edits: [second, third], done: 2 });
+  assert.deepEqual(withoutRefused(history, first), { edits: [first, third], done: 2 });
+  assert.deepEqual(withoutRefused(history, [...first, ...second]), { edits: [first, second], done: 2 });
+});
+
+test('a new run keeps points by hand as they stand, rejected or not', () => {
+  const { carriedOver } = page.carrying;
+  const names = (/** @type {string[]} */ images, /** @type {[number, string][]} */ surveyed) => ({ images, surveyed: new Map(surveyed) });
+  const place = (/** @type {number} */ image) => ({ image, x_px: 1, y_px: 2, by: 'hand' });
+  const edits = [
+    { kind: 'add_point', observations: [place(0), place(2)] },
+    { kind: 'add_point', observations: [place(0), place(1)] },
+    { kind: 'reject_points', points: [{ manual: 1 }, { tie_point: 7 }] },
+    { kind: 'reject_observations', observations: [{ point: { manual: 1 }, image: 1 }] },
+    { kind: 'restore_points', points: [{ manual: 0 }] },
+    // Surveyed points by their names: one is gone.
+    { kind: 'set_use', point: 0, use: 'check' },
+    { kind: 'set_use', point: 1 },
+    { kind: 'measure', point: { ground_control: 0 }, ...place(1) },
+  ];
+  const before = names(
+    ['a', 'b', 'c'],
+    [
+      [0, 'north'],
+      [1, 'south'],
+    ],
+  );
+  // The third image is gone, and with it the first point.
+  assert.deepEqual(carriedOver(edits, before, names(['b', 'a'], [[4, 'north']])), [
+    { kind: 'add_point', observations: [place(1), place(0)] },
+    { kind: 'reject_points', points: [{ manual: 0 }] },
+    { kind: 'reject_observations', observations: [{ point: { manual: 0 }, image: 0 }] },
+    { kind: 'set_use', point: 4, use: 'check' },
+    { kind: 'measure', point: { ground_control: 4 }, ...place(0) },
+  ]);
+});
+
+test('a surveyed point that was left out comes back with its use', () => {
+  const { standingOf } = page.edits;
+  const off = { kind: 'set_use', point: 2, use: null };
+  assert.deepEqual([...standingOf([off]).unused], [2]);
+  assert.deepEqual([...standingOf([off, { kind: 'restore_points', points: [{ ground_control: 2 }] }]).unused], []);
+});

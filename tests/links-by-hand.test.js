@@ -1,0 +1,70 @@
+/** Links of an image on an orthophoto by hand, as the page's own code applies the steps: without a browser. */
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { pageModules } from './www.js';
+
+/** @type {Record<string, any>} */
+const page = {};
+
+before(async () => {
+  Object.assign(page, await pageModules(['block/state/links', 'block/state/steps']));
+});
+
+const LINKS = [
+  { at: [10, 20], place: [100, 200, 5], residual_px: [0.1, -0.2], role: 'used', by_hand: false },
+  { at: [30, 40], place: [110, 190, 6], residual_px: [3, 4], role: 'rejected', by_hand: false },
+  { at: [50, 60], place: [120, 180, 7], residual_px: [0, 0.5], role: 'check', by_hand: false },
+];
+const IMAGE = { verdict: { kind: 'placed' }, placement: { links: LINKS, rmse_px: 0.3 } };
+
+test('links in columns are the same ones in rows again', () => {
+  const { inColumns, inRows, usedSo } = page.links;
+  const linked = inColumns(IMAGE, [800, 600]);
+  assert.deepEqual(linked.size, [800, 600]);
+  assert.deepEqual(inRows(linked), IMAGE);
+  assert.deepEqual(
+    ['used', 'check', 'rejected'].map((use) => usedSo(linked.placement.links, use)),
+    [1, 1, 1],
+  );
+  assert.deepEqual(inRows(inColumns({ verdict: { kind: 'not_placed' }, placement: null }, [1, 1])), { verdict: { kind: 'not_placed' }, placement: null });
+});
+
+test('steps change how links are used, in their order, and add further ones behind them', () => {
+  const { givenLinks, shownLinks } = page.steps;
+  const found = page.links.inColumns(IMAGE, [800, 600]);
+  const uses = (/** @type {object[]} */ ...steps) => givenLinks(found, steps).map((/** @type {{ use: string }} */ { use }) => use);
+  // What data snooping rejected is judged anew; a check link that is restored checks again.
+  assert.deepEqual(uses(), ['used', 'used', 'check']);
+  assert.deepEqual(uses({ kind: 'reject', link: 0 }), ['rejected', 'used', 'check']);
+  assert.deepEqual(uses({ kind: 'reject', link: 0 }, { kind: 'restore', link: 0 }), ['used', 'used', 'check']);
+  assert.deepEqual(uses({ kind: 'reject', link: 2 }, { kind: 'restore', link: 2 }), ['used', 'used', 'check']);
+  const add = { kind: 'add', at: [1, 2], place: [3, 4] };
+  assert.deepEqual(givenLinks(found, [add]).at(-1), { at: [1, 2], place: [3, 4], use: 'used', by_hand: true });
+  // A link that was added is left out by its number, too.
+  assert.deepEqual(uses(add, { kind: 'reject', link: 3 }), ['used', 'used', 'check', 'rejected']);
+  assert.deepEqual(
+    givenLinks(found, []).map((/** @type {{ place: number[] }} */ { place }) => place.length),
+    [2, 2, 2],
+  );
+  // An image that was not placed has what was added.
+  const none = page.links.inColumns({ verdict: { kind: 'not_placed' }, placement: null }, [800, 600]);
+  assert.equal(shownLinks({ result: none, steps: [add], done: 0 }), null);
+  assert.equal(shownLinks({ result: none, steps: [add, add], done: 1 }).count, 1);
+  assert.equal(shownLinks({ result: found, steps: [add], done: 1 }).count, 3);
+});
+
+test('who left a link out is said: the user, or data snooping', () => {
+  const { useWord } = page.steps;
+  const steps = [
+    { kind: 'add', at: [1, 2], place: [3, 4] },
+    { kind: 'reject', link: 0 },
+    { kind: 'restore', link: 0 },
+  ];
+  assert.equal(useWord({ steps, done: 3 }, 0, 'used'), 'used');
+  assert.equal(useWord({ steps, done: 2 }, 0, 'rejected'), 'rejected by hand');
+  // What was used again, or measured, by hand may still be rejected by data snooping.
+  assert.equal(useWord({ steps, done: 3 }, 0, 'rejected'), 'rejected as a gross error');
+  assert.equal(useWord({ steps, done: 1 }, 3, 'rejected'), 'rejected as a gross error');
+  assert.equal(useWord({ steps: [], done: 0 }, 2, 'check'), 'check');
+});

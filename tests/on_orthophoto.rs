@@ -1,0 +1,175 @@
+//! Blocks in the system of an orthophoto, beside their truth.
+
+#[path = "scene/shown.rs"]
+mod shown;
+
+use shown::shown;
+use std::fs;
+use std::path::PathBuf;
+use std::sync::OnceLock;
+use tiepoint::{
+    BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, ControlTexts, DecodeLimits, Heights,
+    MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, OverviewWarning, PlacingOptions, RunInput, SearchArea, decode, run_block,
+};
+
+/// Of the map, from that of the scene.
+const FAR: [f64; 2] = [350_000.0, 5_800_000.0];
+
+fn flight(seed: u32) -> BlockFlight {
+    BlockFlight { strips: 2, exposures: 4, width_px: 480, height_px: 360, pixel_mm: 0.075, relief_m: 40.0, seed, ..BlockFlight::default() }
+}
+
+fn options() -> PlacingOptions {
+    PlacingOptions { points: 3000, ..PlacingOptions::default() }
+}
+
+/// The orthophoto of a scene in the system of a map.
+fn orthophoto(scene: &BlockScene) -> Orthophoto {
+    let made = scene.orthophoto(0.8).unwrap();
+    let mut georeference = made.georeference;
+    (0..2).for_each(|k| georeference.origin[k] += FAR[k]);
+    let Heights::Model(mut model) = made.heights else { panic!("a scene has a model of its heights") };
+    (0..2).for_each(|k| model.georeference.origin[k] += FAR[k]);
+    Orthophoto::new(made.grey, georeference, Heights::Model(model)).unwrap()
+}
+
+struct Flown {
+    scene: BlockScene,
+    photos: Vec<PathBuf>,
+    folder: PathBuf,
+}
+
+/// A scene with its photos on disk.
+fn flown() -> &'static Flown {
+    static FLOWN: OnceLock<Flown> = OnceLock::new();
+    FLOWN.get_or_init(|| {
+        let scene = BlockScene::new(&flight(3)).unwrap();
+        let folder = std::env::temp_dir().join(format!("tiepoint-on-orthophoto-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let photo = |index: usize| {
+            let path = folder.join(format!("photo_{index:05}.png"));
+            fs::write(&path, scene.photo_file(index).unwrap()).unwrap();
+            path
+        };
+        let photos = (0..scene.photos()).map(photo).collect();
+        Flown { scene, photos, folder }
+    })
+}
+
+fn run(control: Option<ControlTexts>) -> BlockRun {
+    let Flown { photos, folder, scene } = flown();
+    let mut settings = BlockSettings::default();
+    settings.features.multiscale = MultiscaleOptions { number: 2500, ..settings.features.multiscale };
+    // Over ground that is nearly flat a focal length that is estimated takes the height with it.
+    let focal_px = scene.truth().cameras[0].focal_px;
+    let cameras = Some(format!(r#"{{"cameras": [{{"focal_px": {focal_px}, "fixed": true}}]}}"#));
+    let input = RunInput { settings, cameras, use_gnss: control.is_none(), control, ..RunInput::default() };
+    run_block(photos, &[], input, &folder.join("work"), 2, drop).unwrap()
+}
+
+/// The block of the flight, placed by its GNSS positions on the earth.
+fn block() -> &'static BlockRun {
+    static BLOCK: OnceLock<BlockRun> = OnceLock::new();
+    BLOCK.get_or_init(|| run(None))
+}
+
+fn linked(block: &BlockRun, reference: &Orthophoto) -> BlockRun {
+    let area = SearchArea::new(reference, &options()).unwrap();
+    let mut links = BlockLinks::default();
+    for (index, path) in flown().photos.iter().enumerate() {
+        let grey = decode(&fs::read(path).unwrap(), &DecodeLimits::default()).unwrap().grey;
+        links.place(block, index, grey.view(), reference, &area, &options()).unwrap();
+    }
+    links.linked(block, reference, &options()).unwrap()
+}
+
+fn outcome(block: &BlockRun) -> OnOrthophoto {
+    block.orthophoto.clone().unwrap()
+}
+
+/// Errors of the projection centres in m, and by their standard errors.
+fn errors(run: &BlockRun, truth: &BlockModel) -> Vec<[(f64, f64); 3]> {
+    let model = &run.reconstruction.as_ref().unwrap().models[0];
+    let of_image = |(image, statistics): (&usize, &tiepoint::ImageStatistics)| {
+        let own = run.model.images[*image].pose.unwrap().position;
+        let known = truth.images[*image].pose.unwrap().position;
+        let sigma = statistics.position_errors.unwrap();
+        [0, 1, 2].map(|k| {
+            let off = own[k] - known[k] - [FAR[0], FAR[1], 0.0][k];
+            (off, off / sigma[k])
+        })
+    };
+    model.images.iter().zip(&model.adjusted.images).map(of_image).collect()
+}
+
+#[test]
+fn a_block_comes_into_the_system_of_its_orthophoto() {
+    let Flown { scene, .. } = flown();
+    let (before, reference) = (block(), orthophoto(scene));
+    let found = linked(before, &reference);
+    let OnOrthophoto::Linked { linked, images, points, checks, .. } = outcome(&found) else { panic!("{}", outcome(&found)) };
+    assert!(linked == 8 && images == 8 && points >= 40 && checks >= 8, "{}", outcome(&found));
+    assert!(matches!(BlockVerdict::of(&found), BlockVerdict::Oriented { .. }), "{}", BlockVerdict::of(&found));
+    let errors = errors(&found, &scene.truth());
+    println!("{} {errors:.3?}", outcome(&found));
+    let largest = errors.iter().flatten().map(|(off, _)| off.abs()).fold(0.0, f64::max);
+    assert!(largest < 1.6, "{largest} m, two px of the orthophoto, from 785 m above it");
+    // Errors of the images of a block are common to them: some mean squares of all tell little of one axis.
+    let mean_square = errors.iter().flatten().map(|(_, ratio)| ratio * ratio).sum::<f64>() / (3 * errors.len()) as f64;
+    assert!((0.05..4.0).contains(&mean_square), "{mean_square}");
+    let model = &found.reconstruction.as_ref().unwrap().models[0];
+    let checks: Vec<_> = model.surveyed.iter().filter(|point| point.role == tiepoint::ControlRole::Check).collect();
+    let squares: Vec<f64> = checks
+        .iter()
+        .flat_map(|point| (0..3).map(|k| point.difference_m[k] / point.standard_errors_m[k].unwrap()))
+        .map(|r| r * r)
+        .collect();
+    let ratio = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+    assert!((0.2..2.0).contains(&ratio), "{ratio}");
+    // The block that it was is not changed, and edits are applied to the one that is linked.
+    assert!(before.orthophoto.is_none() && found.found() == found);
+    let name = model.surveyed[0].name.clone();
+    assert!(name.starts_with("orthophoto_"), "{name}");
+}
+
+#[test]
+fn an_orthophoto_of_elsewhere_leaves_the_block_as_it_was_and_says_so() {
+    let other = orthophoto(&BlockScene::new(&BlockFlight { exposures: 2, ..flight(4) }).unwrap());
+    let found = linked(block(), &other);
+    let OnOrthophoto::NotLinked { not_linked } = outcome(&found) else { panic!("{}", outcome(&found)) };
+    assert!(matches!(not_linked, NotLinked::FewImages { placed: 0, images: 8, .. }), "{not_linked}");
+    assert_eq!(BlockRun { orthophoto: None, ..found.clone() }, *block());
+    let BlockVerdict::Weak { overview_warning, .. } = BlockVerdict::of(&found) else { panic!("{}", BlockVerdict::of(&found)) };
+    assert!(matches!(overview_warning, OverviewWarning::NotOnOrthophoto { .. }));
+}
+
+/// Where a photo without distortion shows a place, if it does.
+/// Ground control points by the truth, their heights raised.
+fn surveyed(raised_m: f64) -> ControlTexts {
+    let places = shown(&flown().scene, &[0, 2, 5, 7], &[[150.0, 120.0], [330.0, 240.0]]);
+    let (mut points, mut marks) = ("name,x,y,z,sigma_xy,sigma_z,sigma_px\n".to_string(), "image,point,x,y\n".to_string());
+    for (number, (place, images)) in (1..).zip(&places) {
+        points += &format!("G{number},{},{},{},0.05,0.05,0.1\n", place[0] + FAR[0], place[1] + FAR[1], place[2] + raised_m);
+        marks += &images.iter().map(|(image, [x, y])| format!("photo_{image:05}.png,G{number},{x},{y}\n")).collect::<String>();
+    }
+    assert!(places.len() >= 4, "{}", places.len());
+    ControlTexts { points, marks }
+}
+
+#[test]
+fn ground_control_points_take_part_beside_the_orthophoto_or_contradict_its_heights() {
+    let reference = orthophoto(&flown().scene);
+    let both = linked(&run(Some(surveyed(0.0))), &reference);
+    let OnOrthophoto::Linked { points, .. } = outcome(&both) else { panic!("{}", outcome(&both)) };
+    let model = &both.reconstruction.as_ref().unwrap().models[0];
+    let control = |begins: &str| model.surveyed.iter().filter(|point| point.name.starts_with(begins)).count();
+    assert!(control("G") >= 4 && control("orthophoto_") >= points, "{points}");
+    // Heights of the model that are 5 m lower than those that were surveyed.
+    let low = run(Some(surveyed(5.0)));
+    let found = linked(&low, &reference);
+    let OnOrthophoto::NotLinked { not_linked: NotLinked::Contradiction { x_m, y_m, z_m } } = outcome(&found) else {
+        panic!("{}", outcome(&found))
+    };
+    assert!(x_m.abs() < 0.5 && y_m.abs() < 0.5 && (z_m + 5.0).abs() < 0.5, "{x_m} {y_m} {z_m}");
+    assert_eq!(found.model, low.model);
+}

@@ -1,0 +1,175 @@
+/** Orthophotos as the page's own code tells them apart and lays them on a map: without a browser. */
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { BlockScene, grey_png, OrthophotoReference } from '../pkg/node.js';
+import { pageModules } from './www.js';
+
+/** @type {Record<string, any>} */
+const page = {};
+
+before(async () => {
+  Object.assign(page, await pageModules(['block/files/rasters', 'block/state/under', 'block/state/placing', 'block/state/placed', 'block/state/laid']));
+});
+
+/** @param {string} name @param {Uint8Array | string} content @param {string} [type] */
+const found = (name, content, type = '') => ({ file: new File([/** @type {BlobPart} */ (content)], name, { type }), path: '' });
+
+const scene = () => {
+  const made = new BlockScene({ strips: 1, exposures: 2, width_px: 120, height_px: 90, pixel_mm: 0.3 });
+  const { picture, heights } = made.orthophoto(4);
+  made.free();
+  return { picture, heights };
+};
+
+test('orthophotos, heights and photographs are told apart by what they hold', async () => {
+  const { sortRasters, kindOfTiff } = page.rasters;
+  const { picture, heights } = scene();
+  const png = grey_png(4, 4, new Uint8Array(16));
+  const sorted = await sortRasters([
+    found('one.tif', picture),
+    found('two.tif', heights),
+    found('grid.asc', 'ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n'),
+    found('notes.txt', 'no grid'),
+    found('photo.png', png, 'image/png'),
+    found('map.png', png, 'image/png'),
+    found('map.pgw', '1\n0\n0\n-1\n0\n0\n'),
+    found('alone.tfw', '1\n0\n0\n-1\n0\n0\n'),
+    // A TIFF without a place is a photograph, and so is what is damaged: the crate says why.
+    found('cut.tif', picture.slice(0, 40)),
+  ]);
+  const names = (/** @type {{ file: File }[]} */ list) => list.map(({ file }) => file.name);
+  assert.deepEqual(names(sorted.orthophotos), ['one.tif', 'map.png']);
+  assert.equal(sorted.orthophotos[1].world.name, 'map.pgw');
+  assert.deepEqual(names(sorted.heights), ['two.tif', 'grid.asc']);
+  assert.deepEqual(
+    sorted.worlds.map((/** @type {File} */ { name }) => name),
+    ['alone.tfw'],
+  );
+  assert.deepEqual(names(sorted.others), ['notes.txt', 'photo.png', 'cut.tif']);
+
+  const placed = [
+    [33550, 0],
+    [33922, 0],
+  ];
+  const kind = (/** @type {number[][]} */ ...tags) => kindOfTiff(new Map(/** @type {[number, number][]} */ (tags)), false);
+  assert.equal(kind([258, 8], [277, 3], [339, 1], ...placed), 'orthophoto');
+  assert.equal(kind([258, 16], ...placed), 'orthophoto');
+  assert.equal(kind([258, 16], [339, 2], ...placed), 'heights');
+  assert.equal(kind([258, 32], [339, 3], ...placed), 'heights');
+  assert.equal(kind([258, 32], [339, 3], [277, 3], ...placed), 'orthophoto');
+  assert.equal(kind([258, 8], [277, 3]), 'photograph');
+  assert.equal(kindOfTiff(new Map([[258, 32]]), true), 'heights');
+});
+
+test('a map of the plane is undone by its inverse, and pixels lie where the crate has them', () => {
+  const { affineOf, after, inverse, mapped, scaleOf, similarity } = page.under;
+  const reference = OrthophotoReference.open(scene().picture);
+  const { georeference, gsd } = reference.info();
+  reference.free();
+  const toGround = affineOf(georeference);
+  assert.ok(Math.abs(scaleOf(toGround) - gsd) < 1e-9);
+  assert.deepEqual(mapped(toGround, 0, 0), georeference.origin);
+  const turned = { a: 0.3, b: 0.4, c: -0.5, d: 0.2, e: 500_000, f: 5_400_000 };
+  const same = after(inverse(turned), turned);
+  const [x, y] = mapped(same, 7, -3);
+  assert.ok(Math.hypot(x - 7, y + 3) < 1e-6, `${x} ${y}`);
+  assert.deepEqual(
+    mapped(after(turned, toGround), 2, 5).map((v) => v.toFixed(6)),
+    mapped(turned, ...mapped(toGround, 2, 5)).map((v) => v.toFixed(6)),
+  );
+
+  const from = [
+    [500_000, 5_400_000],
+    [500_100, 5_400_000],
+    [500_050, 5_400_080],
+  ];
+  const known = { a: 0.8, b: 0.6, c: -0.6, d: 0.8, e: 12, f: -40 };
+  const to = from.map(([east = 0, north = 0]) => mapped(known, east, north));
+  const again = similarity(from, to);
+  for (const [i, [east, north]] of from.entries()) {
+    const [u, v] = mapped(again, east, north);
+    assert.ok(Math.hypot(u - to[i][0], v - to[i][1]) < 1e-6);
+  }
+  assert.equal(similarity([[1, 2]], [[3, 4]]), null);
+  assert.equal(
+    similarity(
+      [
+        [1, 2],
+        [1, 2],
+      ],
+      [
+        [3, 4],
+        [5, 6],
+      ],
+    ),
+    null,
+  );
+});
+
+test('another orthophoto takes what was placed away; other settings mark it as earlier, the same ones again do not', () => {
+  const { NO_PLACING, reducePlacing } = page.placing;
+  const { placedFiles, placingKey, unplacedFiles } = page.placed;
+  const info = { width: 10, height: 10, gsd: 1, georeference: { origin: [0, 0], by_column: [1, 0], by_row: [0, -1] }, epsg: null, heights: [0, 0] };
+  const raster = { id: 7, name: 'o.tif', file: new Blob(), world: null };
+  const options = { near_x: null, near_y: null, within_m: 500 };
+  const state = (/** @type {object} */ placing) => ({ placing, options: { cameras: null }, files: [{ id: 1, name: 'a.jpg', file: new Blob() }] });
+  let placing = reducePlacing({ ...NO_PLACING, options }, { type: 'orthophoto', orthophoto: { raster, info, ofBlock: null } });
+  assert.equal(unplacedFiles(state(placing)).length, 1);
+  const key = placingKey(state(placing));
+  placing = reducePlacing(placing, { type: 'placed', image: 1, placed: { key, result: null, problem: 'no image' } });
+  assert.deepEqual(
+    placedFiles(state(placing)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale),
+    [false],
+  );
+  const near = reducePlacing(placing, { type: 'placingOptions', options: { near_x: 3 } });
+  assert.equal(placedFiles(state(near))[0].isStale, true);
+  assert.equal(unplacedFiles(state(near)).length, 1);
+  const back = reducePlacing(near, { type: 'placingOptions', options: { near_x: null } });
+  assert.equal(placedFiles(state(back))[0].isStale, false);
+  const level = reducePlacing(placing, { type: 'heights', heights: { kind: 'level', height: 20 }, info });
+  assert.equal(placedFiles(state(level))[0].isStale, true);
+  const other = reducePlacing(placing, { type: 'orthophoto', orthophoto: { raster: { ...raster, id: 8 }, info, ofBlock: null } });
+  assert.equal(placedFiles(state(other)).length, 0);
+  assert.deepEqual(reducePlacing(placing, { type: 'orthophoto', orthophoto: null }), { ...NO_PLACING, options });
+});
+
+test('an orthophoto lies under a block by the images that are placed on it, by one system, or not at all', () => {
+  const { laidUnder } = page.laid;
+  const { mapped } = page.under;
+  const info = { width: 100, height: 100, gsd: 1, georeference: { origin: [1000, 2100], by_column: [1, 0], by_row: [0, -1] }, epsg: null, heights: [0, 0] };
+  const orthophoto = { raster: {}, info, ofBlock: null };
+  /** A square of the orthophoto's system, as the block has it: turned by a quarter, half as large, elsewhere. */
+  const square = [
+    [1010, 2090],
+    [1050, 2090],
+    [1050, 2060],
+    [1010, 2060],
+  ];
+  const known = { a: 0, b: 0.5, c: -0.5, d: 0, e: 3, f: 4 };
+  const own = Float64Array.from(square.flatMap(([x, y]) => mapped(known, x, y)));
+  /** As the crate gives it: as many places along each side. */
+  const footprint = square.flatMap(([x = 0, y = 0], i) => {
+    const [u = 0, v = 0] = square[(i + 1) % 4] ?? [];
+    return [0, 0.25, 0.5, 0.75].map((share) => [x + share * (u - x), y + share * (v - y)]);
+  });
+  const placed = (/** @type {string} */ kind) => new Map([[5, { key: '', problem: '', result: { verdict: { kind }, placement: { footprint } } }]]);
+  const files = [{ id: 5, name: 'a.jpg', file: new Blob() }];
+  const shown = { key: 'run 1', view: { images: [{ name: 'b.jpg' }, { name: 'a.jpg' }], layout: { kind: 'oriented' } } };
+  const ground = { footprints: Float64Array.of(...new Array(8).fill(NaN), ...own) };
+  const laid = laidUnder(orthophoto, placed('placed'), files, shown, ground, 'own');
+  assert.equal(laid.images, 1);
+  for (const [x, y] of square) {
+    const [[u, v], [p, q]] = [mapped(laid.toBlock, x, y), mapped(known, x, y)];
+    assert.ok(Math.hypot(u - p, v - q) < 1e-6);
+  }
+  assert.equal(laidUnder(orthophoto, placed('weak'), files, shown, ground, 'own'), null);
+  assert.equal(laidUnder(orthophoto, new Map(), files, shown, ground, 'own'), null);
+  // Control points of the same system: nothing has to be placed, where it is the same ground.
+  const same = { footprints: Float64Array.from(square.flat()) };
+  assert.deepEqual(laidUnder(orthophoto, new Map(), files, shown, same, 'surveyed'), { toBlock: page.under.SAME, images: 0 });
+  assert.equal(laidUnder(orthophoto, new Map(), files, shown, ground, 'surveyed'), null);
+  // An orthomosaic is of one block alone.
+  assert.equal(laidUnder({ ...orthophoto, ofBlock: 'run 1' }, new Map(), files, shown, ground, 'own').images, 0);
+  assert.equal(laidUnder({ ...orthophoto, ofBlock: 'run 0' }, new Map(), files, shown, ground, 'own'), null);
+});

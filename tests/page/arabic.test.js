@@ -1,0 +1,143 @@
+/** The page in Arabic: chosen or by the browser, from right to left, whole, and with nothing mirrored that must not be. */
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { SAME } from '../english.js';
+import { looker } from './axe.js';
+import { photos } from './blocks.js';
+import { CAMERA, done, hosted, open, part, pngs, saved, SHOTS, SKIP } from './page.js';
+
+hosted();
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const ARABIC = { options: { locale: 'ar-EG' } };
+
+/** @param {Page} page */
+const document_ = (page) => page.evaluate(() => ({ lang: document.documentElement.lang, dir: document.documentElement.dir, title: document.title }));
+
+/** What people read in the page, and what is read out to them; without keys, code and the names of files.  @param {Page} page */
+const texts = (page) =>
+  page.evaluate(() => {
+    const found = new Set();
+    for (const element of document.body.querySelectorAll('*')) {
+      if (!element.checkVisibility() || element.closest('kbd, code, pre, [lang="en"], .pane-name, .project-name') !== null) continue;
+      for (const node of element.childNodes) if (node.nodeType === Node.TEXT_NODE) found.add(node.textContent?.trim() ?? '');
+      for (const name of ['title', 'aria-label', 'aria-roledescription', 'placeholder']) found.add(element.getAttribute(name) ?? '');
+    }
+    return [...found].filter((text) => text !== '');
+  });
+
+/** Words that are names of keys, files, operators or options in every language. */
+const NAMES =
+  /"[^"]*"|\.(?:tfw|jgw|pgw|wld)\b|\b[\w-]+\.(?:png|jpe?g|json|csv|tiepoint|tfw|jgw|pgw|wld|zip)\b|\b(?:[a-z]+_[a-z_]+|radial|tangential|fixed|mask|auto|Förstner|Moravec|Ground|Huber|Agisoft|Bundler|NVM|VisualSFM|ESRI|ASCII|Apache-2\.0|MIT|COLMAP|images|cameras|world file|Baarda|DJI|WebP|English|Simulated)\b/gu;
+
+/** Texts with a word in Latin letters that is neither a name nor a unit.  @param {readonly string[]} all */
+const english = (all) => all.filter((text) => (text.replaceAll(NAMES, ' ').match(/[A-Za-z][A-Za-z’-]{2,}/gu) ?? []).some((word) => !SAME.test(word)));
+
+test('the language is that of the browser until one is chosen, and the choice is kept', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ ...ARABIC, fresh: true });
+  await page.waitForFunction(() => document.title.startsWith('\u200f'));
+  assert.deepEqual(await document_(page), { lang: 'ar', dir: 'rtl', title: '\u200fTiepoint: مطابقة الصور وتوجيهها النسبي' });
+  await page.waitForFunction(() => !document.querySelector('[data-testid="sample-first"]')?.hasAttribute('disabled'));
+  await Promise.all([page.waitForEvent('load'), part(page, 'language').click()]);
+  assert.deepEqual(await document_(page), { lang: 'en', dir: 'ltr', title: 'Tiepoint: image matching and relative orientation' });
+  await page.reload();
+  assert.equal((await document_(page)).lang, 'en');
+  await page.waitForFunction(() => !document.querySelector('[data-testid="sample-first"]')?.hasAttribute('disabled'));
+  await Promise.all([page.waitForEvent('load'), part(page, 'language').click()]);
+  assert.equal((await document_(page)).dir, 'rtl');
+  assert.equal(await part(page, 'language').textContent(), 'English');
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a pair is matched and oriented in Arabic, and files stay English', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open(ARABIC);
+  const found = new Map();
+  const look = looker(page, found);
+  /** @type {string[]} */
+  const left = [];
+  const read = async (/** @type {string} */ where) => left.push(...english(await texts(page)).map((text) => `${where}: ${text}`));
+  await page.waitForFunction(() => !document.querySelector('[data-testid="sample-first"]')?.hasAttribute('disabled'));
+  await read('start');
+  await look('start in Arabic');
+  await part(page, 'file-input').setInputFiles([...pngs(), CAMERA]);
+  assert.match(await done(page), /^(?:وُجّه الزوج|توجيه ضعيف)/u);
+  await read('pair');
+  await look('a pair in Arabic');
+  // The left image stays on the left, and its panel of settings goes to the right.
+  const [first, second] = await Promise.all(['pane-left', 'pane-right'].map((id) => part(page, id).boundingBox()));
+  assert.ok((first?.x ?? 0) < (second?.x ?? 0));
+  const settings = await page.locator('.side.of-settings').first().boundingBox();
+  assert.ok((settings?.x ?? 0) > (second?.x ?? 0));
+  await part(page, 'tab-matches').click();
+  await read('matches');
+  await part(page, 'tab-point').click();
+  await part(page, 'view').focus();
+  await page.keyboard.press('n');
+  await page.waitForFunction(() => document.querySelector('[data-testid="point-verdict"]') !== null);
+  await read('point');
+  await page.keyboard.press('Control+k');
+  await read('search');
+  await look('the search in Arabic', 'dialog[open]');
+  await page.keyboard.press('Escape');
+  const json = JSON.parse((await saved(page, 'export-json')).toString());
+  assert.match(json.verdict.text, /^(?:Oriented|Weak)/u);
+  for (const width of [360, 768, 1366, 1920]) {
+    await page.setViewportSize({ width, height: 800 });
+    await page.screenshot({ path: join(SHOTS, `arabic-${String(width)}.png`) });
+  }
+  assert.deepEqual([...new Set(left)], []);
+  assert.deepEqual([...found.values()], []);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a block runs in Arabic', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open(ARABIC);
+  await part(page, 'mode-block').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
+  const left = english(await texts(page)).map((text) => `start: ${text}`);
+  await part(page, 'tab-block-orthophoto').click();
+  left.push(...english(await texts(page)).map((text) => `orthophoto: ${text}`));
+  await photos(page, undefined, /اضغط «تشغيل»/u);
+  await part(page, 'block-run').click();
+  await page.waitForFunction(() => /^(?:done|partial|problem)$/u.test(document.querySelector('[data-testid="block-status"]')?.getAttribute('data-kind') ?? ''));
+  left.push(...english(await texts(page)).map((text) => `run: ${text}`));
+  for (const view of ['matrix', 'images', 'plots']) {
+    await part(page, `block-show-${view}`).click();
+    left.push(...english(await texts(page)).map((text) => `${view}: ${text}`));
+  }
+  const found = new Map();
+  await looker(page, found)('a block in Arabic');
+  await part(page, 'close-block-settings').click();
+  await page.setViewportSize({ width: 360, height: 740 });
+  for (const view of ['map', 'images', 'matrix', 'plots', 'orthophoto']) {
+    await part(page, `block-show-${view}`).click();
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), view);
+  }
+  assert.deepEqual([...new Set(left)], []);
+  assert.deepEqual([...found.values()], []);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('what is typed is refused in Arabic, with its range', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open(ARABIC);
+  await page.waitForFunction(() => !document.querySelector('[data-testid="sample"]')?.hasAttribute('disabled'));
+  await part(page, 'tab-camera').click();
+  for (const [id, typed, said] of /** @type {const} */ ([
+    ['camera-focal', '-5', /أكبر من \u2068?0\u2069? وحتى \u2068?100000/u],
+    ['camera-x0', '1e6', /عددان من \u2068?-10000/u],
+  ])) {
+    await part(page, id).fill(typed);
+    await part(page, id).press('Enter');
+    const text = (await part(page, `${id}-problem`).textContent()) ?? '';
+    assert.match(text, said);
+    assert.deepEqual(english([text]), []);
+  }
+  assert.deepEqual(complaints, []);
+  await close();
+});

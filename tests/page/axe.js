@@ -1,0 +1,57 @@
+/** Looks at states of the page with axe, on a laptop and on a phone, in both themes. */
+
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+export const LAPTOP = { width: 1366, height: 768 };
+const PHONE = { width: 360, height: 740 };
+
+/** Rules whose answer is another one in the other theme. */
+const COLOURS = ['color-contrast', 'link-in-text-block'];
+
+/**
+ * What axe finds: rule and place, and why.
+ * @param {Page} page @param {readonly string[] | null} only these rules, or all @param {string} within what is looked at @returns {Promise<[string, string][]>}
+ */
+async function axe(page, only, within) {
+  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(AXE);
+  return page.evaluate(
+    async ([rules, selector]) => {
+      const options = rules === null ? { rules: { 'target-size': { enabled: true } } } : { runOnly: { type: 'rule', values: rules } };
+      const { violations } = await /** @type {any} */ (window).axe.run(selector, { resultTypes: ['violations'], ...options });
+      return violations.flatMap((/** @type {any} */ { id, nodes }) =>
+        nodes.map((/** @type {any} */ { target, failureSummary }) => [`${id}: ${target.join(' ')}`, failureSummary.replaceAll(/\s+/g, ' ')]),
+      );
+    },
+    /** @type {[readonly string[] | null, string]} */ ([only, within]),
+  );
+}
+
+/**
+ * Looks at a state of the page on both screens and in both themes; collects what axe finds, with the first state where it does.
+ * @param {Page} page @param {Map<string, string>} found @returns {(where: string, within?: string) => Promise<void>} within: where something lies over the rest
+ */
+export function looker(page, found) {
+  const note = (/** @type {string} */ where, /** @type {[string, string][]} */ findings) => {
+    for (const [what, why] of findings) if (!found.has(what)) found.set(what, `${where}: ${what}: ${why}`);
+  };
+  return async (where, within = 'html') => {
+    for (const [screen, size] of /** @type {const} */ ([
+      ['laptop', LAPTOP],
+      ['phone', PHONE],
+    ])) {
+      await page.setViewportSize(size);
+      await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
+      // What follows the size of the window (observers of sizes) is done a frame after it.
+      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      note(`${where}, ${screen}, light`, await axe(page, null, within));
+      await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+      note(`${where}, ${screen}, dark`, await axe(page, COLOURS, within));
+    }
+    await page.setViewportSize(LAPTOP);
+  };
+}

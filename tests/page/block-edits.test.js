@@ -1,0 +1,184 @@
+/** A finished block is edited by hand, as a person does it. */
+
+import assert from 'node:assert/strict';
+import { rmSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { block, photoFolder, status } from './blocks.js';
+import { hosted, keptEdits, part, saved, says, SHOTS, SKIP } from './page.js';
+
+hosted('/block-edits/');
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** Waits until undo would take back this.  @param {Page} page @param {RegExp} pattern */
+const undoIs = (page, pattern) =>
+  page.waitForFunction(
+    ([source]) => {
+      const adjusting = document.querySelector('[data-testid="block-edit-text"]')?.textContent === 'Adjusting the block …';
+      return !adjusting && new RegExp(source ?? '', 'u').test(document.querySelector('[data-testid="block-undo"]')?.getAttribute('title') ?? '');
+    },
+    [pattern.source],
+  );
+
+/** The block as a project file.  @param {Page} page */
+async function project(page) {
+  await part(page, 'block-export-kind').selectOption('project');
+  return saved(page, 'block-export');
+}
+
+test('observations and images are rejected, a point is measured by keyboard, all of it is undone after a reload to the byte', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block({ options: { viewport: { width: 1366, height: 768 } } });
+  const folder = photoFolder(6);
+  await part(page, 'block-folder-input').setInputFiles(folder);
+  await status(page, /6 images in the block/);
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation): /);
+  const found = await project(page);
+  await status(page, /was saved/);
+
+  // An observation of the first image's first point.
+  await part(page, 'block-show-images').click();
+  await part(page, 'block-panes').focus();
+  await page.keyboard.press('n');
+  const before = await says(page, 'image-point', / rays/);
+  // The user looks closer, and goes on looking there.
+  const pane = await part(page, 'pane-image-0').boundingBox();
+  assert.ok(pane);
+  await page.mouse.move(pane.x + 20, pane.y + pane.height - 20);
+  await page.keyboard.press('+');
+  await page.keyboard.press('ArrowRight');
+  const place = await says(page, 'image-place', / px/);
+  await part(page, 'block-reject').focus();
+  await page.keyboard.press('Enter');
+  await undoIs(page, /^Undo: reject 1 observation in photo_0\.png \(/);
+  // The keyboard is where the press is taken back.
+  await page.waitForFunction(() => document.activeElement?.getAttribute('data-testid') === 'block-restore');
+  assert.equal((await says(page, 'image-place', / px · ground/)).split(' px')[0], place.split(' px')[0]);
+  assert.match(await says(page, 'block-edit-text', /^σ₀/), /^σ₀ \d+\.\d{3} → \d+\.\d{3} px · RMSE \d+\.\d{3} → \d+\.\d{3} px$/);
+  // It is the same point still.
+  assert.equal((await says(page, 'image-point', / rays/)).split(' · ')[0], before.split(' · ')[0]);
+  await says(page, 'figures-0', /rejected by hand/);
+  await page.keyboard.press('Enter');
+  await undoIs(page, /^Undo: restore 1 observation in photo_0\.png \(/);
+  await page.waitForFunction(() => document.activeElement?.getAttribute('data-testid') === 'block-reject');
+  await says(page, 'figures-0', /^v /);
+
+  // A new point in three images, by the keyboard alone, within 20 s.
+  await part(page, 'block-panes').focus();
+  const began = Date.now();
+  await page.keyboard.press('a');
+  await page.keyboard.press('Enter');
+  await says(page, 'block-edit-text', /^New point: placed in 1 image\./);
+  for (const images of [2, 3]) {
+    await page.keyboard.press('o');
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.press('ArrowLeft');
+    await says(page, 'block-edit-text', new RegExp(`placed in ${images} images`));
+  }
+  await page.screenshot({ path: join(SHOTS, 'block-edits-draft.png') });
+  // Least squares matching takes it from there.
+  await page.keyboard.press('f');
+  await says(page, 'block-status', /Matched in [12345] of \d images\. Enter accepts\./);
+  await page.keyboard.press('Enter');
+  await undoIs(page, /^Undo: add 1 point in \d images/);
+  assert.ok(Date.now() - began < 20_000, `${Date.now() - began} ms`);
+  assert.match(await says(page, 'image-point', / rays/), /^Point by hand \d+ · X Y Z .* · [3-6] rays · RMSE/);
+  await says(page, 'figures-0', /by hand/);
+  await page.screenshot({ path: join(SHOTS, 'block-edits-point.png') });
+
+  // A point that was rejected stays in sight, chosen: in the images, in its table and on the map it is restored by the same key.
+  await part(page, 'block-show-images').click();
+  await page.keyboard.press('Shift+Delete');
+  await undoIs(page, /^Undo: reject 1 point \(/);
+  await says(page, 'figures-0', /rejected by hand/);
+  await part(page, 'tab-block-points').click();
+  await part(page, 'block-points-filter-point-part').fill('hand');
+  await says(page, 'block-points-caption', /: 1 of \d+$/);
+  await page.screenshot({ path: join(SHOTS, 'block-edits-rejected.png') });
+  await page.locator('[data-testid="block-points"] tbody tr:not(.filler)').click();
+  await page.keyboard.press('r');
+  await undoIs(page, /^Undo: restore 1 point \(/);
+  await says(page, 'block-points-caption', /: 0 of \d+$/);
+  await part(page, 'block-points-clear').click();
+  await page.keyboard.press('Control+z');
+  await undoIs(page, /^Undo: reject 1 point \(/);
+  await part(page, 'block-show-map').click();
+  await says(page, 'block-map-words', / tie points and 1 rejected by hand; /);
+  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /rejected by hand/);
+  await part(page, 'block-restore').click();
+  await undoIs(page, /^Undo: restore 1 point \(/);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await undoIs(page, /^Undo: add 1 point/);
+
+  // An image, chosen on the map.
+  await part(page, 'block-map').focus();
+  await page.keyboard.press('n');
+  await page.keyboard.press('Delete');
+  await undoIs(page, /^Undo: reject photo_0\.png \(/);
+  await status(page, /: 5 of 6 images/);
+  const edited = await project(page);
+  assert.notDeepEqual(edited, found);
+  await status(page, /was saved/);
+
+  // Reload: what was done is there, and is undone to the last byte.
+  await keptEdits(page, 'block/edits', 4, 4);
+  await page.reload();
+  await status(page, /: 5 of 6 images/);
+  await undoIs(page, /^Undo: reject photo_0\.png \(/);
+  await page.keyboard.press('Control+z');
+  await status(page, /: 6 of 6 images/);
+  await page.keyboard.press('Control+Shift+z');
+  await status(page, /: 5 of 6 images/);
+  await part(page, 'tab-block-edits').click();
+  assert.equal((await part(page, 'block-rejected').textContent())?.trim(), 'photo_0.png Restore');
+  await part(page, 'block-history-0').click();
+  await status(page, /: 6 of 6 images/);
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-undo"]')?.hasAttribute('disabled'));
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-edit-text"]')?.textContent === '');
+  assert.deepEqual(await project(page), found);
+
+  // What was edited is not lost with the images: it stays in the list of projects.
+  await part(page, 'block-clear').click();
+  await status(page, /The edited block stays under Projects\./);
+  await part(page, 'projects').click();
+  await page.locator('[data-testid="project"]:not([aria-current]) .link').first().click();
+  await status(page, /: 6 of 6 images/);
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-redo"]')?.getAttribute('title')?.startsWith('Redo: reject 1 observation'));
+  // Nor is it when another one is opened; what is done while that is read is done to the former one.
+  const open = part(page, 'block-files-input');
+  await open.setInputFiles([{ name: 'found.tiepoint', mimeType: 'application/octet-stream', buffer: found }]);
+  await page.evaluate(() => /** @type {HTMLButtonElement} */ (document.querySelector('[data-testid="block-redo"]')).click());
+  await status(page, /found\.tiepoint was opened.* The former block stays under Projects\./);
+  assert.ok(await part(page, 'block-undo').isHidden());
+  assert.deepEqual(await project(page), found);
+
+  // A file holds the edits, each of which can be undone.
+  await open.setInputFiles([{ name: 'edited.tiepoint', mimeType: 'application/octet-stream', buffer: edited }]);
+  await status(page, /edited\.tiepoint was opened/);
+  await undoIs(page, /^Undo: reject photo_0\.png \(/);
+  // The last two images are no block without the others: that is said, and nothing changes.
+  await part(page, 'block-map').focus();
+  let refused = false;
+  for (let i = 0; i < 6 && !refused; i++) {
+    await page.keyboard.press('n');
+    if (await part(page, 'block-reject').isHidden()) continue;
+    const done = await page.locator('[data-testid="block-history"] li').count();
+    await page.keyboard.press('Delete');
+    await page.waitForFunction(
+      ([count = 0]) =>
+        document.querySelector('[data-testid="block-edit-text"]')?.textContent !== 'Adjusting the block …' &&
+        (document.querySelectorAll('[data-testid="block-history"] li').length > count ||
+          /not made/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? '')),
+      [done],
+    );
+    await page.waitForFunction(() => document.querySelector('[data-testid="block-edit-text"]')?.textContent !== 'Adjusting the block …');
+    refused = /The edit was not made: .*The block is unchanged\.$/.test((await part(page, 'block-status').textContent()) ?? '');
+    if (refused) assert.equal(await page.locator('[data-testid="block-history"] li').count(), done);
+  }
+  assert.ok(refused);
+  rmSync(folder, { recursive: true });
+  assert.deepEqual(complaints, []);
+  await close();
+});

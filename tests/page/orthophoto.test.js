@@ -1,0 +1,261 @@
+/** Photographs on an orthophoto, as a surveyor places them: the sample, its results in table, orthophoto and image, what is kept and saved; and what is refused. */
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { BlockScene, grey_png } from '../../pkg/node.js';
+import { block, photos, status } from './blocks.js';
+import { hosted, part, saved, says, SHOTS, SKIP, upload } from './page.js';
+
+hosted();
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** Waits until a canvas shows more than one colour.  @param {Page} page @param {string} host @param {string} layer */
+const isPainted = (page, host, layer) =>
+  page.waitForFunction(
+    ([id, name]) => {
+      const canvas = document.querySelector(`[data-testid="${id}"] [data-testid="layer-${name}"]`);
+      if (!(canvas instanceof HTMLCanvasElement) || canvas.width < 10) return false;
+      const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(0, 0, canvas.width, canvas.height);
+      const seen = new Set();
+      for (let i = 0; i < data.length && seen.size < 40; i += 4 * 97) if ((data[i + 3] ?? 0) > 0) seen.add(data[i]);
+      return seen.size >= 40;
+    },
+    [host, layer],
+  );
+
+/** Waits until the browser has parts of the project; `block`: with an orthophoto in it.  @param {Page} page @param {string[]} names */
+const isKept = (page, ...names) =>
+  page.waitForFunction(async (wanted) => {
+    if ((await indexedDB.databases()).length === 0) return false;
+    const database = await new Promise((resolve, reject) => {
+      const opening = indexedDB.open('tiepoint');
+      opening.onsuccess = () => resolve(opening.result);
+      opening.onerror = () => reject(opening.error);
+    });
+    const rows = await new Promise((resolve) => {
+      const asked = database.transaction('parts').objectStore('parts').getAll();
+      asked.onsuccess = () => resolve(asked.result);
+    });
+    database.close();
+    return wanted.every((name) =>
+      rows.some((/** @type {{ part: string, value: any }} */ { part: own, value }) =>
+        name.endsWith('/') ? own.startsWith(name) : own === name && (name !== 'block' || value.placing.orthophoto !== null),
+      ),
+    );
+  }, names);
+
+test('the sample is placed by one press; image, link and table go together, are kept over a reload, and are saved', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  await part(page, 'block-place-first').click();
+  await says(page, 'block-status', /^4 of 4 images placed\./);
+  assert.equal(await part(page, 'block-answer').getAttribute('data-verdict'), 'oriented');
+  await isPainted(page, 'ortho-plan', 'picture');
+  await page.screenshot({ path: join(SHOTS, 'orthophoto-placed.png') });
+
+  // An image of the table opens beside the orthophoto; a link of the table is said, and the next one by a key.
+  await page.locator('[data-testid="block-placed"] tbody tr:not(.filler)').nth(2).click();
+  await says(page, 'ortho-chosen', /^photo_00002\.png: Placed by [\d\s]+ points/);
+  await isPainted(page, 'ortho-image', 'picture');
+  const picture = () => page.evaluate(() => /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="ortho-plan"] canvas')).toDataURL());
+  const before = await picture();
+  await part(page, 'ortho-over').click();
+  await page.waitForFunction(
+    (was) => /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="ortho-plan"] canvas')).toDataURL() !== was,
+    before,
+  );
+  await part(page, 'ortho-over').click();
+  await part(page, 'tab-block-links').click();
+  await page.locator('[data-testid="block-links"] tbody tr:not(.filler)').nth(4).click();
+  const [, all = ''] = /^Link 5 of ([^,]+), /.exec(await says(page, 'ortho-chosen', /^Link 5 of /)) ?? [];
+  await part(page, 'ortho-image').focus();
+  await page.keyboard.press('n');
+  await says(page, 'ortho-chosen', /^Link 6 of /);
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-links"] tr[aria-selected="true"] td')?.textContent === '6');
+
+  // By hand: a link is left out and used again, and a new one is measured in both pictures.
+  const filter = part(page, 'block-links-filter-link-use');
+  await filter.fill('used');
+  await page.waitForFunction(() => !/rejected|check/.test(document.querySelector('[data-testid="block-links"] tbody')?.textContent ?? ''));
+  await page.locator('[data-testid="block-links"] tbody tr:not(.filler)').first().click();
+  await says(page, 'ortho-chosen', /^Link \S+ of [^,]+, used: /);
+  await part(page, 'ortho-image').focus();
+  await page.keyboard.press('Delete');
+  await says(page, 'ortho-chosen', /^Link \S+ of [^,]+, rejected by hand: /);
+  await part(page, 'link-undo').click();
+  await says(page, 'ortho-chosen', /^Link \S+ of [^,]+, used: /);
+  await filter.fill('');
+  await part(page, 'ortho-image').focus();
+  await page.keyboard.press('a');
+  await says(page, 'ortho-chosen', /^A new link: press/);
+  await part(page, 'ortho-image').click();
+  await says(page, 'ortho-chosen', /^Press the point on the orthophoto\.$/);
+  await part(page, 'ortho-plan').click();
+  await part(page, 'link-accept').click();
+  const more = await says(page, 'block-links-caption', new RegExp(`: (?!${all}$)`));
+  assert.equal(Number(more.replaceAll(/\D/g, '')), Number(all.replaceAll(/\D/g, '')) + 1);
+  await says(page, 'ortho-chosen', /^Link [^,]+, measured by hand, (used|rejected as a gross error): /);
+  await part(page, 'link-undo').click();
+  await says(page, 'block-links-caption', new RegExp(`: ${all}$`));
+  // A press on the middle of the orthophoto without an image: an image whose ground it is.
+  await part(page, 'ortho-image').focus();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  await says(page, 'ortho-chosen', /^Press a footprint/);
+  await part(page, 'ortho-plan').click();
+  await says(page, 'ortho-chosen', /^photo_0000\d\.png: /);
+
+  // Its keys are in the list of all keys, once.
+  await part(page, 'ortho-plan').focus();
+  await page.keyboard.press('?');
+  assert.equal((await part(page, 'keys-dialog').textContent())?.match(/rejects the chosen link/g)?.length, 1);
+  await part(page, 'keys-close').click();
+
+  // Where it was moved to, it looks in a window of another size too.
+  const middle = async () => {
+    const box = await part(page, 'ortho-plan').boundingBox();
+    assert.ok(box);
+    await page.mouse.move(box.x + 1, box.y + 1);
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    return (await says(page, 'ortho-place', /^X/)).match(/[\d.−-]+/g)?.map((value) => Number(value.replace('−', '-'))) ?? [];
+  };
+  await part(page, 'close-block-settings').click();
+  await part(page, 'ortho-plan').focus();
+  for (const key of ['+', '+', '+', 'ArrowRight', 'ArrowDown']) await page.keyboard.press(key);
+  const looked = await middle();
+  await page.setViewportSize({ width: 800, height: 1000 });
+  const then = await middle();
+  assert.ok(looked.length === 2 && looked.every((value, i) => Math.abs(value - (then[i] ?? NaN)) < 1), `${looked} and ${then}`);
+  // On a phone all its tools are in sight, or in a menu that is.
+  await page.setViewportSize({ width: 360, height: 740 });
+  const inSight = async (/** @type {string} */ id) => {
+    const box = await part(page, id).boundingBox();
+    assert.ok(box && box.x >= 0 && box.x + box.width <= 360, `${id}: ${JSON.stringify(box)}`);
+  };
+  for (const id of ['block-show-map', 'block-show-orthophoto', 'block-table', 'ortho-menu']) await inSight(id);
+  await part(page, 'ortho-menu').click();
+  for (const id of ['ortho-near', 'ortho-residuals', 'placed-export-kind', 'placed-export']) await inSight(id);
+  await page.screenshot({ path: join(SHOTS, 'orthophoto-phone.png') });
+  await page.setViewportSize({ width: 1280, height: 800 });
+
+  const placed = (await saved(page, 'placed-export')).toString();
+  assert.equal(placed.trim().split('\n').length, 5);
+  assert.match(placed, /^photo_00002\.png,/m);
+  await part(page, 'placed-export-kind').selectOption('rectified');
+  const rectified = await saved(page, 'placed-export');
+  assert.ok(rectified.length > 10_000 && rectified.subarray(0, 2).toString() === 'II', `${rectified.length} bytes`);
+
+  // A rough place by a press; what was placed is of earlier settings then.
+  await part(page, 'ortho-near').click();
+  await says(page, 'ortho-chosen', /^Press the orthophoto where/);
+  await part(page, 'ortho-plan').click();
+  await says(page, 'block-status', /Settings, heights or cameras have changed/);
+  await part(page, 'ortho-everywhere').click();
+  await page.waitForFunction(() => !/have changed/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''));
+
+  // All of it is there after a reload: the picture is read again, nothing is placed again.
+  await isKept(page, 'block/placed/');
+  await page.reload();
+  assert.equal(await part(page, 'ortho-welcome').isVisible(), false);
+  await says(page, 'block-status', /^4 of 4 images placed\./);
+  await isPainted(page, 'ortho-plan', 'picture');
+  await part(page, 'tab-block-placed').click();
+  await page.locator('[data-testid="block-placed"] tbody tr:not(.filler)').nth(2).click();
+  await part(page, 'tab-block-links').click();
+  await says(page, 'block-links-caption', new RegExp(`: ${all}$`));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('what is no orthophoto and what are no heights of it is said, and what is there stays', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  const scene = new BlockScene({ strips: 1, exposures: 2, width_px: 240, height_px: 180, pixel_mm: 0.3 });
+  const { picture } = scene.orthophoto(2);
+  const photo = scene.photo_file(0);
+  scene.free();
+  const png = grey_png(40, 30, new Uint8Array(1200).fill(90));
+  const give = async (/** @type {string} */ field, /** @type {ReturnType<typeof upload>[]} */ ...files) => {
+    await page.waitForFunction(() => !(/** @type {HTMLButtonElement} */ (document.querySelector('[data-testid="block-orthophoto"]')).disabled));
+    await part(page, `${field}-input`).setInputFiles(files);
+  };
+  await part(page, 'tab-block-orthophoto').click();
+  await give('block-orthophoto', upload('plain.png', png, 'image/png'));
+  await status(page, /^plain\.png cannot be used as an orthophoto: .*does not say where it lies/);
+  await give('block-orthophoto', upload('degrees.png', png, 'image/png'), upload('degrees.pgw', new TextEncoder().encode('1e-6\n0\n0\n-1e-6\n5\n50\n')));
+  await status(page, /^degrees\.png cannot be used as an orthophoto: .*degrees/);
+  await give('block-orthophoto', upload('cut.tif', picture.slice(0, picture.length / 2)));
+  await status(page, /^cut\.tif cannot be used as an orthophoto: /);
+  await give('block-files', upload('alone.tfw', new TextEncoder().encode('1\n0\n0\n-1\n0\n0\n')));
+  await status(page, /^alone\.tfw says where a picture of the same name lies: give both together\.$/);
+  const grid = (/** @type {number} */ east) =>
+    upload('grid.asc', new TextEncoder().encode(`ncols 2\nnrows 2\nxllcorner ${east}\nyllcorner -4000\ncellsize 8000\n5 5\n5 5\n`));
+  await give('block-files', grid(-4000));
+  await status(page, /^grid\.asc holds heights: give their orthophoto first, or both together\.$/);
+
+  // A TIFF that says where it lies is an orthophoto wherever it is given; photographs wait for Run.
+  await give('block-files', upload('town.tif', picture), upload('photo.png', photo, 'image/png'));
+  await status(page, /^Orthophoto town\.tif: \d+ × \d+ px of 2 m\. 1 image in the block\. Press Place\.$/);
+  await give('block-heights', grid(4e6));
+  const elsewhere = await status(page, /^(grid\.asc cannot be used as heights|Heights from grid\.asc)/);
+  if (elsewhere.startsWith('Heights')) {
+    await part(page, 'block-run').click();
+    await status(page, /^Nothing was placed: .*height model: got none under the orthophoto/);
+  }
+  await give('block-heights', upload('text.asc', new TextEncoder().encode('no grid at all')));
+  await status(page, /^text\.asc cannot be used as heights: /);
+  await part(page, 'block-level').fill('12');
+  await part(page, 'block-level').blur();
+  await status(page, /^The ground is level at 12\.00 m\./);
+  await part(page, 'block-orthophoto-remove').click();
+  await says(page, 'block-orthophoto-name', /^None\./);
+
+  // Over the view of pairs an orthophoto with a photograph goes where it is of use; the photograph is there already.
+  await part(page, 'mode-pair').click();
+  const transfer = await page.evaluateHandle(
+    (given) => {
+      const data = new DataTransfer();
+      for (const [name, bytes] of given) data.items.add(new File([Uint8Array.from(bytes)], name));
+      return data;
+    },
+    /** @type {[string, number[]][]} */ ([
+      ['town.tif', [...picture]],
+      ['photo.png', [...photo]],
+    ]),
+  );
+  for (const type of ['dragenter', 'dragover', 'drop']) await page.locator('body').dispatchEvent(type, { dataTransfer: transfer });
+  await status(page, /^Orthophoto town\.tif: .* 1 image skipped: their names are in the block already\. Press Place\.$/);
+  assert.equal(await part(page, 'mode-block').getAttribute('aria-pressed'), 'true');
+  // Several of them are photographs.
+  await give('block-files', upload('east.tif', picture), upload('west.tif', picture));
+  await status(page, /^2 images that say where they lie are taken as photographs: .* 3 images in the block\./);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('the orthomosaic of a block is laid under its map, saved, and there after a reload', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  await photos(page);
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation): /);
+  assert.ok(await part(page, 'map-orthophoto').isHidden());
+  await part(page, 'map-mosaic').click();
+  await says(page, 'block-status', /The orthomosaic lies under the map\. Orthophoto orthomosaic\.tif: /);
+  const under = () => page.waitForFunction(() => document.querySelector('[data-testid="map-orthophoto"]')?.getAttribute('aria-pressed') === 'true');
+  await under();
+  assert.ok(await part(page, 'map-orthophoto').isVisible());
+  assert.ok(await part(page, 'map-mosaic').isHidden());
+  await isPainted(page, 'block-map', 'map');
+  await page.screenshot({ path: join(SHOTS, 'block-map-orthomosaic.png') });
+  await part(page, 'block-export-kind').selectOption('mosaic');
+  const mosaic = await saved(page, 'block-export');
+  assert.ok(mosaic.length > 10_000 && mosaic.subarray(0, 2).toString() === 'II', `${mosaic.length} bytes`);
+  await status(page, /^orthomosaic\.tif was saved\.$/);
+  await isKept(page, 'block/shown', 'block');
+  await page.reload();
+  await status(page, /^(Oriented|Weak orientation): .*Restored from this browser/);
+  await part(page, 'map-orthophoto').waitFor();
+  await under();
+  assert.deepEqual(complaints, []);
+  await close();
+});

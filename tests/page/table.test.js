@@ -1,0 +1,144 @@
+/** The tables of a block, as a surveyor uses them: sorted, searched, chosen from by mouse and keys, saved; in step with the other views. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { block, photos, status } from './blocks.js';
+import { hosted, part, saved, SKIP } from './page.js';
+
+hosted();
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** Waits until a part says something.  @param {Page} page @param {string} id @param {RegExp} pattern */
+async function says(page, id, pattern) {
+  await page.waitForFunction(
+    ([at = '', source = '']) => new RegExp(source, 'u').test(document.querySelector(`[data-testid="${at}"]`)?.textContent ?? ''),
+    [id, pattern.source],
+  );
+  return (await part(page, id).textContent()) ?? '';
+}
+
+/** Column `at` of the rows that are drawn, read at once.  @param {Page} page @param {string} table @param {number} at @returns {Promise<string[]>} */
+const column = (page, table, at) =>
+  page.evaluate(
+    ([name = '', cell = 0]) =>
+      [...document.querySelectorAll(`[data-testid="${name}"] tbody tr:not(.filler)`)].map((row) => row.children[Number(cell)]?.textContent ?? ''),
+    [table, at],
+  );
+
+/** The rows of a table that are chosen.  @param {Page} page @param {string} table @returns {Promise<string[]>} */
+const chosen = (page, table) =>
+  page.evaluate(
+    (name) => [...document.querySelectorAll(`[data-testid="${name}"] tr[aria-selected="true"]`)].map((row) => row.firstElementChild?.textContent ?? ''),
+    table,
+  );
+
+test('tables are searched, sorted, chosen from and saved, in step with map and matrix', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  await photos(page);
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation): /);
+
+  // Images: a choice in the table is said, and chosen in the matrix; one in the matrix is marked in the table.
+  assert.match(await says(page, 'block-images-caption', /^Images: 6$/), /6/);
+  await page.locator('[data-testid="block-images"] tbody tr:not(.filler)').nth(2).click();
+  await says(page, 'block-chosen', /^photo_00002\.png: /);
+  assert.deepEqual(await chosen(page, 'block-images'), ['photo_00002.png']);
+  await part(page, 'block-show-matrix').click();
+  await part(page, 'block-matrix').focus();
+  await page.keyboard.press('ArrowRight');
+  await says(page, 'block-chosen', /^photo_00002\.png – photo_00003\.png/);
+  assert.deepEqual(await chosen(page, 'block-images'), ['photo_00002.png', 'photo_00003.png']);
+
+  // Pairs: by keys alone; what an image's filter leaves out is gone here too.
+  await part(page, 'tab-block-pairs').click();
+  await says(page, 'block-pairs-caption', /^Pairs: 15$/);
+  assert.deepEqual(await chosen(page, 'block-pairs'), ['photo_00002.png']);
+  await part(page, 'block-pairs').focus();
+  for (const key of ['Home', 'ArrowDown', 'ArrowDown', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
+  await says(page, 'block-chosen', /^photo_00000\.png – photo_00002\.png/);
+  const active = await part(page, 'block-pairs').getAttribute('aria-activedescendant');
+  assert.equal(await page.locator(`#${active}`).getAttribute('aria-selected'), 'true');
+  await part(page, 'tab-block-images').click();
+  await part(page, 'block-images-filter-number').fill('2..4');
+  await says(page, 'block-images-caption', /^Images: 3 of 6$/);
+  await part(page, 'tab-block-pairs').click();
+  await page.waitForFunction(() => document.querySelectorAll('[data-testid="block-pairs"] tbody tr:not(.filler)').length === 3);
+  await part(page, 'tab-block-images').click();
+  await part(page, 'block-images-filter-number').fill('two');
+  assert.equal(await part(page, 'block-images-filter-number').getAttribute('aria-invalid'), 'true');
+  await part(page, 'block-images-clear').click();
+  await says(page, 'block-images-caption', /^Images: 6$/);
+  assert.equal(await part(page, 'block-images-filter-number').inputValue(), '');
+
+  // Tie points: limits, order, several chosen together, columns, and a file of exactly what is shown.
+  await part(page, 'tab-block-points').click();
+  const [, all = '0'] = /: (\d+)$/.exec(await says(page, 'block-points-caption', /: \d+$/)) ?? [];
+  await part(page, 'block-points-filter-point-rays').fill('>2');
+  const [, kept = '0'] = /: (\d+) of/.exec(await says(page, 'block-points-caption', /: \d+ of \d+$/)) ?? [];
+  assert.ok(Number(kept) > 4 && Number(kept) < Number(all), `${kept} of ${all}`);
+  await part(page, 'sort-point-rmse').click();
+  await part(page, 'sort-point-rmse').click();
+  assert.equal(await page.locator('[data-testid="block-points"] th[data-key="point-rmse"]').getAttribute('aria-sort'), 'descending');
+  const rmse = (await column(page, 'block-points', 2)).map(Number);
+  assert.deepEqual(
+    rmse,
+    [...rmse].sort((a, b) => b - a),
+  );
+  // Scrolled, no row is seen between the heads and their filters.
+  const heads = () =>
+    page.evaluate(() => {
+      const rows = [...document.querySelectorAll('[data-testid="block-points"] thead tr')].map((row) => row.getBoundingClientRect());
+      const top = document.querySelector('#panel-block-points .rows')?.getBoundingClientRect().top ?? 0;
+      return [(rows[0]?.top ?? NaN) - top, (rows[1]?.top ?? NaN) - (rows[0]?.bottom ?? NaN)].map(Math.round);
+    });
+  const rest = await heads();
+  await page.locator('#panel-block-points .rows').evaluate((rows) => rows.scrollTo(0, 200));
+  assert.deepEqual(await heads(), rest);
+  assert.ok(Math.abs(rest[1] ?? NaN) < 1, rest.join());
+  await page.locator('#panel-block-points .rows').evaluate((rows) => rows.scrollTo(0, 0));
+  const names = await column(page, 'block-points', 0);
+  await page.locator('[data-testid="block-points"] tbody tr:not(.filler)').first().click();
+  await says(page, 'block-chosen', new RegExp(`^point ${names[0]}: \\d+ rays`));
+  await page
+    .locator('[data-testid="block-points"] tbody tr:not(.filler)')
+    .nth(2)
+    .click({ modifiers: ['Shift'] });
+  await says(page, 'block-chosen', /^3 tie points of /);
+  assert.deepEqual(await chosen(page, 'block-points'), names.slice(0, 3));
+  await part(page, 'block-points-columns').click();
+  await page.locator('.table-bar input[data-key="confidence"]:visible').uncheck();
+  await page.keyboard.press('Escape');
+  const file = (await saved(page, 'block-points-csv')).toString().trimEnd().split('\n');
+  assert.equal(file[0], 'Point,Rays,RMSE [px],X,σ X,Y,σ Y,Z,σ Z,Part');
+  assert.equal(file.length - 1, Number(kept));
+  assert.deepEqual(
+    file.slice(1, 6).map((line) => line.split(',')[0]),
+    names.slice(0, 5),
+  );
+  assert.match(file[1] ?? '', /^\d+,\d+,\d+\.\d\d(,-?\d+\.\d+){6},accepted$/);
+
+  // Observations: all of them, then those of the points that are chosen; one of them is chosen with its image.
+  await part(page, 'tab-block-observations').click();
+  await says(page, 'block-observations-caption', /: [\d\u202f]{3,}$/u);
+  await part(page, 'block-observations-only').click();
+  const rays = (await column(page, 'block-observations', 7)).map(Number);
+  assert.ok(rays.length >= 9 && rays.every((number) => number > 2), rays.join());
+  await page.locator('[data-testid="block-observations"] tbody tr:not(.filler)').nth(1).click();
+  await says(page, 'block-chosen', /^photo_0000\d\.png, point [\d\u202f]+: \d+ rays/u);
+  await page.waitForFunction(() => document.querySelectorAll('[data-testid="block-observations"] tr[aria-selected="true"]').length === 1);
+
+  // The tables are as high as the user wants them, and closed where they are not wanted.
+  const height = async () => (await page.locator('.dock').boundingBox())?.height ?? 0;
+  const before = await height();
+  await part(page, 'block-splitter').focus();
+  await page.keyboard.press('ArrowDown');
+  assert.ok((await height()) < before);
+  await part(page, 'block-table').click();
+  assert.ok(await part(page, 'block-observations').isHidden());
+  await part(page, 'block-table').click();
+  await part(page, 'tab-block-points').click();
+  await says(page, 'block-points-caption', new RegExp(`: ${kept} of ${all}$`));
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -1,0 +1,181 @@
+/** The rows of the page's tables: order, conditions, totals and files of them, as the page's own code makes them. */
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { pageModules } from './www.js';
+
+/** @type {Record<string, any>} */
+const page = {};
+
+before(async () => {
+  Object.assign(page, await pageModules(['shared/state/rows', 'block/state/columns', 'block/state/selection', 'block/view/map/points']));
+});
+
+const VALUES = [3, NaN, -1, 10, 3];
+const WORDS = ['photo 2', 'Photo 10', 'sea, "deep"', 'photo 1', ''];
+const COLUMNS = [
+  {
+    key: 'n',
+    label: 'Number',
+    unit: 'px',
+    help: '',
+    value: (/** @type {number} */ i) => VALUES[i],
+    text: (/** @type {number} */ i) => text(VALUES[i]),
+    total: 'mean',
+  },
+  { key: 'w', label: 'Word', unit: '', help: '', value: (/** @type {number} */ i) => WORDS[i], text: (/** @type {number} */ i) => WORDS[i], words: true },
+];
+const text = (/** @type {number | undefined} */ value) => (value === undefined || Number.isNaN(value) ? '–' : value.toFixed(1).replace('-', '−'));
+const all = () => true;
+
+test('rows are sorted by figures and by words, equal ones in their order, those without a figure last', () => {
+  const { ordered } = page.rows;
+  const order = (/** @type {string} */ key, /** @type {boolean} */ descending) => [...ordered(5, COLUMNS, { key, descending }, all)];
+  assert.deepEqual(order('n', false), [2, 0, 4, 3, 1]);
+  assert.deepEqual(order('n', true), [3, 0, 4, 2, 1]);
+  assert.deepEqual(order('w', false), [4, 3, 0, 1, 2]);
+  assert.deepEqual(order('', false), [0, 1, 2, 3, 4]);
+  assert.deepEqual([...ordered(5, COLUMNS, { key: 'n', descending: false }, (/** @type {number} */ row) => row > 1)], [2, 4, 3]);
+});
+
+test('what is typed over a column keeps the rows that it says', () => {
+  const { conditionOf, conditionText, keeping } = page.rows;
+  const kept = (/** @type {string} */ typed, key = 'n') => {
+    const condition = conditionOf(typed, key === 'w');
+    const meets = keeping(COLUMNS, { [key]: condition });
+    // What is written back says the same.
+    assert.deepEqual(conditionOf(conditionText(condition), key === 'w'), condition, typed);
+    return [0, 1, 2, 3, 4].filter(meets);
+  };
+  assert.deepEqual(kept('3..10'), [0, 3, 4]);
+  assert.deepEqual(kept('-1 – 3'), [0, 2, 4]);
+  assert.deepEqual(kept('>3'), [3]);
+  assert.deepEqual(kept('≥ 3'), [0, 3, 4]);
+  assert.deepEqual(kept('<=−1'), [2]);
+  assert.deepEqual(kept('3'), [0, 4]);
+  assert.deepEqual(kept('PHOTO 1', 'w'), [1, 3]);
+  assert.deepEqual(conditionOf('0.32', false), { kind: 'range', from: 0.315, to: 0.325 });
+  for (const bad of ['abc', '3..', '>', '1 2']) assert.equal(conditionOf(bad, false), undefined, bad);
+  assert.equal(conditionOf('  ', false), null);
+  assert.equal(keeping(COLUMNS, {}), null);
+  // A condition of the other kind than its column is none.
+  assert.equal(keeping(COLUMNS, { w: { kind: 'range', from: 1, to: 2 } }), null);
+});
+
+test('totals count what is there', () => {
+  const { totalOf } = page.rows;
+  const total = (/** @type {string} */ kind, /** @type {number[]} */ rows) => totalOf({ ...COLUMNS[0], total: kind }, rows);
+  assert.equal(total('sum', [0, 1, 2]), 2);
+  assert.equal(total('mean', [0, 1, 2, 3]), 4);
+  assert.equal(total('rms', [2, 1]), 1);
+  assert.ok(Number.isNaN(total('sum', [1])));
+});
+
+test('a file holds what is shown: units in the heads, figures that programs read, words in quotes where they need them', () => {
+  const { csvOf, tabbedOf } = page.rows;
+  const asItIs = (/** @type {string} */ text) => text;
+  assert.equal(csvOf(COLUMNS, [2, 1], asItIs), 'Number [px],Word\n-1.0,"sea, ""deep"""\n,Photo 10\n');
+  assert.equal(tabbedOf(COLUMNS, [3], asItIs), 'Number [px]\tWord\n10.0\tphoto 1\n');
+});
+
+test('100,000 rows are sorted and kept in less than a second', () => {
+  const { ordered, keeping } = page.rows;
+  const values = Float64Array.from({ length: 100_000 }, (_, i) => (i * 7919) % 100_003);
+  const columns = [{ ...COLUMNS[0], value: (/** @type {number} */ i) => values[i] }];
+  const meets = keeping(columns, { n: { kind: 'range', from: 1000, to: null } });
+  // The time of the processor: what else the machine does counts for nothing.
+  const began = process.cpuUsage();
+  const rows = ordered(values.length, columns, { key: 'n', descending: true }, meets);
+  const { user, system } = process.cpuUsage(began);
+  assert.ok(user + system < 1e6, `${(user + system) / 1000} ms`);
+  assert.ok(rows.length > 98_000 && (values[rows[0]] ?? 0) > (values[rows[1]] ?? 0));
+});
+
+/** A block of three images and two pairs. */
+const VIEW = {
+  images: ['a.jpg', 'b.jpg', 'c.jpg'].map((name) => ({
+    name,
+    features: 10,
+    rays: 4,
+    places: 9,
+    rmsePx: 0.3,
+    oriented: true,
+    position: [1, 2, 3],
+    camera: 0,
+    why: '',
+  })),
+  leftOut: [{ name: 'broken.jpg', reason: 'no image' }],
+  cameras: [{ label: 'one' }],
+  connections: [
+    { images: [0, 1], outcome: { kind: 'connected', matches: 70 }, shared: 30, chosen: 9, geometry: null, reason: '' },
+    { images: [1, 2], outcome: { kind: 'failed' }, shared: 0, chosen: 0, geometry: null, reason: 'too few' },
+  ],
+};
+
+test('a row is what it says, and a choice finds its row in each table', () => {
+  const { choiceOfRow, rowsOfChoice, rowsOf } = page.columns;
+  assert.equal(rowsOf('images', VIEW).count, 4);
+  assert.equal(choiceOfRow('images', VIEW, 3), null);
+  assert.deepEqual(choiceOfRow('pairs', VIEW, 1), { kind: 'pair', images: [1, 2] });
+  assert.deepEqual([...rowsOfChoice('pairs', VIEW, { kind: 'pair', images: [2, 1] })], [1]);
+  assert.deepEqual([...rowsOfChoice('images', VIEW, { kind: 'pair', images: [2, 1] })], [2, 1]);
+  assert.deepEqual([...rowsOfChoice('points', VIEW, { kind: 'points', points: Uint32Array.of(4, 9) })], [4, 9]);
+});
+
+test('an image that a filter leaves out takes its pairs with it', () => {
+  const { keptBy } = page.columns;
+  const filters = { images: { name: { kind: 'contains', text: 'C.JPG' } } };
+  const kept = (/** @type {string} */ subject, /** @type {number} */ count, given = {}) => {
+    const keeps = keptBy(subject, VIEW, { filters: given });
+    return Array.from({ length: count }, (_, i) => i).filter(keeps);
+  };
+  assert.deepEqual(kept('images', 3, filters), [2]);
+  assert.deepEqual(kept('pairs', 2, filters), []);
+  assert.deepEqual(kept('pairs', 2), [0, 1]);
+  assert.deepEqual(kept('pairs', 2, { pairs: { matches: { kind: 'range', from: 1, to: null } } }), [0]);
+});
+
+test('observations are those of what is chosen: of points in all images, of an image, of the common points of a pair', () => {
+  const { observationRows, observationsOf } = page.columns;
+  const of = {
+    images: Uint32Array.of(0, 0, 1, 1, 2),
+    points: Uint32Array.of(7, 8, 7, 9, 7),
+    places: new Float64Array(10),
+    residuals: Float64Array.of(0.3, 0.4, 0, 0, NaN, NaN, 0, 0, 0, 0),
+    parts: Uint8Array.of(0, 2, 1, 0, 0),
+  };
+  const shown = (/** @type {object | null} */ choice) => [0, 1, 2, 3, 4].filter(observationsOf(of, choice));
+  assert.deepEqual(shown(null), [0, 1, 2, 3, 4]);
+  assert.deepEqual(shown({ kind: 'point', point: 7 }), [0, 2, 4]);
+  assert.deepEqual(shown({ kind: 'observation', point: 8, image: 0 }), [1]);
+  assert.deepEqual(shown({ kind: 'points', points: Uint32Array.of(8, 9) }), [1, 3]);
+  assert.deepEqual(shown({ kind: 'image', image: 1 }), [2, 3]);
+  assert.deepEqual(shown({ kind: 'pair', images: [1, 0] }), [0, 2]);
+  const { columns } = observationRows(VIEW, of);
+  const row = (/** @type {number} */ i) => columns.map((/** @type {{ text: (row: number) => string }} */ { text: said }) => said(i));
+  assert.deepEqual(row(0), ['a.jpg', '8', '0.00', '0.00', '0.30', '0.40', '0.50', '3', 'accepted']);
+  assert.deepEqual(row(2).slice(4), ['–', '–', '–', '3', 'rejected']);
+});
+
+test('an outline holds the points within it, whichever way it is drawn, and none of its bays or of those that are not kept', () => {
+  const { pointsWithin } = page.points;
+  // In the block y goes up, on the canvas down.
+  const places = [1, -1, 5, -1, 3, -3, 9, -9, 3, -1, NaN, NaN];
+  const points = { count: 6, positions: Float64Array.from(places.flatMap((_, i) => (i % 2 === 0 ? [places[i] ?? 0, places[i + 1] ?? 0, 0] : []))) };
+  const t = { scale: 10, x: 0, y: 0 };
+  const inside = (/** @type {number[][]} */ outline, keeps = all) => pointsWithin(points, keeps, t, outline);
+  const bay = [
+    [0, 0],
+    [60, 0],
+    [60, 40],
+    [30, 20],
+    [0, 40],
+  ];
+  assert.deepEqual(inside(bay), [0, 1, 4]);
+  assert.deepEqual(inside([...bay].reverse()), [0, 1, 4]);
+  assert.deepEqual(
+    inside(bay, (/** @type {number} */ point) => point !== 1),
+    [0, 4],
+  );
+  assert.deepEqual(inside([]), []);
+});

@@ -1,0 +1,140 @@
+/** What is chosen and pointed at in a block, one for all views, as the page's own code keeps it: without a browser. */
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { pageModules } from './www.js';
+
+/** @type {Record<string, any>} */
+const page = {};
+
+before(async () => {
+  Object.assign(page, await pageModules(['block/state/selection', 'block/state/reducer', 'block/state/state', 'block/state/address']));
+});
+
+/** A view of images of these names.  @param {string[]} names */
+const viewOf = (...names) => ({ partial: false, images: names.map((name) => ({ name })) });
+
+/** @param {Record<string, unknown>} view */
+const shown = (view) => ({ type: 'done', key: '', view, files: [], seconds: 0 });
+
+test('what is chosen again, or pointed at again, is the same state', () => {
+  const { reducer, state: states } = page;
+  const pair = { kind: 'pair', images: [1, 2] };
+  const once = reducer.reduceBlock(states.BLOCK_INITIAL, { type: 'choose', choice: pair });
+  assert.notEqual(once, states.BLOCK_INITIAL);
+  assert.deepEqual(once.selection.chosen, pair);
+  assert.equal(reducer.reduceBlock(once, { type: 'choose', choice: { kind: 'pair', images: [2, 1] } }), once);
+  assert.notEqual(reducer.reduceBlock(once, { type: 'choose', choice: { kind: 'pair', images: [2, 3] } }), once);
+  const pointed = reducer.reduceBlock(once, { type: 'point', choice: { kind: 'point', point: 4 } });
+  assert.equal(reducer.reduceBlock(pointed, { type: 'point', choice: { kind: 'point', point: 4 } }), pointed);
+  assert.deepEqual(pointed.selection.chosen, pair);
+});
+
+test('points are chosen together once each, in order; one is one, and none is nothing', () => {
+  const { choiceOfPoints, pointsOf } = page.selection;
+  assert.equal(choiceOfPoints([]), null);
+  assert.deepEqual(choiceOfPoints([7, 7]), { kind: 'point', point: 7 });
+  assert.deepEqual(choiceOfPoints([30, 7, 100, 7]), { kind: 'points', points: Uint32Array.of(7, 30, 100) });
+  assert.deepEqual([...pointsOf({ kind: 'observation', point: 3, image: 1 })], [3]);
+  assert.deepEqual([...pointsOf({ kind: 'image', image: 3 })], []);
+});
+
+test('choices of other kinds are never the same', () => {
+  const { isSame } = page.selection;
+  const kinds = [
+    null,
+    { kind: 'image', image: 1 },
+    { kind: 'image', image: 2 },
+    { kind: 'pair', images: [1, 2] },
+    { kind: 'point', point: 1 },
+    { kind: 'observation', point: 1, image: 1 },
+    { kind: 'observation', point: 1, image: 2 },
+    { kind: 'points', points: Uint32Array.of(1, 2) },
+    { kind: 'points', points: Uint32Array.of(1, 2, 3) },
+  ];
+  for (const [i, a] of kinds.entries()) for (const [j, b] of kinds.entries()) assert.equal(isSame(a, structuredClone(b)), i === j, JSON.stringify([a, b]));
+});
+
+test('another view of the images keeps what is chosen by name, and no point of another numbering', () => {
+  const { reducer, state: states } = page;
+  const first = reducer.reduceBlock(states.BLOCK_INITIAL, shown(viewOf('a', 'b', 'c')));
+  const choose = (/** @type {object} */ choice) => reducer.reduceBlock(first, { type: 'choose', choice });
+  const then = (/** @type {object} */ choice, /** @type {string[]} */ ...names) =>
+    reducer.reduceBlock(choose(choice), shown(viewOf(...names))).selection.chosen;
+  assert.deepEqual(then({ kind: 'pair', images: [1, 2] }, 'x', 'c', 'b'), { kind: 'pair', images: [2, 1] });
+  assert.deepEqual(then({ kind: 'image', image: 0 }, 'x', 'a'), { kind: 'image', image: 1 });
+  assert.equal(then({ kind: 'pair', images: [0, 2] }, 'a', 'b'), null);
+  assert.equal(then({ kind: 'points', points: Uint32Array.of(1, 2) }, 'a', 'b', 'c'), null);
+});
+
+test('filters stand beside each other, and stay when the block is computed again', () => {
+  const { reducer, state: states } = page;
+  let state = reducer.reduceBlock(states.BLOCK_INITIAL, { type: 'filter', subject: 'images', filter: { name: { kind: 'contains', text: 'DJI' } } });
+  state = reducer.reduceBlock(state, { type: 'filter', subject: 'points', filter: { rays: { kind: 'range', from: 3, to: null } } });
+  state = reducer.reduceBlock(state, shown(viewOf('a')));
+  assert.deepEqual(Object.keys(state.selection.filters), ['images', 'points']);
+});
+
+test('the address names view and choice, and finds them again where the block has them', () => {
+  const { addressOf, asked } = page.address;
+  const view = { ...viewOf('a b.jpg', 'c&d.jpg'), points: { count: 300 } };
+  const written = (/** @type {object | null} */ chosen, onStage = 'map') => addressOf({ shown: { view }, onStage, selection: { chosen } });
+  for (const chosen of [
+    null,
+    { kind: 'image', image: 1 },
+    { kind: 'pair', images: [1, 0] },
+    { kind: 'point', point: 11 },
+    { kind: 'observation', point: 11, image: 0 },
+    { kind: 'points', points: Uint32Array.of(0, 7, 299) },
+  ])
+    assert.deepEqual(asked(`#${written(chosen, 'images')}`, view), { view: 'images', choice: chosen });
+  assert.equal(written({ kind: 'point', point: 11 }), 'view=map&point=12');
+  // Too many points are not named.
+  assert.equal(written({ kind: 'points', points: Uint32Array.from({ length: 200 }, (_, i) => i) }), 'view=map');
+  assert.equal(asked('#block-view', view), null);
+  assert.deepEqual(asked('#view=map&point=0,301,x', view), { view: 'map', choice: null });
+  assert.deepEqual(asked('#view=matrix&image=gone.jpg', view), { view: 'matrix', choice: null });
+  assert.equal(addressOf({ shown: null, onStage: 'map', selection: { chosen: null } }), '');
+});
+
+test('an image of the block that is placed on the orthophoto is chosen in both, or in neither', () => {
+  const { reducer, state: states } = page;
+  const files = ['a', 'b', 'c'].map((name, i) => ({ id: 10 + i, name, file: null }));
+  const placed = { key: '', result: null, problem: '', found: null, steps: [], done: 0 };
+  /** @param {any} state @param {object[]} actions */
+  const after = (state, ...actions) => actions.reduce((now, action) => reducer.reduceBlock(now, action), state);
+  const looked = (/** @type {number | null} */ image, link = null) => ({ type: 'choosePlaced', looked: { image, link } });
+  const choose = (/** @type {object | null} */ choice) => ({ type: 'choose', choice });
+  const start = after(
+    states.BLOCK_INITIAL,
+    { type: 'files', files, truth: null },
+    // In another order than the files, and one of them is in no block.
+    shown(viewOf('b', 'a')),
+    { type: 'placed', image: 10, placed },
+    { type: 'placed', image: 12, placed },
+  );
+  const chosen = (/** @type {any} */ { selection, placing }) => [selection.chosen, placing.chosen];
+  assert.deepEqual(chosen(after(start, choose({ kind: 'image', image: 1 }))), [
+    { kind: 'image', image: 1 },
+    { image: 10, link: null },
+  ]);
+  assert.deepEqual(chosen(after(start, looked(10))), [
+    { kind: 'image', image: 1 },
+    { image: 10, link: null },
+  ]);
+  assert.deepEqual(chosen(after(start, choose({ kind: 'image', image: 1 }), choose(null))), [null, { image: null, link: null }]);
+  assert.deepEqual(chosen(after(start, looked(10), looked(null))), [null, { image: null, link: null }]);
+  // A link is one of its image; what one of them does not have stays as it is in the other.
+  assert.deepEqual(chosen(after(start, looked(10), { type: 'choosePlaced', looked: { image: 10, link: 3 } })), [
+    { kind: 'image', image: 1 },
+    { image: 10, link: 3 },
+  ]);
+  assert.deepEqual(chosen(after(start, looked(10), choose({ kind: 'image', image: 0 }))), [
+    { kind: 'image', image: 0 },
+    { image: 10, link: null },
+  ]);
+  assert.deepEqual(chosen(after(start, choose({ kind: 'point', point: 4 }), looked(12))), [
+    { kind: 'point', point: 4 },
+    { image: 12, link: null },
+  ]);
+});

@@ -1,0 +1,49 @@
+/** The page's server: what it sends is compressed as a browser takes it, and is not sent twice. */
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { request } from 'node:http';
+import { test } from 'node:test';
+import { brotliDecompressSync, gunzipSync } from 'node:zlib';
+import { pathOf } from '../tools/lib/compose.mjs';
+import { servePage } from '../tools/lib/page-server.mjs';
+
+/** An answer as it comes, not unpacked.  @param {string} url @param {Record<string, string>} headers @param {string} method */
+const get = (url, headers = {}, method = 'GET') =>
+  new Promise((resolve, reject) => {
+    const asked = request(url, { headers, method }, (answer) => {
+      /** @type {Buffer[]} */
+      const chunks = [];
+      answer.on('data', (chunk) => chunks.push(chunk));
+      answer.on('end', () => resolve({ status: answer.statusCode, headers: answer.headers, body: Buffer.concat(chunks) }));
+    });
+    asked.on('error', reject);
+    asked.end();
+  });
+
+test('files are compressed, have a tag by which a browser asks again, and names that are none are refused', async () => {
+  const { url, close } = await servePage({ prefix: '/below/' });
+  try {
+    const plain = readFileSync(pathOf('page.js'));
+    for (const [accepted, encoding, unpack] of /** @type {const} */ ([
+      ['gzip, deflate, br, zstd', 'br', brotliDecompressSync],
+      ['gzip;q=0.8, br;q=0', 'gzip', gunzipSync],
+      ['identity', undefined, (/** @type {Buffer} */ body) => body],
+    ])) {
+      const first = await get(`${url}page.js`, { 'accept-encoding': accepted });
+      assert.equal(first.headers['content-encoding'], encoding);
+      assert.equal(first.headers.vary, 'Accept-Encoding');
+      assert.equal(Number(first.headers['content-length']), first.body.length);
+      assert.ok(plain.equals(unpack(first.body)));
+      const again = await get(`${url}page.js`, { 'accept-encoding': accepted, 'if-none-match': first.headers.etag });
+      assert.deepEqual([again.status, again.body.length, again.headers.etag], [304, 0, first.headers.etag]);
+    }
+    const module = await get(`${url}tiepoint_bg.wasm`, { 'accept-encoding': 'br' });
+    assert.ok(module.body.length < 0.4 * readFileSync(pathOf('tiepoint_bg.wasm')).length);
+    assert.equal((await get(url, {}, 'HEAD')).body.length, 0);
+    assert.equal((await get(`${url}..%2fpackage.json`)).status, 404);
+    assert.equal((await get(url, {}, 'POST')).status, 405);
+  } finally {
+    await close();
+  }
+});

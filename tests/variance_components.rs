@@ -1,0 +1,112 @@
+//! Weights of groups of observations by their residuals, on simulated blocks whose errors are known.
+
+#[path = "scene/normal.rs"]
+mod normal;
+#[path = "scene/stated.rs"]
+mod stated;
+
+use stated::{Case, GROUPS, MARK_PX, Simulated};
+use tiepoint::{AdjustmentOptions, AdjustmentResult, Datum, ObservationGroup, VarianceComponent, adjust_block};
+
+const RIGHT: Case = Case { factors: [1.0; 5], control: 12, datum: Datum::GnssAndControl };
+
+fn estimated(case: &Case, seed: u32, options: AdjustmentOptions) -> (Simulated, AdjustmentResult) {
+    let simulated = Simulated::new(case, seed).unwrap();
+    let adjusted = adjust_block(&simulated.block, &AdjustmentOptions { datum: case.datum, variance_components: true, ..options }).unwrap();
+    (simulated, adjusted)
+}
+
+fn of(adjusted: &AdjustmentResult, group: ObservationGroup) -> VarianceComponent {
+    *adjusted.components.iter().find(|component| component.group == group).unwrap()
+}
+
+#[test]
+fn factors_are_beside_what_is_stated_whatever_sigma0_is_given() {
+    let factors = |sigma0_px| {
+        let (_, adjusted) = estimated(&RIGHT, 3, AdjustmentOptions { sigma0_px, ..AdjustmentOptions::default() });
+        [ObservationGroup::GnssPlan, ObservationGroup::GnssHeight].map(|group| of(&adjusted, group).factor)
+    };
+    // True are 0.4 px. A larger one takes errors of tie points for smaller than they are stated, and no group for larger.
+    for (free, given, larger) in (0..2).map(|k| (factors(None)[k], factors(Some(0.4))[k], factors(Some(0.6))[k])) {
+        assert!((given / free - 1.0).abs() < 0.03 && (0.75..1.05 * free).contains(&larger), "{free} {given} {larger}");
+    }
+}
+
+#[test]
+fn weighted_image_measurements_keep_the_standard_error_that_was_stated() {
+    let case = Case { factors: [3.0, 1.0, 1.0, 1.0, 1.0], ..RIGHT };
+    let (simulated, adjusted) = estimated(&case, 2, AdjustmentOptions::default());
+    let marks = of(&adjusted, ObservationGroup::Marks);
+    assert!(marks.applied && (marks.factor / 3.0 - 1.0).abs() < 0.15, "{marks:?}");
+    assert_eq!(adjusted.components.iter().filter(|component| component.applied).count(), 1, "{:?}", adjusted.components);
+    let sigma0 = adjusted.sigma0_px.unwrap();
+    for (given, ray) in simulated.block.rays.iter().zip(&adjusted.block.rays) {
+        assert_eq!(given.sigma_px, ray.sigma_px);
+        // Its weight is the one that it had, by the factor.
+        let used = ray.sigma_px.map_or(sigma0, |sigma| sigma * marks.factor);
+        assert!((sigma0 / used / ray.weight.sqrt() - 1.0).abs() < 0.05, "{ray:?}");
+    }
+    // So that the adjusted block, adjusted again, finds the same.
+    let again =
+        adjust_block(&adjusted.block, &AdjustmentOptions { datum: case.datum, variance_components: true, ..AdjustmentOptions::default() });
+    let again = of(&again.unwrap(), ObservationGroup::Marks);
+    assert!((again.factor / marks.factor - 1.0).abs() < 0.02 && MARK_PX == 1.0, "{again:?} {marks:?}");
+}
+
+#[test]
+fn rounds_of_weighting_are_counted_apart() {
+    let case = Case { factors: [3.0, 1.0, 1.0, 1.0, 1.0], ..RIGHT };
+    let (simulated, adjusted) = estimated(&case, 2, AdjustmentOptions::default());
+    let plain = adjust_block(&simulated.block, &AdjustmentOptions { datum: case.datum, ..AdjustmentOptions::default() }).unwrap();
+    assert_eq!((adjusted.rounds, adjusted.iterations), (plain.rounds, plain.iterations));
+    let weighting = adjusted.weighting.unwrap();
+    assert!(weighting.converged && (1..20).contains(&weighting.rounds) && weighting.iterations >= weighting.rounds, "{weighting:?}");
+    assert_eq!(plain.weighting, None);
+}
+
+#[test]
+fn a_factor_that_few_points_do_not_determine_is_held() {
+    let case = Case { factors: [1.0, 1.0, 1.0, 3.0, 3.0], control: 3, datum: Datum::Control };
+    let (simulated, adjusted) = estimated(&case, 1, AdjustmentOptions::default());
+    for group in [ObservationGroup::ControlPlan, ObservationGroup::ControlHeight] {
+        let found = of(&adjusted, group);
+        assert!(found.held && !found.applied && found.factor == 1.0 && found.interval.is_none(), "{found:?}");
+        assert!(found.redundancy < 6.0 && found.observations >= simulated.block.control.len(), "{found:?}");
+    }
+}
+
+#[test]
+fn right_groups_keep_their_weights_beside_wrong_ones() {
+    let mut applied = [0; 5];
+    for seed in 1..=6 {
+        let (_, adjusted) = estimated(&Case { factors: [1.0, 3.0, 3.0, 1.0, 1.0], ..RIGHT }, seed, AdjustmentOptions::default());
+        assert!(adjusted.weighting.unwrap().converged, "{seed}: {:?}", adjusted.components);
+        for component in adjusted.components.iter().filter(|component| component.applied) {
+            applied[GROUPS.iter().position(|group| *group == component.group).unwrap()] += 1;
+        }
+    }
+    assert!(applied[1] == 6 && applied[2] == 6 && applied[0] + applied[3] + applied[4] <= 2, "{applied:?}");
+}
+
+#[test]
+fn check_points_hold_their_standard_errors_once_wrong_weights_are_found() {
+    let case = Case { factors: [3.0, 1.0, 1.0, 1.0, 1.0], control: 12, datum: Datum::Control };
+    let [mut stated, mut weighted] = [0.0; 2];
+    let mut differences = 0.0;
+    for seed in 1..=4 {
+        let (simulated, adjusted) = estimated(&case, seed, AdjustmentOptions::default());
+        let plain = adjust_block(&simulated.block, &AdjustmentOptions { datum: case.datum, ..AdjustmentOptions::default() }).unwrap();
+        for point in &simulated.checks {
+            let squares = |adjusted: &AdjustmentResult| {
+                let errors = adjusted.points[*point].unwrap().errors.unwrap();
+                let off = |k: usize| (adjusted.block.points[*point][k] - simulated.truth.points[*point][k]) / errors[k];
+                (0..3).map(|k| off(k) * off(k)).sum::<f64>()
+            };
+            stated += squares(&plain);
+            weighted += squares(&adjusted);
+            differences += 3.0;
+        }
+    }
+    let [stated, weighted] = [stated, weighted].map(|sum| (sum / differences).sqrt());
+    assert!(stated > 1.5 && (0.75..1.3).contains(&weighted), "{stated} {weighted}");
+}

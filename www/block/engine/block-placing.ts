@@ -1,0 +1,84 @@
+/** Places the block on the orthophoto, in a worker of its own: the block on the screen stays until the placed one takes its place. */
+import { Cancelled, WorkerClient } from '../../shared/engine/client';
+import { say } from '../../shared/text/words';
+import { groundKey } from '../state/purpose';
+import { imagesOfBlock } from '../state/state';
+import type { BlockCalls } from './calls';
+import type { BlockEngine, BlockStore } from './engine';
+import { named } from './placing';
+import type { PlacingEngine } from './placing';
+
+export class BlockPlacing {
+  private readonly worker = new WorkerClient<BlockCalls>('georeferencing');
+  private stopped = false;
+
+  constructor(
+    private readonly store: BlockStore,
+    private readonly engine: BlockEngine,
+    private readonly placing: PlacingEngine,
+  ) {}
+
+  /** False where the user ended it: the block then is as it was. */
+  async place(): Promise<boolean> {
+    const { shown, placing } = this.store.state;
+    const { ground } = this.placing;
+    if (shown === null || ground === null || placing.options === null) return false;
+    const key = groundKey(this.store.state);
+    this.stopped = false;
+    this.tell(0, 1, say('looking-for-points-of-the'));
+    try {
+      this.placing.release();
+      const before = shown.ground?.before ?? (await this.engine.project());
+      const linked = await this.linked({ project: before, ground, options: placing.options });
+      const read = await this.engine.read(linked, this.store.state.truth);
+      // Another block came meanwhile.
+      if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
+      read.hold();
+      this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: { key, before } });
+      return true;
+    } catch (error) {
+      if (this.stopped || error instanceof Cancelled) return false;
+      throw named(error);
+    } finally {
+      // The memory of block and orthophoto is given back.
+      this.worker.cancel();
+      this.store.dispatch({ type: 'placing', running: null });
+    }
+  }
+
+  /** The block as it was before it was placed; false where it was not placed here. */
+  async takeOff(): Promise<boolean> {
+    const { shown } = this.store.state;
+    if (shown?.ground == null) return false;
+    const read = await this.engine.read(new Uint8Array(await shown.ground.before.arrayBuffer()), this.store.state.truth);
+    if (this.store.state.shown?.found !== shown.found) return false;
+    read.hold();
+    this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: null });
+    return true;
+  }
+
+  cancel(): void {
+    this.stopped = true;
+    this.worker.cancel();
+  }
+
+  /** The project file of the placed block. */
+  private async linked(input: BlockCalls['linksOpen']['input']): Promise<Uint8Array> {
+    const names = await this.worker.call('linksOpen', input);
+    const files = new Map(imagesOfBlock(this.store.state).map(({ name, file }) => [name, file]));
+    const images = names.flatMap((name, index) => {
+      const file = name === null ? undefined : files.get(name);
+      return name === null || file === undefined ? [] : [{ name, index, file }];
+    });
+    for (const [done, { name, index, file }] of images.entries()) {
+      this.tell(done, images.length, say('placing-on-the-orthophoto', { name }));
+      await this.worker.call('linksPlace', { index, file });
+    }
+    this.tell(1, 1, say('adjusting-by-the-orthophoto'));
+    return this.worker.call('linksFinish', null);
+  }
+
+  private tell(done: number, total: number, text: string): void {
+    this.store.dispatch({ type: 'placing', running: { done, total, text } });
+  }
+}

@@ -1,0 +1,215 @@
+/** An orthophoto in a worker: its picture in tiles, and images that are placed on it. The worker opens it when another one is asked about, and keeps it. */
+import { BlockScene, OrthoMosaic, OrthophotoReference, Photo } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockFlight, Georeference, GivenLink, OrthophotoInfo, PlacedImage, Placement, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
+import { inColumns } from '../state/links';
+import type { LinkedImage } from '../state/links';
+import { TILE_SIDE } from '../state/under';
+
+/** What a worker is asked about: files are opened by whoever is asked first. */
+export interface Ground {
+  picture: { file: Blob; world: string | null };
+  heights: number | { file: Blob; world: string | null };
+  /** Names of both. */
+  keys: { picture: string; heights: string };
+}
+
+export interface TileInput {
+  ground: Ground;
+  /** Halved so many times. */
+  level: number;
+  /** Counted in tiles. */
+  column: number;
+  row: number;
+}
+
+export interface PlaceInput {
+  ground: Ground;
+  options: PlacingOptions;
+  name: string;
+  file: Blob;
+  cameras: string | null;
+}
+
+export interface AdjustInput extends PlaceInput {
+  links: readonly GivenLink[];
+  /** Where it was placed; null: nowhere yet. */
+  start: Placement | null;
+  size: readonly [number, number];
+}
+
+/** One of both is given. */
+export interface PredictInput {
+  ground: Ground;
+  placement: Placement;
+  at: readonly [number, number] | null;
+  place: readonly [number, number] | null;
+}
+
+export interface LaidInput {
+  ground: Ground;
+  file: Blob;
+  placement: Placement;
+  side: number;
+}
+
+/** A picture of the ground: `step` px of its own are one of the bitmap. */
+export interface LaidPicture {
+  bitmap: ImageBitmap;
+  step: number;
+  georeference: Georeference;
+}
+
+interface Held {
+  keys: Ground['keys'];
+  reference: OrthophotoReference;
+  info: OrthophotoInfo;
+  /** The options by which its points were found. */
+  searched: string;
+}
+
+let held: Held | null = null;
+
+async function opened({ picture, heights, keys }: Ground): Promise<Held> {
+  if (held?.keys.picture !== keys.picture) {
+    // Two of them might not fit.
+    held?.reference.free();
+    held = null;
+    const reference = OrthophotoReference.open(await bytesOf(picture.file), picture.world);
+    held = { keys: { picture: keys.picture, heights: '' }, reference, info: reference.info(), searched: '' };
+  }
+  if (held.keys.heights !== keys.heights) {
+    const { reference } = held;
+    // Where these are refused the former ones stay.
+    if (typeof heights === 'number') reference.set_heights(heights);
+    else reference.set_heights(await bytesOf(heights.file), heights.world);
+    held = { keys, reference, info: reference.info(), searched: '' };
+  }
+  return held;
+}
+
+async function bytesOf(file: Blob): Promise<Uint8Array> {
+  return new Uint8Array(await file.arrayBuffer());
+}
+
+/** Size, place and heights; refuses what is no orthophoto, or no heights. */
+export async function orthoInfo(ground: Ground): Promise<OrthophotoInfo> {
+  return (await opened(ground)).info;
+}
+
+export async function orthoTile({ ground, level, column, row }: TileInput): Promise<ImageBitmap> {
+  const { info, reference } = await opened(ground);
+  const step = 2 ** level;
+  const [left, top] = [column * TILE_SIDE * step, row * TILE_SIDE * step];
+  const width = Math.min(TILE_SIDE, Math.ceil((info.width - left) / step));
+  const height = Math.min(TILE_SIDE, Math.ceil((info.height - top) / step));
+  const grey = reference.picture(column * TILE_SIDE, row * TILE_SIDE, width, height, level);
+  return transparentWhereEmpty(grey, width, height);
+}
+
+/** What shows nothing is 0. */
+function transparentWhereEmpty(grey: Uint8Array, width: number, height: number): Promise<ImageBitmap> {
+  const pixels = Uint32Array.from(grey, (value) => (value === 0 ? 0 : 0xff000000 | (value * 0x010101)));
+  return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height));
+}
+
+/** Finds the points among which images are sought; refuses options and heights with which none can be. */
+export async function orthoSearch({ ground, options }: Pick<PlaceInput, 'ground' | 'options'>): Promise<number> {
+  const now = await opened(ground);
+  const points = now.reference.search(options);
+  now.searched = JSON.stringify(options);
+  return points;
+}
+
+/** The orthophoto with the points among which images are sought. */
+export async function orthoReference(input: Pick<PlaceInput, 'ground' | 'options'>): Promise<OrthophotoReference> {
+  const now = await opened(input.ground);
+  if (now.searched !== JSON.stringify(input.options)) await orthoSearch(input);
+  return now.reference;
+}
+
+export async function orthoPlace({ ground, options, name, file, cameras }: PlaceInput): Promise<LinkedImage> {
+  const reference = await orthoReference({ ground, options });
+  const bytes = await bytesOf(file);
+  const placed = reference.place(name, bytes, cameras);
+  return inColumns(placed, sizeOf(placed, bytes));
+}
+
+/** Width and height of an image, placed or not. */
+function sizeOf({ placement }: PlacedImage, file: Uint8Array): [number, number] {
+  if (placement !== null) return [placement.camera.width_px, placement.camera.height_px];
+  const photo = Photo.decode(file);
+  const size: [number, number] = [photo.width, photo.height];
+  photo.free();
+  return size;
+}
+
+/** An image by links that are given; nothing is matched. */
+export async function orthoAdjust({ ground, options, name, file, cameras, links, start, size }: AdjustInput): Promise<LinkedImage> {
+  const { reference } = await opened(ground);
+  return inColumns(reference.adjust(name, await bytesOf(file), links, start, cameras, options), size);
+}
+
+/** Where a position of a placed image is on the ground, or a place of the ground in the image: X, Y or px; null where it shows none. */
+export async function orthoPredict({ ground, placement, at, place }: PredictInput): Promise<[number, number] | null> {
+  const { reference } = await opened(ground);
+  const found =
+    at === null ? reference.image_positions(placement, Float64Array.from(place ?? [])) : reference.ground_positions(placement, Float64Array.from(at));
+  const [x = NaN, y = NaN] = found;
+  return Number.isNaN(x) ? null : [x, y];
+}
+
+/** A placed image on the ground, as GeoTIFF. */
+export async function orthoRectified({ ground, file, placement }: { ground: Ground; file: Blob; placement: Placement }): Promise<Uint8Array> {
+  const { reference } = await opened(ground);
+  return reference.rectified(await bytesOf(file), placement);
+}
+
+/** A placed image on the ground as a picture, with where it lies: halved until its sides are no longer than so many px. */
+export async function orthoLaid({ ground, file, placement, side }: LaidInput): Promise<LaidPicture> {
+  const { reference } = await opened(ground);
+  const laid = OrthophotoReference.open(reference.rectified(await bytesOf(file), placement));
+  try {
+    const { width, height, georeference } = laid.info();
+    const halvings = Math.max(0, Math.ceil(Math.log2(Math.max(width, height) / side)));
+    const step = 2 ** halvings;
+    const [columns, rows] = [Math.floor(width / step), Math.floor(height / step)];
+    return { bitmap: await transparentWhereEmpty(laid.picture(0, 0, columns, rows, halvings), columns, rows), step, georeference };
+  } finally {
+    laid.free();
+  }
+}
+
+let mosaic: OrthoMosaic | null = null;
+
+/** Lays out the orthomosaic of a project file; gives the names of its images. */
+export async function mosaicOpen({ project, heights }: { project: Blob; heights: Ground['heights'] | null }): Promise<string[]> {
+  mosaic?.free();
+  mosaic = null;
+  const model = typeof heights === 'object' && heights !== null ? await bytesOf(heights.file) : heights;
+  const world = typeof heights === 'object' && heights !== null ? heights.world : null;
+  mosaic = OrthoMosaic.open(await bytesOf(project), model, world);
+  return mosaic.names;
+}
+
+export async function mosaicAdd({ index, file }: { index: number; file: Blob }): Promise<null> {
+  mosaic?.add(index, await bytesOf(file));
+  return null;
+}
+
+/** The mosaic as GeoTIFF. */
+export function mosaicFinish(): Uint8Array {
+  const made = mosaic;
+  mosaic = null;
+  if (made === null) throw new Error('no mosaic is laid out');
+  return made.finish();
+}
+
+/** The orthophoto of a simulated flight, and its heights. */
+export function sceneOrthophoto({ flight, gsd }: { flight: BlockFlight; gsd: number }): { picture: Uint8Array<ArrayBuffer>; heights: Uint8Array<ArrayBuffer> } {
+  const scene = new BlockScene(flight);
+  try {
+    return scene.orthophoto(gsd) as { picture: Uint8Array<ArrayBuffer>; heights: Uint8Array<ArrayBuffer> };
+  } finally {
+    scene.free();
+  }
+}

@@ -1,0 +1,183 @@
+/** Points that were rejected by hand, beside those of the block that is held: they stay in sight, so that they can be restored where they were rejected. */
+import type { BlockEdit, FinishedBlock, ObservationDetail, PointColumns, PointDetail, PointSource } from '../../../pkg/wasm/tiepoint.js';
+import { codeOfSource, standingOf } from '../state/edits';
+import type { ImagePoints } from '../state/facts';
+import type { BlockView, ViewPoints, ViewSurveyed } from '../state/view';
+
+/** How `ImagePoints` has what was rejected by hand. */
+const BY_HAND = 2;
+
+/** A block as it was found, of which edits leave something out. */
+export class Found {
+  private readonly places: ReadonlyMap<number, number>;
+  private readonly columns: PointColumns;
+  private readonly surveyed: ReadonlyMap<number, ViewSurveyed>;
+
+  /** `surveyed`: as its view has them. */
+  constructor(
+    readonly block: FinishedBlock,
+    surveyed: readonly ViewSurveyed[],
+  ) {
+    this.places = new Map(block.point_ids().map((id, point) => [codeOfSource(id), point]));
+    this.columns = block.overview().points;
+    this.surveyed = new Map(surveyed.map((known) => [known.control, known]));
+  }
+
+  /** Index of a point; -1 of one that was not found. */
+  indexOf(code: number): number {
+    return this.places.get(code) ?? -1;
+  }
+
+  /** What a column has of a point. */
+  column(name: 'positions' | 'rays' | 'confidence', index: number): number {
+    return this.columns[name][index] ?? NaN;
+  }
+
+  surveyedPoint(control: number): ViewSurveyed | undefined {
+    return this.surveyed.get(control);
+  }
+}
+
+/** A point that was rejected. */
+interface Gone {
+  source: PointSource;
+  /** In the block as it was found; -1 for one that was added by hand. */
+  index: number;
+}
+
+/** What was rejected by hand of a block, as long as it is held with these edits. */
+export class Rejected {
+  private readonly gone: readonly Gone[];
+  /** Places among them by their indices in the block as it was found. */
+  private readonly byIndex: ReadonlyMap<number, number>;
+
+  constructor(
+    private readonly found: Found,
+    private readonly edits: readonly BlockEdit[],
+    /** Points that the edited block has. */
+    private readonly taking: number,
+    sources: Float64Array,
+  ) {
+    const { points, unused, observations } = standingOf(edits);
+    const named = [...points.values(), ...[...unused].map((control) => ({ ground_control: control })), ...[...observations.values()].map(({ point }) => point)];
+    const has = new Set(sources);
+    const codes = new Map(named.map((source) => [codeOfSource(source), source]));
+    this.gone = [...codes].filter(([code]) => !has.has(code)).map(([code, source]) => ({ source, index: found.indexOf(code) }));
+    this.byIndex = new Map(this.gone.flatMap(({ index }, place) => (index < 0 ? [] : [[index, place] as const])));
+  }
+
+  /** The view of the edited block, and behind its points those that were rejected. */
+  inView(view: BlockView): BlockView {
+    const { gone, taking, found } = this;
+    if (gone.length === 0) return view;
+    const { points } = view;
+    const all: ViewPoints = {
+      ...points,
+      count: taking + gone.length,
+      sources: longer(points.sources, gone.length),
+      rays: longer(points.rays, gone.length),
+      rmsePx: longer(points.rmsePx, gone.length),
+      positions: longer(points.positions, 3 * gone.length),
+      errors: longer(points.errors, 3 * gone.length),
+      confidence: longer(points.confidence, gone.length),
+    };
+    gone.forEach(({ source, index }, place) => {
+      const at = taking + place;
+      all.sources[at] = codeOfSource(source);
+      all.rays[at] = index < 0 ? this.byHand(source).length : found.column('rays', index);
+      all.rmsePx[at] = NaN;
+      all.confidence[at] = index < 0 ? 1 : found.column('confidence', index);
+      for (const axis of [0, 1, 2]) {
+        all.positions[3 * at + axis] = index < 0 ? NaN : found.column('positions', 3 * index + axis);
+        all.errors[3 * at + axis] = NaN;
+      }
+    });
+    return { ...view, points: all, surveyed: [...view.surveyed, ...this.surveyed(taking)] };
+  }
+
+  /** The observations of an image, with those of rejected points. */
+  inImage(of: ImagePoints, image: number): ImagePoints {
+    const { gone, byIndex, taking } = this;
+    if (gone.length === 0) return of;
+    const points: number[] = [];
+    const places: number[] = [];
+    const add = (place: number, x: number, y: number) => {
+      points.push(taking + place);
+      places.push(x, y);
+    };
+    const before = this.found.block.image_points(image);
+    before.points.forEach((index, row) => {
+      const place = byIndex.get(index);
+      if (place !== undefined) add(place, before.places[2 * row] ?? NaN, before.places[2 * row + 1] ?? NaN);
+    });
+    gone.forEach(({ source, index }, place) => {
+      if (index >= 0) return;
+      for (const { image: own, x_px, y_px } of this.byHand(source)) if (own === image) add(place, x_px, y_px);
+    });
+    const rows = of.points.length;
+    const all: ImagePoints = {
+      points: longer(of.points, points.length),
+      places: longer(of.places, places.length),
+      residuals: longer(of.residuals, places.length).fill(NaN, 2 * rows),
+      parts: longer(of.parts, points.length).fill(BY_HAND, rows),
+    };
+    all.points.set(points, rows);
+    all.places.set(places, 2 * rows);
+    return all;
+  }
+
+  /** What is known of a rejected point; null of one that takes part. */
+  detail(point: number): PointDetail | null {
+    const gone = this.gone[point - this.taking];
+    if (gone === undefined) return null;
+    const { source, index } = gone;
+    if (index < 0) {
+      const observations = this.byHand(source).map(({ image, x_px, y_px }) => ({ ...UNADJUSTED, image, x_px, y_px, by_hand: true }));
+      return { id: source, name: null, role: null, position: null, errors: null, rmse_px: null, confidence: 1, observations, elsewhere: [] };
+    }
+    const detail = this.found.block.point(index);
+    return {
+      ...detail,
+      role: null,
+      errors: null,
+      rmse_px: null,
+      observations: detail.observations.map(({ image, x_px, y_px, by_hand }) => ({ ...UNADJUSTED, image, x_px, y_px, by_hand })),
+      elsewhere: [],
+    };
+  }
+
+  /** Surveyed points that are not used, where the block was found with them. */
+  private surveyed(taking: number): ViewSurveyed[] {
+    return this.gone.flatMap(({ source }, place) => {
+      const known = 'ground_control' in source ? this.found.surveyedPoint(source.ground_control) : undefined;
+      return known === undefined
+        ? []
+        : [{ ...known, rays: 0, difference_m: [NaN, NaN, NaN], standard_errors_m: [null, null, null], point: taking + place, isUsed: false }];
+    });
+  }
+
+  /** The places of a point that was added by hand. */
+  private byHand(source: PointSource) {
+    if (!('manual' in source)) return [];
+    const places = new Map(this.edits.filter((edit) => edit.kind === 'add_point')[source.manual]?.observations.map((one) => [one.image, one]));
+    for (const edit of this.edits) if (edit.kind === 'measure' && 'manual' in edit.point && edit.point.manual === source.manual) places.set(edit.image, edit);
+    return [...places.values()];
+  }
+}
+
+const UNADJUSTED: Omit<ObservationDetail, 'image' | 'x_px' | 'y_px'> = {
+  part: 'rejected_by_hand',
+  by_hand: false,
+  residual_px: null,
+  redundancy: null,
+  w: null,
+  detectable_px: [null, null],
+  predicted_px: null,
+};
+
+/** A copy with room for more at its end. */
+function longer<A extends Float64Array | Uint32Array | Uint16Array | Uint8Array>(of: A, more: number): A {
+  const copy = new (of.constructor as new (length: number) => A)(of.length + more);
+  copy.set(of);
+  return copy;
+}

@@ -1,0 +1,72 @@
+/** An edit of a block as it is read from the browser's storage. */
+import { likeOf, listOf, objectOf } from '../../shared/files/keepable';
+import type { BlockEdit, HandMeasurement, PointImage, PointSource } from '../../../pkg/wasm/tiepoint.js';
+
+import type { EditStep } from '../state/edits';
+import { say } from '../../shared/text/words';
+
+/** About what a point, an image or a place takes in an edit, in bytes. */
+const OF_ONE = 60;
+
+export function bytesOfStep(step: EditStep): number {
+  return step.reduce((sum, edit) => sum + bytesOf(edit), 0);
+}
+
+function bytesOf(edit: BlockEdit): number {
+  const list = 'observations' in edit ? edit.observations : 'points' in edit ? edit.points : 'images' in edit ? edit.images : [edit];
+  return OF_ONE * Math.max(1, list.length);
+}
+
+/** @throws Error naming the field that is damaged */
+export function stepFrom(value: unknown, name: string): EditStep {
+  return listOf(value, name, editFrom);
+}
+
+function editFrom(value: unknown, name: string): BlockEdit {
+  const edit = objectOf(value, name);
+  const kind = likeOf<string>(edit['kind'], '', `${name}.kind`);
+  switch (kind) {
+    case 'reject_observations':
+    case 'restore_observations':
+      return { kind, observations: listOf(edit['observations'], `${name}.observations`, observationFrom) };
+    case 'reject_points':
+    case 'restore_points':
+      return { kind, points: listOf(edit['points'], `${name}.points`, sourceFrom) };
+    case 'reject_images':
+    case 'restore_images':
+      return { kind, images: listOf(edit['images'], `${name}.images`, (image, at) => likeOf(image, 0, at)) };
+    case 'measure':
+      return { kind, point: sourceFrom(edit['point'], `${name}.point`), ...placeFrom(edit, name) };
+    case 'add_point':
+      return { kind, observations: listOf(edit['observations'], `${name}.observations`, placeFrom) };
+    case 'set_use': {
+      const use = edit['use'];
+      return { kind, point: likeOf(edit['point'], 0, `${name}.point`), ...(use === 'control' || use === 'check' ? { use } : {}) };
+    }
+    default:
+      throw new Error(say('the-field-kind-is-damaged', { name }));
+  }
+}
+
+function observationFrom(value: unknown, name: string): PointImage {
+  const { point, image } = objectOf(value, name);
+  return { point: sourceFrom(point, `${name}.point`), image: likeOf(image, 0, `${name}.image`) };
+}
+
+function sourceFrom(value: unknown, name: string): PointSource {
+  const source = objectOf(value, name);
+  for (const kind of ['tie_point', 'ground_control', 'manual'] as const) {
+    if (source[kind] !== undefined) return { [kind]: likeOf(source[kind], 0, `${name}.${kind}`) } as PointSource;
+  }
+  throw new Error(say('the-field-is-damaged', { name }));
+}
+
+function placeFrom(value: unknown, name: string): HandMeasurement {
+  const { image, x_px, y_px, by } = objectOf(value, name);
+  return {
+    image: likeOf(image, 0, `${name}.image`),
+    x_px: likeOf(x_px, 0, `${name}.x_px`),
+    y_px: likeOf(y_px, 0, `${name}.y_px`),
+    by: by === 'least_squares' ? by : 'hand',
+  };
+}

@@ -1,0 +1,135 @@
+/** Takes orthophotos, heights and world files in, and says what they are. */
+import { Cancelled } from '../../shared/engine/client';
+import { fixed, sentence } from '../../shared/text/format';
+import type { BlockStore } from '../engine/engine';
+import type { PlacingEngine } from '../engine/placing';
+import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
+import { newId } from './ids';
+import type { FoundRaster, Sorted } from './rasters';
+import { say } from '../../shared/text/words';
+import { messageOf } from '../../shared/text/messages';
+
+export class GroundFiles {
+  constructor(
+    private readonly store: BlockStore,
+    private readonly engine: PlacingEngine,
+  ) {}
+
+  /** Gives what is said of them, nothing where nothing was given; null where one of them was refused, which is said. */
+  async take({ orthophotos, heights, worlds }: Omit<Sorted, 'others'>): Promise<string | null> {
+    const said: string[] = [];
+    const [orthophoto, ...more] = orthophotos;
+    if (orthophoto !== undefined) {
+      const taken = await this.takeOrthophoto(orthophoto);
+      if (taken === null) return null;
+      said.push(taken);
+    }
+    if (more.length > 0) said.push(say('skipped-a-project-has-one', { more: named(more) }));
+    const [model, ...others] = heights;
+    if (model !== undefined) {
+      const taken = await this.takeHeights(model);
+      if (taken === null) return null;
+      said.push(taken);
+    }
+    if (others.length > 0) said.push(say('skipped-an-orthophoto-has-one', { others: named(others) }));
+    for (const world of worlds) {
+      const taken = await this.takeWorld(world);
+      if (taken === null) return null;
+      said.push(taken);
+    }
+    return said.join(' ');
+  }
+
+  /** Takes a picture of the ground in place of the one that is there. */
+  async takeOrthophoto({ file, world }: FoundRaster): Promise<string | null> {
+    this.tell('busy', say('reading-the-orthophoto', { name: file.name }));
+    try {
+      const orthophoto = await this.engine.open(await rasterOf(file, world));
+      this.store.dispatch({ type: 'orthophoto', orthophoto });
+      this.store.dispatch({ type: 'stage', view: 'orthophoto' });
+      this.quiet();
+      return orthophotoText(orthophoto);
+    } catch (error) {
+      this.refused(say('cannot-be-used-as-an', { name: file.name }), error);
+      return null;
+    }
+  }
+
+  /** Takes a height model in place of the heights that are there. */
+  async takeHeights({ file, world }: FoundRaster): Promise<string | null> {
+    return this.setHeights(file.name, async () => ({ kind: 'model', model: await rasterOf(file, world) }));
+  }
+
+  /** Takes one height for all of the ground. */
+  async takeLevel(height: number): Promise<string | null> {
+    return this.setHeights(`${fixed(height, 2)} m`, () => Promise.resolve({ kind: 'level', height }));
+  }
+
+  private async setHeights(name: string, made: () => Promise<GivenHeights>): Promise<string | null> {
+    if (this.store.state.placing.orthophoto === null) {
+      this.tell('problem', say('holds-heights-give-their-orthophoto', { name }));
+      return null;
+    }
+    this.tell('busy', say('reading-the-heights', { name }));
+    try {
+      await this.engine.setHeights(await made());
+      this.quiet();
+      const { heights, orthophoto } = this.store.state.placing;
+      const [from, to] = orthophoto?.info.heights ?? [];
+      return heights.kind === 'level' ? say('the-ground-is-level-at', { name }) : say('heights-from-to-m', { name, from, to });
+    } catch (error) {
+      this.refused(say('cannot-be-used-as-heights', { name }), error);
+      return null;
+    }
+  }
+
+  /** A world file by itself places the image of its name, which then is no photograph. */
+  private async takeWorld(world: File): Promise<string | null> {
+    const stem = stemOf(world.name);
+    const { files, truth } = this.store.state;
+    const image = files.find(({ name }) => stemOf(name) === stem);
+    if (image === undefined) {
+      this.tell('problem', say('says-where-a-picture-of', { name: world.name }));
+      return null;
+    }
+    const taken = await this.takeOrthophoto({ file: new File([image.file], image.name, { type: image.file.type }), world });
+    if (taken !== null) this.store.dispatch({ type: 'files', files: files.filter((file) => file !== image), truth });
+    return taken;
+  }
+
+  private tell(kind: 'info' | 'busy' | 'problem', text: string): void {
+    this.store.dispatch({ type: 'notice', notice: { kind, text } });
+  }
+
+  private refused(what: string, error: unknown): void {
+    if (error instanceof Cancelled) this.tell('info', say('cancelled-nothing-was-changed'));
+    else this.tell('problem', `${what}: ${sentence(messageOf(error))}`);
+  }
+
+  private quiet(): void {
+    this.store.dispatch({ type: 'notice', notice: null });
+  }
+}
+
+export async function rasterOf(file: File, world: File | null): Promise<RasterFile> {
+  return { id: newId(), name: file.name, file, world: world === null ? null : { name: world.name, text: await world.text() } };
+}
+
+/** What was recognised. */
+export function orthophotoText({ raster, info: { width, height, gsd, epsg } }: GivenOrthophoto): string {
+  const by = raster.world === null ? '' : say('placed-by', { name: raster.world.name });
+  return say('orthophoto-px-of', { name: raster.name, width, height, gsd: gsdText(gsd), what: epsg === null ? '' : say('epsg', { epsg }), by });
+}
+
+/** The side of a pixel with the digits that say something. */
+export function gsdText(gsd: number): string {
+  return say('metres', { value: Number(gsd.toPrecision(3)) });
+}
+
+function named(rasters: readonly FoundRaster[]): string {
+  return rasters.map(({ file }) => file.name).join(', ');
+}
+
+function stemOf(name: string): string {
+  return name.replace(/\.[^.]*$/u, '').toLowerCase();
+}

@@ -1,0 +1,71 @@
+/** Runs the block, and does with an orthophoto what is wanted: the block is placed on it, or each image by itself. */
+import { sentence } from '../../shared/text/format';
+import type { BlockPlacing } from '../engine/block-placing';
+import type { BlockEngine, BlockStore } from '../engine/engine';
+import type { PlacingEngine } from '../engine/placing';
+import { lacksPlaceAlone, purposeOf } from '../state/purpose';
+import { imagesOfBlock } from '../state/state';
+import type { BlockFile } from '../state/state';
+import { say } from '../../shared/text/words';
+import { messageOf } from '../../shared/text/messages';
+
+export class BlockRuns {
+  constructor(
+    private readonly store: BlockStore,
+    private readonly engine: BlockEngine,
+    private readonly images: PlacingEngine,
+    private readonly block: BlockPlacing,
+  ) {}
+
+  /** Runs the block and places it on the orthophoto, where that is wanted. Of a block that is there as it is wanted only the place is made anew. */
+  async run(): Promise<void> {
+    const { state } = this.store;
+    const places = purposeOf(state) === 'block';
+    // It stays so when there is a block.
+    if (places) this.store.dispatch({ type: 'purpose', purpose: 'block' });
+    if (state.onStage === 'orthophoto') this.store.dispatch({ type: 'stage', view: 'map' });
+    if (!lacksPlaceAlone(state)) await this.engine.run();
+    if (this.store.state.running.kind === 'no' && lacksPlaceAlone(this.store.state)) await this.placeBlock();
+  }
+
+  /** Places images on the orthophoto: those that are not placed yet, where none are named. */
+  async placeImages(files?: readonly BlockFile[]): Promise<void> {
+    this.store.dispatch({ type: 'purpose', purpose: 'images' });
+    this.store.dispatch({ type: 'stage', view: 'orthophoto' });
+    this.store.dispatch({ type: 'notice', notice: null });
+    try {
+      const done = await this.images.place(files);
+      if (done === null) this.tell('info', say('cancelled-what-was-placed-stays'));
+    } catch (error) {
+      this.tell('problem', say('nothing-was-placed', { sentence: sentence(messageOf(error)) }));
+    }
+  }
+
+  /** The block as it was before it was placed on an orthophoto. */
+  async takeOff(): Promise<void> {
+    this.tell('busy', say('taking-the-block-off-the'));
+    try {
+      if (await this.block.takeOff()) this.store.dispatch({ type: 'purpose', purpose: 'map' });
+      if (this.store.state.notice?.kind === 'busy') this.store.dispatch({ type: 'notice', notice: null });
+    } catch (error) {
+      this.tell('problem', say('the-block-stays-as-it', { sentence: sentence(messageOf(error)) }));
+    }
+  }
+
+  private async placeBlock(): Promise<void> {
+    if (imagesOfBlock(this.store.state).length === 0) {
+      this.tell('info', say('a-block-is-placed-by'), true);
+      return;
+    }
+    this.store.dispatch({ type: 'notice', notice: null });
+    try {
+      if (!(await this.block.place())) this.tell('info', say('cancelled-the-block-is-as'), true);
+    } catch (error) {
+      this.tell('problem', say('the-block-stays-as-it', { sentence: sentence(messageOf(error)) }));
+    }
+  }
+
+  private tell(kind: 'info' | 'busy' | 'problem', text: string, beside = false): void {
+    this.store.dispatch({ type: 'notice', notice: { kind, text, ...(beside ? { beside } : {}) } });
+  }
+}

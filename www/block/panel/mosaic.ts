@@ -1,0 +1,60 @@
+/** The quick orthomosaic of a block: saved, or laid under its map. */
+import { save } from '../../shared/files/save';
+import { sentence } from '../../shared/text/format';
+import type { BlockEngine, BlockStore } from '../engine/engine';
+import type { PlacingEngine } from '../engine/placing';
+import { orthophotoText, rasterOf } from '../files/ground';
+import { imagesOfBlock } from '../state/state';
+import { say } from '../../shared/text/words';
+import { messageOf } from '../../shared/text/messages';
+
+const NAME = 'orthomosaic.tif';
+
+export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine): Promise<void> {
+  const mosaic = await made(store, engine, placing);
+  if (mosaic === null) return;
+  save(mosaic, NAME);
+  tell(store, 'info', say('was-saved-2', { name: NAME, store: missingText(store) }));
+}
+
+/** Takes it as the orthophoto of the project. */
+export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine): Promise<void> {
+  const key = store.state.shown?.key ?? '';
+  const mosaic = await made(store, engine, placing);
+  if (mosaic === null) return;
+  tell(store, 'busy', say('laying-the-orthomosaic-under-the'));
+  try {
+    const orthophoto = await placing.open(await rasterOf(new File([mosaic], NAME, { type: mosaic.type }), null), key);
+    store.dispatch({ type: 'orthophoto', orthophoto });
+    tell(store, 'info', say('the-orthomosaic-lies-under-the', { orthophoto: orthophotoText(orthophoto), store: missingText(store) }), true);
+  } catch (error) {
+    tell(store, 'problem', say('the-orthomosaic-cannot-be-shown', { sentence: sentence(messageOf(error)) }));
+  }
+}
+
+/** Null where it was cancelled or could not be made, which is said. */
+async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngine): Promise<Blob | null> {
+  const files = imagesOfBlock(store.state);
+  if (files.length === 0) {
+    tell(store, 'problem', say('an-orthomosaic-is-made-of'));
+    return null;
+  }
+  try {
+    const bytes = await placing.mosaic(await engine.project(), files);
+    if (bytes !== null) return new Blob([bytes], { type: 'image/tiff' });
+    tell(store, 'info', say('cancelled-no-orthomosaic-was-made'));
+  } catch (error) {
+    tell(store, 'problem', say('no-orthomosaic-was-made', { sentence: sentence(messageOf(error)) }));
+  }
+  return null;
+}
+
+/** What is not in it. */
+function missingText({ state }: BlockStore): string {
+  const missing = (state.shown?.view.images.length ?? 0) - imagesOfBlock(state).length;
+  return missing > 0 ? say('missing-in-it-add-to', { missing }) : '';
+}
+
+function tell(store: BlockStore, kind: 'info' | 'busy' | 'problem', text: string, beside = false): void {
+  store.dispatch({ type: 'notice', notice: { kind, text, ...(beside ? { beside } : {}) } });
+}

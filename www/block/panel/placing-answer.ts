@@ -1,0 +1,119 @@
+/** The answer of images that are placed on an orthophoto. */
+import type { Answer, Figure, Next } from '../../shared/panel/answer';
+import { count } from '../../shared/text/format';
+import { gsdText, orthophotoText } from '../files/ground';
+import { usedSo } from '../state/links';
+import { placedFiles, unplacedFiles } from '../state/placed';
+import { purposeOf } from '../state/purpose';
+import type { PlacedFile } from '../state/placed';
+import type { BlockState } from '../state/state';
+import { verdictText } from './placing-words';
+import { say } from '../../shared/text/words';
+
+export interface PlacingAnswerActions {
+  place: () => void;
+  /** Runs the images as a block and places that. */
+  asBlock: () => void;
+  /** Opens photos of one's own. */
+  open: () => void;
+  /** Asks for heights. */
+  openHeights: () => void;
+  save: () => void;
+  /** Shows the table that says why. */
+  why: () => void;
+}
+
+export function placingRuns({ done, total, text }: NonNullable<BlockState['placing']['running']>): Answer {
+  const of = total > 1 ? say('of', { total: Math.min(total, done + 1), total_2: total }) : '';
+  return { kind: 'busy', verdict: null, text: `${text}${of} …` };
+}
+
+export function placingAnswer(state: BlockState, actions: PlacingAnswerActions): Answer {
+  const { placing, files } = state;
+  const { orthophoto } = placing;
+  const idle = (text: string, next: Next | null, more = ''): Answer => ({ kind: 'idle', verdict: null, text, more, next });
+  // The invitation has the button.
+  if (orthophoto === null) return idle(say('open-an-orthophoto-photographs-are'), null);
+  const tried = placedFiles(state);
+  if (tried.length > 0) return answered(state, tried, actions);
+  const what = orthophotoText(orthophoto);
+  if (files.length === 0) return idle(what, { text: say('open-photos'), act: actions.open }, heightsText(state));
+  const text = say('can-be-placed', { files: images(files.length), what });
+  const each: Next = { text: say(files.length < 2 ? 'place-on-the-orthophoto' : 'place-each-image'), act: actions.place };
+  if (files.length < 2) return idle(text, each, heightsText(state));
+  const block: Next = { text: say('place-them-as-a-block'), act: actions.asBlock };
+  const [next, other] = purposeOf(state) === 'block' ? [block, each] : [each, block];
+  return { ...idle(text, next, heightsText(state)), others: [other] };
+}
+
+/** Heights that lie under less of the orthophoto are said to. */
+const MOSTLY = 0.95;
+
+/** What the ground is taken for. */
+export function heightsText({ placing: { heights, orthophoto } }: BlockState): string {
+  if (heights.kind === 'level') return say('its-ground-is-taken-as', { height: heights.height });
+  const [from, to] = orthophoto?.info.heights ?? [];
+  const share = orthophoto?.info.heights_share ?? 1;
+  const part = share < MOSTLY ? say('they-lie-under-of-the', { share: Math.round(100 * share) }) : '';
+  return say('heights-of-to-m', { name: heights.model.name, from, to, part });
+}
+
+function answered(state: BlockState, tried: readonly PlacedFile[], actions: PlacingAnswerActions): Answer {
+  const of = (kind: string) => tried.filter(({ result }) => result?.verdict.kind === kind).length;
+  const [placed, weak] = [of('placed'), of('weak')];
+  const without = tried.length - placed - weak;
+  const waiting = unplacedFiles(state).length;
+  const stale = tried.filter(({ isStale }) => isStale).length;
+  const [first] = tried;
+  const text =
+    tried.length === 1 && waiting <= stale && first !== undefined
+      ? verdictText(first)
+      : say('of-placed', {
+          placed,
+          tried: images(tried.length + Math.max(0, waiting - stale)),
+          what: weak > 0 ? say('with-doubt', { weak }) : '',
+          what_2: without > 0 ? say('not-placed', { without }) : '',
+        });
+  const more = [
+    stale > 0
+      ? say('settings-heights-or-cameras-have', { what: stale === tried.length ? say('then') : say('placed', { stale: images(stale), stale_2: stale }) })
+      : '',
+    waiting > stale ? say('not-tried-yet-press-place', { waiting: images(waiting - stale) }) : '',
+    state.placing.heights.kind === 'level' ? heightsText(state) : '',
+  ];
+  const isSound = without === 0 && weak === 0;
+  const needsHeights = !isSound && state.placing.heights.kind === 'level';
+  const save: Next = { text: say('save-positions-csv'), act: actions.save };
+  const why: Next = needsHeights ? { text: say('open-heights'), act: actions.openHeights } : { text: say('show-why'), act: actions.why };
+  const next: Next = waiting > 0 ? { text: say('place-them'), act: actions.place } : isSound ? save : why;
+  return {
+    kind: isSound ? 'done' : placed + weak > 0 ? 'partial' : 'problem',
+    verdict: isSound ? 'oriented' : placed + weak > 0 ? 'weak' : 'not_oriented',
+    text,
+    more: more.filter((part) => part !== '').join(' '),
+    figures: figuresOf(tried),
+    next,
+  };
+}
+
+function figuresOf(tried: readonly PlacedFile[]): Figure[] {
+  const placements = tried.flatMap(({ result }) => result?.placement ?? []);
+  const links = placements.reduce((sum, placement) => sum + usedSo(placement.links, 'used'), 0);
+  const checks = placements.flatMap(({ checks: own }) => own ?? []);
+  const number = checks.reduce((sum, own) => sum + own.number, 0);
+  // The colour of the answer is the crate's verdict, of links and their residuals; how well that fixes where a camera stood depends on its field of view.
+  const widths = tried.flatMap(({ result }) => (result?.verdict.kind === 'placed' ? [result.verdict.half_width_m] : []));
+  const rmse = Math.sqrt(checks.reduce((sum, own) => sum + own.number * own.rmse_m ** 2, 0) / number);
+  return [
+    { value: say('of-2', { placements: placements.length, tried: tried.length }), label: say('photos-placed') },
+    ...(placements.length > 0 ? [{ value: count(links), label: say('links-3') }] : []),
+    ...(widths.length > 0
+      ? [{ value: say('within-m', { half_width_m: Number(Math.max(...widths).toPrecision(2)) }), label: say('projection-centres-95') }]
+      : []),
+    ...(number > 0 ? [{ value: gsdText(Number(rmse.toFixed(3))), label: say('rmse-of-check-links-on') }] : []),
+  ];
+}
+
+function images(number: number): string {
+  return say('so-many-images', { images: number });
+}

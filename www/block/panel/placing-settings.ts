@@ -1,0 +1,121 @@
+/** What is given for images on an orthophoto: its files, its heights, near which place images were taken, and how they are placed. */
+import type { Value } from '../../shared/panel/control';
+import { button, fill, h } from '../../shared/panel/dom';
+import { numberInput, problemLine } from '../../shared/panel/numberfield';
+import { fileButton } from '../../shared/panel/picker';
+import { makeSections } from '../../shared/panel/sections';
+import { withSetting } from '../../shared/panel/settings';
+import type { BlockStore } from '../engine/engine';
+import type { BlockFiles } from '../files/files';
+import { orthophotoText } from '../files/ground';
+import type { Purpose } from '../state/placing';
+import { purposeOf } from '../state/purpose';
+import { isBusy } from '../state/state';
+import { say } from '../../shared/text/words';
+
+const ORTHOPHOTO = say('none-a-geotiff-in-a');
+const HEIGHTS = say('none-the-ground-is-level');
+
+/** What asks for files from elsewhere. */
+export interface PlacingPickers {
+  orthophoto: () => void;
+  heights: () => void;
+}
+
+export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files: BlockFiles): PlacingPickers {
+  const accept = 'image/*,.tif,.tiff,.tfw,.jgw,.pgw,.wld,.asc,.txt';
+  const [orthophoto, orthophotoInput] = fileButton(
+    say('orthophoto-2'),
+    { testid: 'block-orthophoto', label: say('file-orthophoto'), multiple: true, accept },
+    (given) => void files.takeGround(given),
+  );
+  const [heights, heightsInput] = fileButton(
+    say('heights'),
+    { testid: 'block-heights', label: say('file-heights'), multiple: true, accept: '.tif,.tiff,.asc,.txt,.tfw,image/tiff' },
+    (given) => void files.takeGround(given, true),
+  );
+  const remove = button(say('remove'), 'block-orthophoto-remove', () => store.dispatch({ type: 'orthophoto', orthophoto: null }));
+  remove.setAttribute('aria-label', say('remove-orthophoto'));
+  const name = h('p', { class: 'note', testid: 'block-orthophoto-name' });
+  const model = h('p', { class: 'note', testid: 'block-heights-name' });
+  const [level, problem] = levelField(store, files);
+  const given = h(
+    'fieldset',
+    { class: 'group' },
+    h('legend', {}, say('orthophoto')),
+    h('div', { class: 'control' }, h('div', { class: 'buttons' }, orthophoto, remove), name, orthophotoInput),
+    h('div', { class: 'control' }, h('div', { class: 'buttons' }, heights), model, heightsInput, level, problem),
+    purposeField(store),
+  );
+  store.watch(['placing', 'running', 'notice'], ([placing]) => {
+    const busy = isBusy(store.state);
+    orthophoto.disabled = busy;
+    remove.hidden = placing.orthophoto === null;
+    remove.disabled = busy;
+    heights.disabled = busy || placing.orthophoto === null;
+    fill(name, placing.orthophoto === null ? ORTHOPHOTO : orthophotoText(placing.orthophoto));
+    const [from, to] = placing.orthophoto?.info.heights ?? [];
+    fill(model, placing.heights.kind === 'level' ? HEIGHTS : say('to-m', { name: placing.heights.model.name, from, to }));
+  });
+  store.watch(['catalogue'], ([catalogue]) => {
+    if (catalogue === null) return;
+    const sections = makeSections(catalogue.placingParameters, {
+      change: (key: string, value: Value) => {
+        const { options } = store.state.placing;
+        if (options !== null) store.dispatch({ type: 'placingOptions', options: withSetting({ placing: options }, key, value).placing });
+      },
+      defaults: () => ({ placing: catalogue.placing }),
+      refused: (label) => store.dispatch({ type: 'refused', label }),
+    });
+    fill(host, given, ...sections.elements);
+    store.watch(
+      (s) => [s.placing.options] as const,
+      ([options]) => {
+        if (options !== null) sections.show({ placing: options });
+      },
+    );
+  });
+  return { orthophoto: () => orthophotoInput.click(), heights: () => heightsInput.click() };
+}
+
+const PURPOSES: readonly (readonly [Purpose, string])[] = [
+  ['block', say('purpose-block')],
+  ['images', say('purpose-images')],
+  ['map', say('purpose-map')],
+];
+
+/** What is done with the orthophoto. */
+function purposeField(store: BlockStore): HTMLElement {
+  const select = h('select', { id: 'orthophoto-purpose', testid: 'orthophoto-purpose' });
+  // Nothing is chosen as long as the user is to say it.
+  fill(select, new Option('–', ''), ...PURPOSES.map(([purpose, text]) => new Option(text, purpose)));
+  select.addEventListener('change', () => {
+    const purpose = PURPOSES.find(([own]) => own === select.value)?.[0];
+    if (purpose !== undefined) store.dispatch({ type: 'purpose', purpose });
+  });
+  store.watch(['placing', 'files', 'shown', 'running', 'notice'], ([{ orthophoto }]) => {
+    select.disabled = orthophoto === null || orthophoto.ofBlock !== null || isBusy(store.state);
+    select.value = purposeOf(store.state) ?? '';
+  });
+  return h('div', { class: 'control compact' }, h('label', { for: select.id }, say('what-is-done-with-it')), select);
+}
+
+/** One height for level ground. */
+function levelField(store: BlockStore, files: BlockFiles): [HTMLElement, HTMLElement] {
+  const problem = problemLine('block-level');
+  const input = numberInput('block-level', problem, () => {
+    const { valueAsNumber: height } = input;
+    const isHeight = Number.isFinite(height) && Math.abs(height) <= 20_000;
+    problem.textContent = isHeight ? '' : say('a-height-in-m-is');
+    if (isHeight) void files.takeLevel(height);
+  });
+  store.watch(
+    (s) => [s.placing.heights, s.placing.orthophoto] as const,
+    ([heights, orthophoto]) => {
+      input.disabled = orthophoto === null;
+      if (document.activeElement !== input) input.value = heights.kind === 'level' ? String(heights.height) : '';
+    },
+  );
+  const label = h('label', { for: input.id }, say('level-ground-at'), h('span', { class: 'unit' }, ' m'));
+  return [h('div', { class: 'control compact' }, label, input), problem];
+}

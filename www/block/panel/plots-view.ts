@@ -1,0 +1,87 @@
+/** The plots of a block on the stage: which one, what it says in words, its picture and its values as files. */
+import { save } from '../../shared/files/save';
+import { choice } from '../../shared/panel/choice';
+import { button, h } from '../../shared/panel/dom';
+import { csvOf } from '../../shared/state/rows';
+import type { Column } from '../../shared/state/rows';
+import { fixed } from '../../shared/text/format';
+import type { Facts } from '../engine/facts';
+import { PLOTS } from '../state/plots';
+import type { Axis, PlotData, PlotName } from '../state/plots';
+import { Plot } from '../view/plot/plot';
+import { KEYS_ID } from './view';
+import type { StageView } from './view';
+import { intoEnglish } from '../../shared/engine/texts';
+import { say } from '../../shared/text/words';
+
+const KEYS = say('press-a-value-to-choose');
+
+export function plotsView(facts: Facts): StageView {
+  return {
+    name: 'plots',
+    title: say('plots'),
+    mount: (store, looking) => {
+      const words = h('span', { class: 'note', id: 'block-plot-words', testid: 'block-plot-words', role: 'status', aria: { live: 'polite' } });
+      const element = h('div', {
+        class: 'view block-plot',
+        testid: 'block-plot',
+        tabindex: 0,
+        role: 'group',
+        aria: { roledescription: say('role-plot'), label: say('plot-of-the-block'), describedby: `${words.id} ${KEYS_ID}` },
+      });
+      const plot = new Plot(element, store, looking, facts);
+      const [chosen, select] = choice(say('plot'), 'plot-name', PLOTS, (name) => plot.show(name as PlotName));
+      select.value = plot.shows;
+      const picture = button('PNG', 'plot-png', () => void savePicture(plot), say('saves-the-plot-as-it'));
+      const values = button('CSV', 'plot-csv', () => void saveValues(plot), say('saves-the-values-of-the'));
+      const show = () => {
+        const data = plot.data();
+        const text = data === null ? '' : inWords(data);
+        if (words.textContent !== text) words.textContent = text;
+        picture.disabled = values.disabled = data === null || data.x.values.length === 0;
+      };
+      plot.watch(show);
+      show();
+      return { element, tools: [chosen, picture, values, words], zoomable: plot, keys: KEYS };
+    },
+  };
+}
+
+/** What the values are like. */
+function inWords({ x, y }: PlotData): string {
+  const sorted = y.values.slice().sort();
+  const at = (share: number) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
+  if (sorted.length === 0) return say('there-are-no-such-values');
+  return say('values-over-median-from-to', {
+    sorted: sorted.length,
+    to_lower_case: x.label.toLowerCase(),
+    label: y.label,
+    at: at(0.5),
+    at_2: at(0),
+    at_3: at(1),
+    what: y.unit === '' ? '' : say('n--2', { unit: y.unit }),
+  });
+}
+
+async function savePicture(plot: Plot): Promise<void> {
+  const picture = plot.picture();
+  const blob = await new Promise<Blob | null>((resolve) => {
+    picture.toBlob(resolve);
+  });
+  if (blob !== null) save(blob, `block-${plot.shows}.png`);
+}
+
+async function saveValues(plot: Plot): Promise<void> {
+  const data = plot.data();
+  if (data === null) return;
+  const column = ({ label, unit, values, names }: Axis): Column => ({
+    key: label,
+    label,
+    unit,
+    help: '',
+    value: (row) => values[row] ?? NaN,
+    text: (row) => names?.[row] ?? String(values[row] ?? ''),
+    ...(names === undefined ? {} : { words: true }),
+  });
+  save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: 'text/csv' }), `block-${plot.shows}.csv`);
+}

@@ -1,0 +1,45 @@
+/** The view and what is chosen in it, as the address of the page names them: `#view=map&point=12`. Images by their names, points by their numbers in the table. */
+import { choiceOfPoints, pointsOf } from './selection';
+import type { Choice } from './selection';
+import type { BlockState, ViewName } from './state';
+import type { BlockView } from './view';
+
+const VIEWS: readonly ViewName[] = ['map', 'matrix', 'images', 'plots', 'orthophoto'];
+
+/** An address names no more points than these: a brush over all would make it longer than programs take. */
+const MOST_POINTS = 100;
+
+/** What follows the `#`; empty where no block is shown. */
+export function addressOf({ shown, onStage, selection: { chosen } }: Pick<BlockState, 'shown' | 'onStage' | 'selection'>): string {
+  if (shown === null) return '';
+  const named = new URLSearchParams({ view: onStage });
+  const name = (image: number) => shown.view.images[image]?.name ?? '';
+  const points = pointsOf(chosen);
+  if (points.length > 0 && points.length <= MOST_POINTS) named.set('point', [...points].map((point) => String(point + 1)).join(','));
+  if (chosen?.kind === 'image' || chosen?.kind === 'observation') named.append('image', name(chosen.image));
+  if (chosen?.kind === 'pair') for (const image of chosen.images) named.append('image', name(image));
+  return named.toString();
+}
+
+/** What an address asks for; null where it asks for no view of a block. What the block does not have is not chosen. */
+export function asked(address: string, view: BlockView): { view: ViewName; choice: Choice | null } | null {
+  const named = new URLSearchParams(address.replace(/^#/u, ''));
+  const wanted = VIEWS.find((name) => name === named.get('view'));
+  if (wanted === undefined) return null;
+  const images = named.getAll('image').map((name) => view.images.findIndex((image) => image.name === name));
+  const points = (named.get('point') ?? '')
+    .split(',')
+    .map((number) => Number(number) - 1)
+    .filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count);
+  return { view: wanted, choice: choiceOf(images, points) };
+}
+
+function choiceOf(images: readonly number[], points: readonly number[]): Choice | null {
+  const [image, other] = images;
+  const [point] = points;
+  if (images.includes(-1)) return null;
+  if (point !== undefined && image !== undefined) return { kind: 'observation', point, image };
+  if (point !== undefined) return choiceOfPoints(points);
+  if (image === undefined) return null;
+  return other === undefined ? { kind: 'image', image } : { kind: 'pair', images: [image, other] };
+}

@@ -1,0 +1,88 @@
+/** Edits by hand carried to a block that was found anew: what they name must be there, by the names of images and surveyed points. */
+import type { BlockEdit, HandMeasurement, PointSource } from '../../../pkg/wasm/tiepoint.js';
+import type { Names } from './naming';
+
+/** The edits that hold there: those of images, of surveyed points, and of points that were measured by hand; those of tie points where these are the same. */
+export function carriedOver(edits: readonly BlockEdit[], before: Names, after: Names, sameTiePoints = false): BlockEdit[] {
+  const carrier = new Carrier(before, after, sameTiePoints);
+  return edits.flatMap((edit) => carrier.carried(edit));
+}
+
+class Carrier {
+  private readonly places: ReadonlyMap<string, number>;
+  private readonly surveyed: ReadonlyMap<string, number>;
+  /** The new numbers of the points that were added; -1 of those that are gone. */
+  private readonly numbers: number[] = [];
+  private added = 0;
+
+  constructor(
+    private readonly before: Names,
+    after: Names,
+    private readonly sameTiePoints: boolean,
+  ) {
+    this.places = new Map(after.images.map((name, image) => [name, image]));
+    this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
+  }
+
+  carried(edit: BlockEdit): BlockEdit[] {
+    switch (edit.kind) {
+      case 'reject_images':
+      case 'restore_images': {
+        const images = edit.images.map((image) => this.image(image)).filter((image) => image >= 0);
+        return images.length === 0 ? [] : [{ ...edit, images }];
+      }
+      case 'add_point':
+        return this.add(edit.observations);
+      case 'measure': {
+        const [[point], image] = [this.points([edit.point]), this.image(edit.image)];
+        return point === undefined || image < 0 ? [] : [{ ...edit, point, image }];
+      }
+      case 'reject_points':
+      case 'restore_points': {
+        const points = this.points(edit.points);
+        return points.length === 0 ? [] : [{ ...edit, points }];
+      }
+      case 'reject_observations':
+      case 'restore_observations': {
+        const observations = edit.observations.flatMap((one) => {
+          const [[point], image] = [this.points([one.point]), this.image(one.image)];
+          return point === undefined || image < 0 ? [] : [{ point, image }];
+        });
+        return observations.length === 0 ? [] : [{ ...edit, observations }];
+      }
+      case 'set_use': {
+        const point = this.control(edit.point);
+        return point < 0 ? [] : [{ ...edit, point }];
+      }
+    }
+  }
+
+  private add(measurements: readonly HandMeasurement[]): BlockEdit[] {
+    const observations = measurements.map((one) => ({ ...one, image: this.image(one.image) })).filter(({ image }) => image >= 0);
+    const stays = observations.length >= 2;
+    this.numbers.push(stays ? this.added : -1);
+    if (!stays) return [];
+    this.added += 1;
+    return [{ kind: 'add_point', observations }];
+  }
+
+  private image(image: number): number {
+    return this.places.get(this.before.images[image] ?? '') ?? -1;
+  }
+
+  private control(control: number): number {
+    return this.surveyed.get(this.before.surveyed.get(control) ?? '') ?? -1;
+  }
+
+  private points(points: readonly PointSource[]): PointSource[] {
+    return points.flatMap((point): PointSource[] => {
+      if ('tie_point' in point) return this.sameTiePoints ? [point] : [];
+      if ('manual' in point) {
+        const number = this.numbers[point.manual] ?? -1;
+        return number < 0 ? [] : [{ manual: number }];
+      }
+      const control = this.control(point.ground_control);
+      return control < 0 ? [] : [{ ground_control: control }];
+    });
+  }
+}

@@ -1,0 +1,254 @@
+/** The tables of a block: their rows, their columns, and what a row is about. */
+import { remember } from '../../shared/state/remember';
+import { keeping } from '../../shared/state/rows';
+import type { Column, Filter, Total } from '../../shared/state/rows';
+import { count, fixed } from '../../shared/text/format';
+import { imagesOf, isSame, pointsOf } from './selection';
+import type { ViewObservations } from './facts';
+import type { Choice, Selection, Subject } from './selection';
+import type { BlockView } from './view';
+import { geometryText, matchesOf } from './words';
+import { say } from '../../shared/text/words';
+
+/** Tables whose rows are known as soon as the block is. */
+export type Tabled = Exclude<Subject, 'observations'>;
+
+export interface Rows {
+  count: number;
+  columns: readonly Column[];
+}
+
+export const NO_ROWS: Rows = { count: 0, columns: [] };
+
+interface Told {
+  total?: Total;
+}
+
+/** A column of numbers with so many decimals. */
+function numbers(key: string, label: string, unit: string, digits: number, value: (row: number) => number, help: string, told: Told = {}): Column {
+  const text = digits === 0 ? (row: number) => count(Number.isNaN(value(row)) ? null : value(row)) : (row: number) => fixed(value(row), digits);
+  return { key, label, unit, help, value, text, ...told };
+}
+
+function words(key: string, label: string, value: (row: number) => string, help: string): Column {
+  return { key, label, unit: '', help, value, text: value, words: true };
+}
+
+const known = (value: number | null | undefined) => value ?? NaN;
+
+function imageRows({ images, leftOut, cameras }: BlockView): Rows {
+  const axis = (key: string, i: number) => numbers(key, key, '', 2, (row) => known(images[row]?.position?.[i]), say('projection-centre-in-m-where', { key }));
+  return {
+    count: images.length + leftOut.length,
+    columns: [
+      words('name', say('image-2'), (i) => images[i]?.name ?? leftOut[i - images.length]?.name ?? '', say('file-name-press-it-to')),
+      numbers('number', say('no'), '', 0, (i) => (i < images.length ? i + 1 : NaN), say('row-and-column-in-the')),
+      numbers('features', say('features'), '', 0, (i) => known(images[i]?.features), say('points-detected-and-described'), { total: 'sum' }),
+      numbers('rays', say('obs'), '', 0, (i) => known(images[i]?.rays), say('observations-of-selected-tie-points'), { total: 'sum' }),
+      numbers('places', say('cov'), '', 0, (i) => known(images[i]?.places), say('coverage-how-many-of-the'), {
+        total: 'mean',
+      }),
+      numbers('rmse', 'RMSE', 'px', 2, (i) => known(images[i]?.rmsePx), say('root-mean-square-length-of-the'), { total: 'rms' }),
+      ...(cameras.length > 1
+        ? [
+            numbers(
+              'camera',
+              say('camera'),
+              '',
+              0,
+              (i) => known(images[i]?.camera) + 1,
+              say('images-of-one-camera-are', { join: cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join('; ') }),
+            ),
+          ]
+        : []),
+      words(
+        'state',
+        say('state'),
+        (i) => stateOf(i < images.length ? images[i]?.why : leftOut[i - images.length]?.reason),
+        say('whether-the-image-is-oriented'),
+      ),
+      axis('X', 0),
+      axis('Y', 1),
+      axis('Z', 2),
+    ],
+  };
+}
+
+function stateOf(why: string | null | undefined): string {
+  return why === '' ? say('oriented') : (why ?? say('not-oriented-yet'));
+}
+
+function pairRows({ images, connections }: BlockView): Rows {
+  const name = (row: number, side: 0 | 1) => images[connections[row]?.images[side] ?? -1]?.name ?? '';
+  const matches = (row: number) => {
+    const connection = connections[row];
+    return connection?.outcome.kind === 'connected' ? matchesOf(connection) : NaN;
+  };
+  return {
+    count: connections.length,
+    columns: [
+      words('first', say('image-2'), (i) => name(i, 0), say('the-image-of-the-pair')),
+      words('second', say('with'), (i) => name(i, 1), say('the-other-image-of-the')),
+      numbers('matches', say('matches-2'), '', 0, matches, say('verified-matches-of-a-connected'), { total: 'sum' }),
+      numbers('shared', say('common'), '', 0, (i) => known(connections[i]?.shared), say('tie-points-that-both-images'), { total: 'sum' }),
+      numbers('chosen', say('selected'), '', 0, (i) => known(connections[i]?.chosen), say('of-them-those-that-were'), { total: 'sum' }),
+      words('geometry', say('geometry-2'), (i) => geometryText(connections[i]?.geometry ?? null), say('what-relates-the-two-views')),
+      words('reason', say('outcome'), (i) => connections[i]?.reason ?? '', say('why-the-images-are-connected')),
+    ],
+  };
+}
+
+function pointRows({ points }: BlockView): Rows {
+  const axis = (label: string, offset: number) => [
+    numbers(label.toLowerCase(), label, '', 2, (i) => points.positions[3 * i + offset] ?? NaN, say('object-coordinate-in-m-where')),
+    numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, '', 3, (i) => points.errors[3 * i + offset] ?? NaN, say('standard-error-of-from-the', { label }), {
+      total: 'rms',
+    }),
+  ];
+  return {
+    count: points.count,
+    columns: [
+      numbers('point', say('point'), '', 0, (i) => i + 1, say('number-of-the-point-press')),
+      numbers('point-rays', say('rays-2'), '', 0, (i) => points.rays[i] ?? NaN, say('number-of-images-that-see'), { total: 'mean' }),
+      numbers('point-rmse', 'RMSE', 'px', 2, (i) => points.rmsePx[i] ?? NaN, say('root-mean-square-length-of-the'), { total: 'rms' }),
+      ...axis('X', 0),
+      ...axis('Y', 1),
+      ...axis('Z', 2),
+      numbers('confidence', say('probability'), '', 3, (i) => points.confidence[i] ?? NaN, say('probability-that-all-its-observations'), { total: 'mean' }),
+      words('point-part', say('part'), (i) => (i < points.taking ? say('accepted') : say('rejected-by-hand-2')), say('whether-the-point-takes-part')),
+    ],
+  };
+}
+
+function surveyedRows({ surveyed }: BlockView): Rows {
+  const axes = ['X', 'Y', 'Z'];
+  return {
+    count: surveyed.length,
+    columns: [
+      words('surveyed', say('point'), (i) => surveyed[i]?.name ?? '', say('name-of-the-surveyed-point')),
+      words('use', say('use'), (i) => (surveyed[i]?.isUsed === false ? say('not-used') : roleText(surveyed[i]?.role)), say('control-points-place-the-block')),
+      numbers('surveyed-rays', say('rays-2'), '', 0, (i) => surveyed[i]?.rays ?? NaN, say('image-measurements-that-took-part'), { total: 'sum' }),
+      ...axes.map((axis, k) => numbers(`surveyed-${axis}`, axis, 'm', 3, (i) => surveyed[i]?.position[k] ?? NaN, say('surveyed-in-the-system-of', { axis }))),
+      ...axes.map((axis, k) =>
+        numbers(`difference-${axis}`, `Δ${axis}`, 'm', 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say('adjusted-minus-surveyed', { axis }), {
+          total: 'rms',
+        }),
+      ),
+      ...axes.map((axis, k) =>
+        numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, 'm', 3, (i) => known(surveyed[i]?.standard_errors_m[k]), say('standard-error-of', { axis }), {
+          total: 'rms',
+        }),
+      ),
+    ],
+  };
+}
+
+function roleText(role: 'control' | 'check' | undefined): string {
+  return role === undefined ? '' : say('role', { role });
+}
+
+const PARTS = [say('accepted'), say('rejected-2'), say('rejected-by-hand-2')];
+
+/** All observations of a block; the same object while both are the same. */
+export const observationRows = remember(({ images }: BlockView, of: ViewObservations): Rows => {
+  const residual = (row: number) => Math.hypot(of.residuals[2 * row] ?? NaN, of.residuals[2 * row + 1] ?? NaN);
+  return {
+    count: of.points.length,
+    columns: [
+      words('observation-image', say('image-2'), (i) => images[of.images[i] ?? -1]?.name ?? '', say('the-image-that-shows-the')),
+      numbers('observation-point', say('point'), '', 0, (i) => (of.points[i] ?? NaN) + 1, say('number-of-the-point')),
+      numbers('observation-x', 'x', 'px', 2, (i) => of.places[2 * i] ?? NaN, say('column-the-centre-of-the')),
+      numbers('observation-y', 'y', 'px', 2, (i) => of.places[2 * i + 1] ?? NaN, say('row')),
+      numbers('observation-vx', 'vx', 'px', 2, (i) => of.residuals[2 * i] ?? NaN, say('residual-in-x-observed-minus'), { total: 'rms' }),
+      numbers('observation-vy', 'vy', 'px', 2, (i) => of.residuals[2 * i + 1] ?? NaN, say('residual-in-y-observed-minus'), { total: 'rms' }),
+      numbers('observation-v', say('residual'), 'px', 2, residual, say('length-of-the-residual'), { total: 'rms' }),
+      numbers('observation-rays', say('rays-2'), '', 0, (i) => raysOf(of)[of.points[i] ?? -1] ?? NaN, say('observations-of-the-point-rejected')),
+      words('observation-part', say('part'), (i) => PARTS[of.parts[i] ?? 0] ?? '', say('whether-the-adjustment-accepted-the')),
+    ],
+  };
+});
+
+/** Observations of each point. */
+const raysOf = remember((of: ViewObservations): Uint16Array => {
+  const rays = new Uint16Array(of.points.reduce((most, point) => Math.max(most, point), -1) + 1);
+  for (const point of of.points) rays[point] = (rays[point] ?? 0) + 1;
+  return rays;
+});
+
+/** Whether an observation belongs to what is chosen: to its points in any image, to its images, or to a pair's common points. Everything where nothing is. */
+export function observationsOf(of: ViewObservations, choice: Choice | null): (row: number) => boolean {
+  if (choice === null) return () => true;
+  const images = new Set(imagesOf(choice));
+  if (choice.kind === 'image' || choice.kind === 'pair') {
+    const seen = choice.kind === 'pair' ? commonPoints(of, choice.images) : null;
+    return (row) => images.has(of.images[row] ?? -1) && (seen === null || seen.has(of.points[row] ?? -1));
+  }
+  const points = new Set(pointsOf(choice));
+  return (row) => points.has(of.points[row] ?? -1);
+}
+
+function commonPoints({ images, points }: ViewObservations, [a, b]: readonly [number, number]): ReadonlySet<number> {
+  const first = new Set(points.filter((_, row) => images[row] === a));
+  return new Set(points.filter((point, row) => images[row] === b && first.has(point)));
+}
+
+const ROWS: Readonly<Record<Tabled, (view: BlockView) => Rows>> = {
+  images: remember(imageRows),
+  pairs: remember(pairRows),
+  points: remember(pointRows),
+  surveyed: remember(surveyedRows),
+};
+
+/** The rows of a table of the block; the same object for the same view. */
+export function rowsOf(subject: Tabled, view: BlockView): Rows {
+  return ROWS[subject](view);
+}
+
+/** What a row is about; null where it is nothing that can be chosen. */
+export function choiceOfRow(subject: Subject, view: BlockView, row: number): Choice | null {
+  if (subject === 'images') return row < view.images.length ? { kind: 'image', image: row } : null;
+  if (subject === 'points') return { kind: 'point', point: row };
+  if (subject === 'surveyed') return (view.surveyed[row]?.point ?? -1) < 0 ? null : { kind: 'point', point: view.surveyed[row]?.point ?? -1 };
+  const images = subject === 'pairs' ? view.connections[row]?.images : undefined;
+  return images === undefined ? null : { kind: 'pair', images };
+}
+
+/** The rows that a choice is about. */
+export function rowsOfChoice(subject: Subject, view: BlockView, choice: Choice | null): Uint32Array {
+  if (subject === 'points') return pointsOf(choice);
+  if (subject === 'surveyed') {
+    const points = new Set(pointsOf(choice));
+    return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => (points.has(point) ? [row] : [])));
+  }
+  if (subject === 'images') return Uint32Array.from(imagesOf(choice));
+  if (subject !== 'pairs' || choice?.kind !== 'pair') return new Uint32Array();
+  const row = view.connections.findIndex(({ images }) => isSame({ kind: 'pair', images }, choice));
+  return row < 0 ? new Uint32Array() : Uint32Array.of(row);
+}
+
+const EMPTY: Filter = {};
+
+/** Of each row 1 where the filter keeps it; null where it keeps all. */
+function maskOf(subject: Tabled, view: BlockView, filter: Filter): Uint8Array | null {
+  const { count: rows, columns } = rowsOf(subject, view);
+  const meets = keeping(columns, filter);
+  return meets === null ? null : Uint8Array.from({ length: rows }, (_, row) => Number(meets(row)));
+}
+
+/** The test of a subject; the same function while view and filters are the same. */
+function testOf(subject: Tabled): (view: BlockView, own: Filter, ofImages: Filter) => (row: number) => boolean {
+  return remember((view: BlockView, own: Filter, ofImages: Filter) => {
+    const mask = maskOf(subject, view, own);
+    const images = subject === 'pairs' ? maskOf('images', view, ofImages) : null;
+    if (mask === null && images === null) return () => true;
+    const keeps = (row: number) => mask === null || mask[row] === 1;
+    return images === null ? keeps : (row) => keeps(row) && view.connections[row]?.images.every((image) => images[image] === 1) === true;
+  });
+}
+
+const TESTS = { images: testOf('images'), pairs: testOf('pairs'), points: testOf('points'), surveyed: testOf('surveyed') };
+
+/** Whether an image, pair, point or surveyed point is shown: what the filter of its table leaves out, no view shows; nor a pair of such an image. */
+export function keptBy(subject: Tabled, view: BlockView, { filters }: Pick<Selection, 'filters'>): (row: number) => boolean {
+  return TESTS[subject](view, filters[subject] ?? EMPTY, subject === 'pairs' ? (filters.images ?? EMPTY) : EMPTY);
+}

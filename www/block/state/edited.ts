@@ -1,0 +1,50 @@
+/** What belongs to the edits by hand in the state of a block. */
+import { NO_HISTORY } from '../../shared/state/history';
+import type { History } from '../../shared/state/history';
+import type { Position } from '../../shared/state/pane';
+import type { MeasuredBy, PointSource } from '../../../pkg/wasm/tiepoint.js';
+import type { EditStep } from './edits';
+import type { BlockView } from './view';
+
+/** What says how good a block is, before an edit and after it. */
+export interface Figures {
+  sigma0Px: number | null;
+  rmsePx: number | null;
+  oriented: number;
+  points: number;
+  observations: number;
+  /** Of check points, in m. */
+  checksM: number | null;
+}
+
+/** A place of a draft. */
+export interface Placed {
+  at: Position;
+  by: MeasuredBy;
+}
+
+/** A point that is measured by hand and not accepted yet. */
+export interface Draft {
+  /** The point whose observations are measured; null for a new one. */
+  of: PointSource | null;
+  /** By image; the first one placed comes first. */
+  places: ReadonlyMap<number, Placed>;
+}
+
+/** Of the state what belongs to the edits. */
+export interface Edits {
+  history: History<EditStep>;
+  /** Figures of the block before the latest edit; null without any. */
+  before: Figures | null;
+  /** The block is adjusted with other edits. */
+  adjusting: boolean;
+  draft: Draft | null;
+}
+
+export const UNEDITED: Edits = { history: NO_HISTORY, before: null, adjusting: false, draft: null };
+
+export function figuresOf(view: BlockView): Figures {
+  const { sigma0Px, rmsePx, oriented, points, checks, images } = view;
+  const checksM = checks === null ? null : Math.hypot(...checks.rmse_m);
+  return { sigma0Px, rmsePx, oriented, points: points.taking, observations: images.reduce((sum, image) => sum + image.rays, 0), checksM };
+}

@@ -1,0 +1,12 @@
+/** What the page asks of a block that is held. */
+export type { ImagePoints } from '../../../pkg/wasm/tiepoint.js';
+
+/** All observations of a block, image by image. */
+export interface ViewObservations {
+  images: Uint32Array;
+  /** Indices of the points. */
+  points: Uint32Array;
+  places: Float64Array;
+  residuals: Float64Array;
+  parts: Uint8Array;
+}

@@ -1,0 +1,90 @@
+/** Which images of a block are shown side by side, where each pane looks, and how they are drawn. */
+import type { PaneView } from '../../shared/state/pane';
+import type { BlockView } from './view';
+
+/** Images side by side at most. */
+export const MOST_PANES = 9;
+
+/** Images that are shown where none was asked for. */
+const FIRST_PANES = 4;
+
+export interface Look {
+  points: boolean;
+  /** How much longer residuals are drawn than they are; 0: not at all. */
+  vectors: number;
+  /** All panes are moved together. */
+  linked: boolean;
+  loupe: boolean;
+  /** Shares of what they are, 1 by default. */
+  brightness: number;
+  contrast: number;
+  /** A chosen point is shown where it is not measured too. */
+  unmeasured: boolean;
+}
+
+export interface Panes {
+  /** Indices of the images, in the order of the panes. */
+  images: readonly number[];
+  /** By image, of those that were moved. */
+  views: ReadonlyMap<number, PaneView>;
+  /** The others show their whole images, in place of filling their panes. */
+  whole: boolean;
+  /** The image that keys move. */
+  active: number | null;
+  look: Look;
+}
+
+export type PanesAction =
+  | { type: 'showImages'; images: readonly number[] }
+  | { type: 'moveViews'; views: ReadonlyMap<number, PaneView> }
+  | { type: 'wholeImages' }
+  | { type: 'activeImage'; image: number }
+  | { type: 'look'; look: Partial<Look> };
+
+export const NO_PANES: Panes = {
+  images: [],
+  views: new Map(),
+  whole: false,
+  active: null,
+  look: { points: true, vectors: 0, linked: false, loupe: false, brightness: 1, contrast: 1, unmeasured: false },
+};
+
+export function reducePanes(panes: Panes, action: PanesAction): Panes {
+  switch (action.type) {
+    case 'showImages':
+      return withImages(panes, action.images);
+    case 'moveViews':
+      return { ...panes, views: new Map([...panes.views, ...action.views].filter(([image]) => panes.images.includes(image))) };
+    case 'wholeImages':
+      return { ...panes, views: new Map(), whole: true };
+    case 'activeImage':
+      return panes.active === action.image ? panes : { ...panes, active: action.image };
+    case 'look':
+      return { ...panes, look: { ...panes.look, ...action.look } };
+  }
+}
+
+/** Others are shown; those that stay look where they looked. */
+function withImages(panes: Panes, wanted: readonly number[]): Panes {
+  const images = [...new Set(wanted)].slice(0, MOST_PANES);
+  const views = new Map([...panes.views].filter(([image]) => images.includes(image)));
+  const active = panes.active !== null && images.includes(panes.active) ? panes.active : (images[0] ?? null);
+  return { ...panes, images, views, active };
+}
+
+/** The images that are shown; the first ones where none was asked for. */
+export function shownImages(panes: Panes, view: BlockView): readonly number[] {
+  if (panes.images.length > 0) return panes.images;
+  return view.images.slice(0, FIRST_PANES).map((_, image) => image);
+}
+
+/** The panes of another view of the same images: each image by its name. */
+export function panesInOtherView(panes: Panes, before: BlockView | null, after: BlockView): Panes {
+  if (before === null || panes.images.length === 0) return { ...NO_PANES, whole: panes.whole, look: panes.look };
+  const places = new Map(after.images.map(({ name }, image) => [name, image]));
+  const place = (image: number) => places.get(before.images[image]?.name ?? '') ?? -1;
+  const images = panes.images.map(place).filter((image) => image >= 0);
+  const views = new Map([...panes.views].map(([image, looks]): [number, PaneView] => [place(image), looks]));
+  const active = panes.active === null ? -1 : place(panes.active);
+  return withImages({ ...panes, views, active: active < 0 ? null : active }, images);
+}

@@ -1,0 +1,152 @@
+/** Images on an orthophoto: what was given for them, what came of it, and what of it is looked at. */
+import type { LinkUse, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockFile, TextFile } from './file';
+import type { LinkDraft, LinkStep } from './steps';
+import type { LinkedImage } from './links';
+
+/** A picture of the ground or its heights, with the world file that says where it lies. */
+export interface RasterFile extends BlockFile {
+  world: TextFile | null;
+}
+
+export type GivenHeights = { kind: 'level'; height: number } | { kind: 'model'; model: RasterFile };
+
+export interface GivenOrthophoto {
+  raster: RasterFile;
+  info: OrthophotoInfo;
+  /** The key of the block that it was made of, in whose system it lies; null: of none. */
+  ofBlock: string | null;
+}
+
+/** What is done with an orthophoto: the block is placed on it, each image by itself, or it only lies under the map. */
+export type Purpose = 'block' | 'images' | 'map';
+
+/** How a block was placed on an orthophoto. */
+export interface OnGround {
+  /** Names what it was placed by. */
+  key: string;
+  /** The project file of the block before that: it can be placed again, and taken off. */
+  before: Blob;
+}
+
+/** What came of an image. */
+export interface Placed {
+  /** Names what it was made from. */
+  key: string;
+  /** Null where the image cannot be read. */
+  result: LinkedImage | null;
+  /** Why it cannot; empty elsewhere. */
+  problem: string;
+  /** What was found without the steps by hand. */
+  found: LinkedImage | null;
+  /** Steps by hand; those from `done` on are undone. */
+  steps: readonly LinkStep[];
+  done: number;
+}
+
+/** A placed image and one of its links; null: none. */
+export interface Looked {
+  image: number | null;
+  link: number | null;
+}
+
+export interface Placing {
+  orthophoto: GivenOrthophoto | null;
+  heights: GivenHeights;
+  options: PlacingOptions | null;
+  /** Null: what suits what else is given (see `purposeOf`). */
+  purpose: Purpose | null;
+  /** By the number of the image's file. */
+  placed: ReadonlyMap<number, Placed>;
+  running: { done: number; total: number; text: string } | null;
+  chosen: Looked;
+  pointed: Looked;
+  /** The next press on the orthophoto says near where images were taken. */
+  picks: boolean;
+  /** The link that is being measured. */
+  draft: LinkDraft | null;
+  /** Images whose links are adjusted now. */
+  adjusting: number | null;
+  /** The links that are drawn. */
+  uses: ReadonlySet<LinkUse>;
+}
+
+export const NOTHING_LOOKED_AT: Looked = { image: null, link: null };
+
+/** Without a model the ground is level. */
+const LEVEL: GivenHeights = { kind: 'level', height: 0 };
+
+export const NO_PLACING: Placing = {
+  orthophoto: null,
+  heights: LEVEL,
+  options: null,
+  purpose: null,
+  placed: new Map(),
+  running: null,
+  chosen: NOTHING_LOOKED_AT,
+  pointed: NOTHING_LOOKED_AT,
+  picks: false,
+  draft: null,
+  adjusting: null,
+  uses: new Set<LinkUse>(['used', 'check', 'rejected']),
+};
+
+export type PlacingAction =
+  /** In place of the former one, its heights and what was placed on it; null: none. */
+  | { type: 'orthophoto'; orthophoto: GivenOrthophoto | null }
+  /** `info`: the orthophoto with them. */
+  | { type: 'heights'; heights: GivenHeights; info: OrthophotoInfo }
+  | { type: 'placingOptions'; options: Partial<PlacingOptions> }
+  | { type: 'purpose'; purpose: Purpose }
+  | { type: 'placing'; running: Placing['running'] }
+  | { type: 'placed'; image: number; placed: Placed }
+  | { type: 'choosePlaced'; looked: Looked }
+  | { type: 'pointPlaced'; looked: Looked }
+  | { type: 'picksPlace'; picks: boolean }
+  | { type: 'linkDraft'; draft: LinkDraft | null }
+  | { type: 'adjustsLinks'; image: number | null }
+  | { type: 'showLinks'; use: LinkUse; on: boolean };
+
+export function reducePlacing(placing: Placing, action: PlacingAction): Placing {
+  switch (action.type) {
+    case 'orthophoto':
+      // Heights of another one may lie elsewhere.
+      return { ...NO_PLACING, options: placing.options, orthophoto: action.orthophoto };
+    case 'heights':
+      return {
+        ...placing,
+        heights: action.heights,
+        orthophoto: placing.orthophoto === null ? null : { ...placing.orthophoto, info: action.info },
+      };
+    case 'placingOptions':
+      return placing.options === null ? placing : { ...placing, options: { ...placing.options, ...action.options }, picks: false };
+    case 'purpose':
+      return placing.purpose === action.purpose ? placing : { ...placing, purpose: action.purpose };
+    case 'placing':
+      return { ...placing, running: action.running };
+    case 'placed':
+      return { ...placing, placed: new Map([...placing.placed, [action.image, action.placed]]) };
+    case 'choosePlaced':
+      if (isSameLooked(placing.chosen, action.looked)) return placing;
+      // A link is measured in one image.
+      return { ...placing, chosen: action.looked, draft: placing.chosen.image === action.looked.image ? placing.draft : null };
+    case 'pointPlaced':
+      return isSameLooked(placing.pointed, action.looked) ? placing : { ...placing, pointed: action.looked };
+    case 'picksPlace':
+      return { ...placing, picks: action.picks, draft: null };
+    case 'linkDraft':
+      return { ...placing, draft: action.draft, picks: false };
+    case 'adjustsLinks':
+      return { ...placing, adjusting: action.image };
+    case 'showLinks': {
+      const uses = new Set(placing.uses);
+      if (action.on) uses.add(action.use);
+      else uses.delete(action.use);
+      return { ...placing, uses };
+    }
+  }
+}
+
+function isSameLooked(a: Looked, b: Looked): boolean {
+  return a.image === b.image && a.link === b.link;
+}

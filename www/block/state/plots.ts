@@ -1,0 +1,201 @@
+/** The plots of a block: what they show of images, points and observations, and what each value is about. */
+import { remember } from '../../shared/state/remember';
+import type { ViewObservations } from './facts';
+import type { ViewGround } from './ground';
+import { choiceOfPoints, imagesOf, pointsOf } from './selection';
+import type { Choice } from './selection';
+import type { BlockView } from './view';
+import { say } from '../../shared/text/words';
+
+export type PlotName = 'residuals' | 'images' | 'rays' | 'sigma-plan' | 'sigma-height' | 'gnss' | 'surveyed-plan' | 'surveyed-height';
+
+export const PLOTS: readonly (readonly [PlotName, string])[] = [
+  ['images', say('residuals-by-image')],
+  ['residuals', say('residuals-of-observations')],
+  ['rays', say('tie-points-by-rays')],
+  ['sigma-plan', say('standard-errors-in-plan-along')],
+  ['sigma-height', say('standard-errors-in-height-along')],
+  ['gnss', say('gnss-positions')],
+  ['surveyed-plan', say('control-and-check-points-plan')],
+  ['surveyed-height', say('control-and-check-points-height')],
+];
+
+export interface Axis {
+  label: string;
+  unit: string;
+  values: Float64Array;
+  /** The values are places of a list: so many, with these names. */
+  names?: readonly string[];
+}
+
+export interface PlotData {
+  x: Axis;
+  y: Axis;
+  /** Bars from zero, one a value; else points. */
+  bars: boolean;
+  /** Both axes have one scale. */
+  square: boolean;
+  /** What a value is about. */
+  choice: (row: number) => Choice | null;
+  /** Tells the values that a choice is about. */
+  chosen: (choice: Choice | null) => (row: number) => boolean;
+  /** What several values together are about; null where nothing is all of it. */
+  together: (rows: readonly number[]) => Choice | null;
+}
+
+/** What of a block is asked of its worker. */
+export interface PlotFacts {
+  observations: () => ViewObservations | null;
+  ground: () => ViewGround | null;
+}
+
+/** A plot; null while what it shows is on its way. Without a value where the block does not have that. */
+export function plotOf(name: PlotName, view: BlockView, facts: PlotFacts): PlotData | null {
+  switch (name) {
+    case 'images':
+      return byImage(view);
+    case 'rays':
+      return byRays(view);
+    case 'sigma-plan':
+    case 'sigma-height':
+      return alongBlock(view, name === 'sigma-plan');
+    case 'surveyed-plan':
+    case 'surveyed-height':
+      return surveyedPoints(view, name === 'surveyed-plan');
+    case 'residuals': {
+      const of = facts.observations();
+      return of === null ? null : residuals(of);
+    }
+    case 'gnss': {
+      const ground = facts.ground();
+      return ground === null ? null : positions(view, ground);
+    }
+  }
+}
+
+/** Values of images. */
+function ofImages({ images }: BlockView, y: Omit<Axis, 'values'>, value: (image: number) => number): PlotData {
+  const rows = Array.from(images.keys()).filter((image) => !Number.isNaN(value(image)));
+  const names = rows.map((image) => images[image]?.name ?? '');
+  return {
+    x: { label: say('image-2'), unit: '', values: Float64Array.from(rows.keys()), names },
+    y: { ...y, values: Float64Array.from(rows, value) },
+    bars: true,
+    square: false,
+    choice: (row) => (rows[row] === undefined ? null : { kind: 'image', image: rows[row] }),
+    chosen: (choice) => {
+      const chosen = new Set(imagesOf(choice));
+      return (row) => chosen.has(rows[row] ?? -1);
+    },
+    together: ([only, ...more]) => (only === undefined || more.length > 0 || rows[only] === undefined ? null : { kind: 'image', image: rows[only] }),
+  };
+}
+
+const byImage = remember((view: BlockView) =>
+  ofImages(view, { label: say('rmse-of-the-residuals'), unit: 'px' }, (image) => view.images[image]?.rmsePx ?? NaN),
+);
+
+const positions = remember((view: BlockView, { gnss }: ViewGround) =>
+  ofImages(view, { label: say('gnss-minus-adjusted-position'), unit: 'm' }, (image) => {
+    const { position } = view.images[image] ?? {};
+    return position == null ? NaN : Math.hypot(...position.map((value, axis) => (gnss[3 * image + axis] ?? NaN) - value));
+  }),
+);
+
+/** Values of points, by their indices. */
+function ofPoints(points: Uint32Array, x: Axis, y: Axis, bars = false): PlotData {
+  return {
+    x,
+    y,
+    bars,
+    square: false,
+    choice: (row) => (points[row] === undefined ? null : { kind: 'point', point: points[row] }),
+    chosen: (choice) => {
+      const chosen = new Set(pointsOf(choice));
+      return (row) => chosen.has(points[row] ?? -1);
+    },
+    together: (rows) => choiceOfPoints(rows.flatMap((row) => points[row] ?? [])),
+  };
+}
+
+/** Standard errors of points over their place along the longer side of the block. */
+const alongBlock = remember(({ points }: BlockView, plan: boolean): PlotData => {
+  const coordinate = (point: number, axis: number) => points.positions[3 * point + axis] ?? NaN;
+  const error = (point: number) => {
+    const [x = NaN, y = NaN, z = NaN] = points.errors.subarray(3 * point, 3 * point + 3);
+    return plan ? Math.hypot(x, y) : z;
+  };
+  const rows = Uint32Array.from({ length: points.taking }, (_, point) => point).filter(
+    (point) => !Number.isNaN(error(point)) && !Number.isNaN(coordinate(point, 0)),
+  );
+  const span = [0, 1].map((axis) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (const point of rows) [low, high] = [Math.min(low, coordinate(point, axis)), Math.max(high, coordinate(point, axis))];
+    return high - low;
+  });
+  const axis = (span[1] ?? 0) > (span[0] ?? 0) ? 1 : 0;
+  return ofPoints(
+    rows,
+    { label: axis === 0 ? 'X' : 'Y', unit: '', values: Float64Array.from(rows, (point) => coordinate(point, axis)) },
+    { label: plan ? say('standard-error-in-plan') : say('standard-error-in-height'), unit: '', values: Float64Array.from(rows, error) },
+  );
+});
+
+const surveyedPoints = remember(({ surveyed }: BlockView, plan: boolean): PlotData => {
+  const used = surveyed.filter(({ isUsed }) => isUsed);
+  const names = used.map(({ name, role }) => `${name} (${role})`);
+  return ofPoints(
+    Uint32Array.from(used, ({ point }) => point),
+    { label: say('point'), unit: '', values: Float64Array.from(used.keys()), names },
+    {
+      label: plan ? say('adjusted-minus-surveyed-place') : say('adjusted-minus-surveyed-height'),
+      unit: 'm',
+      values: Float64Array.from(used, ({ difference_m: [x, y, z] }) => (plan ? Math.hypot(x, y) : z)),
+    },
+    true,
+  );
+});
+
+/** How many points have so many rays. */
+const byRays = remember(({ points }: BlockView): PlotData => {
+  const counts = new Map<number, number>();
+  for (const rays of points.rays.subarray(0, points.taking)) counts.set(rays, (counts.get(rays) ?? 0) + 1);
+  const rays = [...counts.keys()].sort((a, b) => a - b);
+  const all = points.rays.subarray(0, points.taking);
+  const withRays = (wanted: ReadonlySet<number | undefined>) => choiceOfPoints(Uint32Array.from(all.keys()).filter((point) => wanted.has(all[point])));
+  return {
+    x: { label: say('rays-2'), unit: '', values: Float64Array.from(rays.keys()), names: rays.map(String) },
+    y: { label: say('tie-points'), unit: '', values: Float64Array.from(rays, (number) => counts.get(number) ?? 0) },
+    bars: true,
+    square: false,
+    choice: (row) => withRays(new Set([rays[row]])),
+    chosen: (choice) => {
+      const chosen = new Set([...pointsOf(choice)].map((point) => all[point]));
+      return (row) => chosen.has(rays[row]);
+    },
+    together: (rows) => withRays(new Set(rows.map((row) => rays[row]))),
+  };
+});
+
+const residuals = remember((of: ViewObservations): PlotData => {
+  const rows = Uint32Array.from(of.points.keys()).filter((row) => !Number.isNaN(of.residuals[2 * row]) && of.parts[row] === 0);
+  const axis = (label: string, offset: number): Axis => ({
+    label,
+    unit: 'px',
+    values: Float64Array.from(rows, (row) => of.residuals[2 * row + offset] ?? NaN),
+  });
+  const pointAt = (row: number) => of.points[rows[row] ?? -1] ?? -1;
+  const imageAt = (row: number) => of.images[rows[row] ?? -1] ?? -1;
+  return {
+    x: axis(say('residual-vx'), 0),
+    y: axis(say('residual-vy'), 1),
+    bars: false,
+    square: true,
+    choice: (row) => ({ kind: 'observation', point: pointAt(row), image: imageAt(row) }),
+    chosen: (choice) => {
+      const [points, images] = [new Set(pointsOf(choice)), new Set(imagesOf(choice))];
+      return (row) => (points.size === 0 || points.has(pointAt(row))) && (images.size === 0 || images.has(imageAt(row))) && points.size + images.size > 0;
+    },
+    together: (chosen) => choiceOfPoints(new Set(chosen.map(pointAt))),
+  };
+});

@@ -1,0 +1,56 @@
+/** What is done with the orthophoto that is given, and whether it is done. */
+import type { Purpose } from './placing';
+import { placingKey } from './placed';
+import { isOutdated } from './state';
+import type { BlockState, Shown } from './state';
+
+type Given = Pick<BlockState, 'placing' | 'options' | 'files' | 'shown'>;
+
+/** A finished block whose images are oriented. */
+function orientedBlock({ shown }: Pick<BlockState, 'shown'>): Shown | null {
+  return shown === null || shown.view.partial || shown.view.oriented === 0 ? null : shown;
+}
+
+/** A block that was opened in the system of an orthophoto: what it was before is not known. */
+function cameOnGround({ view, ground }: Shown): boolean {
+  return ground === null && view.orthophoto?.kind === 'linked';
+}
+
+/** What is done with the orthophoto; null where none is given, or the user is to say it. */
+export function purposeOf({ placing, shown, files }: Given): Purpose | null {
+  const { orthophoto, purpose, placed, heights } = placing;
+  if (orthophoto === null || purpose !== null) return orthophoto === null ? null : purpose;
+  // One that was made of a block lies under it, and places other images.
+  if (orthophoto.ofBlock !== null || placed.size > 0) return 'images';
+  const block = orientedBlock({ shown });
+  if (block !== null) return cameOnGround(block) ? 'map' : null;
+  // A block that could not be oriented is none.
+  const isTried = shown !== null && !shown.view.partial;
+  return !isTried && heights.kind === 'model' && files.length >= 2 ? 'block' : 'images';
+}
+
+/** Whether the user is to say what is done with the orthophoto. */
+export function asksPurpose(state: Given): boolean {
+  return state.placing.orthophoto !== null && purposeOf(state) === null;
+}
+
+/** Names what placing the block now would be made from; its cameras are its own. */
+export function groundKey({ placing }: Pick<BlockState, 'placing'>): string {
+  return placingKey({ placing, options: { cameras: null } });
+}
+
+/** Whether the block is to be placed on the orthophoto and is not, or by other settings or heights. */
+export function isOffGround(state: Given): boolean {
+  const block = orientedBlock(state);
+  return block !== null && purposeOf(state) === 'block' && block.ground?.key !== groundKey(state);
+}
+
+/** Whether the block on the screen is the one that is wanted, but for its place. One that was opened in the system of an orthophoto is run anew. */
+export function lacksPlaceAlone(state: BlockState): boolean {
+  return isOffGround(state) && !isOutdated(state) && state.shown !== null && !cameOnGround(state.shown);
+}
+
+/** Whether other files, options or ground made the block on the screen. */
+export function isStale(state: BlockState): boolean {
+  return isOutdated(state) || isOffGround(state);
+}

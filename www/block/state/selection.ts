@@ -1,0 +1,112 @@
+/** What is chosen, pointed at and filtered: one for all views of a block. Pure: the same selection and action give the same selection. */
+import type { Filter } from '../../shared/state/rows';
+import type { BlockView } from './view';
+
+/** What is looked at. Numbers are those of the `BlockView`; each kind names what it is about, so that a view shows the kinds that it knows. */
+export type Choice =
+  | { kind: 'image'; image: number }
+  | { kind: 'pair'; images: [number, number] }
+  | { kind: 'point'; point: number }
+  /** A tie point as one image shows it. */
+  | { kind: 'observation'; point: number; image: number }
+  /** Two or more tie points, in ascending order. */
+  | { kind: 'points'; points: Uint32Array };
+
+/** What rows of a table are. */
+export type Subject = 'images' | 'pairs' | 'points' | 'observations' | 'surveyed';
+
+export interface Selection {
+  chosen: Choice | null;
+  pointed: Choice | null;
+  filters: Readonly<Partial<Record<Subject, Filter>>>;
+}
+
+export type SelectionAction =
+  | { type: 'choose'; choice: Choice | null }
+  /** The pointer, or the row with the keyboard, is over something, or has left. */
+  | { type: 'point'; choice: Choice | null }
+  /** What is not kept by the filter is shown in no view. */
+  | { type: 'filter'; subject: Subject; filter: Filter };
+
+export const NOTHING_SELECTED: Selection = { chosen: null, pointed: null, filters: {} };
+
+export function reduceSelection(selection: Selection, action: SelectionAction): Selection {
+  switch (action.type) {
+    case 'choose':
+      return isSame(selection.chosen, action.choice) ? selection : { ...selection, chosen: action.choice };
+    case 'point':
+      return isSame(selection.pointed, action.choice) ? selection : { ...selection, pointed: action.choice };
+    case 'filter':
+      return { ...selection, filters: { ...selection.filters, [action.subject]: action.filter } };
+  }
+}
+
+/** Points as they are chosen together: none, one, or several. */
+export function choiceOfPoints(points: Iterable<number>): Choice | null {
+  const given = Uint32Array.from(points);
+  // Of many thousands a set takes longer than all else.
+  const sorted = given.every((point, i) => i === 0 || point > (given[i - 1] ?? 0)) ? given : Uint32Array.from(new Set(given)).sort();
+  const [first] = sorted;
+  if (first === undefined) return null;
+  return sorted.length === 1 ? { kind: 'point', point: first } : { kind: 'points', points: sorted };
+}
+
+/** Points chosen beside those that are; one alone is taken from them where it is chosen. */
+export function withMore(chosen: Choice | null, points: readonly number[]): Choice | null {
+  const before = new Set(pointsOf(chosen));
+  const [only] = points;
+  if (points.length === 1 && only !== undefined && before.has(only)) before.delete(only);
+  else for (const point of points) before.add(point);
+  return choiceOfPoints(before);
+}
+
+/** The images that a choice names. */
+export function imagesOf(choice: Choice | null): readonly number[] {
+  switch (choice?.kind) {
+    case 'image':
+    case 'observation':
+      return [choice.image];
+    case 'pair':
+      return choice.images;
+    default:
+      return [];
+  }
+}
+
+const NO_POINTS = new Uint32Array();
+
+/** The tie points that a choice names. */
+export function pointsOf(choice: Choice | null): Uint32Array {
+  switch (choice?.kind) {
+    case 'point':
+    case 'observation':
+      return Uint32Array.of(choice.point);
+    case 'points':
+      return choice.points;
+    default:
+      return NO_POINTS;
+  }
+}
+
+/** Whether both say the same; a pair is the same either way round. */
+export function isSame(a: Choice | null, b: Choice | null): boolean {
+  if (a === b) return true;
+  if (a === null || b === null || a.kind !== b.kind) return false;
+  const [images, others] = [imagesOf(a), imagesOf(b)];
+  const [points, others_] = [pointsOf(a), pointsOf(b)];
+  return images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
+}
+
+/** The selection as another view of the same images has it: images by their names. Points are numbered anew, so that none stays chosen. */
+export function inOtherView(selection: Selection, before: BlockView | null, after: BlockView): Selection {
+  const { chosen, filters } = selection;
+  return { chosen: before === null ? null : moved(chosen, before, after), pointed: null, filters };
+}
+
+function moved(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
+  if (choice?.kind !== 'image' && choice?.kind !== 'pair') return null;
+  const place = (image: number) => after.images.findIndex(({ name }) => name === before.images[image]?.name);
+  if (choice.kind === 'image') return place(choice.image) < 0 ? null : { kind: 'image', image: place(choice.image) };
+  const images: [number, number] = [place(choice.images[0]), place(choice.images[1])];
+  return images.includes(-1) ? null : { kind: 'pair', images };
+}

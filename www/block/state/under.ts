@@ -1,0 +1,74 @@
+/** Plane maps: from the pixels of an orthophoto to its system, and from that to the system of a block. */
+import type { Georeference } from '../../../pkg/wasm/tiepoint.js';
+
+/** (x, y) becomes (a x + c y + e, b x + d y + f), as a canvas has it. */
+export interface Affine {
+  a: number;
+  b: number;
+  c: number;
+  d: number;
+  e: number;
+  f: number;
+}
+
+/** Side of a tile of an orthophoto's picture, px of the halved picture. */
+export const TILE_SIDE = 256;
+
+export const SAME: Affine = { a: 1, b: 0, c: 0, d: 1, e: 0, f: 0 };
+
+/** From pixels to the ground. */
+export function affineOf({ origin, by_column: column, by_row: row }: Georeference): Affine {
+  return { a: column[0], b: column[1], c: row[0], d: row[1], e: origin[0], f: origin[1] };
+}
+
+export function mapped({ a, b, c, d, e, f }: Affine, x: number, y: number): [number, number] {
+  return [a * x + c * y + e, b * x + d * y + f];
+}
+
+/** First `inner`, then `outer`. */
+export function after(outer: Affine, inner: Affine): Affine {
+  const [a, b] = mapped({ ...outer, e: 0, f: 0 }, inner.a, inner.b);
+  const [c, d] = mapped({ ...outer, e: 0, f: 0 }, inner.c, inner.d);
+  const [e, f] = mapped(outer, inner.e, inner.f);
+  return { a, b, c, d, e, f };
+}
+
+export function inverse({ a, b, c, d, e, f }: Affine): Affine {
+  const determinant = a * d - b * c;
+  const turned = { a: d / determinant, b: -b / determinant, c: -c / determinant, d: a / determinant, e: 0, f: 0 };
+  const [x, y] = mapped(turned, e, f);
+  return { ...turned, e: -x, f: -y };
+}
+
+/** How much longer lengths become, in the mean of all directions. */
+export function scaleOf({ a, b, c, d }: Affine): number {
+  return Math.sqrt(Math.abs(a * d - b * c));
+}
+
+type Place = readonly [number, number];
+
+/** Turn, scale and shift that bring places nearest to others of the same number; null from fewer than two, or of places that are one. */
+export function similarity(from: readonly Place[], to: readonly Place[]): Affine | null {
+  if (from.length < 2 || from.length !== to.length) return null;
+  const [fx, fy] = middle(from);
+  const [tx, ty] = middle(to);
+  let [along, across, size] = [0, 0, 0];
+  from.forEach(([x, y], i) => {
+    const [u, v] = [x - fx, y - fy];
+    const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
+    along += u * p + v * q;
+    across += u * q - v * p;
+    size += u * u + v * v;
+  });
+  if (!(size > 0)) return null;
+  const [a, b] = [along / size, across / size];
+  if (!(Math.hypot(a, b) > 0)) return null;
+  const turned = { a, b, c: -b, d: a, e: 0, f: 0 };
+  const [x, y] = mapped(turned, fx, fy);
+  return { ...turned, e: tx - x, f: ty - y };
+}
+
+function middle(places: readonly Place[]): [number, number] {
+  const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
+  return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
+}

@@ -1,0 +1,198 @@
+/** Measures a point in the images that are shown: where it lies so far, where it is expected, and what a user does to it. */
+import { crossing, onLine } from '../../../shared/state/neighbours';
+import type { Position } from '../../../shared/state/pane';
+import { Cancelled } from '../../../shared/engine/client';
+import type { BlockEngine, BlockStore } from '../../engine/engine';
+import type { Facts } from '../../engine/facts';
+import type { Turn } from '../../engine/match';
+import { begun, editsOfDraft, placed } from '../../state/draft';
+import type { Draft } from '../../state/edited';
+import { isEditable } from '../../state/editing';
+import { indexOfSource, sourceOf } from '../../state/edits';
+import { inOtherImage } from '../../state/observed';
+import { pointsOf } from '../../state/selection';
+import type { Pane } from './scene';
+import { say } from '../../../shared/text/words';
+import { messageOf } from '../../../shared/text/messages';
+
+/** How far apart places are that say how one image lies to another, px. */
+const STEP = 20;
+/** Of a point that is placed in many images, the lines of the latest are drawn. */
+const MOST_LINES = 2;
+/** Images that are named one by one. */
+const MOST_NAMES = 3;
+const STRAIGHT: Turn = [1, 0, 0, 1];
+
+export class Measuring {
+  private matching = false;
+
+  constructor(
+    private readonly store: BlockStore,
+    private readonly engine: BlockEngine,
+    private readonly facts: Facts,
+    private readonly panes: () => Pane[],
+  ) {}
+
+  get draft(): Draft | null {
+    return this.store.state.draft;
+  }
+
+  /** Measures the chosen point, or a new one where none is chosen or `anew`; ends where a point is measured already. */
+  toggle(anew: boolean): void {
+    const { state } = this.store;
+    if (state.draft !== null || !isEditable(state) || state.shown === null) {
+      this.set(null);
+      return;
+    }
+    const [point, ...more] = pointsOf(state.selection.chosen);
+    // What was rejected is restored first.
+    if (!anew && point !== undefined && point >= state.shown.view.points.taking) return;
+    const of = anew || point === undefined || more.length > 0 ? null : sourceOf(state.shown.view, point);
+    if (of === null && !anew) return;
+    if (of === null) this.store.dispatch({ type: 'choose', choice: null });
+    // The point can be measured where it is not measured yet.
+    else this.store.dispatch({ type: 'look', look: { unmeasured: true } });
+    this.set(begun(of));
+  }
+
+  /** Where the point lies in an image: where it was placed, else where it was measured before, else where it is expected. */
+  placeIn(pane: Pane): Position | null {
+    return this.draft?.places.get(pane.image)?.at ?? this.measured(pane.image) ?? this.expected(pane);
+  }
+
+  /** Where the point is expected in an image in which it is not placed: by its prediction, where the epipolar lines of two places cross, or by the points around it. */
+  expected(pane: Pane): Position | null {
+    const { draft } = this;
+    if (draft === null || draft.places.has(pane.image)) return null;
+    const elsewhere = this.detail()?.elsewhere.find(({ image }) => image === pane.image);
+    if (elsewhere !== undefined) return [elsewhere.x_px, elsewhere.y_px];
+    const [first] = draft.places;
+    const from = first === undefined ? undefined : this.panes().find(({ image }) => image === first[0]);
+    if (draft.of !== null || first === undefined || from?.points == null || pane.points === null) return null;
+    // Two places say where the point is, whatever the ground around it is like.
+    const [one, other] = this.sources(pane.image).map(({ image, at }) => this.facts.line(image, at, pane.image));
+    const both = one == null || other == null ? null : crossing(one, other);
+    if (both !== null) return both;
+    const near = inOtherImage(from.points, pane.points, first[1].at);
+    const line = this.facts.line(first[0], first[1].at, pane.image);
+    return near === null || line === null ? near : onLine(line, near);
+  }
+
+  /** Places whose epipolar lines say where the point may lie in an image. */
+  sources(image: number): { image: number; at: Position }[] {
+    const others = [...(this.draft?.places ?? [])].filter(([other]) => other !== image);
+    return others.slice(-MOST_LINES).map(([other, { at }]) => ({ image: other, at }));
+  }
+
+  place(pane: Pane, at: Position): void {
+    if (this.draft !== null) this.set(placed(this.draft, pane.image, at, pane));
+  }
+
+  nudge(pane: Pane, dx: number, dy: number): void {
+    const at = this.placeIn(pane);
+    if (at !== null) this.place(pane, [at[0] + dx, at[1] + dy]);
+  }
+
+  /** Places the point where it is expected, or at a place; where it is placed it is accepted. */
+  settle(pane: Pane, middle: Position): void {
+    const { draft } = this;
+    if (draft === null) return;
+    if (draft.places.has(pane.image) || this.measured(pane.image) !== null) this.accept();
+    else this.place(pane, this.expected(pane) ?? middle);
+  }
+
+  accept(): void {
+    const edits = this.draft === null ? null : editsOfDraft(this.draft);
+    if (edits !== null) this.store.dispatch({ type: 'edit', edits });
+  }
+
+  /** Gives the measured point up; false where none is measured. */
+  leave(): boolean {
+    if (this.draft === null) return false;
+    this.set(null);
+    return true;
+  }
+
+  /** Moves the point in the other images to where least squares matching finds it by its place in one of them. */
+  async match(from: Pane | null): Promise<void> {
+    if (this.draft === null) this.toggle(false);
+    const at = from === null ? null : this.placeIn(from);
+    if (this.matching || this.draft === null || from?.file == null || at === null) return;
+    this.matching = true;
+    const { draft } = this;
+    const names = new Map(this.store.state.shown?.view.images.map(({ name }, image) => [image, name]));
+    this.tell('busy', say('matching-in-the-other-images', { image: names.get(from.image) ?? '' }));
+    try {
+      const left = await this.engine.window(from.file.file, at, null);
+      const others = this.panes().filter((pane) => pane.image !== from.image && pane.file !== null);
+      const found = await Promise.all(
+        others.map(async (pane) => {
+          const near = this.placeIn(pane);
+          if (near === null || pane.file === null) return null;
+          const place = await this.engine.matched(left, pane.file.file, near, turnOf(from, pane, at));
+          return { pane, place };
+        }),
+      );
+      // The user has gone on to something else.
+      if (this.draft === draft)
+        this.take(
+          from,
+          at,
+          found.filter((one) => one !== null),
+          names,
+        );
+      else if (this.store.state.notice?.kind === 'busy') this.store.dispatch({ type: 'notice', notice: null });
+    } catch (error) {
+      if (error instanceof Cancelled) this.tell('info', say('cancelled-nothing-was-matched'));
+      else this.tell('problem', say('not-matched', { error: messageOf(error) }));
+    }
+    this.matching = false;
+  }
+
+  private take(from: Pane, at: Position, found: readonly { pane: Pane; place: Position | null }[], names: ReadonlyMap<number, string>): void {
+    if (this.draft === null) return;
+    // Of a new point the place that the others are matched to is one of its own.
+    const own = this.draft.of === null ? placed(this.draft, from.image, at, from) : this.draft;
+    this.set(found.reduce((draft, { pane, place }) => (place === null ? draft : placed(draft, pane.image, place, pane, 'least_squares')), own));
+    const lost = found.filter(({ place }) => place === null).map(({ pane }) => names.get(pane.image) ?? '');
+    const count = found.length - lost.length;
+    const done = say('matched-in-of-images', { count, found: found.length, what: count > 0 ? say('enter-accepts') : '' }).trim();
+    const where = lost.length > MOST_NAMES ? say('images-4', { lost: lost.length }) : lost.join(', ');
+    this.tell('info', lost.length === 0 ? done : say('no-match-is-confirmed-in', { done, where }));
+  }
+
+  /** Where the point was measured before, in an image. */
+  private measured(image: number): Position | null {
+    const own = this.detail()?.observations.find((one) => one.image === image);
+    return own === undefined ? null : [own.x_px, own.y_px];
+  }
+
+  private detail() {
+    const { draft, shown } = this.store.state;
+    if (draft?.of == null || shown === null) return null;
+    const point = indexOfSource(shown.view, draft.of);
+    return point < 0 ? null : this.facts.point(point);
+  }
+
+  private set(draft: Draft | null): void {
+    if (draft !== this.store.state.draft) this.store.dispatch({ type: 'draft', draft });
+  }
+
+  private tell(kind: 'info' | 'busy' | 'problem', text: string): void {
+    this.store.dispatch({ type: 'notice', notice: { kind, text, beside: kind !== 'problem' } });
+  }
+}
+
+/** How steps in one image lie in another, by the points around a place that both show. */
+function turnOf(from: Pane, to: Pane, [x, y]: Position): Turn {
+  const { points: own } = from;
+  const { points: other } = to;
+  if (own === null || other === null) return STRAIGHT;
+  const [middle, across, down] = [
+    [x, y],
+    [x + STEP, y],
+    [x, y + STEP],
+  ].map(([u = 0, v = 0]) => inOtherImage(own, other, [u, v]));
+  if (middle == null || across == null || down == null) return STRAIGHT;
+  return [(across[0] - middle[0]) / STEP, (across[1] - middle[1]) / STEP, (down[0] - middle[0]) / STEP, (down[1] - middle[1]) / STEP];
+}

@@ -1,0 +1,122 @@
+/** What frames the map: a grid with its coordinates, a scale bar, an arrow to the north. */
+import type { Colours } from '../../../shared/view/colours';
+import { toCanvas, toPosition } from '../../../shared/view/transform';
+import type { Transform } from '../../../shared/view/transform';
+import type { System } from '../../state/ground';
+
+/** About so far apart are lines of the grid, CSS px; and so long is the scale bar at most. */
+const GRID = 120;
+const BAR = 130;
+
+/** The largest of 1, 2, 5, 10, 20 … that is no larger. */
+export function niceBelow(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return ([5, 2].find((step) => step * power <= value) ?? 1) * power;
+}
+
+/** A length or coordinate at steps of a grid, without decimals that say nothing. */
+export function stepText(value: number, step: number): string {
+  return value.toFixed(Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)))).replace('-', '−');
+}
+
+/** A length with two digits in the unit that it is said in; without unit where the block has no scale. */
+export function lengthText(length: number, system: System): string {
+  const [factor, unit] =
+    system === 'own' ? [1, 'units'] : length >= 1000 ? [0.001, 'km'] : length >= 1 ? [1, 'm'] : length >= 0.01 ? [100, 'cm'] : [1000, 'mm'];
+  return `${String(Number((length * factor).toPrecision(2)))} ${unit}`;
+}
+
+export function paintGrid(context: CanvasRenderingContext2D, colours: Colours, t: Transform, width: number, height: number): void {
+  const step = niceBelow((1.6 * GRID) / t.scale);
+  const [left, top] = toPosition(t, 0, 0);
+  const [right, bottom] = toPosition(t, width, height);
+  context.save();
+  context.strokeStyle = colours.muted;
+  context.lineWidth = 0.5;
+  context.globalAlpha = 0.35;
+  context.beginPath();
+  const columns = ticks(left, right, step);
+  const rows = ticks(-bottom, -top, step);
+  for (const x of columns) {
+    const at = toCanvas(t, x, 0)[0];
+    context.moveTo(at, 0);
+    context.lineTo(at, height);
+  }
+  for (const y of rows) {
+    const at = toCanvas(t, 0, -y)[1];
+    context.moveTo(0, at);
+    context.lineTo(width, at);
+  }
+  context.stroke();
+  context.globalAlpha = 1;
+  context.font = '10px system-ui, sans-serif';
+  context.textAlign = 'start';
+  for (const x of columns) haloed(context, colours, stepText(x, step), toCanvas(t, x, 0)[0] + 3, 11);
+  for (const y of rows) {
+    const at = toCanvas(t, 0, -y)[1];
+    // Above are the labels of the columns, below the scale bar.
+    if (at > 28 && at < height - 52) haloed(context, colours, stepText(y, step), 3, at - 3);
+  }
+  context.restore();
+}
+
+function ticks(from: number, to: number, step: number): number[] {
+  const first = Math.ceil(from / step);
+  return Array.from({ length: Math.min(100, Math.max(0, Math.floor(to / step) - first + 1)) }, (_, i) => (first + i) * step);
+}
+
+/** The bar at the lower left. */
+export function paintScale(context: CanvasRenderingContext2D, colours: Colours, t: Transform, height: number, system: System): void {
+  const length = niceBelow(BAR / t.scale);
+  const wide = length * t.scale;
+  const [left, base] = [12, height - 12];
+  context.save();
+  for (const [colour, line] of [
+    [colours.ground, 5],
+    [colours.text, 2],
+  ] as const) {
+    context.strokeStyle = colour;
+    context.lineWidth = line;
+    context.beginPath();
+    context.moveTo(left, base - 5);
+    context.lineTo(left, base);
+    context.lineTo(left + wide, base);
+    context.lineTo(left + wide, base - 5);
+    context.stroke();
+  }
+  context.font = '11px system-ui, sans-serif';
+  context.textAlign = 'center';
+  haloed(context, colours, lengthText(length, system), left + wide / 2, base - 6);
+  context.restore();
+}
+
+/** An arrow at the upper right; it is true north at the origin of the block, and the direction of Y of other systems. */
+export function paintNorth(context: CanvasRenderingContext2D, colours: Colours, width: number, system: System): void {
+  const [x, y] = [width - 24, 18];
+  context.save();
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(x + 6, y + 20);
+  context.lineTo(x, y + 15);
+  context.lineTo(x - 6, y + 20);
+  context.closePath();
+  context.lineWidth = 3;
+  context.strokeStyle = colours.ground;
+  context.stroke();
+  context.fillStyle = colours.text;
+  context.fill();
+  context.font = '600 12px system-ui, sans-serif';
+  context.textAlign = 'center';
+  haloed(context, colours, system === 'geographic' ? 'N' : 'Y', x, y + 34);
+  context.restore();
+}
+
+/** Text that is read over any picture. */
+export function haloed(context: CanvasRenderingContext2D, colours: Colours, text: string, x: number, y: number): void {
+  context.lineJoin = 'round';
+  context.lineWidth = 3;
+  context.strokeStyle = colours.ground;
+  context.strokeText(text, x, y);
+  context.fillStyle = colours.text;
+  context.fillText(text, x, y);
+}

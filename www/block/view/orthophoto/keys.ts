@@ -1,0 +1,49 @@
+/** What keys do on the orthophoto and in the image beside it. */
+import type { Command } from '../../../shared/view/commands';
+import type { BlockStore } from '../../engine/engine';
+import type { LinkHands } from '../../engine/link-hands';
+import { chosenPlaced } from '../../state/placed';
+import { NOTHING_LOOKED_AT } from '../../state/placing';
+import { shownLinks } from '../../state/steps';
+import { say } from '../../../shared/text/words';
+
+export function linkKeys(store: BlockStore, hands: LinkHands): Command[] {
+  const now = () => store.state.placing;
+  const isLinkChosen = () => now().chosen.link !== null;
+  const links = () => {
+    const chosen = chosenPlaced(store.state);
+    return chosen === null ? 0 : (shownLinks(chosen)?.count ?? 0);
+  };
+  const tried = () => store.state.files.filter(({ id }) => now().placed.has(id)).map(({ id }) => id);
+  const toLink = (by: 1 | -1) => {
+    const { image, link } = now().chosen;
+    store.dispatch({ type: 'choosePlaced', looked: { image, link: stepped(link ?? -1, by, links()) } });
+  };
+  const toImage = (by: 1 | -1) => {
+    const all = tried();
+    store.dispatch({ type: 'choosePlaced', looked: { image: all[stepped(all.indexOf(now().chosen.image ?? -1), by, all.length)] ?? null, link: null } });
+  };
+  const leave = () => {
+    const { draft, picks, chosen } = now();
+    if (draft !== null) hands.measure();
+    else if (picks) store.dispatch({ type: 'picksPlace', picks: false });
+    else store.dispatch({ type: 'choosePlaced', looked: chosen.link === null ? NOTHING_LOOKED_AT : { image: chosen.image, link: null } });
+  };
+  const hasLinks = () => links() > 0;
+  const hasImages = () => tried().length > 0;
+  return [
+    { keys: ['n'], does: say('chooses-the-next-link-of'), can: hasLinks, run: () => toLink(1) },
+    { keys: ['p'], does: say('chooses-the-previous-link-of'), can: hasLinks, run: () => toLink(-1) },
+    { keys: ['PageDown'], does: say('chooses-the-next-image-that'), can: hasImages, run: () => toImage(1) },
+    { keys: ['PageUp'], does: say('chooses-the-previous-image-that'), can: hasImages, run: () => toImage(-1) },
+    { keys: ['Delete'], does: say('rejects-the-chosen-link'), can: isLinkChosen, run: () => hands.use('reject') },
+    { keys: ['r'], does: say('uses-the-chosen-link-again'), can: isLinkChosen, run: () => hands.use('restore') },
+    { keys: ['a'], does: say('measures-a-new-link-or'), run: () => hands.measure() },
+    { keys: ['Enter'], does: say('accepts-the-link-that-is'), can: () => now().draft !== null, run: () => hands.accept() },
+    { keys: ['Escape'], does: say('gives-up-or-chooses-nothing'), run: leave },
+  ];
+}
+
+function stepped(now: number, by: number, count: number): number {
+  return now < 0 ? (by > 0 ? 0 : count - 1) : (now + by + count) % count;
+}

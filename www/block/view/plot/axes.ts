@@ -1,0 +1,57 @@
+/** The axes of a plot: their ends, ticks of round values, and how values lie between them. */
+import type { Axis, PlotData } from '../../state/plots';
+
+/** Room of labels and ticks about the values, CSS px. */
+export const ROOM = { left: 64, right: 16, top: 14, bottom: 40 } as const;
+
+/** Values at the two ends of an axis. */
+export type Ends = readonly [from: number, to: number];
+
+/** Beyond the farthest values, in shares of their span. */
+const BESIDE = 0.04;
+
+/** The ends of both axes: bars stand on zero, places of a list have room on both sides. */
+export function endsOf({ x, y, bars, square }: PlotData, width: number, height: number): { x: Ends; y: Ends } {
+  const across: Ends = x.names === undefined ? spread(x.values) : [-0.5, Math.max(0, x.names.length - 1) + 0.5];
+  const up = spread(y.values, bars);
+  if (!square) return { x: across, y: up };
+  // The same length of both for the same value, about zero.
+  const most = Math.max(...across.map(Math.abs), ...up.map(Math.abs));
+  const [wide, high] = [Math.max(1, width - ROOM.left - ROOM.right), Math.max(1, height - ROOM.top - ROOM.bottom)];
+  const least = Math.min(wide, high);
+  return { x: [(-most * wide) / least, (most * wide) / least], y: [(-most * high) / least, (most * high) / least] };
+}
+
+function spread(values: Float64Array, zero = false): Ends {
+  let [low, high] = zero ? [0, 0] : [Infinity, -Infinity];
+  for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  if (!(high > low)) return Number.isFinite(low) && low !== 0 ? [low - Math.abs(low) / 2, low + Math.abs(low) / 2] : [0, 1];
+  const beside = BESIDE * (high - low);
+  return [zero && low === 0 ? 0 : low - beside, zero && high === 0 ? 0 : high + beside];
+}
+
+/** Round values between two ends, about so many. */
+export function ticksBetween([from, to]: Ends, about: number): number[] {
+  const step = roundStep((to - from) / Math.max(1, about));
+  if (!(step > 0) || !Number.isFinite(step)) return [];
+  const first = Math.ceil(from / step - 1e-9);
+  const last = Math.floor(to / step + 1e-9);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+}
+
+/** 1, 2 or 5 times a power of ten, no smaller than a length. */
+function roundStep(length: number): number {
+  const power = 10 ** Math.floor(Math.log10(length));
+  return ([1, 2, 5, 10].find((digit) => digit * power >= length * (1 - 1e-9)) ?? 10) * power;
+}
+
+/** Decimals that tell ticks apart. */
+export function decimalsOf(ticks: readonly number[]): number {
+  const [first = 0, second = first + 1] = ticks;
+  return Math.max(0, Math.min(9, Math.ceil(-Math.log10(Math.abs(second - first)) - 1e-9)));
+}
+
+/** The title of an axis, with its unit. */
+export function titleOf({ label, unit }: Axis): string {
+  return unit === '' ? label : `${label}, ${unit}`;
+}

@@ -1,0 +1,64 @@
+/** Edits by hand: undo and redo by their names and keys, and the list of all of them. */
+import { steps } from '../state/history';
+import type { History } from '../state/history';
+import { declare } from '../view/commands';
+import { button, fill, h } from './dom';
+import { say } from '../text/words';
+
+/** A button that says what it would do, and cannot be pressed where that is nothing. */
+export function set(made: HTMLButtonElement, text: string, disabled: boolean): void {
+  if (made.textContent !== text) made.textContent = text;
+  made.disabled = disabled;
+}
+
+/** Undo and redo as signs, which are there once there is an edit; what they would do is their title. */
+export function showSteps<E>(undo: HTMLButtonElement, redo: HTMLButtonElement, history: History<E>, nameOf: (edit: E) => string): void {
+  const names = steps(history, nameOf);
+  for (const [made, name, keys] of [
+    [undo, names.undo === null ? say('undo') : say('undo-3', { undo: names.undo }), 'Ctrl+Z'],
+    [redo, names.redo === null ? say('redo') : say('redo-3', { redo: names.redo }), 'Ctrl+Shift+Z'],
+  ] as const) {
+    made.title = `${name} (${keys})`;
+    made.setAttribute('aria-label', name);
+    made.hidden = history.edits.length === 0;
+  }
+  undo.disabled = names.undo === null;
+  redo.disabled = names.redo === null;
+}
+
+/** Every state can be gone to by a press; `first` is the name of the one before all edits, `prefix` that of test ids. */
+export function showHistory<E>(
+  host: HTMLElement,
+  prefix: string,
+  first: string,
+  { edits, done }: History<E>,
+  nameOf: (edit: E) => string,
+  go: (done: number) => void,
+): void {
+  const focused = host.contains(document.activeElement);
+  const entry = (place: number, name: string) => {
+    const press = button(name, `${prefix}history-${String(place)}`, () => go(place));
+    press.className = 'link';
+    if (place === done) press.setAttribute('aria-current', 'step');
+    return h('li', { class: place > done ? 'undone' : '' }, press);
+  };
+  fill(host, entry(0, first), ...edits.map((edit, i) => entry(i + 1, nameOf(edit))));
+  if (focused) host.querySelector<HTMLElement>('[aria-current]')?.focus({ preventScroll: true });
+}
+
+/** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own. */
+export function undoKeys(isActive: () => boolean, step: (by: 1 | -1) => void): void {
+  const act = declare({
+    where: say('anywhere-after-edits'),
+    host: document.body,
+    list: [
+      { keys: ['Ctrl+Z'], does: say('takes-back-the-last-edit'), can: isActive, run: () => step(-1) },
+      { keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], does: say('makes-the-edit-again'), can: isActive, run: () => step(1) },
+    ],
+  });
+  document.addEventListener('keydown', (event) => {
+    const { target, key } = event;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || (target instanceof Element && target.closest('input, textarea, select, dialog') !== null)) return;
+    if (act(`Ctrl+${event.shiftKey ? 'Shift+' : ''}${key.toUpperCase()}`, event.shiftKey)) event.preventDefault();
+  });
+}

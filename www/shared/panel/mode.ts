@@ -1,0 +1,27 @@
+/** The switch between the pair and the block. */
+import type { Mode, Modes } from '../state/mode';
+import { say } from '../text/words';
+import { button, h } from './dom';
+
+const MODES: readonly (readonly [Mode, string])[] = [
+  ['pair', say('pair')],
+  ['block', say('block')],
+];
+
+/** `show`: shows a part of the page, which may have to be loaded. */
+export function modeSwitch(modes: Modes, show: (mode: Mode) => void): HTMLElement {
+  const buttons = MODES.map(([mode, text]) => ({ mode, press: button(text, `mode-${mode}`, () => show(mode)) }));
+  modes.watch(['mode'], ([mode]) => {
+    for (const { mode: own, press } of buttons) press.setAttribute('aria-pressed', String(own === mode));
+    document.querySelector('.skip')?.setAttribute('href', mode === 'pair' ? '#view' : '#block-view');
+    document.body.dataset['mode'] = mode;
+  });
+  return h('div', { class: 'mode', role: 'group', aria: { label: say('what-is-matched') } }, ...buttons.map(({ press }) => press));
+}
+
+/** Shows elements in one mode alone. */
+export function showIn(modes: Modes, mode: Mode, elements: readonly HTMLElement[]): void {
+  modes.watch(['mode'], ([now]) => {
+    for (const element of elements) element.hidden = now !== mode;
+  });
+}

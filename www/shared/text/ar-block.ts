@@ -1,0 +1,4 @@
+/** The texts of the block, in Arabic. */
+import block from './ar/block.ftl?raw';
+
+export const TEXTS = [block];

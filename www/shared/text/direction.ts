@@ -1,0 +1,17 @@
+/** Which way parts of a text run in a language from right to left, by marks of direction (Unicode UAX 9). */
+import { LANGUAGE, LANGUAGES } from './language';
+
+const IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === 'rtl';
+
+/** The beginning of a part from right to left, and its end. */
+const [RLI, PDI] = ['\u2067', '\u2069'];
+
+/** What a text writes is set apart as its first letter runs. A clause, which a space or a comma begins, goes on as the sentence does. */
+export function asClauses(text: string): string {
+  return IS_FROM_RIGHT ? text.replaceAll(/\u2068(?=[\s،؛,;:·(])/gu, RLI) : text;
+}
+
+/** A sentence on a canvas, which itself runs from left to right. */
+export function asSentence(text: string): string {
+  return IS_FROM_RIGHT ? `${RLI}${text}${PDI}` : text;
+}
