@@ -17,6 +17,8 @@ async function shown(page) {
   for (const id of ['results', 'matches', 'camera', 'settings']) {
     const panel = page.locator(`[aria-labelledby="tab-${id}"]`);
     await part(page, `tab-${id}`).click();
+    // Rows are made a frame later.
+    if (id === 'matches') await panel.locator('tbody tr:not(.filler)').first().waitFor();
     const values = await panel.locator('input, select').evaluateAll((fields) => fields.map((field) => /** @type {HTMLInputElement} */ (field).value));
     // Whether a table is scrolled sideways depends on its widest rows, of which the screen shows some.
     const lines = (await panel.innerText()).replace(/\n*Scroll sideways .*\n*/, '\n\n').split('\n');
