@@ -1,4 +1,4 @@
-import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, halfSize, inPane, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, resized, reveal, ring, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, halfSize, inPane, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 /** What the crate says of blocks, read on the main thread once its module is there. */
@@ -11371,6 +11371,20 @@ function invited(store, { sample, placedSample, open }) {
 	});
 	return welcome;
 }
+// www/block/state/calibrated.ts
+/** Share of the focal length that its standard error may be: a pair takes a calibrated camera without one. */
+var MOST_FOCAL_ERROR = .01;
+/** Those of a block that was found or opened; nothing is learned from one that is weak, under way, or simulated. */
+function calibrationsOf({ shown, truth }, at) {
+	if (shown === null || truth !== null || shown.found.partial || shown.found.verdict?.kind !== "oriented") return [];
+	return shown.found.cameras.flatMap(({ label, images, calibrated: camera, focalErrorPx }) => camera === null || focalErrorPx === null || focalErrorPx > MOST_FOCAL_ERROR * camera.focal_px ? [] : [{
+		label,
+		camera,
+		focalErrorPx,
+		images,
+		at
+	}]);
+}
 // www/block/panel/placing-answer.ts
 function placingRuns({ done, total, text }) {
 	return {
@@ -11877,6 +11891,7 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 	mountBlockEditKeys(store, [stage, results.element]);
 	new EditFollower(store, engine);
 	mountAddress(store, modes);
+	store.watch(["shown"], () => rememberCalibrations(calibrationsOf(store.state, Date.now())));
 	store.watch(["running"], ([running]) => {
 		if (running.kind === "yes") showTab("tab-block-results");
 	});

@@ -1077,6 +1077,32 @@ function block_settings(given) {
 	return takeFromExternrefTable0(ret[0]);
 }
 /**
+* What a block calls the camera of a photograph of this size in px: make, model, focal length and size. Cameras of one name are one camera.
+* @param {ExifCamera} camera
+* @param {number} width
+* @param {number} height
+* @returns {string}
+*/
+function camera_label(camera, width, height) {
+	let deferred2_0;
+	let deferred2_1;
+	try {
+		const ret = wasm.camera_label(camera, width, height);
+		var ptr1 = ret[0];
+		var len1 = ret[1];
+		if (ret[3]) {
+			ptr1 = 0;
+			len1 = 0;
+			throw takeFromExternrefTable0(ret[2]);
+		}
+		deferred2_0 = ptr1;
+		deferred2_1 = len1;
+		return getStringFromWasm0(ptr1, len1);
+	} finally {
+		wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+	}
+}
+/**
 * The camera of an EXIF block, with what is not known of it.
 * @param {ExifCamera} exif
 * @returns {CameraMm}
@@ -2171,10 +2197,10 @@ function showIn(modes, mode, elements) {
 }
 // www/shared/panel/drawers.ts
 /** What is opened and closed by a button: the settings, the details of the results, the settings that few need, the tables. It stays as it was left. */
-var NAME$2 = "tiepoint-open";
+var NAME$3 = "tiepoint-open";
 /** Where a screen has room for pictures and tables, a stranger finds both. */
 var AT_FIRST = window.innerHeight >= 900 && window.innerWidth >= 1180 ? "table" : "";
-var open$2 = new Set((keptChoice(NAME$2) ?? AT_FIRST).split(" "));
+var open$2 = new Set((keptChoice(NAME$3) ?? AT_FIRST).split(" "));
 var watchers = [];
 /** Here the settings lie over the pictures, as the style sheet has it. */
 var OVER = window.matchMedia("(width < 1180px)");
@@ -2200,7 +2226,7 @@ function setDrawer(drawer, wanted) {
 	if (wanted) open$2.add(drawer);
 	else open$2.delete(drawer);
 	if (wanted && !ROOM.matches) for (const other of BESIDE$1[drawer] ?? []) open$2.delete(other);
-	keepChoice(NAME$2, [...open$2].filter((name) => name !== "").join(" "));
+	keepChoice(NAME$3, [...open$2].filter((name) => name !== "").join(" "));
 	for (const callback of watchers) callback();
 }
 /** A button that opens a drawer and closes it; the drawer itself gets a button that closes it. */
@@ -2357,6 +2383,39 @@ var Holder = class {
 // www/shared/engine/breath.ts
 /** Lets the browser answer what the user did, and draw, between two pieces of work that are long together. */
 var breath = () => new Promise((resolve) => setTimeout(resolve));
+// www/shared/state/calibrations.ts
+var NAME$2 = "tiepoint-cameras";
+/** The oldest ones make room. */
+var MOST = 50;
+/** The latest first. What cannot be read is not there. */
+function remembered$1() {
+	try {
+		const kept = JSON.parse(keptChoice(NAME$2) ?? "[]");
+		return Array.isArray(kept) ? kept.filter(isCalibration) : [];
+	} catch {
+		return [];
+	}
+}
+function isCalibration(value) {
+	const { label, camera, focalErrorPx, images, at } = value ?? {};
+	return typeof label === "string" && [
+		camera?.focal_px,
+		focalErrorPx,
+		images,
+		at
+	].every(Number.isFinite);
+}
+var write = (kept) => keepChoice(NAME$2, JSON.stringify(kept.slice(0, MOST)));
+function calibrationOf(label) {
+	return remembered$1().find((kept) => kept.label === label) ?? null;
+}
+/** Each takes the place of the former one of its camera. */
+function rememberCalibrations(made) {
+	if (made.length > 0) write([...made, ...remembered$1().filter(({ label }) => !made.some((other) => other.label === label))]);
+}
+function forgetCalibration(label) {
+	write(remembered$1().filter((kept) => kept.label !== label));
+}
 // www/shared/crate.ts
 /** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
 function readCatalogue() {
@@ -8768,6 +8827,18 @@ function allowedOfOrigin(col, row) {
 function problemOfFlight(flight) {
 	return refusalOf(() => check_flight(flight));
 }
+// www/pair/state/calibration.ts
+/** The calibration that this browser remembers of the camera of both images. */
+/** Images that name no camera may be of any. */
+function labelOf({ camera, width, height }) {
+	return camera === null || camera.make === null && camera.model === null ? null : camera_label(camera, width, height);
+}
+/** What can be taken in place of the images' own camera; null where a camera is given, or none is remembered. */
+function offeredCalibration({ camera, results: { openLeft, openRight } }) {
+	if (camera !== null || openLeft === void 0 || openRight === void 0) return null;
+	const label = labelOf(openLeft.value.info);
+	return label !== null && label === labelOf(openRight.value.info) ? calibrationOf(label) : null;
+}
 // www/pair/state/residuals.ts
 /** Side of a pixel in mm: the root of the area that the interior orientation gives a pixel. */
 function pixelMm(interior) {
@@ -8804,6 +8875,7 @@ var parallaxResiduals = remember((orientation, interior) => {
 });
 // www/pair/panel/camera.ts
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
+var DAY = new Intl.DateTimeFormat(LANGUAGE === "en" ? "en-GB" : `${LANGUAGE}-u-nu-latn`, { dateStyle: "medium" });
 var NUMBERS = [
 	{
 		label: say("focal-length"),
@@ -8926,7 +8998,7 @@ function mountCamera(host, store, loadFile) {
 		type: "camera",
 		camera: null
 	}));
-	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("camera")), source, h("div", { class: "pairs" }, ...fields.map(({ element }) => element)), h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
+	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("camera")), source, calibrationGroup(store), h("div", { class: "pairs" }, ...fields.map(({ element }) => element)), h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
 	store.watch(["camera"], ([camera]) => {
 		fields.forEach((field, i) => {
 			showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera));
@@ -8941,6 +9013,49 @@ function mountCamera(host, store, loadFile) {
 		s.photos,
 		s.truth
 	], () => fill(source, sourceText(store.state)));
+}
+/** Takes the calibration that this browser remembers of the images' camera. */
+function useCalibration(store) {
+	const offered = offeredCalibration(store.state);
+	if (offered !== null) store.dispatch({
+		type: "camera",
+		camera: photo_camera(offered.camera)
+	});
+}
+/** The calibration that is offered; nothing where none is. */
+function calibrationGroup(store) {
+	const text = h("p", {
+		class: "note",
+		testid: "calibration"
+	});
+	const use = button(say("use-the-calibrated-camera"), "use-calibration", () => useCalibration(store));
+	const forget = button(say("forget-it"), "forget-calibration", () => {
+		const offered = offeredCalibration(store.state);
+		if (offered !== null) forgetCalibration(offered.label);
+		group.hidden = true;
+		store.dispatch({
+			type: "camera",
+			camera: null
+		});
+	});
+	const group = h("div", {}, text, h("div", { class: "buttons" }, use, forget));
+	store.watch((s) => [
+		s.camera,
+		s.results.openLeft,
+		s.results.openRight
+	], () => {
+		const offered = offeredCalibration(store.state);
+		group.hidden = offered === null;
+		if (offered === null) return;
+		const { camera, focalErrorPx: error, images, at } = offered;
+		fill(text, say("a-block-calibrated-this-camera", {
+			images,
+			focal: camera.focal_px,
+			error,
+			day: DAY.format(at)
+		}));
+	});
+	return group;
 }
 function exifText(name, exif) {
 	if (exif.origin === "panorama") return (exif.cautions ?? []).map((caution) => say("the-image-is", {
@@ -10607,11 +10722,15 @@ function answered(state, actions) {
 		no_orientation: whyNone(state)
 	}, state.settings);
 	const more = `${matched}${hint === null ? "" : ` ${message("pair_hint", hint)}`}`;
+	const better = offeredCalibration(state) === null ? null : {
+		text: say("use-the-calibrated-camera"),
+		act: actions.calibrated
+	};
 	if (oriented === void 0 || verdict === void 0) {
-		const next = hint === null ? nextWithout(state, actions) : {
+		const next = better ?? (hint === null ? nextWithout(state, actions) : {
 			text: say("use-auto"),
 			act: actions.otherStrategy
-		};
+		});
 		if (reason === null) return {
 			kind: "partial",
 			verdict: "not_oriented",
@@ -10636,15 +10755,15 @@ function answered(state, actions) {
 		...answer,
 		kind: "done",
 		verdict: "oriented",
-		next: nextAfter(state, actions)
+		next: better ?? nextAfter(state, actions)
 	};
-	const next = verdict.kind === "weak" && asksForCamera(verdict.warning) ? {
+	const next = better ?? (verdict.kind === "weak" && asksForCamera(verdict.warning) ? {
 		text: say("give-the-camera"),
 		act: actions.camera
 	} : {
 		text: say("show-why"),
 		act: actions.why
-	};
+	});
 	return {
 		...answer,
 		kind: "partial",
@@ -13553,6 +13672,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 			setDrawer("settings", true);
 			showTab("tab-camera");
 		},
+		calibrated: () => useCalibration(store),
 		otherStrategy: () => {
 			const { settings: wanted } = store.state;
 			if (wanted !== null) store.dispatch({
@@ -15326,4 +15446,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, resized, reveal$1 as reveal, ring, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };

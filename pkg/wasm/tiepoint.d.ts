@@ -4516,6 +4516,11 @@ export function block_parameters(): Parameter[];
 export function block_settings(given: Given<BlockSettings>): BlockSettings;
 
 /**
+ * What a block calls the camera of a photograph of this size in px: make, model, focal length and size. Cameras of one name are one camera.
+ */
+export function camera_label(camera: ExifCamera, width: number, height: number): string;
+
+/**
  * The camera of an EXIF block, with what is not known of it.
  */
 export function camera_of_exif(exif: ExifCamera): CameraMm;
@@ -4945,6 +4950,7 @@ export interface InitOutput {
     readonly blockscene_surface_at: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly blockscene_truth: (a: number) => any;
     readonly blockwriting_step: (a: number, b: any) => [number, number, number];
+    readonly camera_label: (a: any, b: number, c: number) => [number, number, number, number];
     readonly camera_of_exif: (a: any) => [number, number, number];
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
     readonly check_block_truth: (a: any, b: any) => [number, number];

@@ -1224,6 +1224,32 @@ export function block_settings(given) {
 }
 
 /**
+ * What a block calls the camera of a photograph of this size in px: make, model, focal length and size. Cameras of one name are one camera.
+ * @param {ExifCamera} camera
+ * @param {number} width
+ * @param {number} height
+ * @returns {string}
+ */
+export function camera_label(camera, width, height) {
+    let deferred2_0;
+    let deferred2_1;
+    try {
+        const ret = wasm.camera_label(camera, width, height);
+        var ptr1 = ret[0];
+        var len1 = ret[1];
+        if (ret[3]) {
+            ptr1 = 0; len1 = 0;
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        deferred2_0 = ptr1;
+        deferred2_1 = len1;
+        return getStringFromWasm0(ptr1, len1);
+    } finally {
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+    }
+}
+
+/**
  * The camera of an EXIF block, with what is not known of it.
  * @param {ExifCamera} exif
  * @returns {CameraMm}

@@ -11,7 +11,7 @@ messages! {
     pub enum Failure as "failure" {
         /// The host could not read the file, in its words.
         Unreadable { message: String },
-        /// The job refused its input: [`Error::code`], its text, and [`Error::is_usage`].
+        /// The job refused its input: [`crate::Error::code`], its text, and [`crate::Error::is_usage`].
         Refused { code: String, message: String, usage: bool },
         /// The worker broke down at a fault of the program.
         BrokeOff { message: String },

@@ -6,7 +6,7 @@ use crate::GreyView;
 use crate::math::Lanes;
 use nalgebra::Vector6;
 
-/// Step of a corner of the window, in px, below which the deformation joins the shift.
+/// Step of the shift, in px, from which on the deformation joins it.
 const SHIFTED: f64 = 0.25;
 /// Iterations of the shift alone at most.
 const SHIFTS: usize = 5;
@@ -14,6 +14,10 @@ const SHIFTS: usize = 5;
 const LONGEST_STEP: f64 = 1.0;
 /// The corners may still move so many times as far as the centre when the iteration ends.
 const CORNERS: f64 = 4.0;
+/// From this iteration on, fits whose steps shrink too slowly are given up: those of right places have joined the deformation and settle.
+const JUDGED_FROM: usize = 8;
+/// So many times the length that would be short enough may be left of the last step, if all shrink as the latest one did.
+const LEFT_OVER: f64 = 2.0;
 /// Variance in grey² below which the right window is constant: that of rounding to whole numbers.
 const LEAST_VARIANCE: f64 = 1.0 / 12.0;
 /// Least and largest change of area by the deformation.
@@ -52,7 +56,7 @@ pub(crate) struct Fit {
     /// Right grey value = `gain` · left + `offset`.
     pub gain: f64,
     pub offset: f64,
-    /// Of the left window with the resampled right one.
+    /// Of the left window with the right one, resampled before the last step, which no measure feels.
     pub correlation: f64,
     /// xx, xy and yy of the right position in px²: the residuals' variance times the inverse normal matrix.
     ///
@@ -139,13 +143,18 @@ impl LeastSquares {
         self.right.clear();
         let mut warp = Warp { centre: start, matrix: start_affine };
         let mut with_affine = false;
+        let mut longest_before = f64::INFINITY;
         for iteration in 1..=options.most_iterations {
             let sums = self.sums(right, &warp)?;
             if iteration > SHIFTS && self.correlation(&sums) < options.least_promising {
                 return Err(Refusal::LowCorrelation);
             }
-            let Some(mut change) = self.change(&sums, with_affine) else { return Err(Refusal::LowCorrelation) };
-            let shift = (change[0] * change[0] + change[1] * change[1]).sqrt();
+            let mut change = self.change(&sums, with_affine).ok_or(Refusal::LowCorrelation)?;
+            if !with_affine && options.affine && (iteration > SHIFTS || length_of_shift(&change) <= SHIFTED) {
+                with_affine = true;
+                change = self.change(&sums, true).ok_or(Refusal::LowCorrelation)?;
+            }
+            let shift = length_of_shift(&change);
             if shift > LONGEST_STEP {
                 change *= LONGEST_STEP / shift;
             }
@@ -155,11 +164,17 @@ impl LeastSquares {
                 return Err(Refusal::MovedTooFar);
             }
             let reach = (self.side / 2) as f64;
-            let of_corner = shift + reach * change.iter().skip(2).fold(0.0, |sum: f64, v| sum + v.abs());
-            if shift <= options.convergence_px && of_corner <= CORNERS * options.convergence_px && with_affine == options.affine {
-                return self.result(right, &warp, options, iteration);
+            let longest = shift + reach * change.iter().skip(2).fold(0.0, |sum: f64, v| sum + v.abs());
+            let short_enough = CORNERS * options.convergence_px;
+            if shift <= options.convergence_px && longest <= short_enough && with_affine == options.affine {
+                return self.result(&sums, &warp, options, iteration);
             }
-            with_affine = options.affine && (with_affine || iteration >= SHIFTS || shift <= SHIFTED);
+            let left = (options.most_iterations - iteration) as i32;
+            let last = longest * libm::pow((longest / longest_before).min(1.0), f64::from(left));
+            if with_affine && iteration >= JUDGED_FROM && last > LEFT_OVER * short_enough {
+                return Err(Refusal::NotConverged);
+            }
+            longest_before = longest;
         }
         Err(Refusal::NotConverged)
     }
@@ -216,13 +231,12 @@ impl LeastSquares {
         Ok(Sums { derivatives: Vector6::from(derivatives.map(total)), grey: total(grey), one: total(one), square: total(square) })
     }
 
-    fn result(&mut self, right: GreyView<'_>, warp: &Warp, options: &LeastSquaresOptions, iterations: usize) -> Result<Fit, Refusal> {
-        let sums = self.sums(right, warp)?;
+    fn result(&self, sums: &Sums, warp: &Warp, options: &LeastSquaresOptions, iterations: usize) -> Result<Fit, Refusal> {
         let model = &self.model;
         let pixels = (self.side * self.side) as f64;
         let gain = sums.grey / model.square;
         let square = sums.square - sums.one * sums.one / pixels;
-        let correlation = self.correlation(&sums);
+        let correlation = self.correlation(sums);
         if !(correlation >= options.least_correlation && gain > 0.0) {
             return Err(Refusal::LowCorrelation);
         }
@@ -247,6 +261,10 @@ impl LeastSquares {
             iterations,
         })
     }
+}
+
+fn length_of_shift(change: &Vector6<f64>) -> f64 {
+    (change[0] * change[0] + change[1] * change[1]).sqrt()
 }
 
 impl Warp {
@@ -384,7 +402,7 @@ mod tests {
         assert_eq!(digest, DIGEST);
     }
 
-    const DIGEST: u64 = 4_713_550_327_240_257_742;
+    const DIGEST: u64 = 6_171_904_614_885_323_528;
 
     #[test]
     fn each_refusal_has_its_name() {

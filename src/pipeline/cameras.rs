@@ -1,6 +1,7 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
 use super::Remark;
+use crate::camera::camera_label;
 use crate::error::refuse;
 use crate::{Camera, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, Refusal, parse_camera_rules};
 use serde::{Deserialize, Serialize};
@@ -116,17 +117,10 @@ fn plain([width_px, height_px]: [u32; 2]) -> InitialCamera {
 fn of_exif(size: [u32; 2], exif: &ExifImage) -> InitialCamera {
     // No focal length makes a panorama a photograph: its camera is unknown.
     let camera = exif.camera.as_ref().filter(|camera| !camera.is_panorama());
-    // Models of some makers begin with the make.
-    let is_in_model = |make: &&String| exif.model.as_ref().is_some_and(|model| model.starts_with(make.as_str()));
-    let name: Vec<&str> = exif.make.iter().filter(|make| !is_in_model(make)).chain(&exif.model).map(String::as_str).collect();
-    let parts = [
-        (!name.is_empty()).then(|| name.join(" ")),
-        camera.map(|camera| format!("{} mm", (camera.focal_mm * 1e3).round() / 1e3)),
-        Some(format!("{} x {} px", size[0], size[1])),
-    ];
+    let label = camera_label(exif.make.as_deref(), exif.model.as_deref(), camera.map(|camera| camera.focal_mm), size);
     let pixel_mm = camera.and_then(|camera| camera.pixel_mm);
     let focal_px = camera.zip(pixel_mm).map(|(camera, pixel)| camera.focal_mm / pixel);
-    let plain = InitialCamera { label: parts.into_iter().flatten().collect::<Vec<_>>().join(", "), focal_px, pixel_mm, ..plain(size) };
+    let plain = InitialCamera { label, focal_px, pixel_mm, ..plain(size) };
     match camera.and_then(|camera| camera.lens.as_deref()) {
         Some(&Camera { principal_point_px, radial, tangential, .. }) => InitialCamera { principal_point_px, radial, tangential, ..plain },
         None => plain,

@@ -1,8 +1,8 @@
 /** How fast the wasm module is in Node: one thread, warm, medians. */
 
-import { constant_offset, defaults, estimate_offset, match_photos, match_points, orient_relative, Photo, simulate } from '../../pkg/node.js';
-import { settingsWith } from './accuracy.mjs';
-import { bytesOf, have, photoOf, simulated } from './data.mjs';
+import { constant_offset, defaults, estimate_offset, match_pair, match_photos, match_points, orient_relative, Photo, simulate } from '../../pkg/node.js';
+import { cameraOf, settingsWith } from './accuracy.mjs';
+import { bytesOf, have, photoOf, pinhole, posedPairs, simulated } from './data.mjs';
 import { dice } from './dice.mjs';
 
 /**
@@ -32,6 +32,41 @@ export function speed() {
   const made = simulate({});
   pair('sample', .../** @type {[Photo, Photo]} */ ([made.left, made.right].map((p) => Photo.from_grey(p.width, p.height, p.grey))));
   if (have('pair_full_caliterra')) large();
+  refinement();
+}
+
+/** Pairs of a folder whose time is taken. */
+const OF_FOLDER = 3;
+
+/** What refining and filling in by least squares adds to matching by gradients. */
+function refinement() {
+  /** @type {number[]} */
+  const ratios = [];
+  /** @type {Map<string, number>} */
+  const taken = new Map();
+  for (const { folder, a, b, truth } of posedPairs()) {
+    taken.set(folder, (taken.get(folder) ?? 0) + 1);
+    if ((taken.get(folder) ?? 0) > OF_FOLDER) continue;
+    const photos = { left: photoOf(folder, a), right: photoOf(folder, b) };
+    const input = { camera: cameraOf(pinhole(truth, a), photos.left.width, photos.left.height) };
+    const seconds = (/** @type {import('../../pkg/node.js').Strategy} */ strategy) => {
+      const settings = defaults();
+      settings.matching.strategy = strategy;
+      const start = process.cpuUsage().user;
+      match_pair(photos.left, photos.right, input, settings);
+      return (process.cpuUsage().user - start) / 1e6;
+    };
+    const times = [0, 1, 2].map(() => [seconds('gradient'), seconds('auto')]);
+    const [gradient = NaN, auto = NaN] = [0, 1].map((which) => Math.min(...times.map((time) => time[which] ?? NaN)));
+    console.log(`  ${folder} ${a} ${b}: gradient ${gradient.toFixed(2)} s, auto ${auto.toFixed(2)} s, ${(auto / gradient).toFixed(2)} times`);
+    ratios.push(auto / gradient);
+    photos.left.free();
+    photos.right.free();
+  }
+  ratios.sort((one, other) => one - other);
+  console.log(
+    `  auto by gradient, processor time, ${ratios.length} pairs: median ${ratios[ratios.length >> 1]?.toFixed(2)}, at most ${ratios.at(-1)?.toFixed(2)}`,
+  );
 }
 
 /** Both images from operator to matches, by stage and in all.  @param {string} name @param {Photo} left @param {Photo} right */

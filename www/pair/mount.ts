@@ -15,7 +15,7 @@ import { Files, takerOf } from './files/open';
 import { exportProject } from './files/project';
 import { shownPair } from './state/select';
 import { mountAnnouncements } from './panel/announce';
-import { mountCamera } from './panel/camera';
+import { mountCamera, useCalibration } from './panel/camera';
 import { mountControls } from './panel/controls';
 import { mountCounts } from './panel/counts';
 import { mountDraft } from './panel/draft';
@@ -140,6 +140,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
       setDrawer('settings', true);
       showTab('tab-camera');
     },
+    calibrated: () => useCalibration(store),
     otherStrategy: () => {
       const { settings: wanted } = store.state;
       if (wanted !== null)

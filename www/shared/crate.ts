@@ -55,11 +55,13 @@ export {
   acting_block_parameters,
   acting_parameters,
   pair_hint,
+  camera_label,
   camera_of_exif,
   draw_match_lines,
   draw_points,
   draw_vectors,
   message,
+  photo_camera,
   project_kind,
   resolved,
 } from '../../pkg/wasm/tiepoint.js';

@@ -55,6 +55,13 @@ const SAME_SIZE: f64 = 0.05;
 const RAYS: usize = 128;
 
 impl ExifCamera {
+    /// What the camera is called in a photograph of this size: that of another focal length or size is another camera.
+    #[must_use]
+    pub fn label(&self, size: [u32; 2]) -> String {
+        let focal_mm = (!self.is_panorama()).then_some(self.focal_mm);
+        super::camera_label(self.make.as_deref(), self.model.as_deref(), focal_mm, size)
+    }
+
     /// What the file's EXIF and XMP say of its camera: a calibration by XMP goes before the focal plane or the 35 mm equivalent of EXIF, these
     /// before the table of sensors. Absent where no focal length is known.
     pub(super) fn of(exif: Option<&Fields<'_>>, xmp: &Xmp, size: [u64; 2]) -> Option<Self> {

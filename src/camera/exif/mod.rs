@@ -3,8 +3,10 @@
 mod blocks;
 mod camera;
 mod fields;
+mod label;
 
 pub use camera::ExifCamera;
+pub(crate) use label::camera_label;
 
 use self::blocks::xmp_packet;
 use self::fields::{Directory, Fields, Tag};

@@ -3,6 +3,7 @@ import { pair_hint } from '../../shared/crate';
 import type { OrientedPair, Warning } from '../../shared/crate';
 import type { Answer, Figure, Next } from '../../shared/panel/answer';
 import { count, fixed } from '../../shared/text/format';
+import { offeredCalibration } from '../state/calibration';
 import { interiorInUse } from '../state/interior';
 import { isCurrent } from '../state/keys';
 import { whyNone } from '../state/project';
@@ -21,6 +22,8 @@ export interface AnswerActions {
   open: (side: Side | null) => void;
   /** Shows where the camera is given. */
   camera: () => void;
+  /** Takes the camera as a block calibrated it. */
+  calibrated: () => void;
   /** Takes the strategy that finds more. */
   otherStrategy: () => void;
   /** Shows what speaks against the result. */
@@ -53,17 +56,19 @@ function answered(state: State, actions: AnswerActions): Answer {
   const verdict = oriented?.verdict;
   const hint = state.settings === null ? null : pair_hint(verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) }, state.settings);
   const more = `${matched}${hint === null ? '' : ` ${message('pair_hint', hint)}`}`;
+  const better = offeredCalibration(state) === null ? null : { text: say('use-the-calibrated-camera'), act: actions.calibrated };
   if (oriented === undefined || verdict === undefined) {
-    const next = hint === null ? nextWithout(state, actions) : { text: say('use-auto'), act: actions.otherStrategy };
+    const next = better ?? (hint === null ? nextWithout(state, actions) : { text: say('use-auto'), act: actions.otherStrategy });
     if (reason === null) return { kind: 'partial', verdict: 'not_oriented', text: more, next };
     return { kind: 'partial', verdict: 'not_oriented', text: reason, more, figures: figuresWithout(state), next };
   }
   const answer = { text: message('pair_verdict', verdict), more, figures: figuresOf(state, oriented) };
-  if (verdict.kind === 'oriented') return { ...answer, kind: 'done', verdict: 'oriented', next: nextAfter(state, actions) };
+  if (verdict.kind === 'oriented') return { ...answer, kind: 'done', verdict: 'oriented', next: better ?? nextAfter(state, actions) };
   const next =
-    verdict.kind === 'weak' && asksForCamera(verdict.warning)
+    better ??
+    (verdict.kind === 'weak' && asksForCamera(verdict.warning)
       ? { text: say('give-the-camera'), act: actions.camera }
-      : { text: say('show-why'), act: actions.why };
+      : { text: say('show-why'), act: actions.why });
   return { ...answer, kind: 'partial', verdict: verdict.kind, next };
 }
 

@@ -86,6 +86,7 @@ open-the-image = افتح الصورة { $missing ->
 waiting = انتظار …
 use-auto = استعمل «auto»
 give-the-camera = أعط الكاميرا
+use-the-calibrated-camera = استعمل الكاميرا المعايرة
 points-on-both-photos = نقاط في الصورتين
 right-photo-turned = دوران الصورة اليمنى (κ)
 points-tried = نقاط جُرّبت
@@ -94,6 +95,8 @@ points-tried = نقاط جُرّبت
 
 principal-pt-x = النقطة الأساسية x
 principal-pt-y = النقطة الأساسية y
+forget-it = انسها
+a-block-calibrated-this-camera = عايرت هذه الكاميرا كتلةٌ صورها { COUNT($images) } في { $day }: البعد البؤري { FIXED($focal, digits: 1) } ± { FIXED($error, digits: 1) } بكسل. يتذكرها هذا المتصفح.
 load-camera-json = تحميل camera.json …
 the-image-is = الصورة { $name ->
         [left] اليسرى

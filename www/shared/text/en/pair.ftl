@@ -108,6 +108,7 @@ open-the-image = Open the { $missing ->
 waiting = Waiting …
 use-auto = Use “auto”
 give-the-camera = Give the camera
+use-the-calibrated-camera = Use the calibrated camera
 points-on-both-photos = points on both photos
 right-photo-turned = right photo turned (κ)
 points-tried = points tried
@@ -116,6 +117,8 @@ points-tried = points tried
 
 principal-pt-x = Principal pt x
 principal-pt-y = Principal pt y
+forget-it = Forget it
+a-block-calibrated-this-camera = A block of { COUNT($images) } images calibrated this camera on { $day }: focal length { FIXED($focal, digits: 1) } ± { FIXED($error, digits: 1) } px. This browser remembers it.
 load-camera-json = Load camera.json …
 the-image-is = The { $name ->
         [left] left
