@@ -1014,6 +1014,32 @@ var BlockPlacing = class {
 		});
 	}
 };
+// www/block/state/calibrated.ts
+/** Share of the focal length that its standard error may be. */
+var MOST_FOCAL_ERROR = .01;
+/** Nothing is learned from a block that is weak or simulated, from a focal length that nothing told, and of cameras that the block has twice by one name. */
+function calibrationsOf({ verdict, cameras }, isSimulated, at) {
+	if (isSimulated || verdict?.kind !== "oriented") return [];
+	return cameras.flatMap(({ label, images, given, calibrated: camera, focalErrorPx }) => {
+		if (!(cameras.filter((other) => other.label === label).length === 1) || given === null || camera === null || focalErrorPx === null || focalErrorPx > MOST_FOCAL_ERROR * camera.focal_px) return [];
+		const { radial = [
+			0,
+			0,
+			0
+		], tangential = [0, 0] } = given;
+		return [{
+			label,
+			recorded: {
+				radial,
+				tangential
+			},
+			camera,
+			focalErrorPx,
+			images,
+			at
+		}];
+	});
+}
 // www/block/state/given.ts
 /** What is wrong with the files that a run is given beside its images: read as the run reads them, once they are there. */
 /** Control points and their marks are of use together. */
@@ -1112,6 +1138,7 @@ var BlockEngine = class {
 			const view = await this.block.call("blockRun", input, [channel.port2]);
 			this.heldIn = this.block.generation;
 			this.spare = null;
+			rememberCalibrations(calibrationsOf(view, truth !== null, Date.now()));
 			this.store.dispatch({
 				type: "done",
 				key,
@@ -11371,20 +11398,6 @@ function invited(store, { sample, placedSample, open }) {
 	});
 	return welcome;
 }
-// www/block/state/calibrated.ts
-/** Share of the focal length that its standard error may be: a pair takes a calibrated camera without one. */
-var MOST_FOCAL_ERROR = .01;
-/** Those of a block that was found or opened; nothing is learned from one that is weak, under way, or simulated. */
-function calibrationsOf({ shown, truth }, at) {
-	if (shown === null || truth !== null || shown.found.partial || shown.found.verdict?.kind !== "oriented") return [];
-	return shown.found.cameras.flatMap(({ label, images, calibrated: camera, focalErrorPx }) => camera === null || focalErrorPx === null || focalErrorPx > MOST_FOCAL_ERROR * camera.focal_px ? [] : [{
-		label,
-		camera,
-		focalErrorPx,
-		images,
-		at
-	}]);
-}
 // www/block/panel/placing-answer.ts
 function placingRuns({ done, total, text }) {
 	return {
@@ -11891,7 +11904,6 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 	mountBlockEditKeys(store, [stage, results.element]);
 	new EditFollower(store, engine);
 	mountAddress(store, modes);
-	store.watch(["shown"], () => rememberCalibrations(calibrationsOf(store.state, Date.now())));
 	store.watch(["running"], ([running]) => {
 		if (running.kind === "yes") showTab("tab-block-results");
 	});

@@ -1077,7 +1077,7 @@ function block_settings(given) {
 	return takeFromExternrefTable0(ret[0]);
 }
 /**
-* What a block calls the camera of a photograph of this size in px: make, model, focal length and size. Cameras of one name are one camera.
+* What a block calls the camera of a photograph of this size in px: make, model, focal length and size.
 * @param {ExifCamera} camera
 * @param {number} width
 * @param {number} height
@@ -2383,39 +2383,6 @@ var Holder = class {
 // www/shared/engine/breath.ts
 /** Lets the browser answer what the user did, and draw, between two pieces of work that are long together. */
 var breath = () => new Promise((resolve) => setTimeout(resolve));
-// www/shared/state/calibrations.ts
-var NAME$2 = "tiepoint-cameras";
-/** The oldest ones make room. */
-var MOST = 50;
-/** The latest first. What cannot be read is not there. */
-function remembered$1() {
-	try {
-		const kept = JSON.parse(keptChoice(NAME$2) ?? "[]");
-		return Array.isArray(kept) ? kept.filter(isCalibration) : [];
-	} catch {
-		return [];
-	}
-}
-function isCalibration(value) {
-	const { label, camera, focalErrorPx, images, at } = value ?? {};
-	return typeof label === "string" && [
-		camera?.focal_px,
-		focalErrorPx,
-		images,
-		at
-	].every(Number.isFinite);
-}
-var write = (kept) => keepChoice(NAME$2, JSON.stringify(kept.slice(0, MOST)));
-function calibrationOf(label) {
-	return remembered$1().find((kept) => kept.label === label) ?? null;
-}
-/** Each takes the place of the former one of its camera. */
-function rememberCalibrations(made) {
-	if (made.length > 0) write([...made, ...remembered$1().filter(({ label }) => !made.some((other) => other.label === label))]);
-}
-function forgetCalibration(label) {
-	write(remembered$1().filter((kept) => kept.label !== label));
-}
 // www/shared/crate.ts
 /** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
 function readCatalogue() {
@@ -2687,6 +2654,73 @@ var WorkerPool = class {
 		}
 	}
 };
+// www/shared/state/calibrations.ts
+/** Cameras as blocks calibrated them, remembered by this browser, for photographs that name a camera of the same make, model, focal length and size. */
+var NAME$2 = "tiepoint-cameras";
+/** The oldest ones make room. */
+var MOST = 50;
+/** The latest first; null until they are read. */
+var all = null;
+/** What cannot be read or used is not there. */
+function read() {
+	try {
+		const kept = JSON.parse(keptChoice(NAME$2) ?? "[]");
+		return Array.isArray(kept) ? kept.filter(isCalibration) : [];
+	} catch {
+		return [];
+	}
+}
+function isCalibration(value) {
+	const kept = value ?? {};
+	const { label, focalErrorPx, images, at } = kept;
+	if (typeof label !== "string" || ![focalErrorPx, images].every(Number.isFinite) || Number.isNaN(new Date(at).getTime())) return false;
+	try {
+		cameraOfPair(kept);
+		return true;
+	} catch {
+		return false;
+	}
+}
+function remembered$1() {
+	all ??= read();
+	return all;
+}
+function keep(kept) {
+	all = kept.slice(0, MOST);
+	keepChoice(NAME$2, JSON.stringify(all));
+}
+var lensOf = ({ radial = [
+	0,
+	0,
+	0
+], tangential = [0, 0] }) => JSON.stringify([radial, tangential]);
+function calibrationOf(label, recorded) {
+	return remembered$1().find((kept) => kept.label === label && lensOf(kept.recorded) === lensOf(recorded)) ?? null;
+}
+/** The one that a pair's camera was taken from. */
+function calibrationBehind(camera) {
+	const text = JSON.stringify(camera);
+	return remembered$1().find((kept) => JSON.stringify(cameraOfPair(kept)) === text) ?? null;
+}
+/** Each takes the place of the former one of its name. */
+function rememberCalibrations(made) {
+	if (made.length > 0) keep([...made, ...remembered$1().filter(({ label }) => !made.some((other) => other.label === label))]);
+}
+function forgetCalibration(label) {
+	keep(remembered$1().filter((kept) => kept.label !== label));
+}
+/** The camera for a pair, as uncertain as if its files recorded the calibration: another day, another specimen of the model. */
+function cameraOfPair({ camera }) {
+	const pixel = camera.pixel_mm ?? null;
+	return camera_of_exif({
+		make: null,
+		model: null,
+		focal_mm: camera.focal_px * (pixel ?? 1),
+		pixel_mm: pixel,
+		origin: "xmp_calibration",
+		lens: camera
+	});
+}
 // www/shared/panel/choice.ts
 /** Choices in the bar over a picture. */
 /** How much longer than they are residuals may be drawn; 0: not at all. */
@@ -8777,6 +8811,99 @@ function mountAnnouncements(host, store, details) {
 		});
 	});
 }
+// www/pair/state/calibration.ts
+/** The calibration that this browser remembers of the camera of both images. */
+/** Null for images that name no camera, are no photographs of one, or are not as it took them. */
+function labelOf({ camera, width, height }) {
+	if (camera === null || camera.origin === "panorama" || (camera.cautions ?? []).length > 0) return null;
+	return camera.make === null && camera.model === null ? null : camera_label(camera, width, height);
+}
+var labels = {
+	left: remember(labelOf),
+	right: remember(labelOf)
+};
+/** What a side names as its camera; undefined until the image is opened. */
+function named(state, side) {
+	const stage = side === "left" ? "openLeft" : "openRight";
+	const opened = state.results[stage];
+	return opened === void 0 || !isCurrent(state, stage) ? void 0 : labels[side](opened.value.info);
+}
+/** What can be taken in place of the images' own camera; null where a camera or fiducial marks are given, or none is remembered. */
+function offeredCalibration(state) {
+	const { camera, images, photos, results } = state;
+	if (camera !== null || SIDES.some((side) => images[side]?.source.kind !== "file" || photos[side].fiducials.length > 0)) return null;
+	const label = named(state, "left");
+	if (label == null || label !== named(state, "right")) return null;
+	return calibrationOf(label, results.openLeft?.value.info.camera?.lens ?? {});
+}
+/** Whether the camera was taken for photographs of another camera than those that are open now. */
+function isOfOthers(state) {
+	if (state.camera === null) return false;
+	const behind = calibrationBehind(state.camera);
+	if (behind === null) return false;
+	return SIDES.some((side) => {
+		const name = state.images[side]?.source.kind === "file" ? named(state, side) : void 0;
+		return name !== void 0 && name !== behind.label;
+	});
+}
+// www/pair/panel/calibration.ts
+/** The calibrated camera that is offered for the images, taken, and left with them. */
+var DAY = new Intl.DateTimeFormat(LANGUAGE === "en" ? "en-GB" : `${LANGUAGE}-u-nu-latn`, { dateStyle: "medium" });
+/** Takes the calibration that this browser remembers of the images' camera. */
+function useCalibration(store) {
+	const offered = offeredCalibration(store.state);
+	if (offered !== null) store.dispatch({
+		type: "camera",
+		camera: cameraOfPair(offered)
+	});
+}
+/** What is offered, with the button that takes it; nothing where nothing is. */
+function calibrationGroup(store) {
+	const text = h("p", {
+		class: "note",
+		testid: "calibration"
+	});
+	const use = button(say("use-the-calibrated-camera"), "use-calibration", () => useCalibration(store));
+	const forget = button(say("forget-this-calibration"), "forget-calibration", () => {
+		const offered = offeredCalibration(store.state);
+		if (offered === null) return;
+		forgetCalibration(offered.label);
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("the-calibration-is-forgotten")
+			}
+		});
+	});
+	const group = h("div", {}, text, h("div", { class: "buttons" }, use, forget));
+	store.watch((state) => [offeredCalibration(state)], ([offered]) => {
+		group.hidden = offered === null;
+		if (offered === null) return;
+		const { camera, focalErrorPx: error, images, at } = offered;
+		fill(text, say("a-block-calibrated-such-a-camera", {
+			images,
+			focal: camera.focal_px,
+			error,
+			day: DAY.format(at)
+		}));
+	});
+	store.watch((state) => [isOfOthers(state)], ([others]) => {
+		if (!others) return;
+		store.dispatch({
+			type: "camera",
+			camera: null
+		});
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("the-calibrated-camera-is-not")
+			}
+		});
+	});
+	return group;
+}
 // www/pair/engine/checks.ts
 /** What the crate takes of what is typed. The crate itself is asked, so that no range stands here a second time; none of this takes time. */
 /** The message of the crate's refusal; null where it takes what it is given. */
@@ -8827,18 +8954,6 @@ function allowedOfOrigin(col, row) {
 function problemOfFlight(flight) {
 	return refusalOf(() => check_flight(flight));
 }
-// www/pair/state/calibration.ts
-/** The calibration that this browser remembers of the camera of both images. */
-/** Images that name no camera may be of any. */
-function labelOf({ camera, width, height }) {
-	return camera === null || camera.make === null && camera.model === null ? null : camera_label(camera, width, height);
-}
-/** What can be taken in place of the images' own camera; null where a camera is given, or none is remembered. */
-function offeredCalibration({ camera, results: { openLeft, openRight } }) {
-	if (camera !== null || openLeft === void 0 || openRight === void 0) return null;
-	const label = labelOf(openLeft.value.info);
-	return label !== null && label === labelOf(openRight.value.info) ? calibrationOf(label) : null;
-}
 // www/pair/state/residuals.ts
 /** Side of a pixel in mm: the root of the area that the interior orientation gives a pixel. */
 function pixelMm(interior) {
@@ -8875,7 +8990,6 @@ var parallaxResiduals = remember((orientation, interior) => {
 });
 // www/pair/panel/camera.ts
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
-var DAY = new Intl.DateTimeFormat(LANGUAGE === "en" ? "en-GB" : `${LANGUAGE}-u-nu-latn`, { dateStyle: "medium" });
 var NUMBERS = [
 	{
 		label: say("focal-length"),
@@ -9013,49 +9127,6 @@ function mountCamera(host, store, loadFile) {
 		s.photos,
 		s.truth
 	], () => fill(source, sourceText(store.state)));
-}
-/** Takes the calibration that this browser remembers of the images' camera. */
-function useCalibration(store) {
-	const offered = offeredCalibration(store.state);
-	if (offered !== null) store.dispatch({
-		type: "camera",
-		camera: photo_camera(offered.camera)
-	});
-}
-/** The calibration that is offered; nothing where none is. */
-function calibrationGroup(store) {
-	const text = h("p", {
-		class: "note",
-		testid: "calibration"
-	});
-	const use = button(say("use-the-calibrated-camera"), "use-calibration", () => useCalibration(store));
-	const forget = button(say("forget-it"), "forget-calibration", () => {
-		const offered = offeredCalibration(store.state);
-		if (offered !== null) forgetCalibration(offered.label);
-		group.hidden = true;
-		store.dispatch({
-			type: "camera",
-			camera: null
-		});
-	});
-	const group = h("div", {}, text, h("div", { class: "buttons" }, use, forget));
-	store.watch((s) => [
-		s.camera,
-		s.results.openLeft,
-		s.results.openRight
-	], () => {
-		const offered = offeredCalibration(store.state);
-		group.hidden = offered === null;
-		if (offered === null) return;
-		const { camera, focalErrorPx: error, images, at } = offered;
-		fill(text, say("a-block-calibrated-this-camera", {
-			images,
-			focal: camera.focal_px,
-			error,
-			day: DAY.format(at)
-		}));
-	});
-	return group;
 }
 function exifText(name, exif) {
 	if (exif.origin === "panorama") return (exif.cautions ?? []).map((caution) => say("the-image-is", {
@@ -10722,15 +10793,11 @@ function answered(state, actions) {
 		no_orientation: whyNone(state)
 	}, state.settings);
 	const more = `${matched}${hint === null ? "" : ` ${message("pair_hint", hint)}`}`;
-	const better = offeredCalibration(state) === null ? null : {
-		text: say("use-the-calibrated-camera"),
-		act: actions.calibrated
-	};
 	if (oriented === void 0 || verdict === void 0) {
-		const next = better ?? (hint === null ? nextWithout(state, actions) : {
+		const next = hint === null ? nextWithout(state, actions) : {
 			text: say("use-auto"),
 			act: actions.otherStrategy
-		});
+		};
 		if (reason === null) return {
 			kind: "partial",
 			verdict: "not_oriented",
@@ -10755,15 +10822,12 @@ function answered(state, actions) {
 		...answer,
 		kind: "done",
 		verdict: "oriented",
-		next: better ?? nextAfter(state, actions)
+		next: calibrated(state, actions) ?? nextAfter(state, actions)
 	};
-	const next = better ?? (verdict.kind === "weak" && asksForCamera(verdict.warning) ? {
-		text: say("give-the-camera"),
-		act: actions.camera
-	} : {
+	const next = verdict.kind === "weak" && asksForCamera(verdict.warning) ? cameraNext(state, actions) : {
 		text: say("show-why"),
 		act: actions.why
-	});
+	};
 	return {
 		...answer,
 		kind: "partial",
@@ -10807,12 +10871,23 @@ function asksForCamera({ kind }) {
 }
 function nextWithout(state, actions) {
 	const { kind } = whyNone(state);
-	return kind === "no_camera" || kind === "no_focal_length" || kind === "no_pixel_size" ? {
-		text: say("give-the-camera"),
-		act: actions.camera
-	} : {
+	return kind === "no_camera" || kind === "no_focal_length" || kind === "no_pixel_size" ? cameraNext(state, actions) : {
 		text: say("show-why"),
 		act: actions.why
+	};
+}
+/** Takes the camera as a block calibrated it, where it did. */
+function calibrated(state, actions) {
+	return offeredCalibration(state) === null ? null : {
+		text: say("use-the-calibrated-camera"),
+		act: actions.calibrated
+	};
+}
+/** Where the camera is what is wanting. */
+function cameraNext(state, actions) {
+	return calibrated(state, actions) ?? {
+		text: say("give-the-camera"),
+		act: actions.camera
 	};
 }
 /** A sound result is saved; after a simulated one come photos of one's own. */

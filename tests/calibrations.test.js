@@ -2,66 +2,59 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import '../pkg/node.js';
 import { pageModules } from './www.js';
 
 const {
   calibrated: { calibrationsOf },
-  calibrations: { rememberCalibrations, calibrationOf, forgetCalibration },
+  calibrations: { rememberCalibrations, calibrationBehind, calibrationOf, cameraOfPair, forgetCalibration },
 } = await pageModules(['block/state/calibrated', 'shared/state/calibrations']);
 
-const CAMERA = { width_px: 4000, height_px: 3000, focal_px: 3600, principal_point_px: [2000, 1500] };
+const CAMERA = { width_px: 4000, height_px: 3000, focal_px: 3600, principal_point_px: [2000, 1500], radial: [-0.01, 0, 0] };
+const GIVEN = { ...CAMERA, focal_px: 3700, radial: [0, 0, 0] };
+const RECORDED = { radial: [0, 0, 0], tangential: [0, 0] };
 const AT = 1e12;
 
-/** @param {object} [camera] @param {object} [found] @param {object | null} [truth] */
-const block = (camera = {}, found = {}, truth = null) => ({
-  truth,
-  shown: {
-    found: {
-      partial: false,
-      verdict: { kind: 'oriented', text: '' },
-      cameras: [{ label: 'A', images: 30, given: null, calibrated: CAMERA, focalErrorPx: 2, ...camera }],
-      ...found,
-    },
-  },
+/** @param {object} [camera] @param {string} [verdict] @param {object[]} [others] */
+const block = (camera = {}, verdict = 'oriented', others = []) => ({
+  verdict: { kind: verdict, text: '' },
+  cameras: [{ label: 'A', images: 30, given: GIVEN, calibrated: CAMERA, focalErrorPx: 2, ...camera }, ...others],
 });
 
 test('what an oriented block calibrated well is remembered, and nothing else', () => {
-  assert.deepEqual(calibrationsOf(block(), AT), [{ label: 'A', camera: CAMERA, focalErrorPx: 2, images: 30, at: AT }]);
-  for (const other of [
+  const kept = { label: 'A', recorded: RECORDED, camera: CAMERA, focalErrorPx: 2, images: 30, at: AT };
+  assert.deepEqual(calibrationsOf(block(), false, AT), [kept]);
+  assert.deepEqual(calibrationsOf(block(), true, AT), []);
+  const other = { label: 'B', images: 3, given: GIVEN, calibrated: CAMERA, focalErrorPx: 3 };
+  assert.equal(calibrationsOf(block({}, 'oriented', [other]), false, AT).length, 2);
+  for (const view of [
     block({ focalErrorPx: 80 }),
     block({ focalErrorPx: null }),
     block({ calibrated: null }),
-    block({}, { partial: true }),
-    block({}, { verdict: { kind: 'weak', text: '' } }),
-    block({}, { verdict: null }),
-    block({}, {}, {}),
-    { truth: null, shown: null },
+    block({ given: null }),
+    block({}, 'weak'),
+    block({}, 'oriented', [{ ...other, label: 'A' }]),
+    { ...block(), verdict: null },
   ])
-    assert.deepEqual(calibrationsOf(other, AT), []);
+    assert.deepEqual(calibrationsOf(view, false, AT), []);
 });
 
-test('the latest calibration of a camera takes the place of the former one; damage is as if nothing were kept', () => {
-  /** @type {Map<string, string>} */
-  const storage = new Map();
-  Object.defineProperty(globalThis, 'localStorage', {
-    configurable: true,
-    value: {
-      getItem: (/** @type {string} */ name) => storage.get(name) ?? null,
-      setItem: (/** @type {string} */ name, /** @type {string} */ value) => storage.set(name, value),
-    },
-  });
-  const [first] = calibrationsOf(block(), AT);
+test('the latest calibration of a camera takes the place of the former one, and tells photographs by their recorded lens', () => {
+  const [first] = calibrationsOf(block(), false, AT);
+  const of = (/** @type {string} */ label, lens = {}) => calibrationOf(label, lens);
   rememberCalibrations([first]);
   rememberCalibrations([{ ...first, label: 'B' }]);
   rememberCalibrations([{ ...first, images: 31 }]);
   rememberCalibrations([]);
-  assert.deepEqual([calibrationOf('A').images, calibrationOf('B').images, calibrationOf('C')], [31, 30, null]);
+  assert.deepEqual([of('A').images, of('B').images, of('C')], [31, 30, null]);
+  assert.deepEqual([of('A', RECORDED)?.images, of('A', { radial: [-0.2, 0, 0] })], [31, null]);
+  // It is known again by the camera that a pair took, which is as uncertain as one that a file records.
+  const camera = cameraOfPair(first);
+  assert.ok(camera.uncertainty.focal > 0);
+  assert.equal(calibrationBehind(JSON.parse(JSON.stringify(camera))).label, 'A');
+  assert.equal(calibrationBehind({ ...camera, uncertainty: undefined }), null);
   forgetCalibration('A');
-  assert.equal(calibrationOf('A'), null);
+  assert.equal(of('A'), null);
   for (let i = 0; i < 60; i++) rememberCalibrations([{ ...first, label: String(i) }]);
-  assert.deepEqual([calibrationOf('9'), calibrationOf('10')?.label, calibrationOf('59')?.label], [null, '10', '59']);
-  for (const damage of ['{', '{}', '[null, 1, {"label": "A"}]']) {
-    storage.set('tiepoint-cameras', damage);
-    assert.equal(calibrationOf('A'), null);
-  }
+  assert.deepEqual([of('9'), of('10')?.label, of('59')?.label], [null, '10', '59']);
 });

@@ -4516,7 +4516,7 @@ export function block_parameters(): Parameter[];
 export function block_settings(given: Given<BlockSettings>): BlockSettings;
 
 /**
- * What a block calls the camera of a photograph of this size in px: make, model, focal length and size. Cameras of one name are one camera.
+ * What a block calls the camera of a photograph of this size in px: make, model, focal length and size.
  */
 export function camera_label(camera: ExifCamera, width: number, height: number): string;
 

@@ -1224,7 +1224,7 @@ export function block_settings(given) {
 }
 
 /**
- * What a block calls the camera of a photograph of this size in px: make, model, focal length and size. Cameras of one name are one camera.
+ * What a block calls the camera of a photograph of this size in px: make, model, focal length and size.
  * @param {ExifCamera} camera
  * @param {number} width
  * @param {number} height

@@ -6,7 +6,7 @@ use crate::GreyView;
 use crate::math::Lanes;
 use nalgebra::Vector6;
 
-/// Step of the shift, in px, from which on the deformation joins it.
+/// Step of the shift, in px, at or below which the deformation joins it.
 const SHIFTED: f64 = 0.25;
 /// Iterations of the shift alone at most.
 const SHIFTS: usize = 5;
@@ -14,9 +14,9 @@ const SHIFTS: usize = 5;
 const LONGEST_STEP: f64 = 1.0;
 /// The corners may still move so many times as far as the centre when the iteration ends.
 const CORNERS: f64 = 4.0;
-/// From this iteration on, fits whose steps shrink too slowly are given up: those of right places have joined the deformation and settle.
-const JUDGED_FROM: usize = 8;
-/// So many times the length that would be short enough may be left of the last step, if all shrink as the latest one did.
+/// From this iteration on, fits whose steps shrink too slowly are given up. Two steps of the deformation can be compared then.
+const JUDGED_FROM: usize = SHIFTS + 3;
+/// If all steps shrink as the latest one did, the last may be so many times as long as is short enough.
 const LEFT_OVER: f64 = 2.0;
 /// Variance in grey² below which the right window is constant: that of rounding to whole numbers.
 const LEAST_VARIANCE: f64 = 1.0 / 12.0;
@@ -56,7 +56,7 @@ pub(crate) struct Fit {
     /// Right grey value = `gain` · left + `offset`.
     pub gain: f64,
     pub offset: f64,
-    /// Of the left window with the right one, resampled before the last step, which no measure feels.
+    /// Of the left window with the right one as it was resampled before the last step, the shortest.
     pub correlation: f64,
     /// xx, xy and yy of the right position in px²: the residuals' variance times the inverse normal matrix.
     ///
@@ -169,9 +169,9 @@ impl LeastSquares {
             if shift <= options.convergence_px && longest <= short_enough && with_affine == options.affine {
                 return self.result(&sums, &warp, options, iteration);
             }
-            let left = (options.most_iterations - iteration) as i32;
-            let last = longest * libm::pow((longest / longest_before).min(1.0), f64::from(left));
-            if with_affine && iteration >= JUDGED_FROM && last > LEFT_OVER * short_enough {
+            let remaining = (options.most_iterations - iteration) as f64;
+            let last_step = longest * libm::pow((longest / longest_before).min(1.0), remaining);
+            if with_affine && iteration >= JUDGED_FROM && last_step > LEFT_OVER * short_enough {
                 return Err(Refusal::NotConverged);
             }
             longest_before = longest;
@@ -352,6 +352,18 @@ mod tests {
     fn a_deformation_is_found() {
         let error = largest_error([[1.05, -0.06], [0.04, 0.96]], [0.6, -1.2], [0.8, 12.0, 0.0], 0.0);
         assert!(error < 0.015, "{error}");
+    }
+
+    #[test]
+    fn a_fit_that_settles_late_is_not_given_up() {
+        let (left, right, truth) = pair([[1.2, -0.12], [0.1, 0.85]], [0.4, 0.2], [1.0, 0.0, 0.0], 4);
+        let mut matching = LeastSquares::new(21);
+        // Fits of the usual kind settle before they are judged: these start further off, and end nearer.
+        let options = LeastSquaresOptions { convergence_px: 1e-4, ..LeastSquaresOptions::default() };
+        let mut fit = |place| matching.fit((left.view(), place), (right.view(), truth(place).map(|v| v + 1.5)), UNIT, &options);
+        let fits: Vec<Result<Fit, Refusal>> = places().map(&mut fit).collect();
+        let late = fits.iter().flatten().filter(|fit| fit.iterations > JUDGED_FROM).count();
+        assert!(late > 30 && !fits.contains(&Err(Refusal::NotConverged)), "{late} of {}", fits.len());
     }
 
     #[test]

@@ -11,7 +11,7 @@ pub fn photo_camera(#[wasm_bindgen(unchecked_param_type = "Camera")] camera: &Js
     read::<Camera>("camera", camera)?.photo_camera().map(|camera| pack(&camera)).map_err(thrown)
 }
 
-/// What a block calls the camera of a photograph of this size in px: make, model, focal length and size. Cameras of one name are one camera.
+/// What a block calls the camera of a photograph of this size in px: make, model, focal length and size.
 #[wasm_bindgen]
 pub fn camera_label(#[wasm_bindgen(unchecked_param_type = "ExifCamera")] camera: &JsValue, width: u32, height: u32) -> JsResult<String> {
     Ok(read::<ExifCamera>("camera", camera)?.label([width, height]))

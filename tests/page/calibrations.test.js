@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BlockScene } from '../../pkg/node.js';
 import { FLIGHT } from './blocks.js';
-import { again, done, hosted, open, part, says, SKIP, upload } from './page.js';
+import { again, done, hosted, open, part, pngs, says, SKIP, upload } from './page.js';
 import { blockPhotos } from './rendered.js';
 
 hosted('/calibrations/');
@@ -17,7 +17,7 @@ function calibration() {
   const scene = new BlockScene(FLIGHT);
   const [camera] = scene.truth().cameras;
   scene.free();
-  return { label: LABEL, camera, focalErrorPx: 1.2, images: 30, at: Date.UTC(2026, 4, 17, 12) };
+  return { label: LABEL, camera, recorded: {}, focalErrorPx: 1.2, images: 30, at: Date.UTC(2026, 4, 17, 12) };
 }
 
 test('a remembered camera is offered to photos that name it, used by one press, and forgotten', { skip: SKIP }, async () => {
@@ -44,12 +44,21 @@ test('a remembered camera is offered to photos that name it, used by one press, 
   const focal = Number(await part(page, 'camera-focal').inputValue());
   assert.ok(Math.abs(focal - 85) < 1, String(focal));
   assert.ok(await part(page, 'use-calibration').isHidden());
+  // Photographs of another camera do not take it over; the camera of these is offered again.
+  await part(page, 'file-input').setInputFiles(pngs());
+  await says(page, 'status', /The calibrated camera is not that of these photographs/);
+  assert.equal(await part(page, 'camera-focal').inputValue(), '');
+  await done(page);
+  await part(page, 'file-input').setInputFiles(files);
+  await again(page);
+  await part(page, 'use-calibration').click();
+  await again(page);
   // Without it, it is offered again, and no more once it is forgotten.
   await part(page, 'clear-camera').click();
   assert.match(await says(page, 'calibration', /30 images/), /on 17 May 2026: focal length \d+\.\d ± 1\.2 px/);
   await part(page, 'forget-calibration').click();
+  await says(page, 'status', /forgotten/);
   assert.ok(await part(page, 'use-calibration').isHidden());
-  await again(page);
   assert.doesNotMatch((await part(page, 'next').textContent()) ?? '', /calibrated/);
   assert.deepEqual(complaints, []);
   await close();

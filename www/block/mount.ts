@@ -9,7 +9,6 @@ import { fileButton } from '../shared/panel/picker';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
 import { breath } from '../shared/engine/breath';
-import { rememberCalibrations } from '../shared/state/calibrations';
 import { Facts } from './engine/facts';
 import { BlockPlacing } from './engine/block-placing';
 import { BlockEngine } from './engine/engine';
@@ -41,7 +40,6 @@ import { mountResults } from './panel/results';
 import { mountSettings } from './panel/settings';
 import { mountStage } from './panel/stage';
 import type { Choice } from './state/selection';
-import { calibrationsOf } from './state/calibrated';
 import { BLOCK_INITIAL, isBusy } from './state/state';
 import type { BlockCatalogue } from './state/state';
 import { mountBlockStatus } from './panel/status';
@@ -171,7 +169,6 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
   mountBlockEditKeys(store, [stage, results.element]);
   new EditFollower(store, engine);
   mountAddress(store, modes);
-  store.watch(['shown'], () => rememberCalibrations(calibrationsOf(store.state, Date.now())));
   store.watch(['running'], ([running]) => {
     if (running.kind === 'yes') showTab('tab-block-results');
   });

@@ -14,6 +14,7 @@ import {
 import type { Flight, PairPreset, PairSettings as Settings, Paper, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
 
 export type {
+  Camera,
   CameraMm,
   DescribedPoints,
   DetectedPoints,
@@ -61,7 +62,6 @@ export {
   draw_points,
   draw_vectors,
   message,
-  photo_camera,
   project_kind,
   resolved,
 } from '../../pkg/wasm/tiepoint.js';

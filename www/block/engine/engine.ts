@@ -4,6 +4,7 @@ import type { BlockEdit, BlockFlight, BlockModel, BlockSettings, PointDetail } f
 import { breakdownOf, Cancelled, WorkerClient } from '../../shared/engine/client';
 import { WorkerPool } from '../../shared/engine/pool';
 import { sentence } from '../../shared/text/format';
+import { rememberCalibrations } from '../../shared/state/calibrations';
 import type { Holder } from '../../shared/state/store';
 import type { Position } from '../../shared/state/pane';
 import type { Turn, Window } from './match';
@@ -11,6 +12,7 @@ import type { BlockCalls, ExportKind, FromRun, MadeFile, OpenedBlock, RunInput, 
 import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { ViewGround } from '../state/ground';
 import type { BlockFile, BlockOptions, BlockState } from '../state/state';
+import { calibrationsOf } from '../state/calibrated';
 import { firstProblem } from '../state/given';
 import type { BlockAction } from '../state/reducer';
 import { isBusy, wantedKey } from '../state/state';
@@ -78,6 +80,7 @@ export class BlockEngine {
       const view = await this.block.call('blockRun', input, [channel.port2]);
       this.heldIn = this.block.generation;
       this.spare = null;
+      rememberCalibrations(calibrationsOf(view, truth !== null, Date.now()));
       this.store.dispatch({ type: 'done', key, view, files, seconds: (performance.now() - started) / 1000 });
     } catch (error) {
       this.pool.cancel();

@@ -56,19 +56,14 @@ function answered(state: State, actions: AnswerActions): Answer {
   const verdict = oriented?.verdict;
   const hint = state.settings === null ? null : pair_hint(verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) }, state.settings);
   const more = `${matched}${hint === null ? '' : ` ${message('pair_hint', hint)}`}`;
-  const better = offeredCalibration(state) === null ? null : { text: say('use-the-calibrated-camera'), act: actions.calibrated };
   if (oriented === undefined || verdict === undefined) {
-    const next = better ?? (hint === null ? nextWithout(state, actions) : { text: say('use-auto'), act: actions.otherStrategy });
+    const next = hint === null ? nextWithout(state, actions) : { text: say('use-auto'), act: actions.otherStrategy };
     if (reason === null) return { kind: 'partial', verdict: 'not_oriented', text: more, next };
     return { kind: 'partial', verdict: 'not_oriented', text: reason, more, figures: figuresWithout(state), next };
   }
   const answer = { text: message('pair_verdict', verdict), more, figures: figuresOf(state, oriented) };
-  if (verdict.kind === 'oriented') return { ...answer, kind: 'done', verdict: 'oriented', next: better ?? nextAfter(state, actions) };
-  const next =
-    better ??
-    (verdict.kind === 'weak' && asksForCamera(verdict.warning)
-      ? { text: say('give-the-camera'), act: actions.camera }
-      : { text: say('show-why'), act: actions.why });
+  if (verdict.kind === 'oriented') return { ...answer, kind: 'done', verdict: 'oriented', next: calibrated(state, actions) ?? nextAfter(state, actions) };
+  const next = verdict.kind === 'weak' && asksForCamera(verdict.warning) ? cameraNext(state, actions) : { text: say('show-why'), act: actions.why };
   return { ...answer, kind: 'partial', verdict: verdict.kind, next };
 }
 
@@ -104,7 +99,17 @@ function asksForCamera({ kind }: Warning): boolean {
 function nextWithout(state: State, actions: AnswerActions): Next {
   const { kind } = whyNone(state);
   const camera = kind === 'no_camera' || kind === 'no_focal_length' || kind === 'no_pixel_size';
-  return camera ? { text: say('give-the-camera'), act: actions.camera } : { text: say('show-why'), act: actions.why };
+  return camera ? cameraNext(state, actions) : { text: say('show-why'), act: actions.why };
+}
+
+/** Takes the camera as a block calibrated it, where it did. */
+function calibrated(state: State, actions: AnswerActions): Next | null {
+  return offeredCalibration(state) === null ? null : { text: say('use-the-calibrated-camera'), act: actions.calibrated };
+}
+
+/** Where the camera is what is wanting. */
+function cameraNext(state: State, actions: AnswerActions): Next {
+  return calibrated(state, actions) ?? { text: say('give-the-camera'), act: actions.camera };
 }
 
 /** A sound result is saved; after a simulated one come photos of one's own. */

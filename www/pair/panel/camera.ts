@@ -1,9 +1,7 @@
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
-import { photo_camera } from '../../shared/crate';
 import type { CameraMm, ExifCamera } from '../../shared/crate';
-import { forgetCalibration } from '../../shared/state/calibrations';
-import { offeredCalibration } from '../state/calibration';
+import { calibrationGroup } from './calibration';
 import { comparesGradients, pairCameras } from '../state/keys';
 import { interiorInUse } from '../state/interior';
 import { pixelMm } from '../state/residuals';
@@ -12,11 +10,8 @@ import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
 import { significant } from '../../shared/text/format';
 import { firstRefused, numberField, problemLine, readNumber, readPair, showNumber } from '../../shared/panel/numberfield';
-import { LANGUAGE } from '../../shared/text/language';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
-
-const DAY = new Intl.DateTimeFormat(LANGUAGE === 'en' ? 'en-GB' : `${LANGUAGE}-u-nu-latn`, { dateStyle: 'medium' });
 
 /** The numbers of a camera: where each stands, and a camera of which nothing else is said. */
 interface CameraNumber {
@@ -88,37 +83,6 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
     (s) => [s.camera, s.results.openLeft, s.results.openRight, s.results.match, s.photos, s.truth] as const,
     () => fill(source, sourceText(store.state)),
   );
-}
-
-/** Takes the calibration that this browser remembers of the images' camera. */
-export function useCalibration(store: Store): void {
-  const offered = offeredCalibration(store.state);
-  if (offered !== null) store.dispatch({ type: 'camera', camera: photo_camera(offered.camera) });
-}
-
-/** The calibration that is offered; nothing where none is. */
-function calibrationGroup(store: Store): HTMLElement {
-  const text = h('p', { class: 'note', testid: 'calibration' });
-  const use = button(say('use-the-calibrated-camera'), 'use-calibration', () => useCalibration(store));
-  const forget = button(say('forget-it'), 'forget-calibration', () => {
-    const offered = offeredCalibration(store.state);
-    if (offered !== null) forgetCalibration(offered.label);
-    group.hidden = true;
-    // The answer offers it too.
-    store.dispatch({ type: 'camera', camera: null });
-  });
-  const group = h('div', {}, text, h('div', { class: 'buttons' }, use, forget));
-  store.watch(
-    (s) => [s.camera, s.results.openLeft, s.results.openRight] as const,
-    () => {
-      const offered = offeredCalibration(store.state);
-      group.hidden = offered === null;
-      if (offered === null) return;
-      const { camera, focalErrorPx: error, images, at } = offered;
-      fill(text, say('a-block-calibrated-this-camera', { images, focal: camera.focal_px, error, day: DAY.format(at) }));
-    },
-  );
-  return group;
 }
 
 function exifText(name: string, exif: ExifCamera): string {

@@ -1,24 +1,32 @@
-/** Cameras as blocks calibrated them, remembered by this browser: a photograph by the same camera has a known one from then on. */
-import type { Camera } from '../../../pkg/wasm/tiepoint.js';
+/** Cameras as blocks calibrated them, remembered by this browser, for photographs that name a camera of the same make, model, focal length and size. */
+import { camera_of_exif } from '../crate';
+import type { Camera, CameraMm } from '../crate';
 import { keepChoice, keptChoice } from '../choices';
 
 const NAME = 'tiepoint-cameras';
 /** The oldest ones make room. */
 const MOST = 50;
 
+/** The distortion that a file records; two cameras of one name differ in it where one photo was freed of its distortion. */
+export type RecordedLens = Pick<Camera, 'radial' | 'tangential'>;
+
 export interface Calibration {
-  /** Make, model, focal length and size: photographs of one label are of one camera. */
+  /** Make, model, focal length and size. */
   label: string;
+  recorded: RecordedLens;
   camera: Camera;
   focalErrorPx: number;
-  /** Images of the block. */
+  /** Images of the camera in the block. */
   images: number;
   /** When it was calibrated, in ms since 1970. */
   at: number;
 }
 
-/** The latest first. What cannot be read is not there. */
-function remembered(): Calibration[] {
+/** The latest first; null until they are read. */
+let all: readonly Calibration[] | null = null;
+
+/** What cannot be read or used is not there. */
+function read(): Calibration[] {
   try {
     const kept: unknown = JSON.parse(keptChoice(NAME) ?? '[]');
     return Array.isArray(kept) ? kept.filter(isCalibration) : [];
@@ -28,21 +36,50 @@ function remembered(): Calibration[] {
 }
 
 function isCalibration(value: unknown): value is Calibration {
-  const { label, camera, focalErrorPx, images, at } = (value ?? {}) as Partial<Calibration>;
-  return typeof label === 'string' && [camera?.focal_px, focalErrorPx, images, at].every(Number.isFinite);
+  const kept = (value ?? {}) as Calibration;
+  const { label, focalErrorPx, images, at } = kept;
+  if (typeof label !== 'string' || ![focalErrorPx, images].every(Number.isFinite) || Number.isNaN(new Date(at).getTime())) return false;
+  try {
+    cameraOfPair(kept);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
-const write = (kept: readonly Calibration[]) => keepChoice(NAME, JSON.stringify(kept.slice(0, MOST)));
-
-export function calibrationOf(label: string): Calibration | null {
-  return remembered().find((kept) => kept.label === label) ?? null;
+function remembered(): readonly Calibration[] {
+  all ??= read();
+  return all;
 }
 
-/** Each takes the place of the former one of its camera. */
+function keep(kept: readonly Calibration[]): void {
+  all = kept.slice(0, MOST);
+  keepChoice(NAME, JSON.stringify(all));
+}
+
+const lensOf = ({ radial = [0, 0, 0], tangential = [0, 0] }: RecordedLens) => JSON.stringify([radial, tangential]);
+
+export function calibrationOf(label: string, recorded: RecordedLens): Calibration | null {
+  return remembered().find((kept) => kept.label === label && lensOf(kept.recorded) === lensOf(recorded)) ?? null;
+}
+
+/** The one that a pair's camera was taken from. */
+export function calibrationBehind(camera: CameraMm): Calibration | null {
+  const text = JSON.stringify(camera);
+  return remembered().find((kept) => JSON.stringify(cameraOfPair(kept)) === text) ?? null;
+}
+
+/** Each takes the place of the former one of its name. */
 export function rememberCalibrations(made: readonly Calibration[]): void {
-  if (made.length > 0) write([...made, ...remembered().filter(({ label }) => !made.some((other) => other.label === label))]);
+  if (made.length > 0) keep([...made, ...remembered().filter(({ label }) => !made.some((other) => other.label === label))]);
 }
 
 export function forgetCalibration(label: string): void {
-  write(remembered().filter((kept) => kept.label !== label));
+  keep(remembered().filter((kept) => kept.label !== label));
+}
+
+/** The camera for a pair, as uncertain as if its files recorded the calibration: another day, another specimen of the model. */
+export function cameraOfPair({ camera }: Calibration): CameraMm {
+  const pixel = camera.pixel_mm ?? null;
+  return camera_of_exif({ make: null, model: null, focal_mm: camera.focal_px * (pixel ?? 1), pixel_mm: pixel, origin: 'xmp_calibration', lens: camera });
 }

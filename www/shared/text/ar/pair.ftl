@@ -95,8 +95,10 @@ points-tried = نقاط جُرّبت
 
 principal-pt-x = النقطة الأساسية x
 principal-pt-y = النقطة الأساسية y
-forget-it = انسها
-a-block-calibrated-this-camera = عايرت هذه الكاميرا كتلةٌ صورها { COUNT($images) } في { $day }: البعد البؤري { FIXED($focal, digits: 1) } ± { FIXED($error, digits: 1) } بكسل. يتذكرها هذا المتصفح.
+forget-this-calibration = انس هذه المعايرة
+the-calibration-is-forgotten = نُسيت المعايرة.
+the-calibrated-camera-is-not = الكاميرا المعايرة ليست كاميرا هاتين الصورتين: تُستعمل كاميرتهما.
+a-block-calibrated-such-a-camera = عايرتها في { $day } كتلةٌ صورها { COUNT($images) } بكاميرا من هذا الصانع والطراز: البعد البؤري { FIXED($focal, digits: 1) } ± { FIXED($error, digits: 1) } بكسل.
 load-camera-json = تحميل camera.json …
 the-image-is = الصورة { $name ->
         [left] اليسرى
