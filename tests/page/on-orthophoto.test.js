@@ -71,7 +71,7 @@ test('photographs, an orthophoto and its heights that are dropped together becom
   await page.locator('[data-testid="block-surveyed"] tbody tr:not(.filler)').first().click();
   await part(page, 'block-reject').click();
   const points = Number(/from (\d+) points/.exec(said)?.[1]);
-  await status(page, new RegExp(`^Oriented: 6 of 6 images from ${points - 1} points`));
+  await page.waitForFunction(() => /^Undo: reject orthophoto_\d+/.test(document.querySelector('[data-testid="block-undo"]')?.getAttribute('title') ?? ''));
   await part(page, 'block-undo').click();
   await status(page, new RegExp(`^Oriented: 6 of 6 images from ${points} points`));
 
