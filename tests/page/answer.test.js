@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { status } from './blocks.js';
-import { choose, done, hosted, number, open, pair, part, pngs, sample, SKIP, upload } from './page.js';
+import { choose, done, enabled, hosted, number, open, pair, part, pngs, sample, SKIP, upload } from './page.js';
 
 hosted('/answer/');
 
@@ -215,6 +215,7 @@ test('a pair without a camera asks for it, and the next step leads there', { ski
 
 test('a sample block is photographed, run and answered by one press', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width: 1366, height: 768 } } });
+  await enabled(page, 'sample-block-first');
   await part(page, 'sample-block-first').click();
   await page.waitForFunction(() => document.querySelector('[data-testid="block-answer"]')?.getAttribute('data-verdict') === 'oriented');
   for (const id of ['block-status', 'block-figures', 'block-next', 'block-map']) await inSight(page, id);

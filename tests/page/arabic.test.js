@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { SAME } from '../english.js';
 import { looker } from './axe.js';
 import { photos } from './blocks.js';
-import { CAMERA, done, hosted, open, part, pngs, saved, says, SHOTS, SKIP } from './page.js';
+import { CAMERA, done, enabled, hosted, open, part, pngs, saved, says, SHOTS, SKIP } from './page.js';
 
 hosted();
 
@@ -40,14 +40,14 @@ test('the language is that of the browser until one is chosen, and the choice is
   const { page, complaints, close } = await open({ ...ARABIC, fresh: true });
   await page.waitForFunction(() => document.title.startsWith('\u200f'));
   assert.deepEqual(await document_(page), { lang: 'ar', dir: 'rtl', title: '\u200fTiepoint: مطابقة الصور وتوجيهها النسبي' });
-  await page.waitForFunction(() => !document.querySelector('[data-testid="sample-first"]')?.hasAttribute('disabled'));
+  await enabled(page, 'sample-first');
   await Promise.all([page.waitForEvent('load'), part(page, 'language').click()]);
   await says(page, 'language', /^العربية$/u);
   assert.deepEqual(await document_(page), { lang: 'en', dir: 'ltr', title: 'Tiepoint: image matching and relative orientation' });
   await page.reload();
   await says(page, 'language', /^العربية$/u);
   assert.equal((await document_(page)).lang, 'en');
-  await page.waitForFunction(() => !document.querySelector('[data-testid="sample-first"]')?.hasAttribute('disabled'));
+  await enabled(page, 'sample-first');
   await Promise.all([page.waitForEvent('load'), part(page, 'language').click()]);
   await says(page, 'language', /^English$/u);
   assert.equal((await document_(page)).dir, 'rtl');
@@ -62,7 +62,7 @@ test('a pair is matched and oriented in Arabic, and files stay English', { skip:
   /** @type {string[]} */
   const left = [];
   const read = async (/** @type {string} */ where) => left.push(...english(await texts(page)).map((text) => `${where}: ${text}`));
-  await page.waitForFunction(() => !document.querySelector('[data-testid="sample-first"]')?.hasAttribute('disabled'));
+  await enabled(page, 'sample-first');
   await read('start');
   await look('start in Arabic');
   await part(page, 'file-input').setInputFiles([...pngs(), CAMERA]);
@@ -100,7 +100,7 @@ test('a pair is matched and oriented in Arabic, and files stay English', { skip:
 test('a block runs in Arabic', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open(ARABIC);
   await part(page, 'mode-block').click();
-  await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
+  await enabled(page, 'block-simulate');
   const left = english(await texts(page)).map((text) => `start: ${text}`);
   await part(page, 'tab-block-orthophoto').click();
   left.push(...english(await texts(page)).map((text) => `orthophoto: ${text}`));
@@ -128,7 +128,7 @@ test('a block runs in Arabic', { skip: SKIP }, async () => {
 
 test('what is typed is refused in Arabic, with its range', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open(ARABIC);
-  await page.waitForFunction(() => !document.querySelector('[data-testid="sample"]')?.hasAttribute('disabled'));
+  await enabled(page, 'sample');
   await part(page, 'tab-camera').click();
   for (const [id, typed, said] of /** @type {const} */ ([
     ['camera-focal', '-5', /أكبر من \u2068?0\u2069? وحتى \u2068?100000/u],

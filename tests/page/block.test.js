@@ -8,7 +8,7 @@ import { grey_png } from '../../pkg/node.js';
 import { findChromium } from '../../tools/lib/setup.mjs';
 import { servePage } from '../../tools/lib/page-server.mjs';
 import { block, drop, photoFolder, photograph, photos, status } from './blocks.js';
-import { done, hosted, number, part, saved, SHOTS, singleUrl, SKIP, upload } from './page.js';
+import { done, enabled, hosted, number, part, saved, SHOTS, singleUrl, SKIP, upload } from './page.js';
 
 hosted('/block/');
 
@@ -219,7 +219,7 @@ test('a page from plain http runs a block as a secure one does', { skip: SKIP },
   await page.goto(server.url.replace(/\/\/[^:/]+/, '//lecture.hall'));
   assert.equal(await page.evaluate(() => window.isSecureContext), false);
   await part(page, 'mode-block').click();
-  await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
+  await enabled(page, 'block-simulate');
   await part(page, 'block-settings').click();
   await part(page, 'block-wait').check();
   await photos(page);

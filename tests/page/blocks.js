@@ -4,7 +4,7 @@ import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { BlockScene } from '../../pkg/node.js';
-import { open, part, upload } from './page.js';
+import { enabled, open, part, upload } from './page.js';
 import { barePhotos, blockPhotos } from './rendered.js';
 
 /** Small photos: six of them are rendered and matched in a few seconds. */
@@ -25,7 +25,7 @@ export async function status(page, pattern) {
 export async function block(how) {
   const opened = await open(how);
   await part(opened.page, 'mode-block').click();
-  await opened.page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
+  await enabled(opened.page, 'block-simulate');
   return opened;
 }
 

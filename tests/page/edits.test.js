@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { open_pair_project } from '../../pkg/node.js';
-import { again, done, hosted, keptEdits, number, open, pair, part, sample, saved, says, SKIP, until, upload } from './page.js';
+import { again, done, enabled, hosted, keptEdits, number, open, pair, part, sample, saved, says, SKIP, until, upload } from './page.js';
 
 hosted();
 
@@ -83,7 +83,7 @@ test('matches in a rectangle are rejected, the orientation follows, and after a 
 
 test('matches are chosen, rejected, restored, undone and done again by the keyboard alone', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
-  await page.waitForFunction(() => document.querySelector('[data-testid="sample"]')?.hasAttribute('disabled') === false);
+  await enabled(page, 'sample');
   await part(page, 'sample').focus();
   await page.keyboard.press('Enter');
   await done(page);
@@ -163,7 +163,7 @@ test('a file holds the edited matches and says that it has no history; a new run
   assert.equal(output.match.matches.length, 5 * left);
   assert.equal(output.orientation?.residuals_mm.length, left);
   const fresh = await open();
-  await fresh.page.waitForFunction(() => document.querySelector('[data-testid="sample"]')?.hasAttribute('disabled') === false);
+  await enabled(fresh.page, 'sample');
   await part(fresh.page, 'file-input').setInputFiles([upload('pair.tiepoint', project)]);
   const told = await says(fresh.page, 'status', /was opened/);
   assert.match(told, new RegExp(`It holds ${rejected} matches rejected by hand; the history of these edits is not in the file`));

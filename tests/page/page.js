@@ -127,10 +127,14 @@ export async function number(page, id) {
   return Number(((await part(page, id).textContent()) ?? '').replaceAll(/[^\d.−-]/g, '').replace('−', '-'));
 }
 
+/** Waits until a button can be pressed. A press that has to wait is tried again and again, and scrolls the page while it is.  @param {import('playwright-core').Page} page @param {string} id */
+export const enabled = (page, id) => page.waitForFunction((at) => document.querySelector(`[data-testid="${at}"]`)?.hasAttribute('disabled') === false, id);
+
 /** Starts the sample and waits for it.  @param {import('playwright-core').Page} page */
 export async function sample(page) {
-  const first = part(page, 'sample-first');
-  await ((await first.isVisible()) ? first : part(page, 'sample')).click();
+  const first = (await part(page, 'sample-first').isVisible()) ? 'sample-first' : 'sample';
+  await enabled(page, first);
+  await part(page, first).click();
   return done(page);
 }
 

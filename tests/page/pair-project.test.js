@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { FinishedBlock, write_pair_project, open_pair_project } from '../../pkg/node.js';
 import { readFileSync } from 'node:fs';
-import { again, choose, done, hosted, open, pair, part, pngs, sample, saved, SKIP, upload } from './page.js';
+import { again, choose, done, enabled, hosted, open, pair, part, pngs, sample, saved, SKIP, upload } from './page.js';
 
 hosted();
 
@@ -34,7 +34,7 @@ async function shown(page) {
 /** Opens a project in a fresh page and waits for it.  @param {Buffer} project */
 async function opened(project) {
   const fresh = await open();
-  await fresh.page.waitForFunction(() => document.querySelector('[data-testid="sample"]')?.hasAttribute('disabled') === false);
+  await enabled(fresh.page, 'sample');
   await part(fresh.page, 'file-input').setInputFiles([upload('pair.tiepoint', project)]);
   await done(fresh.page);
   return fresh;

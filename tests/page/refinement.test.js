@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photos } from './blocks.js';
-import { hosted, number, open, part, SKIP } from './page.js';
+import { enabled, hosted, number, open, part, SKIP } from './page.js';
 
 hosted('/refinement/');
 
@@ -14,7 +14,7 @@ test('rays are refined when it is chosen, and the page tells how many and why no
   const status = (/** @type {string} */ pattern) =>
     page.waitForFunction((source) => new RegExp(source).test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), pattern);
   await part(page, 'mode-block').click();
-  await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
+  await enabled(page, 'block-simulate');
   await photos(page, FLIGHT);
   await part(page, 'block-run').click();
   await status('^(Oriented|Weak orientation): .*\\. 4 images');
