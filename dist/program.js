@@ -178,6 +178,92 @@ var BlockWriting = class BlockWriting {
 };
 if (Symbol.dispose) BlockWriting.prototype[Symbol.dispose] = BlockWriting.prototype.free;
 /**
+* Two oriented images of a project, to be resampled so that what both show lies in the same row of either. Call `free` when it is no longer
+* needed.
+*/
+var EpipolarPair = class EpipolarPair {
+	static __wrap(ptr) {
+		const obj = Object.create(EpipolarPair.prototype);
+		obj.__wbg_ptr = ptr;
+		EpipolarPairFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		EpipolarPairFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_epipolarpair_free(ptr, 0);
+	}
+	/**
+	* How the epipolar images lie.
+	* @returns {EpipolarGeometry}
+	*/
+	get geometry() {
+		return wasm.epipolarpair_geometry(this.__wbg_ptr);
+	}
+	/**
+	* Whether the left image stands second in the project.
+	* @returns {boolean}
+	*/
+	get is_swapped() {
+		return wasm.epipolarpair_is_swapped(this.__wbg_ptr) !== 0;
+	}
+	/**
+	* The names of the left and the right image.
+	* @returns {string[]}
+	*/
+	get names() {
+		const ret = wasm.epipolarpair_names(this.__wbg_ptr);
+		var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
+		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+		return v1;
+	}
+	/**
+	* Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
+	* that order in which the base goes to the right.
+	* @param {Uint8Array | number[]} project
+	* @param {string[] | null} [names]
+	* @returns {EpipolarPair}
+	*/
+	static open(project, names) {
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) {
+				wasm.__externref_drop_slice(ptr1, len1);
+				wasm.__wbindgen_free(ptr1, len1 * 4, 4);
+			}
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.epipolarpair_open(ptr0, len0, ptr1, len1);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return EpipolarPair.__wrap(ret[0]);
+	}
+	/**
+	* Resamples both images, which are given in the order of `names`.
+	* @param {Photo} left
+	* @param {Photo} right
+	* @returns {EpipolarFiles}
+	*/
+	resample(left, right) {
+		_assertClass(left, Photo);
+		_assertClass(right, Photo);
+		const ret = wasm.epipolarpair_resample(this.__wbg_ptr, left.__wbg_ptr, right.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) EpipolarPair.prototype[Symbol.dispose] = EpipolarPair.prototype.free;
+/**
 * A block that was run, or opened from its project file; its owner frees it.
 */
 var FinishedBlock = class FinishedBlock {
@@ -196,6 +282,18 @@ var FinishedBlock = class FinishedBlock {
 	free() {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_finishedblock_free(ptr, 0);
+	}
+	/**
+	* A map of the standard errors that are expected of points that would be measured in the block. `cell`: the side of a cell, in units of the block;
+	* `sigma_px`: the standard error of an image coordinate. Absent: an eightieth of the longer side; σ₀ of the block.
+	* @param {number | null} [cell]
+	* @param {number | null} [sigma_px]
+	* @returns {AccuracyFiles}
+	*/
+	accuracy(cell, sigma_px) {
+		const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, !isLikeNone(cell), isLikeNone(cell) ? 0 : cell, !isLikeNone(sigma_px), isLikeNone(sigma_px) ? 0 : sigma_px);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
 	}
 	/**
 	* The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
@@ -1834,6 +1932,10 @@ var BlockWritingFinalization = typeof FinalizationRegistry === "undefined" ? {
 	register: () => {},
 	unregister: () => {}
 } : new FinalizationRegistry((ptr) => wasm.__wbg_blockwriting_free(ptr, 1));
+var EpipolarPairFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_epipolarpair_free(ptr, 1));
 var FinishedBlockFinalization = typeof FinalizationRegistry === "undefined" ? {
 	register: () => {},
 	unregister: () => {}
@@ -2946,6 +3048,19 @@ var Gestures = class {
 		return move !== void 0;
 	}
 };
+// www/shared/panel/focus.ts
+/** The keyboard stays with what was pressed: where that can no longer be, what takes its place gets it. */
+/** Whether an element can have the keyboard. */
+function canHold(element) {
+	return element.isConnected && element.closest("[hidden], :disabled") === null;
+}
+/** Gives the keyboard from a part of a host that was hidden, disabled or replaced to the first of others that can have it. `held`: what had it. */
+function passFocus(held, others) {
+	if (!(held instanceof HTMLElement) || canHold(held)) return;
+	const { activeElement } = document;
+	if (activeElement !== held && activeElement !== null && activeElement !== document.body) return;
+	others.find((other) => other != null && canHold(other))?.focus({ preventScroll: true });
+}
 // www/shared/panel/history.ts
 /** Edits by hand: undo and redo by their names and keys, and the list of all of them. */
 /** A button that says what it would do, and cannot be pressed where that is nothing. */
@@ -5479,7 +5594,8 @@ var UNEDITED = {
 	history: NO_HISTORY,
 	chosen: [],
 	before: null,
-	draft: null
+	draft: null,
+	outline: null
 };
 var INITIAL = {
 	catalogue: null,
@@ -8682,6 +8798,33 @@ function bytesOf$1(source) {
 		case "project": return 0;
 	}
 }
+// www/pair/files/painted.ts
+/** The mask of a side with an area masked or no longer. */
+async function paintedMask(engine, { images, masks }, side, corners, masked) {
+	const image = images[side];
+	if (image === null) throw new Error(`there is no ${side} image`);
+	const { info } = await engine.open(side, image);
+	const { width, height } = info;
+	const outline = Float64Array.from(corners.flat());
+	const { png, ...mask } = await engine.client("pair").call("paintMask", {
+		grey: masks[side]?.grey ?? null,
+		width,
+		height,
+		outline,
+		masked,
+		overlaySide: MASK_SIDE
+	});
+	const name = `${image.name.replace(/\.[^.]+$/u, "")}-mask.png`;
+	return {
+		...mask,
+		id: freshId(),
+		name,
+		source: {
+			kind: "file",
+			file: new File([png], name, { type: "image/png" })
+		}
+	};
+}
 // www/pair/state/labels.ts
 /** What is said of a point by its code. */
 /** What the crate's catalogue does not know: edits are the page's. */
@@ -10322,6 +10465,41 @@ function figures(match, { model: { kind }, sigma_px: sigma, threshold_px: thresh
 		}]
 	];
 }
+// www/pair/files/epipolar.ts
+/** Epipolar images of the pair on the screen: made in a worker of its own, and saved as one archive. */
+async function exportEpipolar(store, engine) {
+	const { state } = store;
+	const { left, right } = state.images;
+	if (left === null || right === null) return;
+	const client = engine.client("report");
+	const tell = (kind, text) => store.dispatch({
+		type: "notice",
+		notice: {
+			kind,
+			text
+		}
+	});
+	try {
+		tell("busy", say("epipolar-images-are-made"));
+		const project = await projectText(state, engine);
+		if (project === null) throw new Error(say("the-pair-is-not-matched"));
+		const { archive, geometry } = await client.call("epipolar", {
+			project,
+			images: [left.source, right.source]
+		});
+		save(new Blob([archive], { type: "application/zip" }), `${baseName(state)}-epipolar.zip`);
+		const { points = 0, y_rms_px: left_over = 0 } = geometry.parallaxes ?? {};
+		tell("info", say("epipolar-images-were-saved", {
+			points,
+			left_over
+		}));
+	} catch (error) {
+		if (!(error instanceof Cancelled)) throw error;
+		tell("info", say("cancelled-nothing-was-saved-the-epipolar"));
+	} finally {
+		client.cancel();
+	}
+}
 // www/pair/files/report.ts
 /** The report of the pair on the screen: made in a worker of its own, step by step, and saved as one file. */
 /** What the report is made of; null where an image is missing. */
@@ -11013,6 +11191,7 @@ function mountHeader({ store, engine, view, files, pick, attempt, sampleBlock })
 	on("export-json", () => exportEverything(store.state));
 	on("export-project", () => exportProject(store, engine));
 	on("export-report", () => exportReport(store, engine));
+	on("export-epipolar", () => exportEpipolar(store, engine));
 	on("export-png", () => exportPicture(store.state, view));
 	store.watch([
 		"images",
@@ -11035,6 +11214,7 @@ function mountHeader({ store, engine, view, files, pick, attempt, sampleBlock })
 		set("export-project", !both || isBusy(store.state) || !isCurrent(store.state, "match"));
 		const absent = Object.values(images).some((image) => image?.source.kind === "project");
 		set("export-report", !both || absent || isBusy(store.state));
+		set("export-epipolar", !both || absent || isBusy(store.state) || shownPair(store.state).orientation === null);
 		set("export-png", none);
 		leaveWelcome(!none);
 	});
@@ -11211,6 +11391,60 @@ function chart(title, unit, data, testid) {
 		class: "median"
 	}));
 	return h("figure", { testid }, h("figcaption", {}, title, h("span", { class: "unit" }, `${suffix} · n = ${count(data.total)}`)), picture, h("div", { class: "scale" }, h("span", {}, significant(data.low)), h("span", {}, say("median", { median: significant(data.median) })), h("span", {}, significant(data.high))));
+}
+// www/pair/panel/masking.ts
+/** While areas of the pictures are masked: what to do next, and buttons for each key. */
+/** The tool with those of the pictures, its buttons in the bar above them. `attempt` runs an action and says what goes wrong. */
+function mountMasking(host, bar, store, masking, attempt) {
+	const tool = button(say("mask-areas"), "tool-mask", () => masking.toggle(), say("outline-areas-in-which-no"));
+	const text = h("span", {
+		testid: "mask-text",
+		role: "status"
+	});
+	const paint = (masked) => () => void attempt(() => masking.paint(masked));
+	const mask = button(say("mask-it"), "mask-area", paint(true), say("no-points-in-the-outlined"));
+	const unmask = button(say("unmask-it"), "unmask-area", paint(false), say("points-in-the-outlined-area"));
+	const undo = button(say("undo"), "mask-undo", () => masking.undo(), say("take-the-last-area-back"));
+	const keep = button(say("save-masks"), "mask-save", () => saveMasks(store.state), say("masks-as-png-files-for"));
+	const end = button(say("end-masking"), "mask-end", () => masking.toggle());
+	const buttons = h("div", {
+		class: "drafting",
+		testid: "masking",
+		role: "group",
+		aria: { label: say("masks-of-the-pictures") }
+	}, text, mask, unmask, undo, keep, end);
+	host.append(tool);
+	bar.append(buttons);
+	store.watch((s) => [
+		s.tool,
+		s.outline,
+		s.images,
+		s.masks
+	], () => {
+		const { state } = store;
+		const held = document.activeElement;
+		tool.setAttribute("aria-pressed", String(state.tool === "mask"));
+		tool.disabled = !masking.can();
+		buttons.hidden = state.tool !== "mask";
+		mask.disabled = !masking.isArea();
+		unmask.disabled = mask.disabled;
+		undo.disabled = !masking.canUndo();
+		keep.disabled = SIDES.every((side) => fileOf(state, side) === null);
+		if (buttons.contains(held)) passFocus(held, [byId("view")]);
+		const corners = state.outline?.corners.length ?? 0;
+		const now = masking.isArea() ? say("the-area-is-outlined", { corners }) : say("draw-round-an-area-or", { corners });
+		if (text.textContent !== now) text.textContent = now;
+	});
+}
+function fileOf(state, side) {
+	const source = state.masks[side]?.source;
+	return source?.kind === "file" ? source.file : null;
+}
+function saveMasks(state) {
+	for (const side of SIDES) {
+		const file = fileOf(state, side);
+		if (file !== null) save(file, state.masks[side]?.name ?? "mask.png");
+	}
 }
 // www/pair/panel/panes.ts
 function mountPanes(view, store, actions) {
@@ -12354,12 +12588,16 @@ var Editing = class {
 			}
 		});
 	}
-	/** Ends what was begun last: the match that is measured, the tool, the choice; false where nothing was. */
+	/** Ends what was begun last: the match that is measured, the area that is outlined, the tool, the choice; false where nothing was. */
 	leave() {
-		const { tool, chosen, draft } = this.store.state;
+		const { tool, chosen, draft, outline } = this.store.state;
 		if (draft !== null && draft.of === null) this.store.dispatch({
 			type: "draft",
 			draft: null
+		});
+		else if (outline !== null) this.store.dispatch({
+			type: "outline",
+			outline: null
 		});
 		else if (tool !== "look") this.store.dispatch({
 			type: "tool",
@@ -12374,6 +12612,141 @@ var Editing = class {
 			type: "choose",
 			chosen: toggled(this.store.state.chosen, keys)
 		});
+	}
+};
+// www/pair/state/masking.ts
+/** What a user does to masks: areas are outlined, and hold no points from then on, or do so again. */
+/** An area has three corners at least. */
+var LEAST_CORNERS = 3;
+var Masking = class {
+	store;
+	painter;
+	formers = [];
+	/** Areas are painted one after the other: each begins with the mask that the one before it left. */
+	painting = Promise.resolve();
+	constructor(store, painter) {
+		this.store = store;
+		this.painter = painter;
+	}
+	/** Whether there is an image to be masked. */
+	can() {
+		return Object.values(this.store.state.images).some((image) => image !== null);
+	}
+	toggle() {
+		const next = this.store.state.tool === "mask" || !this.can() ? "look" : "mask";
+		this.store.dispatch({
+			type: "tool",
+			tool: next
+		});
+	}
+	/** Places the next corner; in another image a new outline begins. */
+	place(side, at) {
+		const { outline } = this.store.state;
+		const before = outline?.side === side ? outline.corners : [];
+		this.store.dispatch({
+			type: "outline",
+			outline: {
+				side,
+				corners: [...before, at]
+			}
+		});
+	}
+	/** What is drawn in one go. */
+	trace(side, corners) {
+		this.store.dispatch({
+			type: "outline",
+			outline: {
+				side,
+				corners
+			}
+		});
+	}
+	/** Takes the last corner back; false where there is none. */
+	back() {
+		const { outline } = this.store.state;
+		if (outline === null) return false;
+		const corners = outline.corners.slice(0, -1);
+		this.store.dispatch({
+			type: "outline",
+			outline: corners.length === 0 ? null : {
+				...outline,
+				corners
+			}
+		});
+		return true;
+	}
+	isArea() {
+		return (this.store.state.outline?.corners.length ?? 0) >= LEAST_CORNERS;
+	}
+	/** The outlined area holds no points from now on, or does so again. */
+	paint(masked) {
+		const { outline } = this.store.state;
+		if (outline === null || !this.isArea()) return Promise.resolve();
+		this.store.dispatch({
+			type: "outline",
+			outline: null
+		});
+		this.painting = this.painting.catch(() => {}).then(() => this.painted(outline, masked));
+		return this.painting;
+	}
+	canUndo() {
+		return this.formers.some(({ imageId }) => this.sideOf(imageId) !== void 0);
+	}
+	/** Takes the area back that was painted last. */
+	undo() {
+		const former = this.formers.pop();
+		if (former === void 0) return;
+		const side = this.sideOf(former.imageId);
+		if (side === void 0) this.undo();
+		else this.store.dispatch({
+			type: "mask",
+			side,
+			mask: former.mask
+		});
+	}
+	async painted({ side, corners }, masked) {
+		const { state } = this.store;
+		const image = state.images[side];
+		const before = state.masks[side];
+		if (image === null) return;
+		if (before?.source.kind === "project") {
+			const text = say("the-mask-is-not-here", { name: before.name });
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "problem",
+					text
+				}
+			});
+			return;
+		}
+		const mask = await this.painter(state, side, corners, masked);
+		if (this.store.state.images[side] !== image || this.store.state.masks[side] !== before) return;
+		this.formers.push({
+			imageId: image.id,
+			mask: before
+		});
+		this.store.dispatch({
+			type: "mask",
+			side,
+			mask
+		});
+		const text = say("masks-of-the-image", {
+			name: mask.name,
+			left_out: 100 * mask.leftOut,
+			side
+		});
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text
+			}
+		});
+	}
+	sideOf(imageId) {
+		const { left, right } = this.store.state.images;
+		return left?.id === imageId ? "left" : right?.id === imageId ? "right" : void 0;
 	}
 };
 // www/pair/state/reducer.ts
@@ -12499,11 +12872,16 @@ function changed(state, action) {
 		case "tool": return {
 			...state,
 			tool: action.tool,
-			draft: null
+			draft: null,
+			outline: null
 		};
 		case "draft": return {
 			...state,
 			draft: action.draft
+		};
+		case "outline": return {
+			...state,
+			outline: action.outline
 		};
 		case "activeSide": return {
 			...state,
@@ -12792,7 +13170,7 @@ function paneAt(scene, x, y) {
 }
 // www/pair/view/input.ts
 /** Pointer, wheel, touch and keys on the images. */
-function mountInput(view, store, navigator, editing) {
+function mountInput(view, store, navigator, editing, masking) {
 	const { host } = view;
 	const activate = (side) => {
 		if (store.state.activeSide !== side) store.dispatch({
@@ -12805,10 +13183,15 @@ function mountInput(view, store, navigator, editing) {
 		host,
 		list: measuringKeys(store, navigator, editing)
 	});
+	const masks = declare({
+		where: say("pictures-of-a-pair-while-masking"),
+		host,
+		list: maskingKeys(store, navigator, masking)
+	});
 	const look = declare({
 		where: say("pictures-of-a-pair"),
 		host,
-		list: pictureKeys(store, navigator, editing)
+		list: pictureKeys(store, navigator, editing, masking)
 	});
 	listen(host, {
 		at: (x, y) => {
@@ -12823,12 +13206,16 @@ function mountInput(view, store, navigator, editing) {
 		grabbed: activate,
 		pressed: (x, y, more) => {
 			if (store.state.tool === "measure") measure(view, x, y, editing, navigator);
+			else if (store.state.tool === "mask") corner(view, x, y, masking);
 			else press(view.hit(x, y), more, editing, navigator);
 		},
-		encloses: (shift) => shift || store.state.tool === "choose",
-		enclosed: (side, from, to, ended) => enclose(view, store, side, from, to, ended),
+		encloses: (shift) => shift || store.state.tool === "choose" || store.state.tool === "mask",
+		enclosed: (side, from, to, ended, path) => {
+			if (store.state.tool === "mask") outline(view, side, path, masking);
+			else enclose(view, store, side, from, to, ended);
+		},
 		pointed: (at) => view.point(at),
-		command: (key, shift) => measuring(key, shift) || look(key, shift)
+		command: (key, shift) => measuring(key, shift) || masks(key, shift) || look(key, shift)
 	}, host.closest(".stage") ?? host);
 }
 /** Selects a point; with `more` its match is chosen beside the others, or no longer. */
@@ -12875,6 +13262,51 @@ function measure(view, x, y, editing, navigator) {
 	if (pane?.picture == null) return;
 	editing.place(pane.side, toPosition(pane.transform, x, y));
 	navigator.followDraft();
+}
+/** Places a corner of an area. */
+function corner(view, x, y, masking) {
+	const pane = paneAt(view.scene(), x, y);
+	if (pane?.picture != null) masking.place(pane.side, toPosition(pane.transform, x, y));
+}
+/** Outlines an area by a line that is drawn. */
+function outline(view, side, path, masking) {
+	const { transform } = view.scene().panes[side];
+	if (path.length > 0) masking.trace(side, path.map(([x, y]) => toPosition(transform, x, y)));
+}
+/** While areas are masked. */
+function maskingKeys(store, navigator, masking) {
+	const masks = () => store.state.tool === "mask";
+	const encloses = () => masks() && masking.isArea();
+	const place = () => {
+		const middle = navigator.middle();
+		if (middle !== null) masking.place(...middle);
+	};
+	return [
+		{
+			keys: ["Enter"],
+			does: say("places-a-corner-in-the-middle"),
+			can: masks,
+			run: place
+		},
+		{
+			keys: ["Backspace"],
+			does: say("takes-the-last-corner-back"),
+			can: () => masks() && store.state.outline !== null,
+			run: () => masking.back()
+		},
+		{
+			keys: ["k"],
+			does: say("masks-the-outlined-area"),
+			can: encloses,
+			run: () => void masking.paint(true)
+		},
+		{
+			keys: ["u"],
+			does: say("unmasks-the-outlined-area"),
+			can: encloses,
+			run: () => void masking.paint(false)
+		}
+	];
 }
 /** How far an arrow moves a point, px; with Shift. */
 var FINE = .1;
@@ -12934,7 +13366,7 @@ function measuringKeys(store, navigator, editing) {
 		}
 	];
 }
-function pictureKeys(store, navigator, editing) {
+function pictureKeys(store, navigator, editing, masking) {
 	const show = (display) => store.dispatch({
 		type: "display",
 		display
@@ -13004,6 +13436,11 @@ function pictureKeys(store, navigator, editing) {
 			keys: ["a"],
 			does: say("adds-a-match-by-measuring"),
 			run: () => editing.toggle("measure")
+		},
+		{
+			keys: ["w"],
+			does: say("outlines-areas-to-be-masked"),
+			run: () => masking.toggle()
 		},
 		{
 			keys: ["e"],
@@ -13509,6 +13946,30 @@ function cornerOf({ rect, side }) {
 		height: length
 	};
 }
+// www/pair/view/outline.ts
+/** The area that is being outlined on a picture. */
+var CORNER = 3;
+function drawOutline(context, { outline }, scene) {
+	if (outline === null) return;
+	const { rect, transform } = scene.panes[outline.side];
+	const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));
+	const path = new Path2D();
+	for (const [i, [x, y]] of corners.entries()) if (i === 0) path.moveTo(x, y);
+	else path.lineTo(x, y);
+	path.closePath();
+	within(context, rect, () => {
+		context.fillStyle = "rgb(255 212 0 / 0.2)";
+		context.fill(path);
+		context.lineWidth = 3;
+		context.strokeStyle = "rgb(0 0 0 / 0.6)";
+		context.stroke(path);
+		context.lineWidth = 1.5;
+		context.strokeStyle = SELECTED;
+		context.stroke(path);
+		context.fillStyle = SELECTED;
+		if (corners.length <= 64) for (const [x, y] of corners) context.fillRect(x - CORNER, y - CORNER, 6, 6);
+	});
+}
 // www/pair/view/view.ts
 /** The canvases: images below, marks above them, selection and magnifier on top. Each is drawn again only when what it shows changed. */
 var LAYERS = [
@@ -13564,6 +14025,7 @@ var View = class {
 			s.selection,
 			s.chosen,
 			s.draft,
+			s.outline,
 			s.results.line,
 			s.results.inspection,
 			s.settings,
@@ -13624,6 +14086,7 @@ var View = class {
 				drawChosen(context, state, scene);
 				drawSelection(context, state, scene);
 				drawDraft(context, state, scene);
+				drawOutline(context, state, scene);
 				if (this.rectangle !== null) drawRectangle(context, this.rectangle);
 				drawDraftLenses(context, state, scene, this.layers.ratio, this.tiles);
 				if (state.draft === null) this.drawMagnifier(context, state, scene);
@@ -13699,10 +14162,12 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 		}
 	};
 	const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
-	mountInput(view, store, navigator, editing);
+	const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
+	mountInput(view, store, navigator, editing, masking);
 	mountToolbar(byId("toolbar"), store, navigator);
 	mountEditTools(byId("view-more"), byId("toolbar"), store, editing);
 	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft());
+	mountMasking(byId("view-more"), byId("toolbar"), store, masking, attempt);
 	const pick = pickerOf(files);
 	mountPanes(view, store, {
 		open: (side) => pick(side),
@@ -15521,4 +15986,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };

@@ -178,6 +178,92 @@
 	};
 	if (Symbol.dispose) BlockWriting.prototype[Symbol.dispose] = BlockWriting.prototype.free;
 	/**
+	* Two oriented images of a project, to be resampled so that what both show lies in the same row of either. Call `free` when it is no longer
+	* needed.
+	*/
+	var EpipolarPair = class EpipolarPair {
+		static __wrap(ptr) {
+			const obj = Object.create(EpipolarPair.prototype);
+			obj.__wbg_ptr = ptr;
+			EpipolarPairFinalization.register(obj, obj.__wbg_ptr, obj);
+			return obj;
+		}
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			EpipolarPairFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_epipolarpair_free(ptr, 0);
+		}
+		/**
+		* How the epipolar images lie.
+		* @returns {EpipolarGeometry}
+		*/
+		get geometry() {
+			return wasm.epipolarpair_geometry(this.__wbg_ptr);
+		}
+		/**
+		* Whether the left image stands second in the project.
+		* @returns {boolean}
+		*/
+		get is_swapped() {
+			return wasm.epipolarpair_is_swapped(this.__wbg_ptr) !== 0;
+		}
+		/**
+		* The names of the left and the right image.
+		* @returns {string[]}
+		*/
+		get names() {
+			const ret = wasm.epipolarpair_names(this.__wbg_ptr);
+			var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
+			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+			return v1;
+		}
+		/**
+		* Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
+		* that order in which the base goes to the right.
+		* @param {Uint8Array | number[]} project
+		* @param {string[] | null} [names]
+		* @returns {EpipolarPair}
+		*/
+		static open(project, names) {
+			let ptr0, len0, ptr1, len1;
+			try {
+				ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+				len0 = WASM_VECTOR_LEN;
+				ptr1 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+				len1 = WASM_VECTOR_LEN;
+			} catch (e) {
+				if (ptr1) {
+					wasm.__externref_drop_slice(ptr1, len1);
+					wasm.__wbindgen_free(ptr1, len1 * 4, 4);
+				}
+				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+				throw e;
+			}
+			const ret = wasm.epipolarpair_open(ptr0, len0, ptr1, len1);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return EpipolarPair.__wrap(ret[0]);
+		}
+		/**
+		* Resamples both images, which are given in the order of `names`.
+		* @param {Photo} left
+		* @param {Photo} right
+		* @returns {EpipolarFiles}
+		*/
+		resample(left, right) {
+			_assertClass(left, Photo);
+			_assertClass(right, Photo);
+			const ret = wasm.epipolarpair_resample(this.__wbg_ptr, left.__wbg_ptr, right.__wbg_ptr);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+	};
+	if (Symbol.dispose) EpipolarPair.prototype[Symbol.dispose] = EpipolarPair.prototype.free;
+	/**
 	* A block that was run, or opened from its project file; its owner frees it.
 	*/
 	var FinishedBlock = class FinishedBlock {
@@ -196,6 +282,18 @@
 		free() {
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_finishedblock_free(ptr, 0);
+		}
+		/**
+		* A map of the standard errors that are expected of points that would be measured in the block. `cell`: the side of a cell, in units of the block;
+		* `sigma_px`: the standard error of an image coordinate. Absent: an eightieth of the longer side; σ₀ of the block.
+		* @param {number | null} [cell]
+		* @param {number | null} [sigma_px]
+		* @returns {AccuracyFiles}
+		*/
+		accuracy(cell, sigma_px) {
+			const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, !isLikeNone(cell), isLikeNone(cell) ? 0 : cell, !isLikeNone(sigma_px), isLikeNone(sigma_px) ? 0 : sigma_px);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
 		}
 		/**
 		* The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
@@ -1184,6 +1282,25 @@
 		return v5;
 	}
 	/**
+	* Writes grey values as a PNG file, with the camera and the position of `exif` where it is given.
+	* @param {number} width
+	* @param {number} height
+	* @param {Uint8Array | number[]} grey
+	* @param {ExifImage} [exif]
+	* @returns {Uint8Array}
+	*/
+	function grey_png(width, height, grey, exif) {
+		const val2 = +width;
+		const val3 = +height;
+		const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.grey_png(val2, val3, ptr0, len0, exif);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v4 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v4;
+	}
+	/**
 	* The interior orientation of an image: from its fiducials, or from the camera's pixel size.
 	* @param {CameraMm} camera
 	* @param {PhotoGeometry} photo
@@ -1740,6 +1857,10 @@
 		register: () => {},
 		unregister: () => {}
 	} : new FinalizationRegistry((ptr) => wasm.__wbg_blockwriting_free(ptr, 1));
+	var EpipolarPairFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_epipolarpair_free(ptr, 1));
 	var FinishedBlockFinalization = typeof FinalizationRegistry === "undefined" ? {
 		register: () => {},
 		unregister: () => {}
@@ -3742,6 +3863,26 @@
 		};
 		return Deflate;
 	}();
+	/**
+	* Compresses data with DEFLATE without any wrapper
+	* @param data The data to compress
+	* @param opts The compression options
+	* @returns The deflated version of the data
+	*/
+	function deflateSync(data, opts) {
+		return dopt(data, opts || {}, 0, 0);
+	}
+	var fltn = function(d, p, t, o) {
+		for (var k in d) {
+			var val = d[k], n = p + k, op = o;
+			if (Array.isArray(val)) op = mrg(o, val[1]), val = val[0];
+			if (ArrayBuffer.isView(val)) t[n] = [val, op];
+			else {
+				t[n += "/"] = [new u8(0), op];
+				fltn(val, n, t, o);
+			}
+		}
+	};
 	var te = typeof TextEncoder != "undefined" && /*#__PURE__*/ new TextEncoder();
 	var td = typeof TextDecoder != "undefined" && /*#__PURE__*/ new TextDecoder();
 	try {
@@ -4042,10 +4183,59 @@
 		};
 		return Zip;
 	}();
+	/**
+	* Synchronously creates a ZIP file. Prefer using `zip` for better performance
+	* with more than one file.
+	* @param data The directory structure for the ZIP archive
+	* @param opts The main options, merged with per-file options
+	* @returns The generated ZIP archive
+	*/
+	function zipSync(data, opts) {
+		if (!opts) opts = {};
+		var r = {};
+		var files = [];
+		fltn(data, "", r, opts);
+		var o = 0;
+		var tot = 0;
+		for (var fn in r) {
+			var _a = r[fn], file = _a[0], p = _a[1];
+			var compression = p.level == 0 ? 0 : 8;
+			var f = strToU8(fn), s = f.length;
+			var com = p.comment, m = com && strToU8(com), ms = m && m.length;
+			var exl = exfl(p.extra);
+			if (s > 65535) err(11);
+			var d = compression ? deflateSync(file, p) : file, l = d.length;
+			var c = crc();
+			c.p(file);
+			files.push(mrg(p, {
+				size: file.length,
+				crc: c.d(),
+				c: d,
+				f,
+				m,
+				u: s != fn.length || m && com.length != ms,
+				o,
+				compression
+			}));
+			o += 30 + s + exl + l;
+			tot += 76 + 2 * (s + exl) + (ms || 0) + l;
+		}
+		var out = new u8(tot + 22), oe = o, cdl = tot - o;
+		for (var i = 0; i < files.length; ++i) {
+			var f = files[i];
+			wzh(out, f.o, f, f.f, f.u, f.c.length);
+			var badd = 30 + f.f.length + exfl(f.extra);
+			out.set(f.c, f.o + badd);
+			wzh(out, o, f, f.f, f.u, f.c.length, f.o, f.m), o += 16 + badd + (f.m ? f.m.length : 0);
+		}
+		wzf(out, o, files.length, cdl, oe);
+		return out;
+	}
+	// www/shared/files/archive.ts
+	/** The time in archives: that of their making would give the same files other bytes. */
+	var ARCHIVE_TIME = "1980-01-01T00:00:00";
 	// www/block/engine/made.ts
 	/** The files that a block is saved as: one by itself, several as one archive. */
-	/** The time in archives: that of their making would give the same block other bytes. */
-	var TIME = "1980-01-01T00:00:00";
 	/** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
 	async function made(block, kind, name, signal) {
 		const files = /* @__PURE__ */ new Map();
@@ -4088,7 +4278,7 @@
 		for (const [at, content] of files) {
 			await pause(signal);
 			const entry = new ZipDeflate(at, { level: 6 });
-			entry.mtime = TIME;
+			entry.mtime = ARCHIVE_TIME;
 			archive.add(entry);
 			entry.push(encoder.encode(content), true);
 		}
@@ -4661,7 +4851,7 @@
 		return (n * xy - x * y) / Math.sqrt((n * xx - x * x) * (n * yy - y * y));
 	}
 	// www/pair/engine/mask.ts
-	/** What a mask leaves out: how much, and as it is shown over its image. */
+	/** What a mask leaves out: how much, as it is shown over its image, and areas that are painted. */
 	/** Red, half transparent: `ImageData` keeps bytes in the order red, green, blue, alpha. */
 	var LEFT_OUT = 2569545944;
 	/** The pixels that a mask leaves out (its zeros), in colour, in a bitmap of at most `most` px a side. */
@@ -4681,6 +4871,33 @@
 		for (const value of grey) if (value === 0) zeros += 1;
 		return zeros / grey.length;
 	}
+	/** Gives the pixels whose middles lie in an outline a value; where it crosses itself, what it goes round at all. `outline`: x and y of its corners in px, stride 2. */
+	function fill(grey, width, height, outline, value) {
+		const count = outline.length / 2;
+		for (let row = 0; row < height; row++) {
+			const middle = row + .5;
+			const crossings = [];
+			for (let i = 0; i < count; i++) {
+				const next = (i + 1) % count;
+				const [x, y, u, v] = [
+					outline[2 * i] ?? 0,
+					outline[2 * i + 1] ?? 0,
+					outline[2 * next] ?? 0,
+					outline[2 * next + 1] ?? 0
+				];
+				if (y <= middle !== v <= middle) crossings.push([x + (middle - y) / (v - y) * (u - x), y <= middle ? 1 : -1]);
+			}
+			crossings.sort(([a], [b]) => a - b);
+			let winding = 0;
+			for (const [i, [from, turn]] of crossings.entries()) {
+				winding += turn;
+				const to = crossings[i + 1]?.[0] ?? from;
+				if (winding !== 0) grey.fill(value, row * width + columnAfter(from, width), row * width + columnAfter(to, width));
+			}
+		}
+	}
+	/** The first column whose middle lies at a place or to the right of it. */
+	var columnAfter = (x, width) => Math.min(width, Math.max(0, Math.ceil(x - .5)));
 	// www/pair/engine/patch.ts
 	/** Grey values on a turned and scaled grid around a place of an image. */
 	/** The samples of a grid, row by row. Where they lie farther apart than pixels each is the mean of several. */
@@ -4764,6 +4981,19 @@
 			overlay: await overlayOf(grey, width, height, overlaySide)
 		};
 	}
+	async function paintMask({ grey: before, width, height, outline, masked, overlaySide }) {
+		const grey = before ?? new Uint8Array(width * height).fill(255);
+		fill(grey, width, height, outline, masked ? 0 : 255);
+		const png = grey_png(width, height, grey);
+		return {
+			width,
+			height,
+			grey,
+			leftOut: shareLeftOut(grey),
+			overlay: await overlayOf(grey, width, height, overlaySide),
+			png
+		};
+	}
 	/** The pair whose grey values this worker compares. */
 	var held = null;
 	function hold({ left, right }) {
@@ -4808,6 +5038,29 @@
 		right.free();
 		return report.steps();
 	}
+	async function epipolar({ project, images: [ofLeft, ofRight] }) {
+		const encoder = new TextEncoder();
+		const pair = EpipolarPair.open(encoder.encode(project));
+		const [first, second] = pair.is_swapped ? [ofRight, ofLeft] : [ofLeft, ofRight];
+		const photos = [await decode(first), await decode(second)];
+		try {
+			const { left, right, anaglyph, parameters } = pair.resample(...photos);
+			return {
+				archive: zipSync({
+					"left.png": left,
+					"right.png": right,
+					"anaglyph.png": anaglyph,
+					"epipolar.json": encoder.encode(parameters)
+				}, {
+					level: 0,
+					mtime: ARCHIVE_TIME
+				}),
+				geometry: pair.geometry
+			};
+		} finally {
+			for (const held of [...photos, pair]) held.free();
+		}
+	}
 	function interiorOf({ width, height, camera, pairFocalMm, fiducials, model, origin }) {
 		return {
 			interior: scaled_interior(interior(camera, {
@@ -4849,9 +5102,11 @@
 		reportOpen,
 		reportStep: () => reportInHand().step(),
 		reportPage: () => reportInHand().html(),
+		epipolar,
 		parseFiducials: ({ text }) => parse_fiducials(text),
 		parseCamera: ({ text }) => parse_camera(text),
 		mask,
+		paintMask,
 		digest: async ({ file }) => digestOf(new Uint8Array(await file.arrayBuffer())),
 		projectOpen: ({ bytes }) => {
 			const project = open_pair_project(bytes);

@@ -14,6 +14,7 @@ mod catalogue;
 mod crs;
 mod descriptors;
 mod editing;
+mod epipolar_images;
 mod error;
 mod formats;
 mod html;
@@ -55,6 +56,7 @@ pub use descriptors::{
     features, gradient_features, window_moments,
 };
 pub use editing::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
+pub use epipolar_images::{EpipolarGeometry, EpipolarImages, Parallaxes, StereoPair, StereoView, write_anaglyph};
 pub use error::{
     CameraParameter, Cause, Computation, Damage, DescribedBy, Element, Error, Failure, FileFault, ImageFault, Input, Interruption,
     Location, PointName, Refusal, Side, Unsettled, Unsupported,
@@ -87,11 +89,11 @@ pub use orthophoto::{
     write_heights,
 };
 pub use outputs::{
-    BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances, Coverage, ExportOutcome, FoundPoints,
-    ImagePlace, ImagePoint, ImageReason, ImageRow, ObservationDetail, ObservationPart, OverviewWarning, PROJECT_VERSION, PairPhoto,
-    PairRow, PairRun, PairTruth, PointColumns, PointDetail, Project, ProjectKind, RayCount, ResultSystem, Summary, WithText,
-    block_covariances, block_epipolar_line, block_files, covariance_table, coverage, image_points, planned_files, point_detail, point_ids,
-    project_kind, read_project, write_block_project, write_pair_project,
+    AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,
+    Coverage, Expected, ExportOutcome, FoundPoints, ImagePlace, ImagePoint, ImageReason, ImageRow, ObservationDetail, ObservationPart,
+    OverviewWarning, PROJECT_VERSION, PairPhoto, PairRow, PairRun, PairTruth, PointColumns, PointDetail, Project, ProjectKind, RayCount,
+    ResultSystem, Summary, WithText, accuracy_map, block_covariances, block_epipolar_line, block_files, covariance_table, coverage,
+    image_points, planned_files, point_detail, point_ids, project_kind, read_project, write_block_project, write_pair_project,
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, NoOrientation, PairHint, PairImage, PairInput, PairInterior, PairMatching, PairPreset, PairResult,

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 29] = [
+const ORDER: [&str; 30] = [
     "message",
     "json",
     "error",
@@ -37,6 +37,7 @@ const ORDER: [&str; 29] = [
     "simulate",
     "html",
     "outputs",
+    "epipolar_images",
     "report",
     "wasm",
 ];

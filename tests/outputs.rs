@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 use tiepoint::{
     BlockEdit, BlockFlight, BlockOverview, BlockRun, BlockScene, BlockSettings, ExportFormat, HandMeasurement, ImagePlace, MeasuredBy,
     MultiscaleOptions, ObservationDetail, ObservationPart, PointColumns, PointImage, PointSource, Project, RefinementMethod, RunInput,
-    UnorientedReason, block_covariances, block_epipolar_line, block_files, covariance_table, coverage, image_points, images_in,
-    planned_files, point_detail, point_ids, read_project, run_block, write_block_project,
+    UnorientedReason, accuracy_map, block_covariances, block_epipolar_line, block_files, covariance_table, coverage, image_points,
+    images_in, planned_files, point_detail, point_ids, read_project, run_block, write_block_project,
 };
 
 /// A small simulated block, one image of which has nothing in common with the others.
@@ -263,6 +263,44 @@ fn covariances_of_an_opened_block_are_those_of_its_standard_errors() {
     for wrong in [&["z.pgm"][..], &["point:99999"], &["broken.pgm"], &["a.pgm", "a.pgm"], &[]] {
         let names: Vec<String> = wrong.iter().map(ToString::to_string).collect();
         assert_eq!(block_covariances(run, &names).unwrap_err().code(), "invalid-input", "{wrong:?}");
+    }
+}
+
+#[test]
+fn what_is_expected_of_a_point_is_what_the_adjustment_says_of_tie_points_there() {
+    let run = finished();
+    let map = accuracy_map(run, None, None).unwrap();
+    let model = &run.reconstruction.as_ref().unwrap().models[0];
+    // Of tie points that all images see: a new point at their place has as many observations.
+    let mut ratios = Vec::new();
+    for (point, statistics) in model.adjusted.block.points.iter().zip(&model.adjusted.points) {
+        let Some((statistics, errors)) = statistics.as_ref().and_then(|statistics| Some((statistics, statistics.errors?))) else {
+            continue;
+        };
+        let [column, row] = map.georeference.pixel([point[0], point[1]]);
+        if column < 0.0 || row < 0.0 || column >= map.width as f64 || row >= map.height as f64 {
+            continue;
+        }
+        let cell = map.cells[row as usize * map.width + column as usize];
+        if cell.images == statistics.rays && cell.plan.is_finite() {
+            ratios.push([errors[0].hypot(errors[1]) / cell.plan, errors[2] / cell.height]);
+        }
+    }
+    assert!(ratios.len() > 20, "{}", ratios.len());
+    for axis in 0..2 {
+        let mut own: Vec<f64> = ratios.iter().map(|ratio| ratio[axis]).collect();
+        own.sort_by(f64::total_cmp);
+        let middle = own[own.len() / 2];
+        assert!((0.8..1.2).contains(&middle), "{axis}: {middle}");
+    }
+    let summary = map.summary();
+    assert!(summary.cells > 100 && summary.plan[0] > 0.0 && summary.plan[0] <= summary.plan[1] && summary.height[0] > summary.plan[0]);
+    // Observations of half the standard error leave the orientations' own.
+    let finer = accuracy_map(run, None, Some(0.5 * map.sigma_px)).unwrap().summary();
+    assert!(finer.plan[0] < summary.plan[0] && finer.plan[0] > 0.5 * summary.plan[0], "{finer:?}");
+    assert_eq!(map.table().lines().count(), 1 + map.cells.iter().filter(|cell| cell.images > 0).count());
+    for (cell, sigma) in [(Some(0.0), None), (Some(1e9), None), (None, Some(0.0)), (None, Some(f64::NAN))] {
+        assert_eq!(accuracy_map(run, cell, sigma).unwrap_err().code(), "invalid-input", "{cell:?} {sigma:?}");
     }
 }
 

@@ -3,6 +3,7 @@
 
 import { version } from '../node.js';
 import { nearest, parse } from './args.js';
+import { accuracy } from './accuracy.js';
 import { block } from './block.js';
 import { covariances } from './covariances.js';
 import { explain, oneLine, UsageError } from './errors.js';
@@ -11,6 +12,7 @@ import { interior } from './interior.js';
 import { match } from './match.js';
 import { moments } from './moments.js';
 import { edit } from './edit.js';
+import { epipolar } from './epipolar.js';
 import { mosaic } from './mosaic.js';
 import { HELP_FLAG, withOptionNames } from './options.js';
 import { orient } from './orient.js';
@@ -23,7 +25,7 @@ import { sample, simulate } from './simulate.js';
 /** @typedef {import('./args.js').Command} Command */
 
 /** @type {Command[]} */
-const COMMANDS = [points, match, interior, orient, moments, report, block, edit, covariances, mosaic, place, sample, simulate].map(withHelp);
+const COMMANDS = [points, match, interior, orient, moments, report, block, edit, covariances, accuracy, mosaic, epipolar, place, sample, simulate].map(withHelp);
 
 /** @param {Command} command @returns {Command} */
 function withHelp(command) {

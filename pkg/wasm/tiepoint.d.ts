@@ -36,6 +36,18 @@ export interface OrthophotoInfo {
 
 
 
+/** Epipolar images as PNG files, of one size, and how they lie. */
+export interface EpipolarFiles {
+    left: Uint8Array;
+    right: Uint8Array;
+    /** Both in one, for glasses of red and cyan. */
+    anaglyph: Uint8Array;
+    /** JSON: an `EpipolarGeometry` with the names of the images. */
+    parameters: string;
+}
+
+
+
 /** Grey values 0..255, row by row. */
 export interface SampleImage { width: number; height: number; grey: Uint8Array }
 
@@ -257,6 +269,17 @@ export type WithText<M> = M & { text: string };
 
 /** Takes the path of a file, with slashes and relative to the folder of the block, and its text. */
 export type Emit = (path: string, text: string) => void;
+
+/** A map of expected standard errors, on a grid over the ground. */
+export interface AccuracyFiles {
+    /** GeoTIFF of floating-point numbers: the standard error in plan, that in height, and the number of images; NaN stands for nothing. */
+    plan: Uint8Array;
+    height: Uint8Array;
+    images: Uint8Array;
+    /** The same as a table. */
+    table: string;
+    summary: AccuracySummary;
+}
 
 
 
@@ -492,7 +515,7 @@ export interface FixedParameter {
 }
 
 /**
- * A camera that was not calibrated, as its pair tells it: prior information and matches together.
+ * A camera that was not calibrated, as its pair tells it: prior information and matches together, in the millimetres of its photo coordinates.
  */
 export interface EstimatedCamera {
     focal_mm: number;
@@ -1510,6 +1533,37 @@ export interface OffsetField {
 }
 
 /**
+ * Figures of a map.
+ */
+export interface AccuracySummary {
+    /**
+     * Standard error of an image coordinate of the points that would be measured, in px.
+     */
+    sigma_px: number;
+    /**
+     * Side of a cell.
+     */
+    cell: number;
+    /**
+     * Cells that two or more images show.
+     */
+    cells: number;
+    /**
+     * Of these the share that three or more show, 0 to 1.
+     */
+    three_or_more: number;
+    /**
+     * Of these the median standard errors, and those that 95 % of the cells do not exceed.
+     */
+    plan: [number, number];
+    height: [number, number];
+    /**
+     * The images that show most of the ground, on average.
+     */
+    images: number;
+}
+
+/**
  * Flights of blocks that are ready made.
  */
 export type BlockPreset = "features" | "photos" | "small_photos" | "network";
@@ -1706,6 +1760,42 @@ export interface GroupWeighting {
      * Whether nothing was left to change; otherwise weights still changed when the rounds were spent.
      */
     converged: boolean;
+}
+
+/**
+ * How two epipolar images lie: cameras without distortion, of one focal length, with the same axes, whose x axis is the base.
+ *
+ * A point of the object is seen at col = c_x + f·U/(-W), row = c_y - f·V/(-W) with (U, V, W) = M·(X - X₀), M being `rotation` and X₀ the
+ * projection centre of either image. Both have the same row; its distance from the base in the direction of the axis is
+ * -W = f·base / ((col_left - c_x left) - (col_right - c_x right)).
+ */
+export interface EpipolarGeometry {
+    /**
+     * Of either image.
+     */
+    width_px: number;
+    height_px: number;
+    focal_px: number;
+    /**
+     * Of the left and the right image: they differ in the column, so that the median x-parallax is about 0. The centre of the top-left pixel is (0.5, 0.5).
+     */
+    principal_points_px: [[number, number], [number, number]];
+    /**
+     * Rows of M, from the object to the photos: x along the base from left to right, y up, z against the view.
+     */
+    rotation: [[number, number, number], [number, number, number], [number, number, number]];
+    /**
+     * Projection centres of the left and the right image.
+     */
+    projection_centres: [[number, number, number], [number, number, number]];
+    /**
+     * Distance of the projection centres, in units of the object.
+     */
+    base: number;
+    /**
+     * What the points that both show tell of the epipolar images; absent where none is known.
+     */
+    parallaxes: Parallaxes | null;
 }
 
 /**
@@ -2252,6 +2342,21 @@ export interface PairCounts {
      * Verified matches of all connected pairs.
      */
     matches: number;
+}
+
+/**
+ * Parallaxes of known points in the epipolar images.
+ */
+export interface Parallaxes {
+    points: number;
+    /**
+     * Root mean square of the differences of rows, left minus right: what is left of the y-parallaxes.
+     */
+    y_rms_px: number;
+    /**
+     * The smallest, the median and the largest difference of columns, left minus right.
+     */
+    x_px: [number, number, number];
 }
 
 /**
@@ -4202,12 +4307,48 @@ export class BlockWriting {
 }
 
 /**
+ * Two oriented images of a project, to be resampled so that what both show lies in the same row of either. Call `free` when it is no longer
+ * needed.
+ */
+export class EpipolarPair {
+    private constructor();
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
+     * that order in which the base goes to the right.
+     */
+    static open(project: Uint8Array | number[], names?: string[] | null): EpipolarPair;
+    /**
+     * Resamples both images, which are given in the order of `names`.
+     */
+    resample(left: Photo, right: Photo): EpipolarFiles;
+    /**
+     * How the epipolar images lie.
+     */
+    readonly geometry: EpipolarGeometry;
+    /**
+     * Whether the left image stands second in the project.
+     */
+    readonly is_swapped: boolean;
+    /**
+     * The names of the left and the right image.
+     */
+    readonly names: string[];
+}
+
+/**
  * A block that was run, or opened from its project file; its owner frees it.
  */
 export class FinishedBlock {
     private constructor();
     free(): void;
     [Symbol.dispose](): void;
+    /**
+     * A map of the standard errors that are expected of points that would be measured in the block. `cell`: the side of a cell, in units of the block;
+     * `sigma_px`: the standard error of an image coordinate. Absent: an eightieth of the longer side; σ₀ of the block.
+     */
+    accuracy(cell?: number | null, sigma_px?: number | null): AccuracyFiles;
     /**
      * The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
      * error, then its covariances with all of them.
@@ -4926,6 +5067,7 @@ export interface InitOutput {
     readonly __wbg_blockonorthophoto_free: (a: number, b: number) => void;
     readonly __wbg_blockscene_free: (a: number, b: number) => void;
     readonly __wbg_blockwriting_free: (a: number, b: number) => void;
+    readonly __wbg_epipolarpair_free: (a: number, b: number) => void;
     readonly __wbg_finishedblock_free: (a: number, b: number) => void;
     readonly __wbg_orthomosaic_free: (a: number, b: number) => void;
     readonly __wbg_orthophotoreference_free: (a: number, b: number) => void;
@@ -4966,11 +5108,17 @@ export interface InitOutput {
     readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
     readonly draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
     readonly epipolar_line: (a: any, b: number, c: number, d: any, e: any, f: number, g: number) => [number, number, number, number];
+    readonly epipolarpair_geometry: (a: number) => any;
+    readonly epipolarpair_is_swapped: (a: number) => number;
+    readonly epipolarpair_names: (a: number) => [number, number];
+    readonly epipolarpair_open: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly epipolarpair_resample: (a: number, b: number, c: number) => [number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
     readonly execute_job: (a: number, b: number, c: any) => [number, number, number, number];
     readonly export_block: (a: any, b: any, c: any) => [number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
+    readonly finishedblock_accuracy: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
     readonly finishedblock_edited: (a: number, b: any) => [number, number, number];
     readonly finishedblock_edits: (a: number) => any;

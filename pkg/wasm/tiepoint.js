@@ -199,6 +199,96 @@ export class BlockWriting {
 if (Symbol.dispose) BlockWriting.prototype[Symbol.dispose] = BlockWriting.prototype.free;
 
 /**
+ * Two oriented images of a project, to be resampled so that what both show lies in the same row of either. Call `free` when it is no longer
+ * needed.
+ */
+export class EpipolarPair {
+    static __wrap(ptr) {
+        const obj = Object.create(EpipolarPair.prototype);
+        obj.__wbg_ptr = ptr;
+        EpipolarPairFinalization.register(obj, obj.__wbg_ptr, obj);
+        return obj;
+    }
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        EpipolarPairFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_epipolarpair_free(ptr, 0);
+    }
+    /**
+     * How the epipolar images lie.
+     * @returns {EpipolarGeometry}
+     */
+    get geometry() {
+        const ret = wasm.epipolarpair_geometry(this.__wbg_ptr);
+        return ret;
+    }
+    /**
+     * Whether the left image stands second in the project.
+     * @returns {boolean}
+     */
+    get is_swapped() {
+        const ret = wasm.epipolarpair_is_swapped(this.__wbg_ptr);
+        return ret !== 0;
+    }
+    /**
+     * The names of the left and the right image.
+     * @returns {string[]}
+     */
+    get names() {
+        const ret = wasm.epipolarpair_names(this.__wbg_ptr);
+        var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
+        wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+        return v1;
+    }
+    /**
+     * Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
+     * that order in which the base goes to the right.
+     * @param {Uint8Array | number[]} project
+     * @param {string[] | null} [names]
+     * @returns {EpipolarPair}
+     */
+    static open(project, names) {
+        let ptr0, len0, ptr1, len1;
+        try {
+            ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+            len1 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+            throw e;
+        }
+        const ret = wasm.epipolarpair_open(ptr0, len0, ptr1, len1);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return EpipolarPair.__wrap(ret[0]);
+    }
+    /**
+     * Resamples both images, which are given in the order of `names`.
+     * @param {Photo} left
+     * @param {Photo} right
+     * @returns {EpipolarFiles}
+     */
+    resample(left, right) {
+        _assertClass(left, Photo);
+        _assertClass(right, Photo);
+        const ret = wasm.epipolarpair_resample(this.__wbg_ptr, left.__wbg_ptr, right.__wbg_ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+}
+if (Symbol.dispose) EpipolarPair.prototype[Symbol.dispose] = EpipolarPair.prototype.free;
+
+/**
  * A block that was run, or opened from its project file; its owner frees it.
  */
 export class FinishedBlock {
@@ -217,6 +307,20 @@ export class FinishedBlock {
     free() {
         const ptr = this.__destroy_into_raw();
         wasm.__wbg_finishedblock_free(ptr, 0);
+    }
+    /**
+     * A map of the standard errors that are expected of points that would be measured in the block. `cell`: the side of a cell, in units of the block;
+     * `sigma_px`: the standard error of an image coordinate. Absent: an eightieth of the longer side; σ₀ of the block.
+     * @param {number | null} [cell]
+     * @param {number | null} [sigma_px]
+     * @returns {AccuracyFiles}
+     */
+    accuracy(cell, sigma_px) {
+        const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, !isLikeNone(cell), isLikeNone(cell) ? 0 : cell, !isLikeNone(sigma_px), isLikeNone(sigma_px) ? 0 : sigma_px);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
     }
     /**
      * The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
@@ -2943,7 +3047,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 9, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 10, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c);
             return ret;
         },
@@ -2986,6 +3090,9 @@ const BlockSceneFinalization = (typeof FinalizationRegistry === 'undefined')
 const BlockWritingFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_blockwriting_free(ptr, 1));
+const EpipolarPairFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_epipolarpair_free(ptr, 1));
 const FinishedBlockFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_finishedblock_free(ptr, 1));

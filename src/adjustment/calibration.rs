@@ -43,7 +43,7 @@ pub(super) fn effects(network: &Network, state: &State) -> Vec<[f64; CAMERA_PARA
 
 impl CameraParameter {
     /// In the order of the unknowns of a camera.
-    pub(super) const ALL: [Self; CAMERA_PARAMETERS] =
+    pub(crate) const ALL: [Self; CAMERA_PARAMETERS] =
         [Self::Focal, Self::PrincipalX, Self::PrincipalY, Self::K1, Self::K2, Self::K3, Self::P1, Self::P2];
 
     /// Its place among the unknowns of a camera.

@@ -807,6 +807,15 @@ refusal-near-radius = نصف القطر حول المكان القريب من ص
 refusal-camera-size = كاميرا الصورة: أُعطي { $width_px } × { $height_px } بكسل؛ المسموح: { $width } × { $height } بكسل، كما في الصورة
 refusal-grey-values = صورة رمادية: أُعطي { $width } × { $height } بكسل مع { $values } من القيم؛ المسموح: أضلاع من 1 بكسل على الأقل، وقيم بعدد العرض × الارتفاع
 
+# Epipolar images.
+refusal-epipolar-name = صورة للصورتين القطبيتين: أُعطيت { $name }؛ المسموح: أسماء صور المشروع
+refusal-epipolar-not-oriented = صورة للصورتين القطبيتين: أُعطيت { $name } وهي غير موجَّهة؛ المسموح: صور موجَّهة
+refusal-epipolar-no-pair = كتلة للصورتين القطبيتين: لا صورتين موجَّهتين فيها لهما نقاط مشتركة؛ المسموح: زوج واحد أو أكثر
+refusal-epipolar-base = صورتان للصورتين القطبيتين: أُعطيت { $left } و{ $right } وقد التُقطتا من موضع واحد؛ المسموح: صورتان بينهما قاعدة
+refusal-epipolar-along-base = صورتان للصورتين القطبيتين: أُعطيت { $left } و{ $right } وهما تنظران على امتداد قاعدتهما أو متباعدتين؛ المسموح: صورتان تنظران عبر قاعدتهما
+refusal-epipolar-overlap = صورتان للصورتين القطبيتين: أُعطيت { $left } و{ $right } وليس لهما صفوف وأعمدة مشتركة؛ المسموح: صورتان متداخلتان
+refusal-epipolar-image-size = صورة للصورتين القطبيتين: أُعطيت { $width } × { $height } بكسل لـ { $name }؛ المسموح: { $width_px } × { $height_px } بكسل، كما في المشروع
+
 # Simulated photos and their truth.
 refusal-photo-position = موضع في صورة: أُعطي { $position }؛ المسموح: مواضع داخل الصورة ذات { $width_px } × { $height_px } بكسل
 refusal-truth-of-others = حقيقة الكتلة: ليس فيها شيء من صور الكتلة؛ المسموح: حقيقة هذه الصور
@@ -929,6 +938,9 @@ refusal-covariances-not-oriented = التباينات المشتركة: أُعط
 refusal-covariances-unsupported = التباينات المشتركة: أُعطي مشروع من إصدار سابق، ليست فيه جميع نقاط ضبطه؛ المسموح: مشاريع تحفظ جميع نقاط ضبطها
 refusal-covariance-unknowns = التباينات المشتركة: أُعطي { $unknowns } من المجاهيل؛ المسموح: من 1 إلى { $most } من المجاهيل: ستة للصورة، وثلاثة للنقطة
 refusal-covariance-again = اسم تباين مشترك: أُعطي { $name } مرتين؛ المسموح: كل اسم مرة واحدة
+refusal-accuracy-images = خريطة الدقة المتوقعة: أُعطيت كتلة فيها { $images } صورة؛ المسموح: حتى { $most }
+refusal-accuracy-sigma = الخطأ المعياري لإحداثي الصورة: أُعطي { $sigma_px } بكسل؛ المسموح: أكبر من 0، حتى 1000 بكسل
+refusal-accuracy-cell = ضلع خلية الخريطة: أُعطي { $cell }؛ المسموح: من { FIXED($least, digits: 4) } إلى { FIXED($most, digits: 4) }، بوحدة الكتلة
 refusal-covariance-name = اسم تباين مشترك: أُعطي { $name }؛ المسموح: أسماء صور موجَّهة ونقاط ممسوحة مضبوطة، وpoint:N كما في points.csv، وcamera:N كما في images.csv
 
 ## What is computed.

@@ -340,6 +340,15 @@ refusal-near-radius = radius about the place near an image: got { $within_m } m;
 refusal-camera-size = camera of the image: got { $width_px } x { $height_px } px; allowed: { $width } x { $height } px, as the image
 refusal-grey-values = grey image: got { $width } x { $height } px with { $values } values; allowed: sides of at least 1 px and width x height values
 
+# Epipolar images.
+refusal-epipolar-name = image of epipolar images: got { $name }; allowed: the names of images of the project
+refusal-epipolar-not-oriented = image of epipolar images: got { $name }, which is not oriented; allowed: oriented images
+refusal-epipolar-no-pair = block for epipolar images: got no two oriented images with points in common; allowed: one pair or more
+refusal-epipolar-base = images of epipolar images: got { $left } and { $right }, taken from one place; allowed: images with a base
+refusal-epipolar-along-base = images of epipolar images: got { $left } and { $right }, which look along their base or away from each other; allowed: images that look across their base
+refusal-epipolar-overlap = images of epipolar images: got { $left } and { $right }, which have no rows and columns in common; allowed: images that overlap
+refusal-epipolar-image-size = image of epipolar images: got { $width } x { $height } px for { $name }; allowed: { $width_px } x { $height_px } px, as in the project
+
 # Simulated photos and their truth.
 refusal-photo-position = position in a photo: got { $position }; allowed: positions inside the photo of { $width_px } x { $height_px } px
 refusal-truth-of-others = truth of the block: got none of the block's images; allowed: a truth of these images
@@ -352,6 +361,9 @@ refusal-covariances-not-oriented = covariances: got a block that is not oriented
 refusal-covariances-unsupported = covariances: got a project of a former version, without all points of its adjustment; allowed: projects that keep all points of their adjustment
 refusal-covariance-unknowns = covariances: got { $unknowns } unknowns; allowed: 1 to { $most } unknowns: six of an image, three of a point
 refusal-covariance-again = name of a covariance: got { $name } twice; allowed: each name once
+refusal-accuracy-images = map of the expected accuracy: got a block with { $images } images; allowed: up to { $most }
+refusal-accuracy-sigma = standard error of an image coordinate: got { $sigma_px } px; allowed: above 0, up to 1000 px
+refusal-accuracy-cell = side of a cell of the map: got { $cell }; allowed: { FIXED($least, digits: 4) } to { FIXED($most, digits: 4) }, in units of the block
 refusal-covariance-name = name of a covariance: got { $name }; allowed: names of oriented images and of adjusted surveyed points, point:N as in points.csv, camera:N as in images.csv
 
 # Projects.

@@ -207,6 +207,15 @@ messages! {
         CameraSize { width_px: usize, height_px: usize, width: usize, height: usize },
         GreyValues { width: usize, height: usize, values: usize },
 
+        // Epipolar images.
+        EpipolarName { name: String },
+        EpipolarNotOriented { name: String },
+        EpipolarNoPair,
+        EpipolarBase { left: String, right: String },
+        EpipolarAlongBase { left: String, right: String },
+        EpipolarOverlap { left: String, right: String },
+        EpipolarImageSize { name: String, width: usize, height: usize, width_px: usize, height_px: usize },
+
         // Simulated photos and their truth.
         PhotoPosition { position: String, width_px: u32, height_px: u32 },
         TruthOfOthers,
@@ -220,6 +229,11 @@ messages! {
         CovarianceUnknowns { unknowns: usize, most: usize },
         CovarianceAgain { name: String },
         CovarianceName { name: String },
+
+        // Maps of the expected accuracy.
+        AccuracyImages { images: usize, most: usize },
+        AccuracySigma { #[serde(with = "number")] sigma_px: f64 },
+        AccuracyCell { #[serde(with = "number")] cell: f64, #[serde(with = "number")] least: f64, #[serde(with = "number")] most: f64 },
 
         // Projects.
         PairMatch { left: usize, right: Option<usize>, points: usize, others: usize },

@@ -1,5 +1,6 @@
 //! Grey images: the raster, its view, decoding of files, reduction.
 
+mod bicubic;
 mod bmp;
 mod decode;
 mod grey;
@@ -14,6 +15,7 @@ mod tiff;
 mod webp;
 mod write;
 
+pub(crate) use bicubic::bicubic;
 pub use decode::{DecodeLimits, Decoded, decode};
 pub use grey::{GreyImage, GreyView};
 pub use header::{Header, read_header};

@@ -98,7 +98,7 @@ impl ErrorEllipse {
     }
 }
 
-/// A camera that was not calibrated, as its pair tells it: prior information and matches together.
+/// A camera that was not calibrated, as its pair tells it: prior information and matches together, in the millimetres of its photo coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct EstimatedCamera {

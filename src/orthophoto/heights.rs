@@ -98,7 +98,7 @@ impl HeightModel {
     }
 
     /// Width and height, and the heights row by row.
-    pub(super) fn raster(&self) -> ([usize; 2], &[f32]) {
+    pub(crate) fn raster(&self) -> ([usize; 2], &[f32]) {
         ([self.width, self.height], &self.values)
     }
 

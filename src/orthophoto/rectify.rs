@@ -3,6 +3,7 @@
 use super::georeference::Georeference;
 use super::heights::Heights;
 use crate::adjustment::project;
+use crate::image::bicubic;
 use crate::{Camera, Error, GreyImage, GreyView, Pose};
 
 /// An image on the ground, with the places that it shows.
@@ -21,9 +22,6 @@ pub struct Rectified {
 ///
 /// # Errors
 /// [`Error::InvalidInput`] for a piece without pixels.
-///
-/// # Source
-/// Keys 1981, Cubic convolution interpolation for digital image processing (a = -1/2).
 pub fn rectify(
     image: GreyView<'_>,
     camera: &Camera,
@@ -47,7 +45,7 @@ pub fn rectify(
 }
 
 /// Where an oriented image sees places.
-pub(super) struct Seen<'a> {
+pub(crate) struct Seen<'a> {
     camera: &'a Camera,
     pose: &'a Pose,
     /// Square of the longest (x, y) of a direction into the image, some room left: beyond, distortion may fold places back into it.
@@ -75,29 +73,6 @@ impl<'a> Seen<'a> {
         let at = project(&self.camera.values(), self.pose, place);
         self.camera.sees(at[0], at[1]).then_some(at)
     }
-}
-
-/// The grey value at a position in px; beyond the edges are the pixels of the edge.
-fn bicubic(image: GreyView<'_>, [x, y]: [f64; 2]) -> u8 {
-    let along = |position: f64, number: usize| {
-        let from_centre = position - 0.5;
-        let first = libm::floor(from_centre);
-        let last = number as f64 - 1.0;
-        ([-1.0, 0.0, 1.0, 2.0].map(|step| (first + step).clamp(0.0, last) as usize), weights(from_centre - first))
-    };
-    let ((columns, wx), (rows, wy)) = (along(x, image.width()), along(y, image.height()));
-    let mut sum = 0.0;
-    for (row, weight) in rows.iter().zip(wy) {
-        let line = image.row(*row);
-        sum += weight * columns.iter().zip(wx).map(|(column, weight)| weight * f64::from(line[*column])).sum::<f64>();
-    }
-    (sum + 0.5).clamp(0.0, 255.0) as u8
-}
-
-/// Of four neighbours, at a distance 0..1 from the second.
-fn weights(t: f64) -> [f64; 4] {
-    let (t2, t3) = (t * t, t * t * t);
-    [-0.5 * t3 + t2 - 0.5 * t, 1.5 * t3 - 2.5 * t2 + 1.0, -1.5 * t3 + 2.0 * t2 + 0.5 * t, 0.5 * t3 - 0.5 * t2]
 }
 
 #[cfg(test)]

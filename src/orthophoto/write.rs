@@ -36,6 +36,14 @@ pub fn write_heights(model: &HeightModel, epsg: Option<u16>) -> Result<Vec<u8>, 
     encoded::<Gray32Float>(size, values, &model.georeference, epsg, "nan")
 }
 
+/// Writes numbers of a grid on the ground as GeoTIFF of floating-point numbers, Deflate; NaN stands for nothing.
+///
+/// # Errors
+/// As [`write_geotiff`].
+pub(crate) fn write_floats(size: [usize; 2], values: &[f32], georeference: &Georeference) -> Result<Vec<u8>, Error> {
+    encoded::<Gray32Float>(size, values, georeference, None, "nan")
+}
+
 fn encoded<C: ColorType>(
     size: [usize; 2],
     values: &[C::Inner],

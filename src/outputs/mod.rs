@@ -2,6 +2,7 @@
 //!
 //! Data flow: [`BlockRun`](crate::BlockRun) → rows of images and pairs → tables, [`Summary`], [`BlockOverview`] → [`block_files`].
 
+mod accuracy;
 mod covariances;
 mod coverage;
 mod files;
@@ -21,6 +22,7 @@ mod verdict;
 mod warning;
 mod with_text;
 
+pub use accuracy::{AccuracyMap, AccuracySummary, Expected, accuracy_map};
 pub use covariances::{CovarianceUnknown, Covariances, block_covariances, covariance_table};
 pub use coverage::{Coverage, coverage};
 pub use files::{BlockFiles, block_files, planned_files};

@@ -3,7 +3,10 @@
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
 use crate::error::refuse;
-use crate::{CameraMm, CameraUncertainty, Error, Fiducial, Interior, Refusal, Side, TwoView, TwoViewModel, orient_fiducials};
+use crate::{
+    CameraMm, CameraUncertainty, Error, EstimatedCamera, Fiducial, Interior, Refusal, RelativeOrientation, Side, TwoView, TwoViewModel,
+    orient_fiducials,
+};
 use serde::{Deserialize, Serialize};
 
 /// Side of a pixel where nobody knows it.
@@ -28,6 +31,20 @@ impl PairInterior {
     /// The same in photo axes turned by 90° anticlockwise.
     pub(super) fn turned(&self) -> Self {
         Self { left: self.left.turned(), right: self.right.turned(), focal_mm: self.focal_mm }
+    }
+
+    /// The interior orientation and the focal length in mm of either photo, as the orientation has estimated them where the cameras were not
+    /// calibrated.
+    pub(crate) fn estimated(&self, oriented: &RelativeOrientation) -> [(Interior, f64); 2] {
+        let sides = [self.left, self.right];
+        let Some(cameras) = &oriented.cameras else { return sides.map(|side| (side, self.focal_mm)) };
+        [0, 1].map(|side| {
+            let EstimatedCamera { focal_mm, principal_point_mm: [x, y], k1_per_mm2, .. } = cameras[side];
+            // From the axes of ω φ κ, where these are turned, to those of the photo coordinates.
+            let principal_point_mm = if oriented.turn_deg == 0.0 { [x, y] } else { [-y, x] };
+            let [_, k2, k3] = sides[side].radial_distortion;
+            (Interior { principal_point_mm, radial_distortion: [k1_per_mm2, k2, k3], ..sides[side] }, focal_mm)
+        })
     }
 
     /// Of cameras of which nothing is known but the sizes of their images, in px: principal points in the middle of the images, a pixel being

@@ -3,8 +3,8 @@
 use super::convert::{JsResult, emitting, numbers, object, pack, read, set, thrown};
 use crate::{
     BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, Error, ExportFormat, FileFault, ObservationPart, PointColumns,
-    Project, block_covariances, block_epipolar_line, check_truth, covariance_table, export_block, image_points, planned_files as plan,
-    point_detail, point_ids, read_project, score_block, write_block_project,
+    Project, accuracy_map, block_covariances, block_epipolar_line, check_truth, covariance_table, export_block, image_points,
+    planned_files as plan, point_detail, point_ids, read_project, score_block, write_block_project,
 };
 use js_sys::{Function, Uint8Array, Uint16Array, Uint32Array};
 use std::rc::Rc;
@@ -43,6 +43,17 @@ export type WithText<M> = M & { text: string };
 
 /** Takes the path of a file, with slashes and relative to the folder of the block, and its text. */
 export type Emit = (path: string, text: string) => void;
+
+/** A map of expected standard errors, on a grid over the ground. */
+export interface AccuracyFiles {
+    /** GeoTIFF of floating-point numbers: the standard error in plan, that in height, and the number of images; NaN stands for nothing. */
+    plan: Uint8Array;
+    height: Uint8Array;
+    images: Uint8Array;
+    /** The same as a table. */
+    table: string;
+    summary: AccuracySummary;
+}
 "#;
 
 /// A block that was run, or opened from its project file; its owner frees it.
@@ -155,6 +166,16 @@ impl FinishedBlock {
     pub fn covariances(&self, #[wasm_bindgen(unchecked_param_type = "readonly string[]")] names: &JsValue) -> JsResult<String> {
         let names: Vec<String> = read("names", names)?;
         block_covariances(&self.run, &names).map(|found| covariance_table(&found)).map_err(thrown)
+    }
+
+    /// A map of the standard errors that are expected of points that would be measured in the block. `cell`: the side of a cell, in units of the block;
+    /// `sigma_px`: the standard error of an image coordinate. Absent: an eightieth of the longer side; σ₀ of the block.
+    #[wasm_bindgen(unchecked_return_type = "AccuracyFiles")]
+    pub fn accuracy(&self, cell: Option<f64>, sigma_px: Option<f64>) -> JsResult<JsValue> {
+        let map = accuracy_map(&self.run, cell, sigma_px).map_err(thrown)?;
+        let [plan, height, images] = map.rasters().map_err(thrown)?.map(|file| JsValue::from(Uint8Array::from(file.as_slice())));
+        let (table, summary) = (map.table().into(), pack(&map.summary()));
+        Ok(object([("plan", plan), ("height", height), ("images", images), ("table", table), ("summary", summary)]))
     }
 
     /// How near a simulated block is to its truth.

@@ -11,6 +11,7 @@ mod convert;
 mod descriptors;
 mod digest;
 mod draw;
+mod epipolar_images;
 #[cfg(test)]
 mod everywhere;
 mod features;

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { FinishedBlock } from '../../pkg/node.js';
+import { check_heights, FinishedBlock } from '../../pkg/node.js';
 import { DATA } from '../../tools/lib/paths.mjs';
 import { contents, killed, photographed, records } from './blocks.js';
 import { file, folder, json, tiepoint } from './command.js';
@@ -397,6 +397,34 @@ test('covariances of images and points of a project are written as a table', () 
   const refused = tiepoint('covariances', project, '--of', 'nobody.jpg', '--out', out);
   assert.ok(refused.code === 1 && /nobody\.jpg/.test(refused.stderr), refused.stderr);
   assert.match(tiepoint('covariances', project, '--out', out).stderr, /--of is missing/);
+});
+
+test('maps of the accuracy that is to be expected are written, and say what the standard errors of tie points say', () => {
+  const project = join(WHOLE.out, 'project.tiepoint');
+  const out = folder();
+  const { code, stdout, stderr } = tiepoint('accuracy', project, '--out', out);
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /^standard error in height: \S+ in the median, \S+ at 95 % of the cells$/m);
+  const table = (/** @type {string} */ file) => {
+    const [head = [], ...rows] = readFileSync(file, 'utf8')
+      .trim()
+      .split('\n')
+      .map((line) => line.split(','));
+    return rows.map((row) => Object.fromEntries(head.map((name, k) => [name, row[k] === '' ? NaN : Number(row[k])])));
+  };
+  const middle = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[values.length >> 1] ?? NaN;
+  const cells = table(join(out, 'accuracy.csv'));
+  const seen = cells.filter(({ images = 0 }) => images >= 3);
+  const points = table(join(WHOLE.out, 'points.csv')).filter(({ sigma_z = NaN }) => sigma_z > 0);
+  assert.ok(cells.length > 500 && seen.length > 100 && points.length > 50, `${cells.length} ${seen.length} ${points.length}`);
+  // Tie points are not seen in every image that shows them: what is expected is no worse, and not by much.
+  const ratio = middle(seen.map(({ height_error = NaN }) => height_error)) / middle(points.map(({ sigma_z = NaN }) => sigma_z));
+  assert.ok(ratio > 0.4 && ratio < 1.2, `${ratio}`);
+  for (const name of ['plan.tif', 'height.tif', 'images.tif']) assert.doesNotThrow(() => check_heights(readFileSync(join(out, name)), undefined), name);
+  const coarse = tiepoint('accuracy', project, '--out', out, '--cell', '1e9');
+  assert.ok(coarse.code === 1 && /side of a cell of the map: got 1000000000/.test(coarse.stderr), coarse.stderr);
+  assert.match(tiepoint('accuracy', project).stderr, /--out is missing/);
+  assert.match(tiepoint('accuracy', project, '--out', out, '--point-sigma-px', '0').stderr, /--point-sigma-px is 0; allowed: above 0/);
 });
 
 test('edits by hand are applied to a project, and undone to the byte', () => {

@@ -12,6 +12,7 @@ import { breath } from '../shared/engine/breath';
 import { fitted } from './engine/fit';
 import { KeptPairs } from './files/keep';
 import { Files, takerOf } from './files/open';
+import { paintedMask } from './files/painted';
 import { exportProject } from './files/project';
 import { shownPair } from './state/select';
 import { mountAnnouncements } from './panel/announce';
@@ -25,6 +26,7 @@ import { mountFiducials } from './panel/fiducials';
 import { mountGeometry } from './panel/geometry';
 import { mountHeader, pickerOf } from './panel/header';
 import { mountHistograms } from './panel/histograms';
+import { mountMasking } from './panel/masking';
 import { mountOrientation } from './panel/orientation';
 import { mountPanes } from './panel/panes';
 import { mountPoint } from './panel/point';
@@ -33,6 +35,7 @@ import { mountStatistics } from './panel/statistics';
 import { mountStatus } from './panel/status';
 import { mountToolbar } from './panel/toolbar';
 import { Editing } from './state/editing';
+import { Masking } from './state/masking';
 import { Store } from './state/store';
 import { mountInput } from './view/input';
 import { Navigator } from './view/navigate';
@@ -103,10 +106,12 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   };
 
   const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
-  mountInput(view, store, navigator, editing);
+  const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
+  mountInput(view, store, navigator, editing, masking);
   mountToolbar(byId('toolbar'), store, navigator);
   mountEditTools(byId('view-more'), byId('toolbar'), store, editing);
   mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft());
+  mountMasking(byId('view-more'), byId('toolbar'), store, masking, attempt);
   const pick = pickerOf(files);
   mountPanes(view, store, {
     open: (side) => pick(side),

@@ -18,6 +18,7 @@ export type {
   CameraMm,
   DescribedPoints,
   DetectedPoints,
+  EpipolarGeometry,
   ErrorEllipse,
   ExifCamera,
   Fiducial,

@@ -67,9 +67,11 @@ impl SelfCalibration {
     /// What is known of the left and the right camera now.
     pub fn cameras(&self) -> [EstimatedCamera; 2] {
         let right = if self.cameras == 1 { 0 } else { CAMERA };
-        [(&self.interior.left, 0), (&self.interior.right, right)].map(|(side, first)| {
+        // The right photo is computed at the focal length of the left one; its own is that of its own millimetres.
+        let own = self.interior.right.scaled(libm::exp(self.values[right] - self.values[0]));
+        [(&self.interior.left, 0), (&own, right)].map(|(side, first)| {
             let error = |k: usize| self.covariance[(first + k, first + k)].max(0.0).sqrt();
-            let focal_mm = self.interior.focal_mm;
+            let focal_mm = self.given.focal_mm * libm::exp(self.values[first]);
             EstimatedCamera {
                 focal_mm,
                 focal_standard_error_mm: focal_mm * error(0),

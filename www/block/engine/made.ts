@@ -2,10 +2,8 @@
 import { Zip, ZipDeflate } from 'fflate';
 import { export_formats } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockWriting, Emit, FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
+import { ARCHIVE_TIME } from '../../shared/files/archive';
 import type { ExportKind, MadeFile } from './calls';
-
-/** The time in archives: that of their making would give the same block other bytes. */
-const TIME = '1980-01-01T00:00:00';
 
 /** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
 export async function made(block: FinishedBlock, kind: ExportKind, name: string, signal: AbortSignal): Promise<MadeFile> {
@@ -48,7 +46,7 @@ async function packed(files: ReadonlyMap<string, string>, name: string, signal: 
   for (const [at, content] of files) {
     await pause(signal);
     const entry = new ZipDeflate(at, { level: 6 });
-    entry.mtime = TIME;
+    entry.mtime = ARCHIVE_TIME;
     archive.add(entry);
     entry.push(encoder.encode(content), true);
   }

@@ -4,6 +4,7 @@ import type {
   CameraMm,
   DescribedPoints,
   DetectedPoints,
+  EpipolarGeometry,
   Fiducial,
   FiducialModel,
   Flight,
@@ -87,6 +88,16 @@ export interface ReportInput {
   masks: [Uint8Array | null, Uint8Array | null];
 }
 
+/** An area of a mask: corners of its outline in px, stride 2. Without `grey` nothing is masked yet. */
+export interface PaintInput {
+  grey: Uint8Array | null;
+  width: number;
+  height: number;
+  outline: Float64Array;
+  masked: boolean;
+  overlaySide: number;
+}
+
 /** What is known of one photo's geometry. */
 export interface PhotoInput {
   width: number;
@@ -134,8 +145,12 @@ export interface PairCalls {
   reportOpen: { input: ReportInput; output: string[] };
   reportStep: { input: null; output: boolean };
   reportPage: { input: null; output: string };
+  /** Left, right and anaglyph as PNG, and their parameters, in an archive; for an oriented pair, given by the text of its project file. */
+  epipolar: { input: { project: string; images: [ImageSource, ImageSource] }; output: { archive: Uint8Array<ArrayBuffer>; geometry: EpipolarGeometry } };
   // Files.
   mask: { input: { file: Blob; overlaySide: number }; output: MaskImage };
+  /** A mask with an area masked or no longer, and the same as PNG. */
+  paintMask: { input: PaintInput; output: MaskImage & { png: Uint8Array<ArrayBuffer> } };
   parseFiducials: { input: { text: string }; output: Fiducial[] };
   parseCamera: { input: { text: string }; output: CameraMm };
   /** SHA-256 in hexadecimal digits. */

@@ -1,5 +1,7 @@
 /** What a worker does for a pair: unpacks a call, asks the crate, packs the answer. It holds the image opened last, the grey values of a pair, or a report in the making. */
+import { zipSync } from 'fflate';
 import {
+  EpipolarPair,
   Photo,
   Report,
   candidates,
@@ -8,6 +10,7 @@ import {
   estimate_offset,
   assumed_interior,
   gradient_candidates,
+  grey_png,
   interior,
   match_photos,
   matches_csv,
@@ -26,10 +29,11 @@ import {
 import type { Handlers } from '../../shared/engine/messages';
 import type { ImageSource } from '../state/data';
 import type { Input, Output, PairCalls } from './calls';
+import { ARCHIVE_TIME } from '../../shared/files/archive';
 import { decodeColour } from '../../shared/engine/colour';
 import { bitmapOf, tileOf } from '../../shared/engine/tiles';
 import { colourTile, reducedColour } from './colour';
-import { overlayOf, shareLeftOut } from './mask';
+import { fill, overlayOf, shareLeftOut } from './mask';
 import { patchOf } from './patch';
 
 interface OpenPhoto {
@@ -98,6 +102,13 @@ async function mask({ file, overlaySide }: Input<'mask'>): Promise<Output<'mask'
   return { width, height, grey, leftOut: shareLeftOut(grey), overlay: await overlayOf(grey, width, height, overlaySide) };
 }
 
+async function paintMask({ grey: before, width, height, outline, masked, overlaySide }: Input<'paintMask'>): Promise<Output<'paintMask'>> {
+  const grey = before ?? new Uint8Array(width * height).fill(0xff);
+  fill(grey, width, height, outline, masked ? 0 : 0xff);
+  const png = grey_png(width, height, grey) as Uint8Array<ArrayBuffer>;
+  return { width, height, grey, leftOut: shareLeftOut(grey), overlay: await overlayOf(grey, width, height, overlaySide), png };
+}
+
 /** The pair whose grey values this worker compares. */
 let held: { left: Photo; right: Photo } | null = null;
 
@@ -147,6 +158,21 @@ async function reportOpen({ images, names, input, settings, truth, masks: [ofLef
   return report.steps();
 }
 
+async function epipolar({ project, images: [ofLeft, ofRight] }: Input<'epipolar'>): Promise<Output<'epipolar'>> {
+  const encoder = new TextEncoder();
+  const pair = EpipolarPair.open(encoder.encode(project));
+  const [first, second] = pair.is_swapped ? [ofRight, ofLeft] : [ofLeft, ofRight];
+  const photos = [await decode(first), await decode(second)] as const;
+  try {
+    const { left, right, anaglyph, parameters } = pair.resample(...photos);
+    const files = { 'left.png': left, 'right.png': right, 'anaglyph.png': anaglyph, 'epipolar.json': encoder.encode(parameters) };
+    // Pictures are compressed already.
+    return { archive: zipSync(files, { level: 0, mtime: ARCHIVE_TIME }), geometry: pair.geometry };
+  } finally {
+    for (const held of [...photos, pair]) held.free();
+  }
+}
+
 function interiorOf({ width, height, camera, pairFocalMm, fiducials, model, origin }: Input<'interior'>): Output<'interior'> {
   const own = interior(camera, { width, height, fiducials, model, origin });
   return {
@@ -180,9 +206,11 @@ export const PAIR_HANDLERS: Handlers<PairCalls> = {
   reportOpen,
   reportStep: () => reportInHand().step(),
   reportPage: () => reportInHand().html(),
+  epipolar,
   parseFiducials: ({ text }) => parse_fiducials(text),
   parseCamera: ({ text }) => parse_camera(text),
   mask,
+  paintMask,
   digest: async ({ file }) => digestOf(new Uint8Array(await file.arrayBuffer())),
   projectOpen: ({ bytes }) => {
     const project = open_pair_project(bytes);

@@ -1,4 +1,4 @@
-/** What a mask leaves out: how much, and as it is shown over its image. */
+/** What a mask leaves out: how much, as it is shown over its image, and areas that are painted. */
 
 /** Red, half transparent: `ImageData` keeps bytes in the order red, green, blue, alpha. */
 const LEFT_OUT = 0x99_28_28_d8;
@@ -21,3 +21,27 @@ export function shareLeftOut(grey: Uint8Array): number {
   for (const value of grey) if (value === 0) zeros += 1;
   return zeros / grey.length;
 }
+
+/** Gives the pixels whose middles lie in an outline a value; where it crosses itself, what it goes round at all. `outline`: x and y of its corners in px, stride 2. */
+export function fill(grey: Uint8Array, width: number, height: number, outline: Float64Array, value: number): void {
+  const count = outline.length / 2;
+  for (let row = 0; row < height; row++) {
+    const middle = row + 0.5;
+    const crossings: [x: number, turn: number][] = [];
+    for (let i = 0; i < count; i++) {
+      const next = (i + 1) % count;
+      const [x, y, u, v] = [outline[2 * i] ?? 0, outline[2 * i + 1] ?? 0, outline[2 * next] ?? 0, outline[2 * next + 1] ?? 0];
+      if (y <= middle !== v <= middle) crossings.push([x + ((middle - y) / (v - y)) * (u - x), y <= middle ? 1 : -1]);
+    }
+    crossings.sort(([a], [b]) => a - b);
+    let winding = 0;
+    for (const [i, [from, turn]] of crossings.entries()) {
+      winding += turn;
+      const to = crossings[i + 1]?.[0] ?? from;
+      if (winding !== 0) grey.fill(value, row * width + columnAfter(from, width), row * width + columnAfter(to, width));
+    }
+  }
+}
+
+/** The first column whose middle lies at a place or to the right of it. */
+const columnAfter = (x: number, width: number): number => Math.min(width, Math.max(0, Math.ceil(x - 0.5)));

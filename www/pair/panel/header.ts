@@ -5,6 +5,7 @@ import type { Engine } from '../engine/engine';
 import { exportEverything, exportMatches, exportPicture } from '../files/export';
 import type { Files } from '../files/open';
 import { exportProject } from '../files/project';
+import { exportEpipolar } from '../files/epipolar';
 import { exportReport } from '../files/report';
 import { isCurrent } from '../state/keys';
 import { shownPair } from '../state/select';
@@ -66,6 +67,7 @@ export function mountHeader({ store, engine, view, files, pick, attempt, sampleB
   on('export-json', () => exportEverything(store.state));
   on('export-project', () => exportProject(store, engine));
   on('export-report', () => exportReport(store, engine));
+  on('export-epipolar', () => exportEpipolar(store, engine));
   on('export-png', () => exportPicture(store.state, view));
   store.watch(['images', 'results', 'catalogue', 'notice', 'running'], ([images, , catalogue]) => {
     const both = images.left !== null && images.right !== null;
@@ -83,6 +85,7 @@ export function mountHeader({ store, engine, view, files, pick, attempt, sampleB
     // The report is made of pixels.
     const absent = Object.values(images).some((image) => image?.source.kind === 'project');
     set('export-report', !both || absent || isBusy(store.state));
+    set('export-epipolar', !both || absent || isBusy(store.state) || shownPair(store.state).orientation === null);
     set('export-png', none);
     leaveWelcome(!none);
   });

@@ -5,7 +5,21 @@ import type { Notice } from '../../shared/state/notice';
 import type { RestoredPair } from './kept';
 import type { OpenedProject } from './project';
 import type { Edit } from './edits';
-import type { Display, Draft, GivenImage, GivenMask, PhotoData, Selection, Side, StageFailure, StageName, StageResult, Tool, TypedPart } from './state';
+import type {
+  Display,
+  Draft,
+  GivenImage,
+  GivenMask,
+  Outline,
+  PhotoData,
+  Selection,
+  Side,
+  StageFailure,
+  StageName,
+  StageResult,
+  Tool,
+  TypedPart,
+} from './state';
 
 export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
 
@@ -46,6 +60,8 @@ export type Action =
   | { type: 'tool'; tool: Tool }
   /** A match is measured by hand; null: no longer. */
   | { type: 'draft'; draft: Draft | null }
+  /** An area is outlined; null: no longer. */
+  | { type: 'outline'; outline: Outline | null }
   | { type: 'activeSide'; side: Side }
   | { type: 'views'; views: Partial<Record<Side, PaneView | null>> }
   | { type: 'display'; display: Partial<Display> }

@@ -113,10 +113,11 @@ export class Editing {
     if (left !== undefined) this.store.dispatch({ type: 'select', selection: { side: 'left', index: left } });
   }
 
-  /** Ends what was begun last: the match that is measured, the tool, the choice; false where nothing was. */
+  /** Ends what was begun last: the match that is measured, the area that is outlined, the tool, the choice; false where nothing was. */
   leave(): boolean {
-    const { tool, chosen, draft } = this.store.state;
+    const { tool, chosen, draft, outline } = this.store.state;
     if (draft !== null && draft.of === null) this.store.dispatch({ type: 'draft', draft: null });
+    else if (outline !== null) this.store.dispatch({ type: 'outline', outline: null });
     else if (tool !== 'look') this.store.dispatch({ type: 'tool', tool: 'look' });
     else if (chosen.length > 0) this.chooseNone();
     else return false;

@@ -169,8 +169,14 @@ export interface Display {
   hidden: readonly number[];
 }
 
-/** `look`: a drag moves the pictures; `choose`: it draws a rectangle around matches; `measure`: a press places a point. */
-export type Tool = 'look' | 'choose' | 'measure';
+/** `look`: a drag moves the pictures; `choose`: it draws a rectangle around matches; `measure`: a press places a point; `mask`: a drag outlines an area. */
+export type Tool = 'look' | 'choose' | 'measure' | 'mask';
+
+/** An area that is being outlined: corners in px of its image. */
+export interface Outline {
+  side: Side;
+  corners: readonly (readonly [x: number, y: number])[];
+}
 
 /** A match that is being measured: a point in one image, then its place in the other. */
 export interface Draft {
@@ -218,6 +224,7 @@ export interface State {
   /** What a press or a drag on the pictures does. */
   tool: Tool;
   draft: Draft | null;
+  outline: Outline | null;
   activeSide: Side;
   views: Record<Side, PaneView | null>;
   display: Display;
@@ -225,7 +232,13 @@ export interface State {
 }
 
 /** What belongs to the edits of a pair goes with its images. */
-export const UNEDITED: Pick<State, 'history' | 'chosen' | 'before' | 'draft'> = { history: NO_HISTORY, chosen: [], before: null, draft: null };
+export const UNEDITED: Pick<State, 'history' | 'chosen' | 'before' | 'draft' | 'outline'> = {
+  history: NO_HISTORY,
+  chosen: [],
+  before: null,
+  draft: null,
+  outline: null,
+};
 
 export const INITIAL: State = {
   catalogue: null,

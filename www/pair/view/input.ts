@@ -8,6 +8,7 @@ import type { Rect } from '../../shared/view/transform';
 import { keysWithin } from '../state/choice';
 import { editedPair } from '../state/edited';
 import type { Editing } from '../state/editing';
+import type { Masking } from '../state/masking';
 import { otherSide } from '../state/state';
 import type { Selection, Side, State } from '../state/state';
 import type { Store } from '../state/store';
@@ -16,13 +17,14 @@ import { paneAt } from './scene';
 import type { View } from './view';
 import { say } from '../../shared/text/words';
 
-export function mountInput(view: View, store: Store, navigator: Navigator, editing: Editing): void {
+export function mountInput(view: View, store: Store, navigator: Navigator, editing: Editing, masking: Masking): void {
   const { host } = view;
   const activate = (side: Side) => {
     if (store.state.activeSide !== side) store.dispatch({ type: 'activeSide', side });
   };
   const measuring = declare({ where: say('pictures-of-a-pair-while'), host, list: measuringKeys(store, navigator, editing) });
-  const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(store, navigator, editing) });
+  const masks = declare({ where: say('pictures-of-a-pair-while-masking'), host, list: maskingKeys(store, navigator, masking) });
+  const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(store, navigator, editing, masking) });
   listen<Side>(
     host,
     {
@@ -38,12 +40,16 @@ export function mountInput(view: View, store: Store, navigator: Navigator, editi
       grabbed: activate,
       pressed: (x, y, more) => {
         if (store.state.tool === 'measure') measure(view, x, y, editing, navigator);
+        else if (store.state.tool === 'mask') corner(view, x, y, masking);
         else press(view.hit(x, y), more, editing, navigator);
       },
-      encloses: (shift) => shift || store.state.tool === 'choose',
-      enclosed: (side, from, to, ended) => enclose(view, store, side, from, to, ended),
+      encloses: (shift) => shift || store.state.tool === 'choose' || store.state.tool === 'mask',
+      enclosed: (side, from, to, ended, path) => {
+        if (store.state.tool === 'mask') outline(view, side, path, masking);
+        else enclose(view, store, side, from, to, ended);
+      },
       pointed: (at) => view.point(at),
-      command: (key, shift) => measuring(key, shift) || look(key, shift),
+      command: (key, shift) => measuring(key, shift) || masks(key, shift) || look(key, shift),
       // The bar of the view belongs to it: after a press there the keys go on.
     },
     host.closest<HTMLElement>('.stage') ?? host,
@@ -84,6 +90,38 @@ function measure(view: View, x: number, y: number, editing: Editing, navigator: 
   if (pane?.picture == null) return;
   editing.place(pane.side, toPosition(pane.transform, x, y));
   navigator.followDraft();
+}
+
+/** Places a corner of an area. */
+function corner(view: View, x: number, y: number, masking: Masking): void {
+  const pane = paneAt(view.scene(), x, y);
+  if (pane?.picture != null) masking.place(pane.side, toPosition(pane.transform, x, y));
+}
+
+/** Outlines an area by a line that is drawn. */
+function outline(view: View, side: Side, path: readonly [number, number][], masking: Masking): void {
+  const { transform } = view.scene().panes[side];
+  if (path.length > 0)
+    masking.trace(
+      side,
+      path.map(([x, y]) => toPosition(transform, x, y)),
+    );
+}
+
+/** While areas are masked. */
+function maskingKeys(store: Store, navigator: Navigator, masking: Masking): Command[] {
+  const masks = () => store.state.tool === 'mask';
+  const encloses = () => masks() && masking.isArea();
+  const place = () => {
+    const middle = navigator.middle();
+    if (middle !== null) masking.place(...middle);
+  };
+  return [
+    { keys: ['Enter'], does: say('places-a-corner-in-the-middle'), can: masks, run: place },
+    { keys: ['Backspace'], does: say('takes-the-last-corner-back'), can: () => masks() && store.state.outline !== null, run: () => masking.back() },
+    { keys: ['k'], does: say('masks-the-outlined-area'), can: encloses, run: () => void masking.paint(true) },
+    { keys: ['u'], does: say('unmasks-the-outlined-area'), can: encloses, run: () => void masking.paint(false) },
+  ];
 }
 
 /** How far an arrow moves a point, px; with Shift. */
@@ -131,7 +169,7 @@ function measuringKeys(store: Store, navigator: Navigator, editing: Editing): Co
   ];
 }
 
-function pictureKeys(store: Store, navigator: Navigator, editing: Editing): Command[] {
+function pictureKeys(store: Store, navigator: Navigator, editing: Editing, masking: Masking): Command[] {
   const show = (display: Partial<State['display']>) => store.dispatch({ type: 'display', display });
   const move = () => {
     editing.move();
@@ -152,6 +190,7 @@ function pictureKeys(store: Store, navigator: Navigator, editing: Editing): Comm
     { keys: ['Delete', 'Backspace'], does: say('rejects-the-chosen-matches'), run: () => editing.edit('reject') },
     { keys: ['r'], does: say('restores-the-chosen-matches'), run: () => editing.edit('restore') },
     { keys: ['a'], does: say('adds-a-match-by-measuring'), run: () => editing.toggle('measure') },
+    { keys: ['w'], does: say('outlines-areas-to-be-masked'), run: () => masking.toggle() },
     { keys: ['e'], does: say('measures-the-selected-match-anew'), run: move },
     { keys: ['Escape'], does: say('gives-up-or-selects-nothing'), run: leave },
   ];

@@ -13,6 +13,7 @@ import { drawChosen, drawRectangle } from './chosen';
 import { drawDraft, drawDraftLenses } from './draft';
 import { PointGrid } from '../../shared/view/grid';
 import { drawMarks } from './marks';
+import { drawOutline } from './outline';
 import { drawLens, drawSelection } from './overlay';
 import { paintMask, paintPicture } from './picture';
 import { paneAt, sceneOf } from './scene';
@@ -61,7 +62,7 @@ export class View {
       () => this.layers.redraw('marks', 'overlay'),
     );
     store.watch(
-      (s) => [s.selection, s.chosen, s.draft, s.results.line, s.results.inspection, s.settings, s.results.offset] as const,
+      (s) => [s.selection, s.chosen, s.draft, s.outline, s.results.line, s.results.inspection, s.settings, s.results.offset] as const,
       () => this.layers.redraw('overlay'),
     );
   }
@@ -120,6 +121,7 @@ export class View {
         drawChosen(context, state, scene);
         drawSelection(context, state, scene);
         drawDraft(context, state, scene);
+        drawOutline(context, state, scene);
         if (this.rectangle !== null) drawRectangle(context, this.rectangle);
         drawDraftLenses(context, state, scene, this.layers.ratio, this.tiles);
         if (state.draft === null) this.drawMagnifier(context, state, scene);

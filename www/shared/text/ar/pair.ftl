@@ -63,6 +63,9 @@ report-step-of-matching = التقرير، الخطوة { $i } من { $steps }: 
 report-step-of-writing = التقرير، الخطوة { $steps } من { $steps }: الكتابة …
 the-report-was-saved-it = حُفظ التقرير. وهو يطابق من جديد بكل استراتيجية: ليست فيه التعديلات اليدوية.
 the-report-was-cancelled = أُلغي التقرير.
+epipolar-images-are-made = الصورتان القطبيتان: جارٍ إعادة التشكيل…
+epipolar-images-were-saved = حُفظت الصورتان القطبيتان: اليسرى واليمنى وصورة مجسَّمة (أناغليف). بقي من اختلاف المنظر الصادي لـ { COUNT($points) } من النقاط { FIXED($left_over, digits: 2) } بكسل (الجذر التربيعي لمتوسط المربعات).
+cancelled-nothing-was-saved-the-epipolar = أُلغي: لم تُصنع الصورتان القطبيتان.
 
 ## mount and answer
 
@@ -279,6 +282,24 @@ cross-truth = ؛ العلامة المتصالبة: الحقيقة
 by-bz-ellipse-m-dashed = ‏by، bz: القطع { $major } × { $minor } ميكرومتر؛ المتقطع: ضعفه، أي خطآن معياريان{ $what }
 
 ## orientation
+
+mask-areas = تقنيع مساحات
+outline-areas-in-which-no = حدِّد مساحات لا تُراد فيها نقاط: الماء والسيارات وحافة المسح (W)
+mask-it = تقنيع
+no-points-in-the-outlined = لا نقاط في المساحة المحددة (K)
+unmask-it = رفع القناع
+points-in-the-outlined-area = النقاط في المساحة المحددة من جديد (U)
+take-the-last-area-back = التراجع عن آخر مساحة
+save-masks = حفظ القناعين
+masks-as-png-files-for = القناعان ملفَّي PNG، للأمر أو ليوم آخر
+end-masking = إغلاق
+masks-of-the-pictures = قناعا الصورتين
+the-area-is-outlined = عدد الأركان { $corners }: قنِّع المساحة أو ارفع عنها القناع.
+draw-round-an-area-or = { $corners ->
+    [0] ارسم حول مساحة بالمؤشر، أو اضغط أركانها واحدًا بعد آخر.
+   *[other] عدد الأركان { $corners }: للمساحة ثلاثة على الأقل.
+}
+the-mask-is-not-here = ملف { $name } ليس هنا: افتحه من جديد، أو أزل القناع، قبل رسم مساحة.
 
 is-computed-from-y-parallaxes = تُحسب σ₀ من اختلافات المنظر الصادية. لا ترى إلا مركبة الخطأ العمودية على الخط القطبي، ولا تثبت صحة مطابقة: مطابقة خاطئة على امتداد الخط لا تغيّرها.
 relative-orientation = التوجيه النسبي
@@ -549,6 +570,12 @@ model-coordinate-at-photo-scale-upwards = إحداثي النموذج بمقيا
 ## view
 
 pictures-of-a-pair-while = صور الزوج، أثناء قياس مطابقة
+pictures-of-a-pair-while-masking = صور الزوج، أثناء تقنيع مساحات
+places-a-corner-in-the-middle = يضع ركنًا للمساحة في وسط الصورة
+takes-the-last-corner-back = يتراجع عن آخر ركن
+masks-the-outlined-area = يُقنِّع المساحة المحددة
+unmasks-the-outlined-area = يرفع القناع عن المساحة المحددة
+outlines-areas-to-be-masked = يحدد مساحات لتقنيعها
 pictures-of-a-pair = صور الزوج
 takes-the-middle-of-the-picture = يأخذ وسط الصورة للنقطة الأولى
 accepts-the-measured-match = يقبل المطابقة المقيسة

@@ -79,6 +79,9 @@ report-step-of-matching = Report, step { $i } of { $steps }: matching, { $step }
 report-step-of-writing = Report, step { $steps } of { $steps }: writing …
 the-report-was-saved-it = The report was saved. It matches by every strategy anew: edits by hand are not in it.
 the-report-was-cancelled = The report was cancelled.
+epipolar-images-are-made = Epipolar images: resampling …
+epipolar-images-were-saved = The epipolar images were saved: left, right and an anaglyph. What is left of the y-parallaxes of { COUNT($points) } points is { FIXED($left_over, digits: 2) } px (RMS).
+cancelled-nothing-was-saved-the-epipolar = Cancelled: no epipolar images were made.
 
 ## mount
 
@@ -297,6 +300,27 @@ interest-value-left = Interest value, left
 interest-value-right = Interest value, right
 values-median-shown-from-to = { $title }: { COUNT($total) } values, median { $median }{ $suffix }, shown from { $low } to { $high }{ $suffix }, at most { COUNT($most) } in a bar
 median = median { $median }
+
+## panel/masking
+
+mask-areas = Mask areas
+outline-areas-in-which-no = Outline areas in which no points are wanted: water, cars, the edge of a scan (W)
+mask-it = Mask
+no-points-in-the-outlined = No points in the outlined area (K)
+unmask-it = Unmask
+points-in-the-outlined-area = Points in the outlined area again (U)
+take-the-last-area-back = Take the last area back
+save-masks = Save masks
+masks-as-png-files-for = The masks as PNG files, for the command or another day
+end-masking = Close
+masks-of-the-pictures = Masks of the pictures
+the-area-is-outlined = { $corners } corners: mask the area, or unmask it.
+draw-round-an-area-or = { $corners ->
+    [0] Draw round an area with the pointer, or press its corners one after the other.
+    [one] One corner: an area has three at least.
+   *[other] { $corners } corners: an area has three at least.
+}
+the-mask-is-not-here = The file of { $name } is not here: open it again, or remove the mask, before an area is painted.
 
 ## panel/matrix
 
@@ -596,6 +620,12 @@ model-coordinate-at-photo-scale-upwards = Model coordinate at photo scale, upwar
 ## view/input
 
 pictures-of-a-pair-while = Pictures of a pair, while a match is measured
+pictures-of-a-pair-while-masking = Pictures of a pair, while areas are masked
+places-a-corner-in-the-middle = places a corner of the area in the middle of the picture
+takes-the-last-corner-back = takes the last corner back
+masks-the-outlined-area = masks the outlined area
+unmasks-the-outlined-area = takes the mask off the outlined area
+outlines-areas-to-be-masked = outlines areas to be masked
 pictures-of-a-pair = Pictures of a pair
 takes-the-middle-of-the-picture = takes the middle of the picture for the first point
 accepts-the-measured-match = accepts the measured match

@@ -1,0 +1,50 @@
+// @ts-check
+import { join } from 'node:path';
+import { EpipolarPair } from '../node.js';
+import { about, DataError, UsageError } from './errors.js';
+import { isFolder, makeFolder, readBytes, readPhoto, writeInto } from './files.js';
+import { path } from './options.js';
+import { print } from './output.js';
+
+/** @type {import('./args.js').Command} */
+export const epipolar = {
+  name: 'epipolar',
+  summary: 'Epipolar images of an oriented pair: what both images show lies in the same row of either.',
+  positionals: ['PROJECT', 'FOLDER'],
+  options: [
+    path('out', 'FOLDER', 'The folder for what is written; required.'),
+    path('left', 'NAME', 'The left image; with --right. By default the one from which the base goes to the right.'),
+    path('right', 'NAME', 'The right image; with --left.'),
+  ],
+  details:
+    'PROJECT is the project.tiepoint of a pair or a block, FOLDER that of its images. Of a block the two images with most points in common are taken, unless two are named. Written are left.png and right.png, grey, ' +
+    'without distortion, of one size and focal length; anaglyph.png, both in one for glasses of red and cyan; and epipolar.json, how they lie, with the parallaxes of the points that both show.',
+  run,
+};
+
+/** @param {import('./args.js').Call} call @returns {Promise<import('./errors.js').ExitCode>} */
+async function run({ positionals: [project = '', folder = ''], values }) {
+  const [out, left, right] = [values.get('out'), values.get('left'), values.get('right')];
+  if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder for what is written');
+  if ((left === undefined) !== (right === undefined)) throw new UsageError('--left and --right belong together: name both images, or neither');
+  if (!isFolder(folder)) throw new DataError(`${folder}: it is no folder; name that of the images`);
+  const bytes = readBytes(project);
+  const pair = about(project, () => EpipolarPair.open(bytes, typeof left === 'string' && typeof right === 'string' ? [left, right] : undefined));
+  const photos = pair.names.map((name) => readPhoto(join(folder, name)));
+  const [ofLeft, ofRight] = photos;
+  if (!ofLeft || !ofRight) throw new Error('a pair has two images');
+  const files = pair.resample(ofLeft, ofRight);
+  makeFolder(out);
+  /** @type {[string, string | Uint8Array][]} */
+  const all = [
+    ['left.png', files.left],
+    ['right.png', files.right],
+    ['anaglyph.png', files.anaglyph],
+    ['epipolar.json', files.parameters],
+  ];
+  for (const [name, content] of all) print(`written: ${writeInto(out, name, content)}`);
+  const { width_px: width, height_px: height, parallaxes } = pair.geometry;
+  const told = parallaxes && `; y-parallaxes of ${parallaxes.points} points: ${parallaxes.y_rms_px.toFixed(2)} px RMS`;
+  print(`${pair.names.join(' and ')}: ${width} x ${height} px${told ?? ''}`);
+  return 0;
+}

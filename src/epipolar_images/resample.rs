@@ -1,0 +1,163 @@
+//! Images resampled to their epipolar system.
+
+use super::geometry::EpipolarGeometry;
+use super::view::StereoView;
+use crate::error::refuse;
+use crate::image::bicubic;
+use crate::{Error, GreyImage, GreyView, Refusal, StereoPair};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder};
+use nalgebra::{Matrix3, Vector3};
+
+/// Side of a square at whose corners positions are computed, px; between them they are interpolated, to less than a hundredth of a pixel.
+const SQUARE: usize = 8;
+
+/// Two epipolar images.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EpipolarImages {
+    pub left: GreyImage,
+    pub right: GreyImage,
+}
+
+impl EpipolarImages {
+    /// Resamples both images of a pair, by bicubic convolution; what an image does not show is black.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for an image of another size than its camera.
+    pub fn new(geometry: &EpipolarGeometry, pair: &StereoPair, images: [GreyView<'_>; 2]) -> Result<Self, Error> {
+        let of = |side: usize| resampled(geometry, side, &pair.views[side], images[side]);
+        Ok(Self { left: of(0)?, right: of(1)? })
+    }
+}
+
+fn resampled(geometry: &EpipolarGeometry, side: usize, view: &StereoView, image: GreyView<'_>) -> Result<GreyImage, Error> {
+    let [width_px, height_px] = view.size_px;
+    if [image.width(), image.height()] != view.size_px {
+        return refuse(Refusal::EpipolarImageSize {
+            name: view.name.clone(),
+            width: image.width(),
+            height: image.height(),
+            width_px,
+            height_px,
+        });
+    }
+    let at = Position {
+        view,
+        to_view: geometry.to_view(view),
+        principal_point_px: geometry.principal_points_px[side],
+        focal_px: geometry.focal_px,
+    };
+    let (width, height) = (geometry.width_px, geometry.height_px);
+    let corners = |row: usize| -> Vec<Option<[f64; 2]>> { (0..=width / SQUARE + 1).map(|k| at.of([k * SQUARE, row])).collect() };
+    let mut grey = Vec::with_capacity(width * height);
+    let (mut above, mut below) = (Vec::new(), corners(0));
+    for row in 0..height {
+        if row % SQUARE == 0 {
+            above = std::mem::replace(&mut below, corners(row + SQUARE));
+        }
+        let down = (row % SQUARE) as f64 / SQUARE as f64;
+        for column in 0..width {
+            let (k, along) = (column / SQUARE, (column % SQUARE) as f64 / SQUARE as f64);
+            let position = match (above[k], above[k + 1], below[k], below[k + 1]) {
+                (Some(a), Some(b), Some(c), Some(d)) => Some([0, 1].map(|axis| {
+                    let (upper, lower) = (a[axis] + along * (b[axis] - a[axis]), c[axis] + along * (d[axis] - c[axis]));
+                    upper + down * (lower - upper)
+                })),
+                _ => at.of([column, row]),
+            };
+            grey.push(position.filter(|position| view.sees(*position)).map_or(0, |position| bicubic(image, position)));
+        }
+    }
+    GreyImage::new(width, height, grey)
+}
+
+/// Where an image shows the middles of the pixels of its epipolar image.
+struct Position<'a> {
+    view: &'a StereoView,
+    to_view: Matrix3<f64>,
+    principal_point_px: [f64; 2],
+    focal_px: f64,
+}
+
+impl Position<'_> {
+    fn of(&self, [column, row]: [usize; 2]) -> Option<[f64; 2]> {
+        let [x, y] = [column, row].map(|v| v as f64 + 0.5);
+        let [cx, cy] = self.principal_point_px;
+        let seen = self.to_view * Vector3::new((x - cx) / self.focal_px, (cy - y) / self.focal_px, -1.0);
+        if seen.z < 0.0 { self.view.position([-seen.x / seen.z, -seen.y / seen.z]) } else { None }
+    }
+}
+
+/// Writes both images in one as a PNG file for glasses of red and cyan: red is the left one.
+///
+/// # Panics
+/// For images of different sizes.
+pub fn write_anaglyph(images: &EpipolarImages) -> Vec<u8> {
+    let EpipolarImages { left, right } = images;
+    assert_eq!([left.width(), left.height()], [right.width(), right.height()], "epipolar images have one size");
+    let colours: Vec<u8> = left.data().iter().zip(right.data()).flat_map(|(red, cyan)| [*red, *cyan, *cyan]).collect();
+    let mut file = Vec::new();
+    let written = PngEncoder::new(&mut file).write_image(&colours, left.width() as u32, left.height() as u32, ExtendedColorType::Rgb8);
+    written.expect("memory takes what is written, and sides are 1 px or more");
+    file
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::rotation_from_angles;
+    use crate::{Camera, Pose, StereoView};
+
+    /// The grey value of level ground at a height of 0.
+    fn ground([x, y]: [f64; 2]) -> f64 {
+        128.0 + 50.0 * libm::sin(0.35 * x) + 40.0 * libm::cos(0.31 * y + 0.2 * x)
+    }
+
+    /// Where a ray of this direction (x, y, -1) of a photo meets the ground.
+    fn met(pose: &Pose, [x, y]: [f64; 2]) -> [f64; 2] {
+        let along = pose.matrix().transpose() * Vector3::new(x, y, -1.0);
+        [0, 1].map(|k| pose.position[k] - pose.position[2] / along[2] * along[k])
+    }
+
+    fn photographed(angles: [f64; 3], position: [f64; 3]) -> (StereoView, GreyImage) {
+        let camera = Camera { radial: [-0.06, 0.01, 0.0], tangential: [0.001, 0.0], ..Camera::without_distortion(300, 220, 260.0) };
+        let view = StereoView::of_camera("a".into(), &camera, Pose::new(&rotation_from_angles(angles[0], angles[1], angles[2]), position));
+        let grey = |c: usize, r: usize| {
+            let direction = view.direction([c as f64 + 0.5, r as f64 + 0.5]).unwrap();
+            (ground(met(&view.pose, direction)) + 0.5) as u8
+        };
+        let image = GreyImage::from_fn(300, 220, grey).unwrap();
+        (view, image)
+    }
+
+    #[test]
+    fn epipolar_images_are_what_cameras_of_their_geometry_would_have_seen() {
+        let (left, of_left) = photographed([0.02, 0.05, 0.04], [0.0, 0.0, 60.0]);
+        let (right, of_right) = photographed([-0.03, -0.04, -0.06], [25.0, 3.0, 62.0]);
+        let geometry = EpipolarGeometry::new([&left, &right], &[]).unwrap();
+        let pair = StereoPair { views: [left, right], is_swapped: false, points_px: Vec::new() };
+        let images = EpipolarImages::new(&geometry, &pair, [of_left.view(), of_right.view()]).unwrap();
+        for (side, image) in [&images.left, &images.right].into_iter().enumerate() {
+            let pose = Pose { rotation: geometry.rotation, position: geometry.projection_centres[side] };
+            let [cx, cy] = geometry.principal_points_px[side];
+            let mut compared = 0;
+            for (row, column) in (0..geometry.height_px).flat_map(|row| (0..geometry.width_px).map(move |column| (row, column))) {
+                let got = f64::from(image.view().at(column, row));
+                if got == 0.0 {
+                    continue;
+                }
+                let [x, y] = [(column as f64 + 0.5 - cx) / geometry.focal_px, (cy - row as f64 - 0.5) / geometry.focal_px];
+                let seen = ground(met(&pose, [x, y]));
+                assert!((got - seen).abs() < 3.0, "{side}: {column} {row}: {got} {seen}");
+                compared += 1;
+            }
+            assert!(compared > geometry.width_px * geometry.height_px / 2, "{compared}");
+        }
+        let anaglyph = image::load_from_memory(&write_anaglyph(&images)).unwrap().to_rgb8();
+        let [grey, other] = [&images.left, &images.right].map(|image| image.view().at(100, 80));
+        assert_eq!(anaglyph.get_pixel(100, 80).0, [grey, other, other]);
+        let small = GreyImage::from_fn(10, 10, |_, _| 0).unwrap();
+        let refused = EpipolarImages::new(&geometry, &pair, [of_left.view(), small.view()]).unwrap_err();
+        assert!(refused.to_string().contains("10 x 10 px for a"), "{refused}");
+    }
+}

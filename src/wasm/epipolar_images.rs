@@ -1,0 +1,76 @@
+//! Epipolar images of a project.
+
+use super::convert::{JsResult, object, pack, thrown};
+use super::photo::Photo;
+use crate::{EpipolarGeometry, EpipolarImages, Error, StereoPair, read_project, write_anaglyph, write_png};
+use js_sys::Uint8Array;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** Epipolar images as PNG files, of one size, and how they lie. */
+export interface EpipolarFiles {
+    left: Uint8Array;
+    right: Uint8Array;
+    /** Both in one, for glasses of red and cyan. */
+    anaglyph: Uint8Array;
+    /** JSON: an `EpipolarGeometry` with the names of the images. */
+    parameters: string;
+}
+"#;
+
+/// Two oriented images of a project, to be resampled so that what both show lies in the same row of either. Call `free` when it is no longer
+/// needed.
+#[wasm_bindgen]
+pub struct EpipolarPair {
+    pair: StereoPair,
+    geometry: EpipolarGeometry,
+}
+
+#[wasm_bindgen]
+impl EpipolarPair {
+    /// Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
+    /// that order in which the base goes to the right.
+    pub fn open(project: &[u8], names: Option<Vec<String>>) -> JsResult<EpipolarPair> {
+        let names = names.map(<[String; 2]>::try_from).transpose().map_err(|names| {
+            let got = format!("{} names", names.len());
+            thrown(Error::InvalidArgument { what: "images of epipolar images", got, allowed: "two names".into() })
+        })?;
+        let project = read_project(project).map_err(thrown)?;
+        let pair = StereoPair::of_project(&project, names.as_ref()).map_err(thrown)?;
+        let geometry = EpipolarGeometry::new(pair.views.each_ref(), &pair.points_px).map_err(thrown)?;
+        Ok(Self { pair, geometry })
+    }
+
+    /// The names of the left and the right image.
+    #[wasm_bindgen(getter)]
+    pub fn names(&self) -> Vec<String> {
+        self.pair.views.iter().map(|view| view.name.clone()).collect()
+    }
+
+    /// Whether the left image stands second in the project.
+    #[wasm_bindgen(getter)]
+    pub fn is_swapped(&self) -> bool {
+        self.pair.is_swapped
+    }
+
+    /// How the epipolar images lie.
+    #[wasm_bindgen(getter, unchecked_return_type = "EpipolarGeometry")]
+    pub fn geometry(&self) -> JsValue {
+        pack(&self.geometry)
+    }
+
+    /// Resamples both images, which are given in the order of `names`.
+    #[wasm_bindgen(unchecked_return_type = "EpipolarFiles")]
+    pub fn resample(&self, left: &Photo, right: &Photo) -> JsResult<JsValue> {
+        let images = EpipolarImages::new(&self.geometry, &self.pair, [left.view(), right.view()]).map_err(thrown)?;
+        let file = |bytes: Vec<u8>| JsValue::from(Uint8Array::from(bytes.as_slice()));
+        Ok(object([
+            ("left", file(write_png(images.left.view(), None))),
+            ("right", file(write_png(images.right.view(), None))),
+            ("anaglyph", file(write_anaglyph(&images))),
+            ("parameters", self.geometry.file(&self.pair).into()),
+        ]))
+    }
+}

@@ -1,0 +1,48 @@
+/** Epipolar images of the pair on the screen. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { strFromU8, unzipSync } from 'fflate';
+import { Photo } from '../../pkg/node.js';
+import { CAMERA, done, hosted, open, part, pngs, sample, saved, says, SKIP } from './page.js';
+
+hosted();
+
+test('epipolar images are saved in one archive, the left one first whichever was given first', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  const files = unzipSync(new Uint8Array(await saved(page, 'export-epipolar')));
+  assert.deepEqual(Object.keys(files).sort(), ['anaglyph.png', 'epipolar.json', 'left.png', 'right.png']);
+  const told = JSON.parse(strFromU8(files['epipolar.json'] ?? new Uint8Array()));
+  assert.deepEqual([told.left, told.right], ['sample left', 'sample right']);
+  for (const name of ['left.png', 'right.png', 'anaglyph.png']) {
+    const { width, height } = Photo.decode(files[name] ?? new Uint8Array());
+    assert.deepEqual([width, height], [told.width_px, told.height_px]);
+  }
+  assert.ok(told.parallaxes.y_rms_px < 0.5, JSON.stringify(told.parallaxes));
+  await says(page, 'status', /y-parallaxes of [\d\s]+ points is 0\.\d\d px/);
+  // The other way round both lie as before.
+  await part(page, 'swap').click();
+  await done(page);
+  const swapped = unzipSync(new Uint8Array(await saved(page, 'export-epipolar')));
+  const again = JSON.parse(strFromU8(swapped['epipolar.json'] ?? new Uint8Array()));
+  assert.deepEqual([again.left, again.right], ['sample left', 'sample right']);
+  assert.ok(Math.abs(again.focal_px - told.focal_px) < 1 && again.parallaxes.y_rms_px < 0.5);
+  const [left, other] = [files, swapped].map((of) => Photo.decode(of['left.png'] ?? new Uint8Array()).grey());
+  const mean = (/** @type {Uint8Array | undefined} */ grey) => (grey ?? new Uint8Array()).reduce((sum, value) => sum + value, 0) / (grey?.length ?? 1);
+  assert.ok(Math.abs(mean(left) - mean(other)) < 5);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a pair that is not oriented has none', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  const [left] = pngs();
+  assert.ok(left);
+  await part(page, 'file-input').setInputFiles([left, { ...left, name: 'same.png' }, CAMERA]);
+  await done(page);
+  await part(page, 'export-menu').click();
+  assert.ok(await part(page, 'export-epipolar').isDisabled());
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -1,0 +1,70 @@
+/** While areas of the pictures are masked: what to do next, and buttons for each key. */
+import { button, byId, h } from '../../shared/panel/dom';
+import { passFocus } from '../../shared/panel/focus';
+import { save } from '../../shared/files/save';
+import { say } from '../../shared/text/words';
+import type { Masking } from '../state/masking';
+import { SIDES } from '../state/state';
+import type { Side, State } from '../state/state';
+import type { Store } from '../state/store';
+
+/** The tool with those of the pictures, its buttons in the bar above them. `attempt` runs an action and says what goes wrong. */
+export function mountMasking(
+  host: HTMLElement,
+  bar: HTMLElement,
+  store: Store,
+  masking: Masking,
+  attempt: (action: () => Promise<void>) => Promise<void>,
+): void {
+  const tool = button(say('mask-areas'), 'tool-mask', () => masking.toggle(), say('outline-areas-in-which-no'));
+  const text = h('span', { testid: 'mask-text', role: 'status' });
+  const paint = (masked: boolean) => () => void attempt(() => masking.paint(masked));
+  const mask = button(say('mask-it'), 'mask-area', paint(true), say('no-points-in-the-outlined'));
+  const unmask = button(say('unmask-it'), 'unmask-area', paint(false), say('points-in-the-outlined-area'));
+  const undo = button(say('undo'), 'mask-undo', () => masking.undo(), say('take-the-last-area-back'));
+  const keep = button(say('save-masks'), 'mask-save', () => saveMasks(store.state), say('masks-as-png-files-for'));
+  const end = button(say('end-masking'), 'mask-end', () => masking.toggle());
+  const buttons = h(
+    'div',
+    { class: 'drafting', testid: 'masking', role: 'group', aria: { label: say('masks-of-the-pictures') } },
+    text,
+    mask,
+    unmask,
+    undo,
+    keep,
+    end,
+  );
+  host.append(tool);
+  bar.append(buttons);
+  store.watch(
+    (s) => [s.tool, s.outline, s.images, s.masks] as const,
+    () => {
+      const { state } = store;
+      const held = document.activeElement;
+      tool.setAttribute('aria-pressed', String(state.tool === 'mask'));
+      tool.disabled = !masking.can();
+      buttons.hidden = state.tool !== 'mask';
+      mask.disabled = !masking.isArea();
+      unmask.disabled = mask.disabled;
+      undo.disabled = !masking.canUndo();
+      keep.disabled = SIDES.every((side) => fileOf(state, side) === null);
+      // Keys of the pictures go on from a button that has done its work.
+      if (buttons.contains(held)) passFocus(held, [byId('view')]);
+      const corners = state.outline?.corners.length ?? 0;
+      const now = masking.isArea() ? say('the-area-is-outlined', { corners }) : say('draw-round-an-area-or', { corners });
+      if (text.textContent !== now) text.textContent = now;
+    },
+  );
+}
+
+function fileOf(state: State, side: Side): Blob | null {
+  const source = state.masks[side]?.source;
+  return source?.kind === 'file' ? source.file : null;
+}
+
+function saveMasks(state: State): void {
+  for (const side of SIDES) {
+    const file = fileOf(state, side);
+    if (file !== null) save(file, state.masks[side]?.name ?? 'mask.png');
+  }
+}
