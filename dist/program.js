@@ -199,6 +199,13 @@ var EpipolarPair = class EpipolarPair {
 		wasm.__wbg_epipolarpair_free(ptr, 0);
 	}
 	/**
+	* SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
+	* @returns {(string | null)[]}
+	*/
+	get contents() {
+		return wasm.epipolarpair_contents(this.__wbg_ptr);
+	}
+	/**
 	* How the epipolar images lie.
 	* @returns {EpipolarGeometry}
 	*/
@@ -8115,6 +8122,8 @@ var nextId = 1;
 var freshId = () => nextId++;
 /** Masks named "right", or the second of two, belong right. */
 function sideOfMask(mask, index) {
+	const [, painted] = /-mask-(left|right)\./u.exec(mask.name) ?? [];
+	if (painted !== void 0) return painted;
 	if (/right/iu.test(mask.name)) return "right";
 	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
 }
@@ -8799,14 +8808,23 @@ function bytesOf$1(source) {
 	}
 }
 // www/pair/files/painted.ts
-/** The mask of a side with an area masked or no longer. */
-async function paintedMask(engine, { images, masks }, side, corners, masked) {
+/** Masks that are painted on the page: files, as those that are given. */
+/** The mask of a side with an area masked or no longer; null where it was cancelled. */
+async function paintedMask(engine, state, side, corners, masked) {
+	try {
+		return await painted(engine, state, side, corners, masked);
+	} catch (error) {
+		if (error instanceof Cancelled) return null;
+		throw error;
+	}
+}
+async function painted(engine, { images, masks }, side, corners, masked) {
 	const image = images[side];
 	if (image === null) throw new Error(`there is no ${side} image`);
 	const { info } = await engine.open(side, image);
 	const { width, height } = info;
 	const outline = Float64Array.from(corners.flat());
-	const { png, ...mask } = await engine.client("pair").call("paintMask", {
+	const { png, ...mask } = await engine.client("preview").call("paintMask", {
 		grey: masks[side]?.grey ?? null,
 		width,
 		height,
@@ -8814,7 +8832,7 @@ async function paintedMask(engine, { images, masks }, side, corners, masked) {
 		masked,
 		overlaySide: MASK_SIDE
 	});
-	const name = `${image.name.replace(/\.[^.]+$/u, "")}-mask.png`;
+	const name = `${image.name.replace(/\.[^.]+$/u, "")}-mask-${side}.png`;
 	return {
 		...mask,
 		id: freshId(),
@@ -10189,7 +10207,7 @@ function mountEditTools(host, bar, store, editing) {
 }
 /** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own; the others in the list of matches. */
 function mountEditKeys(list, store, editing) {
-	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0, (by) => editing.step(by));
+	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== "mask", (by) => editing.step(by));
 	const keys = [
 		{
 			keys: ["Delete", "Backspace"],
@@ -11394,16 +11412,15 @@ function chart(title, unit, data, testid) {
 }
 // www/pair/panel/masking.ts
 /** While areas of the pictures are masked: what to do next, and buttons for each key. */
-/** The tool with those of the pictures, its buttons in the bar above them. `attempt` runs an action and says what goes wrong. */
-function mountMasking(host, bar, store, masking, attempt) {
+/** The tool with those of the pictures, its buttons in the bar above them. `paint` masks the outlined area, or no longer. */
+function mountMasking(host, bar, store, masking, paint) {
 	const tool = button(say("mask-areas"), "tool-mask", () => masking.toggle(), say("outline-areas-in-which-no"));
 	const text = h("span", {
 		testid: "mask-text",
 		role: "status"
 	});
-	const paint = (masked) => () => void attempt(() => masking.paint(masked));
-	const mask = button(say("mask-it"), "mask-area", paint(true), say("no-points-in-the-outlined"));
-	const unmask = button(say("unmask-it"), "unmask-area", paint(false), say("points-in-the-outlined-area"));
+	const mask = button(say("mask-it"), "mask-area", () => paint(true), say("no-points-in-the-outlined"));
+	const unmask = button(say("unmask-it"), "unmask-area", () => paint(false), say("points-in-the-outlined-area"));
 	const undo = button(say("undo"), "mask-undo", () => masking.undo(), say("take-the-last-area-back"));
 	const keep = button(say("save-masks"), "mask-save", () => saveMasks(store.state), say("masks-as-png-files-for"));
 	const end = button(say("end-masking"), "mask-end", () => masking.toggle());
@@ -11414,6 +11431,9 @@ function mountMasking(host, bar, store, masking, attempt) {
 		aria: { label: say("masks-of-the-pictures") }
 	}, text, mask, unmask, undo, keep, end);
 	host.append(tool);
+	undoKeys(() => store.state.tool === "mask", (by) => {
+		if (by < 0) masking.undo();
+	});
 	bar.append(buttons);
 	store.watch((s) => [
 		s.tool,
@@ -12621,16 +12641,21 @@ var LEAST_CORNERS = 3;
 var Masking = class {
 	store;
 	painter;
-	formers = [];
+	done = [];
+	/** What was outlined before the line that is being drawn. */
+	former = null;
+	/** Whether the outline was drawn in one go. */
+	isTraced = false;
+	isTracing = false;
 	/** Areas are painted one after the other: each begins with the mask that the one before it left. */
 	painting = Promise.resolve();
 	constructor(store, painter) {
 		this.store = store;
 		this.painter = painter;
 	}
-	/** Whether there is an image to be masked. */
+	/** Whether there is an image to be masked: of a project that was opened the images themselves may be missing. */
 	can() {
-		return Object.values(this.store.state.images).some((image) => image !== null);
+		return Object.values(this.store.state.images).some((image) => image !== null && image.source.kind !== "project");
 	}
 	toggle() {
 		const next = this.store.state.tool === "mask" || !this.can() ? "look" : "mask";
@@ -12643,6 +12668,7 @@ var Masking = class {
 	place(side, at) {
 		const { outline } = this.store.state;
 		const before = outline?.side === side ? outline.corners : [];
+		this.isTraced = false;
 		this.store.dispatch({
 			type: "outline",
 			outline: {
@@ -12651,8 +12677,11 @@ var Masking = class {
 			}
 		});
 	}
-	/** What is drawn in one go. */
-	trace(side, corners) {
+	/** What is drawn in one go; `ended`: as far as it goes. */
+	trace(side, corners, ended) {
+		if (!this.isTracing) this.former = this.store.state.outline;
+		this.isTracing = !ended;
+		this.isTraced = true;
 		this.store.dispatch({
 			type: "outline",
 			outline: {
@@ -12661,11 +12690,21 @@ var Masking = class {
 			}
 		});
 	}
-	/** Takes the last corner back; false where there is none. */
+	/** Gives up what is being drawn: what was outlined before it is so again. */
+	giveUp() {
+		if (!this.isTracing) return;
+		this.isTracing = false;
+		this.isTraced = false;
+		this.store.dispatch({
+			type: "outline",
+			outline: this.former
+		});
+	}
+	/** Takes the last corner back, or all that was drawn in one go. */
 	back() {
 		const { outline } = this.store.state;
-		if (outline === null) return false;
-		const corners = outline.corners.slice(0, -1);
+		if (outline === null) return;
+		const corners = this.isTraced ? [] : outline.corners.slice(0, -1);
 		this.store.dispatch({
 			type: "outline",
 			outline: corners.length === 0 ? null : {
@@ -12673,74 +12712,99 @@ var Masking = class {
 				corners
 			}
 		});
-		return true;
 	}
 	isArea() {
 		return (this.store.state.outline?.corners.length ?? 0) >= LEAST_CORNERS;
 	}
 	/** The outlined area holds no points from now on, or does so again. */
 	paint(masked) {
-		const { outline } = this.store.state;
-		if (outline === null || !this.isArea()) return Promise.resolve();
+		const { outline, images } = this.store.state;
+		const image = outline === null ? null : images[outline.side];
+		if (outline === null || image === null || !this.isArea()) return Promise.resolve();
 		this.store.dispatch({
 			type: "outline",
 			outline: null
 		});
-		this.painting = this.painting.catch(() => {}).then(() => this.painted(outline, masked));
+		this.painting = this.painting.catch(() => {}).then(() => this.painted(image.id, outline.corners, masked));
 		return this.painting;
 	}
 	canUndo() {
-		return this.formers.some(({ imageId }) => this.sideOf(imageId) !== void 0);
+		return this.last() !== null;
 	}
 	/** Takes the area back that was painted last. */
 	undo() {
-		const former = this.formers.pop();
-		if (former === void 0) return;
-		const side = this.sideOf(former.imageId);
-		if (side === void 0) this.undo();
-		else this.store.dispatch({
+		const last = this.last();
+		if (last === null) return;
+		this.done.pop();
+		this.store.dispatch({
 			type: "mask",
-			side,
-			mask: former.mask
+			side: last.side,
+			mask: last.before
 		});
 	}
-	async painted({ side, corners }, masked) {
-		const { state } = this.store;
-		const image = state.images[side];
-		const before = state.masks[side];
-		if (image === null) return;
-		if (before?.source.kind === "project") {
-			const text = say("the-mask-is-not-here", { name: before.name });
-			this.store.dispatch({
-				type: "notice",
-				notice: {
-					kind: "problem",
-					text
-				}
-			});
-			return;
-		}
-		const mask = await this.painter(state, side, corners, masked);
-		if (this.store.state.images[side] !== image || this.store.state.masks[side] !== before) return;
-		this.formers.push({
-			imageId: image.id,
-			mask: before
-		});
-		this.store.dispatch({
-			type: "mask",
-			side,
-			mask
-		});
-		const text = say("masks-of-the-image", {
-			name: mask.name,
-			left_out: 100 * mask.leftOut,
+	/** The area that was painted last, unless its image or its mask has become another one. */
+	last() {
+		const last = this.done.at(-1);
+		if (last === void 0) return null;
+		const side = this.sideOf(last.imageId);
+		if (side !== void 0 && this.store.state.masks[side]?.id === last.after) return {
+			...last,
 			side
-		});
-		this.store.dispatch({
+		};
+		this.done = [];
+		return null;
+	}
+	async painted(imageId, corners, masked) {
+		const { state } = this.store;
+		const side = this.sideOf(imageId);
+		if (side === void 0) return;
+		const before = state.masks[side];
+		const tell = (kind, text) => this.store.dispatch({
 			type: "notice",
 			notice: {
-				kind: "info",
+				kind,
 				text
+			}
+		});
+		if (before?.source.kind === "project") {
+			tell("problem", say("the-mask-is-not-here", { name: before.name }));
+			return;
+		}
+		let mask = null;
+		try {
+			mask = await this.painter(state, side, corners, masked);
+		} finally {
+			if (mask === null) this.outlinedAgain(imageId, corners);
+		}
+		const now = this.sideOf(imageId);
+		if (mask === null || now === void 0 || this.store.state.masks[now] !== before) {
+			tell("info", say("no-area-was-painted"));
+			return;
+		}
+		this.done = [...this.done, {
+			imageId,
+			before,
+			after: mask.id
+		}].slice(-10);
+		this.store.dispatch({
+			type: "mask",
+			side: now,
+			mask
+		});
+		tell("info", say("masks-of-the-image", {
+			name: mask.name,
+			left_out: 100 * mask.leftOut,
+			side: now
+		}));
+	}
+	outlinedAgain(imageId, corners) {
+		const side = this.sideOf(imageId);
+		const { outline, tool } = this.store.state;
+		if (side !== void 0 && outline === null && tool === "mask") this.store.dispatch({
+			type: "outline",
+			outline: {
+				side,
+				corners
 			}
 		});
 	}
@@ -13170,7 +13234,8 @@ function paneAt(scene, x, y) {
 }
 // www/pair/view/input.ts
 /** Pointer, wheel, touch and keys on the images. */
-function mountInput(view, store, navigator, editing, masking) {
+/** `paint` masks the outlined area, or no longer. */
+function mountInput(view, store, navigator, editing, masking, paint) {
 	const { host } = view;
 	const activate = (side) => {
 		if (store.state.activeSide !== side) store.dispatch({
@@ -13186,7 +13251,7 @@ function mountInput(view, store, navigator, editing, masking) {
 	const masks = declare({
 		where: say("pictures-of-a-pair-while-masking"),
 		host,
-		list: maskingKeys(store, navigator, masking)
+		list: maskingKeys(store, navigator, masking, paint)
 	});
 	const look = declare({
 		where: say("pictures-of-a-pair"),
@@ -13211,7 +13276,7 @@ function mountInput(view, store, navigator, editing, masking) {
 		},
 		encloses: (shift) => shift || store.state.tool === "choose" || store.state.tool === "mask",
 		enclosed: (side, from, to, ended, path) => {
-			if (store.state.tool === "mask") outline(view, side, path, masking);
+			if (store.state.tool === "mask") outline(view, side, path, ended, masking);
 			else enclose(view, store, side, from, to, ended);
 		},
 		pointed: (at) => view.point(at),
@@ -13268,13 +13333,15 @@ function corner(view, x, y, masking) {
 	const pane = paneAt(view.scene(), x, y);
 	if (pane?.picture != null) masking.place(pane.side, toPosition(pane.transform, x, y));
 }
-/** Outlines an area by a line that is drawn. */
-function outline(view, side, path, masking) {
+/** Outlines an area by a line that is drawn; one without places is given up. */
+function outline(view, side, path, ended, masking) {
 	const { transform } = view.scene().panes[side];
-	if (path.length > 0) masking.trace(side, path.map(([x, y]) => toPosition(transform, x, y)));
+	const corners = path.map(([x, y]) => toPosition(transform, x, y));
+	if (corners.length === 0) masking.giveUp();
+	else masking.trace(side, corners, ended);
 }
 /** While areas are masked. */
-function maskingKeys(store, navigator, masking) {
+function maskingKeys(store, navigator, masking, paint) {
 	const masks = () => store.state.tool === "mask";
 	const encloses = () => masks() && masking.isArea();
 	const place = () => {
@@ -13289,22 +13356,22 @@ function maskingKeys(store, navigator, masking) {
 			run: place
 		},
 		{
-			keys: ["Backspace"],
+			keys: ["Backspace", "Delete"],
 			does: say("takes-the-last-corner-back"),
-			can: () => masks() && store.state.outline !== null,
+			can: masks,
 			run: () => masking.back()
 		},
 		{
 			keys: ["k"],
 			does: say("masks-the-outlined-area"),
 			can: encloses,
-			run: () => void masking.paint(true)
+			run: () => paint(true)
 		},
 		{
 			keys: ["u"],
 			does: say("unmasks-the-outlined-area"),
 			can: encloses,
-			run: () => void masking.paint(false)
+			run: () => paint(false)
 		}
 	];
 }
@@ -13947,9 +14014,14 @@ function cornerOf({ rect, side }) {
 	};
 }
 // www/pair/view/outline.ts
-/** The area that is being outlined on a picture. */
+/** The area that is being outlined on a picture, and where keys place its next corner. */
 var CORNER = 3;
-function drawOutline(context, { outline }, scene) {
+function drawOutline(context, { outline, tool, activeSide }, scene) {
+	const active = scene.panes[activeSide];
+	if (tool === "mask" && active.picture !== null) {
+		const { left, top, width, height } = active.rect;
+		drawCross(context, active, toPosition(active.transform, left + width / 2, top + height / 2), false);
+	}
 	if (outline === null) return;
 	const { rect, transform } = scene.panes[outline.side];
 	const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));
@@ -14026,6 +14098,8 @@ var View = class {
 			s.chosen,
 			s.draft,
 			s.outline,
+			s.tool,
+			s.activeSide,
 			s.results.line,
 			s.results.inspection,
 			s.settings,
@@ -14163,11 +14237,12 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	};
 	const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
 	const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
-	mountInput(view, store, navigator, editing, masking);
+	const paint = (masked) => void attempt(() => masking.paint(masked));
+	mountInput(view, store, navigator, editing, masking, paint);
 	mountToolbar(byId("toolbar"), store, navigator);
 	mountEditTools(byId("view-more"), byId("toolbar"), store, editing);
 	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft());
-	mountMasking(byId("view-more"), byId("toolbar"), store, masking, attempt);
+	mountMasking(byId("view-more"), byId("toolbar"), store, masking, paint);
 	const pick = pickerOf(files);
 	mountPanes(view, store, {
 		open: (side) => pick(side),

@@ -199,6 +199,13 @@
 			wasm.__wbg_epipolarpair_free(ptr, 0);
 		}
 		/**
+		* SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
+		* @returns {(string | null)[]}
+		*/
+		get contents() {
+			return wasm.epipolarpair_contents(this.__wbg_ptr);
+		}
+		/**
 		* How the epipolar images lie.
 		* @returns {EpipolarGeometry}
 		*/

@@ -63,7 +63,8 @@ const WASM_TARGETS = ['--target', WASM_TARGET, '--lib', '--target-dir', join(TAR
 
 /** @param {Steps} steps @param {Toolchain} toolchain @param {BindgenPrograms} programs */
 async function wasmTests(steps, toolchain, programs) {
-  const env = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: programs.runner, WASM_BINDGEN_TEST_TIMEOUT: '600' };
+  // They are few: compiling them less optimised takes less time than it costs them.
+  const env = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: programs.runner, WASM_BINDGEN_TEST_TIMEOUT: '600', CARGO_PROFILE_TEST_OPT_LEVEL: '1' };
   await steps.check('wasm', 'clippy, wasm', mustCargo(toolchain, ['clippy', '--locked', ...WASM_TARGETS, '--', '-D', 'warnings']));
   await steps.check('wasm', 'tests, wasm under Node', () => cargoTest(toolchain, WASM_TARGETS, env));
 }

@@ -34,7 +34,9 @@ export const accuracy = {
     ];
     for (const [name, content] of all) print(`written: ${writeInto(out, name, content)}`);
     const figures = (/** @type {[number, number]} */ [middle, most]) => `${middle.toPrecision(3)} in the median, ${most.toPrecision(3)} at 95 % of the cells`;
-    print(`${summary.cells} cells of ${summary.cell.toPrecision(3)} that two or more images show, ${(100 * summary.three_or_more).toFixed(0)} % of them three or more`);
+    print(
+      `${summary.cells} cells of ${summary.cell.toPrecision(3)} that two or more images show, ${(100 * summary.three_or_more).toFixed(0)} % of them three or more`,
+    );
     print(`standard error in plan:   ${figures(summary.plan)}`);
     print(`standard error in height: ${figures(summary.height)}`);
   },

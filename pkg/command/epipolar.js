@@ -1,4 +1,5 @@
 // @ts-check
+import { createHash } from 'node:crypto';
 import { join } from 'node:path';
 import { EpipolarPair } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
@@ -12,13 +13,13 @@ export const epipolar = {
   summary: 'Epipolar images of an oriented pair: what both images show lies in the same row of either.',
   positionals: ['PROJECT', 'FOLDER'],
   options: [
-    path('out', 'FOLDER', 'The folder for what is written; required.'),
+    path('out', 'DIR', 'The folder for what is written; required.'),
     path('left', 'NAME', 'The left image; with --right. By default the one from which the base goes to the right.'),
     path('right', 'NAME', 'The right image; with --left.'),
   ],
   details:
-    'PROJECT is the project.tiepoint of a pair or a block, FOLDER that of its images. Of a block the two images with most points in common are taken, unless two are named. Written are left.png and right.png, grey, ' +
-    'without distortion, of one size and focal length; anaglyph.png, both in one for glasses of red and cyan; and epipolar.json, how they lie, with the parallaxes of the points that both show.',
+    'PROJECT is the project.tiepoint of a pair or a block, FOLDER that of its images. Of a block the two images with most points in common are taken, unless two are named; points whose rays are nearly parallel count less. Written are left.png and right.png, grey, ' +
+    'without distortion, of one size and focal length; anaglyph.png, both in one for red-cyan glasses; and epipolar.json, how they lie, with the residual y-parallax of the points that both show.',
   run,
 };
 
@@ -30,7 +31,12 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   if (!isFolder(folder)) throw new DataError(`${folder}: it is no folder; name that of the images`);
   const bytes = readBytes(project);
   const pair = about(project, () => EpipolarPair.open(bytes, typeof left === 'string' && typeof right === 'string' ? [left, right] : undefined));
-  const photos = pair.names.map((name) => readPhoto(join(folder, name)));
+  const photos = pair.names.map((name, k) => {
+    const file = join(folder, name);
+    const content = createHash('sha256').update(readBytes(file)).digest('hex');
+    if (pair.contents[k] !== null && pair.contents[k] !== content) throw new DataError(`${file}: it is another file than the ${name} of the project`);
+    return readPhoto(file);
+  });
   const [ofLeft, ofRight] = photos;
   if (!ofLeft || !ofRight) throw new Error('a pair has two images');
   const files = pair.resample(ofLeft, ofRight);
@@ -44,7 +50,7 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   ];
   for (const [name, content] of all) print(`written: ${writeInto(out, name, content)}`);
   const { width_px: width, height_px: height, parallaxes } = pair.geometry;
-  const told = parallaxes && `; y-parallaxes of ${parallaxes.points} points: ${parallaxes.y_rms_px.toFixed(2)} px RMS`;
+  const told = parallaxes && `; residual y-parallax of ${parallaxes.points} points: ${parallaxes.y_rms_px.toFixed(2)} px RMS`;
   print(`${pair.names.join(' and ')}: ${width} x ${height} px${told ?? ''}`);
   return 0;
 }

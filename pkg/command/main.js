@@ -25,7 +25,9 @@ import { sample, simulate } from './simulate.js';
 /** @typedef {import('./args.js').Command} Command */
 
 /** @type {Command[]} */
-const COMMANDS = [points, match, interior, orient, moments, report, block, edit, covariances, accuracy, mosaic, epipolar, place, sample, simulate].map(withHelp);
+const COMMANDS = [points, match, interior, orient, moments, report, block, edit, covariances, accuracy, mosaic, epipolar, place, sample, simulate].map(
+  withHelp,
+);
 
 /** @param {Command} command @returns {Command} */
 function withHelp(command) {

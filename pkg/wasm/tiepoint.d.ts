@@ -40,7 +40,7 @@ export interface OrthophotoInfo {
 export interface EpipolarFiles {
     left: Uint8Array;
     right: Uint8Array;
-    /** Both in one, for glasses of red and cyan. */
+    /** Both in one, for red-cyan glasses. */
     anaglyph: Uint8Array;
     /** JSON: an `EpipolarGeometry` with the names of the images. */
     parameters: string;
@@ -1558,7 +1558,7 @@ export interface AccuracySummary {
     plan: [number, number];
     height: [number, number];
     /**
-     * The images that show most of the ground, on average.
+     * Mean number of images that show a cell.
      */
     images: number;
 }
@@ -1789,11 +1789,11 @@ export interface EpipolarGeometry {
      */
     projection_centres: [[number, number, number], [number, number, number]];
     /**
-     * Distance of the projection centres, in units of the object.
+     * Distance of the projection centres, in units of the block; of a pair in mm at the scale of the photo coordinates.
      */
     base: number;
     /**
-     * What the points that both show tell of the epipolar images; absent where none is known.
+     * Parallaxes of the points that both show; absent where none is known.
      */
     parallaxes: Parallaxes | null;
 }
@@ -2350,7 +2350,7 @@ export interface PairCounts {
 export interface Parallaxes {
     points: number;
     /**
-     * Root mean square of the differences of rows, left minus right: what is left of the y-parallaxes.
+     * Root mean square of the residual y-parallaxes: differences of rows, left minus right.
      */
     y_rms_px: number;
     /**
@@ -4324,6 +4324,10 @@ export class EpipolarPair {
      */
     resample(left: Photo, right: Photo): EpipolarFiles;
     /**
+     * SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
+     */
+    readonly contents: (string | null)[];
+    /**
      * How the epipolar images lie.
      */
     readonly geometry: EpipolarGeometry;
@@ -5108,6 +5112,7 @@ export interface InitOutput {
     readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
     readonly draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
     readonly epipolar_line: (a: any, b: number, c: number, d: any, e: any, f: number, g: number) => [number, number, number, number];
+    readonly epipolarpair_contents: (a: number) => any;
     readonly epipolarpair_geometry: (a: number) => any;
     readonly epipolarpair_is_swapped: (a: number) => number;
     readonly epipolarpair_names: (a: number) => [number, number];

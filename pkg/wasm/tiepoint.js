@@ -220,6 +220,14 @@ export class EpipolarPair {
         wasm.__wbg_epipolarpair_free(ptr, 0);
     }
     /**
+     * SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
+     * @returns {(string | null)[]}
+     */
+    get contents() {
+        const ret = wasm.epipolarpair_contents(this.__wbg_ptr);
+        return ret;
+    }
+    /**
      * How the epipolar images lie.
      * @returns {EpipolarGeometry}
      */

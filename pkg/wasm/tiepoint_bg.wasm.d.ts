@@ -45,6 +45,7 @@ export const draw_match_lines: (a: any, b: number, c: number, d: number, e: numb
 export const draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
 export const draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
 export const epipolar_line: (a: any, b: number, c: number, d: any, e: any, f: number, g: number) => [number, number, number, number];
+export const epipolarpair_contents: (a: number) => any;
 export const epipolarpair_geometry: (a: number) => any;
 export const epipolarpair_is_swapped: (a: number) => number;
 export const epipolarpair_names: (a: number) => [number, number];

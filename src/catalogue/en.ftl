@@ -342,10 +342,11 @@ refusal-grey-values = grey image: got { $width } x { $height } px with { $values
 
 # Epipolar images.
 refusal-epipolar-name = image of epipolar images: got { $name }; allowed: the names of images of the project
+refusal-epipolar-names = images of epipolar images: got { $name } twice; allowed: two images
 refusal-epipolar-not-oriented = image of epipolar images: got { $name }, which is not oriented; allowed: oriented images
 refusal-epipolar-no-pair = block for epipolar images: got no two oriented images with points in common; allowed: one pair or more
-refusal-epipolar-base = images of epipolar images: got { $left } and { $right }, taken from one place; allowed: images with a base
-refusal-epipolar-along-base = images of epipolar images: got { $left } and { $right }, which look along their base or away from each other; allowed: images that look across their base
+refusal-epipolar-base = images of epipolar images: got { $left } and { $right }, which have no base (pure rotation); allowed: images that were taken apart
+refusal-epipolar-along-base = images of epipolar images: got { $left } and { $right }, which look along their base; allowed: images that look across their base
 refusal-epipolar-overlap = images of epipolar images: got { $left } and { $right }, which have no rows and columns in common; allowed: images that overlap
 refusal-epipolar-image-size = image of epipolar images: got { $width } x { $height } px for { $name }; allowed: { $width_px } x { $height_px } px, as in the project
 

@@ -8,8 +8,14 @@ use crate::{Error, Refusal};
 use nalgebra::{Matrix3, Vector3};
 use serde::Serialize;
 
-/// Farthest direction from the axis of the epipolar images, as its tangent: beyond, the base points into an image or nearly so.
+/// Farthest direction from the axis of the epipolar images that they show, as its tangent.
 const WIDEST: f64 = 3.0;
+
+/// Median angle below which the rays to the points that both images show are parallel: the direction of the base is that of its errors.
+const LEAST_ANGLE_DEG: f64 = 0.05;
+
+/// Positions across an image by which the directions that it shows are given.
+const ACROSS: usize = 32;
 
 /// Larger images are made of larger pixels.
 const MOST_PIXELS: f64 = 1e8;
@@ -32,9 +38,9 @@ pub struct EpipolarGeometry {
     pub rotation: [[f64; 3]; 3],
     /// Projection centres of the left and the right image.
     pub projection_centres: [[f64; 3]; 2],
-    /// Distance of the projection centres, in units of the object.
+    /// Distance of the projection centres, in units of the block; of a pair in mm at the scale of the photo coordinates.
     pub base: f64,
-    /// What the points that both show tell of the epipolar images; absent where none is known.
+    /// Parallaxes of the points that both show; absent where none is known.
     pub parallaxes: Option<Parallaxes>,
 }
 
@@ -43,7 +49,7 @@ pub struct EpipolarGeometry {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Parallaxes {
     pub points: usize,
-    /// Root mean square of the differences of rows, left minus right: what is left of the y-parallaxes.
+    /// Root mean square of the residual y-parallaxes: differences of rows, left minus right.
     pub y_rms_px: f64,
     /// The smallest, the median and the largest difference of columns, left minus right.
     pub x_px: [f64; 3],
@@ -61,8 +67,7 @@ impl EpipolarGeometry {
     /// are given, what is very far away has no parallax.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for images of one place, for those that look along their base or far away from each other, and where no row or
-    /// column would show anything of both.
+    /// [`Error::InvalidInput`] for images without a base, for those that look along it, and where no row or column would show anything of both.
     pub fn new(views: [&StereoView; 2], points_px: &[[[f64; 2]; 2]]) -> Result<Self, Error> {
         let names = || views.map(|view| view.name.clone());
         let [left, right] = views.map(|view| Vector3::from(view.pose.position));
@@ -71,17 +76,19 @@ impl EpipolarGeometry {
             let [left, right] = names();
             return refuse(Refusal::EpipolarBase { left, right });
         }
-        let Some(rotation) = axes((right - left) / base, views) else {
+        let direction = (right - left) / base;
+        let rotation = axes(direction, views).filter(|_| !views.iter().any(|view| shows(view, direction) || shows(view, -direction)));
+        let Some(rotation) = rotation else {
             let [left, right] = names();
             return refuse(Refusal::EpipolarAlongBase { left, right });
         };
+        if intersection_angle_deg(views, points_px).is_some_and(|angle_deg| angle_deg < LEAST_ANGLE_DEG) {
+            let [left, right] = names();
+            return refuse(Refusal::EpipolarBase { left, right });
+        }
         let to_epipolar = views.map(|view| rotation * view.pose.matrix().transpose());
         let mut focal_px = 0.5 * (views[0].focal_px() + views[1].focal_px());
-        let borders = [0, 1].map(|side| extent(views[side], &to_epipolar[side]));
-        let [Some(of_left), Some(of_right)] = borders else {
-            let [left, right] = names();
-            return refuse(Refusal::EpipolarAlongBase { left, right });
-        };
+        let [of_left, of_right] = [0, 1].map(|side| extent(views[side], &to_epipolar[side]));
         let placed: Vec<[[f64; 2]; 2]> = points_px.iter().filter_map(|places| both(views, &to_epipolar, places)).collect();
         let middle = median(&mut placed.iter().map(|[a, b]| a[0] - b[0]).collect::<Vec<_>>()).unwrap_or(0.0);
         // In the left image; the right one shows the same columns once the median parallax is taken off.
@@ -151,17 +158,34 @@ fn axes(x: Vector3<f64>, views: [&StereoView; 2]) -> Option<Matrix3<f64>> {
     Some(Matrix3::from_rows(&[x.transpose(), z.cross(&x).transpose(), z.transpose()]))
 }
 
-/// What an image shows, of focal length 1; `None` where it shows directions too far from the axis.
-fn extent(view: &StereoView, to_epipolar: &Matrix3<f64>) -> Option<Extent> {
+/// What an image shows, of focal length 1, as far as the epipolar images show it; nothing where that is none of it.
+fn extent(view: &StereoView, to_epipolar: &Matrix3<f64>) -> Extent {
     let mut extent = Extent { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
-    for direction in view.border() {
-        let at = placed(to_epipolar, direction).filter(|at| at.iter().all(|v| v.abs() <= WIDEST))?;
+    let [width, height] = view.size_px.map(|side| side as f64 / ACROSS as f64);
+    let positions = (0..=ACROSS).flat_map(|row| (0..=ACROSS).map(move |column| [column as f64 * width, row as f64 * height]));
+    for at in positions.filter_map(|position| placed(to_epipolar, view.direction(position)?)) {
         for (axis, value) in at.into_iter().enumerate() {
-            extent.low[axis] = extent.low[axis].min(value);
-            extent.high[axis] = extent.high[axis].max(value);
+            extent.low[axis] = extent.low[axis].min(value.max(-WIDEST));
+            extent.high[axis] = extent.high[axis].max(value.min(WIDEST));
         }
     }
-    Some(extent)
+    extent
+}
+
+/// Whether an image shows what lies in a direction of the object space.
+fn shows(view: &StereoView, direction: Vector3<f64>) -> bool {
+    let seen = view.pose.matrix() * direction;
+    seen.z < 0.0 && view.position([-seen.x / seen.z, -seen.y / seen.z]).is_some_and(|at| view.sees(at))
+}
+
+/// The median angle between the rays of points that both images show; `None` without any.
+fn intersection_angle_deg(views: [&StereoView; 2], points_px: &[[[f64; 2]; 2]]) -> Option<f64> {
+    let ray = |side: usize, position: [f64; 2]| {
+        let [x, y] = views[side].direction(position)?;
+        Some((views[side].pose.matrix().transpose() * Vector3::new(x, y, -1.0)).normalize())
+    };
+    let angle = |[left, right]: &[[f64; 2]; 2]| Some(libm::asin(ray(0, *left)?.cross(&ray(1, *right)?).norm().min(1.0)).to_degrees());
+    median(&mut points_px.iter().filter_map(angle).collect::<Vec<_>>())
 }
 
 /// Where a direction lies in the epipolar images, of focal length 1; `None` behind them.
@@ -226,7 +250,7 @@ mod tests {
                     assert!([a, b].iter().all(|at| (0..2).all(|k| (0.0..=size[k]).contains(&at[k]))), "{a:?} {b:?} {size:?}");
                 }
             }
-            assert!(shown >= 3, "{shown}");
+            assert!(shown >= 2, "{shown}");
         }
     }
 
@@ -234,10 +258,28 @@ mod tests {
     fn images_that_have_no_epipolar_images_are_refused() {
         let first = view("a", [0.0; 3], [0.0, 0.0, 100.0], 1000.0);
         let refused = |other: &StereoView| EpipolarGeometry::new([&first, other], &[]).unwrap_err().to_string();
-        assert!(refused(&view("b", [0.0, 0.0, 10.0], [0.0, 0.0, 100.0], 1000.0)).contains("taken from one place"));
+        assert!(refused(&view("b", [0.0, 0.0, 10.0], [0.0, 0.0, 100.0], 1000.0)).contains("no base (pure rotation)"));
         assert!(refused(&view("b", [0.0; 3], [0.0, 0.0, 90.0], 1000.0)).contains("look along their base"));
-        assert!(refused(&view("b", [0.0, 170.0, 0.0], [30.0, 0.0, 100.0], 1000.0)).contains("away from each other"));
+        assert!(refused(&view("b", [0.0, 170.0, 0.0], [30.0, 0.0, 100.0], 1000.0)).contains("no rows and columns in common"));
         assert!(refused(&view("b", [60.0, 0.0, 0.0], [30.0, 0.0, 100.0], 1000.0)).contains("no rows and columns in common"));
+    }
+
+    #[test]
+    fn wide_images_that_converge_show_what_both_have_in_common() {
+        let [left, right] =
+            [view("a", [0.0, -40.0, 0.0], [0.0, 0.0, 100.0], 700.0), view("b", [0.0, 40.0, 0.0], [160.0, 0.0, 100.0], 700.0)];
+        let between = [[60.0, 20.0, 0.0], [80.0, -10.0, 5.0], [100.0, 15.0, -5.0]];
+        let points: Vec<[[f64; 2]; 2]> = between.iter().map(|point| [seen(&left, *point), seen(&right, *point)]).collect();
+        // The far corners of either lie more than 71° from the common axis.
+        let made = EpipolarGeometry::new([&left, &right], &points).unwrap();
+        assert!(made.width_px > 1000 && made.height_px > 1000 && made.parallaxes.unwrap().y_rms_px < 1e-7, "{made:?}");
+    }
+
+    #[test]
+    fn rays_that_are_parallel_give_no_base() {
+        let [left, right] = [view("a", [0.0; 3], [0.0, 0.0, 100.0], 1000.0), view("b", [0.0; 3], [0.05, 0.0, 100.0], 1000.0)];
+        let points: Vec<[[f64; 2]; 2]> = POINTS.iter().map(|point| [seen(&left, *point), seen(&right, *point)]).collect();
+        assert!(EpipolarGeometry::new([&left, &right], &points).unwrap_err().to_string().contains("no base"));
     }
 
     #[test]

@@ -88,7 +88,7 @@ impl Position<'_> {
     }
 }
 
-/// Writes both images in one as a PNG file for glasses of red and cyan: red is the left one.
+/// Writes both images in one as a PNG file for red-cyan glasses: red is the left one.
 ///
 /// # Panics
 /// For images of different sizes.
@@ -135,7 +135,7 @@ mod tests {
         let (left, of_left) = photographed([0.02, 0.05, 0.04], [0.0, 0.0, 60.0]);
         let (right, of_right) = photographed([-0.03, -0.04, -0.06], [25.0, 3.0, 62.0]);
         let geometry = EpipolarGeometry::new([&left, &right], &[]).unwrap();
-        let pair = StereoPair { views: [left, right], is_swapped: false, points_px: Vec::new() };
+        let pair = StereoPair { views: [left, right], is_swapped: false, contents: [None, None], points_px: Vec::new() };
         let images = EpipolarImages::new(&geometry, &pair, [of_left.view(), of_right.view()]).unwrap();
         for (side, image) in [&images.left, &images.right].into_iter().enumerate() {
             let pose = Pose { rotation: geometry.rotation, position: geometry.projection_centres[side] };

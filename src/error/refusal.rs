@@ -209,6 +209,7 @@ messages! {
 
         // Epipolar images.
         EpipolarName { name: String },
+        EpipolarNames { name: String },
         EpipolarNotOriented { name: String },
         EpipolarNoPair,
         EpipolarBase { left: String, right: String },

@@ -28,7 +28,7 @@ const LENGTH_STEP: f64 = 1e-6;
 const PX_STEP: f64 = 1e-3;
 const TERM_STEP: f64 = 1e-6;
 
-/// Expected standard errors over the ground of a block, in its system and unit.
+/// Expected standard errors over the ground of a block, in the system and unit of its adjustment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AccuracyMap {
     pub georeference: Georeference,
@@ -43,7 +43,7 @@ pub struct AccuracyMap {
 /// What is expected of a point in the middle of a cell, on the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expected {
-    /// The height of the ground; NaN where the tie points tell none.
+    /// The height of the ground; NaN where the tie points give none.
     pub ground: f64,
     /// Images that show it.
     pub images: usize,
@@ -67,7 +67,7 @@ pub struct AccuracySummary {
     /// Of these the median standard errors, and those that 95 % of the cells do not exceed.
     pub plan: [f64; 2],
     pub height: [f64; 2],
-    /// The images that show most of the ground, on average.
+    /// Mean number of images that show a cell.
     pub images: f64,
 }
 

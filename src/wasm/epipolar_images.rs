@@ -13,7 +13,7 @@ const TYPES: &str = r#"
 export interface EpipolarFiles {
     left: Uint8Array;
     right: Uint8Array;
-    /** Both in one, for glasses of red and cyan. */
+    /** Both in one, for red-cyan glasses. */
     anaglyph: Uint8Array;
     /** JSON: an `EpipolarGeometry` with the names of the images. */
     parameters: string;
@@ -47,6 +47,12 @@ impl EpipolarPair {
     #[wasm_bindgen(getter)]
     pub fn names(&self) -> Vec<String> {
         self.pair.views.iter().map(|view| view.name.clone()).collect()
+    }
+
+    /// SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
+    #[wasm_bindgen(getter, unchecked_return_type = "(string | null)[]")]
+    pub fn contents(&self) -> JsValue {
+        pack(&self.pair.contents)
     }
 
     /// Whether the left image stands second in the project.

@@ -57,7 +57,7 @@ test('what the photos of an oriented pair show lies in the same rows, and its co
   for (const picture of [left, right, anaglyph]) assert.deepEqual([picture.width, picture.height], [width, height]);
   assert.deepEqual([parameters.left, parameters.right], ['left.png', 'right.png']);
   assert.ok(parallaxes.points > 300 && parallaxes.y_rms_px < 0.5 && Math.abs(parallaxes.x_px[1]) <= 0.5, JSON.stringify(parallaxes));
-  assert.match(stdout, /y-parallaxes of \d+ points: 0\.\d\d px RMS/);
+  assert.match(stdout, /residual y-parallax of \d+ points: 0\.\d\d px RMS/);
   const shifts = rowShifts(left, right, Math.ceil(Math.max(...parallaxes.x_px.map(Math.abs))) + 2);
   const same = shifts.filter((down) => Math.abs(down) <= 1).length;
   assert.ok(shifts.length > 20 && same > 0.8 * shifts.length, `${same} of ${shifts.length}`);
@@ -100,7 +100,8 @@ test('what cannot be made says why', () => {
   assert.match(refused(join(at, 'left.png'), at, '--out', folder()), /the project file/);
   const others = folder();
   for (const name of ['left.png', 'right.png']) image(others, name, 50, 40, () => 9);
-  assert.match(refused(project, others, '--out', folder()), /50 x 40 px for left\.png; allowed: \d+ x \d+ px/);
+  assert.match(refused(project, others, '--out', folder()), /left\.png: it is another file than the left\.png of the project/);
+  assert.match(refused(project, at, '--out', folder(), '--left', 'left.png', '--right', 'left.png'), /got left\.png twice/);
   const flat = folder();
   const photo = image(flat, 'flat.png', 80, 60, () => 50);
   tiepoint('match', photo, photo, '--focal-px', '600', '--out', flat);

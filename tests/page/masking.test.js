@@ -31,7 +31,7 @@ const everything = async (page) => JSON.parse((await saved(page, 'export-json'))
 /** The mask of the left image, as the button saves it.  @param {Page} page */
 async function savedMask(page) {
   const [download] = await Promise.all([page.waitForEvent('download'), part(page, 'mask-save').click()]);
-  assert.equal(download.suggestedFilename(), 'left-mask.png');
+  assert.equal(download.suggestedFilename(), 'left-mask-left.png');
   return Photo.decode(readFileSync(await download.path()));
 }
 
@@ -49,7 +49,7 @@ test('an area that is drawn round holds no points; it is kept, saved, unmasked i
     [0, 0.2],
     [-0.2, 0.2],
   ]);
-  await says(page, 'mask-text', /^\d+ corners: mask the area/);
+  await says(page, 'mask-text', /^An area of \d+ corners: mask it/);
   await page.screenshot({ path: join(SHOTS, 'masking.png') });
   await page.keyboard.press('k');
   await part(page, 'unmask-left').waitFor();
@@ -60,7 +60,7 @@ test('an area that is drawn round holds no points; it is kept, saved, unmasked i
   const masked = grey.reduce((sum, value) => sum + Number(value === 0), 0);
   assert.ok(masked > 1000 && masked < 0.6 * grey.length, `${masked}`);
   const after = await everything(page);
-  assert.equal(after.images.left.mask, 'left-mask.png');
+  assert.equal(after.images.left.mask, 'left-mask-left.png');
   const inside = (/** @type {any} */ { points }) =>
     points.left.filter((/** @type {number[]} */ [x = 0, y = 0]) => grey[Math.floor(y) * mask.width + Math.floor(x)] === 0).length;
   assert.ok(inside(before) > 20, `${inside(before)}`);
@@ -82,7 +82,7 @@ test('an area that is drawn round holds no points; it is kept, saved, unmasked i
   // After a reload it is there as it was.
   await page.reload();
   await done(page);
-  assert.equal((await everything(page)).images.left.mask, 'left-mask.png');
+  assert.equal((await everything(page)).images.left.mask, 'left-mask-left.png');
   assert.deepEqual((await everything(page)).points, after.points);
   assert.deepEqual(complaints, []);
   await close();
@@ -104,7 +104,7 @@ test('an area is outlined by keys alone, and given up', { skip: SKIP }, async ()
   await move('ArrowDown', 'ArrowDown');
   await move('ArrowLeft');
   await page.keyboard.press('Backspace');
-  await says(page, 'mask-text', /^3 corners: mask/);
+  await says(page, 'mask-text', /^An area of 3 corners/);
   await page.keyboard.press('Escape');
   await says(page, 'mask-text', /^Draw round/);
   await move();

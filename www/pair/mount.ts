@@ -107,11 +107,12 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
 
   const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
   const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
-  mountInput(view, store, navigator, editing, masking);
+  const paint = (masked: boolean) => void attempt(() => masking.paint(masked));
+  mountInput(view, store, navigator, editing, masking, paint);
   mountToolbar(byId('toolbar'), store, navigator);
   mountEditTools(byId('view-more'), byId('toolbar'), store, editing);
   mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft());
-  mountMasking(byId('view-more'), byId('toolbar'), store, masking, attempt);
+  mountMasking(byId('view-more'), byId('toolbar'), store, masking, paint);
   const pick = pickerOf(files);
   mountPanes(view, store, {
     open: (side) => pick(side),

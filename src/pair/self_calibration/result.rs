@@ -67,7 +67,7 @@ impl SelfCalibration {
     /// What is known of the left and the right camera now.
     pub fn cameras(&self) -> [EstimatedCamera; 2] {
         let right = if self.cameras == 1 { 0 } else { CAMERA };
-        // The right photo is computed at the focal length of the left one; its own is that of its own millimetres.
+        // The right photo is computed at the focal length estimated for the left one; what is told of it is in the photo coordinates that were given.
         let own = self.interior.right.scaled(libm::exp(self.values[right] - self.values[0]));
         [(&self.interior.left, 0), (&own, right)].map(|(side, first)| {
             let error = |k: usize| self.covariance[(first + k, first + k)].max(0.0).sqrt();

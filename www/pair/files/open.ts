@@ -33,6 +33,9 @@ export const freshId = (): number => nextId++;
 
 /** Masks named "right", or the second of two, belong right. */
 function sideOfMask(mask: File, index: number): Side {
+  // As masks are named that were painted here, whatever their images are called.
+  const [, painted] = /-mask-(left|right)\./u.exec(mask.name) ?? [];
+  if (painted !== undefined) return painted as Side;
   if (/right/iu.test(mask.name)) return 'right';
   return /left/iu.test(mask.name) || index === 0 ? 'left' : 'right';
 }

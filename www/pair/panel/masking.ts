@@ -1,6 +1,7 @@
 /** While areas of the pictures are masked: what to do next, and buttons for each key. */
 import { button, byId, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
+import { undoKeys } from '../../shared/panel/history';
 import { save } from '../../shared/files/save';
 import { say } from '../../shared/text/words';
 import type { Masking } from '../state/masking';
@@ -8,19 +9,12 @@ import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
 
-/** The tool with those of the pictures, its buttons in the bar above them. `attempt` runs an action and says what goes wrong. */
-export function mountMasking(
-  host: HTMLElement,
-  bar: HTMLElement,
-  store: Store,
-  masking: Masking,
-  attempt: (action: () => Promise<void>) => Promise<void>,
-): void {
+/** The tool with those of the pictures, its buttons in the bar above them. `paint` masks the outlined area, or no longer. */
+export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, masking: Masking, paint: (masked: boolean) => void): void {
   const tool = button(say('mask-areas'), 'tool-mask', () => masking.toggle(), say('outline-areas-in-which-no'));
   const text = h('span', { testid: 'mask-text', role: 'status' });
-  const paint = (masked: boolean) => () => void attempt(() => masking.paint(masked));
-  const mask = button(say('mask-it'), 'mask-area', paint(true), say('no-points-in-the-outlined'));
-  const unmask = button(say('unmask-it'), 'unmask-area', paint(false), say('points-in-the-outlined-area'));
+  const mask = button(say('mask-it'), 'mask-area', () => paint(true), say('no-points-in-the-outlined'));
+  const unmask = button(say('unmask-it'), 'unmask-area', () => paint(false), say('points-in-the-outlined-area'));
   const undo = button(say('undo'), 'mask-undo', () => masking.undo(), say('take-the-last-area-back'));
   const keep = button(say('save-masks'), 'mask-save', () => saveMasks(store.state), say('masks-as-png-files-for'));
   const end = button(say('end-masking'), 'mask-end', () => masking.toggle());
@@ -35,6 +29,12 @@ export function mountMasking(
     end,
   );
   host.append(tool);
+  undoKeys(
+    () => store.state.tool === 'mask',
+    (by) => {
+      if (by < 0) masking.undo();
+    },
+  );
   bar.append(buttons);
   store.watch(
     (s) => [s.tool, s.outline, s.images, s.masks] as const,

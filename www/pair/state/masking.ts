@@ -4,20 +4,30 @@ import type { Position } from '../../shared/state/pane';
 import type { GivenMask, Outline, Side, State } from './state';
 import type { Store } from './store';
 
-/** Makes a mask of the present one of a side, if any, with an area masked or no longer. */
-export type Painter = (state: State, side: Side, corners: Outline['corners'], masked: boolean) => Promise<GivenMask>;
+/** Makes a mask of the present one of a side, if any, with an area masked or no longer; null where it was cancelled. */
+export type Painter = (state: State, side: Side, corners: Outline['corners'], masked: boolean) => Promise<GivenMask | null>;
 
 /** An area has three corners at least. */
 const LEAST_CORNERS = 3;
 
-/** A mask of an image before an area was painted. */
-interface Former {
+/** Areas that can be taken back: each holds a whole mask. */
+const MOST_UNDONE = 10;
+
+/** An area that was painted. */
+interface Painted {
   imageId: number;
-  mask: GivenMask | null;
+  before: GivenMask | null;
+  /** The id of the mask that it made. */
+  after: number;
 }
 
 export class Masking {
-  private formers: Former[] = [];
+  private done: Painted[] = [];
+  /** What was outlined before the line that is being drawn. */
+  private former: Outline | null = null;
+  /** Whether the outline was drawn in one go. */
+  private isTraced = false;
+  private isTracing = false;
   /** Areas are painted one after the other: each begins with the mask that the one before it left. */
   private painting: Promise<void> = Promise.resolve();
 
@@ -26,9 +36,9 @@ export class Masking {
     private readonly painter: Painter,
   ) {}
 
-  /** Whether there is an image to be masked. */
+  /** Whether there is an image to be masked: of a project that was opened the images themselves may be missing. */
   can(): boolean {
-    return Object.values(this.store.state.images).some((image) => image !== null);
+    return Object.values(this.store.state.images).some((image) => image !== null && image.source.kind !== 'project');
   }
 
   toggle(): void {
@@ -40,21 +50,32 @@ export class Masking {
   place(side: Side, at: Position): void {
     const { outline } = this.store.state;
     const before = outline?.side === side ? outline.corners : [];
+    this.isTraced = false;
     this.store.dispatch({ type: 'outline', outline: { side, corners: [...before, at] } });
   }
 
-  /** What is drawn in one go. */
-  trace(side: Side, corners: Outline['corners']): void {
+  /** What is drawn in one go; `ended`: as far as it goes. */
+  trace(side: Side, corners: Outline['corners'], ended: boolean): void {
+    if (!this.isTracing) this.former = this.store.state.outline;
+    this.isTracing = !ended;
+    this.isTraced = true;
     this.store.dispatch({ type: 'outline', outline: { side, corners } });
   }
 
-  /** Takes the last corner back; false where there is none. */
-  back(): boolean {
+  /** Gives up what is being drawn: what was outlined before it is so again. */
+  giveUp(): void {
+    if (!this.isTracing) return;
+    this.isTracing = false;
+    this.isTraced = false;
+    this.store.dispatch({ type: 'outline', outline: this.former });
+  }
+
+  /** Takes the last corner back, or all that was drawn in one go. */
+  back(): void {
     const { outline } = this.store.state;
-    if (outline === null) return false;
-    const corners = outline.corners.slice(0, -1);
+    if (outline === null) return;
+    const corners = this.isTraced ? [] : outline.corners.slice(0, -1);
     this.store.dispatch({ type: 'outline', outline: corners.length === 0 ? null : { ...outline, corners } });
-    return true;
   }
 
   isArea(): boolean {
@@ -63,45 +84,68 @@ export class Masking {
 
   /** The outlined area holds no points from now on, or does so again. */
   paint(masked: boolean): Promise<void> {
-    const { outline } = this.store.state;
-    if (outline === null || !this.isArea()) return Promise.resolve();
+    const { outline, images } = this.store.state;
+    const image = outline === null ? null : images[outline.side];
+    if (outline === null || image === null || !this.isArea()) return Promise.resolve();
     this.store.dispatch({ type: 'outline', outline: null });
     // Who painted the area before is told of its failure.
-    this.painting = this.painting.catch(() => {}).then(() => this.painted(outline, masked));
+    this.painting = this.painting.catch(() => {}).then(() => this.painted(image.id, outline.corners, masked));
     return this.painting;
   }
 
   canUndo(): boolean {
-    return this.formers.some(({ imageId }) => this.sideOf(imageId) !== undefined);
+    return this.last() !== null;
   }
 
   /** Takes the area back that was painted last. */
   undo(): void {
-    const former = this.formers.pop();
-    if (former === undefined) return;
-    const side = this.sideOf(former.imageId);
-    // Of an image that is no longer here nothing is taken back.
-    if (side === undefined) this.undo();
-    else this.store.dispatch({ type: 'mask', side, mask: former.mask });
+    const last = this.last();
+    if (last === null) return;
+    this.done.pop();
+    this.store.dispatch({ type: 'mask', side: last.side, mask: last.before });
   }
 
-  private async painted({ side, corners }: Outline, masked: boolean): Promise<void> {
+  /** The area that was painted last, unless its image or its mask has become another one. */
+  private last(): (Painted & { side: Side }) | null {
+    const last = this.done.at(-1);
+    if (last === undefined) return null;
+    const side = this.sideOf(last.imageId);
+    if (side !== undefined && this.store.state.masks[side]?.id === last.after) return { ...last, side };
+    this.done = [];
+    return null;
+  }
+
+  private async painted(imageId: number, corners: Outline['corners'], masked: boolean): Promise<void> {
     const { state } = this.store;
-    const image = state.images[side];
+    const side = this.sideOf(imageId);
+    if (side === undefined) return;
     const before = state.masks[side];
-    if (image === null) return;
+    const tell = (kind: 'info' | 'problem', text: string) => this.store.dispatch({ type: 'notice', notice: { kind, text } });
     if (before?.source.kind === 'project') {
-      const text = say('the-mask-is-not-here', { name: before.name });
-      this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text } });
+      tell('problem', say('the-mask-is-not-here', { name: before.name }));
       return;
     }
-    const mask = await this.painter(state, side, corners, masked);
-    // Meanwhile the image or its mask may be another one.
-    if (this.store.state.images[side] !== image || this.store.state.masks[side] !== before) return;
-    this.formers.push({ imageId: image.id, mask: before });
-    this.store.dispatch({ type: 'mask', side, mask });
-    const text = say('masks-of-the-image', { name: mask.name, left_out: 100 * mask.leftOut, side });
-    this.store.dispatch({ type: 'notice', notice: { kind: 'info', text } });
+    let mask: GivenMask | null = null;
+    try {
+      mask = await this.painter(state, side, corners, masked);
+    } finally {
+      // What was outlined is not lost.
+      if (mask === null) this.outlinedAgain(imageId, corners);
+    }
+    const now = this.sideOf(imageId);
+    if (mask === null || now === undefined || this.store.state.masks[now] !== before) {
+      tell('info', say('no-area-was-painted'));
+      return;
+    }
+    this.done = [...this.done, { imageId, before, after: mask.id }].slice(-MOST_UNDONE);
+    this.store.dispatch({ type: 'mask', side: now, mask });
+    tell('info', say('masks-of-the-image', { name: mask.name, left_out: 100 * mask.leftOut, side: now }));
+  }
+
+  private outlinedAgain(imageId: number, corners: Outline['corners']): void {
+    const side = this.sideOf(imageId);
+    const { outline, tool } = this.store.state;
+    if (side !== undefined && outline === null && tool === 'mask') this.store.dispatch({ type: 'outline', outline: { side, corners } });
   }
 
   private sideOf(imageId: number): Side | undefined {

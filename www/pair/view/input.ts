@@ -17,13 +17,14 @@ import { paneAt } from './scene';
 import type { View } from './view';
 import { say } from '../../shared/text/words';
 
-export function mountInput(view: View, store: Store, navigator: Navigator, editing: Editing, masking: Masking): void {
+/** `paint` masks the outlined area, or no longer. */
+export function mountInput(view: View, store: Store, navigator: Navigator, editing: Editing, masking: Masking, paint: (masked: boolean) => void): void {
   const { host } = view;
   const activate = (side: Side) => {
     if (store.state.activeSide !== side) store.dispatch({ type: 'activeSide', side });
   };
   const measuring = declare({ where: say('pictures-of-a-pair-while'), host, list: measuringKeys(store, navigator, editing) });
-  const masks = declare({ where: say('pictures-of-a-pair-while-masking'), host, list: maskingKeys(store, navigator, masking) });
+  const masks = declare({ where: say('pictures-of-a-pair-while-masking'), host, list: maskingKeys(store, navigator, masking, paint) });
   const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(store, navigator, editing, masking) });
   listen<Side>(
     host,
@@ -45,7 +46,7 @@ export function mountInput(view: View, store: Store, navigator: Navigator, editi
       },
       encloses: (shift) => shift || store.state.tool === 'choose' || store.state.tool === 'mask',
       enclosed: (side, from, to, ended, path) => {
-        if (store.state.tool === 'mask') outline(view, side, path, masking);
+        if (store.state.tool === 'mask') outline(view, side, path, ended, masking);
         else enclose(view, store, side, from, to, ended);
       },
       pointed: (at) => view.point(at),
@@ -98,18 +99,16 @@ function corner(view: View, x: number, y: number, masking: Masking): void {
   if (pane?.picture != null) masking.place(pane.side, toPosition(pane.transform, x, y));
 }
 
-/** Outlines an area by a line that is drawn. */
-function outline(view: View, side: Side, path: readonly [number, number][], masking: Masking): void {
+/** Outlines an area by a line that is drawn; one without places is given up. */
+function outline(view: View, side: Side, path: readonly [number, number][], ended: boolean, masking: Masking): void {
   const { transform } = view.scene().panes[side];
-  if (path.length > 0)
-    masking.trace(
-      side,
-      path.map(([x, y]) => toPosition(transform, x, y)),
-    );
+  const corners = path.map(([x, y]) => toPosition(transform, x, y));
+  if (corners.length === 0) masking.giveUp();
+  else masking.trace(side, corners, ended);
 }
 
 /** While areas are masked. */
-function maskingKeys(store: Store, navigator: Navigator, masking: Masking): Command[] {
+function maskingKeys(store: Store, navigator: Navigator, masking: Masking, paint: (masked: boolean) => void): Command[] {
   const masks = () => store.state.tool === 'mask';
   const encloses = () => masks() && masking.isArea();
   const place = () => {
@@ -118,9 +117,10 @@ function maskingKeys(store: Store, navigator: Navigator, masking: Masking): Comm
   };
   return [
     { keys: ['Enter'], does: say('places-a-corner-in-the-middle'), can: masks, run: place },
-    { keys: ['Backspace'], does: say('takes-the-last-corner-back'), can: () => masks() && store.state.outline !== null, run: () => masking.back() },
-    { keys: ['k'], does: say('masks-the-outlined-area'), can: encloses, run: () => void masking.paint(true) },
-    { keys: ['u'], does: say('unmasks-the-outlined-area'), can: encloses, run: () => void masking.paint(false) },
+    // Also where there is no corner: nothing else is rejected by them meanwhile.
+    { keys: ['Backspace', 'Delete'], does: say('takes-the-last-corner-back'), can: masks, run: () => masking.back() },
+    { keys: ['k'], does: say('masks-the-outlined-area'), can: encloses, run: () => paint(true) },
+    { keys: ['u'], does: say('unmasks-the-outlined-area'), can: encloses, run: () => paint(false) },
   ];
 }
 

@@ -1,13 +1,20 @@
-/** The area that is being outlined on a picture. */
+/** The area that is being outlined on a picture, and where keys place its next corner. */
 import { within } from '../../shared/view/layers';
 import { SELECTED } from '../../shared/view/palette';
-import { toCanvas } from '../../shared/view/transform';
+import { drawCross } from '../../shared/view/pointer';
+import { toCanvas, toPosition } from '../../shared/view/transform';
 import type { State } from '../state/state';
 import type { Scene } from './scene';
 
 const CORNER = 3;
 
-export function drawOutline(context: CanvasRenderingContext2D, { outline }: State, scene: Scene): void {
+export function drawOutline(context: CanvasRenderingContext2D, { outline, tool, activeSide }: State, scene: Scene): void {
+  const active = scene.panes[activeSide];
+  // Keys place a corner there.
+  if (tool === 'mask' && active.picture !== null) {
+    const { left, top, width, height } = active.rect;
+    drawCross(context, active, toPosition(active.transform, left + width / 2, top + height / 2), false);
+  }
   if (outline === null) return;
   const { rect, transform } = scene.panes[outline.side];
   const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));

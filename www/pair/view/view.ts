@@ -62,7 +62,7 @@ export class View {
       () => this.layers.redraw('marks', 'overlay'),
     );
     store.watch(
-      (s) => [s.selection, s.chosen, s.draft, s.outline, s.results.line, s.results.inspection, s.settings, s.results.offset] as const,
+      (s) => [s.selection, s.chosen, s.draft, s.outline, s.tool, s.activeSide, s.results.line, s.results.inspection, s.settings, s.results.offset] as const,
       () => this.layers.redraw('overlay'),
     );
   }

@@ -289,14 +289,15 @@ mask-it = تقنيع
 no-points-in-the-outlined = لا نقاط في المساحة المحددة (K)
 unmask-it = رفع القناع
 points-in-the-outlined-area = النقاط في المساحة المحددة من جديد (U)
-take-the-last-area-back = التراجع عن آخر مساحة
+take-the-last-area-back = التراجع عن آخر مساحة رُسمت (Ctrl+Z)
 save-masks = حفظ القناعين
-masks-as-png-files-for = القناعان ملفَّي PNG، للأمر أو ليوم آخر
+masks-as-png-files-for = القناعان ملفَّي PNG، لاستعمال لاحق أو للأمر
+no-area-was-painted = لم تُرسم مساحة: أُلغي ذلك، أو تغيرت الصورة أو قناعها في الأثناء.
 end-masking = إغلاق
 masks-of-the-pictures = قناعا الصورتين
 the-area-is-outlined = عدد الأركان { $corners }: قنِّع المساحة أو ارفع عنها القناع.
 draw-round-an-area-or = { $corners ->
-    [0] ارسم حول مساحة بالمؤشر، أو اضغط أركانها واحدًا بعد آخر.
+    [0] ارسم حول مساحة، أو اضغط أركانها واحدًا بعد آخر. بالمفاتيح: يضع Enter ركنًا عند العلامة في الوسط.
    *[other] عدد الأركان { $corners }: للمساحة ثلاثة على الأقل.
 }
 the-mask-is-not-here = ملف { $name } ليس هنا: افتحه من جديد، أو أزل القناع، قبل رسم مساحة.

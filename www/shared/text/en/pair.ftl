@@ -80,7 +80,7 @@ report-step-of-writing = Report, step { $steps } of { $steps }: writing …
 the-report-was-saved-it = The report was saved. It matches by every strategy anew: edits by hand are not in it.
 the-report-was-cancelled = The report was cancelled.
 epipolar-images-are-made = Epipolar images: resampling …
-epipolar-images-were-saved = The epipolar images were saved: left, right and an anaglyph. What is left of the y-parallaxes of { COUNT($points) } points is { FIXED($left_over, digits: 2) } px (RMS).
+epipolar-images-were-saved = The epipolar images were saved: left, right and an anaglyph. Residual y-parallax of { COUNT($points) } points: { FIXED($left_over, digits: 2) } px (RMS).
 cancelled-nothing-was-saved-the-epipolar = Cancelled: no epipolar images were made.
 
 ## mount
@@ -309,14 +309,15 @@ mask-it = Mask
 no-points-in-the-outlined = No points in the outlined area (K)
 unmask-it = Unmask
 points-in-the-outlined-area = Points in the outlined area again (U)
-take-the-last-area-back = Take the last area back
+take-the-last-area-back = Undo the area that was painted last (Ctrl+Z)
 save-masks = Save masks
-masks-as-png-files-for = The masks as PNG files, for the command or another day
+masks-as-png-files-for = The masks as PNG files, for later use or for the command
+no-area-was-painted = No area was painted: it was cancelled, or the image or its mask has changed meanwhile.
 end-masking = Close
 masks-of-the-pictures = Masks of the pictures
-the-area-is-outlined = { $corners } corners: mask the area, or unmask it.
+the-area-is-outlined = An area of { $corners } corners: mask it, or unmask it.
 draw-round-an-area-or = { $corners ->
-    [0] Draw round an area with the pointer, or press its corners one after the other.
+    [0] Draw round an area, or press its corners one after the other. By keys: Enter places one at the cross in the middle.
     [one] One corner: an area has three at least.
    *[other] { $corners } corners: an area has three at least.
 }
