@@ -75,9 +75,12 @@ function painted(paint = async () => made()) {
   return { store, masking, draw };
 }
 
-let id = 100;
+/** Differ for every mask. */
+const ids = (function* () {
+  for (let id = 100; ; id += 1) yield id;
+})();
 const made = () => ({
-  id: (id += 1),
+  id: ids.next().value,
   name: 'mask.png',
   source: { kind: 'file', file: new Blob() },
   width: 20,
