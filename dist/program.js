@@ -5438,7 +5438,7 @@ function firstRefused(fields) {
 function typed({ value, valueAsNumber, validity }) {
 	return value === "" && !validity.badInput ? void 0 : valueAsNumber;
 }
-function mark(input, wrong) {
+function mark$1(input, wrong) {
 	if (wrong) input.setAttribute("aria-invalid", "true");
 	else input.removeAttribute("aria-invalid");
 }
@@ -5446,14 +5446,14 @@ function mark(input, wrong) {
 function showNumber({ input, problem }, value) {
 	if (value == null) input.value = "";
 	else if (input.valueAsNumber !== value) input.value = String(value);
-	mark(input, false);
+	mark$1(input, false);
 	problem.textContent = "";
 }
 /** The number of a field, `last` where it is not allowed; `allowed` says what is instead of a value. */
 function readNumber({ input, problem }, allowed, last) {
 	const value = typed(input);
 	const instead = value === void 0 ? null : Number.isNaN(value) ? "a number" : allowed(value);
-	mark(input, instead !== null);
+	mark$1(input, instead !== null);
 	problem.textContent = instead === null ? "" : say("allowed-or-empty", {
 		instead,
 		stays: STAYS
@@ -5466,7 +5466,7 @@ function readPair(inputs, problem, allowed) {
 	const tell = (text, wrong) => {
 		problem.textContent = text;
 		inputs.forEach((input, i) => {
-			mark(input, wrong[i] === true);
+			mark$1(input, wrong[i] === true);
 		});
 	};
 	if (a === void 0 && b === void 0) {
@@ -5602,7 +5602,8 @@ var UNEDITED = {
 	chosen: [],
 	before: null,
 	draft: null,
-	outline: null
+	outline: null,
+	mark: null
 };
 var INITIAL = {
 	catalogue: null,
@@ -6096,6 +6097,17 @@ function placeOfLeft({ left, match }, index) {
 	];
 }
 var rowOfEdited = remember(rowsOfLefts);
+// www/pair/state/marks.ts
+var isMeasured = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
+/** The marks that are measured and whose photo coordinates are known: only they take part. */
+var wholeMarks = ({ fiducials }) => fiducials.filter((mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm));
+/** Where a mark lies in its image, px; null where it is not measured. */
+function placeOfMark({ origin }, mark) {
+	const [left, top] = origin ?? [0, 0];
+	return mark !== void 0 && isMeasured(mark) ? [mark.col - left, mark.row - top] : null;
+}
+/** The mark in hand, where it is one of those that are there. */
+var markInHand = ({ mark, photos }) => mark === null ? void 0 : photos[mark.side].fiducials[mark.index];
 // www/pair/state/truth.ts
 /** The truth of the images on the screen; null where they are not a simulated pair in its own order. */
 function truthOf(state) {
@@ -6167,7 +6179,7 @@ function cameraOf$1(state, side) {
 		kind: "panorama",
 		side
 	};
-	const marked = state.photos[side].fiducials.length > 0;
+	const marked = wholeMarks(state.photos[side]).length > 0;
 	const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
 	if (camera === null) return marked ? { kind: "no_focal_length" } : {
 		kind: "no_camera",
@@ -6678,6 +6690,7 @@ var line = async (state, workers) => {
 	return from === null || at == null ? null : seenFrom(workers, state, from, [at[0], at[1]]);
 };
 // www/pair/engine/runs.ts
+/** How each stage is computed: which calls, on which worker, from which results. */
 /** Longest side of the copies from which the offset is estimated, in px. */
 var OFFSET_SIDE = 1024;
 function open(side) {
@@ -6761,13 +6774,13 @@ function interior(side) {
 		const { info } = needed(state, side === "left" ? "openLeft" : "openRight");
 		const cameras = pairCameras(state);
 		if ("missing" in cameras) throw new Error(message("no_orientation", cameras.missing));
-		const { fiducials, origin } = state.photos[side];
+		const { origin } = state.photos[side];
 		return workers.client("pair").call("interior", {
 			width: info.width,
 			height: info.height,
 			camera: cameras[side],
 			pairFocalMm: cameras.left.focal_mm,
-			fiducials,
+			fiducials: wholeMarks(state.photos[side]),
 			model: state.fiducialModel,
 			origin
 		});
@@ -7132,6 +7145,7 @@ function projectOf(state, contents) {
 	});
 	const given = (side) => ({
 		...photos[side],
+		fiducials: wholeMarks(photos[side]),
 		model: fiducialModel
 	});
 	return {
@@ -9792,7 +9806,7 @@ function summary(state) {
 // www/pair/state/draft.ts
 /** A match that is measured by hand: where it lies so far, and where its other point may be. */
 /** Places are kept to so many parts of a px: nobody measures better. */
-var STEPS_OF_PX = 100;
+var STEPS_OF_PX$1 = 100;
 /** The places of a side, then of the other, of the matches nearest to a place; nearest first. */
 function nearest({ match }, side, [x, y]) {
 	const first = side === "left" ? 0 : 2;
@@ -9848,7 +9862,7 @@ function placeOfDraft(state, side) {
 	if (own !== null) return [own[0], own[1]];
 	return side === draft.side ? expectedPlace(state) : null;
 }
-var rounded = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
+var rounded = (value) => Math.round(value * STEPS_OF_PX$1) / STEPS_OF_PX$1;
 /** The size of an image; null while it is not open. */
 function sizeOf({ results }, side) {
 	return results[side === "left" ? "openLeft" : "openRight"]?.value.info ?? null;
@@ -9965,11 +9979,11 @@ function mountDraft(host, store, editing, follow) {
 		accept.disabled = editOfDraft(state) === null;
 		exchange.disabled = state.draft === null;
 		fit.disabled = accept.disabled;
-		const now = textOf$1(state);
+		const now = textOf$2(state);
 		if (text.textContent !== now) text.textContent = now;
 	});
 }
-function textOf$1(state) {
+function textOf$2(state) {
 	const { draft } = state;
 	if (draft === null) return say("new-match-press-a-point");
 	const place = (side) => {
@@ -10255,7 +10269,8 @@ var HEADS = {
 	x_mm: "x mm",
 	y_mm: "y mm"
 };
-function mountFiducials(host, store, loadFile) {
+/** `measure`: in the picture of a side. */
+function mountFiducials(host, store, loadFile, measure) {
 	const model = h("select", {
 		id: "fiducial-model",
 		testid: "fiducial-model"
@@ -10270,9 +10285,9 @@ function mountFiducials(host, store, loadFile) {
 	store.watch(["fiducialModel"], ([value]) => {
 		model.value = value;
 	});
-	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile), photo("right", store, loadFile)));
+	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile, measure), photo("right", store, loadFile, measure)));
 }
-function photo(side, store, loadFile) {
+function photo(side, store, loadFile, measure) {
 	const table = h("div", { class: "scroll" });
 	const result = h("p", {
 		class: "note",
@@ -10293,6 +10308,15 @@ function photo(side, store, loadFile) {
 		}] });
 	});
 	const load = button(say("load-csv"), `load-fiducials-${side}`, () => loadFile(side));
+	const inPicture = button(say("measure-in-the-image"), `measure-fiducials-${side}`, () => measure(side), say("press-each-mark-in-the-image"));
+	store.watch((s) => [
+		s.images[side],
+		s.tool,
+		s.mark
+	], ([image, tool, mark]) => {
+		inPicture.disabled = image === null;
+		inPicture.setAttribute("aria-pressed", String(tool === "fiducials" && mark?.side === side));
+	});
 	const clear = button(say("clear"), `clear-fiducials-${side}`, () => set({ fiducials: [] }));
 	let shown = null;
 	const stage = side === "left" ? "interiorLeft" : "interiorRight";
@@ -10306,7 +10330,7 @@ function photo(side, store, loadFile) {
 		clear.disabled = fiducials.length === 0;
 		fill(result, interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, fiducials.length));
 	});
-	return h("div", { class: "photo" }, h("h3", {}, say("image-4", { name })), result, table, h("div", { class: "buttons" }, add, load, clear), originFields(side, store));
+	return h("div", { class: "photo" }, h("h3", {}, say("image-4", { name })), result, table, h("div", { class: "buttons" }, inPicture, add, load, clear), originFields(side, store));
 }
 function interiorText(sigma, freedom, marks) {
 	if (marks === 0) return say("no-fiducial-marks-the-pixel");
@@ -10528,6 +10552,7 @@ function inputOf(state) {
 	const truth = truthOf(state);
 	const photo = (side) => ({
 		...photos[side],
+		fiducials: wholeMarks(photos[side]),
 		model: fiducialModel
 	});
 	return {
@@ -11409,6 +11434,78 @@ function chart(title, unit, data, testid) {
 		class: "median"
 	}));
 	return h("figure", { testid }, h("figcaption", {}, title, h("span", { class: "unit" }, `${suffix} · n = ${count(data.total)}`)), picture, h("div", { class: "scale" }, h("span", {}, significant(data.low)), h("span", {}, say("median", { median: significant(data.median) })), h("span", {}, significant(data.high))));
+}
+// www/pair/panel/marking.ts
+/** While fiducial marks are measured: which one is in hand, where it lies, and buttons for each key. */
+/** In the bar above the pictures. `show` brings a place into view. */
+function mountMarking(bar, store, marking, show) {
+	const text = h("span", {
+		testid: "mark-text",
+		role: "status"
+	});
+	const go = async (by) => {
+		const at = await marking.go(by);
+		const { mark } = store.state;
+		if (at !== null && mark !== null) show(mark.side, at);
+	};
+	const former = button(say("mark-before"), "mark-before", () => void go(-1), say("the-mark-before-p"));
+	const next = button(say("next-mark"), "mark-next", () => void go(1), say("the-next-mark-enter"));
+	const clear = button(say("clear-mark"), "mark-clear", () => marking.clear(), say("the-mark-is-not-measured"));
+	const end = button(say("end-marking"), "mark-end", () => store.dispatch({
+		type: "tool",
+		tool: "look"
+	}));
+	const buttons = h("div", {
+		class: "drafting",
+		testid: "marking",
+		role: "group",
+		aria: { label: say("fiducial-marks-measured") }
+	}, text, former, next, clear, end);
+	bar.append(buttons);
+	store.watch((s) => [
+		s.tool,
+		s.mark,
+		s.photos
+	], () => {
+		const { state } = store;
+		buttons.hidden = state.tool !== "fiducials" || state.mark === null;
+		former.disabled = state.mark === null || state.mark.index === 0;
+		next.disabled = markInHand(state) === void 0;
+		clear.disabled = placeInHand(state) === null;
+		const now = textOf$1(state);
+		if (text.textContent !== now) text.textContent = now;
+	});
+}
+var placeInHand = (state) => state.mark === null ? null : placeOfMark(state.photos[state.mark.side], markInHand(state));
+function textOf$1(state) {
+	const { mark } = state;
+	if (mark === null) return "";
+	const one = markInHand(state);
+	const at = placeInHand(state);
+	const photo = one !== void 0 && Number.isFinite(one.x_mm) && Number.isFinite(one.y_mm) ? say("mark-at-mm", {
+		x: fixed(one.x_mm, 3),
+		y: fixed(one.y_mm, 3)
+	}) : "";
+	const number = mark.index + 1;
+	if (at !== null) return say("mark-is-at", {
+		number,
+		photo,
+		column: fixed(at[0], 2),
+		row: fixed(at[1], 2)
+	});
+	if (one === void 0) return say("new-mark-press-it", {
+		number,
+		side: mark.side
+	});
+	return mark.expected === null ? say("mark-press-it", {
+		number,
+		photo,
+		side: mark.side
+	}) : say("mark-is-expected", {
+		number,
+		photo,
+		side: mark.side
+	});
 }
 // www/pair/panel/masking.ts
 /** While areas of the pictures are masked: what to do next, and buttons for each key. */
@@ -12634,6 +12731,133 @@ var Editing = class {
 		});
 	}
 };
+// www/pair/state/marking.ts
+/** Marks that determine each transformation. */
+var LEAST_SIMILARITY = 2;
+var LEAST_AFFINE = 3;
+/** Places are kept to so many parts of a px: nobody measures better. */
+var STEPS_OF_PX = 100;
+var Marking = class {
+	store;
+	orienter;
+	constructor(store, orienter) {
+		this.store = store;
+		this.orienter = orienter;
+	}
+	/** Begins with the first mark of a photo that is not measured, or a new one; puts the tool away where it is in use there. */
+	toggle(side) {
+		const { tool, mark, images, photos } = this.store.state;
+		const ends = tool === "fiducials" && mark?.side === side;
+		this.store.dispatch({
+			type: "tool",
+			tool: ends || images[side] === null ? "look" : "fiducials"
+		});
+		if (ends || images[side] === null) return;
+		const { fiducials } = photos[side];
+		const first = fiducials.findIndex((one) => !isMeasured(one));
+		this.store.dispatch({
+			type: "activeSide",
+			side
+		});
+		this.take(side, first < 0 ? fiducials.length : first);
+	}
+	/** Places the mark in hand, where it is of that image. */
+	place(side, [x, y]) {
+		const { mark, photos } = this.store.state;
+		if (mark === null || mark.side !== side) return;
+		const { fiducials, origin } = photos[side];
+		const [left, top] = origin ?? [0, 0];
+		const [col = NaN, row = NaN] = [x + left, y + top].map((v) => Math.round(STEPS_OF_PX * v) / STEPS_OF_PX);
+		const placed = {
+			...fiducials[mark.index] ?? {
+				x_mm: NaN,
+				y_mm: NaN
+			},
+			col,
+			row
+		};
+		this.set(side, [
+			...fiducials.slice(0, mark.index),
+			placed,
+			...fiducials.slice(mark.index + 1)
+		]);
+	}
+	nudge(dx, dy) {
+		const { mark, photos } = this.store.state;
+		const at = mark === null ? null : placeOfMark(photos[mark.side], markInHand(this.store.state));
+		if (mark !== null && at !== null) this.place(mark.side, [at[0] + dx, at[1] + dy]);
+	}
+	/** Takes the next or the former mark in hand; behind the last one a new one. Gives where it is, or is expected. */
+	async go(by) {
+		const { mark, photos } = this.store.state;
+		if (mark === null) return null;
+		const { side, index } = mark;
+		const last = photos[side].fiducials.length;
+		return this.take(side, Math.min(last, Math.max(0, index + by)));
+	}
+	/** The mark in hand is not measured any more. */
+	clear() {
+		const { mark, photos } = this.store.state;
+		const cleared = markInHand(this.store.state);
+		if (mark === null || cleared === void 0) return;
+		const { fiducials } = photos[mark.side];
+		this.set(mark.side, fiducials.map((one) => one === cleared ? {
+			...one,
+			col: NaN,
+			row: NaN
+		} : one));
+		this.take(mark.side, mark.index);
+	}
+	set(side, fiducials) {
+		this.store.dispatch({
+			type: "photo",
+			side,
+			photo: { fiducials }
+		});
+	}
+	/** Takes a mark in hand; where others tell where it is, that follows. */
+	async take(side, index) {
+		this.store.dispatch({
+			type: "mark",
+			mark: {
+				side,
+				index,
+				expected: null
+			}
+		});
+		const photo = this.store.state.photos[side];
+		const wanted = photo.fiducials[index];
+		const at = placeOfMark(photo, wanted);
+		const known = wholeMarks(photo);
+		if (at !== null || wanted === void 0 || known.length < LEAST_SIMILARITY) return at;
+		const model = known.length < LEAST_AFFINE ? "similarity" : this.store.state.fiducialModel;
+		const found = await this.orienter(known, model);
+		const expected = found === null ? null : positionOf(photo, found, wanted);
+		const { mark } = this.store.state;
+		if (expected === null || mark?.side !== side || mark.index !== index) return null;
+		this.store.dispatch({
+			type: "mark",
+			mark: {
+				side,
+				index,
+				expected
+			}
+		});
+		return expected;
+	}
+};
+/** Where an interior orientation has a mark in the image. */
+function positionOf({ origin }, { parameters }, { x_mm, y_mm }) {
+	const [[a, b, tx], [d, e, ty]] = parameters;
+	const [u, v, determinant] = [
+		x_mm - tx,
+		y_mm - ty,
+		a * e - b * d
+	];
+	const [left, top] = origin ?? [0, 0];
+	const at = [(e * u - b * v) / determinant - left, (a * v - d * u) / determinant - top];
+	return at.every(Number.isFinite) ? at : null;
+}
 // www/pair/state/masking.ts
 /** What a user does to masks: areas are outlined, and hold no points from then on, or do so again. */
 /** An area has three corners at least. */
@@ -12937,11 +13161,16 @@ function changed(state, action) {
 			...state,
 			tool: action.tool,
 			draft: null,
-			outline: null
+			outline: null,
+			mark: null
 		};
 		case "draft": return {
 			...state,
 			draft: action.draft
+		};
+		case "mark": return {
+			...state,
+			mark: action.mark
 		};
 		case "outline": return {
 			...state,
@@ -13234,8 +13463,7 @@ function paneAt(scene, x, y) {
 }
 // www/pair/view/input.ts
 /** Pointer, wheel, touch and keys on the images. */
-/** `paint` masks the outlined area, or no longer. */
-function mountInput(view, store, navigator, editing, masking, paint) {
+function mountInput(view, store, navigator, { editing, masking, marking, paint }) {
 	const { host } = view;
 	const activate = (side) => {
 		if (store.state.activeSide !== side) store.dispatch({
@@ -13252,6 +13480,11 @@ function mountInput(view, store, navigator, editing, masking, paint) {
 		where: say("pictures-of-a-pair-while-masking"),
 		host,
 		list: maskingKeys(store, navigator, masking, paint)
+	});
+	const marks = declare({
+		where: say("pictures-of-a-pair-while-marking"),
+		host,
+		list: markingKeys(store, navigator, marking)
 	});
 	const look = declare({
 		where: say("pictures-of-a-pair"),
@@ -13272,6 +13505,7 @@ function mountInput(view, store, navigator, editing, masking, paint) {
 		pressed: (x, y, more) => {
 			if (store.state.tool === "measure") measure(view, x, y, editing, navigator);
 			else if (store.state.tool === "mask") corner(view, x, y, masking);
+			else if (store.state.tool === "fiducials") mark(view, x, y, marking);
 			else press(view.hit(x, y), more, editing, navigator);
 		},
 		encloses: (shift) => shift || store.state.tool === "choose" || store.state.tool === "mask",
@@ -13280,7 +13514,7 @@ function mountInput(view, store, navigator, editing, masking, paint) {
 			else enclose(view, store, side, from, to, ended);
 		},
 		pointed: (at) => view.point(at),
-		command: (key, shift) => measuring(key, shift) || masks(key, shift) || look(key, shift)
+		command: (key, shift) => measuring(key, shift) || masks(key, shift) || marks(key, shift) || look(key, shift)
 	}, host.closest(".stage") ?? host);
 }
 /** Selects a point; with `more` its match is chosen beside the others, or no longer. */
@@ -13339,6 +13573,67 @@ function outline(view, side, path, ended, masking) {
 	const corners = path.map(([x, y]) => toPosition(transform, x, y));
 	if (corners.length === 0) masking.giveUp();
 	else masking.trace(side, corners, ended);
+}
+/** Measures the mark in hand. */
+function mark(view, x, y, marking) {
+	const pane = paneAt(view.scene(), x, y);
+	if (pane?.picture != null) marking.place(pane.side, toPosition(pane.transform, x, y));
+}
+/** While fiducial marks are measured. */
+function markingKeys(store, navigator, marking) {
+	const marks = () => store.state.tool === "fiducials" && store.state.mark !== null;
+	const isMeasured = () => marks() && placeOfMark(store.state.photos[store.state.mark?.side ?? "left"], markInHand(store.state)) !== null;
+	const nudge = (key, dx, dy) => ({
+		keys: [key],
+		does: say("moves-the-mark-by"),
+		can: isMeasured,
+		run: (shift) => marking.nudge((shift ? COARSE : FINE) * dx, (shift ? COARSE : FINE) * dy)
+	});
+	const go = async (by) => {
+		const at = await marking.go(by);
+		const { mark: now } = store.state;
+		if (at !== null && now !== null) navigator.show(now.side, at);
+	};
+	const middle = () => {
+		const at = navigator.middle();
+		if (at !== null) marking.place(...at);
+	};
+	return [
+		nudge("ArrowLeft", -1, 0),
+		nudge("ArrowRight", 1, 0),
+		nudge("ArrowUp", 0, -1),
+		nudge("ArrowDown", 0, 1),
+		{
+			keys: ["Enter"],
+			does: say("goes-to-the-next-mark"),
+			can: isMeasured,
+			run: () => void go(1)
+		},
+		{
+			keys: ["Enter"],
+			does: say("measures-the-mark-in-the-middle"),
+			can: marks,
+			run: middle
+		},
+		{
+			keys: ["n"],
+			does: say("goes-to-the-next-mark"),
+			can: marks,
+			run: () => void go(1)
+		},
+		{
+			keys: ["p"],
+			does: say("goes-to-the-mark-before"),
+			can: marks,
+			run: () => void go(-1)
+		},
+		{
+			keys: ["Backspace", "Delete"],
+			does: say("takes-the-mark-back"),
+			can: marks,
+			run: () => marking.clear()
+		}
+	];
 }
 /** While areas are masked. */
 function maskingKeys(store, navigator, masking, paint) {
@@ -13711,6 +14006,19 @@ var Navigator = class {
 			views: Object.fromEntries(views)
 		});
 	}
+	/** Brings a position of an image into view. */
+	show(side, at) {
+		const { rect, transform } = this.view.scene().panes[side];
+		if (contains(inner(rect), ...toCanvas(transform, ...at))) return;
+		this.store.dispatch({
+			type: "views",
+			views: { [side]: {
+				x: at[0],
+				y: at[1],
+				scale: transform.scale
+			} }
+		});
+	}
 	/** The position in the middle of the active pane; null where it shows no image. */
 	middle() {
 		const { rect, transform, side, picture } = this.activePane();
@@ -13995,14 +14303,17 @@ function drawDraft(context, state, scene) {
 		if (at !== null) drawCross(context, scene.panes[side], at, side === draft.side);
 	}
 }
-/** Enlarges what lies around both points, in the lower outer corner of each pane: one place is compared with the other. */
+/** Enlarges what lies around both points: one place is compared with the other. */
 function drawDraftLenses(context, state, scene, ratio, tiles) {
 	for (const side of SIDES) {
-		const pane = scene.panes[side];
 		const at = placeOfDraft(state, side);
-		if (at === null) continue;
-		paintLens(context, state, scene, pane, at, cornerOf(pane), Math.max(LENS_SCALE, pane.transform.scale), ratio, tiles);
+		if (at !== null) drawCornerLens(context, state, scene, side, at, ratio, tiles);
 	}
+}
+/** Enlarges what lies around a place, in the lower outer corner of its pane. */
+function drawCornerLens(context, state, scene, side, at, ratio, tiles) {
+	const pane = scene.panes[side];
+	paintLens(context, state, scene, pane, at, cornerOf(pane), Math.max(LENS_SCALE, pane.transform.scale), ratio, tiles);
 }
 function cornerOf({ rect, side }) {
 	const length = Math.max(40, Math.min(LENS_SIDE, rect.width * .45, rect.height * .45));
@@ -14012,6 +14323,20 @@ function cornerOf({ rect, side }) {
 		width: length,
 		height: length
 	};
+}
+// www/pair/view/fiducials.ts
+/** Fiducial marks while they are measured: where they are, where the next one is expected, and the one in hand enlarged. */
+function drawFiducials(context, state, scene, ratio, tiles) {
+	const { tool, mark, photos } = state;
+	if (tool !== "fiducials") return;
+	for (const side of SIDES) for (const [index, one] of photos[side].fiducials.entries()) {
+		const at = placeOfMark(photos[side], one);
+		if (at !== null) drawCross(context, scene.panes[side], at, mark?.side === side && mark.index === index);
+	}
+	if (mark === null) return;
+	const at = placeOfMark(photos[mark.side], markInHand(state));
+	if (at !== null) drawCornerLens(context, state, scene, mark.side, at, ratio, tiles);
+	else if (mark.expected !== null) drawExpected(context, scene.panes[mark.side], [mark.expected[0], mark.expected[1]]);
 }
 // www/pair/view/outline.ts
 /** The area that is being outlined on a picture, and where keys place its next corner. */
@@ -14098,6 +14423,8 @@ var View = class {
 			s.chosen,
 			s.draft,
 			s.outline,
+			s.mark,
+			s.photos,
 			s.tool,
 			s.activeSide,
 			s.results.line,
@@ -14161,6 +14488,7 @@ var View = class {
 				drawSelection(context, state, scene);
 				drawDraft(context, state, scene);
 				drawOutline(context, state, scene);
+				drawFiducials(context, state, scene, this.layers.ratio, this.tiles);
 				if (this.rectangle !== null) drawRectangle(context, this.rectangle);
 				drawDraftLenses(context, state, scene, this.layers.ratio, this.tiles);
 				if (state.draft === null) this.drawMagnifier(context, state, scene);
@@ -14238,11 +14566,21 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
 	const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
 	const paint = (masked) => void attempt(() => masking.paint(masked));
-	mountInput(view, store, navigator, editing, masking, paint);
+	const marking = new Marking(store, (fiducials, model) => engine.client("preview").call("orientMarks", {
+		fiducials: [...fiducials],
+		model
+	}));
+	mountInput(view, store, navigator, {
+		editing,
+		masking,
+		marking,
+		paint
+	});
 	mountToolbar(byId("toolbar"), store, navigator);
 	mountEditTools(byId("view-more"), byId("toolbar"), store, editing);
 	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft());
 	mountMasking(byId("view-more"), byId("toolbar"), store, masking, paint);
+	mountMarking(byId("toolbar"), store, marking, (side, at) => navigator.show(side, at));
 	const pick = pickerOf(files);
 	mountPanes(view, store, {
 		open: (side) => pick(side),
@@ -14256,7 +14594,10 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	await breath();
 	mountControls(settings, store, settingsButton);
 	mountCamera(camera, store, () => pick(null));
-	mountFiducials(camera, store, (side) => pick(side));
+	mountFiducials(camera, store, (side) => pick(side), (side) => {
+		marking.toggle(side);
+		if (store.state.tool === "fiducials") byId("view").focus();
+	});
 	await breath();
 	mountCounts(results, store);
 	mountGeometry(results, store);

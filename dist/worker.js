@@ -4238,7 +4238,7 @@
 		wzf(out, o, files.length, cdl, oe);
 		return out;
 	}
-	// www/shared/files/archive.ts
+	// www/shared/engine/archive.ts
 	/** The time in archives: that of their making would give the same files other bytes. */
 	var ARCHIVE_TIME = "1980-01-01T00:00:00";
 	// www/block/engine/made.ts
@@ -5111,6 +5111,13 @@
 		reportPage: () => reportInHand().html(),
 		epipolar,
 		parseFiducials: ({ text }) => parse_fiducials(text),
+		orientMarks: ({ fiducials, model }) => {
+			try {
+				return orient_fiducials(fiducials, model);
+			} catch {
+				return null;
+			}
+		},
 		parseCamera: ({ text }) => parse_camera(text),
 		mask,
 		paintMask,

@@ -26,6 +26,7 @@ import { mountFiducials } from './panel/fiducials';
 import { mountGeometry } from './panel/geometry';
 import { mountHeader, pickerOf } from './panel/header';
 import { mountHistograms } from './panel/histograms';
+import { mountMarking } from './panel/marking';
 import { mountMasking } from './panel/masking';
 import { mountOrientation } from './panel/orientation';
 import { mountPanes } from './panel/panes';
@@ -35,6 +36,7 @@ import { mountStatistics } from './panel/statistics';
 import { mountStatus } from './panel/status';
 import { mountToolbar } from './panel/toolbar';
 import { Editing } from './state/editing';
+import { Marking } from './state/marking';
 import { Masking } from './state/masking';
 import { Store } from './state/store';
 import { mountInput } from './view/input';
@@ -108,11 +110,13 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
   const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
   const paint = (masked: boolean) => void attempt(() => masking.paint(masked));
-  mountInput(view, store, navigator, editing, masking, paint);
+  const marking = new Marking(store, (fiducials, model) => engine.client('preview').call('orientMarks', { fiducials: [...fiducials], model }));
+  mountInput(view, store, navigator, { editing, masking, marking, paint });
   mountToolbar(byId('toolbar'), store, navigator);
   mountEditTools(byId('view-more'), byId('toolbar'), store, editing);
   mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft());
   mountMasking(byId('view-more'), byId('toolbar'), store, masking, paint);
+  mountMarking(byId('toolbar'), store, marking, (side, at) => navigator.show(side, at));
   const pick = pickerOf(files);
   mountPanes(view, store, {
     open: (side) => pick(side),
@@ -122,7 +126,15 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   await breath();
   mountControls(settings, store, settingsButton);
   mountCamera(camera, store, () => pick(null));
-  mountFiducials(camera, store, (side) => pick(side));
+  mountFiducials(
+    camera,
+    store,
+    (side) => pick(side),
+    (side) => {
+      marking.toggle(side);
+      if (store.state.tool === 'fiducials') byId('view').focus();
+    },
+  );
   await breath();
   mountCounts(results, store);
   mountGeometry(results, store);

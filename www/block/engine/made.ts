@@ -2,7 +2,7 @@
 import { Zip, ZipDeflate } from 'fflate';
 import { export_formats } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockWriting, Emit, FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
-import { ARCHIVE_TIME } from '../../shared/files/archive';
+import { ARCHIVE_TIME } from '../../shared/engine/archive';
 import type { ExportKind, MadeFile } from './calls';
 
 /** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */

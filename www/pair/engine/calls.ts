@@ -7,6 +7,7 @@ import type {
   EpipolarGeometry,
   Fiducial,
   FiducialModel,
+  FiducialOrientation,
   Flight,
   GivenPoints,
   MatchScore,
@@ -152,6 +153,8 @@ export interface PairCalls {
   /** A mask with an area masked or no longer, and the same as PNG. */
   paintMask: { input: PaintInput; output: MaskImage & { png: Uint8Array<ArrayBuffer> } };
   parseFiducials: { input: { text: string }; output: Fiducial[] };
+  /** Null where the marks do not determine it. */
+  orientMarks: { input: { fiducials: Fiducial[]; model: FiducialModel }; output: FiducialOrientation | null };
   parseCamera: { input: { text: string }; output: CameraMm };
   /** SHA-256 in hexadecimal digits. */
   digest: { input: { file: Blob }; output: string };

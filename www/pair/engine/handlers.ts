@@ -29,7 +29,7 @@ import {
 import type { Handlers } from '../../shared/engine/messages';
 import type { ImageSource } from '../state/data';
 import type { Input, Output, PairCalls } from './calls';
-import { ARCHIVE_TIME } from '../../shared/files/archive';
+import { ARCHIVE_TIME } from '../../shared/engine/archive';
 import { decodeColour } from '../../shared/engine/colour';
 import { bitmapOf, tileOf } from '../../shared/engine/tiles';
 import { colourTile, reducedColour } from './colour';
@@ -208,6 +208,14 @@ export const PAIR_HANDLERS: Handlers<PairCalls> = {
   reportPage: () => reportInHand().html(),
   epipolar,
   parseFiducials: ({ text }) => parse_fiducials(text),
+  orientMarks: ({ fiducials, model }) => {
+    try {
+      return orient_fiducials(fiducials, model);
+    } catch {
+      // Marks on one line, or one mark twice.
+      return null;
+    }
+  },
   parseCamera: ({ text }) => parse_camera(text),
   mask,
   paintMask,

@@ -1,4 +1,5 @@
 /** How each stage is computed: which calls, on which worker, from which results. */
+import { wholeMarks } from '../state/marks';
 import type { Side, StageName, StageValues, State } from '../state/state';
 import { editedPair } from '../state/edited';
 import type { Edited } from '../state/edited';
@@ -72,13 +73,13 @@ function interior(side: Side): Run<StageValues['interiorLeft']> {
     const { info } = needed(state, side === 'left' ? 'openLeft' : 'openRight');
     const cameras = pairCameras(state);
     if ('missing' in cameras) throw new Error(message('no_orientation', cameras.missing));
-    const { fiducials, origin } = state.photos[side];
+    const { origin } = state.photos[side];
     return workers.client('pair').call('interior', {
       width: info.width,
       height: info.height,
       camera: cameras[side],
       pairFocalMm: cameras.left.focal_mm,
-      fiducials,
+      fiducials: wholeMarks(state.photos[side]),
       model: state.fiducialModel,
       origin,
     });

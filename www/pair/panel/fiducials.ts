@@ -11,7 +11,8 @@ import { say } from '../../shared/text/words';
 const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
 const HEADS: Record<(typeof FIELDS)[number], string> = { col: say('col-px'), row: say('row-px'), x_mm: 'x mm', y_mm: 'y mm' };
 
-export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side: Side) => void): void {
+/** `measure`: in the picture of a side. */
+export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side: Side) => void, measure: (side: Side) => void): void {
   const model = h('select', { id: 'fiducial-model', testid: 'fiducial-model' });
   model.append(new Option(say('affine-6-parameters'), 'affine'), new Option(say('similarity-4-parameters'), 'similarity'));
   model.addEventListener('change', () => {
@@ -26,13 +27,13 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
       { class: 'group' },
       h('legend', {}, say('interior-orientation')),
       h('div', { class: 'control' }, h('label', { for: 'fiducial-model' }, say('transformation')), model),
-      photo('left', store, loadFile),
-      photo('right', store, loadFile),
+      photo('left', store, loadFile, measure),
+      photo('right', store, loadFile, measure),
     ),
   );
 }
 
-function photo(side: Side, store: Store, loadFile: (side: Side) => void): HTMLElement {
+function photo(side: Side, store: Store, loadFile: (side: Side) => void, measure: (side: Side) => void): HTMLElement {
   const table = h('div', { class: 'scroll' });
   const result = h('p', { class: 'note', testid: `interior-${side}` });
   const set = (change: Partial<PhotoData>) => store.dispatch({ type: 'photo', side, photo: change });
@@ -41,6 +42,14 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void): HTMLEl
     set({ fiducials: [...store.state.photos[side].fiducials, { col: NaN, row: NaN, x_mm: NaN, y_mm: NaN }] });
   });
   const load = button(say('load-csv'), `load-fiducials-${side}`, () => loadFile(side));
+  const inPicture = button(say('measure-in-the-image'), `measure-fiducials-${side}`, () => measure(side), say('press-each-mark-in-the-image'));
+  store.watch(
+    (s) => [s.images[side], s.tool, s.mark] as const,
+    ([image, tool, mark]) => {
+      inPicture.disabled = image === null;
+      inPicture.setAttribute('aria-pressed', String(tool === 'fiducials' && mark?.side === side));
+    },
+  );
   const clear = button(say('clear'), `clear-fiducials-${side}`, () => set({ fiducials: [] }));
   let shown: readonly Fiducial[] | null = null;
   const stage = side === 'left' ? 'interiorLeft' : 'interiorRight';
@@ -64,7 +73,7 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void): HTMLEl
     h('h3', {}, say('image-4', { name })),
     result,
     table,
-    h('div', { class: 'buttons' }, add, load, clear),
+    h('div', { class: 'buttons' }, inPicture, add, load, clear),
     originFields(side, store),
   );
 }

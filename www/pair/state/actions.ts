@@ -10,6 +10,7 @@ import type {
   Draft,
   GivenImage,
   GivenMask,
+  MarkInHand,
   Outline,
   PhotoData,
   Selection,
@@ -62,6 +63,8 @@ export type Action =
   | { type: 'draft'; draft: Draft | null }
   /** An area is outlined; null: no longer. */
   | { type: 'outline'; outline: Outline | null }
+  /** A fiducial mark is measured; null: no longer. */
+  | { type: 'mark'; mark: MarkInHand | null }
   | { type: 'activeSide'; side: Side }
   | { type: 'views'; views: Partial<Record<Side, PaneView | null>> }
   | { type: 'display'; display: Partial<Display> }

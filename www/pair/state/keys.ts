@@ -2,6 +2,7 @@
  * What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
  * change is not computed again, whatever was changed elsewhere.
  */
+import { wholeMarks } from './marks';
 import { camera_of_exif, resolved } from '../../shared/crate';
 import type { CameraMm, NoOrientation, Settings } from '../../shared/crate';
 import { remember } from '../../shared/state/remember';
@@ -62,7 +63,7 @@ const cameraOfExif = { left: remember(camera_of_exif), right: remember(camera_of
 function cameraOf(state: State, side: Side): CameraMm | NoOrientation {
   const exif = state.results[side === 'left' ? 'openLeft' : 'openRight']?.value.info.camera ?? null;
   if (state.camera === null && exif?.origin === 'panorama') return { kind: 'panorama', side };
-  const marked = state.photos[side].fiducials.length > 0;
+  const marked = wholeMarks(state.photos[side]).length > 0;
   const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
   if (camera === null) return marked ? { kind: 'no_focal_length' } : { kind: 'no_camera', side };
   if (!marked && camera.pixel_mm == null) return { kind: 'no_pixel_size', side };

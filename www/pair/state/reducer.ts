@@ -92,9 +92,11 @@ function changed(state: State, action: Action): State {
     case 'choose':
       return { ...state, chosen: action.chosen };
     case 'tool':
-      return { ...state, tool: action.tool, draft: null, outline: null };
+      return { ...state, tool: action.tool, draft: null, outline: null, mark: null };
     case 'draft':
       return { ...state, draft: action.draft };
+    case 'mark':
+      return { ...state, mark: action.mark };
     case 'outline':
       return { ...state, outline: action.outline };
     case 'activeSide':

@@ -169,8 +169,17 @@ export interface Display {
   hidden: readonly number[];
 }
 
-/** `look`: a drag moves the pictures; `choose`: it draws a rectangle around matches; `measure`: a press places a point; `mask`: a drag outlines an area. */
-export type Tool = 'look' | 'choose' | 'measure' | 'mask';
+/** `look`: a drag moves the pictures; `choose`: it draws a rectangle around matches; `measure`: a press places a point; `mask`: a drag outlines an area; `fiducials`: a press measures a mark. */
+export type Tool = 'look' | 'choose' | 'measure' | 'mask' | 'fiducials';
+
+/** The fiducial mark that is measured now. */
+export interface MarkInHand {
+  side: Side;
+  /** Among the marks of its photo; behind the last one for a new mark. */
+  index: number;
+  /** Where the marks that were measured have it, in px of the image; null where they do not tell. */
+  expected: readonly [x: number, y: number] | null;
+}
 
 /** An area that is being outlined: corners in px of its image. */
 export interface Outline {
@@ -225,6 +234,7 @@ export interface State {
   tool: Tool;
   draft: Draft | null;
   outline: Outline | null;
+  mark: MarkInHand | null;
   activeSide: Side;
   views: Record<Side, PaneView | null>;
   display: Display;
@@ -232,12 +242,13 @@ export interface State {
 }
 
 /** What belongs to the edits of a pair goes with its images. */
-export const UNEDITED: Pick<State, 'history' | 'chosen' | 'before' | 'draft' | 'outline'> = {
+export const UNEDITED: Pick<State, 'history' | 'chosen' | 'before' | 'draft' | 'outline' | 'mark'> = {
   history: NO_HISTORY,
   chosen: [],
   before: null,
   draft: null,
   outline: null,
+  mark: null,
 };
 
 export const INITIAL: State = {

@@ -2,7 +2,8 @@
 import type { Rect } from '../../shared/view/transform';
 import { expectedPlace, lineOfDraft, placeOfDraft } from '../state/draft';
 import { SIDES } from '../state/state';
-import type { State } from '../state/state';
+import type { Side, State } from '../state/state';
+import type { Position } from '../../shared/state/pane';
 import { paintLens } from './overlay';
 import { drawCross, drawExpected, drawLine } from '../../shared/view/pointer';
 import type { Pane, Scene } from './scene';
@@ -27,14 +28,18 @@ export function drawDraft(context: CanvasRenderingContext2D, state: State, scene
   }
 }
 
-/** Enlarges what lies around both points, in the lower outer corner of each pane: one place is compared with the other. */
+/** Enlarges what lies around both points: one place is compared with the other. */
 export function drawDraftLenses(context: CanvasRenderingContext2D, state: State, scene: Scene, ratio: number, tiles: TileCache): void {
   for (const side of SIDES) {
-    const pane = scene.panes[side];
     const at = placeOfDraft(state, side);
-    if (at === null) continue;
-    paintLens(context, state, scene, pane, at, cornerOf(pane), Math.max(LENS_SCALE, pane.transform.scale), ratio, tiles);
+    if (at !== null) drawCornerLens(context, state, scene, side, at, ratio, tiles);
   }
+}
+
+/** Enlarges what lies around a place, in the lower outer corner of its pane. */
+export function drawCornerLens(context: CanvasRenderingContext2D, state: State, scene: Scene, side: Side, at: Position, ratio: number, tiles: TileCache): void {
+  const pane = scene.panes[side];
+  paintLens(context, state, scene, pane, at, cornerOf(pane), Math.max(LENS_SCALE, pane.transform.scale), ratio, tiles);
 }
 
 function cornerOf({ rect, side }: Pane): Rect {

@@ -9,6 +9,8 @@ import { keysWithin } from '../state/choice';
 import { editedPair } from '../state/edited';
 import type { Editing } from '../state/editing';
 import type { Masking } from '../state/masking';
+import { markInHand, placeOfMark } from '../state/marks';
+import type { Marking } from '../state/marking';
 import { otherSide } from '../state/state';
 import type { Selection, Side, State } from '../state/state';
 import type { Store } from '../state/store';
@@ -17,14 +19,22 @@ import { paneAt } from './scene';
 import type { View } from './view';
 import { say } from '../../shared/text/words';
 
-/** `paint` masks the outlined area, or no longer. */
-export function mountInput(view: View, store: Store, navigator: Navigator, editing: Editing, masking: Masking, paint: (masked: boolean) => void): void {
+/** What is done by hand in the pictures; `paint` masks the outlined area, or no longer. */
+export interface ByHand {
+  editing: Editing;
+  masking: Masking;
+  marking: Marking;
+  paint: (masked: boolean) => void;
+}
+
+export function mountInput(view: View, store: Store, navigator: Navigator, { editing, masking, marking, paint }: ByHand): void {
   const { host } = view;
   const activate = (side: Side) => {
     if (store.state.activeSide !== side) store.dispatch({ type: 'activeSide', side });
   };
   const measuring = declare({ where: say('pictures-of-a-pair-while'), host, list: measuringKeys(store, navigator, editing) });
   const masks = declare({ where: say('pictures-of-a-pair-while-masking'), host, list: maskingKeys(store, navigator, masking, paint) });
+  const marks = declare({ where: say('pictures-of-a-pair-while-marking'), host, list: markingKeys(store, navigator, marking) });
   const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(store, navigator, editing, masking) });
   listen<Side>(
     host,
@@ -42,6 +52,7 @@ export function mountInput(view: View, store: Store, navigator: Navigator, editi
       pressed: (x, y, more) => {
         if (store.state.tool === 'measure') measure(view, x, y, editing, navigator);
         else if (store.state.tool === 'mask') corner(view, x, y, masking);
+        else if (store.state.tool === 'fiducials') mark(view, x, y, marking);
         else press(view.hit(x, y), more, editing, navigator);
       },
       encloses: (shift) => shift || store.state.tool === 'choose' || store.state.tool === 'mask',
@@ -50,7 +61,7 @@ export function mountInput(view: View, store: Store, navigator: Navigator, editi
         else enclose(view, store, side, from, to, ended);
       },
       pointed: (at) => view.point(at),
-      command: (key, shift) => measuring(key, shift) || masks(key, shift) || look(key, shift),
+      command: (key, shift) => measuring(key, shift) || masks(key, shift) || marks(key, shift) || look(key, shift),
       // The bar of the view belongs to it: after a press there the keys go on.
     },
     host.closest<HTMLElement>('.stage') ?? host,
@@ -105,6 +116,44 @@ function outline(view: View, side: Side, path: readonly [number, number][], ende
   const corners = path.map(([x, y]) => toPosition(transform, x, y));
   if (corners.length === 0) masking.giveUp();
   else masking.trace(side, corners, ended);
+}
+
+/** Measures the mark in hand. */
+function mark(view: View, x: number, y: number, marking: Marking): void {
+  const pane = paneAt(view.scene(), x, y);
+  if (pane?.picture != null) marking.place(pane.side, toPosition(pane.transform, x, y));
+}
+
+/** While fiducial marks are measured. */
+function markingKeys(store: Store, navigator: Navigator, marking: Marking): Command[] {
+  const marks = () => store.state.tool === 'fiducials' && store.state.mark !== null;
+  const isMeasured = () => marks() && placeOfMark(store.state.photos[store.state.mark?.side ?? 'left'], markInHand(store.state)) !== null;
+  const nudge = (key: string, dx: number, dy: number): Command => ({
+    keys: [key],
+    does: say('moves-the-mark-by'),
+    can: isMeasured,
+    run: (shift) => marking.nudge((shift ? COARSE : FINE) * dx, (shift ? COARSE : FINE) * dy),
+  });
+  const go = async (by: 1 | -1) => {
+    const at = await marking.go(by);
+    const { mark: now } = store.state;
+    if (at !== null && now !== null) navigator.show(now.side, at);
+  };
+  const middle = () => {
+    const at = navigator.middle();
+    if (at !== null) marking.place(...at);
+  };
+  return [
+    nudge('ArrowLeft', -1, 0),
+    nudge('ArrowRight', 1, 0),
+    nudge('ArrowUp', 0, -1),
+    nudge('ArrowDown', 0, 1),
+    { keys: ['Enter'], does: say('goes-to-the-next-mark'), can: isMeasured, run: () => void go(1) },
+    { keys: ['Enter'], does: say('measures-the-mark-in-the-middle'), can: marks, run: middle },
+    { keys: ['n'], does: say('goes-to-the-next-mark'), can: marks, run: () => void go(1) },
+    { keys: ['p'], does: say('goes-to-the-mark-before'), can: marks, run: () => void go(-1) },
+    { keys: ['Backspace', 'Delete'], does: say('takes-the-mark-back'), can: marks, run: () => marking.clear() },
+  ];
 }
 
 /** While areas are masked. */

@@ -86,6 +86,13 @@ export class Navigator {
     if (views.length > 0) this.store.dispatch({ type: 'views', views: Object.fromEntries(views) });
   }
 
+  /** Brings a position of an image into view. */
+  show(side: Side, at: Position): void {
+    const { rect, transform } = this.view.scene().panes[side];
+    if (contains(inner(rect), ...toCanvas(transform, ...at))) return;
+    this.store.dispatch({ type: 'views', views: { [side]: { x: at[0], y: at[1], scale: transform.scale } } });
+  }
+
   /** The position in the middle of the active pane; null where it shows no image. */
   middle(): [Side, Position] | null {
     const { rect, transform, side, picture } = this.activePane();

@@ -11,6 +11,7 @@ import { toCanvas, toPosition } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
 import { drawChosen, drawRectangle } from './chosen';
 import { drawDraft, drawDraftLenses } from './draft';
+import { drawFiducials } from './fiducials';
 import { PointGrid } from '../../shared/view/grid';
 import { drawMarks } from './marks';
 import { drawOutline } from './outline';
@@ -62,7 +63,21 @@ export class View {
       () => this.layers.redraw('marks', 'overlay'),
     );
     store.watch(
-      (s) => [s.selection, s.chosen, s.draft, s.outline, s.tool, s.activeSide, s.results.line, s.results.inspection, s.settings, s.results.offset] as const,
+      (s) =>
+        [
+          s.selection,
+          s.chosen,
+          s.draft,
+          s.outline,
+          s.mark,
+          s.photos,
+          s.tool,
+          s.activeSide,
+          s.results.line,
+          s.results.inspection,
+          s.settings,
+          s.results.offset,
+        ] as const,
       () => this.layers.redraw('overlay'),
     );
   }
@@ -122,6 +137,7 @@ export class View {
         drawSelection(context, state, scene);
         drawDraft(context, state, scene);
         drawOutline(context, state, scene);
+        drawFiducials(context, state, scene, this.layers.ratio, this.tiles);
         if (this.rectangle !== null) drawRectangle(context, this.rectangle);
         drawDraftLenses(context, state, scene, this.layers.ratio, this.tiles);
         if (state.draft === null) this.drawMagnifier(context, state, scene);

@@ -223,6 +223,8 @@ add-mark = إضافة علامة
 load-csv = تحميل CSV …
 image-4 = الصورة { $name }
 no-fiducial-marks-the-pixel = لا علامات إطارية. يُستعمل حجم البكسل.
+measure-in-the-image = قياس في الصورة
+press-each-mark-in-the-image = اضغط كل علامة في الصورة؛ وحين تُعرف علامتان أو أكثر تُتوقَّع التالية عند حلقة متقطعة
 marks = العلامات: { $marks }.
 not-determined = غير محددة
 um-1 = { FIXED($value, digits: 1) } ميكرومتر
@@ -282,6 +284,29 @@ cross-truth = ؛ العلامة المتصالبة: الحقيقة
 by-bz-ellipse-m-dashed = ‏by، bz: القطع { $major } × { $minor } ميكرومتر؛ المتقطع: ضعفه، أي خطآن معياريان{ $what }
 
 ## orientation
+
+mark-before = السابقة
+the-mark-before-p = العلامة السابقة (P)
+next-mark = التالية
+the-next-mark-enter = العلامة التالية (Enter)
+clear-mark = محو
+the-mark-is-not-measured = تُعد العلامة غير مقيسة
+end-marking = إغلاق
+fiducial-marks-measured = علامات إطارية تقاس في الصورة
+mark-at-mm = { " " }({ $x }، { $y } مم)
+mark-is-at = العلامة { $number }{ $photo } عند { $column }، { $row } بكسل من الصورة. الأسهم تحركها؛ وEnter يتابع.
+new-mark-press-it = علامة جديدة { $number }: اضغطها في الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    }؛ واكتب إحداثيي صورتها تحت «الكاميرا».
+mark-press-it = العلامة { $number }{ $photo }: اضغطها في الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    }.
+mark-is-expected = العلامة { $number }{ $photo }: اضغطها في الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    }، قرب الحلقة المتقطعة.
 
 mask-areas = تقنيع مساحات
 outline-areas-in-which-no = حدِّد مساحات لا تُراد فيها نقاط: الماء والسيارات وحافة المسح (W)
@@ -571,6 +596,12 @@ model-coordinate-at-photo-scale-upwards = إحداثي النموذج بمقيا
 ## view
 
 pictures-of-a-pair-while = صور الزوج، أثناء قياس مطابقة
+pictures-of-a-pair-while-marking = صور الزوج، أثناء قياس العلامات الإطارية
+moves-the-mark-by = يحرك العلامة 0.1 بكسل؛ ومع Shift بكسلًا واحدًا
+goes-to-the-next-mark = ينتقل إلى العلامة التالية
+goes-to-the-mark-before = ينتقل إلى العلامة السابقة
+measures-the-mark-in-the-middle = يقيس العلامة في وسط الصورة
+takes-the-mark-back = يمحو موضع قياس العلامة
 pictures-of-a-pair-while-masking = صور الزوج، أثناء تقنيع مساحات
 places-a-corner-in-the-middle = يضع ركنًا للمساحة في وسط الصورة
 takes-the-last-corner-back = يتراجع عن آخر ركن

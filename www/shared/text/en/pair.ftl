@@ -247,6 +247,8 @@ add-mark = Add mark
 load-csv = Load CSV …
 image-4 = { $name } image
 no-fiducial-marks-the-pixel = No fiducial marks. The pixel size is used.
+measure-in-the-image = Measure in the image
+press-each-mark-in-the-image = Press each mark in the image; where two or more are known, the next one is expected at a dashed ring
 marks = { $marks } marks.
 not-determined = not determined
 um-1 = { FIXED($value, digits: 1) } µm
@@ -300,6 +302,31 @@ interest-value-left = Interest value, left
 interest-value-right = Interest value, right
 values-median-shown-from-to = { $title }: { COUNT($total) } values, median { $median }{ $suffix }, shown from { $low } to { $high }{ $suffix }, at most { COUNT($most) } in a bar
 median = median { $median }
+
+## panel/marking
+
+mark-before = Previous
+the-mark-before-p = The mark before (P)
+next-mark = Next
+the-next-mark-enter = The next mark (Enter)
+clear-mark = Clear
+the-mark-is-not-measured = The mark counts as not measured
+end-marking = Close
+fiducial-marks-measured = Fiducial marks, measured in the image
+mark-at-mm = { " " }({ $x }, { $y } mm)
+mark-is-at = Mark { $number }{ $photo } lies at { $column }, { $row } px of the image. Arrows move it; Enter goes on.
+new-mark-press-it = New mark { $number }: press it in the { $side ->
+        [left] left
+       *[right] right
+    } image; type its photo coordinates under “Camera”.
+mark-press-it = Mark { $number }{ $photo }: press it in the { $side ->
+        [left] left
+       *[right] right
+    } image.
+mark-is-expected = Mark { $number }{ $photo }: press it in the { $side ->
+        [left] left
+       *[right] right
+    } image, near the dashed ring.
 
 ## panel/masking
 
@@ -621,6 +648,12 @@ model-coordinate-at-photo-scale-upwards = Model coordinate at photo scale, upwar
 ## view/input
 
 pictures-of-a-pair-while = Pictures of a pair, while a match is measured
+pictures-of-a-pair-while-marking = Pictures of a pair, while fiducial marks are measured
+moves-the-mark-by = moves the mark by 0.1 px; with Shift by 1 px
+goes-to-the-next-mark = goes to the next mark
+goes-to-the-mark-before = goes to the mark before
+measures-the-mark-in-the-middle = measures the mark in the middle of the picture
+takes-the-mark-back = clears where the mark was measured
 pictures-of-a-pair-while-masking = Pictures of a pair, while areas are masked
 places-a-corner-in-the-middle = places a corner of the area in the middle of the picture
 takes-the-last-corner-back = takes the last corner back

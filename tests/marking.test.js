@@ -1,0 +1,83 @@
+/** Fiducial marks that are measured in the pictures: which one is in hand, where it is expected, and which take part. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { orient_fiducials } from '../pkg/node.js';
+import { pageModules } from './www.js';
+
+const {
+  marking: { Marking },
+  marks: { wholeMarks },
+  store: { Store },
+} = await pageModules(['pair/state/marking', 'pair/state/marks', 'pair/state/store']);
+
+const PIXEL_MM = 0.02;
+
+/** Photo coordinates of a place in a scan of 1000 x 800 px.  @param {readonly [number, number]} place */
+const photo = ([col, row]) => ({ x_mm: PIXEL_MM * (col - 500), y_mm: PIXEL_MM * (400 - row) });
+
+/** @type {readonly (readonly [number, number])[]} */
+const PLACES = [
+  [30, 40],
+  [970, 45],
+  [965, 760],
+  [35, 755],
+];
+
+/** A left image that begins at column 10 and row 20 of its scan, whose marks are known but not measured. */
+function begun() {
+  const store = new Store();
+  const image = { id: 1, name: 'left.png', source: { kind: 'file', file: new Blob() } };
+  store.dispatch({ type: 'images', images: { left: image } });
+  const fiducials = PLACES.map((place) => ({ col: NaN, row: NaN, ...photo(place) }));
+  store.dispatch({ type: 'photo', side: 'left', photo: { fiducials, origin: [10, 20] } });
+  const marking = new Marking(store, async (/** @type {any} */ marks, /** @type {any} */ model) => orient_fiducials(marks, model));
+  return { store, marking, marks: () => store.state.photos.left.fiducials };
+}
+
+test('marks are measured one after the other, and expected where those that are measured have them', async () => {
+  const { store, marking, marks } = begun();
+  marking.toggle('left');
+  assert.deepEqual(store.state.mark, { side: 'left', index: 0, expected: null });
+  assert.deepEqual(wholeMarks(store.state.photos.left), []);
+  for (const [index, [col, row]] of PLACES.entries()) {
+    const { expected } = store.state.mark;
+    // From two marks on; exact, since the scan is.
+    if (index < 2) assert.equal(expected, null);
+    else assert.ok(Math.abs(expected[0] - (col - 10)) < 1e-6 && Math.abs(expected[1] - (row - 20)) < 1e-6, `${expected}`);
+    marking.place('left', [col - 10, row - 20]);
+    // Not of that image.
+    marking.place('right', [1, 1]);
+    assert.deepEqual([marks()[index].col, marks()[index].row], [col, row]);
+    assert.equal(wholeMarks(store.state.photos.left).length, index + 1);
+    await marking.go(1);
+  }
+  assert.equal(store.state.mark.index, 4);
+  // A new one, whose photo coordinates are still to be typed: it takes no part.
+  marking.place('left', [500, 400]);
+  assert.equal(marks().length, 5);
+  assert.equal(wholeMarks(store.state.photos.left).length, 4);
+  marking.toggle('left');
+  assert.deepEqual([store.state.tool, store.state.mark], ['look', null]);
+});
+
+test('a mark is moved by hundredths of a pixel at most, and cleared', async () => {
+  const { store, marking, marks } = begun();
+  marking.toggle('left');
+  marking.nudge(1, 1);
+  assert.ok(Number.isNaN(marks()[0].col), 'nothing is moved that is not measured');
+  marking.place('left', [20.123456, 20]);
+  marking.nudge(0.1, -0.1);
+  assert.deepEqual([marks()[0].col, marks()[0].row], [30.22, 39.9]);
+  marking.clear();
+  assert.ok(Number.isNaN(marks()[0].col));
+  assert.deepEqual(photo(PLACES[0] ?? [0, 0]), { x_mm: marks()[0].x_mm, y_mm: marks()[0].y_mm });
+  await marking.go(-1);
+  assert.equal(store.state.mark.index, 0);
+});
+
+test('without an image there is nothing to measure in', () => {
+  const { store, marking } = begun();
+  marking.toggle('right');
+  assert.deepEqual([store.state.tool, store.state.mark], ['look', null]);
+});

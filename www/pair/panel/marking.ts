@@ -1,0 +1,60 @@
+/** While fiducial marks are measured: which one is in hand, where it lies, and buttons for each key. */
+import { button, h } from '../../shared/panel/dom';
+import { fixed } from '../../shared/text/format';
+import { say } from '../../shared/text/words';
+import type { Marking } from '../state/marking';
+import { markInHand, placeOfMark } from '../state/marks';
+import type { Side, State } from '../state/state';
+import type { Store } from '../state/store';
+import type { Position } from '../../shared/state/pane';
+
+/** In the bar above the pictures. `show` brings a place into view. */
+export function mountMarking(bar: HTMLElement, store: Store, marking: Marking, show: (side: Side, at: Position) => void): void {
+  const text = h('span', { testid: 'mark-text', role: 'status' });
+  const go = async (by: 1 | -1) => {
+    const at = await marking.go(by);
+    const { mark } = store.state;
+    if (at !== null && mark !== null) show(mark.side, at);
+  };
+  const former = button(say('mark-before'), 'mark-before', () => void go(-1), say('the-mark-before-p'));
+  const next = button(say('next-mark'), 'mark-next', () => void go(1), say('the-next-mark-enter'));
+  const clear = button(say('clear-mark'), 'mark-clear', () => marking.clear(), say('the-mark-is-not-measured'));
+  const end = button(say('end-marking'), 'mark-end', () => store.dispatch({ type: 'tool', tool: 'look' }));
+  const buttons = h(
+    'div',
+    { class: 'drafting', testid: 'marking', role: 'group', aria: { label: say('fiducial-marks-measured') } },
+    text,
+    former,
+    next,
+    clear,
+    end,
+  );
+  bar.append(buttons);
+  store.watch(
+    (s) => [s.tool, s.mark, s.photos] as const,
+    () => {
+      const { state } = store;
+      buttons.hidden = state.tool !== 'fiducials' || state.mark === null;
+      former.disabled = state.mark === null || state.mark.index === 0;
+      next.disabled = markInHand(state) === undefined;
+      clear.disabled = placeInHand(state) === null;
+      const now = textOf(state);
+      if (text.textContent !== now) text.textContent = now;
+    },
+  );
+}
+
+const placeInHand = (state: State) => (state.mark === null ? null : placeOfMark(state.photos[state.mark.side], markInHand(state)));
+
+function textOf(state: State): string {
+  const { mark } = state;
+  if (mark === null) return '';
+  const one = markInHand(state);
+  const at = placeInHand(state);
+  const known = one !== undefined && Number.isFinite(one.x_mm) && Number.isFinite(one.y_mm);
+  const photo = known ? say('mark-at-mm', { x: fixed(one.x_mm, 3), y: fixed(one.y_mm, 3) }) : '';
+  const number = mark.index + 1;
+  if (at !== null) return say('mark-is-at', { number, photo, column: fixed(at[0], 2), row: fixed(at[1], 2) });
+  if (one === undefined) return say('new-mark-press-it', { number, side: mark.side });
+  return mark.expected === null ? say('mark-press-it', { number, photo, side: mark.side }) : say('mark-is-expected', { number, photo, side: mark.side });
+}
