@@ -6099,8 +6099,14 @@ function placeOfLeft({ left, match }, index) {
 var rowOfEdited = remember(rowsOfLefts);
 // www/pair/state/marks.ts
 var isMeasured = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
-/** The marks that are measured and whose photo coordinates are known: only they take part. */
-var wholeMarks = ({ fiducials }) => fiducials.filter((mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm));
+/** Whether a mark is measured and its photo coordinates are known: only then it takes part. */
+var isWhole$1 = (mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
+var wholeMarks = ({ fiducials }) => fiducials.filter(isWhole$1);
+/** A photo as far as it is measured. */
+var measuredPhoto = (photo) => ({
+	...photo,
+	fiducials: wholeMarks(photo)
+});
 /** Where a mark lies in its image, px; null where it is not measured. */
 function placeOfMark({ origin }, mark) {
 	const [left, top] = origin ?? [0, 0];
@@ -6257,7 +6263,7 @@ function compute(state) {
 	const interior = (side, open) => "missing" in cameras ? null : keyOf("interior", [open], [
 		cameras[side],
 		cameras.left.focal_mm,
-		state.photos[side],
+		measuredPhoto(state.photos[side]),
 		state.fiducialModel
 	]);
 	const interiorLeft = interior("left", openLeft);
@@ -7144,8 +7150,7 @@ function projectOf(state, contents) {
 		frames
 	});
 	const given = (side) => ({
-		...photos[side],
-		fiducials: wholeMarks(photos[side]),
+		...measuredPhoto(photos[side]),
 		model: fiducialModel
 	});
 	return {
@@ -7846,7 +7851,7 @@ function imageOf(state, side) {
 		height: opened?.info.height ?? null,
 		format: opened?.info.format ?? null,
 		exif: opened?.info.camera ?? null,
-		fiducials: state.photos[side].fiducials,
+		fiducials: wholeMarks(state.photos[side]),
 		origin: state.photos[side].origin,
 		mask: state.masks[side]?.name ?? null
 	};
@@ -10221,7 +10226,7 @@ function mountEditTools(host, bar, store, editing) {
 }
 /** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own; the others in the list of matches. */
 function mountEditKeys(list, store, editing) {
-	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== "mask", (by) => editing.step(by));
+	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== "mask" && store.state.tool !== "fiducials", (by) => editing.step(by));
 	const keys = [
 		{
 			keys: ["Delete", "Backspace"],
@@ -10321,14 +10326,17 @@ function photo(side, store, loadFile, measure) {
 	let shown = null;
 	const stage = side === "left" ? "interiorLeft" : "interiorRight";
 	store.watch((s) => [s.photos[side].fiducials, s.results[stage]], ([fiducials, interior]) => {
+		const whole = fiducials.filter(isWhole$1).length;
 		const residuals = interior?.value.fiducials?.residuals_mm ?? [];
 		if (shown !== fiducials) {
 			if (shown?.length !== fiducials.length) fill(table, marksTable(side, store, fiducials.length));
 			shown = fiducials;
 		}
-		showMarks(table, fiducials, residuals.length === fiducials.length ? residuals : []);
+		showMarks(table, fiducials, residuals.length === whole ? residuals : []);
 		clear.disabled = fiducials.length === 0;
-		fill(result, interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, fiducials.length));
+		const incomplete = fiducials.length - whole;
+		const told = interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, whole);
+		fill(result, incomplete === 0 ? told : `${told} ${say("incomplete-marks", { incomplete })}`);
 	});
 	return h("div", { class: "photo" }, h("h3", {}, say("image-4", { name })), result, table, h("div", { class: "buttons" }, inPicture, add, load, clear), originFields(side, store));
 }
@@ -10387,7 +10395,9 @@ function removeButton(side, store, index) {
 	remove.setAttribute("aria-label", say("remove-mark", { index: index + 1 }));
 	return remove;
 }
+/** `residuals`: of the marks that take part, in their order. */
 function showMarks(table, fiducials, residuals) {
+	const parts = fiducials.map((mark, i) => isWhole$1(mark) ? residuals[fiducials.slice(0, i).filter(isWhole$1).length] : void 0);
 	table.querySelectorAll("tbody tr").forEach((line, i) => {
 		line.querySelectorAll("input").forEach((input, f) => {
 			const field = FIELDS[f];
@@ -10396,7 +10406,7 @@ function showMarks(table, fiducials, residuals) {
 			input.value = Number.isFinite(value) ? String(value) : "";
 		});
 		const cell = line.querySelector(".residual");
-		const [vx, vy] = residuals[i] ?? [];
+		const [vx, vy] = parts[i] ?? [];
 		if (cell !== null) cell.textContent = vx === void 0 ? "" : `${fixed(1e3 * vx, 0)}, ${fixed(1e3 * (vy ?? NaN), 0)}`;
 	});
 }
@@ -10551,8 +10561,7 @@ function inputOf(state) {
 	if (left === null || right === null || settings === null) return null;
 	const truth = truthOf(state);
 	const photo = (side) => ({
-		...photos[side],
-		fiducials: wholeMarks(photos[side]),
+		...measuredPhoto(photos[side]),
 		model: fiducialModel
 	});
 	return {
@@ -11468,10 +11477,12 @@ function mountMarking(bar, store, marking, show) {
 		s.photos
 	], () => {
 		const { state } = store;
+		const held = document.activeElement;
 		buttons.hidden = state.tool !== "fiducials" || state.mark === null;
 		former.disabled = state.mark === null || state.mark.index === 0;
 		next.disabled = markInHand(state) === void 0;
 		clear.disabled = placeInHand(state) === null;
+		if (buttons.contains(held)) passFocus(held, [byId("view")]);
 		const now = textOf$1(state);
 		if (text.textContent !== now) text.textContent = now;
 	});
@@ -11528,7 +11539,7 @@ function mountMasking(host, bar, store, masking, paint) {
 		aria: { label: say("masks-of-the-pictures") }
 	}, text, mask, unmask, undo, keep, end);
 	host.append(tool);
-	undoKeys(() => store.state.tool === "mask", (by) => {
+	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask", (by) => {
 		if (by < 0) masking.undo();
 	});
 	bar.append(buttons);
@@ -12743,6 +12754,10 @@ var Marking = class {
 	constructor(store, orienter) {
 		this.store = store;
 		this.orienter = orienter;
+		store.watch(["photos", "fiducialModel"], () => {
+			const { mark } = store.state;
+			if (mark !== null) this.take(mark.side, mark.index);
+		});
 	}
 	/** Begins with the first mark of a photo that is not measured, or a new one; puts the tool away where it is in use there. */
 	toggle(side) {
@@ -12755,11 +12770,11 @@ var Marking = class {
 		if (ends || images[side] === null) return;
 		const { fiducials } = photos[side];
 		const first = fiducials.findIndex((one) => !isMeasured(one));
+		this.take(side, first < 0 ? fiducials.length : first);
 		this.store.dispatch({
 			type: "activeSide",
 			side
 		});
-		this.take(side, first < 0 ? fiducials.length : first);
 	}
 	/** Places the mark in hand, where it is of that image. */
 	place(side, [x, y]) {
@@ -12806,7 +12821,6 @@ var Marking = class {
 			col: NaN,
 			row: NaN
 		} : one));
-		this.take(mark.side, mark.index);
 	}
 	set(side, fiducials) {
 		this.store.dispatch({
@@ -12833,8 +12847,8 @@ var Marking = class {
 		const model = known.length < LEAST_AFFINE ? "similarity" : this.store.state.fiducialModel;
 		const found = await this.orienter(known, model);
 		const expected = found === null ? null : positionOf(photo, found, wanted);
-		const { mark } = this.store.state;
-		if (expected === null || mark?.side !== side || mark.index !== index) return null;
+		const { mark, photos } = this.store.state;
+		if (expected === null || photos[side] !== photo || mark?.side !== side || mark.index !== index) return null;
 		this.store.dispatch({
 			type: "mark",
 			mark: {
@@ -12975,8 +12989,8 @@ var Masking = class {
 			...last,
 			side
 		};
-		this.done = [];
-		return null;
+		this.done.pop();
+		return this.last();
 	}
 	async painted(imageId, corners, masked) {
 		const { state } = this.store;
@@ -12992,6 +13006,7 @@ var Masking = class {
 		});
 		if (before?.source.kind === "project") {
 			tell("problem", say("the-mask-is-not-here", { name: before.name }));
+			this.outlinedAgain(imageId, corners);
 			return;
 		}
 		let mask = null;
@@ -13003,6 +13018,7 @@ var Masking = class {
 		const now = this.sideOf(imageId);
 		if (mask === null || now === void 0 || this.store.state.masks[now] !== before) {
 			tell("info", say("no-area-was-painted"));
+			this.outlinedAgain(imageId, corners);
 			return;
 		}
 		this.done = [...this.done, {
@@ -13064,11 +13080,23 @@ var DEEDS = /* @__PURE__ */ new Set([
 	"goto"
 ]);
 function reduce(state, action) {
-	const next = withShown(state, changed(state, action));
+	const next = withTool(withShown(state, changed(state, action)), action);
 	return DEEDS.has(action.type) && next.notice !== null && next.notice.kind !== "busy" ? {
 		...next,
 		notice: null
 	} : next;
+}
+/** Marks are measured as long as one is in hand. */
+function withTool(next, action) {
+	return next.tool === "fiducials" && next.mark === null && action.type !== "tool" ? {
+		...next,
+		tool: "look"
+	} : next;
+}
+/** The mark in hand among the marks of a photo that change; null where it may be another one, or none. */
+function markAmong({ mark, photos }, side, { fiducials }) {
+	if (mark?.side !== side || fiducials === void 0) return mark;
+	return fiducials.length < photos[side].fiducials.length || mark.index > fiducials.length ? null : mark;
 }
 /** Fields show new values in place of what they held. */
 function withShown(state, next) {
@@ -13126,6 +13154,7 @@ function changed(state, action) {
 					...action.photo
 				}
 			},
+			mark: markAmong(state, action.side, action.photo),
 			paused: false
 		};
 		case "mask": return {
@@ -13595,7 +13624,7 @@ function markingKeys(store, navigator, marking) {
 		if (at !== null && now !== null) navigator.show(now.side, at);
 	};
 	const middle = () => {
-		const at = navigator.middle();
+		const at = navigator.middle(store.state.mark?.side);
 		if (at !== null) marking.place(...at);
 	};
 	return [
@@ -13918,6 +13947,34 @@ function sameGround(state, side, at) {
 	if (field === void 0) return null;
 	return side === "left" ? expectedPosition(field, at) : expectedOrigin(field, at);
 }
+// www/pair/view/outline.ts
+/** The area that is being outlined on a picture, and where keys place its next corner. */
+var CORNER = 3;
+/** The position in the middle of a pane, where keys place what is measured. */
+var middleOf = ({ rect, transform }) => toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2);
+function drawOutline(context, { outline, tool, activeSide }, scene) {
+	const active = scene.panes[activeSide];
+	if (tool === "mask" && active.picture !== null) drawCross(context, active, middleOf(active), false);
+	if (outline === null) return;
+	const { rect, transform } = scene.panes[outline.side];
+	const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));
+	const path = new Path2D();
+	for (const [i, [x, y]] of corners.entries()) if (i === 0) path.moveTo(x, y);
+	else path.lineTo(x, y);
+	path.closePath();
+	within(context, rect, () => {
+		context.fillStyle = "rgb(255 212 0 / 0.2)";
+		context.fill(path);
+		context.lineWidth = 3;
+		context.strokeStyle = "rgb(0 0 0 / 0.6)";
+		context.stroke(path);
+		context.lineWidth = 1.5;
+		context.strokeStyle = SELECTED;
+		context.stroke(path);
+		context.fillStyle = SELECTED;
+		if (corners.length <= 64) for (const [x, y] of corners) context.fillRect(x - CORNER, y - CORNER, 6, 6);
+	});
+}
 // www/pair/view/navigate.ts
 var Navigator = class {
 	store;
@@ -14019,10 +14076,10 @@ var Navigator = class {
 			} }
 		});
 	}
-	/** The position in the middle of the active pane; null where it shows no image. */
-	middle() {
-		const { rect, transform, side, picture } = this.activePane();
-		return picture === null ? null : [side, toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2)];
+	/** The position in the middle of a pane, the active one if none is named; null where it shows no image. */
+	middle(of) {
+		const { side, ...pane } = of === void 0 ? this.activePane() : this.view.scene().panes[of];
+		return pane.picture === null ? null : [side, middleOf(pane)];
 	}
 	activePane() {
 		return this.view.scene().panes[this.store.state.activeSide];
@@ -14335,37 +14392,13 @@ function drawFiducials(context, state, scene, ratio, tiles) {
 	}
 	if (mark === null) return;
 	const at = placeOfMark(photos[mark.side], markInHand(state));
-	if (at !== null) drawCornerLens(context, state, scene, mark.side, at, ratio, tiles);
-	else if (mark.expected !== null) drawExpected(context, scene.panes[mark.side], [mark.expected[0], mark.expected[1]]);
-}
-// www/pair/view/outline.ts
-/** The area that is being outlined on a picture, and where keys place its next corner. */
-var CORNER = 3;
-function drawOutline(context, { outline, tool, activeSide }, scene) {
-	const active = scene.panes[activeSide];
-	if (tool === "mask" && active.picture !== null) {
-		const { left, top, width, height } = active.rect;
-		drawCross(context, active, toPosition(active.transform, left + width / 2, top + height / 2), false);
+	if (at !== null) {
+		drawCornerLens(context, state, scene, mark.side, at, ratio, tiles);
+		return;
 	}
-	if (outline === null) return;
-	const { rect, transform } = scene.panes[outline.side];
-	const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));
-	const path = new Path2D();
-	for (const [i, [x, y]] of corners.entries()) if (i === 0) path.moveTo(x, y);
-	else path.lineTo(x, y);
-	path.closePath();
-	within(context, rect, () => {
-		context.fillStyle = "rgb(255 212 0 / 0.2)";
-		context.fill(path);
-		context.lineWidth = 3;
-		context.strokeStyle = "rgb(0 0 0 / 0.6)";
-		context.stroke(path);
-		context.lineWidth = 1.5;
-		context.strokeStyle = SELECTED;
-		context.stroke(path);
-		context.fillStyle = SELECTED;
-		if (corners.length <= 64) for (const [x, y] of corners) context.fillRect(x - CORNER, y - CORNER, 6, 6);
-	});
+	const pane = scene.panes[mark.side];
+	drawCross(context, pane, middleOf(pane), false);
+	if (mark.expected !== null) drawExpected(context, pane, [mark.expected[0], mark.expected[1]]);
 }
 // www/pair/view/view.ts
 /** The canvases: images below, marks above them, selection and magnifier on top. Each is drawn again only when what it shows changed. */
@@ -14569,7 +14602,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	const marking = new Marking(store, (fiducials, model) => engine.client("preview").call("orientMarks", {
 		fiducials: [...fiducials],
 		model
-	}));
+	}).catch(() => null));
 	mountInput(view, store, navigator, {
 		editing,
 		masking,

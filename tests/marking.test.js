@@ -7,7 +7,7 @@ import { pageModules } from './www.js';
 
 const {
   marking: { Marking },
-  marks: { wholeMarks },
+  marks: { measuredPhoto, wholeMarks },
   store: { Store },
 } = await pageModules(['pair/state/marking', 'pair/state/marks', 'pair/state/store']);
 
@@ -74,6 +74,46 @@ test('a mark is moved by hundredths of a pixel at most, and cleared', async () =
   assert.deepEqual(photo(PLACES[0] ?? [0, 0]), { x_mm: marks()[0].x_mm, y_mm: marks()[0].y_mm });
   await marking.go(-1);
   assert.equal(store.state.mark.index, 0);
+});
+
+test('the tool ends where the mark in hand may be another one: images swapped, marks removed', () => {
+  for (const act of [
+    (/** @type {any} */ store) => store.dispatch({ type: 'swap' }),
+    (/** @type {any} */ store) => store.dispatch({ type: 'photo', side: 'left', photo: { fiducials: [] } }),
+    (/** @type {any} */ store) => store.dispatch({ type: 'photo', side: 'left', photo: { fiducials: store.state.photos.left.fiducials.slice(1) } }),
+  ]) {
+    const { store, marking, marks } = begun();
+    marking.toggle('left');
+    assert.equal(store.state.tool, 'fiducials');
+    act(store);
+    assert.deepEqual([store.state.tool, store.state.mark], ['look', null]);
+    const before = marks();
+    marking.place('left', [5, 5]);
+    assert.equal(marks(), before);
+  }
+});
+
+test('a mark is expected anew when another one moves, and an answer that comes late counts no more', async () => {
+  const { store, marking } = begun();
+  marking.toggle('left');
+  for (const [col, row] of PLACES.slice(0, 3)) {
+    marking.place('left', [col - 10, row - 20]);
+    await marking.go(1);
+  }
+  const { expected } = store.state.mark;
+  const end = marking.go(1);
+  store.dispatch({ type: 'photo', side: 'left', photo: { origin: [0, 0] } });
+  await end;
+  await marking.go(-1);
+  const later = store.state.mark.expected;
+  assert.ok(Math.abs(later[0] - expected[0] - 10) < 1e-6 && Math.abs(later[1] - expected[1] - 20) < 1e-6, `${expected} ${later}`);
+});
+
+test('what is not complete changes nothing of the pair', () => {
+  const whole = { col: 1, row: 2, x_mm: 3, y_mm: 4 };
+  const measured = (/** @type {object[]} */ fiducials) => JSON.stringify(measuredPhoto({ fiducials, origin: null }));
+  assert.equal(measured([whole, { ...whole, col: NaN }]), measured([whole]));
+  assert.equal(measured([{ ...whole, y_mm: NaN }]), measured([]));
 });
 
 test('without an image there is nothing to measure in', () => {

@@ -106,6 +106,26 @@ test('undoing an area takes no mask away that was given since', async () => {
   assert.equal(store.state.masks.left, given);
 });
 
+test('a mask that is removed leaves the areas of the other image to be undone', async () => {
+  const { store, masking, draw } = painted();
+  draw();
+  await masking.paint(true);
+  masking.trace(
+    'right',
+    [
+      [1, 1],
+      [5, 1],
+      [5, 5],
+    ],
+    true,
+  );
+  await masking.paint(true);
+  store.dispatch({ type: 'mask', side: 'right', mask: null });
+  assert.equal(masking.canUndo(), true);
+  masking.undo();
+  assert.equal(store.state.masks.left, null);
+});
+
 test('an area that is painted while the images are swapped goes with its image', async () => {
   const { store, masking, draw } = painted();
   draw();

@@ -75,6 +75,13 @@ test('new marks are pressed in the picture, and take part once their photo coord
   await part(page, 'mark-before').click();
   await part(page, 'mark-clear').click();
   await says(page, 'mark-text', /^Mark 1: press it/);
+  assert.match((await part(page, 'interior-left').textContent()) ?? '', /One mark is incomplete/);
+  // The button has done its work: keys go on in the picture.
+  await page.keyboard.press('Enter');
+  await says(page, 'mark-text', /^Mark 1 lies at/);
+  await part(page, 'swap').click();
+  await part(page, 'marking').waitFor({ state: 'hidden' });
+  assert.equal(await part(page, 'view').getAttribute('data-tool'), 'look');
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -114,8 +114,17 @@ test('an interior orientation that fails is the status, and figures of the earli
   assert.ok((await number(page, 'count-gross-errors')) > 0);
   await part(page, 'histogram-residuals').waitFor();
   await part(page, 'tab-camera').click();
-  // Its coordinates are empty yet.
+  // A mark without coordinates takes no part yet.
   await part(page, 'add-fiducial-left').click();
+  await says(page, 'interior-left', /One mark is incomplete/);
+  assert.ok((await number(page, 'count-gross-errors')) > 0);
+  // One that lies where another one does.
+  const rows = page.locator('[data-testid="fiducials-left"] tbody tr');
+  for (const field of [0, 1, 2, 3]) {
+    const input = rows.nth(8).locator('input').nth(field);
+    await input.fill(await rows.nth(0).locator('input').nth(field).inputValue());
+    await input.press('Tab');
+  }
   await says(page, 'status', /Not oriented: 1\u202f\d+ matches/);
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'problem');
   assert.equal(await part(page, 'count-gross-errors').textContent(), '–');

@@ -110,7 +110,13 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
   const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
   const paint = (masked: boolean) => void attempt(() => masking.paint(masked));
-  const marking = new Marking(store, (fiducials, model) => engine.client('preview').call('orientMarks', { fiducials: [...fiducials], model }));
+  // Where it was cancelled, no place is foretold.
+  const marking = new Marking(store, (fiducials, model) =>
+    engine
+      .client('preview')
+      .call('orientMarks', { fiducials: [...fiducials], model })
+      .catch(() => null),
+  );
   mountInput(view, store, navigator, { editing, masking, marking, paint });
   mountToolbar(byId('toolbar'), store, navigator);
   mountEditTools(byId('view-more'), byId('toolbar'), store, editing);

@@ -5,6 +5,7 @@ import { BY_HAND, CODES } from '../state/codes';
 import { editedPair, isManual, placeOfLeft } from '../state/edited';
 import { interiorInUse } from '../state/interior';
 import { isCurrent, pairCameras } from '../state/keys';
+import { wholeMarks } from '../state/marks';
 import { NO_POINT, shownPair } from '../state/select';
 import { truthOf } from '../state/truth';
 import type { Side, State } from '../state/state';
@@ -25,7 +26,7 @@ function imageOf(state: State, side: Side) {
     height: opened?.info.height ?? null,
     format: opened?.info.format ?? null,
     exif: opened?.info.camera ?? null,
-    fiducials: state.photos[side].fiducials,
+    fiducials: wholeMarks(state.photos[side]),
     origin: state.photos[side].origin,
     mask: state.masks[side]?.name ?? null,
   };

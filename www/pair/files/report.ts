@@ -3,7 +3,7 @@ import { Cancelled } from '../../shared/engine/client';
 import type { ReportInput } from '../engine/calls';
 import type { Engine } from '../engine/engine';
 import { isEdited } from '../state/kept';
-import { wholeMarks } from '../state/marks';
+import { measuredPhoto } from '../state/marks';
 import { truthOf } from '../state/truth';
 import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
@@ -17,7 +17,7 @@ function inputOf(state: State): ReportInput | null {
   const { settings, camera, photos, masks, offset, fiducialModel } = state;
   if (left === null || right === null || settings === null) return null;
   const truth = truthOf(state);
-  const photo = (side: Side) => ({ ...photos[side], fiducials: wholeMarks(photos[side]), model: fiducialModel });
+  const photo = (side: Side) => ({ ...measuredPhoto(photos[side]), model: fiducialModel });
   return {
     images: [left.source, right.source],
     names: [left.name, right.name],

@@ -133,7 +133,7 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
 export function mountEditKeys(list: HTMLElement, store: Store, editing: Editing): void {
   undoKeys(
     // Where the pair is what is shown.
-    () => byId('view').offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== 'mask',
+    () => byId('view').offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== 'mask' && store.state.tool !== 'fiducials',
     (by) => editing.step(by),
   );
   const keys: Command[] = [

@@ -1,6 +1,7 @@
 /** Fiducial marks of one photo: a table to type into, or a CSV file. */
 import { allowedOfOrigin } from '../engine/checks';
 import type { Fiducial } from '../../shared/crate';
+import { isWhole } from '../state/marks';
 import type { PhotoData, Side } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
@@ -56,15 +57,18 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, measure
   store.watch(
     (s) => [s.photos[side].fiducials, s.results[stage]] as const,
     ([fiducials, interior]) => {
+      const whole = fiducials.filter(isWhole).length;
       const residuals = interior?.value.fiducials?.residuals_mm ?? [];
       if (shown !== fiducials) {
         // Typing a number changes one mark: the table is built anew only when marks come or go, so that the focus stays.
         if (shown?.length !== fiducials.length) fill(table, marksTable(side, store, fiducials.length));
         shown = fiducials;
       }
-      showMarks(table, fiducials, residuals.length === fiducials.length ? residuals : []);
+      showMarks(table, fiducials, residuals.length === whole ? residuals : []);
       clear.disabled = fiducials.length === 0;
-      fill(result, interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, fiducials.length));
+      const incomplete = fiducials.length - whole;
+      const told = interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, whole);
+      fill(result, incomplete === 0 ? told : `${told} ${say('incomplete-marks', { incomplete })}`);
     },
   );
   return h(
@@ -134,7 +138,9 @@ function removeButton(side: Side, store: Store, index: number): HTMLButtonElemen
   return remove;
 }
 
+/** `residuals`: of the marks that take part, in their order. */
 function showMarks(table: HTMLElement, fiducials: readonly Fiducial[], residuals: readonly [number, number][]): void {
+  const parts = fiducials.map((mark, i) => (isWhole(mark) ? residuals[fiducials.slice(0, i).filter(isWhole).length] : undefined));
   table.querySelectorAll('tbody tr').forEach((line, i) => {
     line.querySelectorAll('input').forEach((input, f) => {
       const field = FIELDS[f];
@@ -143,7 +149,7 @@ function showMarks(table: HTMLElement, fiducials: readonly Fiducial[], residuals
       input.value = Number.isFinite(value) ? String(value) : '';
     });
     const cell = line.querySelector('.residual');
-    const [vx, vy] = residuals[i] ?? [];
+    const [vx, vy] = parts[i] ?? [];
     if (cell !== null) cell.textContent = vx === undefined ? '' : `${fixed(1000 * vx, 0)}, ${fixed(1000 * (vy ?? NaN), 0)}`;
   });
 }

@@ -1,5 +1,6 @@
 /** While fiducial marks are measured: which one is in hand, where it lies, and buttons for each key. */
-import { button, h } from '../../shared/panel/dom';
+import { button, byId, h } from '../../shared/panel/dom';
+import { passFocus } from '../../shared/panel/focus';
 import { fixed } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
 import type { Marking } from '../state/marking';
@@ -34,10 +35,13 @@ export function mountMarking(bar: HTMLElement, store: Store, marking: Marking, s
     (s) => [s.tool, s.mark, s.photos] as const,
     () => {
       const { state } = store;
+      const held = document.activeElement;
       buttons.hidden = state.tool !== 'fiducials' || state.mark === null;
       former.disabled = state.mark === null || state.mark.index === 0;
       next.disabled = markInHand(state) === undefined;
       clear.disabled = placeInHand(state) === null;
+      // Keys of the pictures go on from a button that has done its work.
+      if (buttons.contains(held)) passFocus(held, [byId('view')]);
       const now = textOf(state);
       if (text.textContent !== now) text.textContent = now;
     },

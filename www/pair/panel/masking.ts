@@ -30,7 +30,8 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
   );
   host.append(tool);
   undoKeys(
-    () => store.state.tool === 'mask',
+    // Where the pair is what is shown.
+    () => byId('view').offsetParent !== null && store.state.tool === 'mask',
     (by) => {
       if (by < 0) masking.undo();
     },

@@ -2,7 +2,7 @@
  * What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
  * change is not computed again, whatever was changed elsewhere.
  */
-import { wholeMarks } from './marks';
+import { measuredPhoto, wholeMarks } from './marks';
 import { camera_of_exif, resolved } from '../../shared/crate';
 import type { CameraMm, NoOrientation, Settings } from '../../shared/crate';
 import { remember } from '../../shared/state/remember';
@@ -140,7 +140,7 @@ function compute(state: State): WantedKeys {
   const offset = gradients ? null : given;
   const cameras = pairCameras(state);
   const interior = (side: Side, open: string | null) =>
-    'missing' in cameras ? null : keyOf('interior', [open], [cameras[side], cameras.left.focal_mm, state.photos[side], state.fiducialModel]);
+    'missing' in cameras ? null : keyOf('interior', [open], [cameras[side], cameras.left.focal_mm, measuredPhoto(state.photos[side]), state.fiducialModel]);
   const interiorLeft = interior('left', openLeft);
   const interiorRight = interior('right', openRight);
   const match = keyOf(

@@ -19,7 +19,13 @@ export class Marking {
   constructor(
     private readonly store: Store,
     private readonly orienter: MarkOrienter,
-  ) {}
+  ) {
+    // What is known of the other marks tells where this one is.
+    store.watch(['photos', 'fiducialModel'], () => {
+      const { mark } = store.state;
+      if (mark !== null) void this.take(mark.side, mark.index);
+    });
+  }
 
   /** Begins with the first mark of a photo that is not measured, or a new one; puts the tool away where it is in use there. */
   toggle(side: Side): void {
@@ -29,8 +35,8 @@ export class Marking {
     if (ends || images[side] === null) return;
     const { fiducials } = photos[side];
     const first = fiducials.findIndex((one) => !isMeasured(one));
-    this.store.dispatch({ type: 'activeSide', side });
     void this.take(side, first < 0 ? fiducials.length : first);
+    this.store.dispatch({ type: 'activeSide', side });
   }
 
   /** Places the mark in hand, where it is of that image. */
@@ -69,7 +75,6 @@ export class Marking {
       mark.side,
       fiducials.map((one) => (one === cleared ? { ...one, col: NaN, row: NaN } : one)),
     );
-    void this.take(mark.side, mark.index);
   }
 
   private set(side: Side, fiducials: Fiducial[]): void {
@@ -87,9 +92,9 @@ export class Marking {
     const model = known.length < LEAST_AFFINE ? 'similarity' : this.store.state.fiducialModel;
     const found = await this.orienter(known, model);
     const expected = found === null ? null : positionOf(photo, found, wanted);
-    const { mark } = this.store.state;
-    // Meanwhile another mark may be in hand.
-    if (expected === null || mark?.side !== side || mark.index !== index) return null;
+    const { mark, photos } = this.store.state;
+    // Meanwhile another mark may be in hand, or the others are elsewhere.
+    if (expected === null || photos[side] !== photo || mark?.side !== side || mark.index !== index) return null;
     this.store.dispatch({ type: 'mark', mark: { side, index, expected } });
     return expected;
   }

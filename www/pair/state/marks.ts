@@ -5,9 +5,13 @@ import type { PhotoData, State } from './state';
 
 export const isMeasured = ({ col, row }: Fiducial): boolean => Number.isFinite(col) && Number.isFinite(row);
 
-/** The marks that are measured and whose photo coordinates are known: only they take part. */
-export const wholeMarks = ({ fiducials }: PhotoData): Fiducial[] =>
-  fiducials.filter((mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm));
+/** Whether a mark is measured and its photo coordinates are known: only then it takes part. */
+export const isWhole = (mark: Fiducial): boolean => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
+
+export const wholeMarks = ({ fiducials }: PhotoData): Fiducial[] => fiducials.filter(isWhole);
+
+/** A photo as far as it is measured. */
+export const measuredPhoto = (photo: PhotoData): PhotoData => ({ ...photo, fiducials: wholeMarks(photo) });
 
 /** Where a mark lies in its image, px; null where it is not measured. */
 export function placeOfMark({ origin }: PhotoData, mark: Fiducial | undefined): Position | null {

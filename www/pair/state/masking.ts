@@ -111,8 +111,8 @@ export class Masking {
     if (last === undefined) return null;
     const side = this.sideOf(last.imageId);
     if (side !== undefined && this.store.state.masks[side]?.id === last.after) return { ...last, side };
-    this.done = [];
-    return null;
+    this.done.pop();
+    return this.last();
   }
 
   private async painted(imageId: number, corners: Outline['corners'], masked: boolean): Promise<void> {
@@ -123,6 +123,7 @@ export class Masking {
     const tell = (kind: 'info' | 'problem', text: string) => this.store.dispatch({ type: 'notice', notice: { kind, text } });
     if (before?.source.kind === 'project') {
       tell('problem', say('the-mask-is-not-here', { name: before.name }));
+      this.outlinedAgain(imageId, corners);
       return;
     }
     let mask: GivenMask | null = null;
@@ -135,6 +136,7 @@ export class Masking {
     const now = this.sideOf(imageId);
     if (mask === null || now === undefined || this.store.state.masks[now] !== before) {
       tell('info', say('no-area-was-painted'));
+      this.outlinedAgain(imageId, corners);
       return;
     }
     this.done = [...this.done, { imageId, before, after: mask.id }].slice(-MOST_UNDONE);

@@ -4,7 +4,7 @@ import { BY_HAND, codeOf, UNDECIDED } from './codes';
 import { countsByHand, editedPair } from './edited';
 import { interiorInUse } from './interior';
 import { isCurrent, pairCameras, wantedKeys } from './keys';
-import { wholeMarks } from './marks';
+import { measuredPhoto } from './marks';
 import { exchangedPair } from './shelf';
 import { SIDES, UNEDITED } from './state';
 import type { GivenImage, GivenMask, Results, Side, StageName, StageValues, State } from './state';
@@ -41,7 +41,7 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
   const none = oriented === null ? whyNone(state) : null;
   const interior = interiorInUse(state);
   const points = ({ counts, threshold, points: at, frames }: StageValues['pointsLeft']) => ({ counts, threshold, points: at, frames });
-  const given = (side: Side) => ({ ...photos[side], fiducials: wholeMarks(photos[side]), model: fiducialModel });
+  const given = (side: Side) => ({ ...measuredPhoto(photos[side]), model: fiducialModel });
   return {
     images: [photo('left'), photo('right')],
     input: { camera, offset, left: given('left'), right: given('right') },

@@ -37,10 +37,21 @@ const DEEDS: ReadonlySet<Action['type']> = new Set([
 ]);
 
 export function reduce(state: State, action: Action): State {
-  const next = withShown(state, changed(state, action));
+  const next = withTool(withShown(state, changed(state, action)), action);
   // What is busy says itself when it ends.
   const over = DEEDS.has(action.type) && next.notice !== null && next.notice.kind !== 'busy';
   return over ? { ...next, notice: null } : next;
+}
+
+/** Marks are measured as long as one is in hand. */
+function withTool(next: State, action: Action): State {
+  return next.tool === 'fiducials' && next.mark === null && action.type !== 'tool' ? { ...next, tool: 'look' } : next;
+}
+
+/** The mark in hand among the marks of a photo that change; null where it may be another one, or none. */
+function markAmong({ mark, photos }: State, side: Side, { fiducials }: Partial<PhotoData>): State['mark'] {
+  if (mark?.side !== side || fiducials === undefined) return mark;
+  return fiducials.length < photos[side].fiducials.length || mark.index > fiducials.length ? null : mark;
 }
 
 /** Fields show new values in place of what they held. */
@@ -76,7 +87,12 @@ function changed(state: State, action: Action): State {
     case 'camera':
       return { ...state, camera: action.camera, paused: false };
     case 'photo':
-      return { ...state, photos: { ...state.photos, [action.side]: { ...state.photos[action.side], ...action.photo } }, paused: false };
+      return {
+        ...state,
+        photos: { ...state.photos, [action.side]: { ...state.photos[action.side], ...action.photo } },
+        mark: markAmong(state, action.side, action.photo),
+        paused: false,
+      };
     case 'mask':
       return { ...state, masks: { ...state.masks, [action.side]: action.mask }, paused: false };
     case 'fiducialModel':

@@ -4,6 +4,7 @@ import { markInHand, placeOfMark } from '../state/marks';
 import { SIDES } from '../state/state';
 import type { State } from '../state/state';
 import { drawCornerLens } from './draft';
+import { middleOf } from './outline';
 import type { Scene } from './scene';
 import type { TileCache } from './tilecache';
 
@@ -18,6 +19,11 @@ export function drawFiducials(context: CanvasRenderingContext2D, state: State, s
   }
   if (mark === null) return;
   const at = placeOfMark(photos[mark.side], markInHand(state));
-  if (at !== null) drawCornerLens(context, state, scene, mark.side, at, ratio, tiles);
-  else if (mark.expected !== null) drawExpected(context, scene.panes[mark.side], [mark.expected[0], mark.expected[1]]);
+  if (at !== null) {
+    drawCornerLens(context, state, scene, mark.side, at, ratio, tiles);
+    return;
+  }
+  const pane = scene.panes[mark.side];
+  drawCross(context, pane, middleOf(pane), false);
+  if (mark.expected !== null) drawExpected(context, pane, [mark.expected[0], mark.expected[1]]);
 }

@@ -140,7 +140,7 @@ function markingKeys(store: Store, navigator: Navigator, marking: Marking): Comm
     if (at !== null && now !== null) navigator.show(now.side, at);
   };
   const middle = () => {
-    const at = navigator.middle();
+    const at = navigator.middle(store.state.mark?.side);
     if (at !== null) marking.place(...at);
   };
   return [

@@ -6,10 +6,11 @@ import { otherSide, SIDES } from '../state/state';
 import type { Selection, Side } from '../state/state';
 import type { Store } from '../state/store';
 import { clamped, fitView, inPane, zoomed } from '../../shared/view/panes';
-import { contains, toCanvas, toPosition } from '../../shared/view/transform';
+import { contains, toCanvas } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
 import { placeOfDraft } from '../state/draft';
 import type { Position } from '../../shared/state/pane';
+import { middleOf } from './outline';
 import type { Pane, Scene } from './scene';
 import type { View } from './view';
 
@@ -93,10 +94,10 @@ export class Navigator {
     this.store.dispatch({ type: 'views', views: { [side]: { x: at[0], y: at[1], scale: transform.scale } } });
   }
 
-  /** The position in the middle of the active pane; null where it shows no image. */
-  middle(): [Side, Position] | null {
-    const { rect, transform, side, picture } = this.activePane();
-    return picture === null ? null : [side, toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2)];
+  /** The position in the middle of a pane, the active one if none is named; null where it shows no image. */
+  middle(of?: Side): [Side, Position] | null {
+    const { side, ...pane } = of === undefined ? this.activePane() : this.view.scene().panes[of];
+    return pane.picture === null ? null : [side, middleOf(pane)];
   }
 
   private activePane(): Pane {

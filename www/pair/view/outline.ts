@@ -4,17 +4,17 @@ import { SELECTED } from '../../shared/view/palette';
 import { drawCross } from '../../shared/view/pointer';
 import { toCanvas, toPosition } from '../../shared/view/transform';
 import type { State } from '../state/state';
-import type { Scene } from './scene';
+import type { Pane, Scene } from './scene';
 
 const CORNER = 3;
 
+/** The position in the middle of a pane, where keys place what is measured. */
+export const middleOf = ({ rect, transform }: Pick<Pane, 'rect' | 'transform'>): [x: number, y: number] =>
+  toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2);
+
 export function drawOutline(context: CanvasRenderingContext2D, { outline, tool, activeSide }: State, scene: Scene): void {
   const active = scene.panes[activeSide];
-  // Keys place a corner there.
-  if (tool === 'mask' && active.picture !== null) {
-    const { left, top, width, height } = active.rect;
-    drawCross(context, active, toPosition(active.transform, left + width / 2, top + height / 2), false);
-  }
+  if (tool === 'mask' && active.picture !== null) drawCross(context, active, middleOf(active), false);
   if (outline === null) return;
   const { rect, transform } = scene.panes[outline.side];
   const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));

@@ -225,6 +225,7 @@ image-4 = الصورة { $name }
 no-fiducial-marks-the-pixel = لا علامات إطارية. يُستعمل حجم البكسل.
 measure-in-the-image = قياس في الصورة
 press-each-mark-in-the-image = اضغط كل علامة في الصورة؛ وحين تُعرف علامتان أو أكثر تُتوقَّع التالية عند حلقة متقطعة
+incomplete-marks = العلامات غير المكتملة: { $incomplete }، ولا تشارك.
 marks = العلامات: { $marks }.
 not-determined = غير محددة
 um-1 = { FIXED($value, digits: 1) } ميكرومتر

@@ -249,7 +249,14 @@ image-4 = { $name } image
 no-fiducial-marks-the-pixel = No fiducial marks. The pixel size is used.
 measure-in-the-image = Measure in the image
 press-each-mark-in-the-image = Press each mark in the image; where two or more are known, the next one is expected at a dashed ring
-marks = { $marks } marks.
+incomplete-marks = { $incomplete ->
+    [one] One mark is incomplete and takes no part.
+   *[other] { $incomplete } marks are incomplete and take no part.
+}
+marks = { $marks ->
+    [one] One mark.
+   *[other] { $marks } marks.
+}
 not-determined = not determined
 um-1 = { FIXED($value, digits: 1) } µm
 marks-degrees-of-freedom = { $marks } marks, σ₀ { $what }, { $freedom } degrees of freedom.
@@ -653,7 +660,7 @@ moves-the-mark-by = moves the mark by 0.1 px; with Shift by 1 px
 goes-to-the-next-mark = goes to the next mark
 goes-to-the-mark-before = goes to the mark before
 measures-the-mark-in-the-middle = measures the mark in the middle of the picture
-takes-the-mark-back = clears where the mark was measured
+takes-the-mark-back = clears the measured place of the mark
 pictures-of-a-pair-while-masking = Pictures of a pair, while areas are masked
 places-a-corner-in-the-middle = places a corner of the area in the middle of the picture
 takes-the-last-corner-back = takes the last corner back
