@@ -3129,6 +3129,10 @@ function undoKeys(isActive, step) {
 		if (act(`Ctrl+${event.shiftKey ? "Shift+" : ""}${key.toUpperCase()}`, event.shiftKey)) event.preventDefault();
 	});
 }
+// www/shared/state/pane.ts
+/** Places that are measured are kept to so many parts of a px: nobody measures better. */
+var STEPS_OF_PX = 100;
+var roundedPx = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
 // www/shared/files/save.ts
 /** Files that the page gives. */
 function save(blob, name) {
@@ -9810,8 +9814,6 @@ function summary(state) {
 }
 // www/pair/state/draft.ts
 /** A match that is measured by hand: where it lies so far, and where its other point may be. */
-/** Places are kept to so many parts of a px: nobody measures better. */
-var STEPS_OF_PX$1 = 100;
 /** The places of a side, then of the other, of the matches nearest to a place; nearest first. */
 function nearest({ match }, side, [x, y]) {
 	const first = side === "left" ? 0 : 2;
@@ -9867,7 +9869,6 @@ function placeOfDraft(state, side) {
 	if (own !== null) return [own[0], own[1]];
 	return side === draft.side ? expectedPlace(state) : null;
 }
-var rounded = (value) => Math.round(value * STEPS_OF_PX$1) / STEPS_OF_PX$1;
 /** The size of an image; null while it is not open. */
 function sizeOf({ results }, side) {
 	return results[side === "left" ? "openLeft" : "openRight"]?.value.info ?? null;
@@ -9878,7 +9879,7 @@ function placed(state, draft, side, [x, y]) {
 		width: Infinity,
 		height: Infinity
 	};
-	const at = [rounded(Math.min(width, Math.max(0, x))), rounded(Math.min(height, Math.max(0, y)))];
+	const at = [roundedPx(Math.min(width, Math.max(0, x))), roundedPx(Math.min(height, Math.max(0, y)))];
 	return {
 		...draft,
 		places: {
@@ -9925,10 +9926,10 @@ function editOfDraft(state) {
 	const [left, right] = [placeOfDraft(state, "left"), placeOfDraft(state, "right")];
 	if (draft === null || left === null || right === null) return null;
 	const at = [
-		rounded(left[0]),
-		rounded(left[1]),
-		rounded(right[0]),
-		rounded(right[1])
+		roundedPx(left[0]),
+		roundedPx(left[1]),
+		roundedPx(right[0]),
+		roundedPx(right[1])
 	];
 	if (draft.of === null) return {
 		kind: "add",
@@ -11446,19 +11447,14 @@ function chart(title, unit, data, testid) {
 }
 // www/pair/panel/marking.ts
 /** While fiducial marks are measured: which one is in hand, where it lies, and buttons for each key. */
-/** In the bar above the pictures. `show` brings a place into view. */
-function mountMarking(bar, store, marking, show) {
+/** In the bar above the pictures. */
+function mountMarking(bar, store, marking) {
 	const text = h("span", {
 		testid: "mark-text",
 		role: "status"
 	});
-	const go = async (by) => {
-		const at = await marking.go(by);
-		const { mark } = store.state;
-		if (at !== null && mark !== null) show(mark.side, at);
-	};
-	const former = button(say("mark-before"), "mark-before", () => void go(-1), say("the-mark-before-p"));
-	const next = button(say("next-mark"), "mark-next", () => void go(1), say("the-next-mark-enter"));
+	const former = button(say("mark-before"), "mark-before", () => void marking.go(-1), say("the-mark-before-p"));
+	const next = button(say("next-mark"), "mark-next", () => void marking.go(1), say("the-next-mark-enter"));
 	const clear = button(say("clear-mark"), "mark-clear", () => marking.clear(), say("the-mark-is-not-measured"));
 	const end = button(say("end-marking"), "mark-end", () => store.dispatch({
 		type: "tool",
@@ -12746,14 +12742,14 @@ var Editing = class {
 /** Marks that determine each transformation. */
 var LEAST_SIMILARITY = 2;
 var LEAST_AFFINE = 3;
-/** Places are kept to so many parts of a px: nobody measures better. */
-var STEPS_OF_PX = 100;
 var Marking = class {
 	store;
 	orienter;
-	constructor(store, orienter) {
+	show;
+	constructor(store, orienter, show) {
 		this.store = store;
 		this.orienter = orienter;
+		this.show = show;
 		store.watch(["photos", "fiducialModel"], () => {
 			const { mark } = store.state;
 			if (mark !== null) this.take(mark.side, mark.index);
@@ -12770,7 +12766,7 @@ var Marking = class {
 		if (ends || images[side] === null) return;
 		const { fiducials } = photos[side];
 		const first = fiducials.findIndex((one) => !isMeasured(one));
-		this.take(side, first < 0 ? fiducials.length : first);
+		this.goTo(side, first < 0 ? fiducials.length : first);
 		this.store.dispatch({
 			type: "activeSide",
 			side
@@ -12782,7 +12778,7 @@ var Marking = class {
 		if (mark === null || mark.side !== side) return;
 		const { fiducials, origin } = photos[side];
 		const [left, top] = origin ?? [0, 0];
-		const [col = NaN, row = NaN] = [x + left, y + top].map((v) => Math.round(STEPS_OF_PX * v) / STEPS_OF_PX);
+		const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
 		const placed = {
 			...fiducials[mark.index] ?? {
 				x_mm: NaN,
@@ -12802,13 +12798,13 @@ var Marking = class {
 		const at = mark === null ? null : placeOfMark(photos[mark.side], markInHand(this.store.state));
 		if (mark !== null && at !== null) this.place(mark.side, [at[0] + dx, at[1] + dy]);
 	}
-	/** Takes the next or the former mark in hand; behind the last one a new one. Gives where it is, or is expected. */
+	/** Takes the next or the former mark in hand; behind the last one a new one. */
 	async go(by) {
 		const { mark, photos } = this.store.state;
-		if (mark === null) return null;
+		if (mark === null) return;
 		const { side, index } = mark;
 		const last = photos[side].fiducials.length;
-		return this.take(side, Math.min(last, Math.max(0, index + by)));
+		await this.goTo(side, Math.min(last, Math.max(0, index + by)));
 	}
 	/** The mark in hand is not measured any more. */
 	clear() {
@@ -12828,6 +12824,11 @@ var Marking = class {
 			side,
 			photo: { fiducials }
 		});
+	}
+	/** Takes a mark in hand, and shows where it is, or is expected. */
+	async goTo(side, index) {
+		const at = await this.take(side, index);
+		if (at !== null) this.show(side, at);
 	}
 	/** Takes a mark in hand; where others tell where it is, that follows. */
 	async take(side, index) {
@@ -13490,6 +13491,8 @@ function paneAt(scene, x, y) {
 	const side = SIDES.find((s) => contains(scene.panes[s].rect, x, y));
 	return side === void 0 ? null : scene.panes[side];
 }
+/** The position in the middle of a pane, where keys place what is measured. */
+var middleOf = ({ rect, transform }) => toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2);
 // www/pair/view/input.ts
 /** Pointer, wheel, touch and keys on the images. */
 function mountInput(view, store, navigator, { editing, masking, marking, paint }) {
@@ -13618,11 +13621,6 @@ function markingKeys(store, navigator, marking) {
 		can: isMeasured,
 		run: (shift) => marking.nudge((shift ? COARSE : FINE) * dx, (shift ? COARSE : FINE) * dy)
 	});
-	const go = async (by) => {
-		const at = await marking.go(by);
-		const { mark: now } = store.state;
-		if (at !== null && now !== null) navigator.show(now.side, at);
-	};
 	const middle = () => {
 		const at = navigator.middle(store.state.mark?.side);
 		if (at !== null) marking.place(...at);
@@ -13636,7 +13634,7 @@ function markingKeys(store, navigator, marking) {
 			keys: ["Enter"],
 			does: say("goes-to-the-next-mark"),
 			can: isMeasured,
-			run: () => void go(1)
+			run: () => void marking.go(1)
 		},
 		{
 			keys: ["Enter"],
@@ -13648,13 +13646,13 @@ function markingKeys(store, navigator, marking) {
 			keys: ["n"],
 			does: say("goes-to-the-next-mark"),
 			can: marks,
-			run: () => void go(1)
+			run: () => void marking.go(1)
 		},
 		{
 			keys: ["p"],
 			does: say("goes-to-the-mark-before"),
 			can: marks,
-			run: () => void go(-1)
+			run: () => void marking.go(-1)
 		},
 		{
 			keys: ["Backspace", "Delete"],
@@ -13946,34 +13944,6 @@ function sameGround(state, side, at) {
 	const field = isCurrent(state, "offset") ? results.offset?.value : void 0;
 	if (field === void 0) return null;
 	return side === "left" ? expectedPosition(field, at) : expectedOrigin(field, at);
-}
-// www/pair/view/outline.ts
-/** The area that is being outlined on a picture, and where keys place its next corner. */
-var CORNER = 3;
-/** The position in the middle of a pane, where keys place what is measured. */
-var middleOf = ({ rect, transform }) => toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2);
-function drawOutline(context, { outline, tool, activeSide }, scene) {
-	const active = scene.panes[activeSide];
-	if (tool === "mask" && active.picture !== null) drawCross(context, active, middleOf(active), false);
-	if (outline === null) return;
-	const { rect, transform } = scene.panes[outline.side];
-	const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));
-	const path = new Path2D();
-	for (const [i, [x, y]] of corners.entries()) if (i === 0) path.moveTo(x, y);
-	else path.lineTo(x, y);
-	path.closePath();
-	within(context, rect, () => {
-		context.fillStyle = "rgb(255 212 0 / 0.2)";
-		context.fill(path);
-		context.lineWidth = 3;
-		context.strokeStyle = "rgb(0 0 0 / 0.6)";
-		context.stroke(path);
-		context.lineWidth = 1.5;
-		context.strokeStyle = SELECTED;
-		context.stroke(path);
-		context.fillStyle = SELECTED;
-		if (corners.length <= 64) for (const [x, y] of corners) context.fillRect(x - CORNER, y - CORNER, 6, 6);
-	});
 }
 // www/pair/view/navigate.ts
 var Navigator = class {
@@ -14400,6 +14370,32 @@ function drawFiducials(context, state, scene, ratio, tiles) {
 	drawCross(context, pane, middleOf(pane), false);
 	if (mark.expected !== null) drawExpected(context, pane, [mark.expected[0], mark.expected[1]]);
 }
+// www/pair/view/outline.ts
+/** The area that is being outlined on a picture, and where keys place its next corner. */
+var CORNER = 3;
+function drawOutline(context, { outline, tool, activeSide }, scene) {
+	const active = scene.panes[activeSide];
+	if (tool === "mask" && active.picture !== null) drawCross(context, active, middleOf(active), false);
+	if (outline === null) return;
+	const { rect, transform } = scene.panes[outline.side];
+	const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));
+	const path = new Path2D();
+	for (const [i, [x, y]] of corners.entries()) if (i === 0) path.moveTo(x, y);
+	else path.lineTo(x, y);
+	path.closePath();
+	within(context, rect, () => {
+		context.fillStyle = "rgb(255 212 0 / 0.2)";
+		context.fill(path);
+		context.lineWidth = 3;
+		context.strokeStyle = "rgb(0 0 0 / 0.6)";
+		context.stroke(path);
+		context.lineWidth = 1.5;
+		context.strokeStyle = SELECTED;
+		context.stroke(path);
+		context.fillStyle = SELECTED;
+		if (corners.length <= 64) for (const [x, y] of corners) context.fillRect(x - CORNER, y - CORNER, 6, 6);
+	});
+}
 // www/pair/view/view.ts
 /** The canvases: images below, marks above them, selection and magnifier on top. Each is drawn again only when what it shows changed. */
 var LAYERS = [
@@ -14602,7 +14598,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	const marking = new Marking(store, (fiducials, model) => engine.client("preview").call("orientMarks", {
 		fiducials: [...fiducials],
 		model
-	}).catch(() => null));
+	}).catch(() => null), (side, at) => navigator.show(side, at));
 	mountInput(view, store, navigator, {
 		editing,
 		masking,
@@ -14613,7 +14609,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	mountEditTools(byId("view-more"), byId("toolbar"), store, editing);
 	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft());
 	mountMasking(byId("view-more"), byId("toolbar"), store, masking, paint);
-	mountMarking(byId("toolbar"), store, marking, (side, at) => navigator.show(side, at));
+	mountMarking(byId("toolbar"), store, marking);
 	const pick = pickerOf(files);
 	mountPanes(view, store, {
 		open: (side) => pick(side),
@@ -16435,4 +16431,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };

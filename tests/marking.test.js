@@ -31,12 +31,15 @@ function begun() {
   store.dispatch({ type: 'images', images: { left: image } });
   const fiducials = PLACES.map((place) => ({ col: NaN, row: NaN, ...photo(place) }));
   store.dispatch({ type: 'photo', side: 'left', photo: { fiducials, origin: [10, 20] } });
-  const marking = new Marking(store, async (/** @type {any} */ marks, /** @type {any} */ model) => orient_fiducials(marks, model));
-  return { store, marking, marks: () => store.state.photos.left.fiducials };
+  /** @type {[string, readonly number[]][]} */
+  const shown = [];
+  const orienter = async (/** @type {any} */ marks, /** @type {any} */ model) => orient_fiducials(marks, model);
+  const marking = new Marking(store, orienter, (/** @type {string} */ side, /** @type {readonly number[]} */ at) => shown.push([side, at]));
+  return { store, marking, shown, marks: () => store.state.photos.left.fiducials };
 }
 
 test('marks are measured one after the other, and expected where those that are measured have them', async () => {
-  const { store, marking, marks } = begun();
+  const { store, marking, shown, marks } = begun();
   marking.toggle('left');
   assert.deepEqual(store.state.mark, { side: 'left', index: 0, expected: null });
   assert.deepEqual(wholeMarks(store.state.photos.left), []);
@@ -53,6 +56,11 @@ test('marks are measured one after the other, and expected where those that are 
     await marking.go(1);
   }
   assert.equal(store.state.mark.index, 4);
+  // The third and the fourth were expected before they were measured, and shown.
+  assert.deepEqual(
+    shown.map(([side]) => side),
+    ['left', 'left'],
+  );
   // A new one, whose photo coordinates are still to be typed: it takes no part.
   marking.place('left', [500, 400]);
   assert.equal(marks().length, 5);

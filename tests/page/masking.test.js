@@ -39,7 +39,6 @@ test('an area that is drawn round holds no points; it is kept, saved, unmasked i
   const { page, complaints, close } = await open();
   await pair(page);
   const before = await everything(page);
-  await part(page, 'view-more').isVisible();
   await part(page, 'tool-mask').click();
   assert.ok(await part(page, 'mask-area').isDisabled());
   await says(page, 'mask-text', /^Draw round an area/);

@@ -111,18 +111,21 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
   const paint = (masked: boolean) => void attempt(() => masking.paint(masked));
   // Where it was cancelled, no place is foretold.
-  const marking = new Marking(store, (fiducials, model) =>
-    engine
-      .client('preview')
-      .call('orientMarks', { fiducials: [...fiducials], model })
-      .catch(() => null),
+  const marking = new Marking(
+    store,
+    (fiducials, model) =>
+      engine
+        .client('preview')
+        .call('orientMarks', { fiducials: [...fiducials], model })
+        .catch(() => null),
+    (side, at) => navigator.show(side, at),
   );
   mountInput(view, store, navigator, { editing, masking, marking, paint });
   mountToolbar(byId('toolbar'), store, navigator);
   mountEditTools(byId('view-more'), byId('toolbar'), store, editing);
   mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft());
   mountMasking(byId('view-more'), byId('toolbar'), store, masking, paint);
-  mountMarking(byId('toolbar'), store, marking, (side, at) => navigator.show(side, at));
+  mountMarking(byId('toolbar'), store, marking);
   const pick = pickerOf(files);
   mountPanes(view, store, {
     open: (side) => pick(side),

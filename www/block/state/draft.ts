@@ -1,12 +1,8 @@
 /** A point that is measured by hand, before it is accepted. */
+import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
 import type { Draft, Placed } from './edited';
 import type { BlockEdit, HandMeasurement, PointSource } from '../../../pkg/wasm/tiepoint.js';
-
-/** Places are kept to so many parts of a px: nobody measures better. */
-const STEPS_OF_PX = 100;
-
-const rounded = (value: number): number => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
 
 /** A draft without places yet: of a point that is there, or of a new one. */
 export function begun(of: PointSource | null): Draft {
@@ -15,7 +11,7 @@ export function begun(of: PointSource | null): Draft {
 
 /** The draft with its place in an image, within it. */
 export function placed(draft: Draft, image: number, [x, y]: Position, { width, height }: { width: number; height: number }, by: Placed['by'] = 'hand'): Draft {
-  const at: Position = [rounded(Math.min(width, Math.max(0, x))), rounded(Math.min(height, Math.max(0, y)))];
+  const at: Position = [roundedPx(Math.min(width, Math.max(0, x))), roundedPx(Math.min(height, Math.max(0, y)))];
   return { ...draft, places: new Map([...draft.places, [image, { at, by }]]) };
 }
 

@@ -5,20 +5,14 @@ import { fixed } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
 import type { Marking } from '../state/marking';
 import { markInHand, placeOfMark } from '../state/marks';
-import type { Side, State } from '../state/state';
+import type { State } from '../state/state';
 import type { Store } from '../state/store';
-import type { Position } from '../../shared/state/pane';
 
-/** In the bar above the pictures. `show` brings a place into view. */
-export function mountMarking(bar: HTMLElement, store: Store, marking: Marking, show: (side: Side, at: Position) => void): void {
+/** In the bar above the pictures. */
+export function mountMarking(bar: HTMLElement, store: Store, marking: Marking): void {
   const text = h('span', { testid: 'mark-text', role: 'status' });
-  const go = async (by: 1 | -1) => {
-    const at = await marking.go(by);
-    const { mark } = store.state;
-    if (at !== null && mark !== null) show(mark.side, at);
-  };
-  const former = button(say('mark-before'), 'mark-before', () => void go(-1), say('the-mark-before-p'));
-  const next = button(say('next-mark'), 'mark-next', () => void go(1), say('the-next-mark-enter'));
+  const former = button(say('mark-before'), 'mark-before', () => void marking.go(-1), say('the-mark-before-p'));
+  const next = button(say('next-mark'), 'mark-next', () => void marking.go(1), say('the-next-mark-enter'));
   const clear = button(say('clear-mark'), 'mark-clear', () => marking.clear(), say('the-mark-is-not-measured'));
   const end = button(say('end-marking'), 'mark-end', () => store.dispatch({ type: 'tool', tool: 'look' }));
   const buttons = h(

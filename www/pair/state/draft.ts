@@ -7,13 +7,11 @@ import type { Edited } from './edited';
 import { freshNumber } from './edits';
 import type { Edit, Place } from './edits';
 import { isCurrent } from './keys';
+import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
 import { leftIndexOf } from './selected';
 import { otherSide } from './state';
 import type { Draft, SeenAt, Side, State } from './state';
-
-/** Places are kept to so many parts of a px: nobody measures better. */
-const STEPS_OF_PX = 100;
 
 /** The places of a side, then of the other, of the matches nearest to a place; nearest first. */
 function nearest({ match }: Edited, side: Side, [x, y]: Position): Place[] {
@@ -63,8 +61,6 @@ export function placeOfDraft(state: State, side: Side): Position | null {
   return side === draft.side ? expectedPlace(state) : null;
 }
 
-const rounded = (value: number): number => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
-
 /** The size of an image; null while it is not open. */
 function sizeOf({ results }: State, side: Side): { width: number; height: number } | null {
   return results[side === 'left' ? 'openLeft' : 'openRight']?.value.info ?? null;
@@ -73,7 +69,7 @@ function sizeOf({ results }: State, side: Side): { width: number; height: number
 /** The draft with its point of a side at a place, within the image. */
 export function placed(state: State, draft: Draft, side: Side, [x, y]: Position): Draft {
   const { width, height } = sizeOf(state, side) ?? { width: Infinity, height: Infinity };
-  const at: Position = [rounded(Math.min(width, Math.max(0, x))), rounded(Math.min(height, Math.max(0, y)))];
+  const at: Position = [roundedPx(Math.min(width, Math.max(0, x))), roundedPx(Math.min(height, Math.max(0, y)))];
   return { ...draft, places: { ...draft.places, [side]: at } };
 }
 
@@ -100,7 +96,7 @@ export function editOfDraft(state: State): Edit | null {
   const { draft, history } = state;
   const [left, right] = [placeOfDraft(state, 'left'), placeOfDraft(state, 'right')];
   if (draft === null || left === null || right === null) return null;
-  const at: Place = [rounded(left[0]), rounded(left[1]), rounded(right[0]), rounded(right[1])];
+  const at: Place = [roundedPx(left[0]), roundedPx(left[1]), roundedPx(right[0]), roundedPx(right[1])];
   if (draft.of === null) return { kind: 'add', id: freshNumber(history), at };
   // What was not moved stays to the last digit.
   const own = (k: 0 | 1, side: Side, value: number) => draft.places[side]?.[k] ?? value;

@@ -1,5 +1,6 @@
 /** What a user does to measure fiducial marks in the pictures, whatever was pressed for it. */
 import type { Fiducial, FiducialModel, FiducialOrientation } from '../../shared/crate';
+import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
 import { isMeasured, markInHand, placeOfMark, wholeMarks } from './marks';
 import type { PhotoData, Side } from './state';
@@ -12,13 +13,12 @@ export type MarkOrienter = (marks: readonly Fiducial[], model: FiducialModel) =>
 const LEAST_SIMILARITY = 2;
 const LEAST_AFFINE = 3;
 
-/** Places are kept to so many parts of a px: nobody measures better. */
-const STEPS_OF_PX = 100;
-
 export class Marking {
   constructor(
     private readonly store: Store,
     private readonly orienter: MarkOrienter,
+    /** Brings a place of an image into view. */
+    private readonly show: (side: Side, at: Position) => void,
   ) {
     // What is known of the other marks tells where this one is.
     store.watch(['photos', 'fiducialModel'], () => {
@@ -35,7 +35,7 @@ export class Marking {
     if (ends || images[side] === null) return;
     const { fiducials } = photos[side];
     const first = fiducials.findIndex((one) => !isMeasured(one));
-    void this.take(side, first < 0 ? fiducials.length : first);
+    void this.goTo(side, first < 0 ? fiducials.length : first);
     this.store.dispatch({ type: 'activeSide', side });
   }
 
@@ -45,7 +45,7 @@ export class Marking {
     if (mark === null || mark.side !== side) return;
     const { fiducials, origin } = photos[side];
     const [left, top] = origin ?? [0, 0];
-    const [col = NaN, row = NaN] = [x + left, y + top].map((v) => Math.round(STEPS_OF_PX * v) / STEPS_OF_PX);
+    const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
     const placed: Fiducial = { ...(fiducials[mark.index] ?? { x_mm: NaN, y_mm: NaN }), col, row };
     this.set(side, [...fiducials.slice(0, mark.index), placed, ...fiducials.slice(mark.index + 1)]);
   }
@@ -56,13 +56,13 @@ export class Marking {
     if (mark !== null && at !== null) this.place(mark.side, [at[0] + dx, at[1] + dy]);
   }
 
-  /** Takes the next or the former mark in hand; behind the last one a new one. Gives where it is, or is expected. */
-  async go(by: 1 | -1): Promise<Position | null> {
+  /** Takes the next or the former mark in hand; behind the last one a new one. */
+  async go(by: 1 | -1): Promise<void> {
     const { mark, photos } = this.store.state;
-    if (mark === null) return null;
+    if (mark === null) return;
     const { side, index } = mark;
     const last = photos[side].fiducials.length;
-    return this.take(side, Math.min(last, Math.max(0, index + by)));
+    await this.goTo(side, Math.min(last, Math.max(0, index + by)));
   }
 
   /** The mark in hand is not measured any more. */
@@ -79,6 +79,12 @@ export class Marking {
 
   private set(side: Side, fiducials: Fiducial[]): void {
     this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
+  }
+
+  /** Takes a mark in hand, and shows where it is, or is expected. */
+  private async goTo(side: Side, index: number): Promise<void> {
+    const at = await this.take(side, index);
+    if (at !== null) this.show(side, at);
   }
 
   /** Takes a mark in hand; where others tell where it is, that follows. */

@@ -4,7 +4,7 @@ import { markInHand, placeOfMark } from '../state/marks';
 import { SIDES } from '../state/state';
 import type { State } from '../state/state';
 import { drawCornerLens } from './draft';
-import { middleOf } from './outline';
+import { middleOf } from './scene';
 import type { Scene } from './scene';
 import type { TileCache } from './tilecache';
 

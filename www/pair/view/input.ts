@@ -134,11 +134,6 @@ function markingKeys(store: Store, navigator: Navigator, marking: Marking): Comm
     can: isMeasured,
     run: (shift) => marking.nudge((shift ? COARSE : FINE) * dx, (shift ? COARSE : FINE) * dy),
   });
-  const go = async (by: 1 | -1) => {
-    const at = await marking.go(by);
-    const { mark: now } = store.state;
-    if (at !== null && now !== null) navigator.show(now.side, at);
-  };
   const middle = () => {
     const at = navigator.middle(store.state.mark?.side);
     if (at !== null) marking.place(...at);
@@ -148,10 +143,10 @@ function markingKeys(store: Store, navigator: Navigator, marking: Marking): Comm
     nudge('ArrowRight', 1, 0),
     nudge('ArrowUp', 0, -1),
     nudge('ArrowDown', 0, 1),
-    { keys: ['Enter'], does: say('goes-to-the-next-mark'), can: isMeasured, run: () => void go(1) },
+    { keys: ['Enter'], does: say('goes-to-the-next-mark'), can: isMeasured, run: () => void marking.go(1) },
     { keys: ['Enter'], does: say('measures-the-mark-in-the-middle'), can: marks, run: middle },
-    { keys: ['n'], does: say('goes-to-the-next-mark'), can: marks, run: () => void go(1) },
-    { keys: ['p'], does: say('goes-to-the-mark-before'), can: marks, run: () => void go(-1) },
+    { keys: ['n'], does: say('goes-to-the-next-mark'), can: marks, run: () => void marking.go(1) },
+    { keys: ['p'], does: say('goes-to-the-mark-before'), can: marks, run: () => void marking.go(-1) },
     { keys: ['Backspace', 'Delete'], does: say('takes-the-mark-back'), can: marks, run: () => marking.clear() },
   ];
 }

@@ -10,7 +10,7 @@ import { contains, toCanvas } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
 import { placeOfDraft } from '../state/draft';
 import type { Position } from '../../shared/state/pane';
-import { middleOf } from './outline';
+import { middleOf } from './scene';
 import type { Pane, Scene } from './scene';
 import type { View } from './view';
 

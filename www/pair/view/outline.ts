@@ -2,15 +2,12 @@
 import { within } from '../../shared/view/layers';
 import { SELECTED } from '../../shared/view/palette';
 import { drawCross } from '../../shared/view/pointer';
-import { toCanvas, toPosition } from '../../shared/view/transform';
+import { toCanvas } from '../../shared/view/transform';
 import type { State } from '../state/state';
-import type { Pane, Scene } from './scene';
+import { middleOf } from './scene';
+import type { Scene } from './scene';
 
 const CORNER = 3;
-
-/** The position in the middle of a pane, where keys place what is measured. */
-export const middleOf = ({ rect, transform }: Pick<Pane, 'rect' | 'transform'>): [x: number, y: number] =>
-  toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2);
 
 export function drawOutline(context: CanvasRenderingContext2D, { outline, tool, activeSide }: State, scene: Scene): void {
   const active = scene.panes[activeSide];

@@ -9,7 +9,7 @@ import type { Side, State } from '../state/state';
 import { wantedKeys } from '../state/keys';
 import { fitView, inPane, transformOf } from '../../shared/view/panes';
 import { panesOf } from './geometry';
-import { contains } from '../../shared/view/transform';
+import { contains, toPosition } from '../../shared/view/transform';
 import type { Rect, Transform } from '../../shared/view/transform';
 import type { Picture } from './picture';
 
@@ -86,3 +86,7 @@ export function paneAt(scene: Scene, x: number, y: number): Pane | null {
   const side = SIDES.find((s) => contains(scene.panes[s].rect, x, y));
   return side === undefined ? null : scene.panes[side];
 }
+
+/** The position in the middle of a pane, where keys place what is measured. */
+export const middleOf = ({ rect, transform }: Pick<Pane, 'rect' | 'transform'>): [x: number, y: number] =>
+  toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2);
