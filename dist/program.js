@@ -2338,6 +2338,10 @@ function setDrawer(drawer, wanted) {
 	keepChoice(NAME$3, [...open$2].filter((name) => name !== "").join(" "));
 	for (const callback of watchers) callback();
 }
+/** Closes the settings where they lie over the pictures, in which something is to be done now. */
+function uncoverPictures() {
+	if (OVER.matches) setDrawer("settings", false);
+}
 /** A button that opens a drawer and closes it; the drawer itself gets a button that closes it. */
 function drawerButton(drawer, text, testid, element) {
 	const made = button(text, testid, () => {
@@ -14625,7 +14629,9 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	mountCamera(camera, store, () => pick(null));
 	mountFiducials(camera, store, (side) => pick(side), (side) => {
 		marking.toggle(side);
-		if (store.state.tool === "fiducials") byId("view").focus();
+		if (store.state.tool !== "fiducials") return;
+		uncoverPictures();
+		byId("view").focus();
 	});
 	await breath();
 	mountCounts(results, store);

@@ -55,6 +55,26 @@ test('a mark that is cleared is expected where the others have it, measured agai
   await close();
 });
 
+test('on a phone the pictures are uncovered for it', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width: 360, height: 740 } } });
+  await part(page, 'file-input').setInputFiles([...pngs(), CAMERA, MARKS]);
+  await done(page);
+  await part(page, 'settings').click();
+  await part(page, 'tab-camera').click();
+  await part(page, 'measure-fiducials-left').click();
+  await says(page, 'mark-text', /^New mark 5/);
+  await page.keyboard.press('p');
+  await says(page, 'mark-text', /^Mark 4/);
+  const box = await part(page, 'pane-left').boundingBox();
+  assert.ok(box);
+  // Nothing lies over the picture: a press beside the middle, where the mark is shown, measures it there.
+  await page.mouse.click(box.x + box.width / 2 + 12, box.y + box.height / 2);
+  await says(page, 'mark-text', /^Mark 4 .* lies at (?!20\.00, 370\.00)/);
+  await page.screenshot({ path: join(SHOTS, 'fiducials-phone.png') });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('new marks are pressed in the picture, and take part once their photo coordinates are typed', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true });
   await part(page, 'file-input').setInputFiles([...pngs(), CAMERA]);

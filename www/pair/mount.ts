@@ -3,7 +3,7 @@ import type { Catalogue } from '../shared/crate';
 import type { Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
 import { byId, h } from '../shared/panel/dom';
-import { drawerButton, reveal, setDrawer } from '../shared/panel/drawers';
+import { drawerButton, reveal, setDrawer, uncoverPictures } from '../shared/panel/drawers';
 import { readSetting, withSetting } from '../shared/panel/settings';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { readable } from '../shared/text/names';
@@ -141,7 +141,9 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
     (side) => pick(side),
     (side) => {
       marking.toggle(side);
-      if (store.state.tool === 'fiducials') byId('view').focus();
+      if (store.state.tool !== 'fiducials') return;
+      uncoverPictures();
+      byId('view').focus();
     },
   );
   await breath();

@@ -44,6 +44,11 @@ export function setDrawer(drawer: Drawer, wanted: boolean): void {
   for (const callback of watchers) callback();
 }
 
+/** Closes the settings where they lie over the pictures, in which something is to be done now. */
+export function uncoverPictures(): void {
+  if (OVER.matches) setDrawer('settings', false);
+}
+
 /** A button that opens a drawer and closes it; the drawer itself gets a button that closes it. */
 export function drawerButton(drawer: Drawer, text: string, testid: string, element: HTMLElement): HTMLButtonElement {
   const made = button(text, testid, () => {
