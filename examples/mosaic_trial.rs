@@ -28,7 +28,8 @@ fn main() -> Result<(), Failure> {
     let mosaic = mosaic.finish()?;
     std::fs::write(out.join("mosaic.tif"), write_geotiff(&mosaic, None)?)?;
     let orthophoto = Orthophoto::new(mosaic.grey, mosaic.georeference, heights)?;
-    println!("mosaic of {} x {} px, {:.4} a pixel", orthophoto.grey.width(), orthophoto.grey.height(), orthophoto.georeference.gsd());
+    let [width, height] = orthophoto.size();
+    println!("mosaic of {width} x {height} px, {:.4} a pixel", orthophoto.georeference.gsd());
     let options = PlacingOptions::default();
     let area = SearchArea::new(&orthophoto, &options)?;
     for index in (0..model.images.len()).filter(|index| !is_kept(index)) {

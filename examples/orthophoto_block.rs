@@ -37,17 +37,18 @@ fn chance(seed: u32, column: usize, row: usize, what: u32) -> f64 {
 fn changed(scene: &BlockScene, seed: u32, flight: &BlockFlight) -> Orthophoto {
     let own = scene.orthophoto(GSD_M).expect("an orthophoto of less than 100 MP");
     let other = BlockScene::new(&BlockFlight { seed: seed + 500, ..flight.clone() }).and_then(|scene| scene.orthophoto(GSD_M));
-    let other = other.expect("the orthophoto of another town").grey;
+    let other = other.and_then(|other| other.grey()).expect("the orthophoto of another town");
+    let before = own.grey().expect("less than 100 MP");
     let grey = |column: usize, row: usize| {
         let is_other = (0..).zip(CHANGES).any(|(what, (side_m, share))| {
             let [c, r] = [column, row].map(|k| (k as f64 * GSD_M / side_m) as usize);
             chance(seed, c, r, what) < share
         });
-        let value = if is_other { other.view().at(column % other.width(), row % other.height()) } else { own.grey.view().at(column, row) };
+        let value = if is_other { other.view().at(column % other.width(), row % other.height()) } else { before.view().at(column, row) };
         let noise = NOISE * (chance(seed, column, row, 8) + chance(seed, column, row, 9) - 1.0) * 2.4;
         (GAIN * f64::from(value) + OFFSET + noise).round().clamp(1.0, 255.0) as u8
     };
-    let grey = GreyImage::from_fn(own.grey.width(), own.grey.height(), grey).expect("as large as it was");
+    let grey = GreyImage::from_fn(before.width(), before.height(), grey).expect("as large as it was");
     Orthophoto::new(grey, own.georeference, own.heights).expect("the place that it had")
 }
 
@@ -123,8 +124,9 @@ fn main() -> ExitCode {
         let flight = flight(seed, 5, 6);
         let scene = BlockScene::new(&flight).expect("a flight that can be flown");
         let reference = changed(&scene, seed, &flight);
-        let [x, y] = reference.georeference.ground([0.5 * reference.grey.width() as f64, 0.5 * reference.grey.height() as f64]);
-        let reach = GSD_M * reference.grey.width().max(reference.grey.height()) as f64;
+        let [width, height] = reference.size().map(|side| side as f64);
+        let [x, y] = reference.georeference.ground([0.5 * width, 0.5 * height]);
+        let reach = GSD_M * width.max(height);
         let off = OFF_M / std::f64::consts::SQRT_2;
         let options =
             PlacingOptions { near_x: Some(x + off), near_y: Some(y - off), within_m: 0.5 * reach + OFF_M, ..PlacingOptions::default() };

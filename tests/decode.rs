@@ -7,6 +7,8 @@ mod headers;
 mod jpeg_writer;
 #[path = "decode/samples.rs"]
 mod samples;
+#[path = "decode/tiff_pictures.rs"]
+mod tiff_pictures;
 #[path = "decode/tiff_writer.rs"]
 mod tiff_writer;
 
@@ -20,6 +22,8 @@ mod hostile;
 mod jpeg;
 #[path = "decode/limits.rs"]
 mod limits;
+#[path = "decode/parts.rs"]
+mod parts;
 #[path = "decode/photographs.rs"]
 mod photographs;
 #[path = "decode/xmp.rs"]

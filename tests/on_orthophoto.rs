@@ -28,9 +28,9 @@ fn orthophoto(scene: &BlockScene) -> Orthophoto {
     let made = scene.orthophoto(0.8).unwrap();
     let mut georeference = made.georeference;
     (0..2).for_each(|k| georeference.origin[k] += FAR[k]);
-    let Heights::Model(mut model) = made.heights else { panic!("a scene has a model of its heights") };
+    let Heights::Model(mut model) = made.heights.clone() else { panic!("a scene has a model of its heights") };
     (0..2).for_each(|k| model.georeference.origin[k] += FAR[k]);
-    Orthophoto::new(made.grey, georeference, Heights::Model(model)).unwrap()
+    Orthophoto::new(made.grey().unwrap(), georeference, Heights::Model(model)).unwrap()
 }
 
 struct Flown {

@@ -1,7 +1,7 @@
 // @ts-check
 /** Reading and writing files, with errors that name the file and what to change. */
 
-import { closeSync, fsyncSync, mkdirSync, openSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { closeSync, fsyncSync, mkdirSync, openSync, readdirSync, readFileSync, readSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { Photo } from '../node.js';
@@ -37,6 +37,29 @@ export function attempt(what, path, action) {
 
 /** @param {string} path @returns {Buffer} */
 export const readBytes = (path) => attempt('read', path, () => readFileSync(path));
+
+/**
+ * A file that is read in parts, where they are needed: it may be larger than memory.
+ * @param {string} path @returns {import('../node.js').FileInParts}
+ */
+export function inParts(path) {
+  const { size } = attempt('read', path, () => {
+    closeSync(openSync(path, 'r'));
+    return statSync(path);
+  });
+  return {
+    size,
+    read(at, length) {
+      const bytes = new Uint8Array(length);
+      const file = openSync(path, 'r');
+      try {
+        return bytes.subarray(0, readSync(file, bytes, 0, length, at));
+      } finally {
+        closeSync(file);
+      }
+    },
+  };
+}
 
 /** @param {Buffer} bytes */
 export const textOf = (bytes) => bytes.toString('utf8').replace(/^\ufeff/, '');

@@ -5,7 +5,7 @@ import { statSync } from 'node:fs';
 import { basename, dirname, extname, join } from 'node:path';
 import { OrthophotoReference } from '../node.js';
 import { about, UsageError } from './errors.js';
-import { filesIn, isFolder, readBytes, readText } from './files.js';
+import { filesIn, inParts, isFolder, readBytes, readText } from './files.js';
 import { path, real } from './options.js';
 
 /** @typedef {{ file: string | undefined, heights: Uint8Array | number, world: string | undefined }} Ground `file`: where the heights come from */
@@ -34,8 +34,7 @@ export function groundOf(values) {
  * @returns {OrthophotoReference} which the caller frees
  */
 export function openReference(file, ground, placing) {
-  const bytes = readBytes(file);
-  const reference = about(file, () => OrthophotoReference.open(bytes, worldOf(file)));
+  const reference = about(file, () => OrthophotoReference.open(inParts(file), worldOf(file)));
   try {
     if (ground) about(ground.file ?? '--level', () => reference.set_heights(ground.heights, ground.world));
     reference.search(placing);

@@ -1,6 +1,7 @@
 //! What the first bytes of an image file declare, read without decoding.
 
 use super::layout::{FileLayout, Format, damaged, truncated};
+use super::source::FileSource;
 use super::tiff::TiffLayout;
 use super::{bmp, jpeg, png, pnm, webp};
 use crate::{Damage, Error, ImageFault, Unsupported};
@@ -22,6 +23,12 @@ pub struct Header {
 pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
     let FileLayout { format, width, height, .. } = read_layout(bytes)?;
     Ok(Header { format: format.name(), width, height })
+}
+
+/// Whether the first bytes of a file are those of a TIFF.
+pub(crate) fn is_tiff(source: &dyn FileSource) -> bool {
+    let mut start = [0; 4];
+    source.read_at(0, &mut start).is_ok() && matches!(format_of(&start), Ok(Format::Tiff))
 }
 
 /// Reads the layout; sides are at least 1 px.

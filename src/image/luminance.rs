@@ -58,27 +58,54 @@ pub(super) fn grey_of_u8(samples: Vec<u8>, pixels: usize, layout: SampleLayout) 
 /// 14-bit data in 16-bit files keep their contrast. Samples that are all multiples of 257 are 8-bit data widened to 16 bits:
 /// they come out as they were, whatever their largest value.
 pub(super) fn grey_of_u16<T: Sample>(samples: &[T], pixels: usize, layout: SampleLayout) -> Vec<u8> {
-    let full_scale = full_scale(samples, layout);
-    let table: Vec<u8> = (0..=full_scale).map(|v| ((v * 255 + full_scale / 2) / full_scale) as u8).collect();
+    let mut depth = Depth::default();
+    depth.see(samples, layout);
+    grey_up_to(depth.white(), samples, pixels, layout)
+}
+
+/// Grey of 16-bit samples, of which `white` and all above become 255.
+pub(super) fn grey_up_to<T: Sample>(white: u32, samples: &[T], pixels: usize, layout: SampleLayout) -> Vec<u8> {
+    let table: Vec<u8> = (0..=white).map(|v| ((v * 255 + white / 2) / white) as u8).collect();
     let mut grey = Vec::with_capacity(pixels);
-    for_each_pixel(samples, layout, |rgb| grey.push(table[luma(rgb) as usize]));
+    for_each_pixel(samples, layout, |rgb| grey.push(table[luma(rgb).min(white) as usize]));
     grey
 }
 
-/// The sample value that becomes white; at least as large as every colour sample.
-fn full_scale<T: Sample>(samples: &[T], layout: SampleLayout) -> u32 {
-    let (mut used_bits, mut unequal_bytes) = (0, 0);
-    for_each_pixel(samples, layout, |rgb| {
-        for v in rgb {
-            used_bits |= v;
-            unequal_bytes |= (v >> 8) ^ (v & 0xff);
-        }
-    });
-    if unequal_bytes == 0 {
-        return 0xffff;
+/// Which bits of 16 are in use.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Depth {
+    used_bits: u16,
+    unequal_bytes: u16,
+}
+
+impl Depth {
+    pub fn see<T: Sample>(&mut self, samples: &[T], layout: SampleLayout) {
+        for_each_pixel(samples, layout, |rgb| rgb.into_iter().for_each(|v| self.add(v)));
     }
-    let depth = (u16::BITS - used_bits.leading_zeros()).max(8);
-    (1 << depth) - 1
+
+    /// Leaves out pixels of nothing.
+    pub fn see_but<T: Sample>(&mut self, samples: &[T], layout: SampleLayout, nothing: &[bool]) {
+        let mut nothing = nothing.iter();
+        for_each_pixel(samples, layout, |rgb| {
+            if nothing.next() == Some(&false) {
+                rgb.into_iter().for_each(|v| self.add(v));
+            }
+        });
+    }
+
+    fn add(&mut self, v: u16) {
+        self.used_bits |= v;
+        self.unequal_bytes |= (v >> 8) ^ (v & 0xff);
+    }
+
+    /// The sample value that becomes white; at least as large as every colour sample that was seen.
+    pub fn white(self) -> u32 {
+        if self.unequal_bytes == 0 {
+            return 0xffff;
+        }
+        let depth = (u16::BITS - self.used_bits.leading_zeros()).max(8);
+        (1 << depth) - 1
+    }
 }
 
 /// Luma after Rec. 601 in 14-bit fixed point with OpenCV's weights; they add up to 1, so that a grey pixel keeps its value.

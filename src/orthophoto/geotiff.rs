@@ -3,7 +3,7 @@
 use super::georeference::Georeference;
 use crate::error::refuse;
 use crate::image::{Directory, checked_directory};
-use crate::{Error, Refusal};
+use crate::{Error, FileSource, Refusal};
 
 pub(super) const PIXEL_SCALE: u64 = 33550;
 pub(super) const TIE_POINTS: u64 = 33922;
@@ -38,7 +38,7 @@ impl GeoTags {
     ///
     /// # Source
     /// OGC 19-008r4, GeoTIFF standard 1.1.
-    pub fn read(tiff: &[u8]) -> Result<Self, Error> {
+    pub fn read<S: FileSource>(tiff: S) -> Result<Self, Error> {
         let directory = checked_directory(tiff)?;
         let keys = directory.all_shorts(KEYS).unwrap_or_default();
         if key(&keys, MODEL_TYPE) == Some(GEOGRAPHIC) {
@@ -64,7 +64,7 @@ pub(super) fn refuse_degrees<T>() -> Result<T, Error> {
 }
 
 /// By which (0, 0) of the raster, be that a corner or a centre, and its steps lie on the map.
-fn transformation(directory: &Directory<'_>) -> Option<Georeference> {
+fn transformation<S: FileSource>(directory: &Directory<S>) -> Option<Georeference> {
     if let Some(&[a, b, _, x, d, e, _, y, ..]) = directory.doubles(TRANSFORMATION).as_deref() {
         return Some(Georeference { origin: [x, y], by_column: [a, d], by_row: [b, e] });
     }

@@ -65,7 +65,7 @@ impl Over<'_> {
     /// The part of the orthophoto under the image: first column and row, number of columns and rows.
     fn part(&self, radius: f64) -> Option<([usize; 2], [usize; 2])> {
         let corners: Vec<[f64; 2]> = self.footprint().border().into_iter().map(|place| self.georeference.pixel(place)).collect();
-        let size = [self.reference.grey.width(), self.reference.grey.height()].map(|side| side as f64);
+        let size = self.reference.size().map(|side| side as f64);
         let within = |axis: usize| {
             let values = corners.iter().map(|c| c[axis]);
             let low = values.clone().fold(f64::INFINITY, f64::min) - radius;
@@ -90,6 +90,7 @@ impl Over<'_> {
         {
             halvings += 1;
         }
+        let first = self.reference.aligned(first, halvings);
         let ground = self.reference.part(first, size, halvings)?;
         let georeference = self.georeference.from(first[0], first[1]).halved(halvings);
         let finest = (0..self.image.len()).take_while(|k| gsd * f64::from(1_u32 << k) <= AS_FINE * georeference.gsd());

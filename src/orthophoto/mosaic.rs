@@ -215,13 +215,14 @@ mod tests {
         let mut mosaic = Mosaic::new(&scene.truth(), orthophoto.heights.clone(), Some(1.0)).unwrap();
         (0..scene.photos()).for_each(|index| mosaic.add(index, scene.photo(index).unwrap().view()).unwrap());
         let made = mosaic.finish().unwrap();
+        let own = orthophoto.grey().unwrap();
         // Grey values follow each other by one gain and offset.
         let (mut n, mut sums) = (0.0, [0.0; 5]);
         for k in 0..made.grey.data().len() {
             let (column, row) = (k % made.grey.width(), k / made.grey.width());
             let at = orthophoto.georeference.pixel(made.georeference.ground([column as f64 + 0.5, row as f64 + 0.5]));
             if made.mask.data()[k] == 255 && orthophoto.shows(at) {
-                let (a, b) = (f64::from(made.grey.data()[k]), f64::from(orthophoto.grey.view().at(at[0] as usize, at[1] as usize)));
+                let (a, b) = (f64::from(made.grey.data()[k]), f64::from(own.view().at(at[0] as usize, at[1] as usize)));
                 n += 1.0;
                 [a, b, a * a, b * b, a * b].iter().zip(&mut sums).for_each(|(v, sum)| *sum += v);
             }

@@ -26,6 +26,8 @@ const LEAST_IMAGE_PX: usize = 32;
 const LEAST_SEARCHED_PX: f64 = 64.0;
 /// The orthophoto has so many times the points of an image.
 const POINTS_OF_GROUND: usize = 4;
+/// Where the image is easily found some of its points are enough, at least so many; the time goes with their number.
+const ENOUGH_POINTS: usize = 1500;
 /// Points agree on a first orientation within this share of the longer side of the image.
 const FIRST_SHARE: f64 = 0.03;
 /// Points that agree on it, at least.
@@ -58,7 +60,7 @@ impl SearchArea {
     /// [`Error::InvalidOption`]; [`Error::InvalidInput`] for a place beside the orthophoto, or without one of its coordinates.
     pub fn new(reference: &Orthophoto, options: &PlacingOptions) -> Result<Self, Error> {
         options.check_ranges()?;
-        let size = [reference.grey.width(), reference.grey.height()];
+        let size = reference.size();
         if reference.heights_share() == 0.0 {
             return refuse(Refusal::NoHeightsThere);
         }
@@ -72,8 +74,7 @@ impl SearchArea {
             down += 1;
         }
         let options = of_number(POINTS_OF_GROUND * options.points);
-        let mut features = reference.features(first, size, down, &options)?;
-        features.retain(|feature| reference.shows([feature.point.x, feature.point.y]));
+        let features = reference.features(first, size, down, &options)?;
         Ok(Self { features, area_px2: size[0] as f64 * size[1] as f64 })
     }
 
@@ -87,7 +88,7 @@ impl SearchArea {
 fn near(reference: &Orthophoto, place: [f64; 2], within: f64) -> Result<([usize; 2], [usize; 2]), Error> {
     let at = reference.georeference.pixel(place);
     let reach = within / reference.georeference.gsd();
-    let size = [reference.grey.width(), reference.grey.height()].map(|side| side as f64);
+    let size = reference.size().map(|side| side as f64);
     let low = [0, 1].map(|k| (at[k] - reach).max(0.0));
     let high = [0, 1].map(|k| (at[k] + reach).min(size[k]));
     if !(0..2).all(|k| high[k] > low[k]) {
@@ -178,8 +179,27 @@ fn placed(
     let mut own = features(reduced.image.view(), None, &of_number(options.points))?;
     let factor = f64::from(1_u32 << reduced.halvings);
     own.iter_mut().for_each(|feature| enlarge(&mut feature.point, factor));
+    let every = own.len() / ENOUGH_POINTS;
+    if every > 1 {
+        let some: Vec<Feature> = own.iter().step_by(every).cloned().collect();
+        if let Ok(placement) = placed_by(&some, image, known, reference, area, options)? {
+            return Ok(Ok(placement));
+        }
+    }
+    placed_by(&own, image, known, reference, area, options)
+}
+
+/// By these features of the image.
+fn placed_by(
+    own: &[Feature],
+    image: GreyView<'_>,
+    known: &PlacingCamera,
+    reference: &Orthophoto,
+    area: &SearchArea,
+    options: &PlacingOptions,
+) -> Result<Result<Placement, NotPlaced>, Error> {
     let longer_px = image.width().max(image.height()) as f64;
-    let matches = match first_place(&own, &area.features, longer_px, area.area_px2) {
+    let matches = match first_place(own, &area.features, longer_px, area.area_px2) {
         Ok(matches) => matches,
         Err(refused) => return Ok(Err(refused)),
     };
@@ -430,7 +450,7 @@ mod tests {
         let orthophoto = own.orthophoto(0.8).unwrap();
         // Far from the origin, as maps are.
         let (georeference, heights) = orthophoto.about([-3.5e5, -5.8e6]);
-        let reference = Orthophoto::new(orthophoto.grey.clone(), georeference, heights).unwrap();
+        let reference = Orthophoto::new(orthophoto.grey().unwrap(), georeference, heights).unwrap();
         let found = placed(&own, &reference, &options()).unwrap();
         assert!(matches!(found.verdict, PlacingVerdict::Placed { .. }), "{}", found.verdict);
         let (placement, truth) = (found.placement.unwrap(), own.truth().images[0].pose.unwrap());

@@ -3,31 +3,32 @@
 use super::georeference::Georeference;
 use super::geotiff::{GeoTags, refuse_degrees};
 use super::heights::{HeightModel, Heights};
+use super::parts::Parts;
+use super::picture::Picture;
 use super::rectify::Rectified;
 use super::write::{write_geotiff, write_heights};
 use crate::error::refuse;
-use crate::{DecodeLimits, Error, Feature, FeatureOptions, GreyImage, Refusal, ScalePoint, decode, features, halve};
+use crate::image::{TiffRaster, is_tiff, read_all};
+use crate::{DecodeLimits, Error, Feature, FeatureOptions, FileFault, FileSource, GreyImage, Refusal, ScalePoint, decode, features};
+use std::sync::Arc;
 
 /// An orthophoto with the heights of its ground.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Orthophoto {
-    pub grey: GreyImage,
+    picture: Picture,
     pub georeference: Georeference,
     pub heights: Heights,
     /// The EPSG code of its system, where the file tells one.
     pub epsg: Option<u16>,
-    /// 0 where it shows nothing, 255 elsewhere; absent where it shows something everywhere.
-    mask: Option<GreyImage>,
 }
 
 /// Grey value of pixels that show nothing, where a file does not name another.
 const EMPTY: u8 = 0;
-/// A pixel shows nothing where all about it so far, in px, have the value of nothing: single black pixels are shadows.
-const EMPTY_REACH: usize = 4;
+/// TIFFs of more pixels are read in parts, where their tiles or strips have at most so many.
+const MOST_WHOLE: usize = 40_000_000;
+const MOST_CHUNK: usize = 16_000_000;
 /// Heights are looked up at so many places along each side.
 const LOOKED_UP: usize = 32;
-/// Points within so many px of where nothing is shown are the edge of the picture.
-const EDGE: usize = 8;
 
 impl Orthophoto {
     /// Takes grey values with their place.
@@ -35,30 +36,69 @@ impl Orthophoto {
     /// # Errors
     /// [`Error::InvalidInput`] for a georeference that places nothing.
     pub fn new(grey: GreyImage, georeference: Georeference, heights: Heights) -> Result<Self, Error> {
-        let mask = mask_of(&grey, EMPTY);
-        Ok(Self { georeference: georeference.checked()?, heights, epsg: None, mask, grey })
+        let nothing: Vec<bool> = grey.data().iter().map(|value| *value == EMPTY).collect();
+        Ok(Self { georeference: georeference.checked()?, heights, epsg: None, picture: Picture::whole(grey, &nothing) })
     }
 
     /// Reads a GeoTIFF, or any image with a world file beside it.
     ///
     /// # Errors
-    /// As [`decode`]; [`Error::InvalidInput`] for a file that does not say where it lies, or says it in degrees.
+    /// As [`open`](Self::open).
     pub fn read(file: &[u8], world_file: Option<&str>, heights: Heights, limits: &DecodeLimits) -> Result<Self, Error> {
-        let decoded = decode(file, limits)?;
-        let tags = if decoded.format == "TIFF" { GeoTags::read(file)? } else { GeoTags::default() };
+        Self::open(Arc::new(file.to_vec()), world_file, heights, limits)
+    }
+
+    /// Opens a GeoTIFF, or any image with a world file beside it. A TIFF of more than 40 million pixels in tiles or strips is read where it is needed,
+    /// from the overviews that it holds where these are enough; everything else at once, within the limits.
+    ///
+    /// Nothing is shown where alpha is 0; without alpha where all colours have the value that the file names for no data, or else grey is 0.
+    ///
+    /// # Errors
+    /// As [`decode`]; [`Error::InvalidInput`] for a file that does not say where it lies, or says it in degrees.
+    pub fn open(file: Arc<dyn FileSource>, world_file: Option<&str>, heights: Heights, limits: &DecodeLimits) -> Result<Self, Error> {
+        let mut tags = GeoTags::default();
+        let mut raster = None;
+        if is_tiff(&file) {
+            tags = GeoTags::read(Arc::clone(&file))?;
+            raster = TiffRaster::open(Arc::clone(&file), tags.no_data, MOST_CHUNK)?;
+        }
+        let (picture, format) = match raster {
+            Some(raster) => (of_raster(raster)?, "TIFF"),
+            None => {
+                let bytes = read_all(&*file).map_err(|e| unread(&e))?;
+                let decoded = decode(&bytes, limits)?;
+                let empty = tags.no_data.filter(|v| (0.0..=255.0).contains(v)).map_or(EMPTY, |v| v as u8);
+                let nothing: Vec<bool> = decoded.grey.data().iter().map(|value| *value == empty).collect();
+                (Picture::whole(decoded.grey, &nothing), decoded.format)
+            }
+        };
         let georeference = match (tags.georeference, world_file) {
             (Some(own), _) => own,
             (None, Some(text)) => Georeference::read_world_file(text)?,
-            (None, None) => {
-                return refuse(Refusal::PictureWithoutPlace { format: decoded.format.into() });
-            }
+            (None, None) => return refuse(Refusal::PictureWithoutPlace { format: format.into() }),
         };
-        if georeference.is_in_degrees([decoded.grey.width(), decoded.grey.height()]) {
+        if georeference.is_in_degrees(picture.size()) {
             return refuse_degrees();
         }
-        let empty = tags.no_data.filter(|v| (0.0..=255.0).contains(v)).map_or(EMPTY, |v| v as u8);
-        let mask = mask_of(&decoded.grey, empty);
-        Ok(Self { grey: decoded.grey, georeference: georeference.checked()?, heights, epsg: tags.epsg, mask })
+        Ok(Self { picture, georeference: georeference.checked()?, heights, epsg: tags.epsg })
+    }
+
+    /// Width and height in px.
+    pub fn size(&self) -> [usize; 2] {
+        self.picture.size()
+    }
+
+    /// Whether its pixels are read where they are needed.
+    pub fn is_in_parts(&self) -> bool {
+        matches!(self.picture, Picture::Parts(_))
+    }
+
+    /// All of its grey values.
+    ///
+    /// # Errors
+    /// [`Error::TooManyPixels`] where it is read in parts.
+    pub fn grey(&self) -> Result<GreyImage, Error> {
+        self.picture.part([0, 0], self.size(), 0)
     }
 
     /// As GeoTIFF files: the picture, and the heights of its ground, which are a grid of the same size where they are no model.
@@ -66,12 +106,14 @@ impl Orthophoto {
     /// # Errors
     /// As [`write_geotiff`](crate::write_geotiff).
     pub fn files(&self) -> Result<[Vec<u8>; 2], Error> {
-        let mask = self.mask.clone().map_or_else(|| GreyImage::from_fn(self.grey.width(), self.grey.height(), |_, _| 255), Ok)?;
-        let picture = Rectified { grey: self.grey.clone(), mask, georeference: self.georeference };
+        let [width, rows] = self.size();
+        let patch = self.picture.patch([0, 0], [width, rows], 0)?;
+        let mask = patch.mask.map_or_else(|| GreyImage::from_fn(width, rows, |_, _| 255), Ok)?;
+        let picture = Rectified { grey: patch.grey, mask, georeference: self.georeference };
         let heights = match &self.heights {
             Heights::Model(model) => write_heights(model, self.epsg),
             Heights::Level(height) => {
-                let (width, rows) = (self.grey.width().max(2), self.grey.height().max(2));
+                let (width, rows) = (width.max(2), rows.max(2));
                 let model = HeightModel::new(width, rows, vec![*height as f32; width * rows], self.georeference)?;
                 write_heights(&model, self.epsg)
             }
@@ -84,12 +126,18 @@ impl Orthophoto {
         (self.georeference.about(place), self.heights.about(place))
     }
 
-    /// The part from a column and row on, halved so many times; 0 beyond the picture.
-    pub(super) fn part(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<GreyImage, Error> {
-        part(&self.grey, first, size, halvings)
+    /// A column and row near these, and before them, from which on a part can be halved so many times.
+    pub(super) fn aligned(&self, first: [usize; 2], halvings: u32) -> [usize; 2] {
+        self.picture.aligned(first, halvings)
     }
 
-    /// Features of such a part; positions and scales are those of the picture itself.
+    /// The part from such a column and row on, halved so many times; 0 beyond the picture.
+    pub(super) fn part(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<GreyImage, Error> {
+        self.picture.part(first, size, halvings)
+    }
+
+    /// Features of what a part shows that was halved so many times; positions and scales are those of the picture itself, positions to a pixel of the
+    /// halved one.
     pub(super) fn features(
         &self,
         first: [usize; 2],
@@ -97,19 +145,35 @@ impl Orthophoto {
         halvings: u32,
         options: &FeatureOptions,
     ) -> Result<Vec<Feature>, Error> {
-        let grey = self.part(first, size, halvings)?;
-        let mask = self.mask.as_ref().map(|mask| part(mask, first, size, halvings)).transpose()?;
-        let mut found = features(grey.view(), mask.as_ref().map(GreyImage::view), options)?;
+        let patch = self.picture.patch(first, size, halvings)?;
+        let mut found = features(patch.grey.view(), patch.mask.as_ref().map(GreyImage::view), options)?;
+        // A large picture is not read once more for them.
+        let is_whole = !self.is_in_parts();
+        let shows = |point: &ScalePoint| match &patch.mask {
+            Some(mask) if !is_whole => mask.view().at(point.x as usize, point.y as usize) == 255,
+            _ => true,
+        };
+        found.retain(|feature| shows(&feature.point));
         for point in found.iter_mut().map(|feature| &mut feature.point) {
             enlarge(point, f64::from(1_u32 << halvings));
-            (point.x, point.y) = (point.x + first[0] as f64, point.y + first[1] as f64);
+            (point.x, point.y) = (point.x + patch.first[0] as f64, point.y + patch.first[1] as f64);
         }
+        found.retain(|feature| !is_whole || self.shows([feature.point.x, feature.point.y]));
         Ok(found)
+    }
+
+    /// Grey values of a part of the picture that was halved so many times, `size` from a column and row of the halved picture on: 0 where it shows
+    /// nothing, 1 or more elsewhere.
+    ///
+    /// # Errors
+    /// [`Error::UnreadableImage`] for a damaged file.
+    pub fn shown(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
+        self.picture.shown(first, size, halvings)
     }
 
     /// The share of many places of the picture that have a height.
     pub fn heights_share(&self) -> f64 {
-        let size = [self.grey.width(), self.grey.height()].map(|side| side as f64);
+        let size = self.size().map(|side| side as f64);
         let share = |k: usize| (k as f64 + 0.5) / LOOKED_UP as f64;
         let places = (0..LOOKED_UP * LOOKED_UP).map(|k| [share(k % LOOKED_UP) * size[0], share(k / LOOKED_UP) * size[1]]);
         let number = (LOOKED_UP * LOOKED_UP) as f64;
@@ -117,75 +181,29 @@ impl Orthophoto {
     }
 
     /// Whether the picture shows something at a position in px.
-    pub fn shows(&self, [x, y]: [f64; 2]) -> bool {
-        let inside = x >= 0.0 && y >= 0.0 && x < self.grey.width() as f64 && y < self.grey.height() as f64;
-        inside && self.mask.as_ref().is_none_or(|mask| mask.view().at(x as usize, y as usize) != 0)
+    pub fn shows(&self, at: [f64; 2]) -> bool {
+        self.picture.shows(at)
     }
 }
 
-/// A part of an image, halved so many times.
-fn part(image: &GreyImage, [column, row]: [usize; 2], [width, height]: [usize; 2], halvings: u32) -> Result<GreyImage, Error> {
-    let view = image.view();
-    let grey = |c: usize, r: usize| {
-        let (c, r) = (column + c, row + r);
-        if c < view.width() && r < view.height() { view.at(c, r) } else { EMPTY }
-    };
-    let part = GreyImage::from_fn(width, height, grey)?;
-    Ok((0..halvings).fold(part, |part, _| halve(part.view())))
+/// The error for a file that the host does not give.
+fn unread(error: &std::io::Error) -> Error {
+    Error::UnreadableFile { what: "orthophoto", place: String::new(), file_fault: FileFault::System { message: error.to_string() } }
+}
+
+/// A picture of a TIFF: whole where it is small.
+fn of_raster(raster: TiffRaster<Arc<dyn FileSource>>) -> Result<Picture, Error> {
+    let [width, height] = raster.size();
+    if width.saturating_mul(height) > MOST_WHOLE {
+        return Ok(Picture::Parts(Arc::new(Parts::new(raster))));
+    }
+    let pixels = raster.read(0, [0, 0], [width, height])?;
+    Ok(Picture::whole(GreyImage::new(width, height, pixels.grey)?, &pixels.nothing))
 }
 
 /// A point of a reduced image as one of the image itself.
 pub(super) fn enlarge(point: &mut ScalePoint, factor: f64) {
     (point.x, point.y, point.scale_px) = (factor * point.x, factor * point.y, factor * point.scale_px);
-}
-
-/// Where a picture shows something, less its edge.
-fn mask_of(grey: &GreyImage, empty: u8) -> Option<GreyImage> {
-    let (width, height) = (grey.width(), grey.height());
-    let is_empty: Vec<bool> = grey.data().iter().map(|v| *v == empty).collect();
-    if !is_empty.contains(&true) {
-        return None;
-    }
-    // Shrunk to the middles of what is empty, and grown again by that and the edge.
-    let inner = spread(&is_empty, width, height, EMPTY_REACH, true);
-    if !inner.contains(&true) {
-        return None;
-    }
-    let outer = spread(&inner, width, height, EMPTY_REACH + EDGE, false);
-    let data = outer.into_iter().map(|nothing| if nothing { 0 } else { 255 }).collect();
-    GreyImage::new(width, height, data).ok()
-}
-
-/// For each pixel whether all (or any) of the square about it are set; beyond the edges counts as set for all, as not set for any.
-fn spread(set: &[bool], width: usize, height: usize, reach: usize, all: bool) -> Vec<bool> {
-    let settled = |count: u32| if all { count == 0 } else { count > 0 };
-    // How many of the window differ from what decides alone.
-    let decides = |set: bool| u32::from(set != all);
-    let mut rows = vec![false; set.len()];
-    for (row, out) in set.chunks_exact(width).zip(rows.chunks_exact_mut(width)) {
-        let mut count: u32 = row.iter().take(reach).map(|set| decides(*set)).sum();
-        for k in 0..width {
-            count += row.get(k + reach).map_or(0, |set| decides(*set));
-            out[k] = settled(count);
-            count -= k.checked_sub(reach).map_or(0, |gone| decides(row[gone]));
-        }
-    }
-    // Down the columns all at once: the memory is walked row by row.
-    let row_of = |r: usize| &rows[r * width..(r + 1) * width];
-    let mut counts = vec![0_u32; width];
-    let add = |counts: &mut [u32], r: usize| counts.iter_mut().zip(row_of(r)).for_each(|(count, set)| *count += decides(*set));
-    (0..reach.min(height)).for_each(|r| add(&mut counts, r));
-    let mut columns = vec![false; set.len()];
-    for (r, out) in columns.chunks_exact_mut(width).enumerate() {
-        if r + reach < height {
-            add(&mut counts, r + reach);
-        }
-        out.iter_mut().zip(&counts).for_each(|(out, count)| *out = settled(*count));
-        if let Some(gone) = r.checked_sub(reach) {
-            counts.iter_mut().zip(row_of(gone)).for_each(|(count, set)| *count -= decides(*set));
-        }
-    }
-    columns
 }
 
 #[cfg(test)]
@@ -205,7 +223,8 @@ mod tests {
         // Its edge of 8 px is left out with it, to the right and above alike.
         let shows = [[27.5, 40.5], [28.5, 40.5], [5.5, 22.5], [5.5, 21.5]].map(|at| ortho.shows(at));
         assert_eq!(shows, [false, true, false, true]);
-        assert_eq!(Orthophoto::new(full, Georeference::north_up([0.0, 0.0], 1.0), Heights::Level(0.0)).unwrap().mask, None);
+        let full = Orthophoto::new(full, Georeference::north_up([0.0, 0.0], 1.0), Heights::Level(0.0)).unwrap();
+        assert!(full.picture.patch([0, 0], [40, 40], 0).unwrap().mask.is_none());
     }
 
     #[test]

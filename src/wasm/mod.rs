@@ -15,6 +15,7 @@ mod epipolar_images;
 #[cfg(test)]
 mod everywhere;
 mod features;
+mod file_in_parts;
 mod finished;
 mod geometry;
 mod matching;

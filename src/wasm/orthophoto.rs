@@ -1,11 +1,12 @@
 //! Images placed on an orthophoto.
 
 use super::convert::{JsResult, object, pack, read, read_options, thrown};
+use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::{
-    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, GivenLink, GreyImage, HeightModel, Heights, Mosaic, Orthophoto,
-    PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, ground_positions, halve, heights_of_points,
-    image_positions, links_table, place_by_links, place_image, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, GivenLink, HeightModel, Heights, Mosaic, Orthophoto, PlacedImage,
+    Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, ground_positions, heights_of_points, image_positions,
+    links_table, place_by_links, place_image, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -23,6 +24,8 @@ export interface OrthophotoInfo {
     heights: [number, number];
     /** Share of the picture that has a height, 0 to 1. */
     heights_share: number;
+    /** Whether its pixels are read where they are needed. */
+    in_parts: boolean;
 }
 "#;
 
@@ -32,8 +35,6 @@ pub struct OrthophotoReference {
     orthophoto: Orthophoto,
     options: PlacingOptions,
     area: Option<SearchArea>,
-    /// The picture halved once, twice and so on, made when it is first shown.
-    reduced: Vec<GreyImage>,
 }
 
 impl OrthophotoReference {
@@ -48,11 +49,15 @@ impl OrthophotoReference {
 
 #[wasm_bindgen]
 impl OrthophotoReference {
-    /// Reads a GeoTIFF, or an image with its world file. Its ground is level at 0 until heights are given.
-    pub fn open(file: &[u8], world_file: Option<String>) -> JsResult<OrthophotoReference> {
+    /// Opens a GeoTIFF, or an image with its world file: all of its bytes, or a file from which large ones are read in parts. Its ground is level at 0 until
+    /// heights are given.
+    pub fn open(
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array | FileInParts")] file: &JsValue,
+        world_file: Option<String>,
+    ) -> JsResult<OrthophotoReference> {
         let level = Heights::Level(0.0);
-        let orthophoto = Orthophoto::read(file, world_file.as_deref(), level, &DecodeLimits::default()).map_err(thrown)?;
-        Ok(Self { orthophoto, options: PlacingOptions::default(), area: None, reduced: Vec::new() })
+        let orthophoto = Orthophoto::open(file_source(file)?, world_file.as_deref(), level, &DecodeLimits::default()).map_err(thrown)?;
+        Ok(Self { orthophoto, options: PlacingOptions::default(), area: None })
     }
 
     /// The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
@@ -86,15 +91,17 @@ impl OrthophotoReference {
     /// Size, place and heights.
     #[wasm_bindgen(unchecked_return_type = "OrthophotoInfo")]
     pub fn info(&self) -> JsValue {
-        let Orthophoto { grey, georeference, heights, epsg, .. } = &self.orthophoto;
+        let Orthophoto { georeference, heights, epsg, .. } = &self.orthophoto;
+        let [width, height] = self.orthophoto.size();
         object([
-            ("width", (grey.width() as f64).into()),
-            ("height", (grey.height() as f64).into()),
+            ("width", (width as f64).into()),
+            ("height", (height as f64).into()),
             ("gsd", georeference.gsd().into()),
             ("georeference", pack(georeference)),
             ("epsg", pack(epsg)),
             ("heights", pack(&heights.range())),
             ("heights_share", self.orthophoto.heights_share().into()),
+            ("in_parts", self.orthophoto.is_in_parts().into()),
         ])
     }
 
@@ -114,25 +121,13 @@ impl OrthophotoReference {
 
     /// Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
     /// picture on, 0 where it shows nothing.
-    pub fn picture(&mut self, column: usize, row: usize, width: usize, height: usize, halvings: usize) -> JsResult<Vec<u8>> {
+    pub fn picture(&self, column: usize, row: usize, width: usize, height: usize, halvings: usize) -> JsResult<Vec<u8>> {
         if width.saturating_mul(height) > MOST_SHOWN || halvings > MOST_HALVINGS {
             let got = format!("{width} x {height} px, halved {halvings} times");
             let allowed = format!("{MOST_SHOWN} pixels, halved {MOST_HALVINGS} times at most");
             return Err(thrown(Error::InvalidArgument { what: "part of a picture", got, allowed }));
         }
-        let whole = &self.orthophoto.grey;
-        while self.reduced.len() < halvings {
-            let next = halve(self.reduced.last().unwrap_or(whole).view());
-            self.reduced.push(next);
-        }
-        let level = if halvings == 0 { whole } else { &self.reduced[halvings - 1] };
-        let px = f64::from(1_u32 << halvings);
-        let shown = |x: usize, y: usize| {
-            let shows = x < level.width() && y < level.height() && self.orthophoto.shows([x, y].map(|v| (v as f64 + 0.5) * px));
-            if shows { level.view().at(x, y).max(1) } else { 0 }
-        };
-        let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-        Ok(places.map(|(x, y)| shown(column.saturating_add(x), row.saturating_add(y))).collect())
+        self.orthophoto.shown([column, row], [width, height], halvings as u32).map_err(thrown)
     }
 
     /// Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the

@@ -7,7 +7,8 @@ pub enum Tag {
 }
 
 impl Tag {
-    fn encoded(&self, big_endian: bool) -> (u16, u16, u32, Vec<u8>) {
+    /// Its number, its type, how many values it has, and their bytes.
+    pub fn encoded(&self, big_endian: bool) -> (u16, u16, u32, Vec<u8>) {
         let bytes2 = |v: u16| if big_endian { v.to_be_bytes() } else { v.to_le_bytes() };
         let bytes4 = |v: u32| if big_endian { v.to_be_bytes() } else { v.to_le_bytes() };
         match self {

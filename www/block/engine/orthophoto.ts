@@ -1,6 +1,6 @@
 /** An orthophoto in a worker: its picture in tiles, and images that are placed on it. The worker opens it when another one is asked about, and keeps it. */
 import { BlockScene, OrthoMosaic, OrthophotoReference, Photo } from '../../../pkg/wasm/tiepoint.js';
-import type { BlockFlight, Georeference, GivenLink, OrthophotoInfo, PlacedImage, Placement, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockFlight, FileInParts, Georeference, GivenLink, OrthophotoInfo, PlacedImage, Placement, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
 import { inColumns } from '../state/links';
 import type { LinkedImage } from '../state/links';
 import { TILE_SIDE } from '../state/under';
@@ -74,7 +74,7 @@ async function opened({ picture, heights, keys }: Ground): Promise<Held> {
     // Two of them might not fit.
     held?.reference.free();
     held = null;
-    const reference = OrthophotoReference.open(await bytesOf(picture.file), picture.world);
+    const reference = OrthophotoReference.open(inParts(picture.file), picture.world);
     held = { keys: { picture: keys.picture, heights: '' }, reference, info: reference.info(), searched: '' };
   }
   if (held.keys.heights !== keys.heights) {
@@ -85,6 +85,17 @@ async function opened({ picture, heights, keys }: Ground): Promise<Held> {
     held = { keys, reference, info: reference.info(), searched: '' };
   }
   return held;
+}
+
+/** What the types of a page leave out: workers alone have it. */
+declare class FileReaderSync {
+  readAsArrayBuffer(file: Blob): ArrayBuffer;
+}
+
+/** A file of which the module reads what it needs: only in a worker is that answered at once. */
+function inParts(file: Blob): FileInParts {
+  const reader = new FileReaderSync();
+  return { size: file.size, read: (at, length) => new Uint8Array(reader.readAsArrayBuffer(file.slice(at, at + length))) };
 }
 
 async function bytesOf(file: Blob): Promise<Uint8Array> {

@@ -13,7 +13,7 @@ import type { Ground, LaidPicture } from './orthophoto';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
-/** Each worker holds the whole orthophoto: of one beyond so many px there is one worker beside the one that shows it. */
+/** Each worker holds an orthophoto that is not read in parts: of one beyond so many px there is one worker beside the one that shows it. */
 const MOST_SHARED = 40e6;
 
 export class PlacingEngine {
@@ -69,9 +69,10 @@ export class PlacingEngine {
     const { placing, options } = state;
     const { ground } = this;
     if (ground === null || placing.options === null || placing.orthophoto === null || placing.running !== null || files.length === 0) return 0;
-    const { width, height } = placing.orthophoto.info;
+    const { width, height, in_parts: isInParts } = placing.orthophoto.info;
+    const isLight = isInParts || width * height <= MOST_SHARED;
     const key = placingKey(state);
-    const workers = this.placers.slice(0, width * height <= MOST_SHARED && (navigator.hardwareConcurrency || 1) > 2 ? 2 : 1);
+    const workers = this.placers.slice(0, isLight && (navigator.hardwareConcurrency || 1) > 2 ? 2 : 1);
     const waiting = [...files];
     const { options: given } = placing;
     const cameras = options.cameras?.text ?? null;
@@ -104,7 +105,7 @@ export class PlacingEngine {
       throw named(error);
     } finally {
       // The memory of a large orthophoto is given back.
-      if (width * height > MOST_SHARED) this.release();
+      if (!isLight) this.release();
       this.store.dispatch({ type: 'placing', running: null });
     }
   }

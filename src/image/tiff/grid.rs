@@ -1,0 +1,120 @@
+//! The tiles or strips of a picture.
+
+use super::declared::{TiffLayout, tag};
+use super::directory::Directory;
+use crate::image::layout::{Format, damaged, truncated};
+use crate::image::source::FileSource;
+use crate::{Damage, Error};
+use std::ops::Range;
+
+/// No tile or strip of a picture that is read has more bytes.
+const MOST_BYTES: u64 = 1 << 30;
+
+/// How a picture is cut into tiles or strips, and where these are in the file.
+#[derive(Debug, Clone)]
+pub(super) struct Grid {
+    /// Of the picture, in px.
+    pub size: [usize; 2],
+    /// Of a tile; strips are as wide as the picture.
+    pub chunk: [usize; 2],
+    pub across: usize,
+    offsets: Vec<u64>,
+    lengths: Vec<u64>,
+}
+
+/// Where a tile or strip meets a part of the picture.
+pub(super) struct Piece {
+    pub index: usize,
+    /// The column and row of the picture at which the tile or strip begins, and how long its rows are within the picture.
+    pub corner: [usize; 2],
+    pub stride: usize,
+    /// Columns and rows of the picture that both have.
+    pub columns: Range<usize>,
+    pub rows: Range<usize>,
+}
+
+impl Grid {
+    /// As a directory says it. Absent where a tile or strip has more than `most_px`.
+    pub fn of<S: FileSource>(directory: &Directory<S>, layout: &TiffLayout, most_px: usize) -> Result<Option<Self>, Error> {
+        let size = [layout.width, layout.height].map(|side| side as usize);
+        let tile = [tag::TILE_WIDTH, tag::TILE_HEIGHT].map(|tag| directory.value(tag).map(|side| side as usize));
+        let [offsets_tag, lengths_tag] = tag::OF_CHUNKS.as_chunks::<2>().0[usize::from(tile[0].is_some())];
+        let chunk = match tile {
+            [Some(width), Some(height)] => [width, height],
+            _ => [size[0], directory.value(tag::ROWS_PER_STRIP).map_or(size[1], |rows| rows as usize)],
+        };
+        if chunk.contains(&0) || size.contains(&0) {
+            return Err(damaged(Format::Tiff, Damage::OtherThanDirectory));
+        }
+        // Where addresses have 32 bits the library cannot read strips of more rows than the picture has.
+        if tile[0].is_none() && chunk[1] > size[1] || chunk[0].saturating_mul(chunk[1]) > most_px {
+            return Ok(None);
+        }
+        let [offsets, lengths] = [offsets_tag, lengths_tag].map(|tag| directory.numbers(tag).unwrap_or_default());
+        let across = size[0].div_ceil(chunk[0]);
+        let grid = Self { size, chunk, across, offsets, lengths };
+        if grid.lengths.len() != grid.offsets.len() || grid.lengths.len() < grid.number() {
+            return Err(damaged(Format::Tiff, Damage::OtherThanDirectory));
+        }
+        // A file that ends early is refused at once, not where somebody looks at its end.
+        let ends = grid.offsets.iter().zip(&grid.lengths).map(|(offset, length)| offset.saturating_add(*length));
+        if ends.max().is_some_and(|end| end > directory.length()) {
+            return Err(truncated(Format::Tiff));
+        }
+        Ok(Some(grid))
+    }
+
+    /// How many tiles or strips the picture has.
+    pub fn number(&self) -> usize {
+        self.across * self.size[1].div_ceil(self.chunk[1])
+    }
+
+    /// Whether the file holds one: those that are all of nothing may be left out.
+    pub fn holds(&self, index: usize) -> bool {
+        self.lengths.get(index).is_some_and(|length| *length > 0)
+    }
+
+    /// The bytes of one in the file.
+    pub fn bytes<S: FileSource>(&self, source: &S, index: usize) -> Result<Vec<u8>, Error> {
+        let (offset, length) = (self.offsets[index], self.lengths[index]);
+        if length > MOST_BYTES || offset.checked_add(length).is_none_or(|end| end > source.length()) {
+            return Err(truncated(Format::Tiff));
+        }
+        let mut bytes = vec![0; length as usize];
+        source.read_at(offset, &mut bytes).map_err(|_| truncated(Format::Tiff))?;
+        Ok(bytes)
+    }
+
+    /// Sides of a tile or strip, without what reaches beyond the picture.
+    pub fn sides(&self, index: usize) -> [usize; 2] {
+        let corner = [index % self.across * self.chunk[0], index / self.across * self.chunk[1]];
+        [0, 1].map(|axis| self.chunk[axis].min(self.size[axis].saturating_sub(corner[axis])))
+    }
+
+    /// The tiles or strips that a part of the picture meets.
+    pub fn pieces(&self, first: [usize; 2], size: [usize; 2]) -> impl Iterator<Item = Piece> {
+        let last = [0, 1].map(|axis| first[axis].saturating_add(size[axis]).min(self.size[axis]));
+        let [columns, rows] = [0, 1].map(|axis| {
+            let is_outside = first[axis] >= last[axis];
+            if is_outside { 0..0 } else { first[axis] / self.chunk[axis]..last[axis].div_ceil(self.chunk[axis]) }
+        });
+        let (chunk, across, width) = (self.chunk, self.across, self.size[0]);
+        rows.flat_map(move |down| columns.clone().map(move |along| [along, down])).map(move |[along, down]| {
+            let corner = [along * chunk[0], down * chunk[1]];
+            let [columns, rows] = [0, 1].map(|axis| first[axis].max(corner[axis])..last[axis].min(corner[axis] + chunk[axis]));
+            Piece { index: down * across + along, corner, stride: chunk[0].min(width - corner[0]), columns, rows }
+        })
+    }
+}
+
+impl Piece {
+    /// Row by row: from where in the tile or strip, to where in a part that begins at a column and row and has rows of so many px.
+    pub fn rows_to(&self, first: [usize; 2], width: usize) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
+        let (columns, corner, stride) = (self.columns.clone(), self.corner, self.stride);
+        self.rows.clone().map(move |row| {
+            let from = (row - corner[1]) * stride + columns.start - corner[0];
+            let to = (row - first[1]) * width + columns.start - first[0];
+            (from..from + columns.len(), to..to + columns.len())
+        })
+    }
+}

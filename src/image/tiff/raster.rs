@@ -1,0 +1,333 @@
+//! A TIFF whose pixels are decoded where they are asked for: the picture itself, and smaller ones of it (overviews) that the file holds.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use tiff::decoder::Decoder;
+
+use super::declared::{JPEG, PALETTE, RGB, TiffLayout, YCBCR, check_bands, check_counts, checked_directory, decoder_error, tag, unlimited};
+use super::directory::Directory;
+use super::grid::Grid;
+use super::jpeg_chunk::JpegChunks;
+use super::transparency::Transparency;
+use crate::image::layout::{Format, damaged};
+use crate::image::luminance::{Depth, Sample, SampleLayout, grey_of_u8, grey_up_to};
+use crate::image::source::{FileSource, SourceReader};
+use crate::{Damage, Error};
+
+/// Image directories that are looked at.
+const MOST_DIRECTORIES: usize = 64;
+/// Overviews are halved so many times at most.
+const MOST_HALVINGS: u32 = 16;
+/// Bytes of decoded tiles and strips that are kept.
+const KEPT_BYTES: usize = 48 << 20;
+/// Of 16-bit samples so many tiles or strips of the smallest overview tell which depth is in use.
+const LOOKED_AT: usize = 64;
+/// Beginnings of overviews in what says of which kind an image is: bit 0 a smaller one, bit 2 a mask.
+const SMALLER: u64 = 1;
+const MASK: u64 = 4;
+/// Values of what says what a further sample is: alpha, of premultiplied colour or not.
+const ALPHA: [u16; 2] = [1, 2];
+
+/// Grey values with what shows nothing: what a mask of the file leaves out, or else alpha of 0, or the value that stands for nothing, or grey of 0 where the file names neither.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Pixels {
+    pub grey: Vec<u8>,
+    pub nothing: Vec<bool>,
+}
+
+/// A TIFF that is read in parts.
+pub(crate) struct TiffRaster<S: FileSource> {
+    levels: Vec<Level<S>>,
+    samples: Samples,
+    kept: Mutex<Kept>,
+}
+
+/// The picture, or an overview.
+struct Level<S: FileSource> {
+    halvings: u32,
+    grid: Grid,
+    coding: Coding<S>,
+    transparency: Option<Transparency<S>>,
+}
+
+enum Coding<S: FileSource> {
+    /// By the library.
+    Samples(Box<Mutex<Decoder<SourceReader<S>>>>),
+    Jpeg(JpegChunks<S>),
+}
+
+/// What the samples of a pixel mean.
+#[derive(Debug, Clone, Copy)]
+struct Samples {
+    colour: bool,
+    /// Which sample is alpha.
+    alpha: Option<usize>,
+    /// The value that stands for nothing.
+    no_data: Option<f64>,
+    bits: u64,
+    /// The 16-bit sample that becomes white.
+    white: u32,
+}
+
+/// What a tile or strip belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Of {
+    Picture,
+    Transparency,
+}
+
+/// The picture's place among the levels, what is meant of it, and the number of the tile or strip.
+type Key = (usize, Of, usize);
+
+/// Decoded tiles and strips, of which those that were not asked for longest go first.
+#[derive(Default)]
+struct Kept {
+    chunks: HashMap<Key, (u64, Arc<Pixels>)>,
+    bytes: usize,
+    asked: u64,
+}
+
+impl<S: FileSource + Clone> TiffRaster<S> {
+    /// Reads its directories. Absent where it cannot be read in parts: a tile or strip has more than `most_px`, colours come from a palette, or the colours
+    /// of a pixel do not stand together.
+    ///
+    /// # Errors
+    /// [`Error::UnsupportedImage`] and [`Error::UnreadableImage`] for what is not decoded, or damaged.
+    pub fn open(source: S, no_data: Option<f64>, most_px: usize) -> Result<Option<Self>, Error> {
+        let first = checked_directory(source.clone())?;
+        let layout = TiffLayout::of(&first)?;
+        let TiffLayout { width, height, bits, .. } = layout;
+        if width == 0 || height == 0 {
+            return Err(damaged(Format::Tiff, Damage::NoPixels { width, height }));
+        }
+        let is_in_planes = layout.planar && layout.samples > 1;
+        if layout.photometric == PALETTE || is_in_planes {
+            return Ok(None);
+        }
+        let Some(whole) = Level::of(&source, &first, &layout, 0, 0, most_px)? else { return Ok(None) };
+        let alpha = alpha_of(&first, &layout);
+        let samples = Samples { colour: layout.is_colour(), alpha, no_data, bits, white: 0xffff };
+        let mut raster = Self { levels: vec![whole], samples, kept: Mutex::default() };
+        raster.add_overviews(&source, &first, &layout, most_px);
+        if bits == 16 {
+            raster.samples.white = raster.white()?;
+        }
+        Ok(Some(raster))
+    }
+
+    /// Those that can be read; what cannot is left out, since the picture itself has all of it.
+    fn add_overviews(&mut self, source: &S, first: &Directory<S>, layout: &TiffLayout, most_px: usize) {
+        let next = |directory: &Directory<S>| directory.next().filter(|next| check_counts(next).is_ok());
+        let directories = std::iter::successors(next(first), next);
+        let mut masks = Vec::new();
+        for (k, directory) in directories.take(MOST_DIRECTORIES).enumerate() {
+            let kind = directory.value(tag::SUBFILE_TYPE).unwrap_or(0);
+            if kind & MASK != 0 {
+                masks.extend(Transparency::of(source, &directory, most_px));
+                continue;
+            }
+            let Ok(own) = TiffLayout::of(&directory) else { continue };
+            let halvings = (1..=MOST_HALVINGS).find(|k| {
+                let is_half = |whole: u64, side: u64| side > 0 && (side == whole >> k || side == whole.div_ceil(1 << k));
+                is_half(layout.width, own.width) && is_half(layout.height, own.height)
+            });
+            let fits = kind & SMALLER != 0 && own.has_samples_of(layout);
+            if let Some(halvings) = halvings.filter(|_| fits)
+                && let Ok(Some(level)) = Level::of(source, &directory, &own, k + 1, halvings, most_px)
+            {
+                self.levels.push(level);
+            }
+        }
+        for mask in masks {
+            let own = self.levels.iter_mut().find(|level| level.grid.size == mask.grid.size);
+            own.into_iter().for_each(|level| level.transparency = Some(mask.clone()));
+        }
+        self.levels.sort_by_key(|level| level.halvings);
+        self.levels.dedup_by_key(|level| level.halvings);
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> [usize; 2] {
+        self.levels[0].grid.size
+    }
+
+    /// Width and height of the picture that was halved so many times, which is one of those of the file.
+    pub fn size_of(&self, halvings: u32) -> [usize; 2] {
+        self.level_of(halvings).1.grid.size
+    }
+
+    fn level_of(&self, halvings: u32) -> (usize, &Level<S>) {
+        let index = self.levels.iter().position(|level| level.halvings == halvings).unwrap_or(0);
+        (index, &self.levels[index])
+    }
+
+    /// How often the most reduced picture is halved that was not halved more often than this. `exact`: none whose columns or rows drift from those of
+    /// the picture, as where a side is odd.
+    pub fn level(&self, halvings: u32, exact: bool) -> u32 {
+        let fits = |level: &&Level<S>| {
+            let whole = (0..2).all(|axis| level.grid.size[axis] << level.halvings == self.size()[axis]);
+            level.halvings <= halvings && (whole || !exact)
+        };
+        self.levels.iter().rev().find(fits).map_or(0, |level| level.halvings)
+    }
+
+    /// A part of the picture that was halved so many times, which is one of those of the file; beyond its edge nothing is shown.
+    pub fn read(&self, halvings: u32, first: [usize; 2], [width, height]: [usize; 2]) -> Result<Pixels, Error> {
+        let (index, level) = self.level_of(halvings);
+        let mut pixels = Pixels { grey: vec![0; width * height], nothing: vec![true; width * height] };
+        for piece in level.grid.pieces(first, [width, height]) {
+            let chunk = self.kept((index, Of::Picture, piece.index), || self.decoded(level, piece.index))?;
+            for (from, to) in piece.rows_to(first, width) {
+                pixels.grey[to.clone()].copy_from_slice(&chunk.grey[from.clone()]);
+                pixels.nothing[to].copy_from_slice(&chunk.nothing[from]);
+            }
+        }
+        let Some(transparency) = &level.transparency else { return Ok(pixels) };
+        for piece in transparency.grid.pieces(first, [width, height]) {
+            let mask = || transparency.nothing(piece.index).map(|nothing| Pixels { grey: Vec::new(), nothing });
+            let chunk = self.kept((index, Of::Transparency, piece.index), mask)?;
+            piece.rows_to(first, width).for_each(|(from, to)| pixels.nothing[to].copy_from_slice(&chunk.nothing[from]));
+        }
+        Ok(pixels)
+    }
+
+    fn kept(&self, key: Key, decode: impl FnOnce() -> Result<Pixels, Error>) -> Result<Arc<Pixels>, Error> {
+        let kept = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(chunk) = kept().get(key) {
+            return Ok(chunk);
+        }
+        let chunk = Arc::new(decode()?);
+        kept().keep(key, &chunk);
+        Ok(chunk)
+    }
+
+    fn decoded(&self, level: &Level<S>, index: usize) -> Result<Pixels, Error> {
+        let [width, height] = level.grid.sides(index);
+        let pixels = width * height;
+        if !level.grid.holds(index) {
+            return Ok(Pixels { grey: vec![0; pixels], nothing: vec![true; pixels] });
+        }
+        let decoder = match &level.coding {
+            Coding::Jpeg(chunks) => {
+                let grey = chunks.decode(&level.grid, index)?;
+                let nothing = self.samples.nothing(&grey, &SampleLayout::interleaved(1), pixels);
+                return Ok(Pixels { grey, nothing });
+            }
+            Coding::Samples(decoder) => decoder,
+        };
+        let (bytes, layout) = self.samples_of(decoder, level, index)?;
+        if self.samples.bits == 8 {
+            let nothing = self.samples.nothing(&bytes, &layout, pixels);
+            return Ok(Pixels { grey: grey_of_u8(bytes, pixels, layout), nothing });
+        }
+        let samples = bytes.as_chunks::<2>().0;
+        let nothing = self.samples.nothing(samples, &layout, pixels);
+        Ok(Pixels { grey: grey_up_to(self.samples.white, samples, pixels, layout), nothing })
+    }
+
+    /// The samples of a tile or strip, of 8 or of 16 bits, and how they lie there.
+    fn samples_of(
+        &self,
+        decoder: &Mutex<Decoder<SourceReader<S>>>,
+        level: &Level<S>,
+        index: usize,
+    ) -> Result<(Vec<u8>, SampleLayout), Error> {
+        let mut decoder = decoder.lock().unwrap_or_else(PoisonError::into_inner);
+        let [width, height] = level.grid.sides(index);
+        let channels = usize::from(decoder.colortype().map_err(decoder_error)?.num_samples());
+        let length = decoder.image_chunk_buffer_layout(index as u32).map_err(decoder_error)?.len;
+        if length != width * height * channels * (self.samples.bits / 8) as usize {
+            return Err(damaged(Format::Tiff, Damage::OtherThanDirectory));
+        }
+        let mut bytes = vec![0; length];
+        decoder.read_chunk_bytes(index as u32, &mut bytes).map_err(decoder_error)?;
+        Ok((bytes, SampleLayout { channels, colour: self.samples.colour, plane_stride: None }))
+    }
+
+    /// The 16-bit sample that becomes white, by tiles or strips of the smallest picture.
+    fn white(&self) -> Result<u32, Error> {
+        let level = &self.levels[self.levels.len() - 1];
+        let Coding::Samples(decoder) = &level.coding else { return Ok(0xffff) };
+        let number = level.grid.number();
+        let mut depth = Depth::default();
+        for k in 0..number.min(LOOKED_AT) {
+            let index = if number <= LOOKED_AT { k } else { k * (number - 1) / (LOOKED_AT - 1) };
+            if !level.grid.holds(index) {
+                continue;
+            }
+            let (bytes, layout) = self.samples_of(decoder, level, index)?;
+            let samples = bytes.as_chunks::<2>().0;
+            let [width, height] = level.grid.sides(index);
+            // The value that stands for nothing may be larger than any colour.
+            let nothing = self.samples.nothing(samples, &layout, width * height);
+            depth.see_but(samples, layout, &nothing);
+        }
+        Ok(depth.white())
+    }
+}
+
+impl<S: FileSource + Clone> Level<S> {
+    /// Of the directory of this number in the file. Absent where a tile or strip is larger than is read in parts.
+    fn of(
+        source: &S,
+        directory: &Directory<S>,
+        layout: &TiffLayout,
+        number: usize,
+        halvings: u32,
+        most_px: usize,
+    ) -> Result<Option<Self>, Error> {
+        let Some(grid) = Grid::of(directory, layout, most_px)? else { return Ok(None) };
+        let coding = if layout.compression == JPEG {
+            Coding::Jpeg(JpegChunks::new(source.clone(), directory, layout))
+        } else {
+            let mut decoder = Decoder::new(SourceReader::new(source.clone())).map_err(decoder_error)?.with_limits(unlimited());
+            decoder.seek_to_image(number).map_err(decoder_error)?;
+            check_bands(&mut decoder, layout)?;
+            Coding::Samples(Box::new(Mutex::new(decoder)))
+        };
+        Ok(Some(Self { halvings, grid, coding, transparency: None }))
+    }
+}
+
+/// Which sample is alpha.
+fn alpha_of<S: FileSource>(directory: &Directory<S>, layout: &TiffLayout) -> Option<usize> {
+    let colours = if layout.photometric == RGB || layout.photometric == YCBCR { 3 } else { 1 };
+    let further = directory.all_shorts(tag::EXTRA_SAMPLES)?;
+    further.iter().position(|kind| ALPHA.contains(kind)).map(|k| colours + k)
+}
+
+impl Samples {
+    /// Which pixels show nothing.
+    fn nothing<T: Sample>(&self, samples: &[T], layout: &SampleLayout, pixels: usize) -> Vec<bool> {
+        let at = |pixel: usize, channel: usize| f64::from(samples[pixel * layout.channels + channel].value());
+        let colours = if layout.colour { 3 } else { 1 };
+        match (self.alpha.filter(|alpha| *alpha < layout.channels), self.no_data) {
+            (Some(alpha), _) => (0..pixels).map(|pixel| at(pixel, alpha) == 0.0).collect(),
+            (None, value) => {
+                let value = value.unwrap_or(0.0);
+                (0..pixels).map(|pixel| (0..colours).all(|channel| at(pixel, channel) == value)).collect()
+            }
+        }
+    }
+}
+
+impl Kept {
+    fn get(&mut self, key: Key) -> Option<Arc<Pixels>> {
+        self.asked += 1;
+        let (asked, chunk) = self.chunks.get_mut(&key)?;
+        *asked = self.asked;
+        Some(Arc::clone(chunk))
+    }
+
+    fn keep(&mut self, key: Key, chunk: &Arc<Pixels>) {
+        let bytes = |chunk: &Pixels| chunk.grey.len() + chunk.nothing.len();
+        self.bytes += bytes(chunk);
+        while self.bytes > KEPT_BYTES {
+            let oldest = self.chunks.iter().min_by_key(|(_, (asked, _))| *asked).map(|(key, _)| *key);
+            let Some((_, gone)) = oldest.and_then(|key| self.chunks.remove(&key)) else { break };
+            self.bytes -= bytes(&gone);
+        }
+        self.chunks.insert(key, (self.asked, Arc::clone(chunk)));
+    }
+}

@@ -1,0 +1,211 @@
+//! A large orthophoto, read where it is needed: small parts of the picture, or of the smaller pictures of it that its file holds (overviews).
+
+use super::emptiness::{SEEN_FROM, outside};
+use super::patch::{Patch, halved, mask_of};
+use crate::image::{Pixels, TiffRaster};
+use crate::{Error, FileSource, GreyImage};
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// A part that is asked for has at most so many pixels.
+const MOST_READ: usize = 100_000_000;
+/// Where no overview is as small as is asked for, one of at most so many pixels is made.
+const MOST_MADE: usize = 25_000_000;
+/// Sides of the pieces in which it is made, at least, in px of the picture.
+const PIECE: usize = 4096;
+/// Whether a place shows something is found for squares of so many px at a time, of which so many are kept.
+const CELL: usize = 256;
+const MOST_CELLS: usize = 1024;
+
+/// A large orthophoto.
+pub(super) struct Parts {
+    raster: TiffRaster<Arc<dyn FileSource>>,
+    made: OnceLock<Result<Made, Error>>,
+    cells: Mutex<HashMap<[usize; 2], Option<Arc<GreyImage>>>>,
+}
+
+/// A smaller picture of the whole.
+struct Made {
+    halvings: u32,
+    size: [usize; 2],
+    pixels: Pixels,
+}
+
+impl std::fmt::Debug for Parts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [width, height] = self.size();
+        write!(f, "Parts({width} x {height})")
+    }
+}
+
+impl Parts {
+    pub fn new(raster: TiffRaster<Arc<dyn FileSource>>) -> Self {
+        Self { raster, made: OnceLock::new(), cells: Mutex::default() }
+    }
+
+    pub fn size(&self) -> [usize; 2] {
+        self.raster.size()
+    }
+
+    /// As [`Picture::part`](super::picture::Picture::part).
+    pub fn part(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<GreyImage, Error> {
+        let [first, size] = [first, size].map(|px| px.map(|px| px >> halvings));
+        let [width, height] = size.map(|side| side.max(1));
+        GreyImage::new(width, height, self.level(halvings, true)?.read(first, [width, height], halvings)?.grey)
+    }
+
+    /// As [`Picture::patch`](super::picture::Picture::patch).
+    pub fn patch(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Patch, Error> {
+        let last = [0, 1].map(|axis| first[axis] + size[axis]);
+        let [first, last] = [first, last].map(|px| px.map(|px| px >> halvings));
+        let size = [0, 1].map(|axis| (last[axis] - first[axis]).max(1));
+        let (grey, mask) = self.level(halvings, false)?.read_with_mask(first, size, halvings)?;
+        Ok(Patch { grey, mask, first: first.map(|px| px << halvings) })
+    }
+
+    /// As [`Picture::shown`](super::picture::Picture::shown).
+    pub fn shown(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
+        let (grey, mask) = self.level(halvings, false)?.read_with_mask(first, size, halvings)?;
+        let shows = |k: usize| mask.as_ref().is_none_or(|mask| mask.data()[k] != 0);
+        Ok(grey.data().iter().enumerate().map(|(k, value)| if shows(k) { (*value).max(1) } else { 0 }).collect())
+    }
+
+    /// Whether the picture shows something at a column and row; where it cannot be read it shows nothing.
+    pub fn shows(&self, [column, row]: [usize; 2]) -> bool {
+        let key = [column / CELL, row / CELL];
+        let cells = || self.cells.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = cells().get(&key).cloned();
+        let mask = known.unwrap_or_else(|| {
+            let read = Level::OfFile(&self.raster, 0).read_with_mask(key.map(|k| k * CELL), [CELL, CELL], 0);
+            let mask = match read {
+                Ok((_, mask)) => mask.map(Arc::new),
+                Err(_) => Some(Arc::new(mask_of(CELL, CELL, vec![true; CELL * CELL]))),
+            };
+            let mut cells = cells();
+            if cells.len() >= MOST_CELLS {
+                cells.clear();
+            }
+            cells.insert(key, mask.clone());
+            mask
+        });
+        mask.is_none_or(|mask| mask.view().at(column % CELL, row % CELL) != 0)
+    }
+
+    /// The picture to read where it is wanted halved so many times: not smaller than that, and not much larger.
+    fn level(&self, halvings: u32, exact: bool) -> Result<Level<'_>, Error> {
+        let of_file = self.raster.level(halvings, exact);
+        let made = made_halvings(self.size());
+        if of_file + 1 >= halvings || halvings < made {
+            return Ok(Level::OfFile(&self.raster, of_file));
+        }
+        match self.made.get_or_init(|| self.make(made)) {
+            Ok(made) => Ok(Level::Made(made)),
+            Err(error) => Err(error.clone()),
+        }
+    }
+
+    fn make(&self, halvings: u32) -> Result<Made, Error> {
+        let size = self.size().map(|side| side >> halvings);
+        let level = Level::OfFile(&self.raster, self.raster.level(halvings, true));
+        Ok(Made { halvings, size, pixels: level.read([0, 0], size, halvings)? })
+    }
+}
+
+/// How often a picture of this size is halved where a smaller one is made of it.
+fn made_halvings([width, height]: [usize; 2]) -> u32 {
+    (0..32).find(|k| (width >> k) * (height >> k) <= MOST_MADE).unwrap_or(0)
+}
+
+/// A picture from which parts are read.
+enum Level<'a> {
+    /// Halved so many times.
+    OfFile(&'a TiffRaster<Arc<dyn FileSource>>, u32),
+    Made(&'a Made),
+}
+
+impl Level<'_> {
+    fn halvings(&self) -> u32 {
+        match self {
+            Self::OfFile(_, halvings) => *halvings,
+            Self::Made(made) => made.halvings,
+        }
+    }
+
+    fn size(&self) -> [usize; 2] {
+        match self {
+            Self::OfFile(raster, halvings) => raster.size_of(*halvings),
+            Self::Made(made) => made.size,
+        }
+    }
+
+    fn own(&self, first: [usize; 2], size: [usize; 2]) -> Result<Pixels, Error> {
+        match self {
+            Self::OfFile(raster, halvings) => raster.read(*halvings, first, size),
+            Self::Made(made) => Ok(made.read(first, size)),
+        }
+    }
+
+    /// A part, in pixels of the picture that was halved so many times. What is to be halved for it is read piece by piece: it may be all of a large file.
+    fn read(&self, first: [usize; 2], [width, height]: [usize; 2], halvings: u32) -> Result<Pixels, Error> {
+        if width.saturating_mul(height) > MOST_READ {
+            let [megapixels, max_megapixels] = [width as f64 * height as f64, MOST_READ as f64].map(|px| px / 1e6);
+            return Err(Error::TooManyPixels { width: width as u64, height: height as u64, megapixels, max_megapixels });
+        }
+        let further = halvings.saturating_sub(self.halvings());
+        if further == 0 {
+            return self.own(first, [width, height]);
+        }
+        let mut pixels = Pixels { grey: vec![0; width * height], nothing: vec![true; width * height] };
+        let side = (PIECE >> further).max(1);
+        for (top, left) in (0..height).step_by(side).flat_map(|top| (0..width).step_by(side).map(move |left| (top, left))) {
+            let [columns, rows] = [(width - left).min(side), (height - top).min(side)];
+            let piece = [columns << further, rows << further];
+            let own = self.own([(first[0] + left) << further, (first[1] + top) << further], piece)?;
+            // What shows nothing in all of its pixels is white in the mean.
+            let nothing = own.nothing.into_iter().map(|nothing| if nothing { 255 } else { 0 }).collect();
+            let [grey, nothing] =
+                [own.grey, nothing].map(|data| GreyImage::new(piece[0], piece[1], data).map(|image| halved(image, further)));
+            let (grey, nothing) = (grey?, nothing?);
+            for row in 0..rows {
+                let to = (top + row) * width + left;
+                pixels.grey[to..to + columns].copy_from_slice(grey.view().row(row));
+                pixels.nothing[to..to + columns].iter_mut().zip(nothing.view().row(row)).for_each(|(to, value)| *to = *value == 255);
+            }
+        }
+        Ok(pixels)
+    }
+
+    /// With a mask of what is shown: 0 where nothing is; absent where something is everywhere.
+    fn read_with_mask(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<(GreyImage, Option<GreyImage>), Error> {
+        let whole = self.size().map(|side| side >> halvings.saturating_sub(self.halvings()));
+        let low = first.map(|px| px.saturating_sub(SEEN_FROM));
+        let high = [0, 1].map(|axis| (first[axis] + size[axis] + SEEN_FROM).min(whole[axis]).max(low[axis] + 1));
+        let about = [0, 1].map(|axis| high[axis] - low[axis]);
+        let pixels = self.read(low, about, halvings)?;
+        let hidden = outside(&pixels.nothing, about[0], about[1], halvings);
+        let place = |c: usize, r: usize| {
+            let (c, r) = (first[0] + c, first[1] + r);
+            (c < high[0] && r < high[1]).then(|| (r - low[1]) * about[0] + c - low[0])
+        };
+        let grey = GreyImage::from_fn(size[0], size[1], |c, r| place(c, r).map_or(0, |k| pixels.grey[k]))?;
+        if hidden.is_none() && (0..2).all(|axis| first[axis] + size[axis] <= whole[axis]) {
+            return Ok((grey, None));
+        }
+        let shows = |k: usize| hidden.as_ref().is_none_or(|hidden| !hidden[k]);
+        let mask = GreyImage::from_fn(size[0], size[1], |c, r| if place(c, r).is_some_and(shows) { 255 } else { 0 })?;
+        Ok((grey, Some(mask)))
+    }
+}
+
+impl Made {
+    fn read(&self, [left, top]: [usize; 2], [width, height]: [usize; 2]) -> Pixels {
+        let mut part = Pixels { grey: vec![0; width * height], nothing: vec![true; width * height] };
+        let columns = width.min(self.size[0].saturating_sub(left));
+        for row in 0..height.min(self.size[1].saturating_sub(top)) {
+            let (from, to) = ((top + row) * self.size[0] + left, row * width);
+            part.grey[to..to + columns].copy_from_slice(&self.pixels.grey[from..from + columns]);
+            part.nothing[to..to + columns].copy_from_slice(&self.pixels.nothing[from..from + columns]);
+        }
+        part
+    }
+}

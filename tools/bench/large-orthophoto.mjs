@@ -1,0 +1,133 @@
+/** An orthophoto of 400 million pixels in the page: how soon it is opened and looked at, what memory that takes, how soon a photograph of 12 million is placed on it. */
+
+import { mkdtempSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium } from 'playwright-core';
+import { servePage } from '../lib/page-server.mjs';
+import { readJson, ROOT } from '../lib/paths.mjs';
+import { must, run } from '../lib/process.mjs';
+import { findChromium } from '../lib/setup.mjs';
+import { watchMemory } from './page-memory.mjs';
+
+const SIDE = 20_000;
+const GSD_M = 0.2;
+const FLIGHT = ['--strips', '1', '--exposures', '3', '--width-px', '4000', '--height-px', '3000', '--pixel-mm', '0.009', '--orthophoto', String(GSD_M)];
+const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const COMMAND = join(ROOT, 'pkg', 'bin', 'tiepoint.js');
+
+export async function largeOrthophoto() {
+  console.log(`Orthophoto of ${SIDE} x ${SIDE} px in the page`);
+  const executablePath = findChromium();
+  if (!executablePath) return console.log('  skipped: no Chromium (install it or name it in CHROMIUM)');
+  const { code } = await run('python3', ['-c', 'import rasterio'], { quiet: true });
+  if (code !== 0) return console.log('  skipped: no rasterio, which writes it (pip install rasterio)');
+  const folder = mkdtempSync(join(tmpdir(), 'tiepoint-large-orthophoto-'));
+  try {
+    for (const seed of [1, 2])
+      await must(process.execPath, [COMMAND, 'simulate', '--block', '--out', join(folder, `town${seed}`), ...FLIGHT, '--seed', String(seed)], { quiet: true });
+    for (const compression of ['JPEG', 'DEFLATE']) {
+      const file = join(folder, `${compression}.tif`);
+      const towns = [1, 2].map((seed) => join(folder, `town${seed}`, 'orthophoto.tif'));
+      await must('python3', [join(ROOT, 'tools', 'bench', 'large_orthophoto.py'), file, String(SIDE), ...towns, compression], { quiet: true });
+      await measured(executablePath, file, join(folder, 'town1'));
+    }
+    await beside(join(folder, 'JPEG.tif'), join(folder, 'town1'));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** @param {string} executablePath @param {string} orthophoto @param {string} town */
+async function measured(executablePath, orthophoto, town) {
+  const server = await servePage();
+  const browser = await chromium.launch({ executablePath, args: FLAGS });
+  try {
+    const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+    const memory = await watchMemory(page);
+    await page.goto(server.url);
+    const part = (/** @type {string} */ id) => page.locator(`[data-testid="${id}"]`);
+    await part('mode-block').click();
+    await part('block-files-input').waitFor({ state: 'attached' });
+    await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]:not([disabled])'));
+    const started = performance.now();
+    await part('block-files-input').setInputFiles(orthophoto);
+    await isPainted(page);
+    const opened = performance.now() - started;
+    // Into the middle, step by step, until pixels of the file are shown one by one.
+    const views = [];
+    const box = await part('ortho-plan').boundingBox();
+    if (!box) throw new Error('the orthophoto is not drawn');
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    for (let step = 0; step < 12; step += 1) {
+      const before = performance.now();
+      await page.mouse.wheel(0, -400);
+      await isStill(page);
+      views.push(performance.now() - before);
+    }
+    const { wasm, heaps } = await memory();
+    const size = statSync(orthophoto).size / 1e6;
+    console.log(
+      `  ${size.toFixed(0)} MB: on the screen ${(opened / 1000).toFixed(2)} s after it was given; zoomed in, ${Math.max(...views).toFixed(0)} ms a step at most until all is drawn`,
+    );
+    console.log(`    memory: ${wasm.toFixed(0)} MiB of wasm, ${heaps.toFixed(0)} MiB of heaps`);
+
+    await part('block-files-input').setInputFiles([join(town, 'heights.tif'), join(town, 'photos', photoOf(town))]);
+    await part('block-run').waitFor();
+    await page.waitForFunction(() => document.querySelector('[data-testid="block-run"]:not([disabled])'));
+    const before = performance.now();
+    await part('block-run').click();
+    await page.waitForFunction(() => /^1 of 1 image/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, {
+      timeout: 300_000,
+    });
+    const after = await memory();
+    console.log(
+      `    a photograph of 12 MP placed ${((performance.now() - before) / 1000).toFixed(1)} s after the press; then ${after.wasm.toFixed(0)} MiB of wasm`,
+    );
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+/** @param {string} town */
+const photoOf = (town) => readdirSync(join(town, 'photos')).sort()[1] ?? '';
+
+/** Waits until the orthophoto is drawn.  @param {import('playwright-core').Page} page */
+const isPainted = (page) =>
+  page.waitForFunction(
+    () => {
+      const canvas = document.querySelector('[data-testid="ortho-plan"] [data-testid="layer-picture"]');
+      if (!(canvas instanceof HTMLCanvasElement) || canvas.width < 10) return false;
+      const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(0, 0, canvas.width, canvas.height);
+      const seen = new Set();
+      for (let i = 0; i < data.length && seen.size < 40; i += 4 * 97) if ((data[i + 3] ?? 0) > 0) seen.add(data[i]);
+      return seen.size >= 40;
+    },
+    undefined,
+    { timeout: 120_000 },
+  );
+
+/** Waits until the canvas shows the same in two turns of the page, some time apart.  @param {import('playwright-core').Page} page */
+const isStill = (page) =>
+  page.evaluate(async () => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="ortho-plan"] [data-testid="layer-picture"]'));
+    const shown = () => canvas.toDataURL();
+    for (let [last, now] = ['', shown()]; last !== now; [last, now] = [now, shown()]) await new Promise((resolve) => setTimeout(resolve, 30));
+  });
+
+/** The command and OpenCV on the same picture, one after the other.  @param {string} orthophoto @param {string} town */
+async function beside(orthophoto, town) {
+  const [heights, photo, truth] = [join(town, 'heights.tif'), join(town, 'photos', photoOf(town)), join(town, 'truth.json')];
+  const started = performance.now();
+  const { code, output } = await run(process.execPath, [COMMAND, 'place', photo, '--orthophoto', orthophoto, '--heights', heights, '--json'], { quiet: true });
+  const taken = ((performance.now() - started) / 1000).toFixed(1);
+  if (code !== 0 && code !== 3) throw new Error(`placing ended with ${code}\n${output.slice(-2000)}`);
+  const [placed] = JSON.parse(output.slice(output.indexOf('{'))).images;
+  const { images } = readJson(truth).block;
+  const at = images.find((/** @type {{ name: string }} */ { name }) => name === photoOf(town)).pose.position;
+  const off = Math.hypot(...placed.placement.pose.position.map((/** @type {number} */ v, /** @type {number} */ axis) => v - at[axis]));
+  console.log(`  the command (one thread, camera not known): ${placed.verdict.links} links, projection centre off by ${off.toFixed(2)} m, in ${taken} s`);
+  const rival = await run('python3', [join(ROOT, 'tools', 'bench', 'rivals', 'orthophoto.py'), orthophoto, heights, photo, truth], { quiet: true });
+  console.log(rival.code === 0 ? `  ${rival.output.trim().split('\n').at(-1)}` : '  OpenCV: skipped (pip install opencv-python-headless rasterio)');
+}
