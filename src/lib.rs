@@ -43,7 +43,8 @@ mod wasm;
 pub use adjustment::{
     AdjustmentOptions, AdjustmentResult, AxisPrior, Block, BlockImage, BlockObservation, CameraPrior, CameraStatistics, ControlPoint,
     Datum, FixedParameter, GroupWeighting, ImageStatistics, LeftOut, Loss, ObjectPointStatistics, ObservationGroup, ObservationStatistics,
-    ObservationVerdict, PositionPrior, PriorStatistics, RayCountRmse, Similarity, VarianceComponent, adjust_block,
+    ObservationVerdict, PositionPrior, PriorStatistics, RayCountRmse, Similarity, Strip, SystematicError, SystematicResult,
+    SystematicStatistics, SystematicVerdict, VarianceComponent, adjust_block,
 };
 pub use camera::{
     Attitude, Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, DroneRecord, ExifCamera, ExifImage, ExifPosition, Fiducial,
@@ -77,8 +78,8 @@ pub use matching::{
 pub use math::{geographic_from_local, local_from_geographic};
 pub use message::{Message, Texts};
 pub use model::{
-    BlockDescription, BlockModel, ControlRole, GeographicOrigin, GroundControlPoint, ImageObservation, KnownCamera, KnownImage, ModelImage,
-    NamedCamera, ObjectPoint, ObservedPosition,
+    BlockDescription, BlockModel, ControlRole, GeographicOrigin, GnssErrors, GroundControlPoint, ImageObservation, KnownCamera, KnownImage,
+    ModelImage, NamedCamera, ObjectPoint, ObservedPosition,
 };
 pub use orientation::{
     ErrorEllipse, ErrorModel, EstimatedCamera, FiveParameters, GlobalTest, ModelPoint, Observation, OrientationMethod, OrientationOptions,
@@ -94,8 +95,9 @@ pub use outputs::{
     AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,
     Coverage, Expected, ExportOutcome, FoundPoints, ImagePlace, ImagePoint, ImageReason, ImageRow, ObservationDetail, ObservationPart,
     OverviewWarning, PROJECT_VERSION, PairPhoto, PairRow, PairRun, PairTruth, PointColumns, PointDetail, Project, ProjectKind, RayCount,
-    ResultSystem, Summary, WithText, accuracy_map, block_covariances, block_epipolar_line, block_files, covariance_table, coverage,
-    image_points, planned_files, point_detail, point_ids, project_kind, read_project, write_block_project, write_pair_project,
+    ResultSystem, Summary, SystematicSummary, WithText, accuracy_map, block_covariances, block_epipolar_line, block_files,
+    covariance_table, coverage, image_points, planned_files, point_detail, point_ids, project_kind, read_project, write_block_project,
+    write_pair_project,
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, NoOrientation, PairHint, PairImage, PairInput, PairInterior, PairMatching, PairPreset, PairResult,

@@ -10,8 +10,9 @@ use sampling::{about_one, runs};
 use scene::{Scene, scene, selected};
 use tiepoint::{
     AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, ControlRole, Datum, FreeParameters,
-    GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction, ReconstructionOptions,
-    TiePoints, UnorientedReason, adjust_block, geographic_from_local, local_from_geographic, reconstruct_block, simulate_block, tie_points,
+    GnssErrors, GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,
+    ReconstructionOptions, TiePoints, UnorientedReason, adjust_block, geographic_from_local, local_from_geographic, reconstruct_block,
+    simulate_block, tie_points,
 };
 
 /// One model of all images, as precise as the rays: σ₀ is the noise of the features.
@@ -214,6 +215,31 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
     let smaller = model.adjusted.rmse_px - again.rmse_px;
     assert!((0.0..0.1 * model.adjusted.rmse_px).contains(&smaller), "{} {}", again.rmse_px, model.adjusted.rmse_px);
     assert!(model.adjusted.degrees_of_freedom > 2 * again.degrees_of_freedom);
+}
+
+#[test]
+fn positions_of_a_strip_that_are_off_are_told_from_the_others() {
+    let mut scene = scene(&BlockFlight { strips: 4, ..BlockFlight::default() }, 1.0);
+    let mut normal = Normal(7);
+    for (index, (image, exposure)) in scene.description.images.iter_mut().zip(&scene.block.exposures).enumerate() {
+        // Heights as of no plane: the roll of parallel strips is one of heights.
+        let off = if index / 6 == 1 { [6.0, -5.0, 8.0] } else { [0.0; 3] };
+        let position = [0, 1, 2].map(|k| exposure.centre[k] + off[k] + 0.1 * normal.next());
+        image.position = Some(ObservedPosition::Local { position, sigma: [0.1; 3] });
+    }
+    let adjustment = AdjustmentOptions { gnss_errors: GnssErrors::StripOffsets, ..selected().adjustment };
+    let reconstruction = scene.reconstruct(&ReconstructionOptions { adjustment, ..selected() });
+    scene.report("a strip off", &reconstruction);
+    let model = &reconstruction.models[0];
+    let systematic = model.adjusted.systematic.as_ref().unwrap();
+    assert_eq!(systematic.strips.iter().map(|strip| strip.images.len()).collect::<Vec<_>>(), [6; 4]);
+    assert!(model.adjusted.images.iter().all(|image| image.gnss.is_some_and(|gnss| gnss.accepted)), "{:?}", model.warnings);
+    let x = |strip: usize| systematic.errors[strip].estimate[0];
+    assert!((x(1) - 0.5 * (x(0) + x(2)) - 6.0).abs() < 0.5, "{systematic:?}");
+    let relative = |warning: &BlockWarning| matches!(warning, BlockWarning::PositionErrorsRelative { motions } if *motions >= 3);
+    assert!(model.warnings.iter().any(relative), "{:?}", model.warnings);
+    let text = serde_json::to_string(&reconstruction).unwrap();
+    assert_eq!(serde_json::from_str::<Reconstruction>(&text).unwrap(), reconstruction);
 }
 
 #[test]

@@ -49,6 +49,14 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
           ? `${fixed(factor, 2)} (95 %: ${interval.map((v) => fixed(v, 2)).join(' to ')})${applied ? ', weights follow' : ''}`
           : 'held at 1: too little redundancy',
       ]),
+      ...(first?.systematic ?? []).map(({ name, estimate, standard_errors, verdict }) => [
+        `${name}, x y z [m]`,
+        verdict === 'kept'
+          ? estimate.map((v, k) => `${fixed(v, 3)}${standard_errors[k] === null ? '' : ` ± ${fixed(standard_errors[k], 3)}`}`).join(', ')
+          : verdict === 'undetermined'
+            ? 'not determined, zero'
+            : 'not significant, zero',
+      ]),
       ...(first?.checks
         ? [
             ['check points', first.checks.points],

@@ -9,13 +9,16 @@ use super::reliability::{Scale, of_position};
 use super::result::{
     AdjustmentResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PriorStatistics,
 };
+use super::scale::error_left;
 use super::snooping::{Settled, settle};
 use super::sparse::Block6;
 use super::squares::{Squares, Sums};
 use super::statistics::{Statistics, correlation, correlations_of_position};
+use super::systematic::SystematicErrors;
+use super::systematic_result::SystematicResult;
 use super::weighted::observed;
 use crate::Error;
-use crate::math::{detectable_shift, variance_left};
+use crate::math::detectable_shift;
 
 /// Adjusts all images, cameras and points of a block at once.
 ///
@@ -62,6 +65,8 @@ struct Description<'a> {
     /// The error that a test detects, in standard errors of a residual.
     shift: f64,
     residuals: Vec<[f64; 2]>,
+    /// What the position of each image observes.
+    antennas: Vec<[f64; 3]>,
     /// Cofactors of what is estimated, with those of shared errors.
     total: Option<Total>,
 }
@@ -75,12 +80,7 @@ struct Total {
 
 impl<'a> Description<'a> {
     fn new(given: &'a Block, options: &'a AdjustmentOptions, settled: Settled) -> Self {
-        let number = |verdict| settled.verdicts.iter().filter(|given| **given == verdict).count();
-        // The four coordinates of a point with two rays are one test: no more residuals are apart from each other than there is redundancy. Of a
-        // rejected observation one coordinate was beyond the limit: the other was cut by nothing.
-        let kept = (2 * number(ObservationVerdict::Accepted)).min(settled.redundancy);
-        let rejected = number(ObservationVerdict::GrossError);
-        let cut = variance_left(kept, settled.redundancy, rejected, options.alpha0).sqrt();
+        let cut = error_left(&settled.verdicts, settled.redundancy, options.alpha0);
         let estimated = (settled.redundancy > 0).then_some(settled.adjusted.sigma / cut);
         let sigma = options.sigma0_px.or(estimated).unwrap_or(0.0);
         let shift = detectable_shift(options.alpha0, POWER, options.sigma0_px.is_none().then_some(settled.redundancy));
@@ -98,7 +98,9 @@ impl<'a> Description<'a> {
             }
             total
         });
-        Self { given, options, settled, estimated, sigma, unit_error: sigma / cut, shift, residuals, total }
+        let systematic = SystematicErrors::of_result(&settled.block, settled.systematic.as_ref());
+        let antennas = (0..settled.block.images.len()).map(|image| systematic.antenna(state, image)).collect();
+        Self { given, options, settled, estimated, sigma, unit_error: sigma / cut, shift, residuals, antennas, total }
     }
 
     fn result(&self) -> AdjustmentResult {
@@ -142,7 +144,23 @@ impl<'a> Description<'a> {
             control: block.control.iter().map(of_control).collect(),
             components: settled.components.clone(),
             weighting: settled.weighting,
+            systematic: self.systematic(),
         }
+    }
+
+    /// The systematic errors of positions, those that are estimated with the standard errors of the finished adjustment.
+    fn systematic(&self) -> Option<SystematicResult> {
+        let mut result = self.settled.systematic.clone()?;
+        let columns = &self.settled.columns;
+        for (error, statistics) in result.errors.iter_mut().enumerate() {
+            for axis in 0..3 {
+                let Some(column) = columns.of_systematic[error][axis] else { continue };
+                statistics.estimate[axis] = self.settled.adjusted.state.systematic[error][axis];
+                let variance = self.total.as_ref().map(|total| total.cameras[column * columns.number() + column].max(0.0));
+                statistics.standard_errors[axis] = variance.map(|variance| self.unit_error * variance.sqrt());
+            }
+        }
+        Some(result)
     }
 
     /// The rays with the standard errors that were given and the weights that they had.
@@ -159,8 +177,8 @@ impl<'a> Description<'a> {
         let fixed = self.settled.fixed.iter();
         let mut cameras: Vec<_> = fixed.map(|fixed| CameraStatistics { fixed: fixed.clone(), ..CameraStatistics::default() }).collect();
         let Some(total) = &self.total else { return cameras };
-        let columns = &self.settled.columns.parameter;
-        let cofactor = |row: usize, column: usize| total.cameras[row * columns.len() + column];
+        let (columns, q) = (&self.settled.columns.parameter, self.settled.columns.number());
+        let cofactor = |row: usize, column: usize| total.cameras[row * q + column];
         for (row, &(camera, parameter)) in columns.iter().enumerate() {
             cameras[camera].standard_errors[parameter] = Some(self.unit_error * cofactor(row, row).max(0.0).sqrt());
             let own = (0..columns.len()).filter(|column| columns[*column].0 == camera);
@@ -183,7 +201,7 @@ impl<'a> Description<'a> {
             position_correlations: total.map(correlations_of_position),
             gnss: gnss.map(|prior| {
                 let cofactors = statistics.map(|s| s.of_position(image));
-                of_position(&prior, &pose.position, cofactors, self.scale(), self.settled.placed[image])
+                of_position(&prior, &self.antennas[image], cofactors, self.scale(), self.settled.placed[image])
             }),
         }
     }

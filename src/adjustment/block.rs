@@ -64,7 +64,7 @@ pub struct BlockImage {
     /// Index of its camera.
     pub camera: usize,
     pub pose: Pose,
-    /// Where GNSS has the projection centre.
+    /// Where GNSS has the projection centre, but for systematic errors of the positions.
     #[serde(default)]
     pub gnss: Option<PositionPrior>,
     /// Where its axis is known to point in the system of the observed positions; a free network does not use it.

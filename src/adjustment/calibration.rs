@@ -14,8 +14,7 @@ pub(super) fn weakest_of_each(
     effects: &[[f64; CAMERA_PARAMETERS]],
     sigma: f64,
 ) -> Vec<(usize, f64)> {
-    let q: usize = of_camera.iter().map(Vec::len).sum();
-    let cofactors = cameras.inverse();
+    let (q, cofactors) = (cameras.side(), cameras.inverse());
     let effect = |camera: usize, (parameter, column): (usize, usize)| {
         (column, sigma * cofactors[column * q + column].max(0.0).sqrt() * effects[camera][parameter])
     };

@@ -100,7 +100,7 @@ pub(super) fn sums_of_groups(
     let scale = Scale::of_tests(1.0);
     for (image, prior) in problem.gnss.iter().enumerate() {
         let Some(prior) = prior else { continue };
-        let judged = of_position(prior, &state.images[image].position, Some(statistics.of_position(image)), scale, true);
+        let judged = of_position(prior, &problem.systematic.antenna(state, image), Some(statistics.of_position(image)), scale, true);
         sums.groups[1].add_position(&judged, &prior.weight, 0..2);
         sums.groups[2].add_position(&judged, &prior.weight, 2..3);
     }

@@ -6,6 +6,7 @@
 use super::axis::observed_axes;
 use super::block::Block;
 use super::datum::{Freedoms, Seven, held_images};
+use super::datum_part::datum_constraints;
 use super::loss::Robust;
 use super::network::{Columns, Network};
 use super::precision::angles_by_turns;
@@ -15,6 +16,8 @@ use super::shared::for_each_mode;
 use super::solution::{Factored, Step};
 use super::sparse::N;
 use super::state::State;
+use super::systematic::SystematicErrors;
+use super::systematic_result::{SystematicStatistics, SystematicVerdict};
 use super::weighted::observed;
 use crate::error::refuse;
 use crate::{CameraParameter, Error, Refusal};
@@ -63,16 +66,29 @@ impl AdjustmentResult {
             return Err(Error::TooFew { what: "degrees of freedom, for covariances", got: self.degrees_of_freedom, needed: 1 });
         }
         let block = &self.as_weighted(block);
-        let state = State::of(block);
+        let systematic = SystematicErrors::of_result(block, self.systematic.as_ref());
+        let mut state = State::of(block).with_systematic(systematic.errors.len());
+        let free = self.kept_errors(&mut state);
         let network = Network::new(block, accepted, None);
-        let columns = Columns::new(&self.estimated());
+        let columns = Columns::new(&self.estimated()).with_systematic(&free);
         let (mut gnss, control) = observed(block, self.datum, weighted_by);
         let took_part = |image: usize| self.images[image].gnss.is_none_or(|gnss| gnss.accepted);
         gnss.iter_mut().enumerate().filter(|(image, _)| !took_part(*image)).for_each(|(_, prior)| *prior = None);
         let axes = observed_axes(block, self.datum, weighted_by);
         let held = (self.datum == super::options::Datum::Free).then(|| held_images(&network, &state));
         let known = KnownParameter::of_block(block, &columns, weighted_by);
-        let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &known };
+        let constraints = datum_constraints(&network, &columns, &systematic, &state, (&gnss, &control));
+        let problem = Problem {
+            network: &network,
+            columns: &columns,
+            gnss: &gnss,
+            control: &control,
+            axes: &axes,
+            held,
+            known: &known,
+            systematic: &systematic,
+            constraints: &constraints,
+        };
         let mut reduced = problem.reduce(&state, 0.0, Robust::squares());
         let factored = Factored::new(&network.pattern, &mut reduced).map_err(|singular| problem.singular(singular))?;
         let freedoms = held.map(|_| Freedoms::new(&network, &state)).transpose()?;
@@ -111,6 +127,19 @@ impl AdjustmentResult {
             free
         };
         self.block.cameras.iter().zip(&self.cameras).map(of_camera).collect()
+    }
+
+    /// Puts the systematic errors of positions into a state that were kept; which of their values were estimated.
+    fn kept_errors(&self, state: &mut State) -> Vec<[bool; 3]> {
+        let errors = self.systematic.iter().flat_map(|systematic| &systematic.errors).zip(&mut state.systematic);
+        let of_error = |(statistics, values): (&SystematicStatistics, &mut [f64; 3])| {
+            if statistics.verdict != SystematicVerdict::Kept {
+                return [false; 3];
+            }
+            *values = statistics.estimate;
+            statistics.standard_errors.map(|error| error.is_some())
+        };
+        errors.map(of_error).collect()
     }
 
     /// A block with the standard errors of observed positions by which these were weighted.
@@ -405,6 +434,29 @@ mod tests {
                 }
             }
             assert!(worst < 1e-6, "{datum:?}: off by {worst} of the standard errors");
+        }
+    }
+
+    #[test]
+    fn standard_errors_beside_systematic_errors_of_positions_are_the_same() {
+        let flight = BlockFlight { strips: 3, exposures: 5, control_points: 6, receiver_m: 0.05, ..BlockPreset::Network.flight() };
+        let mut block = simulate_network(&flight).unwrap().observed;
+        block.images.iter_mut().take(5).filter_map(|image| image.gnss.as_mut()).for_each(|gnss| gnss.position[2] += 0.8);
+        for datum in [Datum::Gnss, Datum::GnssAndControl] {
+            let options = AdjustmentOptions {
+                datum,
+                gnss_errors: crate::GnssErrors::StripOffsets,
+                shared_errors: 0.3,
+                ..AdjustmentOptions::default()
+            };
+            let found = adjust_block(&block, &options).unwrap();
+            assert!(found.systematic.as_ref().unwrap().errors.iter().any(|error| error.verdict == SystematicVerdict::Kept));
+            let accepted: Vec<bool> = found.rays.iter().map(|ray| ray.verdict == crate::ObservationVerdict::Accepted).collect();
+            let own = found.covariances(&found.block, &accepted, &[Part::Image(7), Part::Point(3)]).unwrap();
+            let printed = found.images[7].position_errors.unwrap().into_iter().chain(found.points[3].unwrap().errors.unwrap());
+            for (k, printed) in (3..9).zip(printed) {
+                assert!((own.rows[k][k].sqrt() / printed - 1.0).abs() < 1e-3, "{datum:?} {k}: {} {printed}", own.rows[k][k].sqrt());
+            }
         }
     }
 

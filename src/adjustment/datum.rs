@@ -10,6 +10,8 @@ use super::similarity::{Similarity, middle, scatter};
 use super::solution::Step;
 use super::sparse::{N, inverse_of_dense};
 use super::state::State;
+use super::strip_trend::{Misfit, near_trends};
+use super::systematic::SystematicErrors;
 use super::weighted::{Weighted, observed};
 use crate::camera::{Pose, turn_of};
 use crate::math::{dot3, minus};
@@ -23,7 +25,13 @@ const LEAST_WIDTH: f64 = 1e-3;
 ///
 /// # Errors
 /// [`Error::TooFew`] below three observed positions; [`Error::Degenerate`] where they lie on a line.
-pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State, datum: Datum) -> Result<(State, Vec<bool>), Error> {
+pub(super) fn moved_to_observed(
+    block: &Block,
+    network: &Network,
+    state: &State,
+    datum: Datum,
+    systematic: &SystematicErrors,
+) -> Result<(State, Vec<bool>), Error> {
     let (gnss, control) = observed(block, datum, 1.0);
     let pair = |from: [f64; 3], prior: &Option<Weighted>| {
         let prior = prior.as_ref()?;
@@ -47,7 +55,11 @@ pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State,
         return Err(Error::Degenerate { computation: Computation::Datum, cause });
     }
     let mut judged = agree.iter();
-    let agrees = of_images.iter().map(|pair| pair.is_none() || judged.next() == Some(&true)).collect();
+    let mut agrees: Vec<bool> = of_images.iter().map(|pair| pair.is_none() || judged.next() == Some(&true)).collect();
+    if !systematic.is_empty() {
+        let misfit = |pair: &Pair| Misfit { off: minus(&pair.to, &similarity.point(&pair.from)), sigma: pair.sigma };
+        agrees = near_trends(systematic, &of_images.iter().map(|pair| pair.as_ref().map(misfit)).collect::<Vec<_>>());
+    }
     let moved = similarity.state(state);
     Ok((if is_levelled { turned_to_axes(block, moved) } else { moved }, agrees))
 }

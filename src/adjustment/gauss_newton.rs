@@ -3,6 +3,7 @@
 use super::axis::WeightedAxis;
 use super::collinearity::project;
 use super::datum::Freedoms;
+use super::datum_part::DatumConstraint;
 use super::loss::Robust;
 use super::options::Loss;
 use super::reduced::{KnownParameter, Problem};
@@ -107,9 +108,15 @@ impl Problem<'_> {
         let square = |(prior, at): (&Option<Weighted>, &[f64; 3])| {
             prior.map_or(0.0, |p| (0..3).map(|k| p.weight[k] * (p.position[k] - at[k]) * (p.position[k] - at[k])).sum())
         };
-        let images: f64 = self.gnss.iter().zip(state.images.iter().map(|i| &i.position)).map(square).sum();
+        let antennas: Vec<[f64; 3]> = (0..state.images.len()).map(|image| self.systematic.antenna(state, image)).collect();
+        let images: f64 = self.gnss.iter().zip(&antennas).map(square).sum();
         let axes: f64 = self.axes.iter().zip(&state.images).filter_map(|(axis, pose)| Some(axis.as_ref()?.square(pose))).sum();
-        images + axes + self.control.iter().zip(&state.points).map(square).sum::<f64>()
+        let sum = images + axes + self.control.iter().zip(&state.points).map(square).sum::<f64>();
+        let held = |constraint: &DatumConstraint| {
+            let sum = constraint.sum(self.columns, state);
+            constraint.weight * sum * sum
+        };
+        self.constraints.iter().map(held).fold(sum, |sum, square| sum + square)
     }
 
     /// Weighted square sum of what the camera parameters are off from what was known of them.
@@ -121,10 +128,10 @@ impl Problem<'_> {
         self.known.iter().zip(&self.columns.parameter).map(square).sum()
     }
 
-    /// Number of unknowns, the freedoms of a free network not counted.
+    /// Number of unknowns, the freedoms of a free network and what constraints take not counted.
     pub fn unknowns(&self) -> usize {
         let freedoms = if self.held.is_some() { 7 } else { 0 };
-        6 * self.network.free_images() + 3 * self.network.used_points() + self.columns.number() - freedoms
+        6 * self.network.free_images() + 3 * self.network.used_points() + self.columns.number() - freedoms - self.constraints.len()
     }
 
     /// Number of observed coordinates beyond the unknowns; negative where some are missing.
@@ -235,9 +242,14 @@ impl Problem<'_> {
                 let cause = if refused.unknown < 3 { Cause::NoRotation } else { Cause::NoPosition };
                 Error::UndeterminedImage { computation: Computation::BundleAdjustment, image: refused.node, cause }
             }
-            Singular::Camera(column) => {
-                let (camera, parameter) = self.columns.parameter[column];
-                let cause = Cause::NoCameraParameter { camera, camera_parameter: CameraParameter::ALL[parameter] };
+            Singular::Column(column) => {
+                let cause = match self.columns.parameter.get(column) {
+                    Some((camera, parameter)) => {
+                        Cause::NoCameraParameter { camera: *camera, camera_parameter: CameraParameter::ALL[*parameter] }
+                    }
+                    // Those that nothing determines are fixed before: what is left follows from positions that are none.
+                    None => Cause::NoPosition,
+                };
                 Error::Degenerate { computation: Computation::BundleAdjustment, cause }
             }
         }

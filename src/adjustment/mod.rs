@@ -1,7 +1,8 @@
 //! Bundle adjustment: all images, cameras and points of a block at once, with what the result is worth.
 //!
 //! Data flow: [`Block`] → `network` (rays in order) → `reduced` (normal equations without the points) → `solution` (sparse factor, step) →
-//! `gauss_newton` (iteration) → `precision`, `reliability` (cofactors; `covariance`: those of any unknowns) → `snooping` (rounds that reject gross errors of rays and positions; `robust_similarity`: those of positions at the start) → [`AdjustmentResult`].
+//! `gauss_newton` (iteration) → `precision`, `reliability` (cofactors; `covariance`: those of any unknowns) → `snooping` (rounds that reject gross errors of rays and positions; `robust_similarity`: those of positions at the start;
+//! `systematic`, `strips`: errors that positions share, with `datum_part` and `significance`, which say what is estimated of them) → [`AdjustmentResult`].
 
 mod adjust;
 mod axis;
@@ -12,6 +13,7 @@ mod collinearity;
 mod components;
 mod covariance;
 mod datum;
+mod datum_part;
 mod gauss_newton;
 mod gradients;
 mod left_out;
@@ -26,6 +28,7 @@ mod result;
 mod robust_similarity;
 mod scale;
 mod shared;
+mod significance;
 mod similarity;
 mod snooping;
 mod solution;
@@ -34,6 +37,11 @@ mod squares;
 mod start;
 mod state;
 mod statistics;
+mod strip_trend;
+mod strips;
+mod systematic;
+mod systematic_equations;
+mod systematic_result;
 mod weighted;
 
 pub use adjust::adjust_block;
@@ -49,3 +57,5 @@ pub use result::{
 };
 pub use similarity::Similarity;
 pub(crate) use start::{Start, adjust_start};
+pub use strips::Strip;
+pub use systematic_result::{SystematicError, SystematicResult, SystematicStatistics, SystematicVerdict};

@@ -127,18 +127,23 @@ fn neighbours(sights: &[Sight], point_start: &[usize], by_image: &[u32], image_s
         .collect()
 }
 
-/// Which camera parameters are estimated, and their columns in the border of the normal equations.
+/// Which camera parameters and systematic errors are estimated, and their columns in the border of the normal equations.
 #[derive(Debug, Clone)]
 pub(super) struct Columns {
     /// For each camera the parameters that are estimated with their columns.
     pub of_camera: Vec<Vec<(usize, usize)>>,
-    /// Camera and parameter of each column.
+    /// Camera and parameter of each of the first columns.
     pub parameter: Vec<(usize, usize)>,
+    /// Systematic error of GNSS positions and axis of each of the columns behind these.
+    pub systematic: Vec<(usize, usize)>,
+    /// For each of these errors the columns of its three values.
+    pub of_systematic: Vec<[Option<usize>; 3]>,
 }
 
 impl Columns {
     pub fn new(free: &[[bool; CAMERA_PARAMETERS]]) -> Self {
-        let mut columns = Self { of_camera: vec![Vec::new(); free.len()], parameter: Vec::new() };
+        let of_camera = vec![Vec::new(); free.len()];
+        let mut columns = Self { of_camera, parameter: Vec::new(), systematic: Vec::new(), of_systematic: Vec::new() };
         for (camera, free) in free.iter().enumerate() {
             for parameter in (0..CAMERA_PARAMETERS).filter(|k| free[*k]) {
                 columns.of_camera[camera].push((parameter, columns.parameter.len()));
@@ -148,7 +153,20 @@ impl Columns {
         columns
     }
 
+    /// With columns for those values of systematic errors that are free.
+    pub fn with_systematic(mut self, free: &[[bool; 3]]) -> Self {
+        for (error, free) in free.iter().enumerate() {
+            let mut own = [None; 3];
+            for axis in (0..3).filter(|axis| free[*axis]) {
+                own[axis] = Some(self.number());
+                self.systematic.push((error, axis));
+            }
+            self.of_systematic.push(own);
+        }
+        self
+    }
+
     pub fn number(&self) -> usize {
-        self.parameter.len()
+        self.parameter.len() + self.systematic.len()
     }
 }

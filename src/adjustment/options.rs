@@ -1,5 +1,6 @@
 //! What the user chooses of the bundle adjustment.
 
+use crate::GnssErrors;
 use crate::catalogue::{choices, options};
 use crate::math::normal_quantile;
 
@@ -57,6 +58,14 @@ options! {
         /// Estimates how much larger or smaller the errors of image measurements, GNSS positions and control points are than stated, and weights
         /// them by it where that is certain.
         variance_components: bool = false, "Variance components";
+
+        /// The offset of GNSS positions that is estimated: one of all, or one of each strip, alone or with a drift that is linear along it. It is kept
+        /// where it differs from zero by more than chance, at the significance α₀.
+        gnss_errors: GnssErrors = GnssErrors::None, "Offsets of GNSS positions", acts "adjustment.datum is gnss, gnss_and_control";
+
+        /// Estimates the lever arm of each camera, from its projection centre to the antenna of GNSS; it is kept where it differs from zero by more
+        /// than chance.
+        gnss_lever_arm: bool = false, "Lever arm", acts "adjustment.datum is gnss, gnss_and_control";
 
         /// The standard deviation, in standard errors of an observation, of errors that the observations of an image share, as those of matches do:
         /// standard errors hold it. 0: observations are independent.

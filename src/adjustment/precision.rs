@@ -85,6 +85,27 @@ impl Cofactors<'_> {
         &self.orientations.across[column][self.problem.network.pattern.place[image] as usize * N..][..N]
     }
 
+    /// Cofactors of X, Y, Z of the antenna of an image, of whose six unknowns `own` are those.
+    pub fn of_antenna(&self, image: usize, own: &Block6, state: &State) -> [f64; 3] {
+        let systematic = self.problem.systematic;
+        if systematic.is_empty() {
+            return [3, 4, 5].map(|k| own[k * N + k]);
+        }
+        let (turns, q) = (systematic.by_turns(state, image), self.problem.columns.number());
+        let columns = systematic.by_columns(self.problem.columns, state, image);
+        [0, 1, 2].map(|k| {
+            let mut row = [turns[k][0], turns[k][1], turns[k][2], 0.0, 0.0, 0.0];
+            row[3 + k] = 1.0;
+            let mut cofactor: f64 = (0..N * N).map(|at| row[at % N] * own[at] * row[at / N]).sum();
+            for (column, slope) in &columns {
+                cofactor += 2.0 * slope[k] * self.across(image, *column).iter().zip(&row).map(|(q, a)| q * a).sum::<f64>();
+                let with = columns.iter().map(|(other, second)| second[k] * self.orientations.cameras[column * q + other]);
+                cofactor += slope[k] * with.sum::<f64>();
+            }
+            cofactor
+        })
+    }
+
     /// The camera columns that a point touches, with Z.
     fn camera_shares(&self, point: usize) -> &[(u32, [f64; 3])] {
         &self.reduced.camera_shares[self.reduced.camera_start[point]..self.reduced.camera_start[point + 1]]
@@ -95,12 +116,14 @@ impl Cofactors<'_> {
         if self.reduced.points[point].factor[0] == 0.0 {
             return None;
         }
+        // No ray sees the columns behind those of cameras.
         let (network, q) = (self.problem.network, self.problem.columns.number());
+        let of_cameras = self.problem.columns.parameter.len();
         let first = network.point_start[point];
         let sights = network.of_point(point);
         let shares = &self.reduced.shares[first..first + sights.len()];
         let mut of_sights = vec![[0.0; 18]; sights.len()];
-        let mut of_columns = vec![[0.0; 3]; q];
+        let mut of_columns = vec![[0.0; 3]; of_cameras];
         for (i, sight) in sights.iter().enumerate() {
             let image = sight.image as usize;
             for (j, other) in sights.iter().enumerate().skip(i) {

@@ -9,10 +9,12 @@
 use super::axis::WeightedAxis;
 use super::block::Block;
 use super::collinearity::{Linearised, linearise};
+use super::datum_part::DatumConstraint;
 use super::loss::Robust;
 use super::network::{Columns, Network, Sight};
 use super::sparse::{Block6, N, SparseMatrix, subtract_product3};
 use super::state::State;
+use super::systematic::SystematicErrors;
 use super::weighted::Weighted;
 use crate::math::dot3;
 
@@ -29,6 +31,9 @@ pub(super) struct Problem<'a> {
     pub held: Option<[usize; 2]>,
     /// What is known of the camera columns beforehand; without an entry: nothing.
     pub known: &'a [KnownParameter],
+    /// Systematic errors of the observed positions of images, and what keeps them apart from motions of the whole block.
+    pub systematic: &'a SystematicErrors,
+    pub constraints: &'a [DatumConstraint],
 }
 
 /// A camera parameter that is known beforehand, with the weight of that knowledge.
@@ -65,7 +70,7 @@ pub(super) struct Eliminated {
 /// The reduced normal equations. Images stand at their places in the order of elimination.
 pub(super) struct Reduced {
     pub matrix: SparseMatrix,
-    /// For each camera column six numbers a place.
+    /// For each column of cameras and systematic errors six numbers a place.
     pub border: Vec<Vec<f64>>,
     /// Row by row.
     pub corner: Vec<f64>,
@@ -92,6 +97,7 @@ impl Problem<'_> {
         self.add_positions(state, &mut reduced);
         self.add_axes(state, &mut reduced);
         self.add_known(state, &mut reduced);
+        self.add_constraints(state, &mut reduced);
         self.hold(state, &mut reduced);
         self.keep_fixed(&mut reduced);
         for (diagonal, scale) in reduced.matrix.diagonal.iter_mut().zip(&reduced.scale) {
@@ -264,10 +270,15 @@ impl Problem<'_> {
         for (image, prior) in self.gnss.iter().enumerate() {
             let Some(Weighted { position, weight }) = prior else { continue };
             let at = self.network.pattern.place[image] as usize;
+            let antenna = self.systematic.antenna(state, image);
+            let off = [0, 1, 2].map(|k| position[k] - antenna[k]);
             for k in 0..3 {
                 reduced.matrix.diagonal[at][(3 + k) * N + 3 + k] += weight[k];
                 reduced.scale[at][3 + k] += weight[k];
-                reduced.right[at * N + 3 + k] += weight[k] * (position[k] - state.images[image].position[k]);
+                reduced.right[at * N + 3 + k] += weight[k] * off[k];
+            }
+            if !self.systematic.is_empty() {
+                self.add_systematic(state, image, weight, &off, reduced);
             }
         }
     }
@@ -288,6 +299,18 @@ impl Problem<'_> {
             reduced.corner[column * q + column] += known.weight;
             reduced.corner_scale[column] += known.weight;
             reduced.corner_right[column] += known.weight * (known.value - state.cameras[camera][parameter]);
+        }
+    }
+
+    fn add_constraints(&self, state: &State, reduced: &mut Reduced) {
+        let (q, first) = (self.columns.number(), self.columns.parameter.len());
+        for constraint in self.constraints {
+            let sum = constraint.sum(self.columns, state);
+            for (r, row) in constraint.row.iter().enumerate() {
+                let weighted = constraint.weight * row;
+                constraint.row.iter().enumerate().for_each(|(c, column)| reduced.corner[(first + r) * q + first + c] += weighted * column);
+                reduced.corner_right[first + r] -= weighted * sum;
+            }
         }
     }
 

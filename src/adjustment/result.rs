@@ -3,6 +3,7 @@
 use super::block::Block;
 use super::left_out::LeftOut;
 use super::options::Datum;
+use super::systematic_result::SystematicResult;
 use crate::CameraParameter;
 use serde::{Deserialize, Serialize};
 
@@ -55,6 +56,9 @@ pub struct AdjustmentResult {
     /// How weights by the residuals were reached; absent where variance components were not to be estimated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weighting: Option<GroupWeighting>,
+    /// What systematic errors GNSS positions have; absent where none were to be estimated, or the datum uses no positions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub systematic: Option<SystematicResult>,
 }
 
 impl AdjustmentResult {
@@ -176,7 +180,7 @@ pub struct ImageStatistics {
 pub struct PriorStatistics {
     /// Whether it took part; otherwise it lies too far from where the other observations have it.
     pub accepted: bool,
-    /// Observed minus adjusted.
+    /// Observed minus adjusted: of a GNSS position with its systematic errors.
     pub residual: [f64; 3],
     /// r, 0..1, of each coordinate; absent without statistics.
     pub redundancy: Option<[f64; 3]>,

@@ -18,8 +18,8 @@ const TRIPLES: usize = 300;
 /// Positions by which a triple is judged, about.
 const JUDGES: usize = 500;
 /// A position agrees within so many times the median distance, and always within so many of its standard errors: approximate blocks are bent.
-const MEDIANS: f64 = 10.0;
-const SIGMAS: f64 = 6.0;
+pub(super) const MEDIANS: f64 = 10.0;
+pub(super) const SIGMAS: f64 = 6.0;
 
 /// The similarity of least squares by the positions that agree, and which do. `None` without extent.
 ///

@@ -2,7 +2,7 @@
 
 use super::reliability::Judged;
 use super::result::ObservationVerdict;
-use crate::math::{normal_median_within, weighted_median};
+use crate::math::{normal_median_within, variance_left, weighted_median};
 
 /// Where three of ten rays are grossly wrong, half of all lie within this many standard errors: the normal distribution holds 5/7 there.
 const MEDIAN_OF_GOOD: f64 = 1.0676;
@@ -24,6 +24,16 @@ pub(super) fn sigma_by_median(rays: &[Option<[Judged; 2]>], verdicts: &[Observat
     of_all.resize(judged + 2 * lost, (worst, share));
     let least = weighted_median(&mut of_all).unwrap_or(0.0) / MEDIAN_OF_GOOD;
     (weighted_median(&mut of_accepted).unwrap_or(0.0) / normal_median_within(limit)).max(least)
+}
+
+/// The share of a standard error that rejections leave of one that is estimated from residuals.
+pub(super) fn error_left(verdicts: &[ObservationVerdict], redundancy: usize, alpha0: f64) -> f64 {
+    let number = |verdict| verdicts.iter().filter(|given| **given == verdict).count();
+    // The four coordinates of a point with two rays are one test: no more residuals are apart from each other than there is redundancy. Of a
+    // rejected observation one coordinate was beyond the limit: the other was cut by nothing.
+    let kept = (2 * number(ObservationVerdict::Accepted)).min(redundancy);
+    let rejected = number(ObservationVerdict::GrossError);
+    variance_left(kept, redundancy, rejected, alpha0).sqrt()
 }
 
 #[cfg(test)]

@@ -66,6 +66,7 @@ impl Similarity {
             cameras: state.cameras.clone(),
             images: state.images.iter().map(image).collect(),
             points: state.points.iter().map(|p| self.point(p)).collect(),
+            systematic: state.systematic.clone(),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Solves the reduced normal equations: a sparse factor of the images, bordered by the cameras.
+//! Solves the reduced normal equations: a sparse factor of the images, bordered by the cameras and the systematic errors of positions.
 
 use super::network::Columns;
 use super::reduced::{Problem, Reduced, backward3};
@@ -10,8 +10,8 @@ use crate::math::dot3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Singular {
     Image(Refused),
-    /// The column of a camera parameter.
-    Camera(usize),
+    /// The column of a camera parameter or of a systematic error.
+    Column(usize),
 }
 
 /// The factor of the reduced normal equations.
@@ -37,7 +37,7 @@ impl Factored {
                 corner[row * q + column] -= dot(&border[row], &border[column]);
             }
         }
-        let cameras = DenseFactor::new(corner, q, &reduced.corner_scale).map_err(Singular::Camera)?;
+        let cameras = DenseFactor::new(corner, q, &reduced.corner_scale).map_err(Singular::Column)?;
         Ok(Self { images, border, cameras })
     }
 
@@ -100,7 +100,11 @@ impl Step {
         }
         let images = state.images.iter().zip(&self.images).map(|(pose, step)| pose.moved(step)).collect();
         let points = state.points.iter().zip(&self.points).map(|(p, step)| [0, 1, 2].map(|k| p[k] + step[k])).collect();
-        State { cameras, images, points }
+        let mut systematic = state.systematic.clone();
+        for (&(error, axis), value) in columns.systematic.iter().zip(&self.cameras[columns.parameter.len()..]) {
+            systematic[error][axis] += value;
+        }
+        State { cameras, images, points, systematic }
     }
 }
 

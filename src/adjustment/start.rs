@@ -7,6 +7,7 @@ use super::network::{Columns, Network};
 use super::options::Loss;
 use super::reduced::{KnownParameter, Problem};
 use super::state::State;
+use super::systematic::SystematicErrors;
 use crate::Error;
 use crate::camera::CAMERA_PARAMETERS;
 
@@ -43,7 +44,17 @@ pub(crate) fn adjust_start(block: Block, start: &Start<'_>) -> Result<Block, Err
     let (gnss, control) = (vec![None; block.images.len()], vec![None; block.points.len()]);
     let axes = vec![None; block.images.len()];
     let held = start.fixed.iter().all(|fixed| !fixed).then(|| held_images(&network, &state));
-    let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &known };
+    let problem = Problem {
+        network: &network,
+        columns: &columns,
+        gnss: &gnss,
+        control: &control,
+        axes: &axes,
+        held,
+        known: &known,
+        systematic: &SystematicErrors::default(),
+        constraints: &[],
+    };
     let demand = Demand {
         loss: Loss::Cauchy,
         sigma: start.sigma_px,

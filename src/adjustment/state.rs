@@ -9,6 +9,8 @@ pub(super) struct State {
     pub cameras: Vec<CameraValues>,
     pub images: Vec<Pose>,
     pub points: Vec<[f64; 3]>,
+    /// Three values of each systematic error of GNSS positions.
+    pub systematic: Vec<[f64; 3]>,
 }
 
 impl State {
@@ -17,7 +19,13 @@ impl State {
             cameras: block.cameras.iter().map(Camera::values).collect(),
             images: block.images.iter().map(|i| Pose { rotation: orthonormal(i.pose.rotation), ..i.pose }).collect(),
             points: block.points.clone(),
+            systematic: Vec::new(),
         }
+    }
+
+    /// With so many systematic errors, all 0.
+    pub fn with_systematic(self, errors: usize) -> Self {
+        Self { systematic: vec![[0.0; 3]; errors], ..self }
     }
 
     /// The block with these values.

@@ -14,6 +14,8 @@ use crate::Error;
 /// Cofactors of the unknowns in the datum, and what they say of the observations.
 pub(super) struct Statistics {
     pub images: Vec<Block6>,
+    /// Of X, Y, Z of the antenna of each image: of its projection centre where no systematic errors of positions are estimated.
+    antennas: Vec<[f64; 3]>,
     /// Of the camera columns, row by row.
     pub cameras: Vec<f64>,
     /// Absent for points without accepted rays.
@@ -100,8 +102,10 @@ pub(super) fn statistics(
     };
     let in_datum =
         |(point, q): (usize, Option<Matrix3>)| q.map(|q| inner.as_ref().map_or(q, |inner| inner.of_point(point, &state.points[point], &q)));
+    let images: Vec<Block6> = (0..network.images()).map(of_image).collect();
     let statistics = Statistics {
-        images: (0..network.images()).map(of_image).collect(),
+        antennas: images.iter().enumerate().map(|(image, own)| cofactors.of_antenna(image, own, state)).collect(),
+        images,
         cameras: orientations.cameras.clone(),
         points: coordinates.into_iter().enumerate().map(in_datum).collect(),
         rays,
@@ -110,9 +114,9 @@ pub(super) fn statistics(
 }
 
 impl Statistics {
-    /// Cofactors of the position of an image.
+    /// Cofactors of what the position of an image observes.
     pub fn of_position(&self, image: usize) -> [f64; 3] {
-        [3, 4, 5].map(|k| self.images[image][k * N + k])
+        self.antennas[image]
     }
 }
 

@@ -399,6 +399,13 @@ block-warning-positions-rejected =
        *[other] {" "}و{ $images_more } أخرى.
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } م)
+block-warning-position-errors-undetermined =
+    { $errors ->
+        [one] خطأ منتظم واحد لمواضع GNSS غير محدد فعُدّ صفرًا
+        [two] خطآن منتظمان لمواضع GNSS غير محددين فعُدّا صفرًا
+       *[other] { $errors } من الأخطاء المنتظمة لمواضع GNSS غير محددة فعُدّت صفرًا
+    }: تحدد نقاط الضبط الأرضي الإزاحات، وتحدد الصور الملتقطة في عدة اتجاهات طيران أذرع الهوائي.
+block-warning-position-errors-relative = إزاحات مواضع GNSS وانجرافاتها نسبية بعضها إلى بعض: لا تحدد نقاط ضبط أرضي { $motions } من المعاملات السبعة التي تضع الكتلة كلها وتدورها وتقيسها.
 block-warning-scale =
     تجعل نقاط الضبط الأرضي الكتلة أكبر { SIGNIFICANT($ratio, digits: 2) } مرة مما تجعلها مواضع GNSS: { $unit ->
         [none] المطلوب أمتار.

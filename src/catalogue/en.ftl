@@ -756,6 +756,12 @@ block-warning-positions-rejected =
        *[other] {" "}and { $images_more } more.
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } m)
+block-warning-position-errors-undetermined =
+    { $errors ->
+        [one] 1 systematic error of GNSS positions is not determined and taken as zero
+       *[other] { $errors } systematic errors of GNSS positions are not determined and taken as zero
+    }: ground control points determine offsets, and images flown in several directions lever arms.
+block-warning-position-errors-relative = Offsets and drifts of GNSS positions are relative to each other: no ground control points determine { $motions } of the 7 parameters that position, rotate and scale the whole block.
 block-warning-scale =
     The GCPs make the block { SIGNIFICANT($ratio, digits: 2) } times as large as the GNSS positions: { $unit ->
         [none] metres are needed.

@@ -66,7 +66,7 @@ pub(crate) fn chi_square_probability(x: f64, freedom: f64) -> f64 {
 }
 
 /// The place between two at which a condition that holds at first no longer does.
-fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+pub(super) fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     loop {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {

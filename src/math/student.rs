@@ -1,6 +1,6 @@
 //! Distributions of what is divided by an estimated standard error: Student's t, central and not, F, and Pope's τ.
 
-use super::distribution::{chi_square_probability, normal_density, normal_probability, normal_quantile};
+use super::distribution::{bisect, chi_square_probability, chi_square_quantile, normal_density, normal_probability, normal_quantile};
 use std::f64::consts::{LN_2, PI};
 
 /// The natural logarithm of the regularised incomplete beta function I_x(a, b).
@@ -44,6 +44,17 @@ fn beta_fraction(x: f64, a: f64, b: f64) -> f64 {
 /// The natural logarithm of the probability that a variable of the F distribution with these degrees of freedom is above `ratio`.
 pub(crate) fn ln_f_above(ratio: f64, numerator: f64, denominator: f64) -> f64 {
     ln_incomplete_beta(denominator / (denominator + numerator * ratio), 0.5 * denominator, 0.5 * numerator)
+}
+
+/// The value that a variable of the F distribution with `numerator` and `denominator` degrees of freedom exceeds with the probability `above`;
+/// without a denominator, that of χ² by its degrees of freedom.
+pub(crate) fn f_limit(above: f64, numerator: usize, denominator: Option<usize>) -> f64 {
+    let numerator = numerator.max(1) as f64;
+    let wanted = libm::log(above);
+    denominator.map_or_else(
+        || chi_square_quantile(1.0 - above, numerator) / numerator,
+        |denominator| bisect(0.0, 1e12, |x| ln_f_above(x, numerator, denominator.max(1) as f64) > wanted),
+    )
 }
 
 /// The natural logarithm of the number of choices of `k` out of `n`.
@@ -200,6 +211,17 @@ fn beyond(shift: f64, limit: f64, freedom: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn limits_of_the_f_distribution_are_those_of_the_tables() {
+        for (above, numerator, denominator, wanted) in
+            [(0.05, 3, Some(20), 3.0984), (0.01, 2, Some(10), 7.5594), (0.05, 1, Some(1), 161.448), (0.05, 3, None, 2.6049)]
+        {
+            let got = f_limit(above, numerator, denominator);
+            assert!((got / wanted - 1.0).abs() < 1e-4, "{above} {numerator} {denominator:?}: {got}");
+        }
+        assert!((f_limit(0.001, 3, Some(1_000_000)) / f_limit(0.001, 3, None) - 1.0).abs() < 1e-4);
+    }
 
     #[test]
     fn limits_are_those_of_the_tables_of_student() {

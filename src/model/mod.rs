@@ -6,9 +6,11 @@ mod block;
 mod check;
 mod control;
 mod description;
+mod gnss;
 
 #[cfg(test)]
 pub(crate) use block::tiny_block;
 pub use block::{BlockModel, GeographicOrigin, ImageObservation, ModelImage, ObjectPoint};
 pub use control::{ControlRole, GroundControlPoint, ObservedPosition};
 pub use description::{BlockDescription, KnownCamera, KnownImage, NamedCamera};
+pub use gnss::GnssErrors;

@@ -35,7 +35,7 @@ pub use overview::{BlockOverview, CameraRow, FoundPoints, PointColumns, RayCount
 pub use pair::{PairPhoto, PairRun, PairTruth};
 pub use pairs::PairRow;
 pub use project::{PROJECT_VERSION, Project, ProjectKind, project_kind, read_project, write_block_project, write_pair_project};
-pub use summary::{CheckSummary, ExportOutcome, Summary};
+pub use summary::{CheckSummary, ExportOutcome, Summary, SystematicSummary};
 pub use verdict::BlockVerdict;
 pub use warning::OverviewWarning;
 pub use with_text::WithText;

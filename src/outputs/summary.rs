@@ -8,7 +8,7 @@ use super::with_text::WithText;
 use crate::{
     BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, ControlRole, Datum, ExportFormat, Failure, GeographicOrigin, InitialCamera,
     JoinCounts, ObservationVerdict, OnOrthophoto, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome,
-    RefinementTable, Remark, SkippedImage, SurveyedPoint, UnorientedReason, VarianceComponent,
+    RefinementTable, Remark, SkippedImage, SurveyedPoint, SystematicError, SystematicStatistics, UnorientedReason, VarianceComponent,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -179,6 +179,9 @@ pub struct ModelSummary {
     pub position_rmse_m: Option<[f64; 3]>,
     /// How large errors are beside the stated standard errors, by the residuals.
     pub components: Vec<ComponentSummary>,
+    /// Systematic errors of GNSS positions that were to be estimated.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub systematic: Vec<SystematicSummary>,
     /// Absent without check points.
     pub checks: Option<CheckSummary>,
     pub warnings: Vec<WithText<BlockWarning>>,
@@ -192,6 +195,37 @@ pub struct ComponentSummary {
     pub name: &'static str,
     #[serde(flatten)]
     pub component: VarianceComponent,
+}
+
+/// A systematic error of GNSS positions, and what became of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SystematicSummary {
+    /// In words.
+    pub name: String,
+    /// The images of its strip, from the first to the last; empty where it is that of no strip.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub images: Vec<String>,
+    #[serde(flatten)]
+    pub statistics: SystematicStatistics,
+}
+
+impl SystematicSummary {
+    fn of_model(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> Vec<Self> {
+        let Some(systematic) = &model.adjusted.systematic else { return Vec::new() };
+        let images = |error: SystematicError| match error {
+            SystematicError::StripOffset { strip } | SystematicError::StripDrift { strip } => {
+                systematic.strips[strip].images.iter().map(|image| name(model.images[*image])).collect()
+            }
+            SystematicError::LeverArm { .. } | SystematicError::Offset => Vec::new(),
+        };
+        let of_error = |statistics: &SystematicStatistics| Self {
+            name: statistics.error.label(),
+            images: images(statistics.error),
+            statistics: *statistics,
+        };
+        systematic.errors.iter().map(of_error).collect()
+    }
 }
 
 /// What check points say of a model: differences, adjusted minus surveyed.
@@ -372,6 +406,7 @@ fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> 
             .iter()
             .map(|component| ComponentSummary { name: component.group.label(), component: *component })
             .collect(),
+        systematic: SystematicSummary::of_model(model, &name),
         checks: CheckSummary::of(&model.surveyed),
         warnings: model.warnings.iter().cloned().map(WithText::of).collect(),
     }

@@ -91,6 +91,8 @@ pub(super) fn reconstruction_options(settings: &BlockSettings) -> Reconstruction
     let adjustment = AdjustmentOptions {
         shared_errors: settings.placing.shared_errors,
         variance_components: settings.placing.variance_components,
+        gnss_errors: settings.placing.gnss_errors,
+        gnss_lever_arm: settings.placing.gnss_lever_arm,
         ..options.adjustment
     };
     ReconstructionOptions {

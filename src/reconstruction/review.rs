@@ -6,7 +6,7 @@ use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
 use crate::Cause;
-use crate::adjustment::ObservationVerdict;
+use crate::adjustment::{ObservationVerdict, SystematicVerdict};
 use crate::model::BlockDescription;
 use crate::pair::LARGEST_SIGMA0_PX;
 
@@ -40,6 +40,7 @@ pub(super) fn warnings(model: &ReconstructedModel, description: &BlockDescriptio
     found.extend(of_sigma(model));
     found.extend(of_weights(model));
     found.extend(of_positions(model, description, frame));
+    found.extend(of_position_errors(model));
     found.extend(of_units(model, description, frame));
     found.extend(of_measurements(model, description));
     found.extend(of_cameras(model, description));
@@ -92,6 +93,17 @@ fn of_positions(model: &ReconstructedModel, description: &BlockDescription, fram
     let images: Vec<RejectedPosition> = images.collect();
     let level = (frame.is_levelled && model.adjusted.datum.uses_gnss()).then_some(BlockWarning::NoHeights);
     level.into_iter().chain((!images.is_empty()).then_some(BlockWarning::PositionsRejected { images })).collect()
+}
+
+/// Systematic errors of GNSS positions that the block does not determine, or only beside each other.
+fn of_position_errors(model: &ReconstructedModel) -> Vec<BlockWarning> {
+    let Some(systematic) = &model.adjusted.systematic else { return Vec::new() };
+    let number = |verdict| systematic.errors.iter().filter(|error| error.verdict == verdict).count();
+    let (errors, kept) = (number(SystematicVerdict::Undetermined), number(SystematicVerdict::Kept));
+    let undetermined = (errors > 0).then_some(BlockWarning::PositionErrorsUndetermined { errors });
+    let motions = systematic.constraints;
+    let relative = (kept > 0 && motions > 0).then_some(BlockWarning::PositionErrorsRelative { motions });
+    undetermined.into_iter().chain(relative).collect()
 }
 
 /// GCPs whose image measurements do not fit, each by its name.

@@ -28,6 +28,10 @@ messages! {
         Imprecise { sigma0_px: f64, most_px: f64 },
         /// Weights by the residuals still changed after so many rounds.
         WeightsNotConverged { rounds: usize },
+        /// Systematic errors of GNSS positions that nothing determines.
+        PositionErrorsUndetermined { errors: usize },
+        /// Those that are estimated are relative to each other: so many motions of the whole block are told from them by nothing.
+        PositionErrorsRelative { motions: usize },
         /// The GCPs make the block another number of times as large as the GNSS positions.
         Scale { ratio: f64, unit: Option<LengthUnit> },
         /// The GCPs seem to be in degrees.
@@ -71,6 +75,8 @@ impl BlockWarning {
             Self::NoHeights
             | Self::PositionsRejected { .. }
             | Self::WeightsNotConverged { .. }
+            | Self::PositionErrorsUndetermined { .. }
+            | Self::PositionErrorsRelative { .. }
             | Self::PointRejected { .. }
             | Self::MeasurementsRejected { .. }
             | Self::FocalEstimated { .. }

@@ -1,8 +1,8 @@
 //! The system of coordinates that place a block, and how exact they are where they do not say so themselves.
 
-use crate::Error;
 use crate::catalogue::options;
 use crate::crs::Definition;
+use crate::{Error, GnssErrors};
 
 options! {
     /// The coordinate system; standard errors of GNSS positions and control points that state none, of image measurements, and what errors share.
@@ -38,6 +38,14 @@ options! {
         /// Whether standard errors of image measurements, GNSS positions and control points are estimated from the residuals, and weights follow
         /// them where they differ from what is stated by more than chance.
         variance_components: bool = false, "Estimate standard errors";
+
+        /// The offset of GNSS positions that is estimated: one of all, or one of each strip of the flight, alone or with a drift that is linear along it.
+        /// It is kept where it differs from zero by more than chance. Without control points only differences between strips can be told.
+        gnss_errors: GnssErrors = GnssErrors::None, "Offsets of GNSS positions";
+
+        /// Whether the lever arm of each camera is estimated, from its projection centre to the antenna of GNSS, and kept where it differs from zero by
+        /// more than chance.
+        gnss_lever_arm: bool = false, "Lever arm to the antenna";
 
         /// The standard deviation of errors that the observations of an image share, as matches do, in standard errors of an observation: higher
         /// makes the printed standard errors larger. 0: observations are independent.

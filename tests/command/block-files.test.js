@@ -196,6 +196,8 @@ test('the exactness of recorded positions is an option', () => {
     surveyed_across_m: 0.02,
     surveyed_up_m: 0.03,
     mark_sigma_px: 1,
+    gnss_errors: 'none',
+    gnss_lever_arm: false,
     shared_errors: 0.25,
     variance_components: false,
   });

@@ -12,6 +12,8 @@ use crate::adjustment::result::{FixedParameter, ObservationVerdict};
 use crate::adjustment::solution::Factored;
 use crate::adjustment::sparse::Pattern;
 use crate::adjustment::state::State;
+use crate::adjustment::systematic::SystematicErrors;
+use crate::adjustment::systematic_result::{SystematicStatistics, SystematicVerdict};
 use crate::adjustment::weighted::{Weighted, observed};
 use crate::camera::CAMERA_PARAMETERS;
 use std::rc::Rc;
@@ -25,6 +27,10 @@ pub(super) struct Course<'a> {
     pub options: &'a AdjustmentOptions,
     pub verdicts: Vec<ObservationVerdict>,
     pub free: Vec<[bool; CAMERA_PARAMETERS]>,
+    /// Systematic errors of GNSS positions, which of their values are estimated, and what was last found of each.
+    pub systematic: Rc<SystematicErrors>,
+    pub estimated: Vec<[bool; 3]>,
+    pub judged: Vec<SystematicStatistics>,
     pub fixed: Vec<Vec<FixedParameter>>,
     /// Whether the GNSS position of each image takes part.
     pub placed: Vec<bool>,
@@ -50,7 +56,11 @@ pub(super) struct Course<'a> {
 impl<'a> Course<'a> {
     /// Before the first round: what its place alone tells of each ray, and the start in the datum.
     pub fn new(block: &'a Block, options: &'a AdjustmentOptions) -> Result<Self, Error> {
-        let start = State::of(block);
+        let systematic = match options.datum.uses_gnss() {
+            true => SystematicErrors::of_block(block, options.gnss_errors, options.gnss_lever_arm),
+            false => SystematicErrors::default(),
+        };
+        let start = State::of(block).with_systematic(systematic.errors.len());
         let mut course = Self {
             given: block,
             block: block.clone(),
@@ -58,6 +68,9 @@ impl<'a> Course<'a> {
             options,
             verdicts: Vec::new(),
             free: block.cameras.iter().map(|camera| camera.free.flags()).collect(),
+            estimated: vec![[true; 3]; systematic.errors.len()],
+            judged: systematic.errors.iter().map(|error| SystematicStatistics::none(*error, SystematicVerdict::Kept)).collect(),
+            systematic: Rc::new(systematic),
             fixed: vec![Vec::new(); block.cameras.len()],
             placed: vec![true; block.images.len()],
             agreed: vec![true; block.images.len()],
@@ -78,7 +91,7 @@ impl<'a> Course<'a> {
         // A single image has no shape of its own that could be moved: it starts in the system of its control.
         if options.datum != Datum::Free && block.images.len() > 1 {
             let network = course.network()?;
-            (course.state, course.placed) = moved_to_observed(block, &network, &course.state, options.datum)?;
+            (course.state, course.placed) = moved_to_observed(block, &network, &course.state, options.datum, &course.systematic)?;
             course.agreed = course.placed.clone();
         }
         Ok(course)

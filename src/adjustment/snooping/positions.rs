@@ -26,8 +26,8 @@ impl Course<'_> {
         let (gnss, control) = observed(&self.block, self.options.datum, weighted_by);
         let scale = Scale::of_tests(self.options.sigma0_px.unwrap_or(self.sigma).max(LEAST_SIGMA_PX));
         let judge = |(image, prior): (usize, &Option<Weighted>)| {
-            let at = &self.state.images[image].position;
-            prior.map(|prior| of_position(&prior, at, Some(statistics.of_position(image)), scale, self.placed[image]))
+            let at = self.systematic.antenna(&self.state, image);
+            prior.map(|prior| of_position(&prior, &at, Some(statistics.of_position(image)), scale, self.placed[image]))
         };
         let judged: Vec<_> = gnss.iter().enumerate().map(judge).collect();
         let surveyed = control.iter().flatten().count();

@@ -12,6 +12,7 @@ use crate::adjustment::reduced::{KnownParameter, Problem};
 use crate::adjustment::result::{FixedParameter, GroupWeighting, ObservationVerdict, VarianceComponent};
 use crate::adjustment::shared::{SharedCofactors, shared_cofactors};
 use crate::adjustment::statistics::{Statistics, statistics};
+use crate::adjustment::systematic_result::SystematicResult;
 use crate::{Cause, Computation, Error, Unsettled};
 
 /// Rounds with the robust loss, and in all from one weighting of groups to the next, but for those that fix camera parameters.
@@ -39,6 +40,8 @@ pub(in crate::adjustment) struct Settled {
     pub shared: Option<SharedCofactors>,
     pub verdicts: Vec<ObservationVerdict>,
     pub columns: Columns,
+    /// Systematic errors of GNSS positions; absent where none were to be estimated.
+    pub systematic: Option<SystematicResult>,
     pub fixed: Vec<Vec<FixedParameter>>,
     pub redundancy: usize,
     /// Whether the GNSS position of each image took part, where it has one.
@@ -99,7 +102,7 @@ enum Outcome {
         rejected: usize,
         what: Unsettled,
     },
-    /// Camera parameters were fixed, and nothing else changed.
+    /// Camera parameters or systematic errors of positions were fixed, and nothing else changed.
     Fixed,
     /// A group of observations was weighted anew by its residuals, and nothing else changed.
     Weighted,
@@ -132,23 +135,42 @@ impl<'a> Course<'a> {
     /// | `by_earlier_cofactors` | an earlier round of this loss left cofactors | rejects rays | `Changed` |
     /// | `by_own_cofactors` | always | rejects and takes back rays and positions, weighs positions anew, ends the robust loss | `Changed` |
     /// | `weights` | variance components are estimated | weighs a group of observations anew | `Weighted` |
-    /// | `undetermined` | camera parameters are worse than the limit | fixes them | `Fixed` |
+    /// | `undetermined` | camera parameters are worse than the limit, or nothing determines systematic errors of positions | fixes them | `Fixed` |
+    /// | `insignificant` | systematic errors of positions are no more than chance | fixes them at zero | `Fixed` |
     ///
     /// Below the last row the adjustment is settled.
-    const CHECKS: [Check<'a>; 6] =
-        [Self::creeping, Self::impossible, Self::by_earlier_cofactors, Self::by_own_cofactors, Self::weights, Self::undetermined];
+    const CHECKS: [Check<'a>; 7] = [
+        Self::creeping,
+        Self::impossible,
+        Self::by_earlier_cofactors,
+        Self::by_own_cofactors,
+        Self::weights,
+        Self::undetermined,
+        Self::insignificant,
+    ];
 
     /// Adjusts the accepted rays and makes the checks.
     fn round(&mut self, loss: Loss, calm_rounds: usize) -> Result<Outcome, Error> {
         let weighted_by = self.weighted_by();
         self.weights.weigh_rays(&mut self.block, weighted_by);
         let network = self.network()?;
-        let columns = Columns::new(&self.free);
         let (gnss, control) = self.observed(weighted_by);
+        let columns = self.columns(&gnss);
+        let (systematic, constraints) = (self.systematic.clone(), self.constraints(&network, &columns, (&gnss, &control)));
         let axes = observed_axes(&self.block, self.options.datum, weighted_by);
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
         let known = KnownParameter::of_block(&self.block, &columns, weighted_by);
-        let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &known };
+        let problem = Problem {
+            network: &network,
+            columns: &columns,
+            gnss: &gnss,
+            control: &control,
+            axes: &axes,
+            held,
+            known: &known,
+            systematic: &systematic,
+            constraints: &constraints,
+        };
         let adjusted = self.adjusted(&problem, loss)?;
         let mut round = Round { problem, adjusted, loss, calm_rounds, sigma_before: self.sigma, weighted_by, statistics: None };
         for check in Self::CHECKS {
@@ -165,6 +187,7 @@ impl<'a> Course<'a> {
             adjusted: round.adjusted,
             statistics: round.statistics.filter(|_| self.options.statistics),
             verdicts: self.verdicts.clone(),
+            systematic: self.systematic_result(&round.problem),
             columns: columns.clone(),
             fixed: self.fixed.clone(),
             placed: self.placed.clone(),
@@ -216,7 +239,11 @@ impl<'a> Course<'a> {
         self.forget();
         self.sigma = round.adjusted.sigma;
         // What creeps although it is within the limit is still what is determined worst.
-        if self.fix_weakest(&round.problem, self.options.calibration_limit_px)? || self.fix_weakest(&round.problem, 0.0)? {
+        let limit_px = self.options.calibration_limit_px;
+        if self.fix_weakest(&round.problem, limit_px)?
+            || self.fix_undetermined_error(&round.problem)?
+            || self.fix_weakest(&round.problem, 0.0)?
+        {
             return Ok(Some(Outcome::Fixed));
         }
         round.adjusted.check_converged().map(|()| None)
@@ -277,7 +304,17 @@ impl<'a> Course<'a> {
     }
 
     fn undetermined(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
-        Ok(self.fix_weakest(&round.problem, self.options.calibration_limit_px)?.then_some(Outcome::Fixed))
+        let is_fixed =
+            self.fix_weakest(&round.problem, self.options.calibration_limit_px)? || self.fix_undetermined_error(&round.problem)?;
+        Ok(is_fixed.then_some(Outcome::Fixed))
+    }
+
+    fn insignificant(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
+        if round.problem.columns.systematic.is_empty() {
+            return Ok(None);
+        }
+        let shared = self.shared(round)?;
+        Ok(self.fix_insignificant(&round.problem, &round.adjusted, shared.as_ref())?.then_some(Outcome::Fixed))
     }
 
     fn changed(&self, round: &Round<'_>, what: Unsettled) -> Outcome {

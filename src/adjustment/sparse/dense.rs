@@ -34,6 +34,11 @@ impl DenseFactor {
         Ok(Self { rows, side })
     }
 
+    /// Number of rows.
+    pub fn side(&self) -> usize {
+        self.side
+    }
+
     /// x becomes L⁻¹ x.
     pub fn forward(&self, x: &mut [f64]) {
         for k in 0..self.side {

@@ -128,6 +128,39 @@ pub(super) fn components(model: &ReconstructedModel) -> Markup {
     }
 }
 
+/// Systematic errors of GNSS positions; nothing where none were to be estimated.
+pub(super) fn systematic(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup {
+    let Some(systematic) = model.adjusted.systematic.as_ref().filter(|systematic| !systematic.errors.is_empty()) else {
+        return html! {};
+    };
+    let ends = |images: &[usize]| [images.first(), images.last()].map(|image| image.map(|image| subject.name(model.images[*image])));
+    html! {
+        h2 { "Systematic errors of GNSS positions" }
+        table tabindex="0" {
+            thead { tr { th { "Error" } @for axis in AXES { th { (axis) " m" } } @for axis in AXES { th { "σ " (axis) " m" } } th { "test" } th { "limit" } th { "state" } } }
+            tbody {
+                @for error in &systematic.errors {
+                    tr {
+                        th { (error.error.label()) }
+                        @for value in error.estimate { td { (significant(value)) } }
+                        @for value in error.standard_errors { td { (significant(value)) } }
+                        td { (fixed(error.test, 2)) } td { (fixed(error.limit, 2)) } td { (error.verdict.label()) }
+                    }
+                }
+            }
+        }
+        @for (number, strip) in systematic.strips.iter().enumerate() {
+            @if let [Some(first), Some(last)] = ends(&strip.images) {
+                p { "Strip " (number + 1) ": " (strip.images.len()) " images from " (first) " to " (last) "." }
+            }
+        }
+        p.note {
+            "Observed position = projection centre + error. A lever arm is in the axes of the camera (x right, y up, z against the direction of view); a drift is what the error grows by from the first image of a strip to the last. Test: the mean square in standard errors, above the limit not by chance."
+            @if systematic.constraints > 0 { " Without control points, what the errors would move, turn or scale the block by as a whole is none of theirs." }
+        }
+    }
+}
+
 fn weighted_by(component: &VarianceComponent) -> &'static str {
     match (component.applied, component.held) {
         (true, _) => "residuals",

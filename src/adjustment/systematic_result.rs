@@ -1,0 +1,89 @@
+//! What an adjustment says of systematic errors of GNSS positions.
+
+use super::strips::Strip;
+use serde::{Deserialize, Serialize};
+
+/// The systematic errors of GNSS positions that were to be estimated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SystematicResult {
+    /// The strips whose errors were to be estimated. Images that follow no line are in none.
+    pub strips: Vec<Strip>,
+    pub errors: Vec<SystematicStatistics>,
+    /// Motions of the whole block that nothing tells from these errors: estimated ones have no part of them, and are relative to each other.
+    pub constraints: usize,
+}
+
+/// An error that GNSS positions have in common, with three values in the unit of the block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum SystematicError {
+    /// From the projection centre to the antenna in the axes of the camera: x right, y up, z against the direction of view.
+    LeverArm { camera: usize },
+    /// X, Y, Z that are added to all positions.
+    Offset,
+    /// X, Y, Z that are added to the positions of a strip: in its middle, where it has a drift.
+    StripOffset { strip: usize },
+    /// By how much the error of the positions of a strip grows from its first image to its last.
+    StripDrift { strip: usize },
+}
+
+impl SystematicError {
+    /// In words.
+    pub fn label(self) -> String {
+        match self {
+            Self::LeverArm { camera } => format!("lever arm of camera {}", camera + 1),
+            Self::Offset => "offset of GNSS positions".into(),
+            Self::StripOffset { strip } => format!("GNSS offset of strip {}", strip + 1),
+            Self::StripDrift { strip } => format!("GNSS drift of strip {}", strip + 1),
+        }
+    }
+}
+
+impl SystematicVerdict {
+    /// In words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Kept => "kept",
+            Self::NotSignificant => "not significant, zero",
+            Self::Undetermined => "not determined, zero",
+        }
+    }
+}
+
+/// What became of a systematic error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum SystematicVerdict {
+    /// It differs from zero by more than chance: positions are corrected by it.
+    Kept,
+    /// It does not: it is zero.
+    NotSignificant,
+    /// Nothing determines it: it is zero.
+    Undetermined,
+}
+
+/// A systematic error as the adjustment has it, or had it before it was fixed at zero.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SystematicStatistics {
+    pub error: SystematicError,
+    pub verdict: SystematicVerdict,
+    /// 0 for a value that nothing determines.
+    pub estimate: [f64; 3],
+    /// Absent for a value that was not estimated, and without statistics.
+    pub standard_errors: [Option<f64>; 3],
+    /// The mean square of the estimate in its standard errors, correlations taken into account; absent where it was not tested.
+    pub test: Option<f64>,
+    /// Above it, the test says that the error is not zero: the quantile of the F distribution (of χ² by its degrees of freedom where σ₀ is known).
+    pub limit: Option<f64>,
+}
+
+impl SystematicStatistics {
+    /// Of an error that was not estimated.
+    pub(super) fn none(error: SystematicError, verdict: SystematicVerdict) -> Self {
+        Self { error, verdict, estimate: [0.0; 3], standard_errors: [None; 3], test: None, limit: None }
+    }
+}
