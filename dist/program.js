@@ -2952,7 +2952,7 @@ function listen(host, movable, keyHost = host) {
 /** Listens for the keys of commands where there are no gestures. */
 function listenKeys(host, command) {
 	host.addEventListener("keydown", (event) => {
-		if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select") !== null) return;
+		if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select") !== null) return;
 		if (command(event.key, event.shiftKey)) event.preventDefault();
 	});
 }
