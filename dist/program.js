@@ -2632,6 +2632,10 @@ var WorkerClient = class {
 				call,
 				input
 			};
+			if (worker.isReady) {
+				worker.handle.postMessage(request, transfer);
+				return;
+			}
 			worker.ready.then(() => {
 				if (this.pending.has(id)) worker.handle.postMessage(request, transfer);
 			}, (error) => this.end(new CallError(otherFailure(error), true)));
@@ -2652,13 +2656,16 @@ var WorkerClient = class {
 				message: event.message || say("the-worker-could-not-start")
 			}, true));
 		};
-		return {
+		const started = {
 			handle,
+			isReady: false,
 			ready: wasmModule().then((module) => {
 				const start = { module };
 				handle.postMessage(start);
+				started.isReady = true;
 			})
 		};
+		return started;
 	}
 	receive(response) {
 		const waiting = this.pending.get(response.id);
@@ -3555,6 +3562,9 @@ var RowsInSight = class {
 	/** The rows that exist, from the first to the one behind the last. */
 	drawn = [0, 0];
 	frame = 0;
+	/** How high all of it is and what of that heads and feet take, as the browser laid them out last: to ask for it makes the browser lay out the page. Null: not yet. */
+	heights = null;
+	top = 0;
 	/** `row` builds the row at a place. */
 	constructor(testid, words, row) {
 		this.row = row;
@@ -3571,7 +3581,25 @@ var RowsInSight = class {
 			aria: { label: words.region }
 		}, this.table);
 		this.scroller.addEventListener("scroll", () => this.scrolled());
-		new ResizeObserver(() => this.draw()).observe(this.scroller);
+		new ResizeObserver(() => {
+			this.laidOut();
+			this.draw();
+		}).observe(this.scroller);
+		const fixed = new ResizeObserver(() => this.laidOut());
+		for (const part of [this.head, this.foot]) fixed.observe(part);
+	}
+	laidOut() {
+		this.top = this.scroller.scrollTop;
+		this.heights = {
+			all: this.scroller.clientHeight,
+			fixed: this.head.offsetHeight + this.foot.offsetHeight
+		};
+		return this.heights;
+	}
+	/** The height in which rows are seen. */
+	get room() {
+		const { all, fixed } = this.heights ?? this.laidOut();
+		return all - fixed;
 	}
 	/** Shows so many rows, or the same ones anew. */
 	show(count) {
@@ -3580,16 +3608,19 @@ var RowsInSight = class {
 	}
 	/** Brings a row into sight; a place below 0 is none. `near`: no farther than needed. */
 	reveal(place, near = false) {
-		const { scrollTop, clientHeight } = this.scroller;
-		const room = clientHeight - this.head.offsetHeight - this.foot.offsetHeight;
+		const { room } = this;
 		const top = place * ROW;
-		if (place >= 0 && top < scrollTop) this.scroller.scrollTop = near ? top : Math.max(0, top - room / 2);
-		else if (place >= 0 && top + ROW > scrollTop + room) this.scroller.scrollTop = near ? top + ROW - room : Math.max(0, top - room / 2);
+		if (place >= 0 && top < this.top) this.scrollTo(near ? top : Math.max(0, top - room / 2));
+		else if (place >= 0 && top + ROW > this.top + room) this.scrollTo(near ? top + ROW - room : Math.max(0, top - room / 2));
 		this.draw();
+	}
+	scrollTo(top) {
+		this.scroller.scrollTop = top;
+		this.top = this.scroller.scrollTop;
 	}
 	/** How many rows are seen at once. */
 	get page() {
-		return Math.max(1, Math.floor((this.scroller.clientHeight - this.head.offsetHeight - this.foot.offsetHeight) / ROW) - 1);
+		return Math.max(1, Math.floor(this.room / ROW) - 1);
 	}
 	/** Says on the heads of columns how the rows are sorted. */
 	markOrder(key, descending) {
@@ -3597,13 +3628,15 @@ var RowsInSight = class {
 	}
 	/** Draws before the next frame, where rows come into sight that do not exist yet. */
 	scrolled() {
+		this.top = this.scroller.scrollTop;
 		const [first, last] = this.inSight(0);
 		if (first >= this.drawn[0] && last <= this.drawn[1]) return;
 		if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
 	}
 	inSight(margin) {
-		const { scrollTop, clientHeight } = this.scroller;
-		return [Math.max(0, Math.floor(scrollTop / ROW) - margin), Math.min(this.count, Math.ceil((scrollTop + clientHeight) / ROW) + margin)];
+		const { top } = this;
+		const { all } = this.heights ?? this.laidOut();
+		return [Math.max(0, Math.floor(top / ROW) - margin), Math.min(this.count, Math.ceil((top + all) / ROW) + margin)];
 	}
 	draw() {
 		cancelAnimationFrame(this.frame);
@@ -3642,6 +3675,18 @@ function filler(rows) {
 // www/shared/panel/table.ts
 /** A table of any length: sorted by any of its columns, searched, chosen from by mouse and keys, and saved as it is shown. */
 var ALL$1 = () => true;
+var NONE$2 = /* @__PURE__ */ new Set();
+/** Whether columns have the same heads, whatever their rows hold. */
+function sameHeads(a, b) {
+	const head = ({ key, label, unit, help, words }) => [
+		key,
+		label,
+		unit,
+		help,
+		words
+	].join("\n");
+	return a.length === b.length && a.every((column, i) => head(column) === head(b[i] ?? column));
+}
 /** So many rows say how wide a column is. */
 var MEASURED$1 = 200;
 var TOTALS = {
@@ -3698,19 +3743,24 @@ var Table = class {
 	}
 	/** Shows rows of other columns; `keep` and the conditions leave some of them out. Returns how many are shown. */
 	show(count, columns, keep = ALL$1, conditions = {}) {
-		const others = columns !== this.all;
+		const before = this.all;
 		Object.assign(this, {
 			count,
 			all: columns,
 			keep,
 			conditions
 		});
-		if (others) this.showColumns();
+		if (columns !== before) {
+			const hidden = sameHeads(before, columns) ? this.bar?.left ?? NONE$2 : this.bar?.offer(columns) ?? NONE$2;
+			this.columns = columns.filter(({ key }) => !hidden.has(key));
+			if (!sameHeads(before, columns)) this.showHeads();
+		}
 		this.showConditions();
 		return this.sort();
 	}
-	/** Marks a row and brings it into sight; none where it is negative. */
+	/** Marks a row and brings it into sight, where it is not the marked one; none where it is negative. */
 	mark(row) {
+		if (row === this.marked) return;
 		this.marked = row;
 		this.reveal(row);
 	}
@@ -3728,16 +3778,16 @@ var Table = class {
 	}
 	hide(hidden) {
 		this.columns = this.all.filter(({ key }) => !hidden.has(key));
+		this.showHeads();
+		this.showConditions();
+		this.sort();
+	}
+	showHeads() {
 		const { columns } = this;
 		const heads = columns.map((column) => this.headCell(column));
 		const filters = this.options.filter === void 0 || columns.length === 0 ? null : h("tr", {}, ...columns.map((column) => this.filterCell(column)));
 		fill(this.table.head, columns.length === 0 ? null : h("tr", {}, ...heads), filters);
 		this.table.table.setAttribute("aria-colcount", String(columns.length));
-		this.showConditions();
-		this.sort();
-	}
-	showColumns() {
-		this.hide(this.bar?.offer(this.all) ?? /* @__PURE__ */ new Set());
 	}
 	headCell(column) {
 		const { key, label, help } = column;
@@ -3931,6 +3981,10 @@ var TableBar = class {
 		const text = `${this.words}: ${filtered ? say("of-8", { shown: count(shown) }) : ""}${count(all)}`;
 		if (this.caption.textContent !== text) this.caption.textContent = text;
 		this.clear.hidden = !filtered;
+	}
+	/** The columns that are hidden. */
+	get left() {
+		return this.hidden;
 	}
 	/** Lists the columns; gives those that are hidden. */
 	offer(columns) {
@@ -5544,8 +5598,14 @@ function answerCard(host, line, buttons, prefix) {
 		for (const { target } of entries) byKeys(target);
 	});
 	buttons.prepend(press, others);
+	/** How high it is while nothing runs, as the browser has laid it out. */
+	let height = 0;
+	new ResizeObserver(() => {
+		if (host.dataset.kind !== "busy") ({height} = host.getBoundingClientRect());
+	}).observe(host);
 	return ({ kind, verdict, text, more = "", figures: found = [], next = null, others: instead = [] }) => {
 		host.dataset.kind = kind;
+		host.style.minHeight = kind === "busy" && height > 0 ? `${String(height)}px` : "";
 		host.dataset.verdict = verdict ?? "";
 		line.dataset.kind = kind;
 		if (line.textContent !== (more === "" ? text : `${text} ${more}`)) {
@@ -12308,6 +12368,23 @@ function mountStatistics(host, store, editing, select) {
 		}));
 	};
 	filter.addEventListener("change", show);
+	const follow = () => {
+		const { state } = store;
+		table.scroller.classList.toggle("is-stale", isStale(state, "match") || shownPair(state).orientation !== null && isStale(state, "orientation"));
+		const now = statisticsOfState(state);
+		const lefts = chosenLefts(state);
+		const isOther = lefts.length !== chosen.size || !lefts.every((left) => chosen.has(left));
+		if (isOther) chosen = new Set(lefts);
+		if (now !== statistics || filter.options.length === 0) {
+			statistics = now;
+			columns = now === null ? [] : columnsOf(now);
+			const { value } = filter;
+			const offered = FILTERS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
+			if (filter.options.length !== offered.length) fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
+			show();
+		} else if (isOther) table.redraw();
+		table.mark(selectedMatch(state, statistics));
+	};
 	store.watch([
 		"results",
 		"history",
@@ -12317,30 +12394,10 @@ function mountStatistics(host, store, editing, select) {
 		"photos",
 		"offset",
 		"fiducialModel",
-		"failures"
-	], () => {
-		const { state } = store;
-		table.scroller.classList.toggle("is-stale", isStale(state, "match") || shownPair(state).orientation !== null && isStale(state, "orientation"));
-		const now = statisticsOfState(state);
-		if (now === statistics && filter.options.length > 0) return;
-		statistics = now;
-		columns = now === null ? [] : columnsOf(now);
-		const { value } = filter;
-		const offered = FILTERS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
-		fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
-		show();
-	});
-	store.watch(["selection", "results"], () => table.mark(selectedMatch(store.state, statistics)));
-	store.watch([
-		"chosen",
-		"history",
-		"results"
-	], () => {
-		const lefts = chosenLefts(store.state);
-		if (lefts.length === 0 && chosen.size === 0) return;
-		chosen = new Set(lefts);
-		table.redraw();
-	});
+		"failures",
+		"selection",
+		"chosen"
+	], follow);
 }
 function columnsOf({ columns, codes, rightness }) {
 	const word = (key, label, help, text) => ({
