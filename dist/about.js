@@ -696,9 +696,14 @@ function aboutDialog(name) {
 	return dialog;
 }
 function licenceOf(testid, title, text) {
+	const [name, own] = [h("bdi", {}, title), h("pre", { class: "licence" }, text)];
+	for (const part of [name, own]) Object.assign(part, {
+		lang: "en",
+		dir: "ltr"
+	});
 	return h("details", {
 		class: "group",
 		testid
-	}, h("summary", {}, title), h("pre", { class: "licence" }, text));
+	}, h("summary", {}, name), own);
 }
 export { aboutDialog };

@@ -24,5 +24,8 @@ export function aboutDialog(name: string): HTMLDialogElement {
 }
 
 function licenceOf(testid: string, title: string, text: string): HTMLElement {
-  return h('details', { class: 'group', testid }, h('summary', {}, title), h('pre', { class: 'licence' }, text));
+  // They are English in every language of the page.
+  const [name, own] = [h('bdi', {}, title), h('pre', { class: 'licence' }, text)];
+  for (const part of [name, own]) Object.assign(part, { lang: 'en', dir: 'ltr' });
+  return h('details', { class: 'group', testid }, h('summary', {}, name), own);
 }
