@@ -124,10 +124,6 @@ var listed = remember((files, all, key) => files.flatMap((file) => {
 		isStale: placed.key !== key
 	}];
 }));
-/** The image that is chosen, where it was tried. */
-function chosenPlaced(state) {
-	return placedFiles(state).find(({ file }) => file.id === state.placing.chosen.image) ?? null;
-}
 /** The images that are not placed yet, or by other settings. */
 function unplacedFiles(state) {
 	const key = placingKey(state);
@@ -1666,13 +1662,13 @@ function namesOf({ images, surveyed }) {
 		surveyed: new Map(surveyed.map(({ control, name }) => [control, name]))
 	};
 }
-/** As the crate names places of an orthophoto. */
-var PLACE = /^orthophoto_\d+$/u;
+/** Whether a surveyed point is a place of an orthophoto, as the crate names these. */
+var isPlace = (name) => /^orthophoto_\d+$/u.test(name);
 /** Names without those of places of an orthophoto, which are others on another one. */
 function withoutPlaces({ images, surveyed }) {
 	return {
 		images,
-		surveyed: new Map([...surveyed].filter(([, name]) => !PLACE.test(name)))
+		surveyed: new Map([...surveyed].filter(([, name]) => !isPlace(name)))
 	};
 }
 /** What a step did. */
@@ -2022,6 +2018,133 @@ function editsOfDraft({ of, places }) {
 		observations
 	}];
 }
+// www/block/state/under.ts
+var SAME = {
+	a: 1,
+	b: 0,
+	c: 0,
+	d: 1,
+	e: 0,
+	f: 0
+};
+/** From pixels to the ground. */
+function affineOf({ origin, by_column: column, by_row: row }) {
+	return {
+		a: column[0],
+		b: column[1],
+		c: row[0],
+		d: row[1],
+		e: origin[0],
+		f: origin[1]
+	};
+}
+function mapped({ a, b, c, d, e, f }, x, y) {
+	return [a * x + c * y + e, b * x + d * y + f];
+}
+/** First `inner`, then `outer`. */
+function after(outer, inner) {
+	const [a, b] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.a, inner.b);
+	const [c, d] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.c, inner.d);
+	const [e, f] = mapped(outer, inner.e, inner.f);
+	return {
+		a,
+		b,
+		c,
+		d,
+		e,
+		f
+	};
+}
+function inverse({ a, b, c, d, e, f }) {
+	const determinant = a * d - b * c;
+	const turned = {
+		a: d / determinant,
+		b: -b / determinant,
+		c: -c / determinant,
+		d: a / determinant,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, e, f);
+	return {
+		...turned,
+		e: -x,
+		f: -y
+	};
+}
+/** How much longer lengths become, in the mean of all directions. */
+function scaleOf({ a, b, c, d }) {
+	return Math.sqrt(Math.abs(a * d - b * c));
+}
+/** Turn, scale and shift that bring places nearest to others of the same number; null from fewer than two, or of places that are one. */
+function similarity(from, to) {
+	if (from.length < 2 || from.length !== to.length) return null;
+	const [fx, fy] = middle(from);
+	const [tx, ty] = middle(to);
+	let [along, across, size] = [
+		0,
+		0,
+		0
+	];
+	from.forEach(([x, y], i) => {
+		const [u, v] = [x - fx, y - fy];
+		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
+		along += u * p + v * q;
+		across += u * q - v * p;
+		size += u * u + v * v;
+	});
+	if (!(size > 0)) return null;
+	const [a, b] = [along / size, across / size];
+	if (!(Math.hypot(a, b) > 0)) return null;
+	const turned = {
+		a,
+		b,
+		c: -b,
+		d: a,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, fx, fy);
+	return {
+		...turned,
+		e: tx - x,
+		f: ty - y
+	};
+}
+function middle(places) {
+	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
+	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
+}
+// www/block/state/showing.ts
+/** What the orthophoto view shows: the block that was placed on the orthophoto, else the images that were placed by themselves. */
+/** The block that lies in the system of the orthophoto, on its ground; null where none does, and where each image is placed by itself. */
+function blockOnOrthophoto(state) {
+	const { shown, placing } = state;
+	const { orthophoto } = placing;
+	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial || shown.view.orthophoto?.kind !== "linked") return null;
+	return purposeOf(state) !== "images" && hasPlaceOn(orthophoto, shown.view) ? shown : null;
+}
+/** Whether a control or check point of the block lies on an orthophoto: one of elsewhere may be given in its place. */
+var hasPlaceOn = remember(({ info: { width, height, georeference } }, { surveyed }) => {
+	const toPixels = inverse(affineOf(georeference));
+	return surveyed.some(({ position: [x, y] }) => {
+		const [column, row] = mapped(toPixels, x, y);
+		return column >= 0 && row >= 0 && column <= width && row <= height;
+	});
+});
+/** The image placed by itself that is chosen, where it was tried; null where the block is shown in its place. */
+function chosenPlaced(state) {
+	const { image } = state.placing.chosen;
+	return image === null || blockOnOrthophoto(state) !== null ? null : placedFiles(state).find(({ file }) => file.id === image) ?? null;
+}
 // www/block/state/joining.ts
 /** The observations of a point that it would take with it. */
 function placesOf$1({ observations }) {
@@ -2319,7 +2442,7 @@ function px(value) {
 }
 /** The keys of edits: undo and redo wherever the block is shown, the others on the stage and in the tables. */
 function mountBlockEditKeys(store, hosts) {
-	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length > 0 && document.querySelector("[data-testid=\"ortho-place\"]")?.offsetParent == null, (by) => step(store, by));
+	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length > 0 && (store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null), (by) => step(store, by));
 	const idle = () => store.state.draft === null;
 	const list = [{
 		keys: ["Delete", "Backspace"],
@@ -3751,10 +3874,10 @@ function asked(address, view) {
 	if (wanted === void 0) return null;
 	return {
 		view: wanted,
-		choice: choiceOf$1(named.getAll("image").map((name) => view.images.findIndex((image) => image.name === name)), (named.get("point") ?? "").split(",").map((number) => Number(number) - 1).filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count))
+		choice: choiceOf$2(named.getAll("image").map((name) => view.images.findIndex((image) => image.name === name)), (named.get("point") ?? "").split(",").map((number) => Number(number) - 1).filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count))
 	};
 }
-function choiceOf$1(images, points) {
+function choiceOf$2(images, points) {
 	const [image, other] = images;
 	const [point] = points;
 	if (images.includes(-1)) return null;
@@ -4202,12 +4325,16 @@ function makeDock(store, looking, facts, others) {
 		if (isOpen("table")) queueMicrotask(draw);
 	});
 	const tabs = [...element.querySelectorAll("[role=\"tab\"]")];
-	store.watch(["shown", "onStage"], ([shown, onStage]) => {
+	store.watch((s) => [
+		s.shown,
+		s.onStage,
+		blockOnOrthophoto(s) !== null
+	], ([shown, onStage, isBlockOn]) => {
 		const own = others.map(({ view }) => view);
-		const isOwn = own.includes(onStage);
+		const isOwn = own.includes(onStage) && !isBlockOn;
 		tabs.forEach((tab, i) => {
 			const view = own[i - sources.length];
-			tab.hidden = view === void 0 ? isOwn || sources[i]?.subject === "surveyed" && (shown?.view.surveyed.length ?? 0) === 0 : view !== onStage;
+			tab.hidden = view === void 0 ? isOwn || sources[i]?.subject === "surveyed" && (shown?.view.surveyed.length ?? 0) === 0 : !isOwn || view !== onStage;
 		});
 		if (tabs.some((tab) => tab.hidden && tab.getAttribute("aria-selected") === "true")) tabs.find((tab) => !tab.hidden)?.click();
 	});
@@ -4864,7 +4991,7 @@ function placeOfPoint(of, point) {
 	return placesByPoint(of).get(point) ?? null;
 }
 /** The elements nearest to a place, nearest first. */
-function nearest(list, [x, y]) {
+function nearest$1(list, [x, y]) {
 	return list.map((twice) => ({
 		twice,
 		distance: (twice[0] - x) ** 2 + (twice[1] - y) ** 2
@@ -4892,7 +5019,7 @@ function common(from, to) {
 }
 /** Where the ground at a place of one image lies in another, by the points around it that both show; null without any. */
 function inOtherImage(from, to, at) {
-	return movedWith(nearest(common(from, to), at), at);
+	return movedWith(nearest$1(common(from, to), at), at);
 }
 /** X, Y, Z of the ground at a place of an image, by the points around it; null where they are too few. */
 var groundAt = remember((of, { positions }, x, y) => {
@@ -4908,7 +5035,7 @@ var groundAt = remember((of, { positions }, x, y) => {
 		return of.parts[i] === 0 && !Number.isNaN(twice[2]) ? [[twice, coordinate(point, 2)]] : [];
 	});
 	const heights = new Map(known);
-	const near = nearest([...heights.keys()], at);
+	const near = nearest$1([...heights.keys()], at);
 	const plan = affine(near, at);
 	const height = affine(near.map((twice) => [
 		twice[0],
@@ -6802,7 +6929,7 @@ var Matrix = class extends Chart {
 	hit(view, t, x, y) {
 		const [column, row] = toPosition(t, x, y).map(Math.floor);
 		const inside = (index) => index >= 0 && index < view.images.length;
-		return x >= HEAD && y >= HEAD && inside(column) && inside(row) ? choiceOf([row, column]) : null;
+		return x >= HEAD && y >= HEAD && inside(column) && inside(row) ? choiceOf$1([row, column]) : null;
 	}
 	/** Arrows go from cell to cell. */
 	command(key) {
@@ -6817,7 +6944,7 @@ var Matrix = class extends Chart {
 		const [row, column] = cellOf(this.store.state.selection.chosen) ?? [0, 0];
 		const inside = (index) => Math.min(Math.max(index, 0), view.images.length - 1);
 		const cell = [inside(row + (step[0] ?? 0)), inside(column + (step[1] ?? 0))];
-		this.looking.choose(choiceOf(cell));
+		this.looking.choose(choiceOf$1(cell));
 		this.reveal(view, cell);
 		return true;
 	}
@@ -6887,7 +7014,7 @@ var Matrix = class extends Chart {
 		context.strokeRect(...toCanvas(t, chosen.image, 0), side, length);
 	}
 };
-function choiceOf([row, column]) {
+function choiceOf$1([row, column]) {
 	return row === column ? {
 		kind: "image",
 		image: row
@@ -7156,9 +7283,9 @@ var SURVEYED = "#cc79a7";
 var LONGEST = 46;
 /** Of more control and check points in sight than these marks are small, without names and ellipses: an orthophoto gives hundreds. */
 var MOST_NAMED = 30;
-var ALL = () => true;
+var ALL$1 = () => true;
 /** Those of images and surveyed points that are kept. */
-function offsetsOf(view, ground, keepsImage = ALL, keepsSurveyed = ALL) {
+function offsetsOf(view, ground, keepsImage = ALL$1, keepsSurveyed = ALL$1) {
 	const gnss = view.images.flatMap(({ position }, i) => {
 		const [x = NaN, y = NaN] = ground?.gnss.subarray(3 * i, 3 * i + 2) ?? [];
 		return position === null || Number.isNaN(x) || !keepsImage(i) ? [] : [{
@@ -7285,111 +7412,6 @@ function arrow(context, t, { x, y, dx, dy }, factor) {
 	context.lineTo(...end);
 	context.stroke();
 	return end;
-}
-// www/block/state/under.ts
-var SAME = {
-	a: 1,
-	b: 0,
-	c: 0,
-	d: 1,
-	e: 0,
-	f: 0
-};
-/** From pixels to the ground. */
-function affineOf({ origin, by_column: column, by_row: row }) {
-	return {
-		a: column[0],
-		b: column[1],
-		c: row[0],
-		d: row[1],
-		e: origin[0],
-		f: origin[1]
-	};
-}
-function mapped({ a, b, c, d, e, f }, x, y) {
-	return [a * x + c * y + e, b * x + d * y + f];
-}
-/** First `inner`, then `outer`. */
-function after(outer, inner) {
-	const [a, b] = mapped({
-		...outer,
-		e: 0,
-		f: 0
-	}, inner.a, inner.b);
-	const [c, d] = mapped({
-		...outer,
-		e: 0,
-		f: 0
-	}, inner.c, inner.d);
-	const [e, f] = mapped(outer, inner.e, inner.f);
-	return {
-		a,
-		b,
-		c,
-		d,
-		e,
-		f
-	};
-}
-function inverse({ a, b, c, d, e, f }) {
-	const determinant = a * d - b * c;
-	const turned = {
-		a: d / determinant,
-		b: -b / determinant,
-		c: -c / determinant,
-		d: a / determinant,
-		e: 0,
-		f: 0
-	};
-	const [x, y] = mapped(turned, e, f);
-	return {
-		...turned,
-		e: -x,
-		f: -y
-	};
-}
-/** How much longer lengths become, in the mean of all directions. */
-function scaleOf({ a, b, c, d }) {
-	return Math.sqrt(Math.abs(a * d - b * c));
-}
-/** Turn, scale and shift that bring places nearest to others of the same number; null from fewer than two, or of places that are one. */
-function similarity(from, to) {
-	if (from.length < 2 || from.length !== to.length) return null;
-	const [fx, fy] = middle(from);
-	const [tx, ty] = middle(to);
-	let [along, across, size] = [
-		0,
-		0,
-		0
-	];
-	from.forEach(([x, y], i) => {
-		const [u, v] = [x - fx, y - fy];
-		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
-		along += u * p + v * q;
-		across += u * q - v * p;
-		size += u * u + v * v;
-	});
-	if (!(size > 0)) return null;
-	const [a, b] = [along / size, across / size];
-	if (!(Math.hypot(a, b) > 0)) return null;
-	const turned = {
-		a,
-		b,
-		c: -b,
-		d: a,
-		e: 0,
-		f: 0
-	};
-	const [x, y] = mapped(turned, fx, fy);
-	return {
-		...turned,
-		e: tx - x,
-		f: ty - y
-	};
-}
-function middle(places) {
-	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
-	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
 }
 // www/block/state/laid.ts
 /** Where an orthophoto lies in the system of the block that is shown. */
@@ -8738,7 +8760,7 @@ var LINK_STYLES = {
 	}
 };
 var STYLES = [...USES$1.map((use) => LINK_STYLES[use]), MEASURED];
-function useOf(code) {
+function useOf$1(code) {
 	return USES$1[code] ?? "used";
 }
 /** How near a link is pointed at, CSS px. */
@@ -8762,11 +8784,15 @@ function linksOnImage({ count, at, residuals, uses, byHand }) {
 }
 /** Of the ground, whose Y goes down on the canvas. */
 function linksOnGround({ places, uses, byHand }) {
-	const points = places.map((value, i) => i % 3 === 0 ? value : i % 3 === 1 ? -value : 0);
+	return pointsOnGround(places, codesOf(uses, byHand));
+}
+/** Places of the ground, X, Y, Z, with the codes of their uses. */
+function pointsOnGround(places, codes) {
+	const points = Float64Array.from(places, (value, i) => i % 3 === 0 ? value : i % 3 === 1 ? -value : 0);
 	return {
 		points,
 		box: spreadOf(points),
-		codes: codesOf(uses, byHand),
+		codes: Uint8Array.from(codes),
 		vectors: /* @__PURE__ */ new Float64Array()
 	};
 }
@@ -8795,7 +8821,7 @@ function spreadOf(points) {
 function linkAt({ points, codes }, uses, t, x, y) {
 	let [found, least] = [-1, REACH$2];
 	for (let link = 0; 3 * link < points.length; link++) {
-		if (!uses.has(useOf(codes[link] ?? 0))) continue;
+		if (!uses.has(useOf$1(codes[link] ?? 0))) continue;
 		const [px, py] = toCanvas(t, points[3 * link] ?? 0, points[3 * link + 1] ?? 0);
 		const distance = Math.hypot(px - x, py - y);
 		if (distance < least) [found, least] = [link, distance];
@@ -8819,7 +8845,7 @@ function markSize({ points, box: [width, height] }, { scale }) {
 }
 var NOT_DRAWN = 255;
 function shownCodes({ codes }, uses) {
-	const shown = STYLES.map((_, code) => uses.has(useOf(code)));
+	const shown = STYLES.map((_, code) => uses.has(useOf$1(code)));
 	return codes.map((code) => shown[code] === true ? code : NOT_DRAWN);
 }
 /** Residuals, so many times longer than they are. */
@@ -8930,12 +8956,16 @@ var LinkPicture = class {
 	/** Brings a link that is chosen elsewhere into sight. */
 	reveal(link) {
 		const [x, y] = this.links()?.points.subarray(3 * link, 3 * link + 2) ?? [];
+		if (x !== void 0 && y !== void 0) this.bring([x, y]);
+	}
+	/** Brings a position into sight. */
+	bring(at) {
 		const box = this.whole();
-		if (x === void 0 || y === void 0 || box === null) return;
-		const t = this.current(box);
-		const [cx, cy] = toCanvas(t, x, y);
 		const { width, height } = this.layers;
-		const [dx, dy] = [into(cx, width), into(cy, height)];
+		if (box === null || width < 48 || height < 48) return;
+		const t = this.current(box);
+		const [x, y] = toCanvas(t, ...at);
+		const [dx, dy] = [into(x, width), into(y, height)];
 		if (dx !== 0 || dy !== 0) this.move(panned(t, dx, dy));
 	}
 	zoomMiddle(factor) {
@@ -8983,13 +9013,7 @@ var LinkPicture = class {
 	/** Brings a position into sight, where an end of a link is expected. */
 	expect(at) {
 		this.predicted = at;
-		const box = this.whole();
-		if (at !== null && box !== null) {
-			const t = this.current(box);
-			const [x, y] = toCanvas(t, ...at);
-			const [dx, dy] = [into(x, this.layers.width), into(y, this.layers.height)];
-			if (dx !== 0 || dy !== 0) this.move(panned(t, dx, dy));
-		}
+		if (at !== null) this.bring(at);
 		this.layers.redraw("marks");
 	}
 	/** Draws the end of the link that is measured. */
@@ -9010,6 +9034,13 @@ var LinkPicture = class {
 			looked: this.lookedAt(x, y)
 		});
 	}
+	/** The pointer is over a place of the canvas, or has left. */
+	point(at) {
+		this.store.dispatch({
+			type: "pointPlaced",
+			looked: at === null ? NOTHING_LOOKED_AT : this.lookedAt(...at)
+		});
+	}
 	lookedAt(x, y) {
 		const box = this.whole();
 		const links = this.links();
@@ -9019,21 +9050,12 @@ var LinkPicture = class {
 			image: chosen.image,
 			link
 		};
-		return this.other(x, y) ?? {
-			image: null,
-			link: null
-		};
+		return this.other(x, y) ?? NOTHING_LOOKED_AT;
 	}
 	hover(at, dragging) {
 		const box = this.whole();
 		this.pointer = at === null || box === null ? null : toPosition(this.current(box), ...at);
-		if (!dragging) this.store.dispatch({
-			type: "pointPlaced",
-			looked: at === null ? {
-				image: null,
-				link: null
-			} : this.lookedAt(...at)
-		});
+		if (!dragging) this.point(at);
 		for (const listener of this.listeners) listener();
 	}
 };
@@ -9144,9 +9166,46 @@ var PlacedImageView = class extends LinkPicture {
 	}
 };
 // www/block/view/orthophoto/keys.ts
+/** While the block lies on the orthophoto. */
+function blockKeys(store, { step, leave }) {
+	const can = () => blockOnOrthophoto(store.state) !== null && !store.state.placing.picks;
+	return [
+		{
+			keys: ["n"],
+			does: say("chooses-the-next-place-of"),
+			can,
+			run: () => step("place", 1)
+		},
+		{
+			keys: ["p"],
+			does: say("chooses-the-previous-place-of"),
+			can,
+			run: () => step("place", -1)
+		},
+		{
+			keys: ["PageDown"],
+			does: say("chooses-the-next-image"),
+			can,
+			run: () => step("image", 1)
+		},
+		{
+			keys: ["PageUp"],
+			does: say("chooses-the-previous-image"),
+			can,
+			run: () => step("image", -1)
+		},
+		{
+			keys: ["Escape"],
+			does: say("chooses-nothing"),
+			can,
+			run: leave
+		}
+	];
+}
 function linkKeys(store, hands) {
 	const now = () => store.state.placing;
-	const isLinkChosen = () => now().chosen.link !== null;
+	const isImageChosen = () => chosenPlaced(store.state) !== null;
+	const isLinkChosen = () => isImageChosen() && now().chosen.link !== null;
 	const links = () => {
 		const chosen = chosenPlaced(store.state);
 		return chosen === null ? 0 : shownLinks(chosen)?.count ?? 0;
@@ -9158,7 +9217,7 @@ function linkKeys(store, hands) {
 			type: "choosePlaced",
 			looked: {
 				image,
-				link: stepped(link ?? -1, by, links())
+				link: stepped$1(link ?? -1, by, links())
 			}
 		});
 	};
@@ -9167,7 +9226,7 @@ function linkKeys(store, hands) {
 		store.dispatch({
 			type: "choosePlaced",
 			looked: {
-				image: all[stepped(all.indexOf(now().chosen.image ?? -1), by, all.length)] ?? null,
+				image: all[stepped$1(all.indexOf(now().chosen.image ?? -1), by, all.length)] ?? null,
 				link: null
 			}
 		});
@@ -9229,6 +9288,7 @@ function linkKeys(store, hands) {
 		{
 			keys: ["a"],
 			does: say("measures-a-new-link-or"),
+			can: isImageChosen,
 			run: () => hands.measure()
 		},
 		{
@@ -9244,8 +9304,179 @@ function linkKeys(store, hands) {
 		}
 	];
 }
-function stepped(now, by, count) {
+function stepped$1(now, by, count) {
 	return now < 0 ? by > 0 ? 0 : count - 1 : (now + by + count) % count;
+}
+// www/block/view/orthophoto/footprints.ts
+/** How near a projection centre is pointed at, CSS px. */
+var REACH$1 = 12;
+/** More images than these have their names only where they are chosen. */
+var MOST_NAMES = 60;
+/** The image whose centre is near a place of the canvas, else the one on whose ground it lies, the nearest centre first, with its distance; null where there is none. */
+function footprintAt(all, t, x, y) {
+	const [east, south] = toPosition(t, x, y);
+	const [first] = all.map((of) => {
+		const [cx, cy] = toCanvas(t, of.centre[0], -of.centre[1]);
+		return {
+			of,
+			distance: Math.hypot(cx - x, cy - y)
+		};
+	}).filter(({ of, distance }) => distance < REACH$1 || isInside(of.outline, east, -south)).sort((a, b) => a.distance - b.distance);
+	return first ?? null;
+}
+/** Whether an outline goes about a place. */
+function isInside(outline, x, y) {
+	let inside = false;
+	outline.forEach(([ax, ay], i) => {
+		const [bx, by] = outline[(i + 1) % outline.length] ?? [ax, ay];
+		if (ay > y !== by > y && x < ax + (bx - ax) * (y - ay) / (by - ay)) inside = !inside;
+	});
+	return inside;
+}
+function paintFootprint(context, t, { outline, colour, isStale }, chosen, pointed) {
+	context.save();
+	context.beginPath();
+	for (const [x, y] of outline) context.lineTo(...toCanvas(t, x, -y));
+	context.closePath();
+	context.strokeStyle = "rgb(0 0 0 / 0.55)";
+	context.lineWidth = chosen ? 5 : 3;
+	context.stroke();
+	context.strokeStyle = colour;
+	context.lineWidth = chosen ? 2.5 : pointed ? 2 : 1.2;
+	if (isStale) context.setLineDash([6, 4]);
+	context.stroke();
+	if (pointed && !chosen) {
+		context.fillStyle = colour;
+		context.globalAlpha = .1;
+		context.fill();
+	}
+	context.restore();
+}
+/** The projection centres, with their names where there is room; that of what is chosen always has one. */
+function paintCentres(context, colours, t, all, isChosen) {
+	for (const of of all) paintCentre(context, colours, t, of, isChosen(of), all.length <= MOST_NAMES);
+}
+function paintCentre(context, colours, t, of, chosen, hasName) {
+	const [x, y] = toCanvas(t, of.centre[0], -of.centre[1]);
+	context.save();
+	context.beginPath();
+	context.arc(x, y, chosen ? 7 : 5, 0, 2 * Math.PI);
+	context.fillStyle = of.colour;
+	context.fill();
+	context.lineWidth = 2;
+	context.strokeStyle = colours.surface;
+	context.stroke();
+	if (hasName || chosen) {
+		context.font = chosen ? "600 12px system-ui, sans-serif" : "11px system-ui, sans-serif";
+		context.textAlign = "center";
+		haloed(context, colours, of.name, x, y + 20);
+	}
+	context.restore();
+}
+// www/block/view/orthophoto/block.ts
+/** Those of its images and points that filters keep. `isStale`: it was placed by other settings, or on another orthophoto. */
+var onOrthophoto = remember((view, ground, isStale, keepsImage, keepsPoint) => ({
+	view,
+	images: view.images.flatMap(({ name, position }, image) => position === null || !keepsImage(image) ? [] : [{
+		image,
+		name,
+		isStale,
+		colour: ACCEPTED.colour,
+		centre: [position[0], position[1]],
+		outline: outlineOf(ground, image)
+	}]),
+	places: pointsWhere(view, (row, name) => isPlace(name) && keepsPoint(row)),
+	surveyed: pointsWhere(view, (row, name) => !isPlace(name) && keepsPoint(row))
+}));
+function outlineOf(ground, image) {
+	const corners = ground?.footprints.subarray(8 * image, 8 * image + 8) ?? [];
+	return [
+		0,
+		2,
+		4,
+		6
+	].map((at) => [corners[at] ?? NaN, corners[at + 1] ?? NaN]).filter(([x]) => !Number.isNaN(x));
+}
+function pointsWhere({ surveyed }, keeps) {
+	const rows = surveyed.flatMap(({ name }, row) => keeps(row, name) ? [row] : []);
+	const own = rows.flatMap((row) => surveyed[row] ?? []);
+	return {
+		rows,
+		drawn: pointsOnGround(own.flatMap(({ position }) => position), own.map((point) => USES$1.indexOf(useOf(point))))
+	};
+}
+/** What a place is for the block, in the words of links. */
+function useOf({ role, isUsed }) {
+	return !isUsed ? "rejected" : role === "check" ? "check" : "used";
+}
+var ALL = new Set(USES$1);
+/** What lies at a place of the canvas: a point, unless the projection centre of an image is nearer, or an image. */
+function choiceAt(of, uses, t, x, y) {
+	const image = footprintAt(of.images, t, x, y);
+	const [point] = [nearest(of.places, uses, t, x, y), nearest(of.surveyed, ALL, t, x, y)].filter((found) => found !== null).sort((a, b) => a.distance - b.distance);
+	if (point !== void 0 && (image === null || point.distance < image.distance)) return choiceOf(of.view, point.row);
+	return image === null ? null : {
+		kind: "image",
+		image: image.of.image
+	};
+}
+/** The row of the point nearest to a place of the canvas, within reach; null where there is none. */
+function nearest({ rows, drawn }, uses, t, x, y) {
+	const found = linkAt(drawn, uses, t, x, y);
+	const row = rows[found];
+	if (row === void 0) return null;
+	const [px, py] = toCanvas(t, drawn.points[3 * found] ?? 0, drawn.points[3 * found + 1] ?? 0);
+	return {
+		row,
+		distance: Math.hypot(px - x, py - y)
+	};
+}
+/** As its row in the table is chosen. */
+function choiceOf({ surveyed }, row) {
+	const point = surveyed[row]?.point ?? -1;
+	return point < 0 ? null : {
+		kind: "point",
+		point
+	};
+}
+/** The image or place after the one that is chosen, or before it. */
+function stepped({ view, images, places: { rows } }, of, chosen, by) {
+	const all = of === "image" ? images.map(({ image }) => image) : rows;
+	const [point = -1] = pointsOf(chosen);
+	const now = of === "image" ? all.indexOf(imagesOf(chosen)[0] ?? -1) : all.findIndex((row) => view.surveyed[row]?.point === point);
+	const next = all[now < 0 ? by > 0 ? 0 : all.length - 1 : (now + by + all.length) % all.length];
+	if (next === void 0) return null;
+	return of === "image" ? {
+		kind: "image",
+		image: next
+	} : choiceOf(view, next);
+}
+/** Where what is chosen lies, X and Y; null where it is none of what is drawn. */
+function placeOfChoice({ view, images }, chosen) {
+	if (chosen?.kind === "image") return images.find(({ image }) => image === chosen.image)?.centre ?? null;
+	const [point] = pointsOf(chosen);
+	const [x, y] = view.surveyed.find((own) => point !== void 0 && own.point === point)?.position ?? [];
+	return x === void 0 || y === void 0 ? null : [x, y];
+}
+/** Draws it, with what is chosen and pointed at. */
+function paintBlock(context, colours, t, clip, of, uses, { chosen, pointed }) {
+	const isOf = (choice) => (own) => imagesOf(choice).includes(own.image);
+	for (const own of of.images) paintFootprint(context, t, own, isOf(chosen)(own), isOf(pointed)(own));
+	drawLinks(context, of.places.drawn, t, clip, uses);
+	const isSurveyed = new Set(of.surveyed.rows);
+	paintSurveyed(context, colours, offsetsOf(of.view, null, () => false, (row) => isSurveyed.has(row)), t, 1, false, [clip.width, clip.height]);
+	for (const points of [of.places, of.surveyed]) {
+		paintRings(context, t, of.view, points, pointed, false);
+		paintRings(context, t, of.view, points, chosen, true);
+	}
+	paintCentres(context, colours, t, of.images, isOf(chosen));
+}
+function paintRings(context, t, { surveyed }, { rows, drawn }, of, isChosen) {
+	const points = new Set(pointsOf(of));
+	if (points.size === 0) return;
+	rows.forEach((row, i) => {
+		if (points.has(surveyed[row]?.point ?? -1)) drawRing(context, drawn, i, t, isChosen);
+	});
 }
 // www/block/view/orthophoto/over.ts
 /** The chosen image on the ground, over the orthophoto: roads that run on say that it is placed well. */
@@ -9294,11 +9525,7 @@ var ImageOver = class {
 	}
 };
 // www/block/view/orthophoto/plan.ts
-/** The orthophoto from above, with what is placed on it: footprints, projection centres, and the links of the chosen image. */
-/** How near a projection centre is pointed at, CSS px. */
-var REACH$1 = 12;
-/** More images than these have their names only where they are chosen. */
-var MOST_NAMES = 60;
+/** The orthophoto from above, with what is placed on it: footprints, projection centres, and the places of the block or the links of the chosen image. */
 /** Coordinates of a map are those of its system. */
 var SYSTEM = "surveyed";
 /** Of what is placed, with doubt, and not: seen on any picture, and told apart with any colour vision. */
@@ -9308,19 +9535,49 @@ var VERDICTS$1 = {
 	not_placed: REJECTED.colour
 };
 var OrthophotoPlan = class extends LinkPicture {
+	looking;
+	facts;
 	tiles;
 	over;
 	lays = false;
+	/** What was chosen last. */
+	followed = null;
 	drawn = remember(linksOnGround);
-	constructor(host, store, hands, keys, engine) {
+	constructor(host, store, hands, keys, engine, looking, facts) {
 		super(host, store, hands, keys);
+		this.looking = looking;
+		this.facts = facts;
 		this.tiles = new OrthophotoTiles((level, column, row) => engine.tile(level, column, row), () => this.layers.redraw("picture"));
 		this.over = new ImageOver(({ file }, placement, side) => engine.laid(file, placement, side), () => this.layers.redraw("picture"));
 		store.watch([
 			"placing",
 			"files",
-			"options"
+			"options",
+			"shown"
 		], () => this.layers.redraw());
+		store.watch(["selection"], ([{ chosen }]) => this.follow(chosen));
+		facts.watch(() => this.layers.redraw("marks"));
+	}
+	/** What of the block is drawn, where it lies on the orthophoto. */
+	block() {
+		const { state } = this.store;
+		const shown = blockOnOrthophoto(state);
+		if (shown === null) return null;
+		const keeps = (subject) => keptBy(subject, shown.view, state.selection);
+		return onOrthophoto(shown.view, this.facts.ground(), isOffGround(state), keeps("images"), keeps("surveyed"));
+	}
+	/** What is chosen of the block elsewhere is brought into sight. */
+	follow(chosen) {
+		this.layers.redraw("marks");
+		const block = this.block();
+		const place = block === null || chosen === this.followed ? null : placeOfChoice(block, chosen);
+		this.followed = chosen;
+		if (place !== null) this.bring([place[0], -place[1]]);
+	}
+	/** Goes to the next image or place of the block, or the one before. */
+	step(of, by) {
+		const block = this.block();
+		if (block !== null) this.looking.choose(stepped(block, of, this.store.state.selection.chosen, by));
 	}
 	/** Whether the chosen image lies over the orthophoto. */
 	get isLaid() {
@@ -9359,7 +9616,12 @@ var OrthophotoPlan = class extends LinkPicture {
 	pressed(x, y) {
 		const box = this.whole();
 		if (!this.store.state.placing.picks || box === null) {
-			super.pressed(x, y);
+			const block = this.block();
+			if (block === null || box === null) super.pressed(x, y);
+			else {
+				this.followed = this.choiceAt(block, box, x, y);
+				this.looking.choose(this.followed);
+			}
 			return;
 		}
 		const [east, south] = toPosition(this.current(box), x, y);
@@ -9373,32 +9635,35 @@ var OrthophotoPlan = class extends LinkPicture {
 			}
 		});
 	}
-	/** The image whose centre is near, else the one on whose ground the place lies, the nearest centre first. */
+	point(at) {
+		const [block, box] = [this.block(), this.whole()];
+		if (block === null || box === null) super.point(at);
+		else this.looking.point(at === null ? null : this.choiceAt(block, box, ...at));
+	}
+	choiceAt(block, box, x, y) {
+		return choiceAt(block, this.store.state.placing.uses, this.current(box), x, y);
+	}
 	other(x, y) {
 		const box = this.whole();
-		if (box === null) return null;
-		const t = this.current(box);
-		const [east, south] = toPosition(t, x, y);
-		const [first] = this.placements().map(({ file, placement }) => {
-			const [cx, cy] = toCanvas(t, placement.pose.position[0], -placement.pose.position[1]);
-			const distance = Math.hypot(cx - x, cy - y);
-			return {
-				id: file.id,
-				distance,
-				isOn: distance < REACH$1 || isInside(placement.footprint, east, -south)
-			};
-		}).filter(({ isOn }) => isOn).sort((a, b) => a.distance - b.distance);
-		return first === void 0 ? null : {
-			image: first.id,
+		const found = box === null ? null : footprintAt(this.footprints(), this.current(box), x, y);
+		return found === null ? null : {
+			image: found.of.file,
 			link: null
 		};
 	}
-	placements() {
-		return placedFiles(this.store.state).flatMap((placed) => {
-			const placement = placed.result?.placement ?? null;
-			return placement === null ? [] : [{
-				...placed,
-				placement
+	/** Of the images that were placed by themselves. */
+	footprints() {
+		return placedFiles(this.store.state).flatMap(({ file, result, isStale }) => {
+			const placement = result?.placement ?? null;
+			if (result === null || placement === null) return [];
+			const [x, y] = placement.pose.position;
+			return [{
+				file: file.id,
+				name: file.name,
+				isStale,
+				colour: VERDICTS$1[result.verdict.kind],
+				centre: [x, y],
+				outline: placement.footprint
 			}];
 		});
 	}
@@ -9415,26 +9680,33 @@ var OrthophotoPlan = class extends LinkPicture {
 	}
 	paintMarks(context, colours, t) {
 		const { width, height } = this.layers;
-		const { chosen, pointed } = this.store.state.placing;
+		const clip = {
+			left: 0,
+			top: 0,
+			width,
+			height
+		};
 		paintGrid(context, colours, t, width, height);
 		this.paintNear(context, colours, t);
-		const all = this.placements();
-		for (const placed of all) paintFootprint(context, t, placed, placed.file.id === chosen.image, placed.file.id === pointed.image);
+		const block = this.block();
+		if (block !== null) paintBlock(context, colours, t, clip, block, this.store.state.placing.uses, this.store.state.selection);
+		else this.paintPlaced(context, colours, t, clip);
+		paintScale(context, colours, t, height, SYSTEM);
+		paintNorth(context, colours, width, SYSTEM);
+	}
+	/** Images that were placed by themselves, and the links of the chosen one. */
+	paintPlaced(context, colours, t, clip) {
+		const { chosen, pointed, uses } = this.store.state.placing;
+		const all = this.footprints();
+		for (const own of all) paintFootprint(context, t, own, own.file === chosen.image, own.file === pointed.image);
 		const links = this.links();
 		if (links !== null) {
-			drawLinks(context, links, t, {
-				left: 0,
-				top: 0,
-				width,
-				height
-			}, this.store.state.placing.uses);
+			drawLinks(context, links, t, clip, uses);
 			if (pointed.image === chosen.image && pointed.link !== null) drawRing(context, links, pointed.link, t, false);
 			if (chosen.link !== null) drawRing(context, links, chosen.link, t, true);
 		}
 		this.paintEnd(context, t);
-		for (const placed of all) paintCentre(context, colours, t, placed, placed.file.id === chosen.image, all.length <= MOST_NAMES);
-		paintScale(context, colours, t, height, SYSTEM);
-		paintNorth(context, colours, width, SYSTEM);
+		paintCentres(context, colours, t, all, ({ file }) => file === chosen.image);
 	}
 	/** Where images are sought, if that is said. */
 	paintNear(context, colours, t) {
@@ -9479,54 +9751,6 @@ function boxOf(places) {
 		Math.max(...xs),
 		Math.max(...ys)
 	];
-}
-/** Whether an outline goes about a place. */
-function isInside(outline, x, y) {
-	let inside = false;
-	outline.forEach(([ax, ay], i) => {
-		const [bx, by] = outline[(i + 1) % outline.length] ?? [ax, ay];
-		if (ay > y !== by > y && x < ax + (bx - ax) * (y - ay) / (by - ay)) inside = !inside;
-	});
-	return inside;
-}
-function colourOf({ result }) {
-	return VERDICTS$1[result?.verdict.kind ?? "not_placed"];
-}
-function paintFootprint(context, t, shown, chosen, pointed) {
-	context.save();
-	context.beginPath();
-	for (const [x, y] of shown.placement.footprint) context.lineTo(...toCanvas(t, x, -y));
-	context.closePath();
-	context.strokeStyle = "rgb(0 0 0 / 0.55)";
-	context.lineWidth = chosen ? 5 : 3;
-	context.stroke();
-	context.strokeStyle = colourOf(shown);
-	context.lineWidth = chosen ? 2.5 : pointed ? 2 : 1.2;
-	if (shown.isStale) context.setLineDash([6, 4]);
-	context.stroke();
-	if (pointed && !chosen) {
-		context.fillStyle = colourOf(shown);
-		context.globalAlpha = .1;
-		context.fill();
-	}
-	context.restore();
-}
-function paintCentre(context, colours, t, shown, chosen, hasName) {
-	const [x, y] = toCanvas(t, shown.placement.pose.position[0], -shown.placement.pose.position[1]);
-	context.save();
-	context.beginPath();
-	context.arc(x, y, chosen ? 7 : 5, 0, 2 * Math.PI);
-	context.fillStyle = colourOf(shown);
-	context.fill();
-	context.lineWidth = 2;
-	context.strokeStyle = colours.surface;
-	context.stroke();
-	if (hasName || chosen) {
-		context.font = chosen ? "600 12px system-ui, sans-serif" : "11px system-ui, sans-serif";
-		context.textAlign = "center";
-		haloed(context, colours, shown.file.name, x, y + 20);
-	}
-	context.restore();
 }
 // www/block/files/placed.ts
 /** The tables of images that were placed, as the command writes them. */
@@ -9645,11 +9869,11 @@ function verdictText({ result, problem }) {
 // www/block/panel/orthophoto-view.ts
 /** The orthophoto on the stage: what is placed on it, the chosen image beside it, and their tools. */
 var KEYS$1 = say("press-a-footprint-to-see");
-function orthophotoView(engine, placing, { open, sample }) {
+function orthophotoView(engine, facts, placing, { open, sample }) {
 	return {
 		name: "orthophoto",
 		title: say("orthophoto"),
-		mount: (store) => {
+		mount: (store, looking) => {
 			const host = (testid, label) => h("div", {
 				class: "view",
 				testid,
@@ -9689,13 +9913,16 @@ function orthophotoView(engine, placing, { open, sample }) {
 			})), beside), h("div", { class: "image-said" }, chosen, legendOf(store)));
 			element.addEventListener("focus", () => ground.focus());
 			const hands = new LinkHands(store, placing);
-			undoKeys(() => place.offsetParent !== null, (by) => hands.go(by));
+			undoKeys(() => place.offsetParent !== null && blockOnOrthophoto(store.state) === null, (by) => hands.go(by));
 			const keys = declare({
 				where: say("orthophoto"),
 				host: element,
-				list: linkKeys(store, hands)
+				list: [...blockKeys(store, {
+					step: (of, by) => plan.step(of, by),
+					leave: () => looking.choose(null)
+				}), ...linkKeys(store, hands)]
 			});
-			const plan = new OrthophotoPlan(ground, store, hands, keys, placing);
+			const plan = new OrthophotoPlan(ground, store, hands, keys, placing, looking, facts);
 			const image = new PlacedImageView(picture, store, hands, keys, (file) => engine.grey(file));
 			plan.image = image;
 			image.ground = plan;
@@ -9708,8 +9935,10 @@ function orthophotoView(engine, placing, { open, sample }) {
 			store.watch([
 				"placing",
 				"files",
-				"options"
+				"options",
+				"shown"
 			], () => {
+				element.classList.toggle("has-block", blockOnOrthophoto(store.state) !== null);
 				const text = chosenText(store);
 				if (chosen.textContent !== text) chosen.textContent = text;
 				element.classList.toggle("picks", store.state.placing.picks);
@@ -9733,7 +9962,8 @@ function follow(store, plan, image, beside, name) {
 	store.watch([
 		"placing",
 		"files",
-		"options"
+		"options",
+		"shown"
 	], ([{ chosen }]) => {
 		const placed = chosenPlaced(store.state);
 		const placement = placed?.result?.placement ?? null;
@@ -9751,6 +9981,7 @@ function chosenText({ state }) {
 	const { placing } = state;
 	const placed = chosenPlaced(state);
 	if (placing.picks) return say("press-the-orthophoto-where-images");
+	if (blockOnOrthophoto(state) !== null) return "";
 	if (placed === null && purposeOf(state) === "block") return say("a-block-that-is-placed");
 	if (placed === null) return placing.placed.size > 0 ? say("press-a-footprint-or-a") : "";
 	if (placing.draft !== null) {
@@ -9782,10 +10013,10 @@ function chosenText({ state }) {
 		off
 	}) + `X ${fixed(link.place[0], 2)}, Y ${fixed(link.place[1], 2)}, Z ${fixed(link.place[2], 2)}.`;
 }
-/** What the marks of links mean, and which of them are drawn. */
+/** What the marks of links, or of the block's places, mean, and which of them are drawn. */
 function legendOf(store) {
 	const switches = USES$1.map((use) => {
-		const press = toggle(LINK_STYLES[use].name, `links-${use}`, HELP[use], (on) => store.dispatch({
+		const press = toggle(LINK_STYLES[use].name, `links-${use}`, HELP.links[use], (on) => store.dispatch({
 			type: "showLinks",
 			use,
 			on
@@ -9796,22 +10027,42 @@ function legendOf(store) {
 		}), " ");
 		return press;
 	});
+	const title = h("span", {});
 	const legend = h("p", {
 		class: "ortho-legend",
 		testid: "ortho-legend"
-	}, say("links"), ...switches);
-	store.watch(["placing", "files"], ([{ uses }]) => {
-		for (const [i, use] of USES$1.entries()) switches[i]?.setAttribute("aria-pressed", String(uses.has(use)));
-		legend.hidden = (chosenPlaced(store.state)?.result?.placement ?? null) === null;
+	}, title, ...switches);
+	store.watch([
+		"placing",
+		"files",
+		"options",
+		"shown"
+	], ([{ uses }]) => {
+		const of = blockOnOrthophoto(store.state) === null ? "links" : "places";
+		fill(title, of === "links" ? say("links") : say("places-of-the-block"));
+		for (const [i, use] of USES$1.entries()) {
+			const press = switches[i];
+			press?.setAttribute("aria-pressed", String(uses.has(use)));
+			if (press !== void 0) press.title = HELP[of][use];
+		}
+		legend.hidden = of === "links" && (chosenPlaced(store.state)?.result?.placement ?? null) === null;
 	});
 	return legend;
 }
 var HELP = {
-	used: say("links-by-which-the-image"),
-	check: say("links-that-took-no-part"),
-	rejected: say("links-that-were-rejected-as")
+	links: {
+		used: say("links-by-which-the-image"),
+		check: say("links-that-took-no-part"),
+		rejected: say("links-that-were-rejected-as")
+	},
+	places: {
+		used: say("places-by-which-the-block"),
+		check: say("places-that-took-no-part"),
+		rejected: say("places-that-were-rejected")
+	}
 };
 function toolsOf(store, engine, plan, residuals) {
+	const exports = placingExports(store, engine);
 	const near = toggle(say("rough-place"), "ortho-near", say("the-next-press-on-the"), (picks) => store.dispatch({
 		type: "picksPlace",
 		picks
@@ -9838,15 +10089,17 @@ function toolsOf(store, engine, plan, residuals) {
 		"placing",
 		"running",
 		"notice",
-		"files"
+		"files",
+		"shown"
 	], ([placing]) => {
 		near.setAttribute("aria-pressed", String(placing.picks));
 		near.disabled = placing.orthophoto === null || isBusy(store.state);
 		everywhere.hidden = placing.options?.near_x == null && placing.options?.near_y == null;
-		whole.hidden = placing.chosen.image === null;
+		whole.hidden = chosenPlaced(store.state) === null;
 		over.hidden = (chosenPlaced(store.state)?.result?.placement ?? null) === null;
+		for (const own of [residuals, exports]) own.hidden = blockOnOrthophoto(store.state) !== null;
 	});
-	return unfolded("ortho-menu", near, everywhere, residuals, over, whole, placingExports(store, engine));
+	return unfolded("ortho-menu", near, everywhere, residuals, over, whole, exports);
 }
 /** What can be done to links by hand. */
 function handsOf(store, hands) {
@@ -9861,7 +10114,8 @@ function handsOf(store, hands) {
 		"running",
 		"notice",
 		"files",
-		"options"
+		"options",
+		"shown"
 	], ([{ chosen, draft, adjusting }]) => {
 		const held = document.activeElement;
 		const placed = chosenPlaced(store.state);
@@ -11874,7 +12128,7 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 		images,
 		MATRIX_VIEW,
 		plotsView(facts),
-		orthophotoView(engine, placing, {
+		orthophotoView(engine, facts, placing, {
 			open: pickers.orthophoto,
 			sample: placedSample
 		})

@@ -2632,6 +2632,10 @@ var WorkerClient = class {
 				call,
 				input
 			};
+			if (worker.isReady) {
+				worker.handle.postMessage(request, transfer);
+				return;
+			}
 			worker.ready.then(() => {
 				if (this.pending.has(id)) worker.handle.postMessage(request, transfer);
 			}, (error) => this.end(new CallError(otherFailure(error), true)));
@@ -2652,13 +2656,16 @@ var WorkerClient = class {
 				message: event.message || say("the-worker-could-not-start")
 			}, true));
 		};
-		return {
+		const started = {
 			handle,
+			isReady: false,
 			ready: wasmModule().then((module) => {
 				const start = { module };
 				handle.postMessage(start);
+				started.isReady = true;
 			})
 		};
+		return started;
 	}
 	receive(response) {
 		const waiting = this.pending.get(response.id);
@@ -2952,7 +2959,7 @@ function listen(host, movable, keyHost = host) {
 /** Listens for the keys of commands where there are no gestures. */
 function listenKeys(host, command) {
 	host.addEventListener("keydown", (event) => {
-		if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select") !== null) return;
+		if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select") !== null) return;
 		if (command(event.key, event.shiftKey)) event.preventDefault();
 	});
 }
@@ -3555,6 +3562,9 @@ var RowsInSight = class {
 	/** The rows that exist, from the first to the one behind the last. */
 	drawn = [0, 0];
 	frame = 0;
+	/** How high all of it is and what of that heads and feet take, as the browser laid them out last: to ask for it makes the browser lay out the page. Null: not yet. */
+	heights = null;
+	top = 0;
 	/** `row` builds the row at a place. */
 	constructor(testid, words, row) {
 		this.row = row;
@@ -3571,7 +3581,25 @@ var RowsInSight = class {
 			aria: { label: words.region }
 		}, this.table);
 		this.scroller.addEventListener("scroll", () => this.scrolled());
-		new ResizeObserver(() => this.draw()).observe(this.scroller);
+		new ResizeObserver(() => {
+			this.laidOut();
+			this.draw();
+		}).observe(this.scroller);
+		const fixed = new ResizeObserver(() => this.laidOut());
+		for (const part of [this.head, this.foot]) fixed.observe(part);
+	}
+	laidOut() {
+		this.top = this.scroller.scrollTop;
+		this.heights = {
+			all: this.scroller.clientHeight,
+			fixed: this.head.offsetHeight + this.foot.offsetHeight
+		};
+		return this.heights;
+	}
+	/** The height in which rows are seen. */
+	get room() {
+		const { all, fixed } = this.heights ?? this.laidOut();
+		return all - fixed;
 	}
 	/** Shows so many rows, or the same ones anew. */
 	show(count) {
@@ -3580,16 +3608,19 @@ var RowsInSight = class {
 	}
 	/** Brings a row into sight; a place below 0 is none. `near`: no farther than needed. */
 	reveal(place, near = false) {
-		const { scrollTop, clientHeight } = this.scroller;
-		const room = clientHeight - this.head.offsetHeight - this.foot.offsetHeight;
+		const { room } = this;
 		const top = place * ROW;
-		if (place >= 0 && top < scrollTop) this.scroller.scrollTop = near ? top : Math.max(0, top - room / 2);
-		else if (place >= 0 && top + ROW > scrollTop + room) this.scroller.scrollTop = near ? top + ROW - room : Math.max(0, top - room / 2);
+		if (place >= 0 && top < this.top) this.scrollTo(near ? top : Math.max(0, top - room / 2));
+		else if (place >= 0 && top + ROW > this.top + room) this.scrollTo(near ? top + ROW - room : Math.max(0, top - room / 2));
 		this.draw();
+	}
+	scrollTo(top) {
+		this.scroller.scrollTop = top;
+		this.top = this.scroller.scrollTop;
 	}
 	/** How many rows are seen at once. */
 	get page() {
-		return Math.max(1, Math.floor((this.scroller.clientHeight - this.head.offsetHeight - this.foot.offsetHeight) / ROW) - 1);
+		return Math.max(1, Math.floor(this.room / ROW) - 1);
 	}
 	/** Says on the heads of columns how the rows are sorted. */
 	markOrder(key, descending) {
@@ -3597,13 +3628,15 @@ var RowsInSight = class {
 	}
 	/** Draws before the next frame, where rows come into sight that do not exist yet. */
 	scrolled() {
+		this.top = this.scroller.scrollTop;
 		const [first, last] = this.inSight(0);
 		if (first >= this.drawn[0] && last <= this.drawn[1]) return;
 		if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
 	}
 	inSight(margin) {
-		const { scrollTop, clientHeight } = this.scroller;
-		return [Math.max(0, Math.floor(scrollTop / ROW) - margin), Math.min(this.count, Math.ceil((scrollTop + clientHeight) / ROW) + margin)];
+		const { top } = this;
+		const { all } = this.heights ?? this.laidOut();
+		return [Math.max(0, Math.floor(top / ROW) - margin), Math.min(this.count, Math.ceil((top + all) / ROW) + margin)];
 	}
 	draw() {
 		cancelAnimationFrame(this.frame);
@@ -3642,6 +3675,18 @@ function filler(rows) {
 // www/shared/panel/table.ts
 /** A table of any length: sorted by any of its columns, searched, chosen from by mouse and keys, and saved as it is shown. */
 var ALL$1 = () => true;
+var NONE$2 = /* @__PURE__ */ new Set();
+/** Whether columns have the same heads, whatever their rows hold. */
+function sameHeads(a, b) {
+	const head = ({ key, label, unit, help, words }) => [
+		key,
+		label,
+		unit,
+		help,
+		words
+	].join("\n");
+	return a.length === b.length && a.every((column, i) => head(column) === head(b[i] ?? column));
+}
 /** So many rows say how wide a column is. */
 var MEASURED$1 = 200;
 var TOTALS = {
@@ -3698,19 +3743,24 @@ var Table = class {
 	}
 	/** Shows rows of other columns; `keep` and the conditions leave some of them out. Returns how many are shown. */
 	show(count, columns, keep = ALL$1, conditions = {}) {
-		const others = columns !== this.all;
+		const before = this.all;
 		Object.assign(this, {
 			count,
 			all: columns,
 			keep,
 			conditions
 		});
-		if (others) this.showColumns();
+		if (columns !== before) {
+			const hidden = sameHeads(before, columns) ? this.bar?.left ?? NONE$2 : this.bar?.offer(columns) ?? NONE$2;
+			this.columns = columns.filter(({ key }) => !hidden.has(key));
+			if (!sameHeads(before, columns)) this.showHeads();
+		}
 		this.showConditions();
 		return this.sort();
 	}
-	/** Marks a row and brings it into sight; none where it is negative. */
+	/** Marks a row and brings it into sight, where it is not the marked one; none where it is negative. */
 	mark(row) {
+		if (row === this.marked) return;
 		this.marked = row;
 		this.reveal(row);
 	}
@@ -3728,16 +3778,16 @@ var Table = class {
 	}
 	hide(hidden) {
 		this.columns = this.all.filter(({ key }) => !hidden.has(key));
+		this.showHeads();
+		this.showConditions();
+		this.sort();
+	}
+	showHeads() {
 		const { columns } = this;
 		const heads = columns.map((column) => this.headCell(column));
 		const filters = this.options.filter === void 0 || columns.length === 0 ? null : h("tr", {}, ...columns.map((column) => this.filterCell(column)));
 		fill(this.table.head, columns.length === 0 ? null : h("tr", {}, ...heads), filters);
 		this.table.table.setAttribute("aria-colcount", String(columns.length));
-		this.showConditions();
-		this.sort();
-	}
-	showColumns() {
-		this.hide(this.bar?.offer(this.all) ?? /* @__PURE__ */ new Set());
 	}
 	headCell(column) {
 		const { key, label, help } = column;
@@ -3931,6 +3981,10 @@ var TableBar = class {
 		const text = `${this.words}: ${filtered ? say("of-8", { shown: count(shown) }) : ""}${count(all)}`;
 		if (this.caption.textContent !== text) this.caption.textContent = text;
 		this.clear.hidden = !filtered;
+	}
+	/** The columns that are hidden. */
+	get left() {
+		return this.hidden;
 	}
 	/** Lists the columns; gives those that are hidden. */
 	offer(columns) {
@@ -5544,8 +5598,14 @@ function answerCard(host, line, buttons, prefix) {
 		for (const { target } of entries) byKeys(target);
 	});
 	buttons.prepend(press, others);
+	/** How high it is while nothing runs, as the browser has laid it out. */
+	let height = 0;
+	new ResizeObserver(() => {
+		if (host.dataset.kind !== "busy") ({height} = host.getBoundingClientRect());
+	}).observe(host);
 	return ({ kind, verdict, text, more = "", figures: found = [], next = null, others: instead = [] }) => {
 		host.dataset.kind = kind;
+		host.style.minHeight = kind === "busy" && height > 0 ? `${String(height)}px` : "";
 		host.dataset.verdict = verdict ?? "";
 		line.dataset.kind = kind;
 		if (line.textContent !== (more === "" ? text : `${text} ${more}`)) {
@@ -6106,6 +6166,13 @@ function placeOfLeft({ left, match }, index) {
 }
 var rowOfEdited = remember(rowsOfLefts);
 // www/pair/state/marks.ts
+/** A mark of which nothing is known. */
+var UNMEASURED = {
+	col: NaN,
+	row: NaN,
+	x_mm: NaN,
+	y_mm: NaN
+};
 var isMeasured = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
 /** Whether a mark is measured and its photo coordinates are known: only then it takes part. */
 var isWhole$1 = (mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
@@ -6434,7 +6501,7 @@ function plainMessage(stage, error, catalogue) {
 		kept: KEPT
 	});
 	switch (error.failure.kind) {
-		case "refused": return error.failure.code === "image-too-small" ? `${sideOf(stage)}${text}.` : `${capital(text)}.`;
+		case "refused": return error.failure.code === "image-too-small" ? `${sideOf$1(stage)}${text}.` : `${capital(text)}.`;
 		case "memory": return say("memory-ran-out-while", {
 			label: STAGES[stage].label,
 			text,
@@ -6455,7 +6522,7 @@ function plainMessage(stage, error, catalogue) {
 		});
 	}
 }
-function sideOf(stage) {
+function sideOf$1(stage) {
 	const side = /(Left|Right)$/u.exec(stage)?.[1];
 	return side === void 0 ? "" : say("image-3", { side });
 }
@@ -10280,7 +10347,7 @@ var HEADS = {
 	y_mm: "y mm"
 };
 /** `measure`: in the picture of a side. */
-function mountFiducials(host, store, loadFile, measure) {
+function mountFiducials(host, store, loadFile, marking, measure) {
 	const model = h("select", {
 		id: "fiducial-model",
 		testid: "fiducial-model"
@@ -10295,28 +10362,16 @@ function mountFiducials(host, store, loadFile, measure) {
 	store.watch(["fiducialModel"], ([value]) => {
 		model.value = value;
 	});
-	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile, measure), photo("right", store, loadFile, measure)));
+	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile, marking, measure), photo("right", store, loadFile, marking, measure)));
 }
-function photo(side, store, loadFile, measure) {
+function photo(side, store, loadFile, marking, measure) {
 	const table = h("div", { class: "scroll" });
 	const result = h("p", {
 		class: "note",
 		testid: `interior-${side}`
 	});
-	const set = (change) => store.dispatch({
-		type: "photo",
-		side,
-		photo: change
-	});
 	const name = side === "left" ? say("left") : say("right");
-	const add = button(say("add-mark"), `add-fiducial-${side}`, () => {
-		set({ fiducials: [...store.state.photos[side].fiducials, {
-			col: NaN,
-			row: NaN,
-			x_mm: NaN,
-			y_mm: NaN
-		}] });
-	});
+	const add = button(say("add-mark"), `add-fiducial-${side}`, () => marking.add(side));
 	const load = button(say("load-csv"), `load-fiducials-${side}`, () => loadFile(side));
 	const inPicture = button(say("measure-in-the-image"), `measure-fiducials-${side}`, () => measure(side), say("press-each-mark-in-the-image"));
 	store.watch((s) => [
@@ -10327,14 +10382,14 @@ function photo(side, store, loadFile, measure) {
 		inPicture.disabled = image === null;
 		inPicture.setAttribute("aria-pressed", String(tool === "fiducials" && mark?.side === side));
 	});
-	const clear = button(say("clear"), `clear-fiducials-${side}`, () => set({ fiducials: [] }));
+	const clear = button(say("clear"), `clear-fiducials-${side}`, () => marking.removeAll(side));
 	let shown = null;
 	const stage = side === "left" ? "interiorLeft" : "interiorRight";
 	store.watch((s) => [s.photos[side].fiducials, s.results[stage]], ([fiducials, interior]) => {
 		const whole = fiducials.filter(isWhole$1).length;
 		const residuals = interior?.value.fiducials?.residuals_mm ?? [];
 		if (shown !== fiducials) {
-			if (shown?.length !== fiducials.length) fill(table, marksTable(side, store, fiducials.length));
+			if (shown?.length !== fiducials.length) fill(table, marksTable(side, marking, fiducials.length));
 			shown = fiducials;
 		}
 		showMarks(table, fiducials, residuals.length === whole ? residuals : []);
@@ -10354,9 +10409,9 @@ function interiorText(sigma, freedom, marks) {
 		freedom
 	});
 }
-function marksTable(side, store, rows) {
+function marksTable(side, marking, rows) {
 	if (rows === 0) return "";
-	const body = Array.from({ length: rows }, (_, i) => h("tr", {}, h("th", { scope: "row" }, String(i + 1)), ...FIELDS.map((field) => h("td", {}, markInput(side, store, i, field))), h("td", { class: "number residual" }, ""), h("td", {}, removeButton(side, store, i))));
+	const body = Array.from({ length: rows }, (_, i) => h("tr", {}, h("th", { scope: "row" }, String(i + 1)), ...FIELDS.map((field) => h("td", {}, markInput(side, marking, i, field))), h("td", { class: "number residual" }, ""), h("td", {}, removeButton(side, marking, i))));
 	return h("table", {
 		class: "marks",
 		testid: `fiducials-${side}`,
@@ -10366,7 +10421,7 @@ function marksTable(side, store, rows) {
 		title: say("residuals-vx-vy")
 	}, "v µm"), h("th", {}, ""))), h("tbody", {}, ...body));
 }
-function markInput(side, store, index, field) {
+function markInput(side, marking, index, field) {
 	const input = h("input", {
 		type: "number",
 		aria: { label: say("mark", {
@@ -10375,27 +10430,11 @@ function markInput(side, store, index, field) {
 		}) }
 	});
 	input.step = "any";
-	input.addEventListener("change", () => {
-		const fiducials = store.state.photos[side].fiducials.map((mark, i) => i === index ? {
-			...mark,
-			[field]: input.valueAsNumber
-		} : mark);
-		store.dispatch({
-			type: "photo",
-			side,
-			photo: { fiducials }
-		});
-	});
+	input.addEventListener("change", () => marking.type(side, index, { [field]: input.valueAsNumber }));
 	return input;
 }
-function removeButton(side, store, index) {
-	const remove = button("×", `remove-fiducial-${side}-${String(index)}`, () => {
-		store.dispatch({
-			type: "photo",
-			side,
-			photo: { fiducials: store.state.photos[side].fiducials.filter((_, i) => i !== index) }
-		});
-	});
+function removeButton(side, marking, index) {
+	const remove = button("×", `remove-fiducial-${side}-${String(index)}`, () => marking.remove(side, index));
 	remove.className = "icon";
 	remove.setAttribute("aria-label", say("remove-mark", { index: index + 1 }));
 	return remove;
@@ -11460,6 +11499,8 @@ function mountMarking(bar, store, marking) {
 	const former = button(say("mark-before"), "mark-before", () => void marking.go(-1), say("the-mark-before-p"));
 	const next = button(say("next-mark"), "mark-next", () => void marking.go(1), say("the-next-mark-enter"));
 	const clear = button(say("clear-mark"), "mark-clear", () => marking.clear(), say("the-mark-is-not-measured"));
+	const undo = button(say("undo-sign"), "mark-undo", () => marking.step(-1));
+	const redo = button(say("redo-sign"), "mark-redo", () => marking.step(1));
 	const end = button(say("end-marking"), "mark-end", () => store.dispatch({
 		type: "tool",
 		tool: "look"
@@ -11469,8 +11510,9 @@ function mountMarking(bar, store, marking) {
 		testid: "marking",
 		role: "group",
 		aria: { label: say("fiducial-marks-measured") }
-	}, text, former, next, clear, end);
+	}, text, former, next, clear, undo, redo, end);
 	bar.append(buttons);
+	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "fiducials", (by) => marking.step(by));
 	store.watch((s) => [
 		s.tool,
 		s.mark,
@@ -11482,6 +11524,7 @@ function mountMarking(bar, store, marking) {
 		former.disabled = state.mark === null || state.mark.index === 0;
 		next.disabled = markInHand(state) === void 0;
 		clear.disabled = placeInHand(state) === null;
+		showSteps(undo, redo, marking.history, ({ name }) => name);
 		if (buttons.contains(held)) passFocus(held, [byId("view")]);
 		const now = textOf$1(state);
 		if (text.textContent !== now) text.textContent = now;
@@ -11529,7 +11572,8 @@ function mountMasking(host, bar, store, masking, paint) {
 	});
 	const mask = button(say("mask-it"), "mask-area", () => paint(true), say("no-points-in-the-outlined"));
 	const unmask = button(say("unmask-it"), "unmask-area", () => paint(false), say("points-in-the-outlined-area"));
-	const undo = button(say("undo"), "mask-undo", () => masking.undo(), say("take-the-last-area-back"));
+	const undo = button(say("undo-sign"), "mask-undo", () => masking.step(-1));
+	const redo = button(say("redo-sign"), "mask-redo", () => masking.step(1));
 	const keep = button(say("save-masks"), "mask-save", () => saveMasks(store.state), say("masks-as-png-files-for"));
 	const end = button(say("end-masking"), "mask-end", () => masking.toggle());
 	const buttons = h("div", {
@@ -11537,11 +11581,9 @@ function mountMasking(host, bar, store, masking, paint) {
 		testid: "masking",
 		role: "group",
 		aria: { label: say("masks-of-the-pictures") }
-	}, text, mask, unmask, undo, keep, end);
+	}, text, mask, unmask, undo, redo, keep, end);
 	host.append(tool);
-	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask", (by) => {
-		if (by < 0) masking.undo();
-	});
+	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask", (by) => masking.step(by));
 	bar.append(buttons);
 	store.watch((s) => [
 		s.tool,
@@ -11556,7 +11598,7 @@ function mountMasking(host, bar, store, masking, paint) {
 		buttons.hidden = state.tool !== "mask";
 		mask.disabled = !masking.isArea();
 		unmask.disabled = mask.disabled;
-		undo.disabled = !masking.canUndo();
+		showSteps(undo, redo, masking.history, ({ name }) => name);
 		keep.disabled = SIDES.every((side) => fileOf(state, side) === null);
 		if (buttons.contains(held)) passFocus(held, [byId("view")]);
 		const corners = state.outline?.corners.length ?? 0;
@@ -12326,6 +12368,23 @@ function mountStatistics(host, store, editing, select) {
 		}));
 	};
 	filter.addEventListener("change", show);
+	const follow = () => {
+		const { state } = store;
+		table.scroller.classList.toggle("is-stale", isStale(state, "match") || shownPair(state).orientation !== null && isStale(state, "orientation"));
+		const now = statisticsOfState(state);
+		const lefts = chosenLefts(state);
+		const isOther = lefts.length !== chosen.size || !lefts.every((left) => chosen.has(left));
+		if (isOther) chosen = new Set(lefts);
+		if (now !== statistics || filter.options.length === 0) {
+			statistics = now;
+			columns = now === null ? [] : columnsOf(now);
+			const { value } = filter;
+			const offered = FILTERS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
+			if (filter.options.length !== offered.length) fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
+			show();
+		} else if (isOther) table.redraw();
+		table.mark(selectedMatch(state, statistics));
+	};
 	store.watch([
 		"results",
 		"history",
@@ -12335,30 +12394,10 @@ function mountStatistics(host, store, editing, select) {
 		"photos",
 		"offset",
 		"fiducialModel",
-		"failures"
-	], () => {
-		const { state } = store;
-		table.scroller.classList.toggle("is-stale", isStale(state, "match") || shownPair(state).orientation !== null && isStale(state, "orientation"));
-		const now = statisticsOfState(state);
-		if (now === statistics && filter.options.length > 0) return;
-		statistics = now;
-		columns = now === null ? [] : columnsOf(now);
-		const { value } = filter;
-		const offered = FILTERS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
-		fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
-		show();
-	});
-	store.watch(["selection", "results"], () => table.mark(selectedMatch(store.state, statistics)));
-	store.watch([
-		"chosen",
-		"history",
-		"results"
-	], () => {
-		const lefts = chosenLefts(store.state);
-		if (lefts.length === 0 && chosen.size === 0) return;
-		chosen = new Set(lefts);
-		table.redraw();
-	});
+		"failures",
+		"selection",
+		"chosen"
+	], follow);
 }
 function columnsOf({ columns, codes, rightness }) {
 	const word = (key, label, help, text) => ({
@@ -12742,18 +12781,96 @@ var Editing = class {
 		});
 	}
 };
+// www/pair/state/undoing.ts
+/** Steps of a tool on what the images of a pair have, masks or marks: taken back and made again as long as nothing else has changed that. */
+/** The side of an image; undefined where it is no longer in the pair. */
+function sideOf({ images: { left, right } }, imageId) {
+	return left?.id === imageId ? "left" : right?.id === imageId ? "right" : void 0;
+}
+var Undoing = class {
+	state;
+	now;
+	isSame;
+	most;
+	all = NO_HISTORY;
+	constructor(state, now, isSame, most) {
+		this.state = state;
+		this.now = now;
+		this.isSame = isSame;
+		this.most = most;
+	}
+	/** The steps that can be taken back and made again; those whose image has something else by now are gone. */
+	get history() {
+		let { edits, done } = this.all;
+		for (let last = edits[done - 1]; last !== void 0 && !this.isAt(last, last.after); last = edits[done - 1]) {
+			edits = without$1(edits, done - 1);
+			done -= 1;
+		}
+		for (let next = edits[done]; next !== void 0 && !this.isAt(next, next.before); next = edits[done]) edits = without$1(edits, done);
+		if (edits !== this.all.edits) this.all = {
+			edits,
+			done
+		};
+		return this.all;
+	}
+	/** The step that was made last. */
+	get last() {
+		const { edits, done } = this.history;
+		return edits[done - 1];
+	}
+	/** Takes a step that is about to be made. */
+	record(step) {
+		this.keep(this.history, step);
+	}
+	/** Takes a step in place of the one that was made last. */
+	amend(step) {
+		const { history } = this;
+		this.keep(wentTo(history, history.done - 1), step);
+	}
+	keep(history, step) {
+		const edits = recorded(history, step).edits.slice(-this.most);
+		this.all = {
+			edits,
+			done: edits.length
+		};
+	}
+	/** Goes a step back or on: gives it with the side and what its image has then; null where there is none. */
+	go(by) {
+		const { edits, done } = this.history;
+		const step = edits[by < 0 ? done - 1 : done];
+		const side = step === void 0 ? void 0 : sideOf(this.state(), step.imageId);
+		if (step === void 0 || side === void 0) return null;
+		this.all = wentTo(this.all, done + by);
+		return {
+			step,
+			side,
+			value: by < 0 ? step.before : step.after
+		};
+	}
+	isAt({ imageId }, value) {
+		const side = sideOf(this.state(), imageId);
+		return side !== void 0 && this.isSame(this.now(side), value);
+	}
+};
+function without$1(all, index) {
+	return all.filter((_, i) => i !== index);
+}
 // www/pair/state/marking.ts
 /** Marks that determine each transformation. */
 var LEAST_SIMILARITY = 2;
 var LEAST_AFFINE = 3;
+/** Steps that can be taken back: far more than a photo has marks. */
+var MOST_UNDONE$1 = 1e3;
 var Marking = class {
 	store;
 	orienter;
 	show;
+	steps;
 	constructor(store, orienter, show) {
 		this.store = store;
 		this.orienter = orienter;
 		this.show = show;
+		this.steps = new Undoing(() => store.state, (side) => store.state.photos[side].fiducials, (a, b) => a === b, MOST_UNDONE$1);
 		store.watch(["photos", "fiducialModel"], () => {
 			const { mark } = store.state;
 			if (mark !== null) this.take(mark.side, mark.index);
@@ -12777,17 +12894,22 @@ var Marking = class {
 		});
 	}
 	/** Places the mark in hand, where it is of that image. */
-	place(side, [x, y]) {
+	place(side, at) {
+		this.put(side, at, isMeasured(markInHand(this.store.state) ?? UNMEASURED) ? "moved" : "measured");
+	}
+	nudge(dx, dy) {
+		const { mark, photos } = this.store.state;
+		const at = mark === null ? null : placeOfMark(photos[mark.side], markInHand(this.store.state));
+		if (mark !== null && at !== null) this.put(mark.side, [at[0] + dx, at[1] + dy], "nudged");
+	}
+	put(side, [x, y], deed) {
 		const { mark, photos } = this.store.state;
 		if (mark === null || mark.side !== side) return;
 		const { fiducials, origin } = photos[side];
 		const [left, top] = origin ?? [0, 0];
 		const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
 		const placed = {
-			...fiducials[mark.index] ?? {
-				x_mm: NaN,
-				y_mm: NaN
-			},
+			...fiducials[mark.index] ?? UNMEASURED,
 			col,
 			row
 		};
@@ -12795,12 +12917,7 @@ var Marking = class {
 			...fiducials.slice(0, mark.index),
 			placed,
 			...fiducials.slice(mark.index + 1)
-		]);
-	}
-	nudge(dx, dy) {
-		const { mark, photos } = this.store.state;
-		const at = mark === null ? null : placeOfMark(photos[mark.side], markInHand(this.store.state));
-		if (mark !== null && at !== null) this.place(mark.side, [at[0] + dx, at[1] + dy]);
+		], deed, mark.index);
 	}
 	/** Takes the next or the former mark in hand; behind the last one a new one. */
 	async go(by) {
@@ -12820,9 +12937,73 @@ var Marking = class {
 			...one,
 			col: NaN,
 			row: NaN
-		} : one));
+		} : one), "cleared", mark.index);
 	}
-	set(side, fiducials) {
+	/** Changes numbers of a mark that were typed. */
+	type(side, index, numbers) {
+		const { fiducials } = this.store.state.photos[side];
+		this.set(side, fiducials.map((mark, i) => i === index ? {
+			...mark,
+			...numbers
+		} : mark), "typed", index);
+	}
+	/** A new mark, whose numbers are to be typed. */
+	add(side) {
+		const { fiducials } = this.store.state.photos[side];
+		this.set(side, [...fiducials, UNMEASURED], "added", fiducials.length);
+	}
+	remove(side, index) {
+		const { fiducials } = this.store.state.photos[side];
+		this.set(side, fiducials.filter((_, i) => i !== index), "removed", index);
+	}
+	removeAll(side) {
+		this.set(side, [], "all_removed", 0);
+	}
+	/** What was done to the marks, and can be taken back and done again. */
+	get history() {
+		return this.steps.history;
+	}
+	/** Takes the last step back, or makes it again, and shows its mark. */
+	step(by) {
+		const gone = this.steps.go(by);
+		if (gone === null) return;
+		const { side, value, step } = gone;
+		this.store.dispatch({
+			type: "photo",
+			side,
+			photo: { fiducials: value }
+		});
+		if (this.store.state.tool !== "fiducials") this.store.dispatch({
+			type: "tool",
+			tool: "fiducials"
+		});
+		this.goTo(side, Math.min(step.index, value.length));
+		this.store.dispatch({
+			type: "activeSide",
+			side
+		});
+	}
+	set(side, fiducials, deed, index) {
+		const { images, photos } = this.store.state;
+		const image = images[side];
+		const { last } = this.steps;
+		const now = photos[side].fiducials;
+		if (image !== null) {
+			const goesOn = deed === "nudged" && last?.deed === deed && last.imageId === image.id && last.index === index;
+			const step = {
+				imageId: image.id,
+				name: say("step-of-mark", {
+					deed,
+					number: index + 1
+				}),
+				before: goesOn ? last.before : now,
+				after: fiducials,
+				deed,
+				index
+			};
+			if (goesOn) this.steps.amend(step);
+			else this.steps.record(step);
+		}
 		this.store.dispatch({
 			type: "photo",
 			side,
@@ -12881,10 +13062,12 @@ function positionOf({ origin }, { parameters }, { x_mm, y_mm }) {
 /** What a user does to masks: areas are outlined, and hold no points from then on, or do so again. */
 /** An area has three corners at least. */
 var LEAST_CORNERS = 3;
+/** Areas that can be taken back: each holds a whole mask. */
+var MOST_UNDONE = 10;
 var Masking = class {
 	store;
 	painter;
-	done = [];
+	steps;
 	/** What was outlined before the line that is being drawn. */
 	former = null;
 	/** Whether the outline was drawn in one go. */
@@ -12895,6 +13078,7 @@ var Masking = class {
 	constructor(store, painter) {
 		this.store = store;
 		this.painter = painter;
+		this.steps = new Undoing(() => store.state, (side) => store.state.masks[side], (a, b) => a?.id === b?.id, MOST_UNDONE);
 	}
 	/** Whether there is an image to be masked: of a project that was opened the images themselves may be missing. */
 	can() {
@@ -12971,35 +13155,22 @@ var Masking = class {
 		this.painting = this.painting.catch(() => {}).then(() => this.painted(image.id, outline.corners, masked));
 		return this.painting;
 	}
-	canUndo() {
-		return this.last() !== null;
+	/** The areas that can be taken back and painted again. */
+	get history() {
+		return this.steps.history;
 	}
-	/** Takes the area back that was painted last. */
-	undo() {
-		const last = this.last();
-		if (last === null) return;
-		this.done.pop();
-		this.store.dispatch({
+	/** Takes the area back that was painted last, or paints it again. */
+	step(by) {
+		const gone = this.steps.go(by);
+		if (gone !== null) this.store.dispatch({
 			type: "mask",
-			side: last.side,
-			mask: last.before
+			side: gone.side,
+			mask: gone.value
 		});
-	}
-	/** The area that was painted last, unless its image or its mask has become another one. */
-	last() {
-		const last = this.done.at(-1);
-		if (last === void 0) return null;
-		const side = this.sideOf(last.imageId);
-		if (side !== void 0 && this.store.state.masks[side]?.id === last.after) return {
-			...last,
-			side
-		};
-		this.done.pop();
-		return this.last();
 	}
 	async painted(imageId, corners, masked) {
 		const { state } = this.store;
-		const side = this.sideOf(imageId);
+		const side = sideOf(this.store.state, imageId);
 		if (side === void 0) return;
 		const before = state.masks[side];
 		const tell = (kind, text) => this.store.dispatch({
@@ -13020,17 +13191,18 @@ var Masking = class {
 		} finally {
 			if (mask === null) this.outlinedAgain(imageId, corners);
 		}
-		const now = this.sideOf(imageId);
+		const now = sideOf(this.store.state, imageId);
 		if (mask === null || now === void 0 || this.store.state.masks[now] !== before) {
 			tell("info", say("no-area-was-painted"));
 			this.outlinedAgain(imageId, corners);
 			return;
 		}
-		this.done = [...this.done, {
+		this.steps.record({
 			imageId,
+			name: say("step-of-mask", { masked: masked ? "yes" : "no" }),
 			before,
-			after: mask.id
-		}].slice(-10);
+			after: mask
+		});
 		this.store.dispatch({
 			type: "mask",
 			side: now,
@@ -13043,7 +13215,7 @@ var Masking = class {
 		}));
 	}
 	outlinedAgain(imageId, corners) {
-		const side = this.sideOf(imageId);
+		const side = sideOf(this.store.state, imageId);
 		const { outline, tool } = this.store.state;
 		if (side !== void 0 && outline === null && tool === "mask") this.store.dispatch({
 			type: "outline",
@@ -13052,10 +13224,6 @@ var Masking = class {
 				corners
 			}
 		});
-	}
-	sideOf(imageId) {
-		const { left, right } = this.store.state.images;
-		return left?.id === imageId ? "left" : right?.id === imageId ? "right" : void 0;
 	}
 };
 // www/pair/state/reducer.ts
@@ -14627,7 +14795,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	await breath();
 	mountControls(settings, store, settingsButton);
 	mountCamera(camera, store, () => pick(null));
-	mountFiducials(camera, store, (side) => pick(side), (side) => {
+	mountFiducials(camera, store, (side) => pick(side), marking, (side) => {
 		marking.toggle(side);
 		if (store.state.tool !== "fiducials") return;
 		uncoverPictures();

@@ -117,6 +117,61 @@ test('a mark is expected anew when another one moves, and an answer that comes l
   assert.ok(Math.abs(later[0] - expected[0] - 10) < 1e-6 && Math.abs(later[1] - expected[1] - 20) < 1e-6, `${expected} ${later}`);
 });
 
+const named = (/** @type {any} */ marking) => marking.history.edits.map((/** @type {any} */ { name }) => name);
+
+test('what was done to marks is undone and done again, by its names; a mark that keys move is moved once', async () => {
+  const { store, marking, marks } = begun();
+  const states = [marks()];
+  marking.toggle('left');
+  marking.place('left', [20, 20]);
+  states.push(marks());
+  for (let i = 0; i < 3; i++) marking.nudge(0.1, 0);
+  states.push(marks());
+  assert.equal(marks()[0].col, 30.3);
+  marking.place('left', [500, 500]);
+  states.push(marks());
+  marking.clear();
+  states.push(marks());
+  marking.remove('left', 0);
+  states.push(marks());
+  marking.removeAll('left');
+  states.push(marks());
+  assert.deepEqual(named(marking), ['measure mark 1', 'move mark 1', 'move mark 1', 'clear mark 1', 'remove mark 1', 'remove all marks']);
+  for (const state of states.slice(0, -1).reverse()) {
+    marking.step(-1);
+    assert.equal(marks(), state);
+    assert.equal(store.state.tool, 'fiducials');
+    assert.deepEqual([store.state.mark.side, store.state.mark.index], ['left', 0]);
+  }
+  marking.step(-1);
+  assert.equal(marks(), states[0]);
+  for (const state of states.slice(1)) {
+    marking.step(1);
+    assert.equal(marks(), state);
+  }
+  // What was undone is given up by another step.
+  marking.step(-1);
+  marking.type('left', 1, { x_mm: 7 });
+  assert.deepEqual([named(marking).at(-1), marks()[1].x_mm, marking.history.edits.length], ['change mark 2', 7, 6]);
+});
+
+test('marks that were given since are not undone, and steps go with their image', () => {
+  const { store, marking, marks } = begun();
+  marking.toggle('left');
+  marking.place('left', [20, 20]);
+  store.dispatch({ type: 'swap' });
+  const before = store.state.photos.right.fiducials;
+  marking.step(-1);
+  assert.notEqual(store.state.photos.right.fiducials, before);
+  marking.step(1);
+  assert.equal(store.state.photos.right.fiducials, before);
+  store.dispatch({ type: 'swap' });
+  store.dispatch({ type: 'photo', side: 'left', photo: { fiducials: [] } });
+  assert.equal(marking.history.edits.length, 0);
+  marking.step(-1);
+  assert.deepEqual(marks(), []);
+});
+
 test('what is not complete changes nothing of the pair', () => {
   const whole = { col: 1, row: 2, x_mm: 3, y_mm: 4 };
   const measured = (/** @type {object[]} */ fiducials) => JSON.stringify(measuredPhoto({ fiducials, origin: null }));

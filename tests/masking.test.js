@@ -97,13 +97,43 @@ test('undoing an area takes no mask away that was given since', async () => {
   const first = store.state.masks.left;
   draw();
   await masking.paint(false);
-  masking.undo();
+  masking.step(-1);
   assert.equal(store.state.masks.left, first);
   const given = made();
   store.dispatch({ type: 'mask', side: 'left', mask: given });
-  assert.equal(masking.canUndo(), false);
-  masking.undo();
+  assert.equal(masking.history.done, 0);
+  masking.step(-1);
   assert.equal(store.state.masks.left, given);
+});
+
+test('an area that was undone is painted again, unless another one was painted or its image has another mask', async () => {
+  const { store, masking, draw } = painted();
+  draw();
+  await masking.paint(true);
+  const first = store.state.masks.left;
+  draw();
+  await masking.paint(false);
+  const second = store.state.masks.left;
+  assert.deepEqual(
+    masking.history.edits.map((/** @type {any} */ { name }) => name),
+    ['mask an area', 'unmask an area'],
+  );
+  masking.step(-1);
+  masking.step(-1);
+  assert.equal(store.state.masks.left, null);
+  masking.step(1);
+  assert.equal(store.state.masks.left, first);
+  masking.step(1);
+  assert.equal(store.state.masks.left, second);
+  masking.step(1);
+  assert.equal(store.state.masks.left, second);
+  masking.step(-1);
+  draw();
+  await masking.paint(true);
+  assert.deepEqual([masking.history.edits.length, masking.history.done], [2, 2]);
+  masking.step(-1);
+  store.dispatch({ type: 'mask', side: 'left', mask: made() });
+  assert.equal(masking.history.edits.length, 0);
 });
 
 test('a mask that is removed leaves the areas of the other image to be undone', async () => {
@@ -121,8 +151,8 @@ test('a mask that is removed leaves the areas of the other image to be undone', 
   );
   await masking.paint(true);
   store.dispatch({ type: 'mask', side: 'right', mask: null });
-  assert.equal(masking.canUndo(), true);
-  masking.undo();
+  assert.equal(masking.history.done, 1);
+  masking.step(-1);
   assert.equal(store.state.masks.left, null);
 });
 
@@ -134,7 +164,7 @@ test('an area that is painted while the images are swapped goes with its image',
   await end;
   assert.equal(store.state.masks.left, null);
   assert.notEqual(store.state.masks.right, null);
-  masking.undo();
+  masking.step(-1);
   assert.equal(store.state.masks.right, null);
 });
 

@@ -8,7 +8,10 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/state/state', 'block/state/reducer', 'block/state/purpose']));
+  Object.assign(
+    page,
+    await pageModules(['block/state/state', 'block/state/reducer', 'block/state/purpose', 'block/state/showing', 'block/view/orthophoto/block']),
+  );
 });
 
 const file = (/** @type {number} */ id) => ({ id, name: `photo_${id}.png`, file: new Blob([]) });
@@ -88,4 +91,72 @@ test('edits hold in the system of an orthophoto, but for those of places of anot
   assert.deepEqual(again.history.edits.flat().slice(2), [{ kind: 'reject_points', points: [{ ground_control: 0 }] }]);
   const other = reduce(placed, { type: 'edit', edits: [{ kind: 'reject_points', points: [{ ground_control: 1 }] }] });
   assert.equal(reduce(other, { type: 'onGround', view: view(['G1']), edits: [], ground: null }).history.edits.length, 2);
+});
+
+/** A block that lies on an orthophoto of 100 by 80 m, whose origin is (500, 900): two images and three of its places, one of them rejected by hand, beside a ground control point. */
+const georeference = { origin: [500, 900], by_column: [1, 0], by_row: [0, -1] };
+const onIt = (/** @type {number} */ x, /** @type {number} */ y) => ({ position: [x, y, 10], difference_m: [0, 0, 0], standard_errors_m: [null, null, null] });
+const linked = view([], {
+  orthophoto: { kind: 'linked', text: '' },
+  images: [1, 2].map((id) => ({ name: `photo_${id}.png`, rays: 0, position: [500 + 20 * id, 850, 100] })),
+  surveyed: [
+    { name: 'orthophoto_1', control: 0, point: 7, role: 'control', isUsed: true, ...onIt(530, 880) },
+    { name: 'orthophoto_2', control: 1, point: 8, role: 'check', isUsed: true, ...onIt(560, 880) },
+    { name: 'orthophoto_3', control: 2, point: 9, role: 'control', isUsed: false, ...onIt(590, 880) },
+    { name: 'GCP', control: 3, point: 10, role: 'control', isUsed: true, ...onIt(590, 830) },
+  ],
+});
+
+test('the orthophoto shows the block that lies on its ground, unless each image is placed by itself', () => {
+  const { blockOnOrthophoto, chosenPlaced } = page.showing;
+  const reduce = page.reducer.reduceBlock;
+  const of = (/** @type {object} */ info) => ({ ...orthophoto(7), info });
+  const here = of({ width: 100, height: 80, georeference });
+  const elsewhere = of({ width: 100, height: 80, georeference: { ...georeference, origin: [9000, 900] } });
+  const opened = { type: 'openedFile', view: linked, edits: [] };
+  const given = reduce(after(opened), { type: 'orthophoto', orthophoto: here });
+  assert.equal(blockOnOrthophoto(given), given.shown);
+  assert.equal(blockOnOrthophoto(after(opened)), null);
+  assert.equal(blockOnOrthophoto(reduce(after(opened), { type: 'orthophoto', orthophoto: elsewhere })), null);
+  assert.equal(blockOnOrthophoto(reduce(given, { type: 'purpose', purpose: 'images' })), null);
+  // An image that was placed by itself is not what is looked at then.
+  const placed = { key: '', result: null, problem: '', found: null, steps: [], done: 0 };
+  const both = [
+    { type: 'placed', image: 1, placed },
+    { type: 'choosePlaced', looked: { image: 1, link: null } },
+  ].reduce(reduce, reduce(given, { type: 'purpose', purpose: 'block' }));
+  assert.equal(chosenPlaced(both), null);
+  assert.equal(chosenPlaced(reduce(both, { type: 'purpose', purpose: 'images' })).file.id, 1);
+});
+
+test('a press on the orthophoto chooses what lies there of the block, and keys go through it', () => {
+  const { onOrthophoto, choiceAt, stepped, placeOfChoice } = page.block;
+  const footprints = new Float64Array([505, 890, 540, 890, 540, 810, 505, 810, 535, 890, 570, 890, 570, 810, 535, 810]);
+  const all = () => true;
+  const of = onOrthophoto(linked, { footprints }, false, all, all);
+  // Five CSS px to the metre.
+  const t = { scale: 5, x: -2500, y: 4500 };
+  const at = (/** @type {number} */ x, /** @type {number} */ y, uses = new Set(['used', 'check', 'rejected'])) =>
+    choiceAt(of, uses, t, 5 * x - 2500, 4500 - 5 * y);
+  assert.deepEqual(at(531, 880), { kind: 'point', point: 7 });
+  assert.deepEqual(at(590, 879), { kind: 'point', point: 9 });
+  assert.deepEqual(at(590, 831), { kind: 'point', point: 10 });
+  assert.deepEqual(at(521, 850), { kind: 'image', image: 0 });
+  assert.deepEqual(at(560, 815), { kind: 'image', image: 1 });
+  assert.equal(at(598, 850), null);
+  // Places that are not drawn are not pressed.
+  assert.deepEqual(at(560, 880, new Set(['used'])), { kind: 'image', image: 1 });
+  assert.deepEqual(stepped(of, 'place', null, 1), { kind: 'point', point: 7 });
+  assert.deepEqual(stepped(of, 'place', { kind: 'point', point: 7 }, -1), { kind: 'point', point: 9 });
+  assert.deepEqual(stepped(of, 'image', { kind: 'image', image: 0 }, 1), { kind: 'image', image: 1 });
+  assert.deepEqual(placeOfChoice(of, { kind: 'point', point: 8 }), [560, 880]);
+  // What filters leave out is not there.
+  const some = onOrthophoto(
+    linked,
+    { footprints },
+    false,
+    (/** @type {number} */ image) => image === 1,
+    (/** @type {number} */ row) => row === 3,
+  );
+  assert.deepEqual([some.images.map(({ name }) => name), some.places.rows, some.surveyed.rows], [['photo_2.png'], [], [3]]);
 });

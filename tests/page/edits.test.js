@@ -30,6 +30,50 @@ const oriented = (page) => says(page, 'compared-points-now', /\d/);
 const csv = async (page) => (await saved(page, 'export-csv')).toString();
 const rows = (/** @type {string} */ text) => text.trim().split('\n').length - 1;
 
+test('an edit asks for its orientation before anything is drawn, and moves neither pictures nor list', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await pair(page);
+  await part(page, 'tab-matches').click();
+  await part(page, 'statistics-row').nth(3).click();
+  await enabled(page, 'reject');
+  // With the first edit its buttons come.
+  await part(page, 'view').focus();
+  await page.keyboard.press('Delete');
+  await oriented(page);
+  await done(page);
+  await page.evaluate(() => {
+    const seen = { asked: /** @type {string[]} */ ([]), resized: 0, heads: 0 };
+    Object.assign(window, { seen });
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (/** @type {any} */ message, /** @type {any} */ ...more) {
+      seen.asked.push(message.call);
+      return post.call(this, message, ...more);
+    };
+    const at = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.querySelector(`[data-testid="${id}"]`));
+    // What is observed is told once to begin with.
+    let begun = false;
+    new ResizeObserver(() => {
+      if (begun) seen.resized += 1;
+      begun = true;
+    }).observe(at('view'));
+    new MutationObserver((changes) => {
+      seen.heads += changes.length;
+    }).observe(/** @type {HTMLElement} */ (at('statistics').querySelector('thead')), { childList: true });
+  });
+  await page.waitForTimeout(300);
+  const asked = await page.evaluate(() => {
+    const { seen } = /** @type {any} */ (window);
+    document.querySelector('[data-testid="view"]')?.dispatchEvent(new KeyboardEvent('keydown', { key: 'r', bubbles: true, cancelable: true }));
+    return [...seen.asked];
+  });
+  assert.ok(asked.includes('orient'), `asked for ${asked.join(' ')}`);
+  await done(page);
+  await page.waitForTimeout(300);
+  assert.deepEqual(await page.evaluate(() => [/** @type {any} */ (window).seen.resized, /** @type {any} */ (window).seen.heads]), [0, 0]);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('matches in a rectangle are rejected, the orientation follows, and after a reload all of it is undone to the byte', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await pair(page);

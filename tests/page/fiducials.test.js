@@ -49,6 +49,21 @@ test('a mark that is cleared is expected where the others have it, measured agai
     await page.locator('[data-testid="fiducials-left"] tbody tr').nth(3).locator('input').first().inputValue(),
     String(Number((column + 1.1).toFixed(2))),
   );
+  // By keys and by buttons, each with the name of what it takes back.
+  assert.equal(await part(page, 'mark-undo').getAttribute('aria-label'), 'Undo: move mark 4');
+  await page.keyboard.press('Control+z');
+  await says(page, 'mark-text', new RegExp(`lies at ${column.toFixed(2).replace('.', '\\.')},`));
+  await page.keyboard.press('Control+z');
+  await says(page, 'mark-text', /^Mark 4 .*near the dashed ring/);
+  assert.equal(await part(page, 'mark-undo').getAttribute('aria-label'), 'Undo: clear mark 4');
+  await part(page, 'mark-undo').click();
+  await says(page, 'mark-text', /^Mark 4 \(.*\) lies at 20\.00, 370\.00 px/);
+  assert.ok(await part(page, 'mark-undo').isDisabled());
+  await page.screenshot({ path: join(SHOTS, 'fiducials-undone.png') });
+  await part(page, 'mark-redo').click();
+  await page.keyboard.press('Control+y');
+  await page.keyboard.press('Control+Shift+Z');
+  await says(page, 'mark-text', new RegExp(`lies at ${(column + 1.1).toFixed(2).replace('.', '\\.')},`));
   await part(page, 'mark-end').click();
   assert.ok(await part(page, 'marking').isHidden());
   assert.deepEqual(complaints, []);

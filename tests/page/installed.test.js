@@ -3,10 +3,11 @@
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { createServer } from 'node:http';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { contentOf, FILES } from '../../tools/lib/compose.mjs';
 import { WEB_POLICY } from '../../tools/lib/policy.mjs';
-import { done, hosted, number, open, pair, part, saved, says, SKIP } from './page.js';
+import { done, hosted, number, open, pair, part, saved, says, SHOTS, SKIP } from './page.js';
 
 hosted('/installed/');
 
@@ -120,6 +121,11 @@ test('a project that the system opens with the page is shown, and the page says 
   await part(page, 'about').click();
   await part(page, 'licence-fflate').locator('summary').click();
   assert.match((await part(page, 'about-dialog').textContent()) ?? '', /fflate \d+\.\d+\.\d+ \(MIT\).*Copyright.*idb \d+\.\d+\.\d+ \(ISC\)/s);
+  await part(page, 'crates').locator('summary').first().click();
+  const nalgebra = page.locator('[data-testid^="crate-nalgebra-"]');
+  await nalgebra.locator('summary').click();
+  assert.match((await nalgebra.textContent()) ?? '', /^nalgebra \d+\.\d+\.\d+ \(Apache-2\.0\).*TERMS AND CONDITIONS/s);
+  await page.screenshot({ path: join(SHOTS, 'about.png') });
   await part(page, 'about-close').click();
   const launched = await page.context().newPage();
   await launched.addInitScript(

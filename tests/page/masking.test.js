@@ -78,6 +78,7 @@ test('an area that is drawn round holds no points; it is kept, saved, unmasked i
   await part(page, 'mask-undo').click();
   await again(page);
   assert.deepEqual((await savedMask(page)).grey(), grey);
+  assert.equal(await part(page, 'mask-redo').getAttribute('aria-label'), 'Redo: unmask an area');
   // After a reload it is there as it was.
   await page.reload();
   await done(page);

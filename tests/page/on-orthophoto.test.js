@@ -32,6 +32,12 @@ async function rowsOf(page, name) {
 
 const numberOf = (/** @type {string | undefined} */ cell) => Number((cell ?? '').replace('−', '-').replaceAll(/[^\d.-]/g, ''));
 
+/** The name in the chosen row of a table of the block.  @param {Page} page @param {string} name */
+const chosenRow = async (page, name) => {
+  await part(page, `tab-block-${name}`).click();
+  return page.locator(`[data-testid="block-${name}"] tr[aria-selected="true"] td`).first().textContent();
+};
+
 /** How many control and check points the block has.  @param {Page} page */
 const surveyed = async (page) => Number(/: (\d+)/.exec((await part(page, 'block-surveyed-caption').textContent()) ?? '')?.[1]);
 
@@ -76,6 +82,33 @@ test('photographs, an orthophoto and its heights that are dropped together becom
   await says(page, 'block-edit-text', /σ₀ [\d.]+ → [\d.]+ px .* check points [\d.]+ → [\d.]+ m/);
   await part(page, 'block-undo').click();
   await status(page, new RegExp(`^Oriented: 6 of 6 images from ${points} points`));
+
+  // The orthophoto shows the block: what is chosen there is so in the tables, and opens in the images.
+  await part(page, 'block-show-orthophoto').click();
+  await part(page, 'ortho-plan').focus();
+  await page.keyboard.press('n');
+  assert.match(await says(page, 'block-chosen', /^orthophoto_\d+: /), new RegExp(`^${(await chosenRow(page, 'surveyed')) ?? ''}: `));
+  await part(page, 'ortho-plan').focus();
+  await page.keyboard.press('PageDown');
+  const image = /^[^:]+(?=: )/.exec(await says(page, 'block-chosen', /^photo_\d+/))?.[0];
+  assert.equal(await chosenRow(page, 'images'), image);
+  await part(page, 'ortho-plan').focus();
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-chosen"]')?.textContent === '');
+  const middle = await part(page, 'ortho-plan').boundingBox();
+  await page.mouse.click((middle?.x ?? 0) + (middle?.width ?? 0) / 2, (middle?.y ?? 0) + (middle?.height ?? 0) / 2);
+  await says(page, 'block-chosen', /^(photo_|orthophoto_)\d+/);
+  await page.screenshot({ path: join(SHOTS, 'orthophoto-of-block.png') });
+  await rowsOf(page, 'surveyed');
+  await page.locator('[data-testid="block-surveyed"] tbody tr:not(.filler)').first().click();
+  await part(page, 'ortho-plan').focus();
+  await page.keyboard.press('Delete');
+  await says(page, 'block-chosen', /^orthophoto_\d+: .*; rejected by hand\.$/);
+  await page.keyboard.press('Control+z');
+  await status(page, new RegExp(`^Oriented: 6 of 6 images from ${points} points`));
+  await part(page, 'block-show-images').click();
+  await says(page, 'image-point', /^orthophoto_\d+/);
+  await part(page, 'block-show-map').click();
 
   // The project file holds it, and so does the browser.
   await part(page, 'block-export-kind').selectOption('project');

@@ -1,8 +1,8 @@
-/** What the page is made of beside its own sources: the packages in it, with versions and licences, from their own files. */
+/** What the page is made of beside its own sources: the packages in it, and the crates of its module, with versions and licences. */
 
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { readJson, ROOT } from './paths.mjs';
+import { PKG_WASM, readJson, ROOT } from './paths.mjs';
 
 /** As `www/shared/panel/licences.d.ts` names it. */
 const MODULE = 'virtual:licences';
@@ -20,14 +20,18 @@ function licenceOf(name) {
   return { name, version, licence: license, text: readFileSync(text, 'utf8').replaceAll('\r\n', '\n').trim() };
 }
 
-/** Gives the page the licences of what it holds: of the workspace's `dependencies`, among which everything must be that is bundled.  @type {import('vite').Plugin} */
+/** Those of the crates, as they were listed when the module was built, which takes more than Node.  @returns {import('./crates.mjs').CrateLicences} */
+const ofCrates = () => readJson(join(PKG_WASM, 'LICENCES.json'));
+
+/** Gives the page the licences of what it holds: of the module's crates, and of the workspace's `dependencies`, among which everything must be that is bundled.  @type {import('vite').Plugin} */
 export const licences = {
   name: 'tiepoint-licences',
   resolveId: (id) => (id === MODULE ? `\0${MODULE}` : null),
   load: (id) => {
     if (id !== `\0${MODULE}`) return null;
     const { dependencies } = readJson(join(ROOT, 'package.json'));
-    return `export const LICENCES = ${JSON.stringify(Object.keys(dependencies).sort().map(licenceOf), null, 2)};`;
+    const packages = Object.keys(dependencies).sort().map(licenceOf);
+    return `export const LICENCES = ${JSON.stringify(packages, null, 2)};\nexport const CRATES = ${JSON.stringify(ofCrates(), null, 1)};`;
   },
   generateBundle: (_, bundle) => {
     const { dependencies } = readJson(join(ROOT, 'package.json'));

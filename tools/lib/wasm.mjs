@@ -6,6 +6,7 @@
 import { mkdirSync, readdirSync, realpathSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { join } from 'node:path';
+import { crateLicences, metadataArgs } from './crates.mjs';
 import { pinned, ROOT, TARGET } from './paths.mjs';
 import { must } from './process.mjs';
 import { bindgenVersion, cargo, WASM_TARGET } from './rust.mjs';
@@ -22,7 +23,7 @@ const FAST = {
 
 /**
  * @param {import('./rust.mjs').Toolchain} toolchain @param {import('./rust.mjs').BindgenPrograms} programs
- * @param {string} out folder that receives the module, its JavaScript, its types and BUILD.json
+ * @param {string} out folder that receives the module, its JavaScript, its types, BUILD.json, and LICENCES.json of the crates in it
  * @param {boolean} [fast] for the inner loop: neither linked as a whole nor optimised, so that the same numbers come slower and the bytes are others
  */
 export async function buildWasm(toolchain, programs, out, fast = false) {
@@ -39,6 +40,8 @@ export async function buildWasm(toolchain, programs, out, fast = false) {
   if (!fast) await optimise(join(out, 'tiepoint_bg.wasm'));
   const record = { rustc: toolchain.rustc, wasm_bindgen: bindgenVersion(), binaryen: pinned('binaryen') };
   writeFileSync(join(out, 'BUILD.json'), `${JSON.stringify(record, null, 2)}\n`);
+  const metadata = await must(...cargo(toolchain, metadataArgs(WASM_TARGET)), { quiet: true });
+  writeFileSync(join(out, 'LICENCES.json'), `${JSON.stringify(crateLicences(JSON.parse(metadata)), null, 1)}\n`);
 }
 
 /** @param {import('./rust.mjs').Toolchain} toolchain @returns {string[]} */

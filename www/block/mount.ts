@@ -160,7 +160,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
     images,
     MATRIX_VIEW,
     plotsView(facts),
-    orthophotoView(engine, placing, { open: pickers.orthophoto, sample: placedSample }),
+    orthophotoView(engine, facts, placing, { open: pickers.orthophoto, sample: placedSample }),
   ];
   mountStage(stage, store, looking, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
   stage.prepend(status);

@@ -139,6 +139,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
     camera,
     store,
     (side) => pick(side),
+    marking,
     (side) => {
       marking.toggle(side);
       if (store.state.tool !== 'fiducials') return;

@@ -3,7 +3,7 @@ import { sentence } from '../../shared/text/format';
 import { Cancelled } from '../../shared/engine/client';
 import { shownLinks, stepName } from '../state/steps';
 import type { LinkStep } from '../state/steps';
-import { chosenPlaced } from '../state/placed';
+import { chosenPlaced } from '../state/showing';
 import type { PlacedFile } from '../state/placed';
 import { isBusy } from '../state/state';
 import type { BlockStore } from './engine';

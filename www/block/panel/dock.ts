@@ -9,6 +9,7 @@ import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
 import { choiceOfRow, keptBy, NO_ROWS, observationRows, observationsOf, rowsOf, rowsOfChoice } from '../state/columns';
 import type { Rows, Tabled } from '../state/columns';
+import { blockOnOrthophoto } from '../state/showing';
 import { isSame, pointsOf, withMore } from '../state/selection';
 import type { Choice, Selection, Subject } from '../state/selection';
 import type { BlockView } from '../state/view';
@@ -56,16 +57,21 @@ export function makeDock(store: BlockStore, looking: Looking, facts: Facts, othe
     if (isOpen('table')) queueMicrotask(draw);
   });
   const tabs = [...element.querySelectorAll<HTMLElement>('[role="tab"]')];
-  store.watch(['shown', 'onStage'], ([shown, onStage]) => {
-    const own = others.map(({ view }) => view);
-    const isOwn = own.includes(onStage);
-    tabs.forEach((tab, i) => {
-      const view = own[i - sources.length];
-      tab.hidden = view === undefined ? isOwn || (sources[i]?.subject === 'surveyed' && (shown?.view.surveyed.length ?? 0) === 0) : view !== onStage;
-    });
-    // The tables of another view are not what is looked at.
-    if (tabs.some((tab) => tab.hidden && tab.getAttribute('aria-selected') === 'true')) tabs.find((tab) => !tab.hidden)?.click();
-  });
+  store.watch(
+    (s) => [s.shown, s.onStage, blockOnOrthophoto(s) !== null] as const,
+    ([shown, onStage, isBlockOn]) => {
+      const own = others.map(({ view }) => view);
+      // Over the orthophoto the block is looked at as in its other views, where it lies there.
+      const isOwn = own.includes(onStage) && !isBlockOn;
+      tabs.forEach((tab, i) => {
+        const view = own[i - sources.length];
+        tab.hidden =
+          view === undefined ? isOwn || (sources[i]?.subject === 'surveyed' && (shown?.view.surveyed.length ?? 0) === 0) : !isOwn || view !== onStage;
+      });
+      // The tables of another view are not what is looked at.
+      if (tabs.some((tab) => tab.hidden && tab.getAttribute('aria-selected') === 'true')) tabs.find((tab) => !tab.hidden)?.click();
+    },
+  );
   return element;
 }
 

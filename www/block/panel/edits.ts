@@ -18,6 +18,7 @@ import { nameOfEdit, nameOfStep, namesOf, NO_NAMES } from '../state/naming';
 import type { BlockEdit, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import type { Standing } from '../state/edits';
 import type { Names } from '../state/naming';
+import { blockOnOrthophoto } from '../state/showing';
 import { joined, split } from '../state/joining';
 import { shownImages } from '../state/panes';
 import { pointsOf } from '../state/selection';
@@ -199,7 +200,8 @@ export function mountBlockEditKeys(store: BlockStore, hosts: readonly HTMLElemen
     () =>
       byId('block-view').offsetParent !== null &&
       store.state.history.edits.length > 0 &&
-      document.querySelector<HTMLElement>('[data-testid="ortho-place"]')?.offsetParent == null,
+      // Links of images that were placed by themselves have keys of their own.
+      (store.state.onStage !== 'orthophoto' || blockOnOrthophoto(store.state) !== null),
     (by) => step(store, by),
   );
   const idle = () => store.state.draft === null;

@@ -7,16 +7,18 @@ import { unfolded } from '../../shared/panel/menu';
 import { fixed } from '../../shared/text/format';
 import { declare } from '../../shared/view/commands';
 import type { BlockEngine, BlockStore } from '../engine/engine';
+import type { Facts } from '../engine/facts';
 import { undoKeys } from '../../shared/panel/history';
 import { LinkHands } from '../engine/link-hands';
 import type { PlacingEngine } from '../engine/placing';
 import { LEAST_LINKS, shownLinks, stepName, useWord } from '../state/steps';
 import { linkOf, USES } from '../state/links';
-import { chosenPlaced } from '../state/placed';
+import { blockOnOrthophoto, chosenPlaced } from '../state/showing';
 import { purposeOf } from '../state/purpose';
 import { isBusy } from '../state/state';
 import { PlacedImageView } from '../view/orthophoto/image';
-import { linkKeys } from '../view/orthophoto/keys';
+import { blockKeys, linkKeys } from '../view/orthophoto/keys';
+import type { BlockSteps } from '../view/orthophoto/keys';
 import { LINK_STYLES } from '../view/orthophoto/links';
 import { OrthophotoPlan } from '../view/orthophoto/plan';
 import { placingExports } from './placing-exports';
@@ -33,11 +35,11 @@ export interface OrthophotoActions {
   sample: () => void;
 }
 
-export function orthophotoView(engine: BlockEngine, placing: PlacingEngine, { open, sample }: OrthophotoActions): StageView {
+export function orthophotoView(engine: BlockEngine, facts: Facts, placing: PlacingEngine, { open, sample }: OrthophotoActions): StageView {
   return {
     name: 'orthophoto',
     title: say('orthophoto'),
-    mount: (store) => {
+    mount: (store, looking) => {
       const host = (testid: string, label: string) =>
         h('div', { class: 'view', testid, tabindex: 0, role: 'group', aria: { roledescription: say('role-picture'), label, describedby: KEYS_ID } });
       const [ground, picture] = [host('ortho-plan', say('orthophoto-with-the-images-that')), host('ortho-image', say('the-chosen-image-with-its'))];
@@ -54,18 +56,21 @@ export function orthophotoView(engine: BlockEngine, placing: PlacingEngine, { op
       element.addEventListener('focus', () => ground.focus());
       const hands = new LinkHands(store, placing);
       undoKeys(
-        () => place.offsetParent !== null,
+        // Edits of the block have keys of their own.
+        () => place.offsetParent !== null && blockOnOrthophoto(store.state) === null,
         (by) => hands.go(by),
       );
-      const keys = declare({ where: say('orthophoto'), host: element, list: linkKeys(store, hands) });
-      const plan = new OrthophotoPlan(ground, store, hands, keys, placing);
+      const steps: BlockSteps = { step: (of, by) => plan.step(of, by), leave: () => looking.choose(null) };
+      const keys = declare({ where: say('orthophoto'), host: element, list: [...blockKeys(store, steps), ...linkKeys(store, hands)] });
+      const plan = new OrthophotoPlan(ground, store, hands, keys, placing, looking, facts);
       const image = new PlacedImageView(picture, store, hands, keys, (file) => engine.grey(file));
       plan.image = image;
       image.ground = plan;
       plan.watch(() => fill(place, plan.place === null ? '' : `X ${fixed(plan.place[0], 2)}  Y ${fixed(-plan.place[1], 2)}`));
       image.watch(() => fill(at, image.place === null ? '' : say('column-row', { place: image.place[0], place_2: image.place[1] })));
       follow(store, plan, image, beside, name);
-      store.watch(['placing', 'files', 'options'], () => {
+      store.watch(['placing', 'files', 'options', 'shown'], () => {
+        element.classList.toggle('has-block', blockOnOrthophoto(store.state) !== null);
         const text = chosenText(store);
         if (chosen.textContent !== text) chosen.textContent = text;
         element.classList.toggle('picks', store.state.placing.picks);
@@ -82,7 +87,7 @@ export function orthophotoView(engine: BlockEngine, placing: PlacingEngine, { op
 /** Both pictures go where the choice is, which may be made elsewhere. */
 function follow(store: BlockStore, plan: OrthophotoPlan, image: PlacedImageView, beside: HTMLElement, name: HTMLElement): void {
   let [of, link] = [store.state.placing.chosen.image, store.state.placing.chosen.link];
-  store.watch(['placing', 'files', 'options'], ([{ chosen }]) => {
+  store.watch(['placing', 'files', 'options', 'shown'], ([{ chosen }]) => {
     const placed = chosenPlaced(store.state);
     const placement = placed?.result?.placement ?? null;
     beside.hidden = (placed?.result ?? null) === null;
@@ -100,6 +105,7 @@ function chosenText({ state }: BlockStore): string {
   const { placing } = state;
   const placed = chosenPlaced(state);
   if (placing.picks) return say('press-the-orthophoto-where-images');
+  if (blockOnOrthophoto(state) !== null) return '';
   if (placed === null && purposeOf(state) === 'block') return say('a-block-that-is-placed');
   if (placed === null) return placing.placed.size > 0 ? say('press-a-footprint-or-a') : '';
   if (placing.draft !== null) {
@@ -130,28 +136,35 @@ function chosenText({ state }: BlockStore): string {
   );
 }
 
-/** What the marks of links mean, and which of them are drawn. */
+/** What the marks of links, or of the block's places, mean, and which of them are drawn. */
 function legendOf(store: BlockStore): HTMLElement {
   const switches = USES.map((use) => {
-    const press = toggle(LINK_STYLES[use].name, `links-${use}`, HELP[use], (on) => store.dispatch({ type: 'showLinks', use, on }));
+    const press = toggle(LINK_STYLES[use].name, `links-${use}`, HELP.links[use], (on) => store.dispatch({ type: 'showLinks', use, on }));
     press.prepend(h('span', { class: `link-mark is-${use}`, aria: { hidden: 'true' } }), ' ');
     return press;
   });
-  const legend = h('p', { class: 'ortho-legend', testid: 'ortho-legend' }, say('links'), ...switches);
-  store.watch(['placing', 'files'], ([{ uses }]) => {
-    for (const [i, use] of USES.entries()) switches[i]?.setAttribute('aria-pressed', String(uses.has(use)));
-    legend.hidden = (chosenPlaced(store.state)?.result?.placement ?? null) === null;
+  const title = h('span', {});
+  const legend = h('p', { class: 'ortho-legend', testid: 'ortho-legend' }, title, ...switches);
+  store.watch(['placing', 'files', 'options', 'shown'], ([{ uses }]) => {
+    const of = blockOnOrthophoto(store.state) === null ? 'links' : 'places';
+    fill(title, of === 'links' ? say('links') : say('places-of-the-block'));
+    for (const [i, use] of USES.entries()) {
+      const press = switches[i];
+      press?.setAttribute('aria-pressed', String(uses.has(use)));
+      if (press !== undefined) press.title = HELP[of][use];
+    }
+    legend.hidden = of === 'links' && (chosenPlaced(store.state)?.result?.placement ?? null) === null;
   });
   return legend;
 }
 
-const HELP: Readonly<Record<LinkUse, string>> = {
-  used: say('links-by-which-the-image'),
-  check: say('links-that-took-no-part'),
-  rejected: say('links-that-were-rejected-as'),
+const HELP: Readonly<Record<'links' | 'places', Readonly<Record<LinkUse, string>>>> = {
+  links: { used: say('links-by-which-the-image'), check: say('links-that-took-no-part'), rejected: say('links-that-were-rejected-as') },
+  places: { used: say('places-by-which-the-block'), check: say('places-that-took-no-part'), rejected: say('places-that-were-rejected') },
 };
 
 function toolsOf(store: BlockStore, engine: PlacingEngine, plan: OrthophotoPlan, residuals: HTMLElement): HTMLElement {
+  const exports = placingExports(store, engine);
   const near = toggle(say('rough-place'), 'ortho-near', say('the-next-press-on-the'), (picks) => store.dispatch({ type: 'picksPlace', picks }));
   const over = toggle(say('over-the-orthophoto'), 'ortho-over', say('the-chosen-image-on-the'), (on) => {
     plan.isLaid = on;
@@ -169,14 +182,16 @@ function toolsOf(store: BlockStore, engine: PlacingEngine, plan: OrthophotoPlan,
     () => store.dispatch({ type: 'choosePlaced', looked: { image: null, link: null } }),
     say('no-image-is-chosen'),
   );
-  store.watch(['placing', 'running', 'notice', 'files'], ([placing]) => {
+  store.watch(['placing', 'running', 'notice', 'files', 'shown'], ([placing]) => {
     near.setAttribute('aria-pressed', String(placing.picks));
     near.disabled = placing.orthophoto === null || isBusy(store.state);
     everywhere.hidden = placing.options?.near_x == null && placing.options?.near_y == null;
-    whole.hidden = placing.chosen.image === null;
+    whole.hidden = chosenPlaced(store.state) === null;
     over.hidden = (chosenPlaced(store.state)?.result?.placement ?? null) === null;
+    // They are of images that are placed by themselves.
+    for (const own of [residuals, exports]) own.hidden = blockOnOrthophoto(store.state) !== null;
   });
-  return unfolded('ortho-menu', near, everywhere, residuals, over, whole, placingExports(store, engine));
+  return unfolded('ortho-menu', near, everywhere, residuals, over, whole, exports);
 }
 
 /** What can be done to links by hand. */
@@ -187,7 +202,7 @@ function handsOf(store: BlockStore, hands: LinkHands): HTMLElement {
   const accept = button(say('accept'), 'link-accept', () => hands.accept(), say('takes-the-link-that-is'));
   const undo = button(say('undo'), 'link-undo', () => hands.go(-1));
   const redo = button(say('redo'), 'link-redo', () => hands.go(1));
-  store.watch(['placing', 'running', 'notice', 'files', 'options'], ([{ chosen, draft, adjusting }]) => {
+  store.watch(['placing', 'running', 'notice', 'files', 'options', 'shown'], ([{ chosen, draft, adjusting }]) => {
     const held = document.activeElement;
     const placed = chosenPlaced(store.state);
     const busy = isBusy(store.state);

@@ -18,12 +18,12 @@ export function namesOf({ images, surveyed }: BlockView): Names {
   return { images: images.map(({ name }) => name), surveyed: new Map(surveyed.map(({ control, name }) => [control, name])) };
 }
 
-/** As the crate names places of an orthophoto. */
-const PLACE = /^orthophoto_\d+$/u;
+/** Whether a surveyed point is a place of an orthophoto, as the crate names these. */
+export const isPlace = (name: string): boolean => /^orthophoto_\d+$/u.test(name);
 
 /** Names without those of places of an orthophoto, which are others on another one. */
 export function withoutPlaces({ images, surveyed }: Names): Names {
-  return { images, surveyed: new Map([...surveyed].filter(([, name]) => !PLACE.test(name))) };
+  return { images, surveyed: new Map([...surveyed].filter(([, name]) => !isPlace(name))) };
 }
 
 /** What a step did. */

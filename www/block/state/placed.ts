@@ -34,11 +34,6 @@ const listed = remember((files: readonly BlockFile[], all: ReadonlyMap<number, P
   }),
 );
 
-/** The image that is chosen, where it was tried. */
-export function chosenPlaced(state: Pick<BlockState, 'placing' | 'options' | 'files'>): PlacedFile | null {
-  return placedFiles(state).find(({ file }) => file.id === state.placing.chosen.image) ?? null;
-}
-
 /** The images that are not placed yet, or by other settings. */
 export function unplacedFiles(state: Pick<BlockState, 'placing' | 'options' | 'files'>): readonly BlockFile[] {
   const key = placingKey(state);

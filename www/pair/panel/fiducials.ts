@@ -1,8 +1,9 @@
 /** Fiducial marks of one photo: a table to type into, or a CSV file. */
 import { allowedOfOrigin } from '../engine/checks';
 import type { Fiducial } from '../../shared/crate';
+import type { Marking } from '../state/marking';
 import { isWhole } from '../state/marks';
-import type { PhotoData, Side } from '../state/state';
+import type { Side } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
 import { fixed } from '../../shared/text/format';
@@ -13,7 +14,7 @@ const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
 const HEADS: Record<(typeof FIELDS)[number], string> = { col: say('col-px'), row: say('row-px'), x_mm: 'x mm', y_mm: 'y mm' };
 
 /** `measure`: in the picture of a side. */
-export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side: Side) => void, measure: (side: Side) => void): void {
+export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side: Side) => void, marking: Marking, measure: (side: Side) => void): void {
   const model = h('select', { id: 'fiducial-model', testid: 'fiducial-model' });
   model.append(new Option(say('affine-6-parameters'), 'affine'), new Option(say('similarity-4-parameters'), 'similarity'));
   model.addEventListener('change', () => {
@@ -28,20 +29,17 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
       { class: 'group' },
       h('legend', {}, say('interior-orientation')),
       h('div', { class: 'control' }, h('label', { for: 'fiducial-model' }, say('transformation')), model),
-      photo('left', store, loadFile, measure),
-      photo('right', store, loadFile, measure),
+      photo('left', store, loadFile, marking, measure),
+      photo('right', store, loadFile, marking, measure),
     ),
   );
 }
 
-function photo(side: Side, store: Store, loadFile: (side: Side) => void, measure: (side: Side) => void): HTMLElement {
+function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking: Marking, measure: (side: Side) => void): HTMLElement {
   const table = h('div', { class: 'scroll' });
   const result = h('p', { class: 'note', testid: `interior-${side}` });
-  const set = (change: Partial<PhotoData>) => store.dispatch({ type: 'photo', side, photo: change });
   const name = side === 'left' ? say('left') : say('right');
-  const add = button(say('add-mark'), `add-fiducial-${side}`, () => {
-    set({ fiducials: [...store.state.photos[side].fiducials, { col: NaN, row: NaN, x_mm: NaN, y_mm: NaN }] });
-  });
+  const add = button(say('add-mark'), `add-fiducial-${side}`, () => marking.add(side));
   const load = button(say('load-csv'), `load-fiducials-${side}`, () => loadFile(side));
   const inPicture = button(say('measure-in-the-image'), `measure-fiducials-${side}`, () => measure(side), say('press-each-mark-in-the-image'));
   store.watch(
@@ -51,7 +49,7 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, measure
       inPicture.setAttribute('aria-pressed', String(tool === 'fiducials' && mark?.side === side));
     },
   );
-  const clear = button(say('clear'), `clear-fiducials-${side}`, () => set({ fiducials: [] }));
+  const clear = button(say('clear'), `clear-fiducials-${side}`, () => marking.removeAll(side));
   let shown: readonly Fiducial[] | null = null;
   const stage = side === 'left' ? 'interiorLeft' : 'interiorRight';
   store.watch(
@@ -61,7 +59,7 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, measure
       const residuals = interior?.value.fiducials?.residuals_mm ?? [];
       if (shown !== fiducials) {
         // Typing a number changes one mark: the table is built anew only when marks come or go, so that the focus stays.
-        if (shown?.length !== fiducials.length) fill(table, marksTable(side, store, fiducials.length));
+        if (shown?.length !== fiducials.length) fill(table, marksTable(side, marking, fiducials.length));
         shown = fiducials;
       }
       showMarks(table, fiducials, residuals.length === whole ? residuals : []);
@@ -88,16 +86,16 @@ function interiorText(sigma: number | null | undefined, freedom: number | undefi
   return say('marks-degrees-of-freedom', { marks, what: sigma == null ? say('not-determined') : say('um-1', { value: 1000 * sigma }), freedom });
 }
 
-function marksTable(side: Side, store: Store, rows: number): HTMLElement | string {
+function marksTable(side: Side, marking: Marking, rows: number): HTMLElement | string {
   if (rows === 0) return '';
   const body = Array.from({ length: rows }, (_, i) =>
     h(
       'tr',
       {},
       h('th', { scope: 'row' }, String(i + 1)),
-      ...FIELDS.map((field) => h('td', {}, markInput(side, store, i, field))),
+      ...FIELDS.map((field) => h('td', {}, markInput(side, marking, i, field))),
       h('td', { class: 'number residual' }, ''),
-      h('td', {}, removeButton(side, store, i)),
+      h('td', {}, removeButton(side, marking, i)),
     ),
   );
   return h(
@@ -119,20 +117,15 @@ function marksTable(side: Side, store: Store, rows: number): HTMLElement | strin
   );
 }
 
-function markInput(side: Side, store: Store, index: number, field: (typeof FIELDS)[number]): HTMLInputElement {
+function markInput(side: Side, marking: Marking, index: number, field: (typeof FIELDS)[number]): HTMLInputElement {
   const input = h('input', { type: 'number', aria: { label: say('mark', { index: index + 1, heads: HEADS[field] }) } });
   input.step = 'any';
-  input.addEventListener('change', () => {
-    const fiducials = store.state.photos[side].fiducials.map((mark, i) => (i === index ? { ...mark, [field]: input.valueAsNumber } : mark));
-    store.dispatch({ type: 'photo', side, photo: { fiducials } });
-  });
+  input.addEventListener('change', () => marking.type(side, index, { [field]: input.valueAsNumber }));
   return input;
 }
 
-function removeButton(side: Side, store: Store, index: number): HTMLButtonElement {
-  const remove = button('×', `remove-fiducial-${side}-${String(index)}`, () => {
-    store.dispatch({ type: 'photo', side, photo: { fiducials: store.state.photos[side].fiducials.filter((_, i) => i !== index) } });
-  });
+function removeButton(side: Side, marking: Marking, index: number): HTMLButtonElement {
+  const remove = button('×', `remove-fiducial-${side}-${String(index)}`, () => marking.remove(side, index));
   remove.className = 'icon';
   remove.setAttribute('aria-label', say('remove-mark', { index: index + 1 }));
   return remove;

@@ -1,6 +1,7 @@
 /** While fiducial marks are measured: which one is in hand, where it lies, and buttons for each key. */
 import { button, byId, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
+import { showSteps, undoKeys } from '../../shared/panel/history';
 import { fixed } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
 import type { Marking } from '../state/marking';
@@ -14,6 +15,8 @@ export function mountMarking(bar: HTMLElement, store: Store, marking: Marking): 
   const former = button(say('mark-before'), 'mark-before', () => void marking.go(-1), say('the-mark-before-p'));
   const next = button(say('next-mark'), 'mark-next', () => void marking.go(1), say('the-next-mark-enter'));
   const clear = button(say('clear-mark'), 'mark-clear', () => marking.clear(), say('the-mark-is-not-measured'));
+  const undo = button(say('undo-sign'), 'mark-undo', () => marking.step(-1));
+  const redo = button(say('redo-sign'), 'mark-redo', () => marking.step(1));
   const end = button(say('end-marking'), 'mark-end', () => store.dispatch({ type: 'tool', tool: 'look' }));
   const buttons = h(
     'div',
@@ -22,9 +25,16 @@ export function mountMarking(bar: HTMLElement, store: Store, marking: Marking): 
     former,
     next,
     clear,
+    undo,
+    redo,
     end,
   );
   bar.append(buttons);
+  undoKeys(
+    // Where the pair is what is shown.
+    () => byId('view').offsetParent !== null && store.state.tool === 'fiducials',
+    (by) => marking.step(by),
+  );
   store.watch(
     (s) => [s.tool, s.mark, s.photos] as const,
     () => {
@@ -34,6 +44,7 @@ export function mountMarking(bar: HTMLElement, store: Store, marking: Marking): 
       former.disabled = state.mark === null || state.mark.index === 0;
       next.disabled = markInHand(state) === undefined;
       clear.disabled = placeInHand(state) === null;
+      showSteps(undo, redo, marking.history, ({ name }) => name);
       // Keys of the pictures go on from a button that has done its work.
       if (buttons.contains(held)) passFocus(held, [byId('view')]);
       const now = textOf(state);

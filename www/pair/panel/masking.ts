@@ -1,7 +1,7 @@
 /** While areas of the pictures are masked: what to do next, and buttons for each key. */
 import { button, byId, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
-import { undoKeys } from '../../shared/panel/history';
+import { showSteps, undoKeys } from '../../shared/panel/history';
 import { save } from '../../shared/files/save';
 import { say } from '../../shared/text/words';
 import type { Masking } from '../state/masking';
@@ -15,7 +15,8 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
   const text = h('span', { testid: 'mask-text', role: 'status' });
   const mask = button(say('mask-it'), 'mask-area', () => paint(true), say('no-points-in-the-outlined'));
   const unmask = button(say('unmask-it'), 'unmask-area', () => paint(false), say('points-in-the-outlined-area'));
-  const undo = button(say('undo'), 'mask-undo', () => masking.undo(), say('take-the-last-area-back'));
+  const undo = button(say('undo-sign'), 'mask-undo', () => masking.step(-1));
+  const redo = button(say('redo-sign'), 'mask-redo', () => masking.step(1));
   const keep = button(say('save-masks'), 'mask-save', () => saveMasks(store.state), say('masks-as-png-files-for'));
   const end = button(say('end-masking'), 'mask-end', () => masking.toggle());
   const buttons = h(
@@ -25,6 +26,7 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
     mask,
     unmask,
     undo,
+    redo,
     keep,
     end,
   );
@@ -32,9 +34,7 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
   undoKeys(
     // Where the pair is what is shown.
     () => byId('view').offsetParent !== null && store.state.tool === 'mask',
-    (by) => {
-      if (by < 0) masking.undo();
-    },
+    (by) => masking.step(by),
   );
   bar.append(buttons);
   store.watch(
@@ -47,7 +47,7 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
       buttons.hidden = state.tool !== 'mask';
       mask.disabled = !masking.isArea();
       unmask.disabled = mask.disabled;
-      undo.disabled = !masking.canUndo();
+      showSteps(undo, redo, masking.history, ({ name }) => name);
       keep.disabled = SIDES.every((side) => fileOf(state, side) === null);
       // Keys of the pictures go on from a button that has done its work.
       if (buttons.contains(held)) passFocus(held, [byId('view')]);

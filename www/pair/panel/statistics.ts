@@ -64,25 +64,25 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
     fill(caption, statistics === null ? say('no-matches-yet') : say('of-matches', { shown, count: statistics.count }));
   };
   filter.addEventListener('change', show);
-  store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
+  const follow = () => {
     const { state } = store;
     table.scroller.classList.toggle('is-stale', isStale(state, 'match') || (shownPair(state).orientation !== null && isStale(state, 'orientation')));
     const now = statisticsOfState(state);
-    if (now === statistics && filter.options.length > 0) return;
-    statistics = now;
-    columns = now === null ? [] : columnsOf(now);
-    const { value } = filter;
-    const offered = FILTERS.filter(([kind]) => kind !== 'wrong' || now?.rightness != null);
-    fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
-    show();
-  });
-  store.watch(['selection', 'results'], () => table.mark(selectedMatch(store.state, statistics)));
-  store.watch(['chosen', 'history', 'results'], () => {
-    const lefts = chosenLefts(store.state);
-    if (lefts.length === 0 && chosen.size === 0) return;
-    chosen = new Set(lefts);
-    table.redraw();
-  });
+    const lefts = chosenLefts(state);
+    const isOther = lefts.length !== chosen.size || !lefts.every((left) => chosen.has(left));
+    if (isOther) chosen = new Set(lefts);
+    if (now !== statistics || filter.options.length === 0) {
+      statistics = now;
+      columns = now === null ? [] : columnsOf(now);
+      const { value } = filter;
+      const offered = FILTERS.filter(([kind]) => kind !== 'wrong' || now?.rightness != null);
+      if (filter.options.length !== offered.length) fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
+      show();
+    } else if (isOther) table.redraw();
+    table.mark(selectedMatch(state, statistics));
+  };
+  // Together: each of them draws the rows.
+  store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures', 'selection', 'chosen'], follow);
 }
 
 function columnsOf({ columns, codes, rightness }: Statistics): Column[] {

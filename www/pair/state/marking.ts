@@ -1,10 +1,14 @@
-/** What a user does to measure fiducial marks in the pictures, whatever was pressed for it. */
+/** What a user does to fiducial marks, above all to measure them in the pictures, whatever was pressed for it. */
 import type { Fiducial, FiducialModel, FiducialOrientation } from '../../shared/crate';
+import type { History } from '../../shared/state/history';
 import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
-import { isMeasured, markInHand, placeOfMark, wholeMarks } from './marks';
+import { say } from '../../shared/text/words';
+import { isMeasured, markInHand, placeOfMark, UNMEASURED, wholeMarks } from './marks';
 import type { PhotoData, Side } from './state';
 import type { Store } from './store';
+import { Undoing } from './undoing';
+import type { Step } from './undoing';
 
 /** The interior orientation by marks; null where they do not determine it. */
 export type MarkOrienter = (marks: readonly Fiducial[], model: FiducialModel) => Promise<FiducialOrientation | null>;
@@ -13,13 +17,32 @@ export type MarkOrienter = (marks: readonly Fiducial[], model: FiducialModel) =>
 const LEAST_SIMILARITY = 2;
 const LEAST_AFFINE = 3;
 
+/** Steps that can be taken back: far more than a photo has marks. */
+const MOST_UNDONE = 1000;
+
+/** What was done to a mark. */
+type Deed = 'measured' | 'moved' | 'nudged' | 'cleared' | 'typed' | 'added' | 'removed' | 'all_removed';
+
+interface MarkStep extends Step<Fiducial[]> {
+  deed: Deed;
+  index: number;
+}
+
 export class Marking {
+  private readonly steps: Undoing<Fiducial[], MarkStep>;
+
   constructor(
     private readonly store: Store,
     private readonly orienter: MarkOrienter,
     /** Brings a place of an image into view. */
     private readonly show: (side: Side, at: Position) => void,
   ) {
+    this.steps = new Undoing<Fiducial[], MarkStep>(
+      () => store.state,
+      (side) => store.state.photos[side].fiducials,
+      (a, b) => a === b,
+      MOST_UNDONE,
+    );
     // What is known of the other marks tells where this one is.
     store.watch(['photos', 'fiducialModel'], () => {
       const { mark } = store.state;
@@ -40,20 +63,24 @@ export class Marking {
   }
 
   /** Places the mark in hand, where it is of that image. */
-  place(side: Side, [x, y]: Position): void {
-    const { mark, photos } = this.store.state;
-    if (mark === null || mark.side !== side) return;
-    const { fiducials, origin } = photos[side];
-    const [left, top] = origin ?? [0, 0];
-    const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
-    const placed: Fiducial = { ...(fiducials[mark.index] ?? { x_mm: NaN, y_mm: NaN }), col, row };
-    this.set(side, [...fiducials.slice(0, mark.index), placed, ...fiducials.slice(mark.index + 1)]);
+  place(side: Side, at: Position): void {
+    this.put(side, at, isMeasured(markInHand(this.store.state) ?? UNMEASURED) ? 'moved' : 'measured');
   }
 
   nudge(dx: number, dy: number): void {
     const { mark, photos } = this.store.state;
     const at = mark === null ? null : placeOfMark(photos[mark.side], markInHand(this.store.state));
-    if (mark !== null && at !== null) this.place(mark.side, [at[0] + dx, at[1] + dy]);
+    if (mark !== null && at !== null) this.put(mark.side, [at[0] + dx, at[1] + dy], 'nudged');
+  }
+
+  private put(side: Side, [x, y]: Position, deed: Deed): void {
+    const { mark, photos } = this.store.state;
+    if (mark === null || mark.side !== side) return;
+    const { fiducials, origin } = photos[side];
+    const [left, top] = origin ?? [0, 0];
+    const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
+    const placed: Fiducial = { ...(fiducials[mark.index] ?? UNMEASURED), col, row };
+    this.set(side, [...fiducials.slice(0, mark.index), placed, ...fiducials.slice(mark.index + 1)], deed, mark.index);
   }
 
   /** Takes the next or the former mark in hand; behind the last one a new one. */
@@ -74,10 +101,78 @@ export class Marking {
     this.set(
       mark.side,
       fiducials.map((one) => (one === cleared ? { ...one, col: NaN, row: NaN } : one)),
+      'cleared',
+      mark.index,
     );
   }
 
-  private set(side: Side, fiducials: Fiducial[]): void {
+  /** Changes numbers of a mark that were typed. */
+  type(side: Side, index: number, numbers: Partial<Fiducial>): void {
+    const { fiducials } = this.store.state.photos[side];
+    this.set(
+      side,
+      fiducials.map((mark, i) => (i === index ? { ...mark, ...numbers } : mark)),
+      'typed',
+      index,
+    );
+  }
+
+  /** A new mark, whose numbers are to be typed. */
+  add(side: Side): void {
+    const { fiducials } = this.store.state.photos[side];
+    this.set(side, [...fiducials, UNMEASURED], 'added', fiducials.length);
+  }
+
+  remove(side: Side, index: number): void {
+    const { fiducials } = this.store.state.photos[side];
+    this.set(
+      side,
+      fiducials.filter((_, i) => i !== index),
+      'removed',
+      index,
+    );
+  }
+
+  removeAll(side: Side): void {
+    this.set(side, [], 'all_removed', 0);
+  }
+
+  /** What was done to the marks, and can be taken back and done again. */
+  get history(): History<Step<Fiducial[]>> {
+    return this.steps.history;
+  }
+
+  /** Takes the last step back, or makes it again, and shows its mark. */
+  step(by: 1 | -1): void {
+    const gone = this.steps.go(by);
+    if (gone === null) return;
+    const { side, value, step } = gone;
+    this.store.dispatch({ type: 'photo', side, photo: { fiducials: value } });
+    // The tool ends where the mark in hand is no longer there.
+    if (this.store.state.tool !== 'fiducials') this.store.dispatch({ type: 'tool', tool: 'fiducials' });
+    void this.goTo(side, Math.min(step.index, value.length));
+    this.store.dispatch({ type: 'activeSide', side });
+  }
+
+  private set(side: Side, fiducials: Fiducial[], deed: Deed, index: number): void {
+    const { images, photos } = this.store.state;
+    const image = images[side];
+    const { last } = this.steps;
+    const now = photos[side].fiducials;
+    if (image !== null) {
+      // A mark that is moved by many presses of a key is moved once.
+      const goesOn = deed === 'nudged' && last?.deed === deed && last.imageId === image.id && last.index === index;
+      const step = {
+        imageId: image.id,
+        name: say('step-of-mark', { deed, number: index + 1 }),
+        before: goesOn ? last.before : now,
+        after: fiducials,
+        deed,
+        index,
+      };
+      if (goesOn) this.steps.amend(step);
+      else this.steps.record(step);
+    }
     this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
   }
 

@@ -3,6 +3,9 @@ import type { Fiducial } from '../../shared/crate';
 import type { Position } from '../../shared/state/pane';
 import type { PhotoData, State } from './state';
 
+/** A mark of which nothing is known. */
+export const UNMEASURED: Fiducial = { col: NaN, row: NaN, x_mm: NaN, y_mm: NaN };
+
 export const isMeasured = ({ col, row }: Fiducial): boolean => Number.isFinite(col) && Number.isFinite(row);
 
 /** Whether a mark is measured and its photo coordinates are known: only then it takes part. */

@@ -1,8 +1,11 @@
 /** What a user does to masks: areas are outlined, and hold no points from then on, or do so again. */
 import { say } from '../../shared/text/words';
+import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import type { GivenMask, Outline, Side, State } from './state';
 import type { Store } from './store';
+import { sideOf, Undoing } from './undoing';
+import type { Step } from './undoing';
 
 /** Makes a mask of the present one of a side, if any, with an area masked or no longer; null where it was cancelled. */
 export type Painter = (state: State, side: Side, corners: Outline['corners'], masked: boolean) => Promise<GivenMask | null>;
@@ -13,16 +16,8 @@ const LEAST_CORNERS = 3;
 /** Areas that can be taken back: each holds a whole mask. */
 const MOST_UNDONE = 10;
 
-/** An area that was painted. */
-interface Painted {
-  imageId: number;
-  before: GivenMask | null;
-  /** The id of the mask that it made. */
-  after: number;
-}
-
 export class Masking {
-  private done: Painted[] = [];
+  private readonly steps: Undoing<GivenMask | null>;
   /** What was outlined before the line that is being drawn. */
   private former: Outline | null = null;
   /** Whether the outline was drawn in one go. */
@@ -34,7 +29,14 @@ export class Masking {
   constructor(
     private readonly store: Store,
     private readonly painter: Painter,
-  ) {}
+  ) {
+    this.steps = new Undoing(
+      () => store.state,
+      (side) => store.state.masks[side],
+      (a, b) => a?.id === b?.id,
+      MOST_UNDONE,
+    );
+  }
 
   /** Whether there is an image to be masked: of a project that was opened the images themselves may be missing. */
   can(): boolean {
@@ -93,31 +95,20 @@ export class Masking {
     return this.painting;
   }
 
-  canUndo(): boolean {
-    return this.last() !== null;
+  /** The areas that can be taken back and painted again. */
+  get history(): History<Step<GivenMask | null>> {
+    return this.steps.history;
   }
 
-  /** Takes the area back that was painted last. */
-  undo(): void {
-    const last = this.last();
-    if (last === null) return;
-    this.done.pop();
-    this.store.dispatch({ type: 'mask', side: last.side, mask: last.before });
-  }
-
-  /** The area that was painted last, unless its image or its mask has become another one. */
-  private last(): (Painted & { side: Side }) | null {
-    const last = this.done.at(-1);
-    if (last === undefined) return null;
-    const side = this.sideOf(last.imageId);
-    if (side !== undefined && this.store.state.masks[side]?.id === last.after) return { ...last, side };
-    this.done.pop();
-    return this.last();
+  /** Takes the area back that was painted last, or paints it again. */
+  step(by: 1 | -1): void {
+    const gone = this.steps.go(by);
+    if (gone !== null) this.store.dispatch({ type: 'mask', side: gone.side, mask: gone.value });
   }
 
   private async painted(imageId: number, corners: Outline['corners'], masked: boolean): Promise<void> {
     const { state } = this.store;
-    const side = this.sideOf(imageId);
+    const side = sideOf(this.store.state, imageId);
     if (side === undefined) return;
     const before = state.masks[side];
     const tell = (kind: 'info' | 'problem', text: string) => this.store.dispatch({ type: 'notice', notice: { kind, text } });
@@ -133,25 +124,20 @@ export class Masking {
       // What was outlined is not lost.
       if (mask === null) this.outlinedAgain(imageId, corners);
     }
-    const now = this.sideOf(imageId);
+    const now = sideOf(this.store.state, imageId);
     if (mask === null || now === undefined || this.store.state.masks[now] !== before) {
       tell('info', say('no-area-was-painted'));
       this.outlinedAgain(imageId, corners);
       return;
     }
-    this.done = [...this.done, { imageId, before, after: mask.id }].slice(-MOST_UNDONE);
+    this.steps.record({ imageId, name: say('step-of-mask', { masked: masked ? 'yes' : 'no' }), before, after: mask });
     this.store.dispatch({ type: 'mask', side: now, mask });
     tell('info', say('masks-of-the-image', { name: mask.name, left_out: 100 * mask.leftOut, side: now }));
   }
 
   private outlinedAgain(imageId: number, corners: Outline['corners']): void {
-    const side = this.sideOf(imageId);
+    const side = sideOf(this.store.state, imageId);
     const { outline, tool } = this.store.state;
     if (side !== undefined && outline === null && tool === 'mask') this.store.dispatch({ type: 'outline', outline: { side, corners } });
-  }
-
-  private sideOf(imageId: number): Side | undefined {
-    const { left, right } = this.store.state.images;
-    return left?.id === imageId ? 'left' : right?.id === imageId ? 'right' : undefined;
   }
 }

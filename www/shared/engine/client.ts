@@ -51,6 +51,11 @@ export class WorkerClient<C extends Table<C>> {
       const id = this.nextId++;
       this.pending.set(id, { resolve, reject });
       const request: RequestMessage = { id, call, input };
+      // At once: what the page does beside it, as drawing, is not waited for.
+      if (worker.isReady) {
+        worker.handle.postMessage(request, transfer);
+        return;
+      }
       worker.ready.then(
         () => {
           if (this.pending.has(id)) worker.handle.postMessage(request, transfer);
@@ -72,11 +77,16 @@ export class WorkerClient<C extends Table<C>> {
       event.preventDefault();
       this.end(new CallError({ kind: 'fault', code: null, message: event.message || say('the-worker-could-not-start') }, true));
     };
-    const ready = wasmModule().then((module) => {
-      const start: StartMessage = { module };
-      handle.postMessage(start);
-    });
-    return { handle, ready };
+    const started: Started = {
+      handle,
+      isReady: false,
+      ready: wasmModule().then((module) => {
+        const start: StartMessage = { module };
+        handle.postMessage(start);
+        started.isReady = true;
+      }),
+    };
+    return started;
   }
 
   private receive(response: ResponseMessage): void {
@@ -105,6 +115,8 @@ export class WorkerClient<C extends Table<C>> {
 
 interface Started {
   handle: Worker;
+  /** Whether it has its module, so that it takes calls. */
+  isReady: boolean;
   ready: Promise<void>;
 }
 

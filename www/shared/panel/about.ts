@@ -1,5 +1,5 @@
 /** What this program is, and whose work is in it. */
-import { LICENCES } from 'virtual:licences';
+import { CRATES, LICENCES } from 'virtual:licences';
 import { button, h } from './dom';
 import { say } from '../text/words';
 
@@ -7,8 +7,9 @@ import { say } from '../text/words';
 export function aboutDialog(name: string): HTMLDialogElement {
   const heading = h('h2', { id: 'about-heading' }, name);
   const dialog = h('dialog', { class: 'dialog', testid: 'about-dialog', aria: { labelledby: heading.id } });
-  const holds = LICENCES.map(({ name: of, version, licence, text }) =>
-    h('details', { class: 'group', testid: `licence-${of}` }, h('summary', {}, `${of} ${version} (${licence})`), h('pre', { class: 'licence' }, text)),
+  const holds = LICENCES.map(({ name: of, version, licence, text }) => licenceOf(`licence-${of}`, `${of} ${version} (${licence})`, text));
+  const crates = CRATES.crates.map(({ name: of, version, licence, text }) =>
+    licenceOf(`crate-${of}-${version}`, `${of} ${version} (${licence})`, CRATES.texts[text] ?? ''),
   );
   const close = button(say('close-2'), 'about-close', () => dialog.close());
   dialog.append(
@@ -16,6 +17,15 @@ export function aboutDialog(name: string): HTMLDialogElement {
     h('p', {}, say('matches-and-orients-overlapping-photographs')),
     h('h3', {}, say('the-page-holds')),
     ...holds,
+    h('h3', {}, say('its-module-holds')),
+    h('details', { class: 'group', testid: 'crates' }, h('summary', {}, say('so-many-crates', { crates: crates.length })), ...crates),
   );
   return dialog;
+}
+
+function licenceOf(testid: string, title: string, text: string): HTMLElement {
+  // They are English in every language of the page.
+  const [name, own] = [h('bdi', {}, title), h('pre', { class: 'licence' }, text)];
+  for (const part of [name, own]) Object.assign(part, { lang: 'en', dir: 'ltr' });
+  return h('details', { class: 'group', testid }, h('summary', {}, name), own);
 }

@@ -39,8 +39,15 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
     for (const { target } of entries) byKeys(target);
   });
   buttons.prepend(press, others);
+  /** How high it is while nothing runs, as the browser has laid it out. */
+  let height = 0;
+  new ResizeObserver(() => {
+    if (host.dataset.kind !== 'busy') ({ height } = host.getBoundingClientRect());
+  }).observe(host);
   return ({ kind, verdict, text, more = '', figures: found = [], next = null, others: instead = [] }) => {
     host.dataset.kind = kind;
+    // While something runs it says less: what is beside it stays where it is.
+    host.style.minHeight = kind === 'busy' && height > 0 ? `${String(height)}px` : '';
     host.dataset.verdict = verdict ?? '';
     line.dataset.kind = kind;
     // What is said already would be read out again.

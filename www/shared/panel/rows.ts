@@ -21,6 +21,9 @@ export class RowsInSight {
   /** The rows that exist, from the first to the one behind the last. */
   private drawn: readonly [number, number] = [0, 0];
   private frame = 0;
+  /** How high all of it is and what of that heads and feet take, as the browser laid them out last: to ask for it makes the browser lay out the page. Null: not yet. */
+  private heights: { all: number; fixed: number } | null = null;
+  private top = 0;
 
   /** `row` builds the row at a place. */
   constructor(
@@ -38,7 +41,24 @@ export class RowsInSight {
     );
     this.scroller = h('div', { class: 'rows', role: 'region', aria: { label: words.region } }, this.table);
     this.scroller.addEventListener('scroll', () => this.scrolled());
-    new ResizeObserver(() => this.draw()).observe(this.scroller);
+    new ResizeObserver(() => {
+      this.laidOut();
+      this.draw();
+    }).observe(this.scroller);
+    const fixed = new ResizeObserver(() => this.laidOut());
+    for (const part of [this.head, this.foot]) fixed.observe(part);
+  }
+
+  private laidOut(): { all: number; fixed: number } {
+    this.top = this.scroller.scrollTop;
+    this.heights = { all: this.scroller.clientHeight, fixed: this.head.offsetHeight + this.foot.offsetHeight };
+    return this.heights;
+  }
+
+  /** The height in which rows are seen. */
+  private get room(): number {
+    const { all, fixed } = this.heights ?? this.laidOut();
+    return all - fixed;
   }
 
   /** Shows so many rows, or the same ones anew. */
@@ -49,17 +69,22 @@ export class RowsInSight {
 
   /** Brings a row into sight; a place below 0 is none. `near`: no farther than needed. */
   reveal(place: number, near = false): void {
-    const { scrollTop, clientHeight } = this.scroller;
-    const room = clientHeight - this.head.offsetHeight - this.foot.offsetHeight;
+    const { room } = this;
     const top = place * ROW;
-    if (place >= 0 && top < scrollTop) this.scroller.scrollTop = near ? top : Math.max(0, top - room / 2);
-    else if (place >= 0 && top + ROW > scrollTop + room) this.scroller.scrollTop = near ? top + ROW - room : Math.max(0, top - room / 2);
+    if (place >= 0 && top < this.top) this.scrollTo(near ? top : Math.max(0, top - room / 2));
+    else if (place >= 0 && top + ROW > this.top + room) this.scrollTo(near ? top + ROW - room : Math.max(0, top - room / 2));
     this.draw();
+  }
+
+  private scrollTo(top: number): void {
+    this.scroller.scrollTop = top;
+    // No farther than there are rows.
+    this.top = this.scroller.scrollTop;
   }
 
   /** How many rows are seen at once. */
   get page(): number {
-    return Math.max(1, Math.floor((this.scroller.clientHeight - this.head.offsetHeight - this.foot.offsetHeight) / ROW) - 1);
+    return Math.max(1, Math.floor(this.room / ROW) - 1);
   }
 
   /** Says on the heads of columns how the rows are sorted. */
@@ -71,14 +96,16 @@ export class RowsInSight {
 
   /** Draws before the next frame, where rows come into sight that do not exist yet. */
   private scrolled(): void {
+    this.top = this.scroller.scrollTop;
     const [first, last] = this.inSight(0);
     if (first >= this.drawn[0] && last <= this.drawn[1]) return;
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
   }
 
   private inSight(margin: number): [number, number] {
-    const { scrollTop, clientHeight } = this.scroller;
-    return [Math.max(0, Math.floor(scrollTop / ROW) - margin), Math.min(this.count, Math.ceil((scrollTop + clientHeight) / ROW) + margin)];
+    const { top } = this;
+    const { all } = this.heights ?? this.laidOut();
+    return [Math.max(0, Math.floor(top / ROW) - margin), Math.min(this.count, Math.ceil((top + all) / ROW) + margin)];
   }
 
   private draw(): void {

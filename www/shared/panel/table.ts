@@ -30,6 +30,13 @@ export interface TableOptions {
 }
 
 const ALL = () => true;
+const NONE: ReadonlySet<string> = new Set();
+
+/** Whether columns have the same heads, whatever their rows hold. */
+function sameHeads(a: readonly Column[], b: readonly Column[]): boolean {
+  const head = ({ key, label, unit, help, words }: Column) => [key, label, unit, help, words].join('\n');
+  return a.length === b.length && a.every((column, i) => head(column) === head(b[i] ?? column));
+}
 
 /** So many rows say how wide a column is. */
 const MEASURED = 200;
@@ -92,15 +99,20 @@ export class Table {
 
   /** Shows rows of other columns; `keep` and the conditions leave some of them out. Returns how many are shown. */
   show(count: number, columns: readonly Column[], keep: (row: number) => boolean = ALL, conditions: Filter = {}): number {
-    const others = columns !== this.all;
+    const before = this.all;
     Object.assign(this, { count, all: columns, keep, conditions });
-    if (others) this.showColumns();
+    if (columns !== before) {
+      const hidden = sameHeads(before, columns) ? (this.bar?.left ?? NONE) : (this.bar?.offer(columns) ?? NONE);
+      this.columns = columns.filter(({ key }) => !hidden.has(key));
+      if (!sameHeads(before, columns)) this.showHeads();
+    }
     this.showConditions();
     return this.sort();
   }
 
-  /** Marks a row and brings it into sight; none where it is negative. */
+  /** Marks a row and brings it into sight, where it is not the marked one; none where it is negative. */
   mark(row: number): void {
+    if (row === this.marked) return;
     this.marked = row;
     this.reveal(row);
   }
@@ -122,17 +134,17 @@ export class Table {
 
   private hide(hidden: ReadonlySet<string>): void {
     this.columns = this.all.filter(({ key }) => !hidden.has(key));
+    this.showHeads();
+    this.showConditions();
+    this.sort();
+  }
+
+  private showHeads(): void {
     const { columns } = this;
     const heads = columns.map((column) => this.headCell(column));
     const filters = this.options.filter === undefined || columns.length === 0 ? null : h('tr', {}, ...columns.map((column) => this.filterCell(column)));
     fill(this.table.head, columns.length === 0 ? null : h('tr', {}, ...heads), filters);
     this.table.table.setAttribute('aria-colcount', String(columns.length));
-    this.showConditions();
-    this.sort();
-  }
-
-  private showColumns(): void {
-    this.hide(this.bar?.offer(this.all) ?? new Set());
   }
 
   private headCell(column: Column): HTMLElement {
@@ -352,6 +364,11 @@ class TableBar {
     const text = `${this.words}: ${filtered ? say('of-8', { shown: counted(shown) }) : ''}${counted(all)}`;
     if (this.caption.textContent !== text) this.caption.textContent = text;
     this.clear.hidden = !filtered;
+  }
+
+  /** The columns that are hidden. */
+  get left(): ReadonlySet<string> {
+    return this.hidden;
   }
 
   /** Lists the columns; gives those that are hidden. */

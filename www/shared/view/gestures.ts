@@ -78,7 +78,8 @@ export function listen<T>(host: HTMLElement, movable: Movable<T>, keyHost: HTMLE
 /** Listens for the keys of commands where there are no gestures. */
 export function listenKeys(host: HTMLElement, command: (key: string, shift: boolean) => boolean): void {
   host.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || (event.target as Element).closest('input, select') !== null) return;
+    // A picture in it has done what the key says there.
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || (event.target as Element).closest('input, select') !== null) return;
     if (command(event.key, event.shiftKey)) event.preventDefault();
   });
 }

@@ -1,15 +1,34 @@
-/** What keys do on the orthophoto and in the image beside it. */
+/** What keys do on the orthophoto and in the image beside it: with the links of an image that was placed by itself, or with the block. */
 import type { Command } from '../../../shared/view/commands';
 import type { BlockStore } from '../../engine/engine';
 import type { LinkHands } from '../../engine/link-hands';
-import { chosenPlaced } from '../../state/placed';
+import { blockOnOrthophoto, chosenPlaced } from '../../state/showing';
 import { NOTHING_LOOKED_AT } from '../../state/placing';
 import { shownLinks } from '../../state/steps';
 import { say } from '../../../shared/text/words';
 
+/** Goes through the block on the orthophoto. */
+export interface BlockSteps {
+  step: (of: 'image' | 'place', by: 1 | -1) => void;
+  leave: () => void;
+}
+
+/** While the block lies on the orthophoto. */
+export function blockKeys(store: BlockStore, { step, leave }: BlockSteps): Command[] {
+  const can = () => blockOnOrthophoto(store.state) !== null && !store.state.placing.picks;
+  return [
+    { keys: ['n'], does: say('chooses-the-next-place-of'), can, run: () => step('place', 1) },
+    { keys: ['p'], does: say('chooses-the-previous-place-of'), can, run: () => step('place', -1) },
+    { keys: ['PageDown'], does: say('chooses-the-next-image'), can, run: () => step('image', 1) },
+    { keys: ['PageUp'], does: say('chooses-the-previous-image'), can, run: () => step('image', -1) },
+    { keys: ['Escape'], does: say('chooses-nothing'), can, run: leave },
+  ];
+}
+
 export function linkKeys(store: BlockStore, hands: LinkHands): Command[] {
   const now = () => store.state.placing;
-  const isLinkChosen = () => now().chosen.link !== null;
+  const isImageChosen = () => chosenPlaced(store.state) !== null;
+  const isLinkChosen = () => isImageChosen() && now().chosen.link !== null;
   const links = () => {
     const chosen = chosenPlaced(store.state);
     return chosen === null ? 0 : (shownLinks(chosen)?.count ?? 0);
@@ -38,7 +57,7 @@ export function linkKeys(store: BlockStore, hands: LinkHands): Command[] {
     { keys: ['PageUp'], does: say('chooses-the-previous-image-that'), can: hasImages, run: () => toImage(-1) },
     { keys: ['Delete'], does: say('rejects-the-chosen-link'), can: isLinkChosen, run: () => hands.use('reject') },
     { keys: ['r'], does: say('uses-the-chosen-link-again'), can: isLinkChosen, run: () => hands.use('restore') },
-    { keys: ['a'], does: say('measures-a-new-link-or'), run: () => hands.measure() },
+    { keys: ['a'], does: say('measures-a-new-link-or'), can: isImageChosen, run: () => hands.measure() },
     { keys: ['Enter'], does: say('accepts-the-link-that-is'), can: () => now().draft !== null, run: () => hands.accept() },
     { keys: ['Escape'], does: say('gives-up-or-chooses-nothing'), run: leave },
   ];

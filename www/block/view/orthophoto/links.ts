@@ -52,8 +52,13 @@ export function linksOnImage({ count, at, residuals, uses, byHand }: Links): Dra
 
 /** Of the ground, whose Y goes down on the canvas. */
 export function linksOnGround({ places, uses, byHand }: Links): DrawnLinks {
-  const points = places.map((value, i) => (i % 3 === 0 ? value : i % 3 === 1 ? -value : 0));
-  return { points, box: spreadOf(points), codes: codesOf(uses, byHand), vectors: new Float64Array() };
+  return pointsOnGround(places, codesOf(uses, byHand));
+}
+
+/** Places of the ground, X, Y, Z, with the codes of their uses. */
+export function pointsOnGround(places: Iterable<number>, codes: Iterable<number>): DrawnLinks {
+  const points = Float64Array.from(places, (value, i) => (i % 3 === 0 ? value : i % 3 === 1 ? -value : 0));
+  return { points, box: spreadOf(points), codes: Uint8Array.from(codes), vectors: new Float64Array() };
 }
 
 /** Of those that take part, the ones by hand have a code of their own. */

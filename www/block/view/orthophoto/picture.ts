@@ -8,8 +8,9 @@ import { panned, resized, toCanvas, toPosition, zoomedAbout } from '../../../sha
 import type { Size, Transform } from '../../../shared/view/transform';
 import type { BlockStore } from '../../engine/engine';
 import type { LinkHands } from '../../engine/link-hands';
-import { chosenPlaced } from '../../state/placed';
+import { chosenPlaced } from '../../state/showing';
 import type { PlacedFile } from '../../state/placed';
+import { NOTHING_LOOKED_AT } from '../../state/placing';
 import type { Looked } from '../../state/placing';
 import type { Zoomable } from '../looking';
 import { drawCross, linkAt } from './links';
@@ -100,12 +101,18 @@ export abstract class LinkPicture implements Zoomable {
   /** Brings a link that is chosen elsewhere into sight. */
   reveal(link: number): void {
     const [x, y] = this.links()?.points.subarray(3 * link, 3 * link + 2) ?? [];
+    if (x !== undefined && y !== undefined) this.bring([x, y]);
+  }
+
+  /** Brings a position into sight. */
+  protected bring(at: readonly [number, number]): void {
     const box = this.whole();
-    if (x === undefined || y === undefined || box === null) return;
-    const t = this.current(box);
-    const [cx, cy] = toCanvas(t, x, y);
     const { width, height } = this.layers;
-    const [dx, dy] = [into(cx, width), into(cy, height)];
+    // What is not on the stage has no size.
+    if (box === null || width < 2 * EDGE || height < 2 * EDGE) return;
+    const t = this.current(box);
+    const [x, y] = toCanvas(t, ...at);
+    const [dx, dy] = [into(x, width), into(y, height)];
     if (dx !== 0 || dy !== 0) this.move(panned(t, dx, dy));
   }
 
@@ -153,13 +160,7 @@ export abstract class LinkPicture implements Zoomable {
   /** Brings a position into sight, where an end of a link is expected. */
   expect(at: readonly [number, number] | null): void {
     this.predicted = at;
-    const box = this.whole();
-    if (at !== null && box !== null) {
-      const t = this.current(box);
-      const [x, y] = toCanvas(t, ...at);
-      const [dx, dy] = [into(x, this.layers.width), into(y, this.layers.height)];
-      if (dx !== 0 || dy !== 0) this.move(panned(t, dx, dy));
-    }
+    if (at !== null) this.bring(at);
     this.layers.redraw('marks');
   }
 
@@ -180,19 +181,24 @@ export abstract class LinkPicture implements Zoomable {
     this.store.dispatch({ type: 'choosePlaced', looked: this.lookedAt(x, y) });
   }
 
+  /** The pointer is over a place of the canvas, or has left. */
+  protected point(at: [number, number] | null): void {
+    this.store.dispatch({ type: 'pointPlaced', looked: at === null ? NOTHING_LOOKED_AT : this.lookedAt(...at) });
+  }
+
   protected lookedAt(x: number, y: number): Looked {
     const box = this.whole();
     const links = this.links();
     const { chosen, uses } = this.store.state.placing;
     const link = box === null || links === null ? -1 : linkAt(links, uses, this.current(box), x, y);
     if (link >= 0) return { image: chosen.image, link };
-    return this.other(x, y) ?? { image: null, link: null };
+    return this.other(x, y) ?? NOTHING_LOOKED_AT;
   }
 
   private hover(at: [number, number] | null, dragging: boolean): void {
     const box = this.whole();
     this.pointer = at === null || box === null ? null : toPosition(this.current(box), ...at);
-    if (!dragging) this.store.dispatch({ type: 'pointPlaced', looked: at === null ? { image: null, link: null } : this.lookedAt(...at) });
+    if (!dragging) this.point(at);
     for (const listener of this.listeners) listener();
   }
 }

@@ -1,19 +1,28 @@
-/** The orthophoto from above, with what is placed on it: footprints, projection centres, and the links of the chosen image. */
+/** The orthophoto from above, with what is placed on it: footprints, projection centres, and the places of the block or the links of the chosen image. */
 import { remember } from '../../../shared/state/remember';
 import { ACCEPTED, REJECTED } from '../../../shared/view/palette';
 import type { Colours } from '../../../shared/view/colours';
 import { toCanvas, toPosition } from '../../../shared/view/transform';
-import type { Transform } from '../../../shared/view/transform';
+import type { Rect, Transform } from '../../../shared/view/transform';
 import type { BlockStore } from '../../engine/engine';
+import type { Facts } from '../../engine/facts';
 import type { LinkHands } from '../../engine/link-hands';
 import type { PlacingEngine } from '../../engine/placing';
 import { shownLinks } from '../../state/steps';
+import { keptBy } from '../../state/columns';
 import type { LinkedPlacement } from '../../state/links';
+import { blockOnOrthophoto } from '../../state/showing';
 import { placedFiles } from '../../state/placed';
-import type { PlacedFile } from '../../state/placed';
 import type { GivenOrthophoto, Looked } from '../../state/placing';
+import { isOffGround } from '../../state/purpose';
+import type { Choice } from '../../state/selection';
 import { affineOf, mapped, SAME } from '../../state/under';
+import type { Looking } from '../looking';
 import { haloed, paintGrid, paintNorth, paintScale } from '../map/frame';
+import { choiceAt, onOrthophoto, paintBlock, placeOfChoice, stepped } from './block';
+import type { OnOrthophoto } from './block';
+import { footprintAt, paintCentres, paintFootprint } from './footprints';
+import type { Footprint } from './footprints';
 import { drawLinks, drawRing, linksOnGround } from './links';
 import type { DrawnLinks } from './links';
 import { ImageOver } from './over';
@@ -21,11 +30,6 @@ import { LinkPicture } from './picture';
 import type { Box } from './picture';
 import { OrthophotoTiles } from './tiles';
 import { say } from '../../../shared/text/words';
-
-/** How near a projection centre is pointed at, CSS px. */
-const REACH = 12;
-/** More images than these have their names only where they are chosen. */
-const MOST_NAMES = 60;
 
 /** Coordinates of a map are those of its system. */
 const SYSTEM = 'surveyed';
@@ -37,9 +41,19 @@ export class OrthophotoPlan extends LinkPicture {
   private readonly tiles: OrthophotoTiles;
   private readonly over: ImageOver;
   private lays = false;
+  /** What was chosen last. */
+  private followed: Choice | null = null;
   private readonly drawn = remember(linksOnGround);
 
-  constructor(host: HTMLElement, store: BlockStore, hands: LinkHands, keys: (key: string, shift: boolean) => boolean, engine: PlacingEngine) {
+  constructor(
+    host: HTMLElement,
+    store: BlockStore,
+    hands: LinkHands,
+    keys: (key: string, shift: boolean) => boolean,
+    engine: PlacingEngine,
+    private readonly looking: Looking,
+    private readonly facts: Facts,
+  ) {
     super(host, store, hands, keys);
     this.tiles = new OrthophotoTiles(
       (level, column, row) => engine.tile(level, column, row),
@@ -49,7 +63,33 @@ export class OrthophotoPlan extends LinkPicture {
       ({ file }, placement, side) => engine.laid(file, placement, side),
       () => this.layers.redraw('picture'),
     );
-    store.watch(['placing', 'files', 'options'], () => this.layers.redraw());
+    store.watch(['placing', 'files', 'options', 'shown'], () => this.layers.redraw());
+    store.watch(['selection'], ([{ chosen }]) => this.follow(chosen));
+    facts.watch(() => this.layers.redraw('marks'));
+  }
+
+  /** What of the block is drawn, where it lies on the orthophoto. */
+  block(): OnOrthophoto | null {
+    const { state } = this.store;
+    const shown = blockOnOrthophoto(state);
+    if (shown === null) return null;
+    const keeps = (subject: 'images' | 'surveyed') => keptBy(subject, shown.view, state.selection);
+    return onOrthophoto(shown.view, this.facts.ground(), isOffGround(state), keeps('images'), keeps('surveyed'));
+  }
+
+  /** What is chosen of the block elsewhere is brought into sight. */
+  private follow(chosen: Choice | null): void {
+    this.layers.redraw('marks');
+    const block = this.block();
+    const place = block === null || chosen === this.followed ? null : placeOfChoice(block, chosen);
+    this.followed = chosen;
+    if (place !== null) this.bring([place[0], -place[1]]);
+  }
+
+  /** Goes to the next image or place of the block, or the one before. */
+  step(of: 'image' | 'place', by: 1 | -1): void {
+    const block = this.block();
+    if (block !== null) this.looking.choose(stepped(block, of, this.store.state.selection.chosen, by));
   }
 
   /** Whether the chosen image lies over the orthophoto. */
@@ -99,7 +139,13 @@ export class OrthophotoPlan extends LinkPicture {
   protected override pressed(x: number, y: number): void {
     const box = this.whole();
     if (!this.store.state.placing.picks || box === null) {
-      super.pressed(x, y);
+      const block = this.block();
+      if (block === null || box === null) super.pressed(x, y);
+      else {
+        // It is in sight already.
+        this.followed = this.choiceAt(block, box, x, y);
+        this.looking.choose(this.followed);
+      }
       return;
     }
     const [east, south] = toPosition(this.current(box), x, y);
@@ -109,28 +155,29 @@ export class OrthophotoPlan extends LinkPicture {
     this.store.dispatch({ type: 'placingOptions', options: { near_x: round(east), near_y: round(-south) } });
   }
 
-  /** The image whose centre is near, else the one on whose ground the place lies, the nearest centre first. */
-  protected override other(x: number, y: number): Looked | null {
-    const box = this.whole();
-    if (box === null) return null;
-    const t = this.current(box);
-    const [east, south] = toPosition(t, x, y);
-    const near = this.placements()
-      .map(({ file, placement }) => {
-        const [cx, cy] = toCanvas(t, placement.pose.position[0], -placement.pose.position[1]);
-        const distance = Math.hypot(cx - x, cy - y);
-        return { id: file.id, distance, isOn: distance < REACH || isInside(placement.footprint, east, -south) };
-      })
-      .filter(({ isOn }) => isOn)
-      .sort((a, b) => a.distance - b.distance);
-    const [first] = near;
-    return first === undefined ? null : { image: first.id, link: null };
+  protected override point(at: [number, number] | null): void {
+    const [block, box] = [this.block(), this.whole()];
+    if (block === null || box === null) super.point(at);
+    else this.looking.point(at === null ? null : this.choiceAt(block, box, ...at));
   }
 
-  private placements(): (PlacedFile & { placement: LinkedPlacement })[] {
-    return placedFiles(this.store.state).flatMap((placed) => {
-      const placement = placed.result?.placement ?? null;
-      return placement === null ? [] : [{ ...placed, placement }];
+  private choiceAt(block: OnOrthophoto, box: Box, x: number, y: number): Choice | null {
+    return choiceAt(block, this.store.state.placing.uses, this.current(box), x, y);
+  }
+
+  protected override other(x: number, y: number): Looked | null {
+    const box = this.whole();
+    const found = box === null ? null : footprintAt(this.footprints(), this.current(box), x, y);
+    return found === null ? null : { image: found.of.file, link: null };
+  }
+
+  /** Of the images that were placed by themselves. */
+  private footprints(): (Footprint & { file: number })[] {
+    return placedFiles(this.store.state).flatMap(({ file, result, isStale }) => {
+      const placement = result?.placement ?? null;
+      if (result === null || placement === null) return [];
+      const [x, y] = placement.pose.position;
+      return [{ file: file.id, name: file.name, isStale, colour: VERDICTS[result.verdict.kind], centre: [x, y], outline: placement.footprint }];
     });
   }
 
@@ -144,21 +191,29 @@ export class OrthophotoPlan extends LinkPicture {
 
   protected override paintMarks(context: CanvasRenderingContext2D, colours: Colours, t: Transform): void {
     const { width, height } = this.layers;
-    const { chosen, pointed } = this.store.state.placing;
+    const clip = { left: 0, top: 0, width, height };
     paintGrid(context, colours, t, width, height);
     this.paintNear(context, colours, t);
-    const all = this.placements();
-    for (const placed of all) paintFootprint(context, t, placed, placed.file.id === chosen.image, placed.file.id === pointed.image);
+    const block = this.block();
+    if (block !== null) paintBlock(context, colours, t, clip, block, this.store.state.placing.uses, this.store.state.selection);
+    else this.paintPlaced(context, colours, t, clip);
+    paintScale(context, colours, t, height, SYSTEM);
+    paintNorth(context, colours, width, SYSTEM);
+  }
+
+  /** Images that were placed by themselves, and the links of the chosen one. */
+  private paintPlaced(context: CanvasRenderingContext2D, colours: Colours, t: Transform, clip: Rect): void {
+    const { chosen, pointed, uses } = this.store.state.placing;
+    const all = this.footprints();
+    for (const own of all) paintFootprint(context, t, own, own.file === chosen.image, own.file === pointed.image);
     const links = this.links();
     if (links !== null) {
-      drawLinks(context, links, t, { left: 0, top: 0, width, height }, this.store.state.placing.uses);
+      drawLinks(context, links, t, clip, uses);
       if (pointed.image === chosen.image && pointed.link !== null) drawRing(context, links, pointed.link, t, false);
       if (chosen.link !== null) drawRing(context, links, chosen.link, t, true);
     }
     this.paintEnd(context, t);
-    for (const placed of all) paintCentre(context, colours, t, placed, placed.file.id === chosen.image, all.length <= MOST_NAMES);
-    paintScale(context, colours, t, height, SYSTEM);
-    paintNorth(context, colours, width, SYSTEM);
+    paintCentres(context, colours, t, all, ({ file }) => file === chosen.image);
   }
 
   /** Where images are sought, if that is said. */
@@ -204,60 +259,4 @@ function cornersOf({ info: { width, height, georeference } }: GivenOrthophoto): 
 function boxOf(places: readonly (readonly [number, number])[]): Box {
   const [xs, ys] = [places.map(([x]) => x), places.map(([, y]) => -y)];
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
-}
-
-/** Whether an outline goes about a place. */
-function isInside(outline: readonly (readonly [number, number])[], x: number, y: number): boolean {
-  let inside = false;
-  outline.forEach(([ax, ay], i) => {
-    const [bx, by] = outline[(i + 1) % outline.length] ?? [ax, ay];
-    if (ay > y !== by > y && x < ax + ((bx - ax) * (y - ay)) / (by - ay)) inside = !inside;
-  });
-  return inside;
-}
-
-type Shown = PlacedFile & { placement: LinkedPlacement };
-
-function colourOf({ result }: PlacedFile): string {
-  return VERDICTS[result?.verdict.kind ?? 'not_placed'];
-}
-
-function paintFootprint(context: CanvasRenderingContext2D, t: Transform, shown: Shown, chosen: boolean, pointed: boolean): void {
-  context.save();
-  context.beginPath();
-  for (const [x, y] of shown.placement.footprint) context.lineTo(...toCanvas(t, x, -y));
-  context.closePath();
-  // A dark line under it is seen on any ground.
-  context.strokeStyle = 'rgb(0 0 0 / 0.55)';
-  context.lineWidth = chosen ? 5 : 3;
-  context.stroke();
-  context.strokeStyle = colourOf(shown);
-  context.lineWidth = chosen ? 2.5 : pointed ? 2 : 1.2;
-  if (shown.isStale) context.setLineDash([6, 4]);
-  context.stroke();
-  // What is chosen shows its links.
-  if (pointed && !chosen) {
-    context.fillStyle = colourOf(shown);
-    context.globalAlpha = 0.1;
-    context.fill();
-  }
-  context.restore();
-}
-
-function paintCentre(context: CanvasRenderingContext2D, colours: Colours, t: Transform, shown: Shown, chosen: boolean, hasName: boolean): void {
-  const [x, y] = toCanvas(t, shown.placement.pose.position[0], -shown.placement.pose.position[1]);
-  context.save();
-  context.beginPath();
-  context.arc(x, y, chosen ? 7 : 5, 0, 2 * Math.PI);
-  context.fillStyle = colourOf(shown);
-  context.fill();
-  context.lineWidth = 2;
-  context.strokeStyle = colours.surface;
-  context.stroke();
-  if (hasName || chosen) {
-    context.font = chosen ? '600 12px system-ui, sans-serif' : '11px system-ui, sans-serif';
-    context.textAlign = 'center';
-    haloed(context, colours, shown.file.name, x, y + 20);
-  }
-  context.restore();
 }

@@ -305,7 +305,7 @@ missing-in-it-add-to = {" "}تنقصه { $missing ->
 ## orthophoto
 
 role-picture = صورة
-press-a-footprint-to-see = اضغط أثرًا أرضيًا لترى صورته بجانب الصورة المصححة، أو رابطًا لتراه في كلتيهما. السحب للتحريك · العجلة و+ − للتكبير · 0 ملاءمة · الأسهم للتحريك · N P للروابط · Page Down وPage Up للصور · Escape لا شيء مختار. الروابط اليدوية: Delete يرفض، R يستعمل من جديد، A يقيس رابطًا جديدًا، Enter يقبل.
+press-a-footprint-to-see = اضغط أثرًا أرضيًا لترى صورته بجانب الصورة المصححة، أو رابطًا لتراه في كلتيهما؛ وفي كتلة عليها أثرًا أو موضعًا لتختاره. السحب للتحريك · العجلة و+ − للتكبير · 0 ملاءمة · الأسهم للتحريك · N P للروابط أو المواضع · Page Down وPage Up للصور · Escape لا شيء مختار. الروابط اليدوية: Delete يرفض، R يستعمل من جديد، A يقيس رابطًا جديدًا، Enter يقبل.
 orthophoto-with-the-images-that = الصورة المصححة مع الصور الموضوعة عليها
 the-chosen-image-with-its = الصورة المختارة مع روابطها
 column-row = العمود { FIXED($place, digits: 1) }  الصف { FIXED($place_2, digits: 1) }
@@ -326,6 +326,12 @@ links = الروابط:{" "}
 links-by-which-the-image = روابط وُجّهت بها الصورة
 links-that-took-no-part = روابط لم تشارك وتتحقق من النتيجة
 links-that-were-rejected-as = روابط رُفضت أخطاءً جسيمة
+places-of-the-block = المواضع:{" "}
+places-by-which-the-block = مواضع الأرض التي تقع بها الكتلة في نظام الصورة المصححة: نقاط ضبط
+places-that-took-no-part = مواضع الأرض التي لم تشارك وتتحقق من النتيجة: نقاط تحقق
+places-that-were-rejected = مواضع الأرض التي رُفضت يدويًا
+chooses-the-next-place-of = يختار موضع الأرض التالي
+chooses-the-previous-place-of = يختار موضع الأرض السابق
 rough-place = موضع تقريبي
 the-next-press-on-the = الضغطة التالية على الصورة المصححة تبيّن أين التُقطت الصور تقريبًا؛ ويُبحث عنها ضمن نصف القطر المضبوط
 over-the-orthophoto = فوق الصورة المصححة

@@ -293,6 +293,20 @@ the-next-mark-enter = العلامة التالية (Enter)
 clear-mark = محو
 the-mark-is-not-measured = تُعد العلامة غير مقيسة
 end-marking = إغلاق
+step-of-mark = { $deed ->
+        [measured] قياس العلامة { $number }
+        [moved] نقل العلامة { $number }
+        [nudged] نقل العلامة { $number }
+        [cleared] محو قياس العلامة { $number }
+        [typed] تغيير العلامة { $number }
+        [added] إضافة العلامة { $number }
+        [removed] إزالة العلامة { $number }
+       *[all_removed] إزالة كل العلامات
+    }
+step-of-mask = { $masked ->
+        [yes] تقنيع مساحة
+       *[no] رفع القناع عن مساحة
+    }
 fiducial-marks-measured = علامات إطارية تقاس في الصورة
 mark-at-mm = { " " }({ $x }، { $y } مم)
 mark-is-at = العلامة { $number }{ $photo } عند { $column }، { $row } بكسل من الصورة. الأسهم تحركها؛ وEnter يتابع.
@@ -315,7 +329,6 @@ mask-it = تقنيع
 no-points-in-the-outlined = لا نقاط في المساحة المحددة (K)
 unmask-it = رفع القناع
 points-in-the-outlined-area = النقاط في المساحة المحددة من جديد (U)
-take-the-last-area-back = التراجع عن آخر مساحة رُسمت (Ctrl+Z)
 save-masks = حفظ القناعين
 masks-as-png-files-for = القناعان ملفَّي PNG، لاستعمال لاحق أو للأمر
 no-area-was-painted = لم تُرسم مساحة: أُلغي ذلك، أو تغيرت الصورة أو قناعها في الأثناء.

@@ -74,6 +74,16 @@ version-and-licences = الإصدار والتراخيص
 close-2 = إغلاق
 matches-and-orients-overlapping-photographs = يطابق الصور المتداخلة ويوجهها، على هذا الحاسوب وحده. مرخص بموجب Apache-2.0 أو MIT، كما تختار.
 the-page-holds = تحوي الصفحة
+its-module-holds = وتحوي وحدتها
+so-many-crates =
+    { $crates ->
+        [zero] لا حزم Rust
+        [one] حزمة Rust واحدة
+        [two] حزمتا Rust
+        [few] { COUNT($crates) } حزم Rust
+        [many] { COUNT($crates) } حزمة Rust
+       *[other] { COUNT($crates) } حزمة Rust
+    }
 so-many-actions =
     { $actions ->
         [zero] لا أوامر

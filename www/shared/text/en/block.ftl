@@ -342,7 +342,7 @@ missing-in-it-add-to = {" "}{ COUNT($missing) } { $missing ->
 ## panel/orthophoto-view
 
 role-picture = picture
-press-a-footprint-to-see = Press a footprint to see its image beside the orthophoto, a link to see it in both. Drag pans · wheel and + − zoom · 0 fit · arrows pan · N P links · Page Down, Page Up images · Escape nothing chosen. Links by hand: Delete rejects, R uses again, A measures a new one, Enter accepts.
+press-a-footprint-to-see = Press a footprint to see its image beside the orthophoto, a link to see it in both; of a block on it a footprint or a place, to choose it. Drag pans · wheel and + − zoom · 0 fit · arrows pan · N P links or places · Page Down, Page Up images · Escape nothing chosen. Links by hand: Delete rejects, R uses again, A measures a new one, Enter accepts.
 orthophoto-with-the-images-that = Orthophoto with the images that are placed on it
 the-chosen-image-with-its = The chosen image with its links
 column-row = column { FIXED($place, digits: 1) }  row { FIXED($place_2, digits: 1) }
@@ -363,6 +363,12 @@ links = Links:{" "}
 links-by-which-the-image = Links by which the image is oriented
 links-that-took-no-part = Links that took no part and check the result
 links-that-were-rejected-as = Links that were rejected as gross errors
+places-of-the-block = Places:{" "}
+places-by-which-the-block = Places of the ground by which the block lies in the system of the orthophoto: control points
+places-that-took-no-part = Places of the ground that took no part and check the result: check points
+places-that-were-rejected = Places of the ground that were rejected by hand
+chooses-the-next-place-of = chooses the next place of the ground
+chooses-the-previous-place-of = chooses the previous place of the ground
 rough-place = Rough place
 the-next-press-on-the = The next press on the orthophoto says near where images were taken; they are sought within the radius that is set
 over-the-orthophoto = Over the orthophoto

@@ -319,6 +319,20 @@ the-next-mark-enter = The next mark (Enter)
 clear-mark = Clear
 the-mark-is-not-measured = The mark counts as not measured
 end-marking = Close
+step-of-mark = { $deed ->
+        [measured] measure mark { $number }
+        [moved] move mark { $number }
+        [nudged] move mark { $number }
+        [cleared] clear mark { $number }
+        [typed] change mark { $number }
+        [added] add mark { $number }
+        [removed] remove mark { $number }
+       *[all_removed] remove all marks
+    }
+step-of-mask = { $masked ->
+        [yes] mask an area
+       *[no] unmask an area
+    }
 fiducial-marks-measured = Fiducial marks, measured in the image
 mark-at-mm = { " " }({ $x }, { $y } mm)
 mark-is-at = Mark { $number }{ $photo } lies at { $column }, { $row } px of the image. Arrows move it; Enter goes on.
@@ -343,7 +357,6 @@ mask-it = Mask
 no-points-in-the-outlined = No points in the outlined area (K)
 unmask-it = Unmask
 points-in-the-outlined-area = Points in the outlined area again (U)
-take-the-last-area-back = Undo the area that was painted last (Ctrl+Z)
 save-masks = Save masks
 masks-as-png-files-for = The masks as PNG files, for later use or for the command
 no-area-was-painted = No area was painted: it was cancelled, or the image or its mask has changed meanwhile.

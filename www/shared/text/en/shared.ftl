@@ -82,6 +82,12 @@ version-and-licences = Version and licences
 close-2 = Close
 matches-and-orients-overlapping-photographs = Matches and orients overlapping photographs, on this computer alone. Licensed under Apache-2.0 or MIT, as you choose.
 the-page-holds = The page holds
+its-module-holds = Its module holds
+so-many-crates =
+    { $crates ->
+        [one] 1 Rust crate
+       *[other] { COUNT($crates) } Rust crates
+    }
 
 ## panel/actions
 

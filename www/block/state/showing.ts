@@ -1,0 +1,34 @@
+/** What the orthophoto view shows: the block that was placed on the orthophoto, else the images that were placed by themselves. */
+import { remember } from '../../shared/state/remember';
+import { mapped, affineOf, inverse } from './under';
+import { placedFiles } from './placed';
+import type { PlacedFile } from './placed';
+import type { GivenOrthophoto } from './placing';
+import { purposeOf } from './purpose';
+import type { BlockState, Shown } from './state';
+import type { BlockView } from './view';
+
+type Given = Pick<BlockState, 'placing' | 'options' | 'files' | 'shown'>;
+
+/** The block that lies in the system of the orthophoto, on its ground; null where none does, and where each image is placed by itself. */
+export function blockOnOrthophoto(state: Given): Shown | null {
+  const { shown, placing } = state;
+  const { orthophoto } = placing;
+  if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial || shown.view.orthophoto?.kind !== 'linked') return null;
+  return purposeOf(state) !== 'images' && hasPlaceOn(orthophoto, shown.view) ? shown : null;
+}
+
+/** Whether a control or check point of the block lies on an orthophoto: one of elsewhere may be given in its place. */
+const hasPlaceOn = remember(({ info: { width, height, georeference } }: GivenOrthophoto, { surveyed }: BlockView): boolean => {
+  const toPixels = inverse(affineOf(georeference));
+  return surveyed.some(({ position: [x, y] }) => {
+    const [column, row] = mapped(toPixels, x, y);
+    return column >= 0 && row >= 0 && column <= width && row <= height;
+  });
+});
+
+/** The image placed by itself that is chosen, where it was tried; null where the block is shown in its place. */
+export function chosenPlaced(state: Given): PlacedFile | null {
+  const { image } = state.placing.chosen;
+  return image === null || blockOnOrthophoto(state) !== null ? null : (placedFiles(state).find(({ file }) => file.id === image) ?? null);
+}
