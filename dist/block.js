@@ -601,7 +601,7 @@ function stepName(step) {
 }
 // www/block/engine/placing.ts
 /** Places images on an orthophoto: one worker shows it, others place images, one image each at a time. */
-/** Each worker holds the whole orthophoto: of one beyond so many px there is one worker beside the one that shows it. */
+/** Each worker holds an orthophoto that is not read in parts: of one beyond so many px there is one worker beside the one that shows it. */
 var MOST_SHARED = 4e7;
 var PlacingEngine = class {
 	store;
@@ -664,9 +664,10 @@ var PlacingEngine = class {
 		const { placing, options } = state;
 		const { ground } = this;
 		if (ground === null || placing.options === null || placing.orthophoto === null || placing.running !== null || files.length === 0) return 0;
-		const { width, height } = placing.orthophoto.info;
+		const { width, height, in_parts: isInParts } = placing.orthophoto.info;
+		const isLight = isInParts || width * height <= MOST_SHARED;
 		const key = placingKey(state);
-		const workers = this.placers.slice(0, width * height <= MOST_SHARED && (navigator.hardwareConcurrency || 1) > 2 ? 2 : 1);
+		const workers = this.placers.slice(0, isLight && (navigator.hardwareConcurrency || 1) > 2 ? 2 : 1);
 		const waiting = [...files];
 		const { options: given } = placing;
 		const cameras = options.cameras?.text ?? null;
@@ -723,7 +724,7 @@ var PlacingEngine = class {
 			if (this.stopped || error instanceof Cancelled) return null;
 			throw named$1(error);
 		} finally {
-			if (width * height > MOST_SHARED) this.release();
+			if (!isLight) this.release();
 			this.store.dispatch({
 				type: "placing",
 				running: null

@@ -675,24 +675,16 @@ var OrthophotoReference = class OrthophotoReference {
 		return wasm.orthophotoreference_info(this.__wbg_ptr);
 	}
 	/**
-	* Reads a GeoTIFF, or an image with its world file. Its ground is level at 0 until heights are given.
-	* @param {Uint8Array | number[]} file
+	* Opens a GeoTIFF, or an image with its world file: all of its bytes, or a file from which large ones are read in parts. Its ground is level at 0 until
+	* heights are given.
+	* @param {Uint8Array | FileInParts} file
 	* @param {string | null} [world_file]
 	* @returns {OrthophotoReference}
 	*/
 	static open(file, world_file) {
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.orthophotoreference_open(ptr0, len0, ptr1, len1);
+		var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_open(file, ptr0, len0);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return OrthophotoReference.__wrap(ret[0]);
 	}
@@ -1702,6 +1694,10 @@ function __wbg_get_imports() {
 			__wbg___wbindgen_is_null_c22311b1cc228e3a: function(arg0) {
 				return arg0 === null;
 			},
+			__wbg___wbindgen_is_object_8b968c3ab8e96595: function(arg0) {
+				const val = arg0;
+				return typeof val === "object" && val !== null;
+			},
 			__wbg___wbindgen_is_undefined_be5b34249ff1fc15: function(arg0) {
 				return arg0 === void 0;
 			},
@@ -1766,6 +1762,15 @@ function __wbg_get_imports() {
 			__wbg_get_unchecked_e6325ad374eff861: function(arg0, arg1) {
 				return arg0[arg1 >>> 0];
 			},
+			__wbg_instanceof_Error_74e3cca0c4a69161: function(arg0) {
+				let result;
+				try {
+					result = arg0 instanceof Error;
+				} catch (_) {
+					result = false;
+				}
+				return result;
+			},
 			__wbg_instanceof_Float32Array_94718abab7dc1d7f: function(arg0) {
 				let result;
 				try {
@@ -1813,6 +1818,9 @@ function __wbg_get_imports() {
 			},
 			__wbg_lineTo_91262b25fb37c461: function(arg0, arg1, arg2) {
 				arg0.lineTo(arg1, arg2);
+			},
+			__wbg_message_43d8c8f1d543a349: function(arg0) {
+				return arg0.message;
 			},
 			__wbg_moveTo_b4cd3b0b7e1585a5: function(arg0, arg1, arg2) {
 				arg0.moveTo(arg1, arg2);
@@ -1876,6 +1884,11 @@ function __wbg_get_imports() {
 			__wbg_prototypesetcall_a366c038a3918afa: function(arg0, arg1, arg2) {
 				Float64Array.prototype.set.call(getArrayF64FromWasm0(arg0, arg1), arg2);
 			},
+			__wbg_read_c75dcf30dfdc2d25: function() {
+				return handleError(function(arg0, arg1, arg2) {
+					return arg0.read(arg1, arg2);
+				}, arguments);
+			},
 			__wbg_rect_ab5601e64afdbc33: function(arg0, arg1, arg2, arg3, arg4) {
 				arg0.rect(arg1, arg2, arg3, arg4);
 			},
@@ -1896,6 +1909,9 @@ function __wbg_get_imports() {
 			__wbg_set_strokeStyle_b90c8a6e0d37c80d: function(arg0, arg1, arg2) {
 				arg0.strokeStyle = getStringFromWasm0(arg1, arg2);
 			},
+			__wbg_size_161b8a6e60abe336: function(arg0) {
+				return arg0.size;
+			},
 			__wbg_stringify_b090af1e2fcbfede: function() {
 				return handleError(function(arg0, arg1) {
 					return JSON.stringify(arg0, arg1);
@@ -1905,7 +1921,7 @@ function __wbg_get_imports() {
 				arg0.stroke();
 			},
 			__wbindgen_generic_0000000000000001: function(arg0, arg1) {
-				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c);
+				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
 			},
 			__wbindgen_generic_0000000000000002: function(arg0) {
 				return arg0;
@@ -1924,8 +1940,8 @@ function __wbg_get_imports() {
 		}
 	};
 }
-function wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c(arg0, arg1, arg2, arg3) {
-	return wasm.wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3) {
+	return wasm.wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3);
 }
 var BlockOnOrthophotoFinalization = typeof FinalizationRegistry === "undefined" ? {
 	register: () => {},

@@ -62,6 +62,69 @@ test('orthophotos, heights and photographs are told apart by what they hold', as
   assert.equal(kindOfTiff(new Map([[258, 32]]), true), 'heights');
 });
 
+test('a large orthophoto is read in parts, by an object that gives bytes at once', () => {
+  const [side, rows, head] = [6_500, 100, 8];
+  const value = (/** @type {number} */ x, /** @type {number} */ y) => 20 + (((x >> 4) * 7 + (y >> 4) * 13) % 200);
+  // A TIFF in strips, uncompressed: pixels, then the places and lengths of the strips, then the directory.
+  const strips = side / rows;
+  const pixels = side * side;
+  const file = Buffer.alloc(head + pixels + 8 * strips + 2 + 12 * 9 + 4);
+  file.write('II*\0', 'latin1');
+  for (let y = 0; y < side; y += 1) for (let x = 0; x < side; x += 1) file[head + y * side + x] = value(x, y);
+  let at = head + pixels;
+  for (let k = 0; k < strips; k += 1) {
+    file.writeUInt32LE(head + k * rows * side, at + 4 * k);
+    file.writeUInt32LE(rows * side, at + 4 * (strips + k));
+  }
+  const tags = [
+    [256, 1, side],
+    [257, 1, side],
+    [258, 1, 8],
+    [259, 1, 1],
+    [262, 1, 1],
+    [273, strips, at],
+    [277, 1, 1],
+    [278, 1, rows],
+    [279, strips, at + 4 * strips],
+  ];
+  at += 8 * strips;
+  file.writeUInt32LE(at, 4);
+  file.writeUInt16LE(tags.length, at);
+  tags.forEach(([tag = 0, count = 0, of = 0], k) => {
+    const entry = at + 2 + 12 * k;
+    file.writeUInt16LE(tag, entry);
+    file.writeUInt16LE(4, entry + 2);
+    file.writeUInt32LE(count, entry + 4);
+    file.writeUInt32LE(of, entry + 8);
+  });
+
+  let read = 0;
+  const parts = {
+    size: file.length,
+    read: (/** @type {number} */ from, /** @type {number} */ length) => {
+      read += length;
+      return new Uint8Array(file.subarray(from, from + length));
+    },
+  };
+  const reference = OrthophotoReference.open(parts, '0.5\n0\n0\n-0.5\n1000\n2000\n');
+  const { width, height, in_parts: isInParts } = reference.info();
+  assert.deepEqual([width, height, isInParts], [side, side, true]);
+  const part = reference.picture(3_000, 4_000, 40, 30, 0);
+  assert.ok(part.every((grey, k) => grey === value(3_000 + (k % 40), 4_000 + Math.floor(k / 40))));
+  assert.ok(read < file.length / 20, `${read} of ${file.length} bytes read`);
+  reference.free();
+  // What cannot be read is a typed error, in the words of the host.
+  const broken = {
+    size: file.length,
+    read: () => {
+      throw new Error('the disk is gone');
+    },
+  };
+  assert.throws(() => OrthophotoReference.open(broken), /TiepointError/);
+  assert.throws(() => OrthophotoReference.open(/** @type {any} */ (7)), { code: 'invalid-input' });
+  assert.throws(() => OrthophotoReference.open({ size: -1, read: parts.read }), { code: 'invalid-input' });
+});
+
 test('a map of the plane is undone by its inverse, and pixels lie where the crate has them', () => {
   const { affineOf, after, inverse, mapped, scaleOf, similarity } = page.under;
   const reference = OrthophotoReference.open(scene().picture);

@@ -1,6 +1,15 @@
 /* tslint:disable */
 /* eslint-disable */
 
+/** A file that is read in parts: `read` gives so many bytes from a place on, at once. In a worker of a browser a `FileReaderSync` does that, in Node `fs.readSync`. */
+export interface FileInParts {
+    /** Its length in bytes. */
+    readonly size: number;
+    read(at: number, length: number): Uint8Array;
+}
+
+
+
 /** A pair that was matched and oriented, with all that was given for it. */
 export interface PairProject {
     /** The left and the right one. */
@@ -32,6 +41,8 @@ export interface OrthophotoInfo {
     heights: [number, number];
     /** Share of the picture that has a height, 0 to 1. */
     heights_share: number;
+    /** Whether its pixels are read where they are needed. */
+    in_parts: boolean;
 }
 
 
@@ -672,6 +683,10 @@ export interface ModelSummary {
      */
     components: ComponentSummary[];
     /**
+     * Systematic errors of GNSS positions that were to be estimated.
+     */
+    systematic: SystematicSummary[];
+    /**
      * Absent without check points.
      */
     checks: CheckSummary | null;
@@ -1072,6 +1087,44 @@ export interface SurveyedPoint {
 }
 
 /**
+ * A systematic error as the adjustment has it, or had it before it was fixed at zero.
+ */
+export interface SystematicStatistics {
+    error: SystematicError;
+    verdict: SystematicVerdict;
+    /**
+     * 0 for a value that nothing determines.
+     */
+    estimate: [number, number, number];
+    /**
+     * Absent for a value that was not estimated, and without statistics.
+     */
+    standard_errors: [number | null, number | null, number | null];
+    /**
+     * The mean square of the estimate in its standard errors, correlations taken into account; absent where it was not tested.
+     */
+    test: number | null;
+    /**
+     * Above it, the test says that the error is not zero: the quantile of the F distribution (of χ² by its degrees of freedom where σ₀ is known).
+     */
+    limit: number | null;
+}
+
+/**
+ * A systematic error of GNSS positions, and what became of it.
+ */
+export interface SystematicSummary extends SystematicStatistics {
+    /**
+     * In words.
+     */
+    name: string;
+    /**
+     * The images of its strip, from the first to the last; empty where it is that of no strip.
+     */
+    images: string[];
+}
+
+/**
  * A tie point or control point.
  */
 export interface ObjectPoint {
@@ -1181,7 +1234,16 @@ export interface AdjustmentResult {
      * How weights by the residuals were reached; absent where variance components were not to be estimated.
      */
     weighting?: GroupWeighting;
+    /**
+     * What systematic errors GNSS positions have; absent where none were to be estimated, or the datum uses no positions.
+     */
+    systematic?: SystematicResult;
 }
+
+/**
+ * An error that GNSS positions have in common, with three values in the unit of the block.
+ */
+export type SystematicError = { kind: "lever_arm"; camera: number } | { kind: "offset" } | { kind: "strip_offset"; strip: number } | { kind: "strip_drift"; strip: number };
 
 /**
  * An image as interior orientation needs it: its size, and what is known of its fiducials.
@@ -1509,6 +1571,11 @@ export interface Attitude {
 }
 
 /**
+ * Errors that GNSS positions share.
+ */
+export type GnssErrors = "none" | "offset" | "strip-offsets" | "strip-drifts";
+
+/**
  * Expected offsets (right minus left position) at the nodes of a square grid over the left image, in between bilinear.
  */
 export interface OffsetField {
@@ -1820,6 +1887,20 @@ export interface ImageCounts {
 }
 
 /**
+ * Images that were taken one after the other along a line.
+ */
+export interface Strip {
+    /**
+     * By their indices, in the order in which they were taken.
+     */
+    images: number[];
+    /**
+     * The place of each along the line: 0 on average, from the first to the last one 1.
+     */
+    places: number[];
+}
+
+/**
  * Observations whose standard errors are stated together.
  */
 export type ObservationGroup = "marks" | "gnss_plan" | "gnss_height" | "control_plan" | "control_height";
@@ -1834,7 +1915,7 @@ export interface BlockImage {
     camera: number;
     pose: Pose;
     /**
-     * Where GNSS has the projection centre.
+     * Where GNSS has the projection centre, but for systematic errors of the positions.
      */
     gnss?: PositionPrior | null;
     /**
@@ -1889,6 +1970,16 @@ export interface AdjustmentOptions {
      * them by it where that is certain.
      */
     variance_components: boolean;
+    /**
+     * The offset of GNSS positions that is estimated: one of all, or one of each strip, alone or with a drift that is linear along it. It is kept
+     * where it differs from zero by more than chance, at the significance α₀.
+     */
+    gnss_errors: GnssErrors;
+    /**
+     * Estimates the lever arm of each camera, from its projection centre to the antenna of GNSS; it is kept where it differs from zero by more
+     * than chance.
+     */
+    gnss_lever_arm: boolean;
     /**
      * The standard deviation, in standard errors of an observation, of errors that the observations of an image share, as those of matches do:
      * standard errors hold it. 0: observations are independent.
@@ -2815,6 +2906,16 @@ export interface GeoreferencingOptions {
      */
     variance_components: boolean;
     /**
+     * The offset of GNSS positions that is estimated: one of all, or one of each strip of the flight, alone or with a drift that is linear along it.
+     * It is kept where it differs from zero by more than chance. Without control points only differences between strips can be told.
+     */
+    gnss_errors: GnssErrors;
+    /**
+     * Whether the lever arm of each camera is estimated, from its projection centre to the antenna of GNSS, and kept where it differs from zero by
+     * more than chance.
+     */
+    gnss_lever_arm: boolean;
+    /**
      * The standard deviation of errors that the observations of an image share, as matches do, in standard errors of an observation: higher
      * makes the printed standard errors larger. 0: observations are independent.
      */
@@ -3326,6 +3427,21 @@ export interface ErrorEllipse {
 }
 
 /**
+ * The systematic errors of GNSS positions that were to be estimated.
+ */
+export interface SystematicResult {
+    /**
+     * The strips whose errors were to be estimated. Images that follow no line are in none.
+     */
+    strips: Strip[];
+    errors: SystematicStatistics[];
+    /**
+     * Motions of the whole block that nothing tells from these errors: estimated ones have no part of them, and are relative to each other.
+     */
+    constraints: number;
+}
+
+/**
  * The test whether σ₀ agrees with the one that was known before.
  */
 export interface GlobalTest {
@@ -3501,6 +3617,11 @@ export type News = ({ kind: "step" } & Step) | ({ kind: "image" } & ReadImage) |
  * What became of a ray.
  */
 export type RefinementOutcome = "reference" | "refined" | "not_converged" | "left_image" | "moved_too_far" | "low_correlation" | "no_texture" | "inconsistent";
+
+/**
+ * What became of a systematic error.
+ */
+export type SystematicVerdict = "kept" | "not_significant" | "undetermined";
 
 /**
  * What became of an observation.
@@ -3879,7 +4000,7 @@ export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | {
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
@@ -3920,7 +4041,7 @@ export interface PriorStatistics {
      */
     accepted: boolean;
     /**
-     * Observed minus adjusted.
+     * Observed minus adjusted: of a GNSS position with its systematic errors.
      */
     residual: [number, number, number];
     /**
@@ -4476,9 +4597,10 @@ export class OrthophotoReference {
      */
     info(): OrthophotoInfo;
     /**
-     * Reads a GeoTIFF, or an image with its world file. Its ground is level at 0 until heights are given.
+     * Opens a GeoTIFF, or an image with its world file: all of its bytes, or a file from which large ones are read in parts. Its ground is level at 0 until
+     * heights are given.
      */
-    static open(file: Uint8Array | number[], world_file?: string | null): OrthophotoReference;
+    static open(file: Uint8Array | FileInParts, world_file?: string | null): OrthophotoReference;
     /**
      * Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
      * picture on, 0 where it shows nothing.
@@ -5174,7 +5296,7 @@ export interface InitOutput {
     readonly orthophotoreference_heights_at: (a: number, b: number, c: number) => [number, number, number, number];
     readonly orthophotoreference_image_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
     readonly orthophotoreference_info: (a: number) => any;
-    readonly orthophotoreference_open: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly orthophotoreference_open: (a: any, b: number, c: number) => [number, number, number];
     readonly orthophotoreference_picture: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly orthophotoreference_place: (a: number, b: number, c: number, d: number, e: number, f: number, g: number) => [number, number, number];
     readonly orthophotoreference_rectified: (a: number, b: number, c: number, d: any) => [number, number, number, number];
@@ -5234,7 +5356,7 @@ export interface InitOutput {
     readonly two_view: (a: number, b: number, c: any) => [number, number, number];
     readonly version: () => [number, number];
     readonly write_pair_project: (a: any) => [number, number, number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c: (a: number, b: number, c: any, d: any) => any;
+    readonly wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

@@ -107,7 +107,7 @@ export const orthophotoreference_ground_positions: (a: number, b: any, c: number
 export const orthophotoreference_heights_at: (a: number, b: number, c: number) => [number, number, number, number];
 export const orthophotoreference_image_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
 export const orthophotoreference_info: (a: number) => any;
-export const orthophotoreference_open: (a: number, b: number, c: number, d: number) => [number, number, number];
+export const orthophotoreference_open: (a: any, b: number, c: number) => [number, number, number];
 export const orthophotoreference_picture: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
 export const orthophotoreference_place: (a: number, b: number, c: number, d: number, e: number, f: number, g: number) => [number, number, number];
 export const orthophotoreference_rectified: (a: number, b: number, c: number, d: any) => [number, number, number, number];
@@ -167,7 +167,7 @@ export const throw_panics: () => void;
 export const two_view: (a: number, b: number, c: any) => [number, number, number];
 export const version: () => [number, number];
 export const write_pair_project: (a: any) => [number, number, number, number];
-export const wasm_bindgen__convert__closures_____invoke__hb968891a3764ae9c: (a: number, b: number, c: any, d: any) => any;
+export const wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052: (a: number, b: number, c: any, d: any) => any;
 export const __wbindgen_malloc: (a: number, b: number) => number;
 export const __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
 export const __wbindgen_free: (a: number, b: number, c: number) => void;
