@@ -39,14 +39,14 @@ export function attempt(what, path, action) {
 export const readBytes = (path) => attempt('read', path, () => readFileSync(path));
 
 /**
- * A file that is read in parts, where they are needed: it may be larger than memory.
- * @param {string} path @returns {import('../node.js').FileInParts}
+ * A file that is read in parts, where they are needed: it may be larger than memory. What is no file, as a pipe, is read at once.
+ * @param {string} path @returns {import('../node.js').FileInParts | Buffer}
  */
 export function inParts(path) {
-  const { size } = attempt('read', path, () => {
-    closeSync(openSync(path, 'r'));
-    return statSync(path);
-  });
+  const status = attempt('read', path, () => statSync(path));
+  if (!status.isFile()) return readBytes(path);
+  const { size } = status;
+  attempt('read', path, () => closeSync(openSync(path, 'r')));
   return {
     size,
     read(at, length) {

@@ -14,7 +14,7 @@ pub(super) fn outside(nothing: &[bool], width: usize, height: usize, halvings: u
         return None;
     }
     // Shrunk to the middles of what is empty, and grown again by that and the edge.
-    let [reach, edge] = [REACH, EDGE].map(|px| px >> halvings.min(8));
+    let [reach, edge] = [(REACH >> halvings.min(8)).max(1), EDGE >> halvings.min(8)];
     let inner = spread(nothing, width, height, reach, true);
     inner.contains(&true).then(|| spread(&inner, width, height, reach + edge, false))
 }

@@ -1,7 +1,7 @@
 //! A large orthophoto, read where it is needed: small parts of the picture, or of the smaller pictures of it that its file holds (overviews).
 
 use super::emptiness::{SEEN_FROM, outside};
-use super::patch::{Patch, halved, mask_of};
+use super::patch::{Patch, halved};
 use crate::image::{Pixels, TiffRaster};
 use crate::{Error, FileSource, GreyImage};
 use std::collections::HashMap;
@@ -20,7 +20,7 @@ const MOST_CELLS: usize = 1024;
 /// A large orthophoto.
 pub(super) struct Parts {
     raster: TiffRaster<Arc<dyn FileSource>>,
-    made: OnceLock<Result<Made, Error>>,
+    made: OnceLock<Made>,
     cells: Mutex<HashMap<[usize; 2], Option<Arc<GreyImage>>>>,
 }
 
@@ -56,7 +56,7 @@ impl Parts {
 
     /// As [`Picture::patch`](super::picture::Picture::patch).
     pub fn patch(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Patch, Error> {
-        let last = [0, 1].map(|axis| first[axis] + size[axis]);
+        let last = [0, 1].map(|axis| first[axis].saturating_add(size[axis]));
         let [first, last] = [first, last].map(|px| px.map(|px| px >> halvings));
         let size = [0, 1].map(|axis| (last[axis] - first[axis]).max(1));
         let (grey, mask) = self.level(halvings, false)?.read_with_mask(first, size, halvings)?;
@@ -75,19 +75,20 @@ impl Parts {
         let key = [column / CELL, row / CELL];
         let cells = || self.cells.lock().unwrap_or_else(PoisonError::into_inner);
         let known = cells().get(&key).cloned();
-        let mask = known.unwrap_or_else(|| {
-            let read = Level::OfFile(&self.raster, 0).read_with_mask(key.map(|k| k * CELL), [CELL, CELL], 0);
-            let mask = match read {
-                Ok((_, mask)) => mask.map(Arc::new),
-                Err(_) => Some(Arc::new(mask_of(CELL, CELL, vec![true; CELL * CELL]))),
-            };
-            let mut cells = cells();
-            if cells.len() >= MOST_CELLS {
-                cells.clear();
+        let mask = match known {
+            Some(mask) => mask,
+            None => {
+                let read = Level::OfFile(&self.raster, 0).read_with_mask(key.map(|k| k * CELL), [CELL, CELL], 0);
+                let Ok((_, mask)) = read else { return false };
+                let mask = mask.map(Arc::new);
+                let mut cells = cells();
+                if cells.len() >= MOST_CELLS {
+                    cells.clear();
+                }
+                cells.insert(key, mask.clone());
+                mask
             }
-            cells.insert(key, mask.clone());
-            mask
-        });
+        };
         mask.is_none_or(|mask| mask.view().at(column % CELL, row % CELL) != 0)
     }
 
@@ -98,10 +99,15 @@ impl Parts {
         if of_file + 1 >= halvings || halvings < made {
             return Ok(Level::OfFile(&self.raster, of_file));
         }
-        match self.made.get_or_init(|| self.make(made)) {
-            Ok(made) => Ok(Level::Made(made)),
-            Err(error) => Err(error.clone()),
-        }
+        // What could not be read once may be read later.
+        let made = match self.made.get() {
+            Some(made) => made,
+            None => {
+                let new = self.make(made)?;
+                self.made.get_or_init(|| new)
+            }
+        };
+        Ok(Level::Made(made))
     }
 
     fn make(&self, halvings: u32) -> Result<Made, Error> {
@@ -113,7 +119,7 @@ impl Parts {
 
 /// How often a picture of this size is halved where a smaller one is made of it.
 fn made_halvings([width, height]: [usize; 2]) -> u32 {
-    (0..32).find(|k| (width >> k) * (height >> k) <= MOST_MADE).unwrap_or(0)
+    (0..32).find(|k| (width >> k).saturating_mul(height >> k) <= MOST_MADE).unwrap_or(0)
 }
 
 /// A picture from which parts are read.
@@ -156,6 +162,9 @@ impl Level<'_> {
             return self.own(first, [width, height]);
         }
         let mut pixels = Pixels { grey: vec![0; width * height], nothing: vec![true; width * height] };
+        if self.size().iter().any(|side| side >> further == 0) {
+            return Ok(pixels);
+        }
         let side = (PIECE >> further).max(1);
         for (top, left) in (0..height).step_by(side).flat_map(|top| (0..width).step_by(side).map(move |left| (top, left))) {
             let [columns, rows] = [(width - left).min(side), (height - top).min(side)];
@@ -179,16 +188,17 @@ impl Level<'_> {
     fn read_with_mask(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<(GreyImage, Option<GreyImage>), Error> {
         let whole = self.size().map(|side| side >> halvings.saturating_sub(self.halvings()));
         let low = first.map(|px| px.saturating_sub(SEEN_FROM));
-        let high = [0, 1].map(|axis| (first[axis] + size[axis] + SEEN_FROM).min(whole[axis]).max(low[axis] + 1));
+        let last = [0, 1].map(|axis| first[axis].saturating_add(size[axis]));
+        let high = [0, 1].map(|axis| last[axis].saturating_add(SEEN_FROM).min(whole[axis]).max(low[axis].saturating_add(1)));
         let about = [0, 1].map(|axis| high[axis] - low[axis]);
         let pixels = self.read(low, about, halvings)?;
         let hidden = outside(&pixels.nothing, about[0], about[1], halvings);
         let place = |c: usize, r: usize| {
-            let (c, r) = (first[0] + c, first[1] + r);
+            let (c, r) = (first[0].saturating_add(c), first[1].saturating_add(r));
             (c < high[0] && r < high[1]).then(|| (r - low[1]) * about[0] + c - low[0])
         };
         let grey = GreyImage::from_fn(size[0], size[1], |c, r| place(c, r).map_or(0, |k| pixels.grey[k]))?;
-        if hidden.is_none() && (0..2).all(|axis| first[axis] + size[axis] <= whole[axis]) {
+        if hidden.is_none() && (0..2).all(|axis| last[axis] <= whole[axis]) {
             return Ok((grey, None));
         }
         let shows = |k: usize| hidden.as_ref().is_none_or(|hidden| !hidden[k]);
@@ -207,5 +217,73 @@ impl Made {
             part.nothing[to..to + columns].copy_from_slice(&self.pixels.nothing[from..from + columns]);
         }
         part
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::orthophoto::picture::Picture;
+    use tiff::encoder::{TiffEncoder, colortype::Gray8};
+    use tiff::tags::Tag;
+
+    /// A TIFF in strips with an overview beside it, which is the picture halved once; of odd sides one pixel wider and higher, as writers have it.
+    fn with_overview(grey: &GreyImage) -> Vec<u8> {
+        let mut file = std::io::Cursor::new(Vec::new());
+        let mut encoder = TiffEncoder::new(&mut file).unwrap();
+        let half = halved(grey.clone(), 1);
+        let [width, height] = [grey.width().div_ceil(2), grey.height().div_ceil(2)];
+        let at = |c: usize, r: usize| half.view().at(c.min(half.width() - 1), r.min(half.height() - 1));
+        let half = GreyImage::from_fn(width, height, at).unwrap();
+        for (is_overview, picture) in [(0_u32, grey), (1, &half)] {
+            let mut image = encoder.new_image::<Gray8>(picture.width() as u32, picture.height() as u32).unwrap();
+            image.encoder().write_tag(Tag::NewSubfileType, is_overview).unwrap();
+            image.rows_per_strip(16).unwrap();
+            image.write_data(picture.data()).unwrap();
+        }
+        file.into_inner()
+    }
+
+    #[test]
+    fn parts_are_those_of_the_whole_picture_whatever_its_sides() {
+        for [width, height] in [[404, 302], [403, 301]] {
+            let value = |c: usize, r: usize| if c + r < 120 { 0 } else { 20 + ((c / 9 * 31 + r / 7 * 17) % 200) as u8 };
+            let grey = GreyImage::from_fn(width, height, value).unwrap();
+            let source: Arc<dyn FileSource> = Arc::new(with_overview(&grey));
+            let parts = Parts::new(TiffRaster::open(source, None, 1 << 20).unwrap().unwrap());
+            // An overview that is one pixel wider than half of the picture drifts off it: good for a look, not for places.
+            let levels = [true, false].map(|exact| parts.level(1, exact).unwrap().halvings());
+            assert_eq!(levels, if width == 404 { [1, 1] } else { [0, 1] });
+            let nothing: Vec<bool> = grey.data().iter().map(|value| *value == 0).collect();
+            let whole = Picture::whole(grey, &nothing);
+            for halvings in 0..4 {
+                for first in [[0, 0], [48, 32], [160, 96], [320, 240]] {
+                    let [own, same] = [parts.part(first, [90, 70], halvings), whole.part(first, [90, 70], halvings)].map(Result::unwrap);
+                    assert_eq!((own.width(), own.data()), (same.width(), same.data()), "from {first:?} on, halved {halvings} times");
+                }
+                let patch = parts.patch([50, 33], [100, 80], halvings).unwrap();
+                assert!((0..2).all(|k| patch.first[k] <= [50, 33][k] && [50, 33][k] - patch.first[k] < 1 << halvings));
+                assert_eq!(
+                    patch.grey.data(),
+                    whole.part(patch.first, [patch.grey.width() << halvings, patch.grey.height() << halvings], halvings).unwrap().data()
+                );
+                let [own, same] = [parts.shown([3, 5], [20, 15], halvings), whole.shown([3, 5], [20, 15], halvings)].map(Result::unwrap);
+                let differing = own.iter().zip(&same).filter(|(a, b)| a != b).count();
+                // The outside is found in the halved picture, not halved.
+                assert!(differing <= if halvings == 0 { 0 } else { 40 }, "{differing} px, halved {halvings} times");
+            }
+            for at in [[60.5, 55.5], [70.5, 62.5], [3.5, 3.5], [402.5, 300.5]] {
+                assert_eq!(parts.shows(at.map(|v| v as usize)), whole.shows(at), "at {at:?}");
+            }
+            // What was halved away is not there.
+            assert!(parts.shown([0, 0], [2, 2], 16).unwrap().iter().all(|value| *value == 0));
+            assert!(parts.shown([usize::MAX - 3, 0], [2, 2], 0).unwrap().iter().all(|value| *value == 0));
+        }
+    }
+
+    #[test]
+    fn pictures_that_no_number_of_32_bits_counts_are_halved_enough() {
+        assert_eq!(made_halvings([65_536, 65_536]), 4);
+        assert_eq!(made_halvings([5_000, 5_000]), 0);
     }
 }

@@ -182,8 +182,9 @@ fn placed(
     let every = own.len() / ENOUGH_POINTS;
     if every > 1 {
         let some: Vec<Feature> = own.iter().step_by(every).cloned().collect();
-        if let Ok(placement) = placed_by(&some, image, known, reference, area, options)? {
-            return Ok(Ok(placement));
+        let found = placed_by(&some, image, known, reference, area, options)?;
+        if found.as_ref().is_ok_and(|placement| matches!(verdict(placement), PlacingVerdict::Placed { .. })) {
+            return Ok(found);
         }
     }
     placed_by(&own, image, known, reference, area, options)

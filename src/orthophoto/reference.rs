@@ -24,9 +24,13 @@ pub struct Orthophoto {
 
 /// Grey value of pixels that show nothing, where a file does not name another.
 const EMPTY: u8 = 0;
-/// TIFFs of more pixels are read in parts, where their tiles or strips have at most so many.
-const MOST_WHOLE: usize = 40_000_000;
+/// TIFFs of more pixels are read in parts, where their tiles or strips have at most so many; none has more than can be looked through.
+const MOST_WHOLE: u64 = 40_000_000;
 const MOST_CHUNK: usize = 16_000_000;
+const MOST_IN_PARTS: u64 = 40_000_000_000;
+/// What is shown at once, in pixels, and how often it is halved, at most.
+const MOST_SHOWN: usize = 1 << 24;
+const MOST_HALVINGS: u32 = 16;
 /// Heights are looked up at so many places along each side.
 const LOOKED_UP: usize = 32;
 
@@ -63,7 +67,7 @@ impl Orthophoto {
             raster = TiffRaster::open(Arc::clone(&file), tags.no_data, MOST_CHUNK)?;
         }
         let (picture, format) = match raster {
-            Some(raster) => (of_raster(raster)?, "TIFF"),
+            Some(raster) => (of_raster(raster, limits)?, "TIFF"),
             None => {
                 let bytes = read_all(&*file).map_err(|e| unread(&e))?;
                 let decoded = decode(&bytes, limits)?;
@@ -96,7 +100,7 @@ impl Orthophoto {
     /// All of its grey values.
     ///
     /// # Errors
-    /// [`Error::TooManyPixels`] where it is read in parts.
+    /// [`Error::TooManyPixels`] for more than 100 million where it is read in parts; [`Error::UnreadableImage`] for a damaged file.
     pub fn grey(&self) -> Result<GreyImage, Error> {
         self.picture.part([0, 0], self.size(), 0)
     }
@@ -104,7 +108,7 @@ impl Orthophoto {
     /// As GeoTIFF files: the picture, and the heights of its ground, which are a grid of the same size where they are no model.
     ///
     /// # Errors
-    /// As [`write_geotiff`](crate::write_geotiff).
+    /// As [`grey`](Self::grey) and [`write_geotiff`](crate::write_geotiff).
     pub fn files(&self) -> Result<[Vec<u8>; 2], Error> {
         let [width, rows] = self.size();
         let patch = self.picture.patch([0, 0], [width, rows], 0)?;
@@ -163,12 +167,20 @@ impl Orthophoto {
     }
 
     /// Grey values of a part of the picture that was halved so many times, `size` from a column and row of the halved picture on: 0 where it shows
-    /// nothing, 1 or more elsewhere.
+    /// nothing, 1 or more elsewhere. After 16 halvings nothing is left of any picture.
     ///
     /// # Errors
-    /// [`Error::UnreadableImage`] for a damaged file.
-    pub fn shown(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
-        self.picture.shown(first, size, halvings)
+    /// [`Error::TooManyPixels`] for more than 16.8 million; [`Error::UnreadableImage`] for a damaged file.
+    pub fn shown(&self, first: [usize; 2], [width, height]: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
+        let number = width.saturating_mul(height);
+        if number > MOST_SHOWN {
+            let [megapixels, max_megapixels] = [width as f64 * height as f64, MOST_SHOWN as f64].map(|pixels| pixels / 1e6);
+            return Err(Error::TooManyPixels { width: width as u64, height: height as u64, megapixels, max_megapixels });
+        }
+        if halvings > MOST_HALVINGS {
+            return Ok(vec![0; number]);
+        }
+        self.picture.shown(first, [width, height], halvings)
     }
 
     /// The share of many places of the picture that have a height.
@@ -192,13 +204,20 @@ fn unread(error: &std::io::Error) -> Error {
 }
 
 /// A picture of a TIFF: whole where it is small.
-fn of_raster(raster: TiffRaster<Arc<dyn FileSource>>) -> Result<Picture, Error> {
-    let [width, height] = raster.size();
-    if width.saturating_mul(height) > MOST_WHOLE {
+fn of_raster(raster: TiffRaster<Arc<dyn FileSource>>, limits: &DecodeLimits) -> Result<Picture, Error> {
+    let size = raster.size();
+    let [width, height] = size.map(|side| side as u64);
+    let pixels = width.saturating_mul(height);
+    let most = if pixels > MOST_WHOLE { MOST_IN_PARTS } else { limits.max_pixels };
+    if pixels > most {
+        let [megapixels, max_megapixels] = [pixels, most].map(|pixels| pixels as f64 / 1e6);
+        return Err(Error::TooManyPixels { width, height, megapixels, max_megapixels });
+    }
+    if pixels > MOST_WHOLE {
         return Ok(Picture::Parts(Arc::new(Parts::new(raster))));
     }
-    let pixels = raster.read(0, [0, 0], [width, height])?;
-    Ok(Picture::whole(GreyImage::new(width, height, pixels.grey)?, &pixels.nothing))
+    let pixels = raster.read(0, [0, 0], size)?;
+    Ok(Picture::whole(GreyImage::new(size[0], size[1], pixels.grey)?, &pixels.nothing))
 }
 
 /// A point of a reduced image as one of the image itself.

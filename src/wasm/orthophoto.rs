@@ -122,12 +122,7 @@ impl OrthophotoReference {
     /// Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
     /// picture on, 0 where it shows nothing.
     pub fn picture(&self, column: usize, row: usize, width: usize, height: usize, halvings: usize) -> JsResult<Vec<u8>> {
-        if width.saturating_mul(height) > MOST_SHOWN || halvings > MOST_HALVINGS {
-            let got = format!("{width} x {height} px, halved {halvings} times");
-            let allowed = format!("{MOST_SHOWN} pixels, halved {MOST_HALVINGS} times at most");
-            return Err(thrown(Error::InvalidArgument { what: "part of a picture", got, allowed }));
-        }
-        self.orthophoto.shown([column, row], [width, height], halvings as u32).map_err(thrown)
+        self.orthophoto.shown([column, row], [width, height], u32::try_from(halvings).unwrap_or(u32::MAX)).map_err(thrown)
     }
 
     /// Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
@@ -226,10 +221,6 @@ impl BlockOnOrthophoto {
         self.links.linked(block.run(), &reference.orthophoto, &reference.options).map(FinishedBlock::of).map_err(thrown)
     }
 }
-
-/// Pixels of a part of a picture, and how often it is halved, at most.
-const MOST_SHOWN: usize = 1 << 24;
-const MOST_HALVINGS: usize = 16;
 
 /// Numbers two by two.
 fn pairs<'a>(what: &'static str, numbers: &'a [f64]) -> JsResult<&'a [[f64; 2]]> {

@@ -47,7 +47,7 @@ fn tiled(halvings: u32) -> Picture {
         Tag::Short(322, vec![TILE as u16]),
         Tag::Short(323, vec![TILE as u16]),
     ];
-    Picture { tags, chunks: (0..across * across).map(tile).collect(), tiled: true, jpeg_tables: None }
+    Picture { tags, chunks: (0..across * across).map(tile).collect(), tiled: true, more: Vec::new() }
 }
 
 const WORLD: &str = "0.5\n0\n0\n-0.5\n600000.25\n5200000\n";
@@ -98,7 +98,7 @@ fn a_large_orthophoto_shows_what_a_small_one_does_and_reads_little() {
     {
         assert_eq!(large.shows(at), whole.shows(at), "at {at:?}");
     }
-    assert!(large.grey().is_ok());
+    assert!(large.grey().unwrap() == whole.grey().unwrap());
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn alpha_says_what_is_shown_and_16_bits_are_stretched_by_what_is_in_use() {
         Tag::Long(278, vec![10]),
         Tag::Short(338, vec![2]),
     ];
-    let picture = Picture { tags, chunks: (0..height / 10).map(|k| strip(10 * k)).collect(), tiled: false, jpeg_tables: None };
+    let picture = Picture { tags, chunks: (0..height / 10).map(|k| strip(10 * k)).collect(), tiled: false, more: Vec::new() };
     let large = opened(Arc::new(directories(&[picture])));
     let shown = large.shown([3_100, 2_000], [300, 20], 0).unwrap();
     let expected = |x: usize, y: usize| (((3_100 + x + 2_000 + y) % 4096 * 255 + 2_047) / 4_095).max(1) as u8;
@@ -207,10 +207,11 @@ fn jpeg_tiles_are_those_files_whether_their_tables_stand_in_them_or_once_for_all
             Tag::Short(323, vec![tile as u16]),
         ]
     };
-    let complete = directories(&[Picture { tags: tags(), chunks: files.clone(), tiled: true, jpeg_tables: None }]);
+    let complete = directories(&[Picture { tags: tags(), chunks: files.clone(), tiled: true, more: Vec::new() }]);
     let (_, tables) = without_tables(&files[0]);
     let chunks: Vec<Vec<u8>> = files.iter().map(|file| without_tables(file).0).collect();
-    let apart = directories(&[Picture { tags: tags(), chunks: chunks.clone(), tiled: true, jpeg_tables: Some(tables) }]);
+    let apart =
+        directories(&[Picture { tags: tags(), chunks: chunks.clone(), tiled: true, more: vec![(347, 7, tables.len() as u32, tables)] }]);
     for file in [complete, apart.clone()] {
         assert_eq!(crate::decode(&file).unwrap().grey.data(), expected);
     }
@@ -218,9 +219,9 @@ fn jpeg_tiles_are_those_files_whether_their_tables_stand_in_them_or_once_for_all
     let mut larger = tags();
     larger[1] = Tag::Long(257, vec![400]);
     for wrong in [
-        directories(&[Picture { tags: tags(), chunks, tiled: true, jpeg_tables: None }]),
+        directories(&[Picture { tags: tags(), chunks, tiled: true, more: Vec::new() }]),
         apart[..apart.len() - 40].to_vec(),
-        directories(&[Picture { tags: larger, chunks: files, tiled: true, jpeg_tables: None }]),
+        directories(&[Picture { tags: larger, chunks: files, tiled: true, more: Vec::new() }]),
     ] {
         assert_eq!(crate::decode(&wrong).unwrap_err().code(), "unreadable-image");
     }
@@ -242,11 +243,11 @@ fn small() -> Vec<u8> {
             Tag::Short(323, vec![32]),
         ]
     };
-    let whole = Picture { tags: tags(64, 0, 8, 1), chunks: (0..4).map(tile).collect(), tiled: true, jpeg_tables: None };
-    let half = Picture { tags: tags(32, 1, 8, 1), chunks: vec![tile(9)], tiled: true, jpeg_tables: None };
+    let whole = Picture { tags: tags(64, 0, 8, 1), chunks: (0..4).map(tile).collect(), tiled: true, more: Vec::new() };
+    let half = Picture { tags: tags(32, 1, 8, 1), chunks: vec![tile(9)], tiled: true, more: Vec::new() };
     // Of each row the first byte is not shown, the second is.
     let bits = |k: usize| (0..32).flat_map(|_| if k.is_multiple_of(2) { [0, 0, 0xff, 0xff] } else { [0xff; 4] }).collect::<Vec<u8>>();
-    let mask = Picture { tags: tags(64, 4, 1, 4), chunks: (0..4).map(bits).collect(), tiled: true, jpeg_tables: None };
+    let mask = Picture { tags: tags(64, 4, 1, 4), chunks: (0..4).map(bits).collect(), tiled: true, more: Vec::new() };
     directories(&[whole, half, mask])
 }
 
@@ -257,6 +258,35 @@ fn a_mask_of_the_file_says_what_is_shown() {
     // With the edge of 8 px.
     let shows = [[3.5, 20.5], [15.5, 20.5], [23.5, 20.5], [24.5, 20.5], [60.5, 60.5]].map(|at| orthophoto.shows(at));
     assert_eq!(shows, [false, false, false, true, true]);
+}
+
+#[test]
+fn the_value_for_no_data_counts_where_a_sample_can_have_it() {
+    // The left half is black, the right one white.
+    let value = |k: usize| if k % 32 < 16 { 0 } else { 255 };
+    for (text, shows) in
+        [("255", [true, false]), ("0", [false, true]), ("-9999", [false, true]), ("nan", [false, true]), ("256", [false, true])]
+    {
+        let mut picture = tiled_grey(&(0..32 * 32).map(value).collect::<Vec<u8>>());
+        picture.more = vec![(42_113, 2, text.len() as u32 + 1, [text.as_bytes(), b"\0"].concat())];
+        let orthophoto = opened(Arc::new(directories(&[picture])));
+        assert_eq!([[2.5, 20.5], [29.5, 20.5]].map(|at| orthophoto.shows(at)), shows, "no data: {text}");
+    }
+}
+
+/// One tile of 32 x 32 px.
+fn tiled_grey(values: &[u8]) -> Picture {
+    let tags = vec![
+        Tag::Long(256, vec![32]),
+        Tag::Long(257, vec![32]),
+        Tag::Short(258, vec![8]),
+        Tag::Short(259, vec![1]),
+        Tag::Short(262, vec![1]),
+        Tag::Short(277, vec![1]),
+        Tag::Short(322, vec![32]),
+        Tag::Short(323, vec![32]),
+    ];
+    Picture { tags, chunks: vec![values.to_vec()], tiled: true, more: Vec::new() }
 }
 
 #[test]

@@ -3,15 +3,15 @@
 use crate::tiff_writer::Tag;
 
 /// A tag as it is written: number, type, how many values, their bytes.
-type Encoded = (u16, u16, u32, Vec<u8>);
+pub type Encoded = (u16, u16, u32, Vec<u8>);
 
 /// A picture of a file: its tags but for those of its tiles or strips.
 pub struct Picture {
     pub tags: Vec<Tag>,
     pub chunks: Vec<Vec<u8>>,
     pub tiled: bool,
-    /// Tables that stand once for all.
-    pub jpeg_tables: Option<Vec<u8>>,
+    /// Tags of bytes and texts, as they are written.
+    pub more: Vec<Encoded>,
 }
 
 /// A file of these pictures: the directories one after the other in front, then what they hold.
@@ -57,7 +57,7 @@ impl Picture {
         let [offsets_tag, lengths_tag] = if self.tiled { [324, 325] } else { [273, 279] };
         let own = [Tag::Long(offsets_tag, offsets.collect()), Tag::Long(lengths_tag, lengths)];
         let mut tags: Vec<_> = self.tags.iter().chain(&own).map(|tag| tag.encoded(false)).collect();
-        tags.extend(self.jpeg_tables.iter().map(|tables| (347, 7, tables.len() as u32, tables.clone())));
+        tags.extend(self.more.iter().cloned());
         tags.sort_by_key(|tag| tag.0);
         tags
     }

@@ -2,13 +2,13 @@
 
 use super::declared::{TiffLayout, tag};
 use super::directory::Directory;
-use crate::image::layout::{Format, damaged, truncated};
+use crate::image::layout::{Format, damaged, truncated, undecodable};
 use crate::image::source::FileSource;
 use crate::{Damage, Error};
 use std::ops::Range;
 
-/// No tile or strip of a picture that is read has more bytes.
-const MOST_BYTES: u64 = 1 << 30;
+/// No tile or strip of a picture that is read in parts has more bytes, packed or not.
+const MOST_BYTES: u64 = 1 << 28;
 
 /// How a picture is cut into tiles or strips, and where these are in the file.
 #[derive(Debug, Clone)]
@@ -34,20 +34,30 @@ pub(super) struct Piece {
 }
 
 impl Grid {
-    /// As a directory says it. Absent where a tile or strip has more than `most_px`.
-    pub fn of<S: FileSource>(directory: &Directory<S>, layout: &TiffLayout, most_px: usize) -> Result<Option<Self>, Error> {
-        let size = [layout.width, layout.height].map(|side| side as usize);
+    /// As a directory says it. Absent where a tile or strip has more than `most_px`, or where its pixels take much memory. `by_library`: whether the library
+    /// decodes them.
+    pub fn of<S: FileSource>(
+        directory: &Directory<S>,
+        layout: &TiffLayout,
+        most_px: usize,
+        by_library: bool,
+    ) -> Result<Option<Self>, Error> {
+        let size = [layout.width, layout.height].map(|side| usize::try_from(side).unwrap_or(0));
         let tile = [tag::TILE_WIDTH, tag::TILE_HEIGHT].map(|tag| directory.value(tag).map(|side| side as usize));
         let [offsets_tag, lengths_tag] = tag::OF_CHUNKS.as_chunks::<2>().0[usize::from(tile[0].is_some())];
+        let rows = directory.value(tag::ROWS_PER_STRIP).unwrap_or(layout.height);
         let chunk = match tile {
             [Some(width), Some(height)] => [width, height],
-            _ => [size[0], directory.value(tag::ROWS_PER_STRIP).map_or(size[1], |rows| rows as usize)],
+            _ => [size[0], usize::try_from(rows.min(layout.height)).unwrap_or(0)],
         };
         if chunk.contains(&0) || size.contains(&0) {
             return Err(damaged(Format::Tiff, Damage::OtherThanDirectory));
         }
         // Where addresses have 32 bits the library cannot read strips of more rows than the picture has.
-        if tile[0].is_none() && chunk[1] > size[1] || chunk[0].saturating_mul(chunk[1]) > most_px {
+        let is_beyond = by_library && tile[0].is_none() && rows > layout.height;
+        let pixels = chunk[0].saturating_mul(chunk[1]);
+        let bytes = (pixels as u64).saturating_mul(layout.samples).saturating_mul(layout.bits.div_ceil(8));
+        if is_beyond || pixels > most_px || by_library && bytes > MOST_BYTES {
             return Ok(None);
         }
         let [offsets, lengths] = [offsets_tag, lengths_tag].map(|tag| directory.numbers(tag).unwrap_or_default());
@@ -66,7 +76,7 @@ impl Grid {
 
     /// How many tiles or strips the picture has.
     pub fn number(&self) -> usize {
-        self.across * self.size[1].div_ceil(self.chunk[1])
+        self.across.saturating_mul(self.size[1].div_ceil(self.chunk[1]))
     }
 
     /// Whether the file holds one: those that are all of nothing may be left out.
@@ -81,7 +91,8 @@ impl Grid {
             return Err(truncated(Format::Tiff));
         }
         let mut bytes = vec![0; length as usize];
-        source.read_at(offset, &mut bytes).map_err(|_| truncated(Format::Tiff))?;
+        // A file may be changed or taken away while it is open.
+        source.read_at(offset, &mut bytes).map_err(|error| undecodable(Format::Tiff, error))?;
         Ok(bytes)
     }
 

@@ -8,6 +8,8 @@ use crate::image::layout::{Format, damaged};
 use crate::image::source::FileSource;
 use crate::{Damage, Error};
 
+/// Rows of the largest block of a JPEG file.
+const BLOCK: u64 = 32;
 const START: [u8; 2] = [0xff, 0xd8];
 const END: [u8; 2] = [0xff, 0xd9];
 /// An Adobe segment that says: three components are red, green and blue.
@@ -37,7 +39,8 @@ impl<S: FileSource> JpegChunks<S> {
         let file = [&self.start, own].concat();
         let header = jpeg::read_header(&file)?;
         let ([width, height], [across, down]) = (grid.sides(index), grid.chunk.map(|side| side as u64));
-        if header.width != across || header.height < height as u64 || header.height > down {
+        // Writers may count whole blocks of a strip.
+        if header.width != across || header.height < height as u64 || header.height > down.next_multiple_of(BLOCK) {
             return Err(contradicts());
         }
         header.check_length(&file)?;

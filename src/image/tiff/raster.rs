@@ -21,8 +21,11 @@ const MOST_DIRECTORIES: usize = 64;
 const MOST_HALVINGS: u32 = 16;
 /// Bytes of decoded tiles and strips that are kept.
 const KEPT_BYTES: usize = 48 << 20;
-/// Of 16-bit samples so many tiles or strips of the smallest overview tell which depth is in use.
+/// Which depth of 16 bits is in use is told by all samples of a picture of at most so many pixels, else by so many tiles or strips of the smallest one.
+const ALL_LOOKED_AT: usize = 40_000_000;
 const LOOKED_AT: usize = 64;
+/// Tiles and strips that show nothing tell nothing, but are read all the same: so many at most.
+const MOST_LOOKED_AT: usize = 1024;
 /// Beginnings of overviews in what says of which kind an image is: bit 0 a smaller one, bit 2 a mask.
 const SMALLER: u64 = 1;
 const MASK: u64 = 4;
@@ -107,6 +110,8 @@ impl<S: FileSource + Clone> TiffRaster<S> {
         }
         let Some(whole) = Level::of(&source, &first, &layout, 0, 0, most_px)? else { return Ok(None) };
         let alpha = alpha_of(&first, &layout);
+        let white = (1_u64 << bits) - 1;
+        let no_data = no_data.filter(|value| value.fract() == 0.0 && (0.0..=white as f64).contains(value));
         let samples = Samples { colour: layout.is_colour(), alpha, no_data, bits, white: 0xffff };
         let mut raster = Self { levels: vec![whole], samples, kept: Mutex::default() };
         raster.add_overviews(&source, &first, &layout, most_px);
@@ -142,6 +147,10 @@ impl<S: FileSource + Clone> TiffRaster<S> {
         for mask in masks {
             let own = self.levels.iter_mut().find(|level| level.grid.size == mask.grid.size);
             own.into_iter().for_each(|level| level.transparency = Some(mask.clone()));
+        }
+        // What an overview does not show is known as well as of the picture, or it is not used.
+        if self.levels[0].transparency.is_some() {
+            self.levels.retain(|level| level.transparency.is_some());
         }
         self.levels.sort_by_key(|level| level.halvings);
         self.levels.dedup_by_key(|level| level.halvings);
@@ -247,24 +256,35 @@ impl<S: FileSource + Clone> TiffRaster<S> {
 
     /// The 16-bit sample that becomes white, by tiles or strips of the smallest picture.
     fn white(&self) -> Result<u32, Error> {
-        let level = &self.levels[self.levels.len() - 1];
+        let [width, height] = self.size();
+        let is_small = width.saturating_mul(height) <= ALL_LOOKED_AT;
+        let level = if is_small { &self.levels[0] } else { &self.levels[self.levels.len() - 1] };
         let Coding::Samples(decoder) = &level.coding else { return Ok(0xffff) };
         let number = level.grid.number();
-        let mut depth = Depth::default();
-        for k in 0..number.min(LOOKED_AT) {
-            let index = if number <= LOOKED_AT { k } else { k * (number - 1) / (LOOKED_AT - 1) };
-            if !level.grid.holds(index) {
-                continue;
-            }
+        let (wanted, most) = if is_small { (number, number) } else { (LOOKED_AT, MOST_LOOKED_AT) };
+        // All over the picture: no row or column of tiles alone.
+        let step = (number * 5 / 8..).find(|step| greatest_common_divisor(*step, number) == 1).unwrap_or(1);
+        let (mut depth, mut seen) = (Depth::default(), 0);
+        for index in
+            (0..number.min(most)).map(|k| (k as u64 * step as u64 % number as u64) as usize).filter(|index| level.grid.holds(*index))
+        {
             let (bytes, layout) = self.samples_of(decoder, level, index)?;
             let samples = bytes.as_chunks::<2>().0;
             let [width, height] = level.grid.sides(index);
             // The value that stands for nothing may be larger than any colour.
             let nothing = self.samples.nothing(samples, &layout, width * height);
             depth.see_but(samples, layout, &nothing);
+            seen += usize::from(nothing.contains(&false));
+            if seen >= wanted {
+                break;
+            }
         }
         Ok(depth.white())
     }
+}
+
+fn greatest_common_divisor(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
 }
 
 impl<S: FileSource + Clone> Level<S> {
@@ -277,7 +297,7 @@ impl<S: FileSource + Clone> Level<S> {
         halvings: u32,
         most_px: usize,
     ) -> Result<Option<Self>, Error> {
-        let Some(grid) = Grid::of(directory, layout, most_px)? else { return Ok(None) };
+        let Some(grid) = Grid::of(directory, layout, most_px, layout.compression != JPEG)? else { return Ok(None) };
         let coding = if layout.compression == JPEG {
             Coding::Jpeg(JpegChunks::new(source.clone(), directory, layout))
         } else {
@@ -328,6 +348,9 @@ impl Kept {
             let Some((_, gone)) = oldest.and_then(|key| self.chunks.remove(&key)) else { break };
             self.bytes -= bytes(&gone);
         }
-        self.chunks.insert(key, (self.asked, Arc::clone(chunk)));
+        // Another thread may have decoded it meanwhile.
+        if let Some((_, same)) = self.chunks.insert(key, (self.asked, Arc::clone(chunk))) {
+            self.bytes -= bytes(&same);
+        }
     }
 }

@@ -28,7 +28,7 @@ impl<S: FileSource + Clone> Transparency<S> {
         if !is_one_bit || predictor != 1 || !matches!(compression, NONE | DEFLATE | OLD_DEFLATE) {
             return None;
         }
-        let grid = Grid::of(directory, &TiffLayout::unchecked(directory).ok()?, most_px).ok()??;
+        let grid = Grid::of(directory, &TiffLayout::unchecked(directory).ok()?, most_px, false).ok()??;
         Some(Self { source: source.clone(), grid, is_packed: compression != NONE })
     }
 
