@@ -52,7 +52,7 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
       ...(first?.systematic ?? []).map(({ name, estimate, standard_errors, verdict }) => [
         `${name}, x y z [m]`,
         verdict === 'kept'
-          ? estimate.map((v, k) => `${fixed(v, 3)}${standard_errors[k] === null ? '' : ` ± ${fixed(standard_errors[k], 3)}`}`).join(', ')
+          ? estimate.map((v, k) => withError(v, standard_errors[k])).join(', ')
           : verdict === 'undetermined'
             ? 'not determined, zero'
             : 'not significant, zero',
@@ -94,6 +94,9 @@ const reasons = (orientation) =>
   'reason' in orientation
     ? ['', `not oriented: ${orientation.reason.text}`]
     : orientation.unoriented.map(({ name, reason: { text } }) => `not oriented: ${name}: ${text}`);
+
+/** A value that nothing determines is 0 without a standard error. @param {number} value @param {number | null} error */
+const withError = (value, error) => (error === null ? (value === 0 ? '–' : fixed(value, 3)) : `${fixed(value, 3)} ± ${fixed(error, 3)}`);
 
 /** @param {string[]} names */
 const listed = (names) => names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ` and ${names.length - NAMED} more` : '');

@@ -6,7 +6,7 @@ use super::network::Network;
 use super::options::Datum;
 use super::reduced::Problem;
 use super::robust_similarity::{Pair, robust_similarity};
-use super::similarity::{Similarity, middle, scatter};
+use super::similarity::{LEAST_WIDTH, Similarity, middle, relative_width};
 use super::solution::Step;
 use super::sparse::{N, inverse_of_dense};
 use super::state::State;
@@ -16,9 +16,6 @@ use super::weighted::{Weighted, observed};
 use crate::camera::{Pose, turn_of};
 use crate::math::{dot3, minus};
 use crate::{Cause, Computation, Error};
-
-/// Least width of the observed positions across the line through them, as a share of their length.
-const LEAST_WIDTH: f64 = 1e-3;
 
 /// The approximate values in the system of the observed positions on which most agree, and for each image whether its position does.
 /// Positions with a coordinate that was not observed tell nothing here.
@@ -56,21 +53,12 @@ pub(super) fn moved_to_observed(
     }
     let mut judged = agree.iter();
     let mut agrees: Vec<bool> = of_images.iter().map(|pair| pair.is_none() || judged.next() == Some(&true)).collect();
-    if !systematic.is_empty() {
+    if systematic.is_of_strips() {
         let misfit = |pair: &Pair| Misfit { off: minus(&pair.to, &similarity.point(&pair.from)), sigma: pair.sigma };
         agrees = near_trends(systematic, &of_images.iter().map(|pair| pair.as_ref().map(misfit)).collect::<Vec<_>>());
     }
     let moved = similarity.state(state);
     Ok((if is_levelled { turned_to_axes(block, moved) } else { moved }, agrees))
-}
-
-/// Width of the observed positions across their longest axis by the length along it.
-fn relative_width(positions: &[[f64; 3]]) -> f64 {
-    let centre = middle(positions.iter().copied());
-    let scatter = scatter(positions.iter().copied(), &centre);
-    let mut values: Vec<f64> = scatter.symmetric_eigenvalues().iter().copied().collect();
-    values.sort_by(f64::total_cmp);
-    (values[1].max(0.0) / values[2]).sqrt()
 }
 
 /// Two images that hold a free network while it is solved: the one with the most rays, and the one farthest from it.

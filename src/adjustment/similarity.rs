@@ -5,6 +5,9 @@ use crate::camera::{Pose, orthonormal, product};
 use crate::math::{dot3, minus};
 use nalgebra::{Matrix3, Matrix4, Vector3};
 
+/// Least width of the observed positions across the line through them, as a share of their length.
+pub(super) const LEAST_WIDTH: f64 = 1e-3;
+
 /// A similarity transformation: X becomes `to` + scale · R (X - `from`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Similarity {
@@ -73,6 +76,15 @@ impl Similarity {
 
 fn turned(rotation: &[[f64; 3]; 3], vector: &[f64; 3]) -> [f64; 3] {
     rotation.map(|row| dot3(&row, vector))
+}
+
+/// Width of the observed positions across their longest axis by the length along it.
+pub(super) fn relative_width(positions: &[[f64; 3]]) -> f64 {
+    let centre = middle(positions.iter().copied());
+    let scatter = scatter(positions.iter().copied(), &centre);
+    let mut values: Vec<f64> = scatter.symmetric_eigenvalues().iter().copied().collect();
+    values.sort_by(f64::total_cmp);
+    (values[1].max(0.0) / values[2]).sqrt()
 }
 
 /// The sum of the squares and products of what positions are off a centre.

@@ -10,6 +10,7 @@
 
 use super::block::Block;
 use super::network::Columns;
+use super::similarity::{LEAST_WIDTH, relative_width};
 use super::state::State;
 use super::strips::{Strip, strips};
 use super::systematic_result::{SystematicError, SystematicResult};
@@ -25,6 +26,9 @@ pub(super) struct SystematicErrors {
     pub strips: Vec<Strip>,
     /// Whether any were to be estimated: a block without strips has none all the same.
     pub is_wanted: bool,
+    /// Images in no strip where errors of strips are estimated: theirs is another one that nothing else shows, so that their positions tell nothing.
+    /// None where most positions are in no strip, or those in strips lie on one line.
+    pub left_out: Vec<usize>,
     /// Of each image; empty where no errors are estimated.
     of_images: Vec<OwnErrors>,
 }
@@ -59,7 +63,12 @@ impl SystematicErrors {
                 all.extend((0..strips.len()).map(|strip| SystematicError::StripDrift { strip }));
             }
         }
-        Self { is_wanted: true, ..Self::new(block, all, strips) }
+        let all = Self { is_wanted: true, ..Self::new(block, all, strips) };
+        let images = (0..block.images.len()).filter(|image| all.is_of_strips() && observed(&block.images[*image]).is_some());
+        let (within, beyond): (Vec<usize>, Vec<usize>) = images.partition(|image| all.of_images[*image].offset.is_some());
+        let places: Vec<[f64; 3]> = within.iter().map(|image| block.images[*image].pose.position).collect();
+        let are_enough = beyond.len() < within.len() && relative_width(&places) >= LEAST_WIDTH;
+        Self { left_out: if are_enough { beyond } else { Vec::new() }, ..all }
     }
 
     /// Those of a finished adjustment; none where none were to be estimated.
@@ -97,7 +106,7 @@ impl SystematicErrors {
                 }
             }
         }
-        Self { errors, strips, is_wanted: true, of_images }
+        Self { errors, strips, is_wanted: true, left_out: Vec::new(), of_images }
     }
 
     pub fn is_empty(&self) -> bool {
@@ -107,6 +116,11 @@ impl SystematicErrors {
     /// Whether any error is that of a strip.
     pub fn is_of_strips(&self) -> bool {
         self.errors.iter().any(|error| matches!(error, SystematicError::StripOffset { .. } | SystematicError::StripDrift { .. }))
+    }
+
+    /// Whether any error grows along a strip.
+    pub fn is_of_drifts(&self) -> bool {
+        self.errors.iter().any(|error| matches!(error, SystematicError::StripDrift { .. }))
     }
 
     /// Where an observed position has the antenna of an image: the projection centre where no errors are estimated.

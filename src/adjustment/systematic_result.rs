@@ -10,11 +10,15 @@ pub struct SystematicResult {
     /// The strips whose errors were to be estimated. Images that follow no line are in none.
     pub strips: Vec<Strip>,
     pub errors: Vec<SystematicStatistics>,
-    /// Motions of the whole block that nothing tells from these errors: estimated ones have no part of them, and are relative to each other.
+    /// Motions of the whole block that nothing tells from all of these errors together: those that are estimated are relative to each other, or to those
+    /// that were fixed at zero.
     pub constraints: usize,
+    /// Images in no strip whose positions therefore take no part: errors of strips say nothing of theirs.
+    #[serde(default)]
+    pub left_out: Vec<usize>,
 }
 
-/// An error that GNSS positions have in common, with three values in the unit of the block.
+/// An error that GNSS positions have in common, with three values in the unit of the positions: metres in a georeferenced block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -71,7 +75,7 @@ pub enum SystematicVerdict {
 pub struct SystematicStatistics {
     pub error: SystematicError,
     pub verdict: SystematicVerdict,
-    /// 0 for a value that nothing determines.
+    /// In the unit of the positions, as the standard errors; 0, without a standard error, for a value that nothing determines.
     pub estimate: [f64; 3],
     /// Absent for a value that was not estimated, and without statistics.
     pub standard_errors: [Option<f64>; 3],
@@ -82,6 +86,11 @@ pub struct SystematicStatistics {
 }
 
 impl SystematicStatistics {
+    /// A value, where anything determines it.
+    pub fn value(&self, axis: usize) -> Option<f64> {
+        Some(self.estimate[axis]).filter(|value| *value != 0.0 || self.standard_errors[axis].is_some())
+    }
+
     /// Of an error that was not estimated.
     pub(super) fn none(error: SystematicError, verdict: SystematicVerdict) -> Self {
         Self { error, verdict, estimate: [0.0; 3], standard_errors: [None; 3], test: None, limit: None }

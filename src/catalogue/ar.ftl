@@ -405,7 +405,7 @@ block-warning-position-errors-undetermined =
         [two] خطآن منتظمان لمواضع GNSS غير محددين فعُدّا صفرًا
        *[other] { $errors } من الأخطاء المنتظمة لمواضع GNSS غير محددة فعُدّت صفرًا
     }: تحدد نقاط الضبط الأرضي الإزاحات، وتحدد الصور الملتقطة في عدة اتجاهات طيران أذرع الهوائي.
-block-warning-position-errors-relative = إزاحات مواضع GNSS وانجرافاتها نسبية بعضها إلى بعض: لا تحدد نقاط ضبط أرضي { $motions } من المعاملات السبعة التي تضع الكتلة كلها وتدورها وتقيسها.
+block-warning-position-errors-relative = إزاحات مواضع GNSS وانجرافاتها نسبية بعضها إلى بعض: نقاط الضبط الأرضي أقل من أن تحدد { $motions } من المعاملات السبعة التي تضع الكتلة كلها وتدورها وتقيسها.
 block-warning-scale =
     تجعل نقاط الضبط الأرضي الكتلة أكبر { SIGNIFICANT($ratio, digits: 2) } مرة مما تجعلها مواضع GNSS: { $unit ->
         [none] المطلوب أمتار.
@@ -839,6 +839,7 @@ refusal-project-edits = تعديلات المشروع: أُعطيت تعديلا
 refusal-project-image = صورة المشروع: أُعطيت '{ $name }' من الكاميرا { $camera }؛ المسموح: '{ $other }' من الكاميرا { $other_camera }
 refusal-project-index = نموذج المشروع: أُعطي الرقم { $index }؛ المسموح: صور دون { $images } وكاميرات دون { $cameras }
 refusal-project-camera = نموذج المشروع: أُعطيت الكاميرا { $camera } لصورة؛ المسموح: كاميرات دون { $cameras }
+refusal-project-strip = نموذج المشروع: أُعطي الشريط { $strip } لخطأ في مواضع GNSS؛ المسموح: شرائط دون { $strips }
 refusal-project-order = نموذج المشروع: أُعطيت صور غير مرتبة؛ المسموح: صور بترتيب تصاعدي، كل منها مرة واحدة
 refusal-project-observation = نموذج المشروع: أُعطيت رصدة للنقطة { $point } في الصورة { $image }؛ المسموح: صور دون { $images } ونقاط دون { $points }
 
@@ -871,6 +872,7 @@ input-images-of-block = صور كتلة مضبوطة من المشروع
 input-cameras-of-block = كاميرات كتلة مضبوطة من المشروع
 input-points-of-model = نقاط نموذج من المشروع
 input-observations-of-model = أرصاد نموذج من المشروع
+input-places-of-strip = أماكن صور شريط من المشروع
 input-verdicts-of-pair = أحكام الزوج
 input-matched-of-pair = النقاط المطابَقة من الزوج
 input-frames-of-pair = أطر نقاط الزوج

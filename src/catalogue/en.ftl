@@ -375,6 +375,7 @@ refusal-project-edits = edits of the project: got those of a block that is not o
 refusal-project-image = image of the project: got '{ $name }' of camera { $camera }; allowed: '{ $other }' of camera { $other_camera }
 refusal-project-index = model of the project: got index { $index }; allowed: images below { $images } and cameras below { $cameras }
 refusal-project-camera = model of the project: got camera { $camera } of an image; allowed: cameras below { $cameras }
+refusal-project-strip = model of the project: got strip { $strip } of an error of GNSS positions; allowed: strips below { $strips }
 refusal-project-order = model of the project: got images that are not in order; allowed: images in ascending order, each once
 refusal-project-observation = model of the project: got an observation of point { $point } in image { $image }; allowed: images below { $images } and points below { $points }
 
@@ -408,6 +409,7 @@ input-images-of-block = images of an adjusted block of the project
 input-cameras-of-block = cameras of an adjusted block of the project
 input-points-of-model = points of a model of the project
 input-observations-of-model = observations of a model of the project
+input-places-of-strip = places of the images of a strip of the project
 input-verdicts-of-pair = verdicts of the pair
 input-matched-of-pair = matched points of the pair
 input-frames-of-pair = frames of points of the pair
@@ -761,7 +763,7 @@ block-warning-position-errors-undetermined =
         [one] 1 systematic error of GNSS positions is not determined and taken as zero
        *[other] { $errors } systematic errors of GNSS positions are not determined and taken as zero
     }: ground control points determine offsets, and images flown in several directions lever arms.
-block-warning-position-errors-relative = Offsets and drifts of GNSS positions are relative to each other: no ground control points determine { $motions } of the 7 parameters that position, rotate and scale the whole block.
+block-warning-position-errors-relative = Offsets and drifts of GNSS positions are relative to each other: there are too few ground control points to determine { $motions } of the 7 parameters that position, rotate and scale the whole block.
 block-warning-scale =
     The GCPs make the block { SIGNIFICANT($ratio, digits: 2) } times as large as the GNSS positions: { $unit ->
         [none] metres are needed.

@@ -48,6 +48,7 @@ messages! {
         CamerasOfBlock,
         PointsOfModel,
         ObservationsOfModel,
+        PlacesOfStrip,
         VerdictsOfPair,
         MatchedOfPair,
         FramesOfPair,

@@ -244,6 +244,7 @@ messages! {
         ProjectImage { name: String, camera: usize, other: String, other_camera: usize },
         ProjectIndex { index: usize, images: usize, cameras: usize },
         ProjectCamera { camera: usize, cameras: usize },
+        ProjectStrip { strip: usize, strips: usize },
         ProjectOrder,
         ProjectObservation { point: usize, image: usize, images: usize, points: usize },
     }

@@ -6,7 +6,7 @@ use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
 use crate::Cause;
-use crate::adjustment::{ObservationVerdict, SystematicVerdict};
+use crate::adjustment::{ObservationVerdict, SystematicError, SystematicVerdict};
 use crate::model::BlockDescription;
 use crate::pair::LARGEST_SIGMA0_PX;
 
@@ -86,7 +86,9 @@ fn mean_tilt_deg(model: &ReconstructedModel) -> f64 {
 
 /// GNSS positions that took no part, and heights that they do not have.
 fn of_positions(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<BlockWarning> {
-    let images = model.images.iter().zip(&model.adjusted.images).filter_map(|(image, statistics)| {
+    let is_left_out = |index: usize| model.adjusted.systematic.as_ref().is_some_and(|systematic| systematic.left_out.contains(&index));
+    let own = model.images.iter().zip(&model.adjusted.images).enumerate().filter(|(index, _)| !is_left_out(*index));
+    let images = own.filter_map(|(_, (image, statistics))| {
         let [x, y, z] = statistics.gnss.filter(|prior| !prior.accepted)?.residual;
         Some(RejectedPosition { name: description.images[*image].name.clone(), distance_m: (x * x + y * y + z * z).sqrt() })
     });
@@ -99,10 +101,12 @@ fn of_positions(model: &ReconstructedModel, description: &BlockDescription, fram
 fn of_position_errors(model: &ReconstructedModel) -> Vec<BlockWarning> {
     let Some(systematic) = &model.adjusted.systematic else { return Vec::new() };
     let number = |verdict| systematic.errors.iter().filter(|error| error.verdict == verdict).count();
-    let (errors, kept) = (number(SystematicVerdict::Undetermined), number(SystematicVerdict::Kept));
+    let errors = number(SystematicVerdict::Undetermined);
+    let is_of_strip = |error| matches!(error, SystematicError::StripOffset { .. } | SystematicError::StripDrift { .. });
+    let is_kept = systematic.errors.iter().any(|error| error.verdict == SystematicVerdict::Kept && is_of_strip(error.error));
     let undetermined = (errors > 0).then_some(BlockWarning::PositionErrorsUndetermined { errors });
     let motions = systematic.constraints;
-    let relative = (kept > 0 && motions > 0).then_some(BlockWarning::PositionErrorsRelative { motions });
+    let relative = (is_kept && motions > 0).then_some(BlockWarning::PositionErrorsRelative { motions });
     undetermined.into_iter().chain(relative).collect()
 }
 

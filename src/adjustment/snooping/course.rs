@@ -92,8 +92,10 @@ impl<'a> Course<'a> {
         if options.datum != Datum::Free && block.images.len() > 1 {
             let network = course.network()?;
             (course.state, course.placed) = moved_to_observed(block, &network, &course.state, options.datum, &course.systematic)?;
-            course.agreed = course.placed.clone();
         }
+        let left_out = course.systematic.left_out.clone();
+        left_out.into_iter().for_each(|image| course.placed[image] = false);
+        course.agreed = course.placed.clone();
         Ok(course)
     }
 

@@ -23,7 +23,8 @@ impl Course<'_> {
         if self.keeps_agreed {
             return false;
         }
-        let (gnss, control) = observed(&self.block, self.options.datum, weighted_by);
+        let (mut gnss, control) = observed(&self.block, self.options.datum, weighted_by);
+        self.systematic.left_out.iter().for_each(|image| gnss[*image] = None);
         let scale = Scale::of_tests(self.options.sigma0_px.unwrap_or(self.sigma).max(LEAST_SIGMA_PX));
         let judge = |(image, prior): (usize, &Option<Weighted>)| {
             let at = self.systematic.antenna(&self.state, image);

@@ -28,6 +28,11 @@ impl Course<'_> {
         Columns::new(&self.free).with_systematic(&free)
     }
 
+    /// Those that there were before any error was fixed.
+    fn wanted(&self, gnss: &[Option<Weighted>]) -> Columns {
+        Columns::new(&self.free).with_systematic(&self.systematic.observed(gnss))
+    }
+
     /// What keeps the systematic errors apart from motions of the whole block.
     pub fn constraints(
         &self,
@@ -131,9 +136,13 @@ impl Course<'_> {
             self.state.systematic[*error] = [0.0; 3];
             is_fixed = true;
             open.retain(|other| other != error);
-            // One that is zero places the others: the constraints may no longer be needed.
-            let next = estimates.without(&of_error(error)).filter(|_| problem.constraints.is_empty());
-            match next {
+            // One that is zero may place the others: then fewer constraints are needed, and what they leave is another.
+            let observed = (problem.gnss, problem.control);
+            let needed = || self.constraints(problem.network, &self.columns(problem.gnss), observed).len();
+            if !problem.constraints.is_empty() && needed() != problem.constraints.len() {
+                break;
+            }
+            match estimates.without(&of_error(error)) {
                 Some(next) => estimates = next,
                 None => break,
             }
@@ -155,7 +164,8 @@ impl Course<'_> {
         (self.options.datum.uses_gnss() && self.systematic.is_wanted).then(|| SystematicResult {
             strips: if self.systematic.is_of_strips() { self.systematic.strips.clone() } else { Vec::new() },
             errors: (0..self.systematic.errors.len()).map(result).collect(),
-            constraints: problem.constraints.len(),
+            constraints: self.constraints(problem.network, &self.wanted(problem.gnss), (problem.gnss, problem.control)).len(),
+            left_out: self.systematic.left_out.clone(),
         })
     }
 }

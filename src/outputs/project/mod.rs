@@ -5,7 +5,10 @@ mod version_1;
 use crate::error::refuse;
 use crate::json;
 use crate::text::shorten;
-use crate::{BlockModel, BlockRun, Error, FileFault, Input, ObservationVerdict, PairRun, ReconstructedModel, Reconstruction, Refusal};
+use crate::{
+    BlockModel, BlockRun, Error, FileFault, Input, ObservationVerdict, PairRun, ReconstructedModel, Reconstruction, Refusal,
+    SystematicError, SystematicResult,
+};
 use serde::{Deserialize, Serialize};
 
 /// The version that is written, and the newest one that is read.
@@ -194,7 +197,24 @@ fn check_model(model: &ReconstructedModel, images: usize, cameras: usize) -> Res
     if let Some((image, point)) = seen.chain(supporting).find(|(image, point)| *image >= own || *point >= points) {
         return refuse(Refusal::ProjectObservation { point, image, images: own, points });
     }
-    Ok(())
+    model.adjusted.systematic.as_ref().map_or(Ok(()), |systematic| check_systematic(systematic, own, model.cameras.len()))
+}
+
+/// Refuses errors of positions that are of no camera, strip or image of their model.
+fn check_systematic(systematic: &SystematicResult, images: usize, cameras: usize) -> Result<(), Error> {
+    let of_strips = systematic.strips.iter().flat_map(|strip| &strip.images);
+    if let Some(index) = of_strips.chain(&systematic.left_out).copied().find(|image| *image >= images) {
+        return refuse(Refusal::ProjectIndex { index, images, cameras });
+    }
+    systematic.strips.iter().try_for_each(|strip| same(Input::PlacesOfStrip, strip.places.len(), strip.images.len()))?;
+    let strips = systematic.strips.len();
+    systematic.errors.iter().try_for_each(|statistics| match statistics.error {
+        SystematicError::StripOffset { strip } | SystematicError::StripDrift { strip } if strip >= strips => {
+            refuse(Refusal::ProjectStrip { strip, strips })
+        }
+        SystematicError::LeverArm { camera } if camera >= cameras => refuse(Refusal::ProjectCamera { camera, cameras }),
+        _ => Ok(()),
+    })
 }
 
 fn same(input: Input, got: usize, wanted: usize) -> Result<(), Error> {
@@ -206,7 +226,7 @@ mod tests {
     use super::*;
     use crate::math::Random;
     use crate::model::tiny_block;
-    use crate::{BlockOptions, NoGeometry, PairOutcome, PairRule, SelectOptions};
+    use crate::{BlockOptions, NoGeometry, PairOutcome, PairRule, SelectOptions, Strip, SystematicStatistics, SystematicVerdict};
 
     /// A block as version 1 held it.
     fn older() -> version_1::Project {
@@ -298,6 +318,33 @@ mod tests {
             kinds.insert(error.to_string().split(':').nth(1).unwrap_or("").to_string());
         }
         assert!(kinds.len() >= 3, "{kinds:?}");
+    }
+
+    #[test]
+    fn errors_of_positions_are_of_their_model() {
+        let strips = vec![Strip { images: vec![0, 1, 2], places: vec![-0.5, 0.0, 0.5] }];
+        let error = |error| SystematicStatistics {
+            error,
+            verdict: SystematicVerdict::Kept,
+            estimate: [0.1; 3],
+            standard_errors: [Some(0.01); 3],
+            test: None,
+            limit: None,
+        };
+        let errors = vec![error(SystematicError::StripOffset { strip: 0 }), error(SystematicError::LeverArm { camera: 0 })];
+        let right = SystematicResult { strips, errors, constraints: 0, left_out: vec![3] };
+        check_systematic(&right, 4, 1).unwrap();
+        let refused = |change: &dyn Fn(&mut SystematicResult), words: &str| {
+            let mut wrong = right.clone();
+            change(&mut wrong);
+            let message = check_systematic(&wrong, 4, 1).unwrap_err().to_string();
+            assert!(message.contains(words), "{message}");
+        };
+        refused(&|wrong| wrong.strips[0].images[1] = 4, "got index 4");
+        refused(&|wrong| wrong.left_out[0] = 7, "got index 7");
+        refused(&|wrong| wrong.strips[0].places.truncate(2), "places of the images of a strip");
+        refused(&|wrong| wrong.errors[0].error = SystematicError::StripDrift { strip: 1 }, "got strip 1");
+        refused(&|wrong| wrong.errors[1].error = SystematicError::LeverArm { camera: 1 }, "got camera 1");
     }
 
     #[test]

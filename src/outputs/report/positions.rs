@@ -21,6 +21,7 @@ pub(super) fn gnss(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup 
     if all.is_empty() {
         return html! {};
     }
+    let is_in_strips = model.adjusted.systematic.as_ref().is_some_and(|systematic| !systematic.left_out.is_empty());
     let accepted: Vec<&PriorStatistics> = all.iter().map(|(_, prior)| *prior).filter(|prior| prior.accepted).collect();
     let of = |of: &dyn Fn(&PriorStatistics, usize) -> Option<f64>, k: usize| range(accepted.iter().filter_map(|prior| of(prior, k)));
     let rows: Vec<(String, Option<[f64; 3]>)> = (0..3)
@@ -39,7 +40,7 @@ pub(super) fn gnss(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup 
     let listed = worst(all.iter(), WORST, |(_, prior)| Some(largest_w(prior).unwrap_or_else(|| length(prior.residual))));
     html! {
         h2 { "GNSS positions" }
-        p { (count(accepted.len())) " of " (count(all.len())) " took part" @if accepted.len() < all.len() { "; the others lie too far from where the images have them" } "." }
+        p { (count(accepted.len())) " of " (count(all.len())) " took part" @if accepted.len() < all.len() { "; the others lie too far from where the images have them" @if is_in_strips { ", or are in no strip" } } "." }
         (ranges("GNSS positions that took part", &rows))
         table tabindex="0" {
             caption { @if listed.len() < all.len() { "The largest standardised residuals w" } @else { "All GNSS positions, the largest standardised residuals w first" } }
@@ -142,7 +143,7 @@ pub(super) fn systematic(subject: &Subject<'_>, model: &ReconstructedModel) -> M
                 @for error in &systematic.errors {
                     tr {
                         th { (error.error.label()) }
-                        @for value in error.estimate { td { (significant(value)) } }
+                        @for axis in 0..3 { td { (significant(error.value(axis))) } }
                         @for value in error.standard_errors { td { (significant(value)) } }
                         td { (fixed(error.test, 2)) } td { (fixed(error.limit, 2)) } td { (error.verdict.label()) }
                     }
@@ -156,7 +157,7 @@ pub(super) fn systematic(subject: &Subject<'_>, model: &ReconstructedModel) -> M
         }
         p.note {
             "Observed position = projection centre + error. A lever arm is in the axes of the camera (x right, y up, z against the direction of view); a drift is what the error grows by from the first image of a strip to the last. Test: the mean square in standard errors, above the limit not by chance."
-            @if systematic.constraints > 0 { " Without control points, what the errors would move, turn or scale the block by as a whole is none of theirs." }
+            @if systematic.constraints > 0 { " There are too few ground control points: what the errors would move, turn or scale the block by as a whole is none of theirs." }
         }
     }
 }
