@@ -149,130 +149,124 @@ var CRATES = {
 			"text": 16
 		},
 		{
-			"name": "fax",
-			"version": "0.2.7",
-			"licence": "MIT",
-			"text": 17
-		},
-		{
 			"name": "fdeflate",
 			"version": "0.3.7",
 			"licence": "MIT OR Apache-2.0",
-			"text": 18
+			"text": 17
 		},
 		{
 			"name": "flate2",
 			"version": "1.1.10",
 			"licence": "MIT OR Apache-2.0",
-			"text": 19
+			"text": 18
 		},
 		{
 			"name": "fluent-bundle",
 			"version": "0.16.0",
 			"licence": "Apache-2.0 OR MIT",
-			"text": 20
+			"text": 19
 		},
 		{
 			"name": "fluent-langneg",
 			"version": "0.13.1",
 			"licence": "Apache-2.0 OR MIT",
-			"text": 21
+			"text": 20
 		},
 		{
 			"name": "fluent-syntax",
 			"version": "0.12.0",
 			"licence": "Apache-2.0 OR MIT",
-			"text": 20
+			"text": 19
 		},
 		{
 			"name": "futures-core",
 			"version": "0.3.34",
 			"licence": "MIT OR Apache-2.0",
-			"text": 22
+			"text": 21
 		},
 		{
 			"name": "futures-task",
 			"version": "0.3.34",
 			"licence": "MIT OR Apache-2.0",
-			"text": 22
+			"text": 21
 		},
 		{
 			"name": "futures-util",
 			"version": "0.3.34",
 			"licence": "MIT OR Apache-2.0",
-			"text": 22
+			"text": 21
 		},
 		{
 			"name": "generic-array",
 			"version": "0.14.7",
 			"licence": "MIT",
-			"text": 23
+			"text": 22
 		},
 		{
 			"name": "geo-types",
 			"version": "0.7.20",
 			"licence": "MIT OR Apache-2.0",
-			"text": 24
+			"text": 23
 		},
 		{
 			"name": "geographiclib-rs",
 			"version": "0.2.7",
 			"licence": "MIT",
-			"text": 25
+			"text": 24
 		},
 		{
 			"name": "gloo-utils",
 			"version": "0.2.0",
 			"licence": "MIT OR Apache-2.0",
-			"text": 21
+			"text": 20
 		},
 		{
 			"name": "half",
 			"version": "2.7.1",
 			"licence": "MIT OR Apache-2.0",
-			"text": 26
+			"text": 25
 		},
 		{
 			"name": "hybrid-array",
 			"version": "0.4.15",
 			"licence": "MIT OR Apache-2.0",
-			"text": 27
+			"text": 26
 		},
 		{
 			"name": "ieee754",
 			"version": "0.2.6",
 			"licence": "MIT/Apache-2.0",
-			"text": 28
+			"text": 27
 		},
 		{
 			"name": "image",
 			"version": "0.25.10",
 			"licence": "MIT OR Apache-2.0",
-			"text": 18
+			"text": 17
 		},
 		{
 			"name": "image-webp",
 			"version": "0.2.4",
 			"licence": "MIT OR Apache-2.0",
-			"text": 18
+			"text": 17
 		},
 		{
 			"name": "intl-memoizer",
 			"version": "0.5.3",
 			"licence": "Apache-2.0 OR MIT",
-			"text": 20
+			"text": 19
 		},
 		{
 			"name": "intl_pluralrules",
 			"version": "7.0.2",
 			"licence": "Apache-2.0/MIT",
-			"text": 21
+			"text": 20
 		},
 		{
 			"name": "itoa",
 			"version": "1.0.18",
 			"licence": "MIT OR Apache-2.0",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "js-sys",
@@ -284,13 +278,13 @@ var CRATES = {
 			"name": "libm",
 			"version": "0.2.16",
 			"licence": "MIT",
-			"text": 30
+			"text": 29
 		},
 		{
 			"name": "maud",
 			"version": "0.27.0",
 			"licence": "MIT OR Apache-2.0",
-			"text": 21
+			"text": 20
 		},
 		{
 			"name": "memchr",
@@ -302,25 +296,25 @@ var CRATES = {
 			"name": "miniz_oxide",
 			"version": "0.8.9",
 			"licence": "MIT OR Zlib OR Apache-2.0",
-			"text": 31
+			"text": 30
 		},
 		{
 			"name": "miniz_oxide",
 			"version": "0.9.1",
 			"licence": "MIT OR Zlib OR Apache-2.0",
-			"text": 31
+			"text": 30
 		},
 		{
 			"name": "moxcms",
 			"version": "0.8.1",
 			"licence": "BSD-3-Clause OR Apache-2.0",
-			"text": 32
+			"text": 31
 		},
 		{
 			"name": "nalgebra",
 			"version": "0.35.0",
 			"licence": "Apache-2.0",
-			"text": 33
+			"text": 32
 		},
 		{
 			"name": "num-complex",
@@ -350,85 +344,85 @@ var CRATES = {
 			"name": "pin-project-lite",
 			"version": "0.2.17",
 			"licence": "Apache-2.0 OR MIT",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "png",
 			"version": "0.18.1",
 			"licence": "MIT OR Apache-2.0",
-			"text": 34
+			"text": 33
 		},
 		{
 			"name": "proj-core",
 			"version": "0.13.1",
 			"licence": "MIT OR Apache-2.0",
-			"text": 21
+			"text": 20
 		},
 		{
 			"name": "proj-epsg-format",
 			"version": "0.13.1",
 			"licence": "MIT OR Apache-2.0",
-			"text": 21
+			"text": 20
 		},
 		{
 			"name": "proj-wkt",
 			"version": "0.13.1",
 			"licence": "MIT OR Apache-2.0",
-			"text": 21
+			"text": 20
 		},
 		{
 			"name": "pxfm",
 			"version": "0.1.30",
 			"licence": "BSD-3-Clause OR Apache-2.0",
-			"text": 32
+			"text": 31
 		},
 		{
 			"name": "quick-error",
 			"version": "2.0.1",
 			"licence": "MIT/Apache-2.0",
-			"text": 35
+			"text": 34
 		},
 		{
 			"name": "quick-xml",
 			"version": "0.42.0",
 			"licence": "MIT",
-			"text": 36
+			"text": 35
 		},
 		{
 			"name": "rand_core",
 			"version": "0.10.1",
 			"licence": "MIT OR Apache-2.0",
-			"text": 37
+			"text": 36
 		},
 		{
 			"name": "rand_pcg",
 			"version": "0.10.2",
 			"licence": "MIT OR Apache-2.0",
-			"text": 38
+			"text": 37
 		},
 		{
 			"name": "rayon",
 			"version": "1.12.0",
 			"licence": "MIT OR Apache-2.0",
-			"text": 39
+			"text": 38
 		},
 		{
 			"name": "rayon-core",
 			"version": "1.13.0",
 			"licence": "MIT OR Apache-2.0",
-			"text": 39
+			"text": 38
 		},
 		{
 			"name": "rustc-hash",
 			"version": "2.1.3",
 			"licence": "Apache-2.0 OR MIT",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "ryu",
 			"version": "1.0.23",
 			"licence": "Apache-2.0 OR BSL-1.0",
-			"text": 40
+			"text": 39
 		},
 		{
 			"name": "self_cell",
@@ -440,115 +434,115 @@ var CRATES = {
 			"name": "serde",
 			"version": "1.0.229",
 			"licence": "MIT OR Apache-2.0",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "serde_core",
 			"version": "1.0.229",
 			"licence": "MIT OR Apache-2.0",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "serde_json",
 			"version": "1.0.154",
 			"licence": "MIT OR Apache-2.0",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "serde_path_to_error",
 			"version": "0.1.20",
 			"licence": "MIT OR Apache-2.0",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "sha2",
 			"version": "0.10.9",
 			"licence": "MIT OR Apache-2.0",
-			"text": 41
+			"text": 40
 		},
 		{
 			"name": "sha2",
 			"version": "0.11.1",
 			"licence": "MIT OR Apache-2.0",
-			"text": 42
+			"text": 41
 		},
 		{
 			"name": "simba",
 			"version": "0.10.2",
 			"licence": "Apache-2.0",
-			"text": 33
+			"text": 32
 		},
 		{
 			"name": "simd-adler32",
 			"version": "0.3.10",
 			"licence": "MIT",
-			"text": 43
+			"text": 42
 		},
 		{
 			"name": "slab",
 			"version": "0.4.12",
 			"licence": "MIT",
-			"text": 44
+			"text": 43
 		},
 		{
 			"name": "smallvec",
 			"version": "1.16.5",
 			"licence": "MIT OR Apache-2.0",
-			"text": 45
+			"text": 44
 		},
 		{
 			"name": "thiserror",
 			"version": "2.0.21",
 			"licence": "MIT OR Apache-2.0",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "tiff",
 			"version": "0.11.3",
 			"licence": "MIT",
-			"text": 46
+			"text": 45
 		},
 		{
 			"name": "tinystr",
 			"version": "0.8.5",
 			"licence": "Unicode-3.0",
-			"text": 47
+			"text": 46
 		},
 		{
 			"name": "tsify",
 			"version": "0.5.8",
 			"licence": "MIT OR Apache-2.0",
-			"text": 48
+			"text": 47
 		},
 		{
 			"name": "type-map",
 			"version": "0.5.1",
 			"licence": "MIT/Apache-2.0",
-			"text": 49
+			"text": 48
 		},
 		{
 			"name": "typenum",
 			"version": "1.20.1",
 			"licence": "MIT OR Apache-2.0",
-			"text": 50
+			"text": 49
 		},
 		{
 			"name": "unic-langid",
 			"version": "0.9.6",
 			"licence": "MIT OR Apache-2.0",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "unic-langid-impl",
 			"version": "0.9.6",
 			"licence": "MIT OR Apache-2.0",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "unicode-ident",
 			"version": "1.0.27",
 			"licence": "(MIT OR Apache-2.0) AND Unicode-3.0",
-			"text": 51
+			"text": 50
 		},
 		{
 			"name": "wasm-bindgen",
@@ -572,49 +566,37 @@ var CRATES = {
 			"name": "weezl",
 			"version": "0.1.12",
 			"licence": "MIT OR Apache-2.0",
-			"text": 52
+			"text": 51
 		},
 		{
 			"name": "zerocopy",
 			"version": "0.8.63",
 			"licence": "BSD-2-Clause OR Apache-2.0 OR MIT",
-			"text": 53
-		},
-		{
-			"name": "zerofrom",
-			"version": "0.1.8",
-			"licence": "Unicode-3.0",
-			"text": 47
-		},
-		{
-			"name": "zerovec",
-			"version": "0.11.9",
-			"licence": "Unicode-3.0",
-			"text": 47
-		},
-		{
-			"name": "zlib-rs",
-			"version": "0.6.8",
-			"licence": "Zlib",
-			"text": 54
+			"text": 52
 		},
 		{
 			"name": "zmij",
 			"version": "1.0.23",
 			"licence": "MIT",
-			"text": 29
+			"text": 28
 		},
 		{
 			"name": "zune-core",
 			"version": "0.5.3",
 			"licence": "MIT OR Apache-2.0 OR Zlib",
-			"text": 55
+			"text": 53
 		},
 		{
 			"name": "zune-jpeg",
 			"version": "0.5.15",
 			"licence": "MIT OR Apache-2.0 OR Zlib",
-			"text": 55
+			"text": 53
+		},
+		{
+			"name": "rust-std",
+			"version": "1.95.0",
+			"licence": "MIT OR Apache-2.0",
+			"text": 20
 		}
 	],
 	"texts": [
@@ -635,7 +617,6 @@ var CRATES = {
 		"Copyright (c) 2017 Artyom Pavlov\n\nPermission is hereby granted, free of charge, to any\nperson obtaining a copy of this software and associated\ndocumentation files (the \"Software\"), to deal in the\nSoftware without restriction, including without\nlimitation the rights to use, copy, modify, merge,\npublish, distribute, sublicense, and/or sell copies of\nthe Software, and to permit persons to whom the Software\nis furnished to do so, subject to the following\nconditions:\n\nThe above copyright notice and this permission notice\nshall be included in all copies or substantial portions\nof the Software.\n\nTHE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF\nANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED\nTO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A\nPARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT\nSHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY\nCLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION\nOF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR\nIN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER\nDEALINGS IN THE SOFTWARE.",
 		"Copyright (c) 2017-2025 RustCrypto Developers\nCopyright (c) 2017 Artyom Pavlov\n\nPermission is hereby granted, free of charge, to any\nperson obtaining a copy of this software and associated\ndocumentation files (the \"Software\"), to deal in the\nSoftware without restriction, including without\nlimitation the rights to use, copy, modify, merge,\npublish, distribute, sublicense, and/or sell copies of\nthe Software, and to permit persons to whom the Software\nis furnished to do so, subject to the following\nconditions:\n\nThe above copyright notice and this permission notice\nshall be included in all copies or substantial portions\nof the Software.\n\nTHE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF\nANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED\nTO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A\nPARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT\nSHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY\nCLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION\nOF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR\nIN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER\nDEALINGS IN THE SOFTWARE.",
 		"Copyright (c) 2015\n\nPermission is hereby granted, free of charge, to any\nperson obtaining a copy of this software and associated\ndocumentation files (the \"Software\"), to deal in the\nSoftware without restriction, including without\nlimitation the rights to use, copy, modify, merge,\npublish, distribute, sublicense, and/or sell copies of\nthe Software, and to permit persons to whom the Software\nis furnished to do so, subject to the following\nconditions:\n\nThe above copyright notice and this permission notice\nshall be included in all copies or substantial portions\nof the Software.\n\nTHE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF\nANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED\nTO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A\nPARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT\nSHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY\nCLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION\nOF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR\nIN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER\nDEALINGS IN THE SOFTWARE.",
-		"Copyright © 2021 The pdf-rs contributers.\n\nPermission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files (the “Software”), to deal in the Software without restriction, including without limitation the rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software is furnished to do so, subject to the following conditions:\n\nThe above copyright notice and this permission notice shall be included in all copies or substantial portions of the Software.\n\nTHE SOFTWARE IS PROVIDED “AS IS”, WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.",
 		"MIT License\n\nPermission is hereby granted, free of charge, to any\nperson obtaining a copy of this software and associated\ndocumentation files (the \"Software\"), to deal in the\nSoftware without restriction, including without\nlimitation the rights to use, copy, modify, merge,\npublish, distribute, sublicense, and/or sell copies of\nthe Software, and to permit persons to whom the Software\nis furnished to do so, subject to the following\nconditions:\n\nThe above copyright notice and this permission notice\nshall be included in all copies or substantial portions\nof the Software.\n\nTHE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF\nANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED\nTO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A\nPARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT\nSHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY\nCLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION\nOF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR\nIN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER\nDEALINGS IN THE SOFTWARE.",
 		"Copyright (c) 2014-2026 Alex Crichton\n\nPermission is hereby granted, free of charge, to any\nperson obtaining a copy of this software and associated\ndocumentation files (the \"Software\"), to deal in the\nSoftware without restriction, including without\nlimitation the rights to use, copy, modify, merge,\npublish, distribute, sublicense, and/or sell copies of\nthe Software, and to permit persons to whom the Software\nis furnished to do so, subject to the following\nconditions:\n\nThe above copyright notice and this permission notice\nshall be included in all copies or substantial portions\nof the Software.\n\nTHE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF\nANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED\nTO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A\nPARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT\nSHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY\nCLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION\nOF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR\nIN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER\nDEALINGS IN THE SOFTWARE.",
 		"Copyright 2017 Mozilla\n\nPermission is hereby granted, free of charge, to any person obtaining a copy of\nthis software and associated documentation files (the \"Software\"), to deal in\nthe Software without restriction, including without limitation the rights to\nuse, copy, modify, merge, publish, distribute, sublicense, and/or sell copies\nof the Software, and to permit persons to whom the Software is furnished to do\nso, subject to the following conditions:\n\nThe above copyright notice and this permission notice shall be included in all\ncopies or substantial portions of the Software.\n\nTHE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR\nIMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,\nFITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE\nAUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER\nLIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,\nOUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE\nSOFTWARE.",
@@ -672,7 +653,6 @@ var CRATES = {
 		"Apache License\n                        Version 2.0, January 2004\n                     http://www.apache.org/licenses/\n\nTERMS AND CONDITIONS FOR USE, REPRODUCTION, AND DISTRIBUTION\n\n1. Definitions.\n\n   \"License\" shall mean the terms and conditions for use, reproduction,\n   and distribution as defined by Sections 1 through 9 of this document.\n\n   \"Licensor\" shall mean the copyright owner or entity authorized by\n   the copyright owner that is granting the License.\n\n   \"Legal Entity\" shall mean the union of the acting entity and all\n   other entities that control, are controlled by, or are under common\n   control with that entity. For the purposes of this definition,\n   \"control\" means (i) the power, direct or indirect, to cause the\n   direction or management of such entity, whether by contract or\n   otherwise, or (ii) ownership of fifty percent (50%) or more of the\n   outstanding shares, or (iii) beneficial ownership of such entity.\n\n   \"You\" (or \"Your\") shall mean an individual or Legal Entity\n   exercising permissions granted by this License.\n\n   \"Source\" form shall mean the preferred form for making modifications,\n   including but not limited to software source code, documentation\n   source, and configuration files.\n\n   \"Object\" form shall mean any form resulting from mechanical\n   transformation or translation of a Source form, including but\n   not limited to compiled object code, generated documentation,\n   and conversions to other media types.\n\n   \"Work\" shall mean the work of authorship, whether in Source or\n   Object form, made available under the License, as indicated by a\n   copyright notice that is included in or attached to the work\n   (an example is provided in the Appendix below).\n\n   \"Derivative Works\" shall mean any work, whether in Source or Object\n   form, that is based on (or derived from) the Work and for which the\n   editorial revisions, annotations, elaborations, or other modifications\n   represent, as a whole, an original work of authorship. For the purposes\n   of this License, Derivative Works shall not include works that remain\n   separable from, or merely link (or bind by name) to the interfaces of,\n   the Work and Derivative Works thereof.\n\n   \"Contribution\" shall mean any work of authorship, including\n   the original version of the Work and any modifications or additions\n   to that Work or Derivative Works thereof, that is intentionally\n   submitted to Licensor for inclusion in the Work by the copyright owner\n   or by an individual or Legal Entity authorized to submit on behalf of\n   the copyright owner. For the purposes of this definition, \"submitted\"\n   means any form of electronic, verbal, or written communication sent\n   to the Licensor or its representatives, including but not limited to\n   communication on electronic mailing lists, source code control systems,\n   and issue tracking systems that are managed by, or on behalf of, the\n   Licensor for the purpose of discussing and improving the Work, but\n   excluding communication that is conspicuously marked or otherwise\n   designated in writing by the copyright owner as \"Not a Contribution.\"\n\n   \"Contributor\" shall mean Licensor and any individual or Legal Entity\n   on behalf of whom a Contribution has been received by Licensor and\n   subsequently incorporated within the Work.\n\n2. Grant of Copyright License. Subject to the terms and conditions of\n   this License, each Contributor hereby grants to You a perpetual,\n   worldwide, non-exclusive, no-charge, royalty-free, irrevocable\n   copyright license to reproduce, prepare Derivative Works of,\n   publicly display, publicly perform, sublicense, and distribute the\n   Work and such Derivative Works in Source or Object form.\n\n3. Grant of Patent License. Subject to the terms and conditions of\n   this License, each Contributor hereby grants to You a perpetual,\n   worldwide, non-exclusive, no-charge, royalty-free, irrevocable\n   (except as stated in this section) patent license to make, have made,\n   use, offer to sell, sell, import, and otherwise transfer the Work,\n   where such license applies only to those patent claims licensable\n   by such Contributor that are necessarily infringed by their\n   Contribution(s) alone or by combination of their Contribution(s)\n   with the Work to which such Contribution(s) was submitted. If You\n   institute patent litigation against any entity (including a\n   cross-claim or counterclaim in a lawsuit) alleging that the Work\n   or a Contribution incorporated within the Work constitutes direct\n   or contributory patent infringement, then any patent licenses\n   granted to You under this License for that Work shall terminate\n   as of the date such litigation is filed.\n\n4. Redistribution. You may reproduce and distribute copies of the\n   Work or Derivative Works thereof in any medium, with or without\n   modifications, and in Source or Object form, provided that You\n   meet the following conditions:\n\n   (a) You must give any other recipients of the Work or\n       Derivative Works a copy of this License; and\n\n   (b) You must cause any modified files to carry prominent notices\n       stating that You changed the files; and\n\n   (c) You must retain, in the Source form of any Derivative Works\n       that You distribute, all copyright, patent, trademark, and\n       attribution notices from the Source form of the Work,\n       excluding those notices that do not pertain to any part of\n       the Derivative Works; and\n\n   (d) If the Work includes a \"NOTICE\" text file as part of its\n       distribution, then any Derivative Works that You distribute must\n       include a readable copy of the attribution notices contained\n       within such NOTICE file, excluding those notices that do not\n       pertain to any part of the Derivative Works, in at least one\n       of the following places: within a NOTICE text file distributed\n       as part of the Derivative Works; within the Source form or\n       documentation, if provided along with the Derivative Works; or,\n       within a display generated by the Derivative Works, if and\n       wherever such third-party notices normally appear. The contents\n       of the NOTICE file are for informational purposes only and\n       do not modify the License. You may add Your own attribution\n       notices within Derivative Works that You distribute, alongside\n       or as an addendum to the NOTICE text from the Work, provided\n       that such additional attribution notices cannot be construed\n       as modifying the License.\n\n   You may add Your own copyright statement to Your modifications and\n   may provide additional or different license terms and conditions\n   for use, reproduction, or distribution of Your modifications, or\n   for any such Derivative Works as a whole, provided Your use,\n   reproduction, and distribution of the Work otherwise complies with\n   the conditions stated in this License.\n\n5. Submission of Contributions. Unless You explicitly state otherwise,\n   any Contribution intentionally submitted for inclusion in the Work\n   by You to the Licensor shall be under the terms and conditions of\n   this License, without any additional terms or conditions.\n   Notwithstanding the above, nothing herein shall supersede or modify\n   the terms of any separate license agreement you may have executed\n   with Licensor regarding such Contributions.\n\n6. Trademarks. This License does not grant permission to use the trade\n   names, trademarks, service marks, or product names of the Licensor,\n   except as required for reasonable and customary use in describing the\n   origin of the Work and reproducing the content of the NOTICE file.\n\n7. Disclaimer of Warranty. Unless required by applicable law or\n   agreed to in writing, Licensor provides the Work (and each\n   Contributor provides its Contributions) on an \"AS IS\" BASIS,\n   WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or\n   implied, including, without limitation, any warranties or conditions\n   of TITLE, NON-INFRINGEMENT, MERCHANTABILITY, or FITNESS FOR A\n   PARTICULAR PURPOSE. You are solely responsible for determining the\n   appropriateness of using or redistributing the Work and assume any\n   risks associated with Your exercise of permissions under this License.\n\n8. Limitation of Liability. In no event and under no legal theory,\n   whether in tort (including negligence), contract, or otherwise,\n   unless required by applicable law (such as deliberate and grossly\n   negligent acts) or agreed to in writing, shall any Contributor be\n   liable to You for damages, including any direct, indirect, special,\n   incidental, or consequential damages of any character arising as a\n   result of this License or out of the use or inability to use the\n   Work (including but not limited to damages for loss of goodwill,\n   work stoppage, computer failure or malfunction, or any and all\n   other commercial damages or losses), even if such Contributor\n   has been advised of the possibility of such damages.\n\n9. Accepting Warranty or Additional Liability. While redistributing\n   the Work or Derivative Works thereof, You may choose to offer,\n   and charge a fee for, acceptance of support, warranty, indemnity,\n   or other liability obligations and/or rights consistent with this\n   License. However, in accepting such obligations, You may act only\n   on Your own behalf and on Your sole responsibility, not on behalf\n   of any other Contributor, and only if You agree to indemnify,\n   defend, and hold each Contributor harmless for any liability\n   incurred by, or claims asserted against, such Contributor by reason\n   of your accepting any such warranty or additional liability.\n\nEND OF TERMS AND CONDITIONS\n\nPermission is hereby granted, free of charge, to any\nperson obtaining a copy of this software and associated\ndocumentation files (the \"Software\"), to deal in the\nSoftware without restriction, including without\nlimitation the rights to use, copy, modify, merge,\npublish, distribute, sublicense, and/or sell copies of\nthe Software, and to permit persons to whom the Software\nis furnished to do so, subject to the following\nconditions:\n\nThe above copyright notice and this permission notice\nshall be included in all copies or substantial portions\nof the Software.\n\nTHE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF\nANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED\nTO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A\nPARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT\nSHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY\nCLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION\nOF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR\nIN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER\nDEALINGS IN THE SOFTWARE.\n\nUNICODE LICENSE V3\n\nCOPYRIGHT AND PERMISSION NOTICE\n\nCopyright © 1991-2023 Unicode, Inc.\n\nNOTICE TO USER: Carefully read the following legal agreement. BY\nDOWNLOADING, INSTALLING, COPYING OR OTHERWISE USING DATA FILES, AND/OR\nSOFTWARE, YOU UNEQUIVOCALLY ACCEPT, AND AGREE TO BE BOUND BY, ALL OF THE\nTERMS AND CONDITIONS OF THIS AGREEMENT. IF YOU DO NOT AGREE, DO NOT\nDOWNLOAD, INSTALL, COPY, DISTRIBUTE OR USE THE DATA FILES OR SOFTWARE.\n\nPermission is hereby granted, free of charge, to any person obtaining a\ncopy of data files and any associated documentation (the \"Data Files\") or\nsoftware and any associated documentation (the \"Software\") to deal in the\nData Files or Software without restriction, including without limitation\nthe rights to use, copy, modify, merge, publish, distribute, and/or sell\ncopies of the Data Files or Software, and to permit persons to whom the\nData Files or Software are furnished to do so, provided that either (a)\nthis copyright and permission notice appear with all copies of the Data\nFiles or Software, or (b) this copyright and permission notice appear in\nassociated Documentation.\n\nTHE DATA FILES AND SOFTWARE ARE PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY\nKIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF\nMERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT OF\nTHIRD PARTY RIGHTS.\n\nIN NO EVENT SHALL THE COPYRIGHT HOLDER OR HOLDERS INCLUDED IN THIS NOTICE\nBE LIABLE FOR ANY CLAIM, OR ANY SPECIAL INDIRECT OR CONSEQUENTIAL DAMAGES,\nOR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS OF USE, DATA OR PROFITS,\nWHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER TORTIOUS ACTION,\nARISING OUT OF OR IN CONNECTION WITH THE USE OR PERFORMANCE OF THE DATA\nFILES OR SOFTWARE.\n\nExcept as contained in this notice, the name of a copyright holder shall\nnot be used in advertising or otherwise to promote the sale, use or other\ndealings in these Data Files or Software without prior written\nauthorization of the copyright holder.",
 		"The MIT License (MIT)\n\nCopyright (c) HeroicKatora 2020\n\nPermission is hereby granted, free of charge, to any person obtaining a copy\nof this software and associated documentation files (the \"Software\"), to deal\nin the Software without restriction, including without limitation the rights\nto use, copy, modify, merge, publish, distribute, sublicense, and/or sell\ncopies of the Software, and to permit persons to whom the Software is\nfurnished to do so, subject to the following conditions:\n\nThe above copyright notice and this permission notice shall be included in all\ncopies or substantial portions of the Software.\n\nTHE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR\nIMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,\nFITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE\nAUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER\nLIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,\nOUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE\nSOFTWARE.",
 		"Copyright 2023 The Fuchsia Authors\n\nPermission is hereby granted, free of charge, to any\nperson obtaining a copy of this software and associated\ndocumentation files (the \"Software\"), to deal in the\nSoftware without restriction, including without\nlimitation the rights to use, copy, modify, merge,\npublish, distribute, sublicense, and/or sell copies of\nthe Software, and to permit persons to whom the Software\nis furnished to do so, subject to the following\nconditions:\n\nThe above copyright notice and this permission notice\nshall be included in all copies or substantial portions\nof the Software.\n\nTHE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF\nANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED\nTO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A\nPARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT\nSHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY\nCLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION\nOF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR\nIN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER\nDEALINGS IN THE SOFTWARE.",
-		"(C) 2024 Trifecta Tech Foundation \n\nThis software is provided 'as-is', without any express or implied\nwarranty. In no event will the authors be held liable for any damages\narising from the use of this software.\n\nPermission is granted to anyone to use this software for any purpose,\nincluding commercial applications, and to alter it and redistribute it\nfreely, subject to the following restrictions:\n\n1. The origin of this software must not be misrepresented; you must not\n   claim that you wrote the original software. If you use this software\n   in a product, an acknowledgment in the product documentation would be\n   appreciated but is not required.\n\n2. Altered source versions must be plainly marked as such, and must not be\n   misrepresented as being the original software.\n\n3. This notice may not be removed or altered from any source distribution.",
 		"zlib License\n\n(C) zune-image developers\n\nThis software is provided 'as-is', without any express or implied\nwarranty. In no event will the authors be held liable for any damages\narising from the use of this software.\n\nPermission is granted to anyone to use this software for any purpose,\nincluding commercial applications, and to alter it and redistribute it\nfreely, subject to the following restrictions:\n\n1. The origin of this software must not be misrepresented; you must not\n   claim that you wrote the original software. If you use this software\n   in a product, an acknowledgment in the product documentation would be\n   appreciated but is not required.\n2. Altered source versions must be plainly marked as such, and must not be\n   misrepresented as being the original software.\n3. This notice may not be removed or altered from any source distribution."
 	]
 };

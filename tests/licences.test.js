@@ -5,8 +5,9 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { crateLicences, cratesOf, metadataArgs } from '../tools/lib/crates.mjs';
+import { crateLicences, cratesOf, metadataArgs, treeArgs } from '../tools/lib/crates.mjs';
 import { PKG_WASM, ROOT } from '../tools/lib/paths.mjs';
+import { WASM_TARGET, wantedVersion } from '../tools/lib/rust.mjs';
 
 const text = readFileSync(join(PKG_WASM, 'LICENCES.json'), 'utf8');
 /** @type {import('../tools/lib/crates.mjs').CrateLicences} */
@@ -15,9 +16,11 @@ const listed = JSON.parse(text);
 test('the crates that are listed are those of Cargo.lock, each with a text of its licence and no path of a machine', () => {
   const lock = readFileSync(join(ROOT, 'Cargo.lock'), 'utf8');
   const locked = new Set([...lock.matchAll(/^name = "(.+)"\nversion = "(.+)"$/gm)].map(([, name, version]) => `${name} ${version}`));
+  // It comes with the compiler.
+  const standard = `rust-std ${wantedVersion()}`;
   assert.deepEqual(
     listed.crates.map(({ name, version }) => `${name} ${version}`).filter((crate) => !locked.has(crate)),
-    [],
+    [standard],
   );
   assert.ok(listed.crates.length > 20, `only ${listed.crates.length} crates`);
   assert.deepEqual(
@@ -28,33 +31,32 @@ test('the crates that are listed are those of Cargo.lock, each with a text of it
   assert.doesNotMatch(text, /\.cargo|registry\/src|\/(?:home|root|Users)\//);
 });
 
+/** What cargo answers without the network; null where there is no cargo, or it lacks the crates.  @param {string[]} args */
+function answered(args) {
+  const { status, stdout, stderr, error } = spawnSync('cargo', [...args, '--offline'], { cwd: ROOT, encoding: 'utf8', maxBuffer: 1 << 26 });
+  if (/** @type {NodeJS.ErrnoException | undefined} */ (error)?.code === 'ENOENT') return null;
+  if (status !== 0 && /(?:using|in the) offline mode|--offline was specified/.test(stderr)) return null;
+  assert.ok(status === 0, `${error?.message ?? ''}${stderr}`);
+  return stdout;
+}
+
 test('they are the crates that the module is linked of', (t) => {
-  const { status, stdout } = spawnSync('cargo', [...metadataArgs('wasm32-unknown-unknown'), '--offline'], { cwd: ROOT, encoding: 'utf8', maxBuffer: 1 << 26 });
-  if (status !== 0) {
+  const [metadata, tree] = [metadataArgs, treeArgs].map((args) => answered(args(WASM_TARGET)));
+  if (metadata == null || tree == null) {
     t.skip('skipped: no cargo that has the crates of Cargo.lock');
     return;
   }
-  assert.deepEqual(listed, crateLicences(JSON.parse(stdout)));
+  assert.deepEqual(listed, crateLicences(JSON.parse(metadata), tree, wantedVersion()));
 });
 
-test('what builds the module, tests it or runs in the compiler is no part of it', () => {
-  const one = (/** @type {string} */ id, kind = 'lib') => ({ id, name: id, version: '1.0.0', license: 'MIT', manifest_path: '', targets: [{ kind: [kind] }] });
-  const dep = (/** @type {string} */ pkg, /** @type {string | null} */ kind = null) => ({ pkg, dep_kinds: [{ kind }] });
-  const node = (/** @type {string} */ id, .../** @type {ReturnType<typeof dep>[]} */ deps) => ({ id, deps });
-  const metadata = {
-    packages: [one('own'), one('b'), one('a'), one('macros', 'proc-macro'), one('syntax'), one('builder'), one('tester')],
-    resolve: {
-      root: 'own',
-      nodes: [
-        node('own', dep('b'), dep('macros'), dep('builder', 'build'), dep('tester', 'dev')),
-        node('b', dep('a')),
-        node('a', dep('b')),
-        node('macros', dep('syntax')),
-      ],
-    },
-  };
+test('what the tree names is listed once, in order, without the module itself; what it does not name is no part of it', () => {
+  const one = (/** @type {string} */ name, version = '1.0.0') => ({ name, version, license: 'MIT', manifest_path: '' });
+  const metadata = { packages: [one('own'), one('b'), one('b', '2.0.0'), one('a'), one('optional')] };
+  const tree = 'own v1.0.0 (/somewhere/own)\nb v2.0.0\na v1.0.0\nb v1.0.0\na v1.0.0 (*)\n\n';
   assert.deepEqual(
-    cratesOf(metadata).map(({ name }) => name),
-    ['a', 'b'],
+    cratesOf(metadata, tree).map(({ name, version }) => `${name} ${version}`),
+    ['a 1.0.0', 'b 1.0.0', 'b 2.0.0'],
   );
+  assert.throws(() => cratesOf(metadata, `${tree}c v1.0.0\n`), /nothing of the crate c 1\.0\.0/);
+  assert.throws(() => cratesOf(metadata, ''), /names no crates/);
 });

@@ -5,14 +5,27 @@ import { dirname, join } from 'node:path';
 import { ROOT } from './paths.mjs';
 
 /**
- * @typedef {{ id: string, name: string, version: string, license: string | null, manifest_path: string, targets: { kind: string[] }[] }} Package
- * @typedef {{ packages: Package[], resolve: { root: string, nodes: { id: string, deps: { pkg: string, dep_kinds: { kind: string | null }[] }[] }[] } }} Metadata
- *   of `cargo metadata` for the target of the module
+ * @typedef {{ name: string, version: string, license: string | null, manifest_path: string }} Package
+ * @typedef {{ packages: Package[] }} Metadata of `cargo metadata`, which holds packages that only other features need, too
  * @typedef {{ crates: { name: string, version: string, licence: string, text: number }[], texts: string[] }} CrateLicences `text`: its place in `texts`
  */
 
-/** Asks cargo for what `cratesOf` reads. */
+/** Asks cargo what packages state of themselves. */
 export const metadataArgs = (/** @type {string} */ target) => ['metadata', '--format-version', '1', '--locked', '--filter-platform', target];
+
+/** Asks cargo what the module is linked of: neither what builds it nor what its tests need, nor macros, which run in the compiler. */
+export const treeArgs = (/** @type {string} */ target) => [
+  'tree',
+  '--locked',
+  '-e',
+  'normal,no-proc-macro',
+  '--target',
+  target,
+  '--prefix',
+  'none',
+  '--format',
+  '{p}',
+];
 
 /** What a licence is at least long: shorter files name one. */
 const LEAST_TEXT = 400;
@@ -20,35 +33,37 @@ const LEAST_TEXT = 400;
 /** Of crates that hold none: the text of a licence that all of them allow. */
 const COMMON = { name: 'Apache-2.0', file: join(ROOT, 'LICENSE-APACHE') };
 
-/** The crates that the module is linked of: neither what builds it nor what its tests need, nor macros, which run in the compiler.  @param {Metadata} metadata @returns {Package[]} */
-export function cratesOf({ packages, resolve: { root, nodes } }) {
-  const byId = new Map(packages.map((one) => [one.id, one]));
-  const depends = new Map(nodes.map(({ id, deps }) => [id, deps]));
-  /** @type {Set<string>} */
-  const linked = new Set();
-  const visit = (/** @type {string} */ id) => {
-    if (linked.has(id) || byId.get(id)?.targets.some(({ kind }) => kind.includes('proc-macro'))) return;
-    linked.add(id);
-    for (const { pkg, dep_kinds: kinds } of depends.get(id) ?? []) if (kinds.some(({ kind }) => kind === null)) visit(pkg);
-  };
-  visit(root);
-  linked.delete(root);
-  const order = (/** @type {Package} */ { name, version }) => `${name} ${version}`;
-  return [...linked].flatMap((id) => byId.get(id) ?? []).sort((a, b) => (order(a) < order(b) ? -1 : 1));
+/** What is linked into every module beside the crates; its licence is that of Rust, by its COPYRIGHT. */
+const STANDARD_LIBRARY = { name: 'rust-std', license: 'MIT OR Apache-2.0' };
+
+/** The crates of a tree, each once, without the one at its root.  @param {Metadata} metadata @param {string} tree as cargo answers `treeArgs` @returns {Package[]} */
+export function cratesOf({ packages }, tree) {
+  const [root, ...linked] = new Set(tree.split('\n').flatMap((line) => /^(\S+) v(\S+)/.exec(line)?.slice(1).join(' ') ?? []));
+  if (root === undefined || linked.length === 0) throw new Error('cargo names no crates that the module is linked of');
+  return linked.sort().map((crate) => {
+    const found = packages.find(({ name, version }) => `${name} ${version}` === crate);
+    if (found === undefined) throw new Error(`cargo knows nothing of the crate ${crate}`);
+    return found;
+  });
 }
 
-/** Their licences; texts that are the same stand there once.  @param {Metadata} metadata @returns {CrateLicences} */
-export function crateLicences(metadata) {
+/** Their licences, and that of Rust's standard library; texts that are the same stand there once.  @param {Metadata} metadata @param {string} tree @param {string} rust its version @returns {CrateLicences} */
+export function crateLicences(metadata, tree, rust) {
   /** @type {string[]} */
   const texts = [];
-  const crates = cratesOf(metadata).map(({ name, version, license, manifest_path: manifest }) => {
-    if (license === null) throw new Error(`the crate ${name} states no licence`);
-    const text = textOf(name, license, dirname(manifest));
+  const listed = (/** @type {string} */ name, /** @type {string} */ version, /** @type {string} */ licence, /** @type {string} */ text) => {
     if (!texts.includes(text)) texts.push(text);
-    return { name, version, licence: license, text: texts.indexOf(text) };
+    return { name, version, licence, text: texts.indexOf(text) };
+  };
+  const crates = cratesOf(metadata, tree).map(({ name, version, license, manifest_path: manifest }) => {
+    if (license === null) throw new Error(`the crate ${name} states no licence`);
+    return listed(name, version, license, textOf(name, license, dirname(manifest)));
   });
+  crates.push(listed(STANDARD_LIBRARY.name, rust, STANDARD_LIBRARY.license, commonText()));
   return { crates, texts };
 }
+
+const commonText = () => readFileSync(COMMON.file, 'utf8').trim();
 
 /** The text of a crate's licence: where the crate leaves the choice, the shortest one.  @param {string} name @param {string} licence @param {string} folder */
 function textOf(name, licence, folder) {
@@ -61,5 +76,5 @@ function textOf(name, licence, folder) {
   if (isChoice) found.sort((a, b) => a.length - b.length).splice(1);
   if (found.length > 0) return found.join('\n\n');
   if (!licence.includes(COMMON.name)) throw new Error(`the crate ${name} holds no text of its licence, ${licence}`);
-  return readFileSync(COMMON.file, 'utf8').trim();
+  return commonText();
 }

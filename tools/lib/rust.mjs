@@ -8,7 +8,7 @@ import { must, run } from './process.mjs';
 export const WASM_TARGET = 'wasm32-unknown-unknown';
 
 /** The version rust-toolchain.toml names.  @returns {string} */
-function wantedVersion() {
+export function wantedVersion() {
   const found = /channel\s*=\s*"([^"]+)"/.exec(readFileSync(join(ROOT, 'rust-toolchain.toml'), 'utf8'));
   if (!found?.[1]) throw new Error('rust-toolchain.toml names no channel');
   return found[1];

@@ -6,10 +6,10 @@
 import { mkdirSync, readdirSync, realpathSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { join } from 'node:path';
-import { crateLicences, metadataArgs } from './crates.mjs';
+import { crateLicences, metadataArgs, treeArgs } from './crates.mjs';
 import { pinned, ROOT, TARGET } from './paths.mjs';
-import { must } from './process.mjs';
-import { bindgenVersion, cargo, WASM_TARGET } from './rust.mjs';
+import { asked, must } from './process.mjs';
+import { bindgenVersion, cargo, WASM_TARGET, wantedVersion } from './rust.mjs';
 
 /** What wasm-opt may assume of the engine; every browser that has SIMD has the rest. */
 const FEATURES = ['simd', 'bulk-memory', 'nontrapping-float-to-int', 'sign-ext', 'mutable-globals', 'multivalue', 'reference-types'];
@@ -28,6 +28,12 @@ const FAST = {
  */
 export async function buildWasm(toolchain, programs, out, fast = false) {
   await must(...cargo(toolchain, ['fetch', '--locked', '--target', WASM_TARGET]), { quiet: true });
+  // Before anything is built or removed: whatever is wrong with them is told at once.
+  const licences = crateLicences(
+    JSON.parse(await asked(...cargo(toolchain, metadataArgs(WASM_TARGET)))),
+    await asked(...cargo(toolchain, treeArgs(WASM_TARGET))),
+    wantedVersion(),
+  );
   const build = ['build', '--locked', '--release', '--lib', '--target', WASM_TARGET, '--target-dir', TARGET];
   await must(...cargo(toolchain, build), { env: { CARGO_ENCODED_RUSTFLAGS: rustFlags(toolchain).join('\x1f'), ...(fast && FAST) } });
 
@@ -40,8 +46,7 @@ export async function buildWasm(toolchain, programs, out, fast = false) {
   if (!fast) await optimise(join(out, 'tiepoint_bg.wasm'));
   const record = { rustc: toolchain.rustc, wasm_bindgen: bindgenVersion(), binaryen: pinned('binaryen') };
   writeFileSync(join(out, 'BUILD.json'), `${JSON.stringify(record, null, 2)}\n`);
-  const metadata = await must(...cargo(toolchain, metadataArgs(WASM_TARGET)), { quiet: true });
-  writeFileSync(join(out, 'LICENCES.json'), `${JSON.stringify(crateLicences(JSON.parse(metadata)), null, 1)}\n`);
+  writeFileSync(join(out, 'LICENCES.json'), `${JSON.stringify(licences, null, 1)}\n`);
 }
 
 /** @param {import('./rust.mjs').Toolchain} toolchain @returns {string[]} */
