@@ -277,7 +277,9 @@ function reducePlacing(placing, action) {
 		};
 		case "purpose": return placing.purpose === action.purpose ? placing : {
 			...placing,
-			purpose: action.purpose
+			purpose: action.purpose,
+			draft: null,
+			picks: false
 		};
 		case "placing": return {
 			...placing,
@@ -2443,8 +2445,9 @@ function px(value) {
 }
 /** The keys of edits: undo and redo wherever the block is shown, the others on the stage and in the tables. */
 function mountBlockEditKeys(store, hosts) {
-	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length > 0 && (store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null), (by) => step(store, by));
-	const idle = () => store.state.draft === null;
+	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null;
+	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length > 0 && isBlockSeen(), (by) => step(store, by));
+	const idle = () => store.state.draft === null && isBlockSeen();
 	const list = [{
 		keys: ["Delete", "Backspace"],
 		does: say("rejects-what-is-chosen-with"),
@@ -8650,7 +8653,7 @@ var LinkHands = class {
 	/** Takes the link that is measured. */
 	accept() {
 		const { draft } = this.store.state.placing;
-		if (draft?.at == null || draft.place === null) return;
+		if (draft?.at == null || draft.place === null || this.image === null) return;
 		const { at, place } = draft;
 		this.store.dispatch({
 			type: "linkDraft",
@@ -9440,9 +9443,13 @@ function choiceOf({ surveyed }, row) {
 		point
 	};
 }
-/** The image or place after the one that is chosen, or before it. */
-function stepped({ view, images, places: { rows } }, of, chosen, by) {
-	const all = of === "image" ? images.map(({ image }) => image) : rows;
+/** The image or place after the one that is chosen, or before it, among those that are drawn and can be chosen. */
+function stepped({ view, images, places: { rows } }, uses, of, chosen, by) {
+	const isThere = (row) => {
+		const own = view.surveyed[row];
+		return own !== void 0 && own.point >= 0 && uses.has(useOf(own));
+	};
+	const all = of === "image" ? images.map(({ image }) => image) : rows.filter(isThere);
 	const [point = -1] = pointsOf(chosen);
 	const now = of === "image" ? all.indexOf(imagesOf(chosen)[0] ?? -1) : all.findIndex((row) => view.surveyed[row]?.point === point);
 	const next = all[now < 0 ? by > 0 ? 0 : all.length - 1 : (now + by + all.length) % all.length];
@@ -9578,7 +9585,7 @@ var OrthophotoPlan = class extends LinkPicture {
 	/** Goes to the next image or place of the block, or the one before. */
 	step(of, by) {
 		const block = this.block();
-		if (block !== null) this.looking.choose(stepped(block, of, this.store.state.selection.chosen, by));
+		if (block !== null) this.looking.choose(stepped(block, this.store.state.placing.uses, of, this.store.state.selection.chosen, by));
 	}
 	/** Whether the chosen image lies over the orthophoto. */
 	get isLaid() {
@@ -10143,7 +10150,7 @@ function handsOf(store, hands) {
 		restore.hidden = use !== "rejected";
 		add.hidden = placed?.result == null;
 		add.setAttribute("aria-pressed", String(draft !== null));
-		accept.hidden = draft?.at == null || draft.place === null;
+		accept.hidden = placed === null || draft?.at == null || draft.place === null;
 		const [last, next] = [placed?.steps[placed.done - 1], placed?.steps[placed.done]];
 		undo.hidden = last === void 0;
 		redo.hidden = next === void 0;

@@ -3606,11 +3606,12 @@ var RowsInSight = class {
 	}
 	laidOut() {
 		this.top = this.scroller.scrollTop;
-		this.heights = {
+		const heights = {
 			all: this.scroller.clientHeight,
 			fixed: this.head.offsetHeight + this.foot.offsetHeight
 		};
-		return this.heights;
+		this.heights = heights.all === 0 ? null : heights;
+		return heights;
 	}
 	/** The height in which rows are seen. */
 	get room() {
@@ -3650,8 +3651,8 @@ var RowsInSight = class {
 		if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
 	}
 	inSight(margin) {
-		const { top } = this;
-		const { all } = this.heights ?? this.laidOut();
+		const { all, fixed } = this.heights ?? this.laidOut();
+		const top = Math.min(this.top, Math.max(0, this.count * ROW + Math.min(0, fixed - all)));
 		return [Math.max(0, Math.floor(top / ROW) - margin), Math.min(this.count, Math.ceil((top + all) / ROW) + margin)];
 	}
 	draw() {
@@ -10151,6 +10152,84 @@ function toggled(chosen, keys) {
 	else own.add(key);
 	return [...own];
 }
+// www/pair/panel/marking.ts
+/** While fiducial marks are measured: which one is in hand, where it lies, and buttons for each key. */
+/** Whether undo and redo by their keys are of marks: while they are measured, and where the keyboard is in their tables. */
+function marksHaveKeys({ tool }) {
+	const held = document.activeElement?.closest("[data-testid=\"fiducials\"]") ?? null;
+	return tool === "fiducials" || held !== null;
+}
+/** In the bar above the pictures. */
+function mountMarking(bar, store, marking) {
+	const text = h("span", {
+		testid: "mark-text",
+		role: "status"
+	});
+	const former = button(say("mark-before"), "mark-before", () => void marking.go(-1), say("the-mark-before-p"));
+	const next = button(say("next-mark"), "mark-next", () => void marking.go(1), say("the-next-mark-enter"));
+	const clear = button(say("clear-mark"), "mark-clear", () => marking.clear(), say("the-mark-is-not-measured"));
+	const undo = button(say("undo-sign"), "mark-undo", () => marking.step(-1));
+	const redo = button(say("redo-sign"), "mark-redo", () => marking.step(1));
+	const end = button(say("end-marking"), "mark-end", () => store.dispatch({
+		type: "tool",
+		tool: "look"
+	}));
+	const buttons = h("div", {
+		class: "drafting",
+		testid: "marking",
+		role: "group",
+		aria: { label: say("fiducial-marks-measured") }
+	}, text, former, next, clear, undo, redo, end);
+	bar.append(buttons);
+	undoKeys(() => byId("view").offsetParent !== null && marksHaveKeys(store.state), (by) => marking.step(by));
+	store.watch((s) => [
+		s.tool,
+		s.mark,
+		s.photos
+	], () => {
+		const { state } = store;
+		const held = document.activeElement;
+		buttons.hidden = state.tool !== "fiducials" || state.mark === null;
+		former.disabled = state.mark === null || state.mark.index === 0;
+		next.disabled = markInHand(state) === void 0;
+		clear.disabled = placeInHand(state) === null;
+		showSteps(undo, redo, marking.history, ({ name }) => name);
+		if (buttons.contains(held)) passFocus(held, [byId("view")]);
+		const now = textOf$1(state);
+		if (text.textContent !== now) text.textContent = now;
+	});
+}
+var placeInHand = (state) => state.mark === null ? null : placeOfMark(state.photos[state.mark.side], markInHand(state));
+function textOf$1(state) {
+	const { mark } = state;
+	if (mark === null) return "";
+	const one = markInHand(state);
+	const at = placeInHand(state);
+	const photo = one !== void 0 && Number.isFinite(one.x_mm) && Number.isFinite(one.y_mm) ? say("mark-at-mm", {
+		x: fixed(one.x_mm, 3),
+		y: fixed(one.y_mm, 3)
+	}) : "";
+	const number = mark.index + 1;
+	if (at !== null) return say("mark-is-at", {
+		number,
+		photo,
+		column: fixed(at[0], 2),
+		row: fixed(at[1], 2)
+	});
+	if (one === void 0) return say("new-mark-press-it", {
+		number,
+		side: mark.side
+	});
+	return mark.expected === null ? say("mark-press-it", {
+		number,
+		photo,
+		side: mark.side
+	}) : say("mark-is-expected", {
+		number,
+		photo,
+		side: mark.side
+	});
+}
 // www/pair/panel/unknowns.ts
 var UNKNOWNS = [
 	{
@@ -10314,7 +10393,7 @@ function mountEditTools(host, bar, store, editing) {
 }
 /** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own; the others in the list of matches. */
 function mountEditKeys(list, store, editing) {
-	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== "mask" && store.state.tool !== "fiducials", (by) => editing.step(by));
+	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== "mask" && !marksHaveKeys(store.state), (by) => editing.step(by));
 	const keys = [
 		{
 			keys: ["Delete", "Backspace"],
@@ -10350,7 +10429,7 @@ function mountEditKeys(list, store, editing) {
 }
 // www/pair/panel/fiducials.ts
 /** Fiducial marks of one photo: a table to type into, or a CSV file. */
-var FIELDS = [
+var FIELDS$1 = [
 	"col",
 	"row",
 	"x_mm",
@@ -10378,7 +10457,10 @@ function mountFiducials(host, store, loadFile, marking, measure) {
 	store.watch(["fiducialModel"], ([value]) => {
 		model.value = value;
 	});
-	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile, marking, measure), photo("right", store, loadFile, marking, measure)));
+	host.append(h("fieldset", {
+		class: "group",
+		testid: "fiducials"
+	}, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile, marking, measure), photo("right", store, loadFile, marking, measure)));
 }
 function photo(side, store, loadFile, marking, measure) {
 	const table = h("div", { class: "scroll" });
@@ -10399,9 +10481,25 @@ function photo(side, store, loadFile, marking, measure) {
 		inPicture.setAttribute("aria-pressed", String(tool === "fiducials" && mark?.side === side));
 	});
 	const clear = button(say("clear"), `clear-fiducials-${side}`, () => marking.removeAll(side));
+	const undo = button(say("undo-sign"), `undo-fiducials-${side}`, () => marking.step(-1));
+	const redo = button(say("redo-sign"), `redo-fiducials-${side}`, () => marking.step(1));
 	let shown = null;
 	const stage = side === "left" ? "interiorLeft" : "interiorRight";
+	store.watch((s) => [s.photos, s.images], ([, images]) => {
+		const held = [undo, redo].find((press) => press === document.activeElement) ?? null;
+		const { history } = marking;
+		const ofThis = (step) => step !== void 0 && step.imageId === images[side]?.id;
+		showSteps(undo, redo, history, ({ name: step }) => step);
+		undo.hidden = !ofThis(history.edits[history.done - 1]);
+		redo.hidden = !ofThis(history.edits[history.done]);
+		passFocus(held, [
+			undo,
+			redo,
+			add
+		]);
+	});
 	store.watch((s) => [s.photos[side].fiducials, s.results[stage]], ([fiducials, interior]) => {
+		const held = table.contains(document.activeElement) || clear === document.activeElement ? document.activeElement : null;
 		const whole = fiducials.filter(isWhole$1).length;
 		const residuals = interior?.value.fiducials?.residuals_mm ?? [];
 		if (shown !== fiducials) {
@@ -10410,11 +10508,12 @@ function photo(side, store, loadFile, marking, measure) {
 		}
 		showMarks(table, fiducials, residuals.length === whole ? residuals : []);
 		clear.disabled = fiducials.length === 0;
+		passFocus(held, [undo, add]);
 		const incomplete = fiducials.length - whole;
 		const told = interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, whole);
 		fill(result, incomplete === 0 ? told : `${told} ${say("incomplete-marks", { incomplete })}`);
 	});
-	return h("div", { class: "photo" }, h("h3", {}, say("image-4", { name })), result, table, h("div", { class: "buttons" }, inPicture, add, load, clear), originFields(side, store));
+	return h("div", { class: "photo" }, h("h3", {}, say("image-4", { name })), result, table, h("div", { class: "buttons" }, inPicture, add, load, clear, undo, redo), originFields(side, store));
 }
 function interiorText(sigma, freedom, marks) {
 	if (marks === 0) return say("no-fiducial-marks-the-pixel");
@@ -10427,12 +10526,12 @@ function interiorText(sigma, freedom, marks) {
 }
 function marksTable(side, marking, rows) {
 	if (rows === 0) return "";
-	const body = Array.from({ length: rows }, (_, i) => h("tr", {}, h("th", { scope: "row" }, String(i + 1)), ...FIELDS.map((field) => h("td", {}, markInput(side, marking, i, field))), h("td", { class: "number residual" }, ""), h("td", {}, removeButton(side, marking, i))));
+	const body = Array.from({ length: rows }, (_, i) => h("tr", {}, h("th", { scope: "row" }, String(i + 1)), ...FIELDS$1.map((field) => h("td", {}, markInput(side, marking, i, field))), h("td", { class: "number residual" }, ""), h("td", {}, removeButton(side, marking, i))));
 	return h("table", {
 		class: "marks",
 		testid: `fiducials-${side}`,
 		aria: { label: say("fiducial-marks", { side }) }
-	}, h("thead", {}, h("tr", {}, h("th", {}, ""), ...FIELDS.map((field) => h("th", { scope: "col" }, HEADS[field])), h("th", {
+	}, h("thead", {}, h("tr", {}, h("th", {}, ""), ...FIELDS$1.map((field) => h("th", { scope: "col" }, HEADS[field])), h("th", {
 		scope: "col",
 		title: say("residuals-vx-vy")
 	}, "v µm"), h("th", {}, ""))), h("tbody", {}, ...body));
@@ -10460,7 +10559,7 @@ function showMarks(table, fiducials, residuals) {
 	const parts = fiducials.map((mark, i) => isWhole$1(mark) ? residuals[fiducials.slice(0, i).filter(isWhole$1).length] : void 0);
 	table.querySelectorAll("tbody tr").forEach((line, i) => {
 		line.querySelectorAll("input").forEach((input, f) => {
-			const field = FIELDS[f];
+			const field = FIELDS$1[f];
 			const value = field === void 0 ? void 0 : fiducials[i]?.[field];
 			if (value === void 0 || Object.is(input.valueAsNumber, value)) return;
 			input.value = Number.isFinite(value) ? String(value) : "";
@@ -11504,79 +11603,6 @@ function chart(title, unit, data, testid) {
 	}));
 	return h("figure", { testid }, h("figcaption", {}, title, h("span", { class: "unit" }, `${suffix} · n = ${count(data.total)}`)), picture, h("div", { class: "scale" }, h("span", {}, significant(data.low)), h("span", {}, say("median", { median: significant(data.median) })), h("span", {}, significant(data.high))));
 }
-// www/pair/panel/marking.ts
-/** While fiducial marks are measured: which one is in hand, where it lies, and buttons for each key. */
-/** In the bar above the pictures. */
-function mountMarking(bar, store, marking) {
-	const text = h("span", {
-		testid: "mark-text",
-		role: "status"
-	});
-	const former = button(say("mark-before"), "mark-before", () => void marking.go(-1), say("the-mark-before-p"));
-	const next = button(say("next-mark"), "mark-next", () => void marking.go(1), say("the-next-mark-enter"));
-	const clear = button(say("clear-mark"), "mark-clear", () => marking.clear(), say("the-mark-is-not-measured"));
-	const undo = button(say("undo-sign"), "mark-undo", () => marking.step(-1));
-	const redo = button(say("redo-sign"), "mark-redo", () => marking.step(1));
-	const end = button(say("end-marking"), "mark-end", () => store.dispatch({
-		type: "tool",
-		tool: "look"
-	}));
-	const buttons = h("div", {
-		class: "drafting",
-		testid: "marking",
-		role: "group",
-		aria: { label: say("fiducial-marks-measured") }
-	}, text, former, next, clear, undo, redo, end);
-	bar.append(buttons);
-	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "fiducials", (by) => marking.step(by));
-	store.watch((s) => [
-		s.tool,
-		s.mark,
-		s.photos
-	], () => {
-		const { state } = store;
-		const held = document.activeElement;
-		buttons.hidden = state.tool !== "fiducials" || state.mark === null;
-		former.disabled = state.mark === null || state.mark.index === 0;
-		next.disabled = markInHand(state) === void 0;
-		clear.disabled = placeInHand(state) === null;
-		showSteps(undo, redo, marking.history, ({ name }) => name);
-		if (buttons.contains(held)) passFocus(held, [byId("view")]);
-		const now = textOf$1(state);
-		if (text.textContent !== now) text.textContent = now;
-	});
-}
-var placeInHand = (state) => state.mark === null ? null : placeOfMark(state.photos[state.mark.side], markInHand(state));
-function textOf$1(state) {
-	const { mark } = state;
-	if (mark === null) return "";
-	const one = markInHand(state);
-	const at = placeInHand(state);
-	const photo = one !== void 0 && Number.isFinite(one.x_mm) && Number.isFinite(one.y_mm) ? say("mark-at-mm", {
-		x: fixed(one.x_mm, 3),
-		y: fixed(one.y_mm, 3)
-	}) : "";
-	const number = mark.index + 1;
-	if (at !== null) return say("mark-is-at", {
-		number,
-		photo,
-		column: fixed(at[0], 2),
-		row: fixed(at[1], 2)
-	});
-	if (one === void 0) return say("new-mark-press-it", {
-		number,
-		side: mark.side
-	});
-	return mark.expected === null ? say("mark-press-it", {
-		number,
-		photo,
-		side: mark.side
-	}) : say("mark-is-expected", {
-		number,
-		photo,
-		side: mark.side
-	});
-}
 // www/pair/panel/masking.ts
 /** While areas of the pictures are masked: what to do next, and buttons for each key. */
 /** The tool with those of the pictures, its buttons in the bar above them. `paint` masks the outlined area, or no longer. */
@@ -11599,7 +11625,7 @@ function mountMasking(host, bar, store, masking, paint) {
 		aria: { label: say("masks-of-the-pictures") }
 	}, text, mask, unmask, undo, redo, keep, end);
 	host.append(tool);
-	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask", (by) => masking.step(by));
+	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask" && !marksHaveKeys(store.state), (by) => masking.step(by));
 	bar.append(buttons);
 	store.watch((s) => [
 		s.tool,
@@ -12875,6 +12901,12 @@ function without$1(all, index) {
 /** Marks that determine each transformation. */
 var LEAST_SIMILARITY = 2;
 var LEAST_AFFINE = 3;
+var FIELDS = [
+	"col",
+	"row",
+	"x_mm",
+	"y_mm"
+];
 /** Steps that can be taken back: far more than a photo has marks. */
 var MOST_UNDONE$1 = 1e3;
 var Marking = class {
@@ -12947,7 +12979,7 @@ var Marking = class {
 	clear() {
 		const { mark, photos } = this.store.state;
 		const cleared = markInHand(this.store.state);
-		if (mark === null || cleared === void 0) return;
+		if (mark === null || cleared === void 0 || !isMeasured(cleared)) return;
 		const { fiducials } = photos[mark.side];
 		this.set(mark.side, fiducials.map((one) => one === cleared ? {
 			...one,
@@ -12958,6 +12990,8 @@ var Marking = class {
 	/** Changes numbers of a mark that were typed. */
 	type(side, index, numbers) {
 		const { fiducials } = this.store.state.photos[side];
+		const now = fiducials[index];
+		if (now === void 0 || FIELDS.every((field) => Object.is(numbers[field] ?? now[field], now[field]))) return;
 		this.set(side, fiducials.map((mark, i) => i === index ? {
 			...mark,
 			...numbers
@@ -12973,7 +13007,7 @@ var Marking = class {
 		this.set(side, fiducials.filter((_, i) => i !== index), "removed", index);
 	}
 	removeAll(side) {
-		this.set(side, [], "all_removed", 0);
+		if (this.store.state.photos[side].fiducials.length > 0) this.set(side, [], "all_removed", 0);
 	}
 	/** What was done to the marks, and can be taken back and done again. */
 	get history() {
@@ -12984,23 +13018,17 @@ var Marking = class {
 		const gone = this.steps.go(by);
 		if (gone === null) return;
 		const { side, value, step } = gone;
-		this.store.dispatch({
-			type: "photo",
-			side,
-			photo: { fiducials: value }
-		});
-		if (this.store.state.tool !== "fiducials") this.store.dispatch({
-			type: "tool",
-			tool: "fiducials"
-		});
-		this.goTo(side, Math.min(step.index, value.length));
+		const inUse = this.store.state.tool === "fiducials";
+		this.change(side, value);
+		if (!inUse) return;
+		this.resume(side, Math.min(step.index, value.length));
 		this.store.dispatch({
 			type: "activeSide",
 			side
 		});
 	}
 	set(side, fiducials, deed, index) {
-		const { images, photos } = this.store.state;
+		const { images, photos, tool, mark } = this.store.state;
 		const image = images[side];
 		const { last } = this.steps;
 		const now = photos[side].fiducials;
@@ -13020,11 +13048,23 @@ var Marking = class {
 			if (goesOn) this.steps.amend(step);
 			else this.steps.record(step);
 		}
+		this.change(side, fiducials);
+		if (tool === "fiducials" && mark?.side === side && this.store.state.mark === null) this.resume(side, Math.min(index, fiducials.length));
+	}
+	change(side, fiducials) {
 		this.store.dispatch({
 			type: "photo",
 			side,
 			photo: { fiducials }
 		});
+	}
+	/** Goes on with a mark: the tool ended with the one in hand where that may be another one now. */
+	resume(side, index) {
+		if (this.store.state.tool !== "fiducials") this.store.dispatch({
+			type: "tool",
+			tool: "fiducials"
+		});
+		this.goTo(side, index);
 	}
 	/** Takes a mark in hand, and shows where it is, or is expected. */
 	async goTo(side, index) {

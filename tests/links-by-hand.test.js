@@ -8,7 +8,7 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/state/links', 'block/state/steps']));
+  Object.assign(page, await pageModules(['block/state/links', 'block/state/state', 'block/state/steps', 'block/engine/link-hands']));
 });
 
 const LINKS = [
@@ -67,4 +67,13 @@ test('who left a link out is said: the user, or data snooping', () => {
   assert.equal(useWord({ steps, done: 3 }, 0, 'rejected'), 'rejected as a gross error');
   assert.equal(useWord({ steps, done: 1 }, 3, 'rejected'), 'rejected as a gross error');
   assert.equal(useWord({ steps: [], done: 0 }, 2, 'check'), 'check');
+});
+
+test('a link that is measured is given up by no press where it cannot be taken', () => {
+  const initial = page.state.BLOCK_INITIAL;
+  const draft = { at: [1, 2], place: [3, 4] };
+  const state = { ...initial, placing: { ...initial.placing, draft } };
+  const done = /** @type {object[]} */ ([]);
+  new page.link_hands.LinkHands({ state, dispatch: (/** @type {object} */ action) => done.push(action) }, {}).accept();
+  assert.deepEqual(done, []);
 });

@@ -155,6 +155,38 @@ test('what was done to marks is undone and done again, by its names; a mark that
   assert.deepEqual([named(marking).at(-1), marks()[1].x_mm, marking.history.edits.length], ['change mark 2', 7, 6]);
 });
 
+test('the tool goes on where marks are removed by hand, and stays away where it was; what changes nothing is no step', () => {
+  const { store, marking, marks } = begun();
+  const all = marks();
+  // From the table alone.
+  marking.remove('left', 1);
+  assert.equal(marks().length, 3);
+  marking.step(-1);
+  assert.deepEqual([marks(), store.state.tool, store.state.mark], [all, 'look', null]);
+  // New ones are alike until they are typed.
+  marking.add('left');
+  marking.add('left');
+  marking.type('left', 4, { x_mm: 7 });
+  assert.deepEqual([marks()[4].x_mm, marks()[5].x_mm], [7, NaN]);
+  for (let i = 0; i < 3; i++) marking.step(-1);
+  assert.equal(marks(), all);
+  marking.toggle('left');
+  marking.remove('left', 3);
+  assert.deepEqual([marks().length, store.state.tool, store.state.mark.index], [3, 'fiducials', 3]);
+  marking.step(-1);
+  assert.equal(marks(), all);
+  marking.removeAll('left');
+  assert.deepEqual([store.state.tool, store.state.mark.index], ['fiducials', 0]);
+  marking.step(-1);
+  // What was taken back can still be done again.
+  marking.clear();
+  marking.type('left', 0, { x_mm: all[0].x_mm, col: NaN });
+  assert.deepEqual([named(marking), marking.history.done], [['remove all marks'], 0]);
+  marking.step(1);
+  marking.removeAll('left');
+  assert.deepEqual([named(marking), marking.history.done], [['remove all marks'], 1]);
+});
+
 test('marks that were given since are not undone, and steps go with their image', () => {
   const { store, marking, marks } = begun();
   marking.toggle('left');

@@ -119,6 +119,13 @@ test('the orthophoto shows the block that lies on its ground, unless each image 
   assert.equal(blockOnOrthophoto(after(opened)), null);
   assert.equal(blockOnOrthophoto(reduce(after(opened), { type: 'orthophoto', orthophoto: elsewhere })), null);
   assert.equal(blockOnOrthophoto(reduce(given, { type: 'purpose', purpose: 'images' })), null);
+  // What was measured of an image is over then.
+  const drafting = [
+    { type: 'purpose', purpose: 'images' },
+    { type: 'linkDraft', draft: { at: [1, 2], place: null } },
+  ].reduce(reduce, given);
+  const { draft, picks } = reduce(drafting, { type: 'purpose', purpose: 'block' }).placing;
+  assert.deepEqual([drafting.placing.draft, draft, picks], [{ at: [1, 2], place: null }, null, false]);
   // An image that was placed by itself is not what is looked at then.
   const placed = { key: '', result: null, problem: '', found: null, steps: [], done: 0 };
   const both = [
@@ -146,9 +153,19 @@ test('a press on the orthophoto chooses what lies there of the block, and keys g
   assert.equal(at(598, 850), null);
   // Places that are not drawn are not pressed.
   assert.deepEqual(at(560, 880, new Set(['used'])), { kind: 'image', image: 1 });
-  assert.deepEqual(stepped(of, 'place', null, 1), { kind: 'point', point: 7 });
-  assert.deepEqual(stepped(of, 'place', { kind: 'point', point: 7 }, -1), { kind: 'point', point: 9 });
-  assert.deepEqual(stepped(of, 'image', { kind: 'image', image: 0 }, 1), { kind: 'image', image: 1 });
+  const uses = new Set(['used', 'check', 'rejected']);
+  assert.deepEqual(stepped(of, uses, 'place', null, 1), { kind: 'point', point: 7 });
+  assert.deepEqual(stepped(of, uses, 'place', { kind: 'point', point: 7 }, -1), { kind: 'point', point: 9 });
+  // Neither are they gone to, nor those that are no points of the block.
+  assert.deepEqual(stepped(of, new Set(['check', 'rejected']), 'place', null, 1), { kind: 'point', point: 8 });
+  assert.deepEqual(stepped(of, new Set(['used']), 'place', { kind: 'point', point: 7 }, 1), { kind: 'point', point: 7 });
+  assert.equal(stepped(of, new Set(), 'place', null, 1), null);
+  const lost = {
+    ...linked,
+    surveyed: linked.surveyed.map((/** @type {object} */ one, /** @type {number} */ row) => (row === 1 ? { ...one, point: -1 } : one)),
+  };
+  assert.deepEqual(stepped(onOrthophoto(lost, { footprints }, false, all, all), uses, 'place', { kind: 'point', point: 7 }, 1), { kind: 'point', point: 9 });
+  assert.deepEqual(stepped(of, uses, 'image', { kind: 'image', image: 0 }, 1), { kind: 'image', image: 1 });
   assert.deepEqual(placeOfChoice(of, { kind: 'point', point: 8 }), [560, 880]);
   // What filters leave out is not there.
   const some = onOrthophoto(

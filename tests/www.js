@@ -18,7 +18,7 @@ export async function pageModules(names) {
   try {
     const entry = join(folder, 'entry.ts');
     // Many texts are said as soon as a module is there: they are learned before.
-    const lines = names.map((name) => `export const ${name.split('/').at(-1)} = await import('${join(ROOT, 'www', name)}');`);
+    const lines = names.map((name) => `export const ${name.split('/').at(-1)?.replaceAll('-', '_')} = await import('${join(ROOT, 'www', name)}');`);
     const learned = ['en', 'en-block'].map((name) => `learn((await import('${join(ROOT, 'www/shared/text', name)}')).TEXTS);`);
     writeFileSync(entry, [`import { learn } from '${join(ROOT, 'www/shared/text/words')}';`, ...learned, ...lines].join('\n'));
     const result = await build({

@@ -26,6 +26,9 @@ async function enclose(page, shift = true) {
 /** The orientation of the latest edit is there.  @param {Page} page */
 const oriented = (page) => says(page, 'compared-points-now', /\d/);
 
+/** What was done is drawn, and what that changes is told.  @param {Page} page */
+const drawn = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve(null)))));
+
 /** Matches as the button saves them.  @param {Page} page */
 const csv = async (page) => (await saved(page, 'export-csv')).toString();
 const rows = (/** @type {string} */ text) => text.trim().split('\n').length - 1;
@@ -60,7 +63,7 @@ test('an edit asks for its orientation before anything is drawn, and moves neith
       seen.heads += changes.length;
     }).observe(/** @type {HTMLElement} */ (at('statistics').querySelector('thead')), { childList: true });
   });
-  await page.waitForTimeout(300);
+  await drawn(page);
   const asked = await page.evaluate(() => {
     const { seen } = /** @type {any} */ (window);
     document.querySelector('[data-testid="view"]')?.dispatchEvent(new KeyboardEvent('keydown', { key: 'r', bubbles: true, cancelable: true }));
@@ -68,7 +71,7 @@ test('an edit asks for its orientation before anything is drawn, and moves neith
   });
   assert.ok(asked.includes('orient'), `asked for ${asked.join(' ')}`);
   await done(page);
-  await page.waitForTimeout(300);
+  await drawn(page);
   assert.deepEqual(await page.evaluate(() => [/** @type {any} */ (window).seen.resized, /** @type {any} */ (window).seen.heads]), [0, 0]);
   assert.deepEqual(complaints, []);
   await close();

@@ -135,10 +135,19 @@ test('a finished block is placed when the user says so; an orthophoto of elsewhe
   await part(page, 'block-run').click();
   const before = await status(page, /^Oriented: /);
   const own = await centres(page);
+  await page.locator('[data-testid="block-images"] tbody tr:not(.filler)').first().click();
+  await says(page, 'block-chosen', /^photo_/);
 
   await part(page, 'block-files-input').setInputFiles(groundFiles({ ...FLIGHT, seed: 9 }));
   await status(page, /^Orthophoto orthophoto\.tif: .*The block can be placed on it/);
   assert.deepEqual(await page.locator('[data-testid^="block-other-"]').allTextContents(), ['Place each image by itself', 'Not now']);
+  // Where the block is not seen, no key edits it.
+  await part(page, 'ortho-plan').focus();
+  await page.keyboard.press('Delete');
+  await part(page, 'block-show-map').click();
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve(null)))));
+  assert.ok(await part(page, 'block-undo').isHidden());
+  await says(page, 'block-chosen', /^photo_/);
   await part(page, 'block-next').click();
   await status(page, /^Weak orientation: .*not in the system of the orthophoto.*0 of 6 images could be placed/);
   assert.equal(await part(page, 'block-answer').getAttribute('data-verdict'), 'weak');

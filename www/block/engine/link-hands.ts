@@ -56,7 +56,8 @@ export class LinkHands {
   /** Takes the link that is measured. */
   accept(): void {
     const { draft } = this.store.state.placing;
-    if (draft?.at == null || draft.place === null) return;
+    // It stays until it can be taken.
+    if (draft?.at == null || draft.place === null || this.image === null) return;
     const { at, place } = draft;
     this.store.dispatch({ type: 'linkDraft', draft: null });
     this.step({ kind: 'add', at, place });

@@ -196,15 +196,13 @@ function px(value: number | null): string {
 
 /** The keys of edits: undo and redo wherever the block is shown, the others on the stage and in the tables. */
 export function mountBlockEditKeys(store: BlockStore, hosts: readonly HTMLElement[]): void {
+  // Links of images that were placed by themselves have keys of their own.
+  const isBlockSeen = () => store.state.onStage !== 'orthophoto' || blockOnOrthophoto(store.state) !== null;
   undoKeys(
-    () =>
-      byId('block-view').offsetParent !== null &&
-      store.state.history.edits.length > 0 &&
-      // Links of images that were placed by themselves have keys of their own.
-      (store.state.onStage !== 'orthophoto' || blockOnOrthophoto(store.state) !== null),
+    () => byId('block-view').offsetParent !== null && store.state.history.edits.length > 0 && isBlockSeen(),
     (by) => step(store, by),
   );
-  const idle = () => store.state.draft === null;
+  const idle = () => store.state.draft === null && isBlockSeen();
   const list: Command[] = [
     {
       keys: ['Delete', 'Backspace'],

@@ -214,7 +214,7 @@ function handsOf(store: BlockStore, hands: LinkHands): HTMLElement {
     restore.hidden = use !== 'rejected';
     add.hidden = placed?.result == null;
     add.setAttribute('aria-pressed', String(draft !== null));
-    accept.hidden = draft?.at == null || draft.place === null;
+    accept.hidden = placed === null || draft?.at == null || draft.place === null;
     const [last, next] = [placed?.steps[placed.done - 1], placed?.steps[placed.done]];
     undo.hidden = last === undefined;
     redo.hidden = next === undefined;

@@ -121,7 +121,8 @@ export function reducePlacing(placing: Placing, action: PlacingAction): Placing 
     case 'placingOptions':
       return placing.options === null ? placing : { ...placing, options: { ...placing.options, ...action.options }, picks: false };
     case 'purpose':
-      return placing.purpose === action.purpose ? placing : { ...placing, purpose: action.purpose };
+      // What is measured or pressed is of images that are placed by themselves.
+      return placing.purpose === action.purpose ? placing : { ...placing, purpose: action.purpose, draft: null, picks: false };
     case 'placing':
       return { ...placing, running: action.running };
     case 'placed':

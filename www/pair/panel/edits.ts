@@ -8,6 +8,7 @@ import type { OrientedPair } from '../../shared/crate';
 import { chosenLefts, editOfChoice } from '../state/choice';
 import { moving } from '../state/draft';
 import { editedPair } from '../state/edited';
+import { marksHaveKeys } from './marking';
 import type { Editing } from '../state/editing';
 import { nameOfEdit } from '../state/edits';
 import { steps } from '../../shared/state/history';
@@ -133,7 +134,7 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
 export function mountEditKeys(list: HTMLElement, store: Store, editing: Editing): void {
   undoKeys(
     // Where the pair is what is shown.
-    () => byId('view').offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== 'mask' && store.state.tool !== 'fiducials',
+    () => byId('view').offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== 'mask' && !marksHaveKeys(store.state),
     (by) => editing.step(by),
   );
   const keys: Command[] = [

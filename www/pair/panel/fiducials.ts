@@ -6,6 +6,8 @@ import { isWhole } from '../state/marks';
 import type { Side } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
+import { passFocus } from '../../shared/panel/focus';
+import { showSteps } from '../../shared/panel/history';
 import { fixed } from '../../shared/text/format';
 import { firstRefused, numberInput, problemLine, readPair, showNumber } from '../../shared/panel/numberfield';
 import { say } from '../../shared/text/words';
@@ -26,7 +28,7 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
   host.append(
     h(
       'fieldset',
-      { class: 'group' },
+      { class: 'group', testid: 'fiducials' },
       h('legend', {}, say('interior-orientation')),
       h('div', { class: 'control' }, h('label', { for: 'fiducial-model' }, say('transformation')), model),
       photo('left', store, loadFile, marking, measure),
@@ -50,11 +52,27 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
     },
   );
   const clear = button(say('clear'), `clear-fiducials-${side}`, () => marking.removeAll(side));
+  const undo = button(say('undo-sign'), `undo-fiducials-${side}`, () => marking.step(-1));
+  const redo = button(say('redo-sign'), `redo-fiducials-${side}`, () => marking.step(1));
   let shown: readonly Fiducial[] | null = null;
   const stage = side === 'left' ? 'interiorLeft' : 'interiorRight';
   store.watch(
+    (s) => [s.photos, s.images] as const,
+    ([, images]) => {
+      const held = [undo, redo].find((press) => press === document.activeElement) ?? null;
+      const { history } = marking;
+      const ofThis = (step: { imageId: number } | undefined) => step !== undefined && step.imageId === images[side]?.id;
+      showSteps(undo, redo, history, ({ name: step }) => step);
+      // Beside the table of what they would change.
+      undo.hidden = !ofThis(history.edits[history.done - 1]);
+      redo.hidden = !ofThis(history.edits[history.done]);
+      passFocus(held, [undo, redo, add]);
+    },
+  );
+  store.watch(
     (s) => [s.photos[side].fiducials, s.results[stage]] as const,
     ([fiducials, interior]) => {
+      const held = table.contains(document.activeElement) || clear === document.activeElement ? document.activeElement : null;
       const whole = fiducials.filter(isWhole).length;
       const residuals = interior?.value.fiducials?.residuals_mm ?? [];
       if (shown !== fiducials) {
@@ -64,6 +82,8 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
       }
       showMarks(table, fiducials, residuals.length === whole ? residuals : []);
       clear.disabled = fiducials.length === 0;
+      // Keys take back what was pressed.
+      passFocus(held, [undo, add]);
       const incomplete = fiducials.length - whole;
       const told = interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, whole);
       fill(result, incomplete === 0 ? told : `${told} ${say('incomplete-marks', { incomplete })}`);
@@ -75,7 +95,7 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
     h('h3', {}, say('image-4', { name })),
     result,
     table,
-    h('div', { class: 'buttons' }, inPicture, add, load, clear),
+    h('div', { class: 'buttons' }, inPicture, add, load, clear, undo, redo),
     originFields(side, store),
   );
 }

@@ -9,6 +9,12 @@ import { markInHand, placeOfMark } from '../state/marks';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 
+/** Whether undo and redo by their keys are of marks: while they are measured, and where the keyboard is in their tables. */
+export function marksHaveKeys({ tool }: State): boolean {
+  const held = document.activeElement?.closest('[data-testid="fiducials"]') ?? null;
+  return tool === 'fiducials' || held !== null;
+}
+
 /** In the bar above the pictures. */
 export function mountMarking(bar: HTMLElement, store: Store, marking: Marking): void {
   const text = h('span', { testid: 'mark-text', role: 'status' });
@@ -32,7 +38,7 @@ export function mountMarking(bar: HTMLElement, store: Store, marking: Marking): 
   bar.append(buttons);
   undoKeys(
     // Where the pair is what is shown.
-    () => byId('view').offsetParent !== null && store.state.tool === 'fiducials',
+    () => byId('view').offsetParent !== null && marksHaveKeys(store.state),
     (by) => marking.step(by),
   );
   store.watch(

@@ -4,6 +4,7 @@ import { passFocus } from '../../shared/panel/focus';
 import { showSteps, undoKeys } from '../../shared/panel/history';
 import { save } from '../../shared/files/save';
 import { say } from '../../shared/text/words';
+import { marksHaveKeys } from './marking';
 import type { Masking } from '../state/masking';
 import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
@@ -33,7 +34,7 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
   host.append(tool);
   undoKeys(
     // Where the pair is what is shown.
-    () => byId('view').offsetParent !== null && store.state.tool === 'mask',
+    () => byId('view').offsetParent !== null && store.state.tool === 'mask' && !marksHaveKeys(store.state),
     (by) => masking.step(by),
   );
   bar.append(buttons);

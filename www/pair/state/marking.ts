@@ -17,6 +17,8 @@ export type MarkOrienter = (marks: readonly Fiducial[], model: FiducialModel) =>
 const LEAST_SIMILARITY = 2;
 const LEAST_AFFINE = 3;
 
+const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
+
 /** Steps that can be taken back: far more than a photo has marks. */
 const MOST_UNDONE = 1000;
 
@@ -96,7 +98,7 @@ export class Marking {
   clear(): void {
     const { mark, photos } = this.store.state;
     const cleared = markInHand(this.store.state);
-    if (mark === null || cleared === undefined) return;
+    if (mark === null || cleared === undefined || !isMeasured(cleared)) return;
     const { fiducials } = photos[mark.side];
     this.set(
       mark.side,
@@ -109,6 +111,8 @@ export class Marking {
   /** Changes numbers of a mark that were typed. */
   type(side: Side, index: number, numbers: Partial<Fiducial>): void {
     const { fiducials } = this.store.state.photos[side];
+    const now = fiducials[index];
+    if (now === undefined || FIELDS.every((field) => Object.is(numbers[field] ?? now[field], now[field]))) return;
     this.set(
       side,
       fiducials.map((mark, i) => (i === index ? { ...mark, ...numbers } : mark)),
@@ -134,7 +138,7 @@ export class Marking {
   }
 
   removeAll(side: Side): void {
-    this.set(side, [], 'all_removed', 0);
+    if (this.store.state.photos[side].fiducials.length > 0) this.set(side, [], 'all_removed', 0);
   }
 
   /** What was done to the marks, and can be taken back and done again. */
@@ -147,15 +151,16 @@ export class Marking {
     const gone = this.steps.go(by);
     if (gone === null) return;
     const { side, value, step } = gone;
-    this.store.dispatch({ type: 'photo', side, photo: { fiducials: value } });
-    // The tool ends where the mark in hand is no longer there.
-    if (this.store.state.tool !== 'fiducials') this.store.dispatch({ type: 'tool', tool: 'fiducials' });
-    void this.goTo(side, Math.min(step.index, value.length));
+    const inUse = this.store.state.tool === 'fiducials';
+    this.change(side, value);
+    // In the table it is taken back where it was done.
+    if (!inUse) return;
+    this.resume(side, Math.min(step.index, value.length));
     this.store.dispatch({ type: 'activeSide', side });
   }
 
   private set(side: Side, fiducials: Fiducial[], deed: Deed, index: number): void {
-    const { images, photos } = this.store.state;
+    const { images, photos, tool, mark } = this.store.state;
     const image = images[side];
     const { last } = this.steps;
     const now = photos[side].fiducials;
@@ -173,7 +178,18 @@ export class Marking {
       if (goesOn) this.steps.amend(step);
       else this.steps.record(step);
     }
+    this.change(side, fiducials);
+    if (tool === 'fiducials' && mark?.side === side && this.store.state.mark === null) this.resume(side, Math.min(index, fiducials.length));
+  }
+
+  private change(side: Side, fiducials: Fiducial[]): void {
     this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
+  }
+
+  /** Goes on with a mark: the tool ended with the one in hand where that may be another one now. */
+  private resume(side: Side, index: number): void {
+    if (this.store.state.tool !== 'fiducials') this.store.dispatch({ type: 'tool', tool: 'fiducials' });
+    void this.goTo(side, index);
   }
 
   /** Takes a mark in hand, and shows where it is, or is expected. */

@@ -51,8 +51,10 @@ export class RowsInSight {
 
   private laidOut(): { all: number; fixed: number } {
     this.top = this.scroller.scrollTop;
-    this.heights = { all: this.scroller.clientHeight, fixed: this.head.offsetHeight + this.foot.offsetHeight };
-    return this.heights;
+    const heights = { all: this.scroller.clientHeight, fixed: this.head.offsetHeight + this.foot.offsetHeight };
+    // Out of sight nothing has a height: it is asked for again.
+    this.heights = heights.all === 0 ? null : heights;
+    return heights;
   }
 
   /** The height in which rows are seen. */
@@ -69,6 +71,7 @@ export class RowsInSight {
 
   /** Brings a row into sight; a place below 0 is none. `near`: no farther than needed. */
   reveal(place: number, near = false): void {
+    // It may tell the top, too.
     const { room } = this;
     const top = place * ROW;
     if (place >= 0 && top < this.top) this.scrollTo(near ? top : Math.max(0, top - room / 2));
@@ -103,8 +106,9 @@ export class RowsInSight {
   }
 
   private inSight(margin: number): [number, number] {
-    const { top } = this;
-    const { all } = this.heights ?? this.laidOut();
+    const { all, fixed } = this.heights ?? this.laidOut();
+    // Where rows were left out, the browser has yet to scroll back to those that remain.
+    const top = Math.min(this.top, Math.max(0, this.count * ROW + Math.min(0, fixed - all)));
     return [Math.max(0, Math.floor(top / ROW) - margin), Math.min(this.count, Math.ceil((top + all) / ROW) + margin)];
   }
 

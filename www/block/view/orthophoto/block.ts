@@ -99,9 +99,19 @@ function choiceOf({ surveyed }: BlockView, row: number): Choice | null {
   return point < 0 ? null : { kind: 'point', point };
 }
 
-/** The image or place after the one that is chosen, or before it. */
-export function stepped({ view, images, places: { rows } }: OnOrthophoto, of: 'image' | 'place', chosen: Choice | null, by: 1 | -1): Choice | null {
-  const all = of === 'image' ? images.map(({ image }) => image) : rows;
+/** The image or place after the one that is chosen, or before it, among those that are drawn and can be chosen. */
+export function stepped(
+  { view, images, places: { rows } }: OnOrthophoto,
+  uses: ReadonlySet<LinkUse>,
+  of: 'image' | 'place',
+  chosen: Choice | null,
+  by: 1 | -1,
+): Choice | null {
+  const isThere = (row: number) => {
+    const own = view.surveyed[row];
+    return own !== undefined && own.point >= 0 && uses.has(useOf(own));
+  };
+  const all = of === 'image' ? images.map(({ image }) => image) : rows.filter(isThere);
   const [point = -1] = pointsOf(chosen);
   const now = of === 'image' ? all.indexOf(imagesOf(chosen)[0] ?? -1) : all.findIndex((row) => view.surveyed[row]?.point === point);
   const next = all[now < 0 ? (by > 0 ? 0 : all.length - 1) : (now + by + all.length) % all.length];

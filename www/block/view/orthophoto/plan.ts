@@ -89,7 +89,7 @@ export class OrthophotoPlan extends LinkPicture {
   /** Goes to the next image or place of the block, or the one before. */
   step(of: 'image' | 'place', by: 1 | -1): void {
     const block = this.block();
-    if (block !== null) this.looking.choose(stepped(block, of, this.store.state.selection.chosen, by));
+    if (block !== null) this.looking.choose(stepped(block, this.store.state.placing.uses, of, this.store.state.selection.chosen, by));
   }
 
   /** Whether the chosen image lies over the orthophoto. */
