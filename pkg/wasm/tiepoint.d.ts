@@ -1093,7 +1093,7 @@ export interface SystematicStatistics {
     error: SystematicError;
     verdict: SystematicVerdict;
     /**
-     * 0 for a value that nothing determines.
+     * In the unit of the positions, as the standard errors; 0, without a standard error, for a value that nothing determines.
      */
     estimate: [number, number, number];
     /**
@@ -1241,7 +1241,7 @@ export interface AdjustmentResult {
 }
 
 /**
- * An error that GNSS positions have in common, with three values in the unit of the block.
+ * An error that GNSS positions have in common, with three values in the unit of the positions: metres in a georeferenced block.
  */
 export type SystematicError = { kind: "lever_arm"; camera: number } | { kind: "offset" } | { kind: "strip_offset"; strip: number } | { kind: "strip_drift"; strip: number };
 
@@ -3436,9 +3436,14 @@ export interface SystematicResult {
     strips: Strip[];
     errors: SystematicStatistics[];
     /**
-     * Motions of the whole block that nothing tells from these errors: estimated ones have no part of them, and are relative to each other.
+     * Motions of the whole block that nothing tells from all of these errors together: those that are estimated are relative to each other, or to those
+     * that were fixed at zero.
      */
     constraints: number;
+    /**
+     * Images in no strip whose positions therefore take no part: errors of strips say nothing of theirs.
+     */
+    left_out?: number[];
 }
 
 /**
