@@ -52,7 +52,7 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
       ...(first?.systematic ?? []).map(({ name, estimate, standard_errors, verdict }) => [
         `${name}, x y z [m]`,
         verdict === 'kept'
-          ? estimate.map((v, k) => withError(v, standard_errors[k])).join(', ')
+          ? estimate.map((v, k) => withError(v, standard_errors[k] ?? null)).join(', ')
           : verdict === 'undetermined'
             ? 'not determined, zero'
             : 'not significant, zero',
