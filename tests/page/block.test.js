@@ -96,10 +96,14 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   await drop(page, ['broken.jpg', 'notes.txt']);
   await status(page, /^5 images in the block\. 1 file skipped/);
   await part(page, 'block-run').click();
-  // What cannot be read is not kept: the second is.
-  await page.waitForFunction(() => /^Images: features[2-4] of 5/.test(document.querySelector('[data-testid="stage-images"]')?.textContent ?? ''), undefined, {
-    polling: 10,
-  });
+  // What cannot be read is not kept: the second is. What was found is shown a moment later.
+  await page.waitForFunction(
+    () =>
+      /^Images: features[2-5] of 5/.test(document.querySelector('[data-testid="stage-images"]')?.textContent ?? '') &&
+      document.querySelector('[data-testid="block-read"]') !== null,
+    undefined,
+    { polling: 10 },
+  );
   await part(page, 'block-cancel').click();
   await status(page, /^Cancelled/);
   // What was found until then stays on the screen.
