@@ -1,9 +1,11 @@
 /** An orthophoto of 400 million pixels in the page: how soon it is opened and looked at, what memory that takes, how soon a photograph of 12 million is placed on it. */
 
-import { mkdtempSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
+import { inParts } from '../../pkg/command/files.js';
+import { OrthophotoReference } from '../../pkg/node.js';
 import { servePage } from '../lib/page-server.mjs';
 import { readJson, ROOT } from '../lib/paths.mjs';
 import { must, run } from '../lib/process.mjs';
@@ -33,6 +35,7 @@ export async function largeOrthophoto() {
       await measured(executablePath, file, join(folder, 'town1'));
     }
     await beside(join(folder, 'JPEG.tif'), join(folder, 'town1'));
+    await kinds(folder, join(folder, 'town1', 'orthophoto.tif'));
   } finally {
     rmSync(folder, { recursive: true });
   }
@@ -128,4 +131,36 @@ async function beside(orthophoto, town) {
   console.log(`  the command (one thread, camera not known): ${placed.verdict.links} links, projection centre off by ${off.toFixed(2)} m, in ${taken} s`);
   const rival = await run('python3', [join(ROOT, 'tools', 'bench', 'rivals', 'orthophoto.py'), orthophoto, heights, photo, truth], { quiet: true });
   console.log(rival.code === 0 ? `  ${rival.output.trim().split('\n').at(-1)}` : '  OpenCV: skipped (pip install opencv-python-headless rasterio)');
+}
+
+/** What lies within so many px of nothing is not shown. */
+const EDGE = 8;
+
+/** Large orthophotos of many kinds, whose pixels are those that GDAL reads.  @param {string} folder @param {string} own */
+async function kinds(folder, own) {
+  const { code, output } = await run('python3', [join(ROOT, 'tools', 'bench', 'orthophoto_kinds.py'), folder, own], { quiet: true });
+  if (code !== 0) throw new Error(`orthophoto_kinds.py ended with ${code}\n${output.slice(-2000)}`);
+  console.log('  grey values and what is shown, beside GDAL:');
+  for (const line of output.split('\n').filter((line) => line.startsWith('{'))) {
+    const { name, file, part, grey, mask } = JSON.parse(line);
+    const reference = OrthophotoReference.open(inParts(file));
+    const found = reference.picture(part.column, part.row, part.width, part.height, 0);
+    const isInParts = reference.info().in_parts;
+    reference.free();
+    const [wanted, shown] = [readFileSync(grey), readFileSync(mask)];
+    let [most, number, wrong] = [0, 0, 0];
+    for (let k = 0; k < found.length; k += 1) {
+      const value = found[k] ?? 0;
+      if (value > 0 && shown[k] === 0) wrong += 1;
+      else if (value === 0 && shown[k] === 1) wrong += isNearNothing(shown, k, part.width) ? 0 : 1;
+      else if (value > 0) [most, number] = [Math.max(most, Math.abs(value - Math.max(wanted[k] ?? 0, 1))), number + 1];
+    }
+    console.log(`    ${name.padEnd(24)} ${isInParts ? 'in parts' : 'whole'}: ${number} px shown, off by ${most} at most; ${wrong} px shown or hidden wrongly`);
+  }
+}
+
+/** Whether nothing is shown near a pixel.  @param {Buffer} shown @param {number} k @param {number} width */
+function isNearNothing(shown, k, width) {
+  for (let down = -EDGE; down <= EDGE; down += 1) for (let right = -EDGE; right <= EDGE; right += 1) if (shown[k + down * width + right] === 0) return true;
+  return false;
 }
