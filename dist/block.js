@@ -7188,10 +7188,12 @@ function niceBelow(value) {
 function stepText(value, step) {
 	return value.toFixed(Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)))).replace("-", "−");
 }
-/** A length with two digits in the unit that it is said in; without unit where the block has no scale. */
+/** A length with two digits in the unit that it is said in; in units of the block where it has no scale. */
 function lengthText(length, system) {
-	const [factor, unit] = system === "own" ? [1, "units"] : length >= 1e3 ? [.001, "km"] : length >= 1 ? [1, "m"] : length >= .01 ? [100, "cm"] : [1e3, "mm"];
-	return `${String(Number((length * factor).toPrecision(2)))} ${unit}`;
+	const twoDigits = (value) => String(Number(value.toPrecision(2)));
+	if (system === "own") return say("length-in-units-of-the-block", { length: twoDigits(length) });
+	const [factor, unit] = length >= 1e3 ? [.001, "km"] : length >= 1 ? [1, "m"] : length >= .01 ? [100, "cm"] : [1e3, "mm"];
+	return `${twoDigits(length * factor)} ${unit}`;
 }
 function paintGrid(context, colours, t, width, height) {
 	const step = niceBelow(1.6 * GRID / t.scale);

@@ -1,5 +1,6 @@
 /** What frames the map: a grid with its coordinates, a scale bar, an arrow to the north. */
 import type { Colours } from '../../../shared/view/colours';
+import { say } from '../../../shared/text/words';
 import { toCanvas, toPosition } from '../../../shared/view/transform';
 import type { Transform } from '../../../shared/view/transform';
 import type { System } from '../../state/ground';
@@ -19,11 +20,12 @@ export function stepText(value: number, step: number): string {
   return value.toFixed(Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)))).replace('-', '−');
 }
 
-/** A length with two digits in the unit that it is said in; without unit where the block has no scale. */
+/** A length with two digits in the unit that it is said in; in units of the block where it has no scale. */
 export function lengthText(length: number, system: System): string {
-  const [factor, unit] =
-    system === 'own' ? [1, 'units'] : length >= 1000 ? [0.001, 'km'] : length >= 1 ? [1, 'm'] : length >= 0.01 ? [100, 'cm'] : [1000, 'mm'];
-  return `${String(Number((length * factor).toPrecision(2)))} ${unit}`;
+  const twoDigits = (value: number) => String(Number(value.toPrecision(2)));
+  if (system === 'own') return say('length-in-units-of-the-block', { length: twoDigits(length) });
+  const [factor, unit] = length >= 1000 ? [0.001, 'km'] : length >= 1 ? [1, 'm'] : length >= 0.01 ? [100, 'cm'] : [1000, 'mm'];
+  return `${twoDigits(length * factor)} ${unit}`;
 }
 
 export function paintGrid(context: CanvasRenderingContext2D, colours: Colours, t: Transform, width: number, height: number): void {

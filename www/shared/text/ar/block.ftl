@@ -282,6 +282,7 @@ ground-sample-distance = مسافة العينة الأرضية { $reduce }
 gnss-positions-differ-by-up = تختلف مواضع GNSS حتى { $gnss }
 surveyed-points-differ-by-up = تختلف النقاط الممسوحة، وعددها { COUNT($surveyed) }، حتى { $surveyed_2 }
 the-images-lie-within-by = تقع الصور ضمن { $length_text } في { $length_text_2 }
+length-in-units-of-the-block = { $length } من وحدات الكتلة
 matrix = المصفوفة
 matrix-of-matches = مصفوفة المطابقات
 images-by-images-arrow-keys = الصور مقابل الصور؛ تختار مفاتيح الأسهم زوجًا

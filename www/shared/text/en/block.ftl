@@ -309,6 +309,7 @@ ground-sample-distance = ground sample distance { $reduce }
 gnss-positions-differ-by-up = GNSS positions differ by up to { $gnss }
 surveyed-points-differ-by-up = { COUNT($surveyed) } surveyed points differ by up to { $surveyed_2 }
 the-images-lie-within-by = The images lie within { $length_text } by { $length_text_2 }
+length-in-units-of-the-block = { $length } units
 
 ## panel/matrix-view
 
