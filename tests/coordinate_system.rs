@@ -1,10 +1,7 @@
 //! Blocks with GNSS positions on WGS 84 and control points in a coordinate reference system, beside their truth.
 
-#[path = "scene/shown.rs"]
-mod shown;
-
+use crate::shown::shown;
 use proj_core::Transform;
-use shown::shown;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;

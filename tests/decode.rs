@@ -1,5 +1,4 @@
 //! Decoding of image files: values, limits, hostile input, EXIF. That wasm gives the same is tested in `decode_everywhere.rs`.
-#![cfg(not(target_arch = "wasm32"))]
 
 #[path = "decode/headers.rs"]
 mod headers;

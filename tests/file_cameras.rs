@@ -1,5 +1,4 @@
 //! Pairs whose cameras stand in their files.
-#![cfg(not(target_arch = "wasm32"))]
 
 use tiepoint::{
     Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, ExifCamera, GreyImage, NoOrientation, PairImage, PairInput,

@@ -1,9 +1,6 @@
 //! Lever arms, offsets and drifts of GNSS positions, on simulated blocks whose errors are known.
 
-#[path = "scene/normal.rs"]
-mod normal;
-
-use normal::Normal;
+use crate::normal::Normal;
 use tiepoint::{
     AdjustmentOptions, AdjustmentResult, Block, BlockFlight, BlockObservation, BlockPreset, Datum, Error, GnssErrors, Loss, PositionPrior,
     SystematicError, SystematicStatistics, SystematicVerdict, adjust_block, simulate_network,

@@ -1,8 +1,6 @@
 //! Photos of any rotation and direction of flight, matched by gradients with and without a known camera.
 
-mod known;
-
-use known::input;
+use crate::known::input;
 use tiepoint::{
     CameraMm, Degeneracy, Expectation, GreyImage, NoOrientation, OffsetField, Operator, PairImage, PairInput, PairResult, PairSettings,
     PointOptions, Refinement, Rule, SAMPLE_SEED, Strategy, describe_image, match_in_rounds, match_pair, nearest_of, sample_pair,

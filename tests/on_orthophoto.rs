@@ -1,9 +1,6 @@
 //! Blocks in the system of an orthophoto, beside their truth.
 
-#[path = "scene/shown.rs"]
-mod shown;
-
-use shown::shown;
+use crate::shown::shown;
 use std::fs;
 use std::path::PathBuf;
 use std::sync::OnceLock;

@@ -12,7 +12,6 @@ mod fiducials;
 mod points;
 #[path = "orientation/refusals.rs"]
 mod refusals;
-mod sampling;
 #[path = "orientation/scene.rs"]
 mod scene;
 #[path = "orientation/simulated_pair.rs"]

@@ -1,13 +1,8 @@
 //! The reconstruction of simulated blocks: everything from the rays alone.
 
-#[path = "scene/normal.rs"]
-mod normal;
-mod sampling;
-mod scene;
-
-use normal::Normal;
-use sampling::{about_one, runs};
-use scene::{Scene, scene, selected};
+use crate::normal::Normal;
+use crate::sampling::{about_one, runs};
+use crate::scene::{Scene, scene, selected};
 use tiepoint::{
     AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, ControlRole, Datum, FreeParameters,
     GnssErrors, GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,

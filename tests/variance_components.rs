@@ -1,11 +1,6 @@
 //! Weights of groups of observations by their residuals, on simulated blocks whose errors are known.
 
-#[path = "scene/normal.rs"]
-mod normal;
-#[path = "scene/stated.rs"]
-mod stated;
-
-use stated::{Case, GROUPS, MARK_PX, Simulated};
+use crate::stated::{Case, GROUPS, MARK_PX, Simulated};
 use tiepoint::{AdjustmentOptions, AdjustmentResult, Datum, ObservationGroup, VarianceComponent, adjust_block};
 
 const RIGHT: Case = Case { factors: [1.0; 5], control: 12, datum: Datum::GnssAndControl };

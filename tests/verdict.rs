@@ -1,8 +1,6 @@
 //! What a pair is worth, as it is told to whoever sets nothing.
 
-mod known;
-
-use known::input;
+use crate::known::input;
 use tiepoint::{GreyImage, PairImage, PairInput, PairResult, PairSettings, PairVerdict, SAMPLE_SEED, Warning, match_pair, sample_pair};
 
 fn matched(left: &GreyImage, right: &GreyImage, mask: Option<&GreyImage>, input: &PairInput) -> PairResult {

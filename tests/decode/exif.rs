@@ -2,8 +2,8 @@
 
 use tiepoint::{CameraCaution, CameraOrigin, ExifCamera};
 
-use crate::decode;
-use crate::jpeg_writer::{Jpeg, segment};
+use super::decode;
+use super::jpeg_writer::{Jpeg, segment};
 
 /// Type and value of an EXIF field.
 #[derive(Clone)]

@@ -3,10 +3,10 @@
 use image::codecs::pnm::{PnmSubtype, SampleEncoding};
 use image::{ExtendedColorType, ImageFormat};
 
-use crate::decode;
-use crate::jpeg_writer::Jpeg;
-use crate::samples::{HEIGHT, WIDTH, anymap, convert, noise, png, smooth_rgb, tiff};
-use crate::tiff_writer::{Tag, one_strip, write};
+use super::decode;
+use super::jpeg_writer::Jpeg;
+use super::samples::{HEIGHT, WIDTH, anymap, convert, noise, png, smooth_rgb, tiff};
+use super::tiff_writer::{Tag, one_strip, write};
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 

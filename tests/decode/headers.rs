@@ -1,6 +1,6 @@
 //! Files that are little more than a header.
 
-use crate::{jpeg_writer, tiff_writer};
+use super::{jpeg_writer, tiff_writer};
 
 /// Headers of every format that declare these sides, with hardly anything behind them.
 pub fn headers(width: u32, height: u32) -> Vec<(&'static str, Vec<u8>)> {

@@ -7,8 +7,8 @@ use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use tiepoint::{Decoded, Error, read_header};
 
-use crate::samples::{files, noise};
-use crate::{decode, jpeg_writer, tiff_writer};
+use super::samples::{files, noise};
+use super::{decode, jpeg_writer, tiff_writer};
 
 /// Decodes what may be anything; fails where that panics, takes long, or gives an error without a message.
 fn decode_any(file: &[u8], what: &str) -> Result<Decoded, Error> {

@@ -1,8 +1,8 @@
 //! JPEG of every sampling and scan structure, with blocks of known values.
 
-use crate::decode;
-use crate::formats::{grey, luma};
-use crate::jpeg_writer::Jpeg;
+use super::decode;
+use super::formats::{grey, luma};
+use super::jpeg_writer::Jpeg;
 
 /// Luma of blocks, different for each of the first 13 columns and 17 rows.
 fn block_luma(column: usize, row: usize) -> u8 {

@@ -4,8 +4,8 @@ use std::time::{Duration, Instant};
 
 use tiepoint::{DecodeLimits, Error, read_header};
 
-use crate::headers::headers;
-use crate::{decode, samples};
+use super::headers::headers;
+use super::{decode, samples};
 
 #[test]
 fn more_pixels_than_allowed_are_refused_from_the_header_at_once() {

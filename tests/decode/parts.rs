@@ -1,7 +1,7 @@
 //! Orthophotos that are read in parts: what they show is what a small one shows of the same pixels, whatever the file holds them in.
 
-use crate::tiff_pictures::{Picture, directories};
-use crate::tiff_writer::Tag;
+use super::tiff_pictures::{Picture, directories};
+use super::tiff_writer::Tag;
 use std::fs::File;
 use std::io;
 use std::sync::Arc;
@@ -192,7 +192,7 @@ fn jpeg_tiles_are_those_files_whether_their_tables_stand_in_them_or_once_for_all
         file
     };
     let files: Vec<Vec<u8>> = (0..6).map(|k| jpeg(k % 3 * tile, k / 3 * tile)).collect();
-    let grey: Vec<GreyImage> = files.iter().map(|file| crate::decode(file).unwrap().grey).collect();
+    let grey: Vec<GreyImage> = files.iter().map(|file| super::decode(file).unwrap().grey).collect();
     let expected = |x: usize, y: usize| grey[y / tile * 3 + x / tile].view().at(x % tile, y % tile);
     let expected: Vec<u8> = (0..width * height).map(|k| expected(k % width, k / width)).collect();
     let tags = || {
@@ -213,7 +213,7 @@ fn jpeg_tiles_are_those_files_whether_their_tables_stand_in_them_or_once_for_all
     let apart =
         directories(&[Picture { tags: tags(), chunks: chunks.clone(), tiled: true, more: vec![(347, 7, tables.len() as u32, tables)] }]);
     for file in [complete, apart.clone()] {
-        assert_eq!(crate::decode(&file).unwrap().grey.data(), expected);
+        assert_eq!(super::decode(&file).unwrap().grey.data(), expected);
     }
     // Without their tables, cut, or of another size than the directory says they are refused.
     let mut larger = tags();
@@ -223,7 +223,7 @@ fn jpeg_tiles_are_those_files_whether_their_tables_stand_in_them_or_once_for_all
         apart[..apart.len() - 40].to_vec(),
         directories(&[Picture { tags: larger, chunks: files, tiled: true, more: Vec::new() }]),
     ] {
-        assert_eq!(crate::decode(&wrong).unwrap_err().code(), "unreadable-image");
+        assert_eq!(super::decode(&wrong).unwrap_err().code(), "unreadable-image");
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use tiepoint::CameraOrigin;
 
-use crate::decode;
+use super::decode;
 
 /// The folder of test images beside the project, if there is one.
 fn folder() -> Option<PathBuf> {

@@ -1,6 +1,6 @@
 //! A writer of uncompressed TIFF files of several pictures, in tiles or strips.
 
-use crate::tiff_writer::Tag;
+use super::tiff_writer::Tag;
 
 /// A tag as it is written: number, type, how many values, their bytes.
 pub type Encoded = (u16, u16, u32, Vec<u8>);

@@ -2,9 +2,9 @@
 
 use tiepoint::{CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, ExifCamera, ExifImage, Interior};
 
-use crate::decode;
-use crate::exif::{FOCAL_35, FOCAL_LENGTH, MAKE, MODEL, PIXEL_X, PIXEL_Y, PLANE_UNIT, PLANE_X, Value, exif_block};
-use crate::jpeg_writer::{Jpeg, segment};
+use super::decode;
+use super::exif::{FOCAL_35, FOCAL_LENGTH, MAKE, MODEL, PIXEL_X, PIXEL_Y, PLANE_UNIT, PLANE_X, Value, exif_block};
+use super::jpeg_writer::{Jpeg, segment};
 
 const DJI: &str = r#"xmlns:drone-dji="http://www.dji.com/drone-dji/1.0/""#;
 const PIX4D: &str = r#"xmlns:Camera="http://pix4d.com/camera/1.0""#;

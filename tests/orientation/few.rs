@@ -1,6 +1,6 @@
 //! Few observations, as textbooks have them, and what is said of a result that its observations contradict.
 
-use crate::scene::{FOCAL_MM, NADIR, OBLIQUE, standard_errors};
+use super::scene::{FOCAL_MM, NADIR, OBLIQUE, standard_errors};
 use tiepoint::{Observation, OrientationMethod, OrientationOptions, RelativeOrientation, Warning, orient_relative};
 
 const SIGMA_MM: f64 = 0.005;
@@ -67,7 +67,7 @@ fn points_behind_a_camera_are_left_out_and_said() {
 
 #[test]
 fn a_wrong_focal_length_is_heard_and_a_right_one_is_not() {
-    let heard = |pair: &crate::scene::Pair, factor: f64| {
+    let heard = |pair: &super::scene::Pair, factor: f64| {
         let warned = |seed| {
             let found = orient_relative(&pair.observe(300, SIGMA_MM, seed), factor * FOCAL_MM, &pair.options()).unwrap();
             found.warnings.iter().any(|w| matches!(w, Warning::FocalLength { .. }))

@@ -1,6 +1,6 @@
 //! The total standard errors: what errors of measured fiducial marks do to an orientation, against many measurements of the marks.
 
-use crate::scene::{Dice, FOCAL_MM, NADIR};
+use super::scene::{Dice, FOCAL_MM, NADIR};
 use tiepoint::{
     CameraMm, ErrorModel, Fiducial, FiducialModel, Interior, Match, OrientationOptions, PairInterior, orient_fiducials, orient_matches,
     orient_relative_with,

@@ -1,6 +1,6 @@
 //! What cannot be oriented is refused with its reason.
 
-use crate::scene::{Dice, FOCAL_MM, NADIR, Pair, spoil};
+use super::scene::{Dice, FOCAL_MM, NADIR, Pair, spoil};
 use tiepoint::{Error, Observation, OrientationOptions, orient_relative};
 
 #[test]

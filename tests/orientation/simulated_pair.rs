@@ -1,6 +1,6 @@
 //! The simulated pair of known orientation beside the project; skipped in a plain checkout.
 
-use crate::scene::{Dice, FOCAL_MM, NADIR, spoil, standard_errors};
+use super::scene::{Dice, FOCAL_MM, NADIR, spoil, standard_errors};
 use std::path::{Path, PathBuf};
 use tiepoint::{CameraMm, Fiducial, FiducialModel, Interior, Observation, orient_fiducials, orient_relative};
 

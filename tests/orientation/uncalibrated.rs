@@ -1,6 +1,6 @@
 //! Cameras that nobody calibrated: the errors of an orientation by their total standard errors, over many cameras.
 
-use crate::scene::{Dice, FOCAL_MM, NADIR};
+use super::scene::{Dice, FOCAL_MM, NADIR};
 use tiepoint::{CameraMm, CameraUncertainty, Interior, Match, OrientationOptions, PairInterior, orient_matches};
 
 const SIZE_PX: usize = 2000;

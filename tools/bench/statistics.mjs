@@ -6,7 +6,7 @@ import { cargo, ensureToolchain } from '../lib/rust.mjs';
 export async function statistics() {
   console.log('Statistics of few and many points (simulated sets of observations)');
   const toolchain = await ensureToolchain();
-  const args = ['test', '--locked', '--release', '--test', 'orientation', 'coverage', '--', '--nocapture', '--test-threads=1'];
+  const args = ['test', '--locked', '--release', '--test', 'integration', 'orientation::coverage', '--', '--nocapture', '--test-threads=1'];
   const text = await must(...cargo(toolchain, args), { env: { TIEPOINT_STATISTICS: 'full' }, quiet: true });
   for (const line of text.split('\n')) if (/intervals, |power at /.test(line)) console.log(`  ${line.replace(/^test .* \.\.\. /, '')}`);
 }

@@ -1,0 +1,85 @@
+//! The crate as its users see it, in one program: each program of tests would hold the crate anew, and be linked with it.
+//!
+//! What one file tests is run alone by its name: `cargo test --test integration adjustment::`.
+// Files that run as wasm, too, bring their helpers with them (`src/wasm/everywhere.rs`).
+#![allow(clippy::duplicate_mod)]
+
+mod known;
+mod sampling;
+mod scene;
+
+#[path = "scene/normal.rs"]
+mod normal;
+#[path = "scene/shown.rs"]
+mod shown;
+#[path = "scene/stated.rs"]
+mod stated;
+
+#[path = "adjustment.rs"]
+mod adjustment;
+#[path = "adjustment_everywhere.rs"]
+mod adjustment_everywhere;
+#[path = "block_report.rs"]
+mod block_report;
+#[path = "build_digest.rs"]
+mod build_digest;
+#[path = "catalogue.rs"]
+mod catalogue;
+#[path = "coordinate_system.rs"]
+mod coordinate_system;
+#[path = "decode.rs"]
+mod decode;
+#[path = "decode_everywhere.rs"]
+mod decode_everywhere;
+#[path = "file_cameras.rs"]
+mod file_cameras;
+#[path = "geometry.rs"]
+mod geometry;
+#[path = "gnss_errors.rs"]
+mod gnss_errors;
+#[path = "gradient_pair.rs"]
+mod gradient_pair;
+#[path = "layers.rs"]
+mod layers;
+#[path = "on_orthophoto.rs"]
+mod on_orthophoto;
+#[path = "orientation.rs"]
+mod orientation;
+#[path = "outputs.rs"]
+mod outputs;
+#[path = "pair_project.rs"]
+mod pair_project;
+#[path = "photographs.rs"]
+mod photographs;
+#[path = "pipeline.rs"]
+mod pipeline;
+#[path = "reconstruction.rs"]
+mod reconstruction;
+#[path = "reconstruction_faults.rs"]
+mod reconstruction_faults;
+#[path = "report.rs"]
+mod report;
+#[path = "sample.rs"]
+mod sample;
+#[path = "simulate.rs"]
+mod simulate;
+#[path = "tracks.rs"]
+mod tracks;
+#[path = "variance_components.rs"]
+mod variance_components;
+#[path = "verdict.rs"]
+mod verdict;
+#[path = "words.rs"]
+mod words;
+
+#[test]
+fn no_file_of_tests_stands_outside() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let own = include_str!("integration.rs");
+    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let outside: Vec<String> = files
+        .filter(|name| name.ends_with(".rs") && !["integration.rs", "decode_memory.rs"].contains(&name.as_str()))
+        .filter(|name| !own.contains(&format!("#[path = \"{name}\"]")))
+        .collect();
+    assert!(outside.is_empty(), "no program runs {outside:?}");
+}
