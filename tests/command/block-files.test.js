@@ -7,12 +7,17 @@ import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { FinishedBlock, sha256 } from '../../pkg/node.js';
 import { Written } from '../../pkg/command/written.js';
-import { contents, killed, photographed, records } from './blocks.js';
+import { begun, contents, killed, photographed, records } from './blocks.js';
 import { file, folder, image, json, tiepoint } from './command.js';
 
 const BLOCK = photographed();
 const NAMES = readdirSync(BLOCK.photos).sort();
 const [WIDTH, HEIGHT] = [480, 360];
+
+const WHOLE = folder();
+json(...BLOCK.call, '--out', WHOLE);
+/** A folder with the images and pairs of a run. */
+const half = () => begun(WHOLE);
 
 /** A folder with a mask that leaves the left half of each of the first photos free.  @param {string[]} names of the masks */
 function masks(...names) {
@@ -66,7 +71,7 @@ test('an image whose mask cannot be used is left out, and masks that mean one im
 });
 
 test('a folder holds what the last run wrote and what the user put there', () => {
-  const out = folder();
+  const out = half();
   json(...BLOCK.call, '--out', out, '--export', 'colmap,bingo,csv');
   const before = contents(out);
   assert.ok(before.has('bingo/bingo.dat') && before.has('csv/points.csv'));
@@ -97,7 +102,7 @@ test('a file that no run has written is not written over', () => {
 });
 
 test('files that were changed since a run wrote them are not written over', () => {
-  const out = folder();
+  const out = half();
   const call = [...BLOCK.call, '--out', out];
   json(...call, '--export', 'colmap');
   const kept = contents(out, '');
@@ -177,7 +182,7 @@ test('names that a format cannot hold and a truth of other images are refused be
 });
 
 test('killed while it writes, the next run knows its files', async () => {
-  const out = folder();
+  const out = half();
   const args = [...BLOCK.call, '--out', out, '--export', 'bingo'];
   assert.ok(await killed(args, () => existsSync(join(out, 'project.tiepoint'))));
   json(...BLOCK.call, '--out', out);
@@ -187,7 +192,7 @@ test('killed while it writes, the next run knows its files', async () => {
 
 test('the exactness of recorded positions is an option', () => {
   const sigma = (/** @type {string[]} */ ...options) => {
-    const { crs: _, geoid_m: __, ...errors } = json(...BLOCK.call, '--out', folder(), ...options).settings.placing;
+    const { crs: _, geoid_m: __, ...errors } = json(...BLOCK.call, '--out', half(), ...options).settings.placing;
     return errors;
   };
   assert.deepEqual(sigma('--receiver-across-m', '0.02', '--receiver-up-m', '0.04'), {
@@ -212,9 +217,7 @@ test('digests of the module are those of the system', () => {
 });
 
 test('a project that is damaged anywhere is refused', () => {
-  const out = folder();
-  json(...BLOCK.call, '--out', out);
-  const bytes = readFileSync(join(out, 'project.tiepoint'));
+  const bytes = readFileSync(join(WHOLE, 'project.tiepoint'));
   let state = 1;
   const below = (/** @type {number} */ n) => {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;

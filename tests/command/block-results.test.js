@@ -5,10 +5,14 @@ import { copyFileSync, existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { FinishedBlock, grey_png, Photo, read_exif } from '../../pkg/node.js';
-import { photographed } from './blocks.js';
+import { begun, photographed } from './blocks.js';
 import { file, folder, image, json, speckle, tiepoint } from './command.js';
 
 const BLOCK = photographed();
+const WHOLE = folder();
+const SUMMARY = json(...BLOCK.call, '--out', WHOLE);
+/** A folder with the images and pairs of a run: others of the same photos take them from there. */
+const half = () => begun(WHOLE);
 
 /** @param {string} out @param {string} name @returns {Record<string, string>[]} */
 function rows(out, name) {
@@ -35,8 +39,8 @@ function recorded(changes) {
 }
 
 test('all files and the text give the same numbers of points and rays', () => {
-  const out = folder();
-  const { selection, orientation } = json(...BLOCK.call, '--out', out);
+  const out = WHOLE;
+  const { selection, orientation } = SUMMARY;
   const [images, points, rays] = ['images', 'points', 'rays'].map((name) => rows(out, `${name}.csv`));
   assert.ok(images && points && rays);
   assert.deepEqual([points.length, rays.length], [orientation.points, orientation.rays]);
@@ -64,7 +68,7 @@ test('every model is told by itself, with its images', () => {
     .slice(0, 3)
     .map((name) => `other_${name}`);
   for (const name of others) copyFileSync(join(other.photos, name.replace('other_', '')), join(mixed, name));
-  const out = folder();
+  const out = half();
   const call = ['block', mixed, ...BLOCK.call.slice(2), '--out', out];
   const { orientation } = json(...call);
   assert.deepEqual(
@@ -96,7 +100,7 @@ test('positions that do not fit are not in the RMS of those that do', () => {
     orientation: {
       models: [model],
     },
-  } = json('block', recorded({ 'photo_00004.png': { height_m: 5000 } }), ...BLOCK.call.slice(2), '--out', folder());
+  } = json('block', recorded({ 'photo_00004.png': { height_m: 5000 } }), ...BLOCK.call.slice(2), '--out', half());
   assert.ok(
     model.warnings.some((/** @type {{ text: string }} */ { text }) => text.includes('photo_00004.png (')),
     JSON.stringify(model.warnings),
@@ -122,9 +126,9 @@ test('recorded positions that cannot be are told', () => {
   const changed = recorded({ 'photo_00001.png': { latitude_deg: 123 }, 'photo_00005.png': { latitude_deg: 0, longitude_deg: 0, height_m: 0 } });
   const call = ['block', changed, ...BLOCK.call.slice(2)];
   const said = 'impossible GNSS positions and heights are ignored: photo_00001.png (latitude 123), photo_00005.png (longitude 0, latitude 0)';
-  const { code, stdout, stderr } = tiepoint(...call, '--out', folder(), '--json');
+  const { code, stdout, stderr } = tiepoint(...call, '--out', half(), '--json');
   const { remarks } = JSON.parse(stdout);
   assert.deepEqual([code, remarks.map((/** @type {{ text: string }} */ { text }) => text), stderr], [0, [said], `tiepoint: ${said}\n`]);
   assert.deepEqual(remarks[0].images[0], { name: 'photo_00001.png', value: 'latitude 123' });
-  assert.deepEqual(json(...call, '--out', folder(), '--gps', 'ignore').remarks, []);
+  assert.deepEqual(json(...call, '--out', half(), '--gps', 'ignore').remarks, []);
 });

@@ -4,20 +4,26 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { check_heights, FinishedBlock } from '../../pkg/node.js';
 import { DATA } from '../../tools/lib/paths.mjs';
-import { contents, killed, photographed, records } from './blocks.js';
+import { begun, contents, killed, photographed, records } from './blocks.js';
 import { file, folder, json, tiepoint } from './command.js';
 
 const BLOCK = photographed();
 const PAIRS = 15;
 
-/** A run from the beginning.  @param {string[]} options */
-function ran(...options) {
-  const out = folder();
+/** @param {string} out @param {string[]} options */
+function run(out, ...options) {
   const summary = json(...BLOCK.call, '--out', out, '--workers', '2', ...options);
   return { out, summary };
 }
 
-const WHOLE = ran('--export', 'colmap,bingo');
+/** From the beginning. */
+const WHOLE = run(folder(), '--export', 'colmap,bingo');
+
+/** What another run finds of it: images and pairs, but nothing that follows from them. */
+const half = () => begun(WHOLE.out);
+
+/** @param {string[]} options */
+const ran = (...options) => run(half(), ...options);
 
 test('a block is matched, oriented and written', () => {
   const { out, summary } = WHOLE;
@@ -53,7 +59,7 @@ test('orientations and points are right by the truth', () => {
   assert.ok(score.angle_rmse_deg < 1, JSON.stringify(score));
   // A pixel is 1.1 m on the ground.
   for (const error of score.position_rmse_m) assert.ok(error < 3, JSON.stringify(score));
-  const call = (/** @type {string} */ truth) => tiepoint(...BLOCK.call, '--out', folder(), '--truth', truth);
+  const call = (/** @type {string} */ truth) => tiepoint(...BLOCK.call, '--out', half(), '--truth', truth);
   assert.match(call(file(folder(), 'none.json', '{"relative_orientation": {}}')).stderr, /none\.json: it is no truth of a block/);
   const strange = { ...BLOCK.truth, block: { ...BLOCK.truth.block, images: [] } };
   assert.match(call(file(folder(), 'strange.json', JSON.stringify(strange))).stderr, /strange\.json: .*none of the block's images/);
@@ -189,7 +195,7 @@ test('cameras of a file take the place of those of EXIF', () => {
       ],
     }),
   );
-  const { code, stdout, stderr } = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', cameras, '--json');
+  const { code, stdout, stderr } = tiepoint(...BLOCK.call, '--out', half(), '--cameras', cameras, '--json');
   assert.equal(code, 0, stderr);
   const summary = JSON.parse(stdout);
   const text = 'the camera of PHOTO_0000[0]* fits the name of no image';
@@ -202,13 +208,13 @@ test('cameras of a file take the place of those of EXIF', () => {
   const refused = tiepoint(...BLOCK.call, '--out', at, '--cameras', file(at, 'wrong.json', '{"cameras": [{"focal_px": -3}]}'));
   assert.equal(refused.code, 1);
   assert.match(refused.stderr, /wrong\.json: .*focal length of a camera: got -3/);
-  const strange = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'strange.json', '{"cameras": [{"images": "DJI_*.jpg", "focal_px": 700}]}'));
+  const strange = tiepoint(...BLOCK.call, '--out', half(), '--cameras', file(at, 'strange.json', '{"cameras": [{"images": "DJI_*.jpg", "focal_px": 700}]}'));
   assert.deepEqual([strange.code, strange.stdout], [1, '']);
   assert.match(
     strange.stderr,
     /^tiepoint: the cameras: got DJI_\*\.jpg, which fit no image; allowed: patterns that fit names as photo_00000\.png, photo_00001\.png\n$/,
   );
-  const short = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'short.json', '{"cameras": [{"focal_px": 11.7}]}'));
+  const short = tiepoint(...BLOCK.call, '--out', half(), '--cameras', file(at, 'short.json', '{"cameras": [{"focal_px": 11.7}]}'));
   assert.match(
     short.stderr,
     /the focal length of \*, 480 x 360 px is 11\.7 px, 0\.024 of the longer side of the image, where 0\.3 to 20 are usual: is it in mm\?/,
@@ -253,7 +259,7 @@ test('surveyed points place the block', () => {
   assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control).stderr, /--control needs --marks beside it/);
   const strange = file(at, 'strange.csv', `absent.png,P0,1,1\n${marks.join('\n')}\n`);
   assert.match(
-    tiepoint(...BLOCK.call, '--out', folder(), ...known, '--control', control, '--marks', strange).stderr,
+    tiepoint(...BLOCK.call, '--out', half(), ...known, '--control', control, '--marks', strange).stderr,
     /the marks name absent\.png, which is none of the images/,
   );
   const other = file(at, 'other.csv', marks.join('\n').replaceAll('.png', '.PNG'));
@@ -268,7 +274,7 @@ test('surveyed points place the block', () => {
   );
   const outside = (/** @type {string} */ place) => {
     const seen = [`photo_00000.png,P0,${place}`, ...marks.filter((mark) => !mark.startsWith('photo_00000.png,P0,'))];
-    return tiepoint(...BLOCK.call, '--out', folder(), ...known, '--control', control, '--marks', file(at, 'outside.csv', seen.join('\n'))).stderr;
+    return tiepoint(...BLOCK.call, '--out', half(), ...known, '--control', control, '--marks', file(at, 'outside.csv', seen.join('\n'))).stderr;
   };
   assert.match(outside('-500,9'), /got \(-500, 9\) for P0 in photo_00000\.png, outside any image/);
   assert.match(outside('500,99999'), /got \(500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: positions within its/);
@@ -304,7 +310,7 @@ test('each rule of pairs chooses its own', () => {
 });
 
 test('a format that the block cannot be written in is told, the rest is written', () => {
-  const out = folder();
+  const out = half();
   const { code, stderr } = tiepoint(...BLOCK.call, '--out', out, '--gps', 'ignore', '--export', 'geojson,csv');
   assert.equal(code, 1);
   assert.match(stderr, /not exported: geojson \(.+\); all other files were written/);

@@ -1,9 +1,9 @@
 /** Simulated blocks on disk, and runs of the command on them, also ones that are ended on the way. */
 
 import { spawn } from 'node:child_process';
-import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { cpSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { folder, json, PROGRAM } from './command.js';
+import { folder, json, NODE, PROGRAM } from './command.js';
 
 /** Small photos that are soon rendered: two strips of three. */
 export const SMALL = ['--strips', '2', '--exposures', '3', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.12', '--workers', '2'];
@@ -34,7 +34,7 @@ export function contents(at, without = 'work') {
  */
 export function killed(args, until) {
   return new Promise((resolve) => {
-    const child = spawn(process.execPath, [PROGRAM, ...args], { stdio: 'ignore' });
+    const child = spawn(process.execPath, [...NODE, PROGRAM, ...args], { stdio: 'ignore' });
     const timer = setInterval(() => {
       if (until()) child.kill('SIGKILL');
     }, 1);
@@ -43,6 +43,13 @@ export function killed(args, until) {
       resolve(signal === 'SIGKILL');
     });
   });
+}
+
+/** A folder that holds what a run has kept of its images and pairs: another run of the block computes them no more.  @param {string} out of that run */
+export function begun(out) {
+  const at = folder();
+  for (const part of ['features', 'pairs']) cpSync(join(out, 'work', part), join(at, 'work', part), { recursive: true });
+  return at;
 }
 
 /** How many records a run has kept.  @param {string} out @param {string} part */
