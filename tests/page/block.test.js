@@ -8,7 +8,7 @@ import { grey_png } from '../../pkg/node.js';
 import { findChromium } from '../../tools/lib/setup.mjs';
 import { servePage } from '../../tools/lib/page-server.mjs';
 import { block, drop, photoFolder, photograph, photos, status } from './blocks.js';
-import { done, enabled, hosted, number, part, saved, SHOTS, singleUrl, SKIP, upload } from './page.js';
+import { done, enabled, hosted, number, part, saved, says, SHOTS, singleUrl, SKIP, upload } from './page.js';
 
 hosted('/block/');
 
@@ -108,7 +108,7 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   await status(page, /^Cancelled/);
   // What was found until then stays on the screen.
   assert.ok((await number(page, 'block-read')) >= 1);
-  assert.match((await part(page, 'block-layout').textContent()) ?? '', /^(Recorded|Arranged)/);
+  await says(page, 'block-layout', /^(Recorded|Arranged)/);
   assert.ok(await part(page, 'block-export').isDisabled());
   await part(page, 'block-run').click();
   assert.match(await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/), /^(Oriented|Weak orientation): .*\. 4 images.*1 skipped/);

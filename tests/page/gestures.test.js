@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { block, photos, status } from './blocks.js';
-import { hosted, open, pair, part, SKIP } from './page.js';
+import { hosted, open, pair, part, SKIP, until } from './page.js';
 
 hosted();
 
@@ -61,14 +61,16 @@ async function moves(page, host, layer, arrow) {
   let before = whole;
   for (const [name, act] of gestures) {
     await act();
-    await page.waitForTimeout(50);
-    const after = await look(page, layer);
-    assert.ok(after !== before, `${name} on ${host}`);
-    before = after;
+    // A wheel is not answered at once.
+    const last = before;
+    before = await until(page, `${name} changes ${host}`, async () => {
+      const after = await look(page, layer);
+      return after !== last && after;
+    });
   }
   await page.keyboard.press('0');
   await page.mouse.move(1, 1);
-  assert.ok((await look(page, layer)) === whole, `0 on ${host}`);
+  await until(page, `0 shows all of ${host}`, async () => (await look(page, layer)) === whole);
 }
 
 test('the images of a pair are moved by wheel, drag, keys and two fingers', { skip: SKIP }, async () => {

@@ -4,20 +4,11 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { block, photos, status } from './blocks.js';
-import { hosted, part, SHOTS, SKIP } from './page.js';
+import { hosted, part, says, SHOTS, SKIP } from './page.js';
 
 hosted();
 
 /** @typedef {import('playwright-core').Page} Page */
-
-/** Waits until a part says something.  @param {Page} page @param {string} id @param {RegExp} pattern */
-async function says(page, id, pattern) {
-  await page.waitForFunction(
-    ([at = '', source = '']) => new RegExp(source, 'u').test(document.querySelector(`[data-testid="${at}"]`)?.textContent ?? ''),
-    [id, pattern.source],
-  );
-  return (await part(page, id).textContent()) ?? '';
-}
 
 /** Draws a rectangle with Shift, between shares of the map.  @param {Page} page @param {number} from @param {number} to */
 async function brush(page, from, to) {
@@ -52,7 +43,7 @@ test('the map says what it shows, tells the place of the pointer, and a rectangl
     /^Oriented positions, from above \(metres east and north of the origin\)\. .*6 images, 6 oriented, .* tie points; RMSE of the residuals from 0\.00 to /,
   );
   assert.match(words, /GNSS positions differ by up to [\d.]+ (m|cm|mm)/);
-  assert.match((await part(page, 'block-layout').textContent()) ?? '', /RMSE of the residuals: 0\.00 px0?\.?\d*/);
+  await says(page, 'block-layout', /RMSE of the residuals: 0\.00 px0?\.?\d*/);
 
   const box = await part(page, 'block-map').boundingBox();
   assert.ok(box);

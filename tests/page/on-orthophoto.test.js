@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { BlockScene } from '../../pkg/node.js';
 import { block, photos, status } from './blocks.js';
-import { hosted, part, saved, says, SHOTS, SKIP, upload } from './page.js';
+import { hosted, keptEdits, part, saved, says, SHOTS, SKIP, upload } from './page.js';
 import { blockGround, blockPhotos } from './rendered.js';
 
 hosted();
@@ -56,7 +56,7 @@ test('photographs, an orthophoto and its heights that are dropped together becom
   const said = await status(page, PLACED);
   const [, control = 0, check = 0] = (/by (\d+) places .*; (\d+) more check it/.exec(said) ?? []).map(Number);
   assert.equal(await part(page, 'block-answer').getAttribute('data-verdict'), 'oriented');
-  assert.match((await part(page, 'block-layout').textContent()) ?? '', /system of the orthophoto/);
+  await says(page, 'block-layout', /system of the orthophoto/);
   assert.equal(await part(page, 'map-orthophoto').getAttribute('aria-pressed'), 'true');
   await page.screenshot({ path: join(SHOTS, 'block-on-orthophoto.png') });
 
@@ -113,7 +113,8 @@ test('photographs, an orthophoto and its heights that are dropped together becom
   // The project file holds it, and so does the browser.
   await part(page, 'block-export-kind').selectOption('project');
   const project = await saved(page, 'block-export');
-  await page.waitForTimeout(500);
+  // The edit that was undone is kept as one that can be done again.
+  await keptEdits(page, 'block/edits', 1, 0);
   await page.reload();
   const again = await status(page, /Restored from this browser/);
   assert.ok(again.startsWith(said), `${again}\n${said}`);
