@@ -55,36 +55,43 @@ async function type(page, id, text) {
   await part(page, id).press('Enter');
 }
 
-/** The rows of a store.  @param {Page} page @param {'projects' | 'parts'} store @returns {Promise<any[]>} */
-const stored = (page, store) =>
+/**
+ * The rows of a store, those of the pair with their text.
+ * @param {Page} page @param {'projects' | 'parts'} store @param {boolean} [briefly] of the results only what they are of: their text has megabytes @returns {Promise<any[]>}
+ */
+const stored = (page, store, briefly = false) =>
   page.evaluate(
-    (name) =>
+    ([name, short]) =>
       new Promise((resolve, reject) => {
         const opening = indexedDB.open('tiepoint');
         opening.onerror = () => reject(opening.error);
         opening.onsuccess = () => {
           const db = opening.result;
           const reading = db.transaction(name).objectStore(name).getAll();
+          const text = (/** @type {string} */ part, /** @type {any} */ value) => {
+            if (part === 'pair/result') return JSON.stringify(short ? { of: value.of, typed: value.typed } : value);
+            return part === 'pair' ? JSON.stringify(value) : '';
+          };
           reading.onsuccess = () => {
             db.close();
-            resolve(reading.result.map((row) => ({ ...row, value: undefined, text: /^pair(\/result)?$/.test(row.part) ? JSON.stringify(row.value) : '' })));
+            resolve(reading.result.map((row) => ({ ...row, value: undefined, text: text(row.part, row.value) })));
           };
         };
       }),
-    store,
+    /** @type {const} */ ([store, briefly]),
   );
 
 /** Waits until the storage holds a part in which a text stands.  @param {Page} page @param {string} name @param {string} [text] */
 async function kept(page, name, text = '') {
   await until(page, `${name} with ${text} is kept`, async () =>
-    (await stored(page, 'parts')).some((row) => row.part.startsWith(name) && row.text.includes(text)),
+    (await stored(page, 'parts', true)).some((row) => row.part.startsWith(name) && row.text.includes(text)),
   );
 }
 
 /** Waits until the storage holds the results of what it holds of files and fields.  @param {Page} page */
 async function whole(page) {
   await until(page, 'the results are kept', async () => {
-    const parts = await stored(page, 'parts');
+    const parts = await stored(page, 'parts', true);
     const [given, result] = ['pair', 'pair/result'].map((name) => JSON.parse(parts.find((row) => row.part === name)?.text || 'null'));
     const files = given && [given.images.left, given.images.right, given.masks.left, given.masks.right].map((file) => file?.file ?? null);
     return result !== null && result.of === JSON.stringify(files) && isDeepStrictEqual(result.typed, given.typed);
