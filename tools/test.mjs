@@ -58,8 +58,8 @@ async function cargoTest(toolchain, args, env = {}) {
   return cargoCounts(output, code);
 }
 
-/** The library alone: it holds those integration tests that run as wasm (`src/wasm/everywhere.rs`). In a folder of its own: cargo locks one while it compiles for the other target. */
-const WASM_TARGETS = ['--target', WASM_TARGET, '--lib', '--target-dir', join(TARGET, 'wasm-tests')];
+/** The library alone: it holds those integration tests that run as wasm (`src/wasm/everywhere.rs`). In the folder of the native build, whose macros serve both. */
+const WASM_TARGETS = ['--target', WASM_TARGET, '--lib'];
 
 /** @param {Steps} steps @param {Toolchain} toolchain @param {BindgenPrograms} programs */
 async function wasmTests(steps, toolchain, programs) {
@@ -148,27 +148,26 @@ async function everything(steps, rebuilds) {
   const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', () => ensurePackages().then(() => true)));
   const toolchain = needs('rust', 'wasm', 'build', 'package') ? await steps.prepare('Rust', ensureToolchain) : null;
 
-  // Two lanes for two processors: the native compiler and its tests, and what needs neither of them nor a quiet machine.
-  const native = async () => {
+  // Two lanes for two processors: what cargo does, one call after the other since each locks the folder of the build, and what Node runs on the
+  // tracked module and page. The files of the command's tests, and of the page's, share nothing, and wait for one process or page at a time.
+  const compiled = async () => {
     if (!toolchain) return;
     await rustLints(steps, toolchain);
     await rustTests(steps, toolchain);
+    const programs = needs('wasm') || rebuilds ? await steps.prepare('wasm-bindgen', () => ensureBindgen(toolchain)) : null;
+    if (programs) await wasmTests(steps, toolchain, programs);
+    if (programs && rebuilds) await rebuiltModule(steps, toolchain, programs);
+    await nodeTests(steps, 'package', 'tests, contents of crate and package', { CARGO_TOOLCHAIN: toolchain.name });
   };
-  const others = async () => {
+  const executed = async () => {
     if (packages) await typeChecks(steps);
     if (packages) await rebuiltPage(steps);
-    const programs = toolchain && (needs('wasm') || rebuilds) ? await steps.prepare('wasm-bindgen', () => ensureBindgen(toolchain)) : null;
-    if (toolchain && programs) await wasmTests(steps, toolchain, programs);
-    if (toolchain && programs && rebuilds) await rebuiltModule(steps, toolchain, programs);
-    if (toolchain) await nodeTests(steps, 'package', 'tests, contents of crate and package', { CARGO_TOOLCHAIN: toolchain.name });
-    // The files of its tests share nothing, as those of the page do not, and each waits for one process or page at a time.
+    const chromium = needs('page') ? await steps.prepare('Chromium', ensureChromium) : null;
+    const program = { CHROMIUM: chromium?.path ?? '', NO_CHROMIUM: chromium?.reason ?? '' };
+    if (packages) await nodeTests(steps, 'page', 'tests, page in Chromium', program, FILES);
     await nodeTests(steps, 'command', 'tests, command', {}, FILES);
   };
-  await Promise.all([native(), others()]);
-
-  const chromium = needs('page') ? await steps.prepare('Chromium', ensureChromium) : null;
-  const program = { CHROMIUM: chromium?.path ?? '', NO_CHROMIUM: chromium?.reason ?? '' };
-  if (packages) await nodeTests(steps, 'page', 'tests, page in Chromium', program, FILES);
+  await Promise.all([compiled(), executed()]);
 }
 
 async function main() {
