@@ -15,7 +15,7 @@ const COMMAND = join(ROOT, 'pkg', 'bin', 'tiepoint.js');
 const SAME_PLACE = 'caliterra';
 const AXES = 3;
 
-/** `position`, `errors`: in m.  @typedef {{ name: string, position: number[], errors: number[], verdict: string }} Found */
+/** `position`, `errors`: in m; `verdict` in words.  @typedef {{ name: string, position: number[], errors: number[], verdict: string }} Found */
 /** @typedef {{ gsd_m: number, size_px: number[], half: string[], share_of_matched_heights: number, code: number, camera: { focal_px: number, principal_point_px: number[], k1: number }, others: Record<string, { position: number[] }> }} Truth */
 
 export async function orthophotoReference() {
@@ -66,7 +66,9 @@ async function placing(args) {
 /** @param {string[]} args @returns {Promise<Found[]>} */
 async function placedBy(args) {
   return (await placing(args)).flatMap((/** @type {any} */ { name, verdict, placement }) =>
-    placement ? [{ name, verdict: verdict.kind, position: placement.pose.position, errors: placement.position_errors_m }] : [],
+    placement
+      ? [{ name, verdict: `${verdict.kind}, σ0 ${placement.sigma0_px.toFixed(2)} px`, position: placement.pose.position, errors: placement.position_errors_m }]
+      : [],
   );
 }
 
