@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default presets verdict accuracy speed features geometry rivals refinement sizes workers map page blocks orthophoto large-orthophoto components rendered memory former kills`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default presets verdict accuracy speed features geometry rivals refinement sizes workers map page blocks orthophoto orthophoto-reference large-orthophoto geotiffs components rendered memory former kills`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
@@ -21,7 +21,9 @@ const PARTS = {
   page: async () => (await import('./bench/page.mjs')).page(),
   blocks: async () => (await import('./bench/blocks.mjs')).blocks(),
   orthophoto: async () => (await import('./bench/orthophoto.mjs')).orthophoto(),
+  'orthophoto-reference': async () => (await import('./bench/orthophoto-reference.mjs')).orthophotoReference(),
   'large-orthophoto': async () => (await import('./bench/large-orthophoto.mjs')).largeOrthophoto(),
+  geotiffs: async () => (await import('./bench/geotiffs.mjs')).geotiffs(),
   components: async () => (await import('./bench/components.mjs')).components(),
   rendered: async () => (await import('./bench/rendered.mjs')).rendered(),
   memory: async () => (await import('./bench/memory.mjs')).memory(),

@@ -1,6 +1,5 @@
 /** Blocks: real photographs beside COLMAP, simulated ones beside their truth, large ones by time and memory. */
 
-import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -12,6 +11,7 @@ import { servePage } from '../lib/page-server.mjs';
 import { have } from './data.mjs';
 import { example } from './example.mjs';
 import { numberOption } from './options.mjs';
+import { PYTHON, pythonLacks } from './python.mjs';
 
 const NAME = 'block_caliterra';
 const WORKERS = 2;
@@ -28,18 +28,16 @@ export async function blocks() {
 
 /** Each round runs the command, COLMAP and the page one after the other: all meet the same machine.  @param {number} rounds */
 async function besideColmap(rounds) {
-  const python = process.env.TIEPOINT_PYTHON ?? 'python3';
-  const lacks = spawnSync(python, ['-c', 'import pycolmap'], { encoding: 'utf8' });
-  const why = lacks.error ? `there is no ${python}` : 'pycolmap is not among its packages';
-  if (lacks.status !== 0) console.log(`COLMAP: skipped: ${why} (TIEPOINT_PYTHON names a Python that has it)`);
+  const lacks = pythonLacks({ pycolmap: 'pycolmap' });
+  if (lacks) console.log(`COLMAP: skipped: ${lacks}`);
   console.log(`${NAME}, ${WORKERS} workers or threads each, seconds from the files to the adjusted block (medians of ${rounds})`);
   const page = await pageOf();
   /** @type {{ command: Ours[], page: Ours[], colmap: { seconds: number, cpu: number, version: string, oriented: number, residual_px: number, centres: string }[] }} */
   const found = { command: [], page: [], colmap: [] };
   for (let round = 0; round < rounds; round += 1) {
-    if (lacks.status === 0) {
+    if (!lacks) {
       const { command, colmap } = JSON.parse(
-        await jsonOf(python, [join(ROOT, 'tools/bench/block.py'), join(DATA, NAME), '--threads', String(WORKERS), '--runs', '1', '--json']),
+        await jsonOf(PYTHON, [join(ROOT, 'tools/bench/block.py'), join(DATA, NAME), '--threads', String(WORKERS), '--runs', '1', '--json']),
       );
       found.command.push(command);
       found.colmap.push(colmap);

@@ -11,6 +11,7 @@ import { readJson, ROOT } from '../lib/paths.mjs';
 import { must, run } from '../lib/process.mjs';
 import { findChromium } from '../lib/setup.mjs';
 import { watchMemory } from './page-memory.mjs';
+import { PYTHON, pythonLacks } from './python.mjs';
 
 const SIDE = 20_000;
 const GSD_M = 0.2;
@@ -22,8 +23,8 @@ export async function largeOrthophoto() {
   console.log(`Orthophoto of ${SIDE} x ${SIDE} px in the page`);
   const executablePath = findChromium();
   if (!executablePath) return console.log('  skipped: no Chromium (install it or name it in CHROMIUM)');
-  const { code } = await run('python3', ['-c', 'import rasterio'], { quiet: true });
-  if (code !== 0) return console.log('  skipped: no rasterio, which writes it (pip install rasterio)');
+  const lacks = pythonLacks({ rasterio: 'rasterio' });
+  if (lacks) return console.log(`  skipped: ${lacks}`);
   const folder = mkdtempSync(join(tmpdir(), 'tiepoint-large-orthophoto-'));
   try {
     for (const seed of [1, 2])
@@ -31,7 +32,7 @@ export async function largeOrthophoto() {
     for (const compression of ['JPEG', 'DEFLATE']) {
       const file = join(folder, `${compression}.tif`);
       const towns = [1, 2].map((seed) => join(folder, `town${seed}`, 'orthophoto.tif'));
-      await must('python3', [join(ROOT, 'tools', 'bench', 'large_orthophoto.py'), file, String(SIDE), ...towns, compression], { quiet: true });
+      await must(PYTHON, [join(ROOT, 'tools', 'bench', 'large_orthophoto.py'), file, String(SIDE), ...towns, compression], { quiet: true });
       await measured(executablePath, file, join(folder, 'town1'));
     }
     await beside(join(folder, 'JPEG.tif'), join(folder, 'town1'));
@@ -129,7 +130,7 @@ async function beside(orthophoto, town) {
   const at = images.find((/** @type {{ name: string }} */ { name }) => name === photoOf(town)).pose.position;
   const off = Math.hypot(...placed.placement.pose.position.map((/** @type {number} */ v, /** @type {number} */ axis) => v - at[axis]));
   console.log(`  the command (one thread, camera not known): ${placed.verdict.links} links, projection centre off by ${off.toFixed(2)} m, in ${taken} s`);
-  const rival = await run('python3', [join(ROOT, 'tools', 'bench', 'rivals', 'orthophoto.py'), orthophoto, heights, photo, truth], { quiet: true });
+  const rival = await run(PYTHON, [join(ROOT, 'tools', 'bench', 'rivals', 'orthophoto.py'), orthophoto, heights, photo, truth], { quiet: true });
   console.log(rival.code === 0 ? `  ${rival.output.trim().split('\n').at(-1)}` : '  OpenCV: skipped (pip install opencv-python-headless rasterio)');
 }
 
@@ -138,7 +139,7 @@ const EDGE = 8;
 
 /** Large orthophotos of many kinds, whose pixels are those that GDAL reads.  @param {string} folder @param {string} own */
 async function kinds(folder, own) {
-  const { code, output } = await run('python3', [join(ROOT, 'tools', 'bench', 'orthophoto_kinds.py'), folder, own], { quiet: true });
+  const { code, output } = await run(PYTHON, [join(ROOT, 'tools', 'bench', 'orthophoto_kinds.py'), folder, own], { quiet: true });
   if (code !== 0) throw new Error(`orthophoto_kinds.py ended with ${code}\n${output.slice(-2000)}`);
   console.log('  grey values and what is shown, beside GDAL:');
   for (const line of output.split('\n').filter((line) => line.startsWith('{'))) {
