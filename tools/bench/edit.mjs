@@ -7,19 +7,33 @@ import { servePage } from '../lib/page-server.mjs';
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const EDITS = 15;
 
-/** What a key press came to, in ms after it. @typedef {{ orientation: number, worker: number, shown: number, painted: number }} Times */
+/** What a key press came to, in ms after it. @typedef {{ orientation: number, shown: number, painted: number }} Times */
 
-/** In the worker: each answer says how long it took, from its question to the moment that it is sent. It runs in every worker of the page. */
+/** In the worker: notes how long each answer takes, from the moment that its question comes to the one that it is sent. It runs in every worker of the page. */
 const timeAnswers = () => {
   /** @type {Map<number, number>} */
-  const asked = new Map();
-  // Before the page's own listener, which answers at once.
-  self.addEventListener('message', ({ data }) => data?.call === 'orient' && asked.set(data.id, performance.now()), { capture: true });
+  const sent = new Map();
+  /** @type {Map<number, number>} */
+  const came = new Map();
+  /** @type {number[]} */
+  const took = [];
+  // Told of the question after the page's own listener, which answers at once, or before it.
+  const both = (/** @type {number} */ id) => {
+    const [from, to] = [came.get(id), sent.get(id)];
+    if (from !== undefined && to !== undefined) took.push(to - from);
+  };
+  self.addEventListener('message', ({ data, timeStamp }) => {
+    if (data?.call !== 'orient') return;
+    came.set(data.id, timeStamp);
+    both(data.id);
+  });
   const post = self.postMessage;
   Object.assign(self, {
+    took,
     postMessage: (/** @type {any} */ message, /** @type {any} */ ...more) => {
-      const since = asked.get(message?.id);
-      return post.call(self, since === undefined ? message : { ...message, took: performance.now() - since }, ...more);
+      post.call(self, message, ...more);
+      sent.set(message?.id, performance.now());
+      both(message?.id);
     },
   });
 };
@@ -28,7 +42,6 @@ const timeAnswers = () => {
 const timeEdits = () => {
   const at = (/** @type {string} */ id) => document.querySelector(`[data-testid="${id}"]`);
   let pressed = NaN;
-  let worker = NaN;
   let orientation = NaN;
   const post = Worker.prototype.postMessage;
   Worker.prototype.postMessage = function (/** @type {any} */ message, /** @type {any} */ ...more) {
@@ -38,7 +51,6 @@ const timeEdits = () => {
         if (data.id !== message.id) return;
         this.removeEventListener('message', answered);
         orientation = performance.now() - asked;
-        worker = data.took;
       };
       this.addEventListener('message', answered);
     }
@@ -64,10 +76,16 @@ const timeEdits = () => {
     // A message is handled after the frame that a request for one leads to.
     requestAnimationFrame(() => {
       const { port1, port2 } = new MessageChannel();
-      port1.onmessage = () => times.push({ orientation, worker, shown, painted: performance.now() - since });
+      port1.onmessage = () => times.push({ orientation, shown, painted: performance.now() - since });
       port2.postMessage(null);
     });
   }).observe(compared, { childList: true, subtree: true });
+};
+
+/** Presses a row in the middle of those in sight. It runs in the page. */
+const pressRow = () => {
+  const rows = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-testid="statistics-row"]'));
+  rows[rows.length >> 1]?.click();
 };
 
 const median = (/** @type {number[]} */ values) => values.toSorted((a, b) => a - b)[values.length >> 1] ?? NaN;
@@ -90,19 +108,20 @@ export async function edit() {
     await tab.evaluate(timeEdits);
     const matches = await tab.locator('[data-testid="statistics-caption"]').textContent();
     for (let k = 0; k < EDITS; k += 1) {
-      await tab
-        .locator('[data-testid="statistics-row"]')
-        .nth(5 + (k % 5))
-        .click();
+      await tab.evaluate(pressRow);
+      await tab.waitForFunction(() => document.querySelector('[data-testid="reject"]')?.hasAttribute('disabled') === false);
+      await tab.focus('[data-testid="view"]');
       await tab.keyboard.press('Delete');
       await tab.waitForFunction((count) => /** @type {any} */ (window).times.length > count, k);
     }
     /** @type {Times[]} */
     const times = await tab.evaluate(() => /** @type {any} */ (window).times);
+    const answers = await Promise.all(tab.workers().map((worker) => worker.evaluate(() => /** @type {any} */ (self).took)));
+    const worker = median(answers.flat());
     const of = (/** @type {(times: Times) => number} */ value) => median(times.map(value)).toFixed(0);
     console.log(`  ${matches?.trim()}; medians of ${EDITS} edits, ms`);
     console.log(`  from the key press to the frame that shows the new σ₀: ${of(({ painted }) => painted)}`);
-    console.log(`  of these the worker's: ${of(({ worker }) => worker)}; the page's and the messages': ${of(({ painted, worker }) => painted - worker)}`);
+    console.log(`  of these the worker's: ${worker.toFixed(0)}; the page's and the messages': ${of(({ painted }) => painted - worker)}`);
     console.log(`  figures are there after ${of(({ shown }) => shown)}, the worker's answer ${of(({ orientation }) => orientation)} after it was asked`);
   } finally {
     await browser.close();
