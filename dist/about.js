@@ -657,8 +657,6 @@ var CRATES = {
 	]
 };
 // www/shared/panel/about.ts
-/** What this program is, and whose work is in it. */
-/** `name`: of the program, with its version. */
 function aboutDialog(name) {
 	const heading = h("h2", { id: "about-heading" }, name);
 	const dialog = h("dialog", {

@@ -1,8 +1,6 @@
-import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, halfSize, inPane, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
-/** What the crate says of blocks, read on the main thread once its module is there. */
-/** The page offers one parameter of the features, and those of the block; the strategy of the pair explains the others. */
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
 function blockCatalogue({ parameters, flightParameters }) {
 	const own = block_parameters().map(optionInLanguage);
@@ -26,40 +24,34 @@ function blockCatalogue({ parameters, flightParameters }) {
 	};
 }
 // www/block/engine/facts.ts
-/** A line is asked for so many places at the same time: the pointer does not wait for places that it has left. */
 var MOST_LINES = 16;
 var Facts = class {
 	store;
 	engine;
 	of = null;
-	answers = /* @__PURE__ */ new Map();
-	asked = /* @__PURE__ */ new Set();
+	answers = new Map();
+	asked = new Set();
 	listeners = [];
 	constructor(store, engine) {
 		this.store = store;
 		this.engine = engine;
 	}
-	/** Calls back whenever an answer has come. */
 	watch(arrived) {
 		this.listeners.push(arrived);
 	}
-	/** The observations of an image; null while they are on their way. */
 	points(image) {
 		return this.get(`points ${String(image)}`, () => this.engine.imagePoints(image));
 	}
-	/** All observations; null while they are on their way. */
 	observations() {
 		const images = this.store.state.shown?.view.images.length ?? 0;
 		return this.get("observations", () => this.engine.observations(images));
 	}
-	/** Where the images lie on the ground; null before the block is oriented, and while it is on its way. */
 	ground() {
 		return (this.store.state.shown?.view.oriented ?? 0) === 0 ? null : this.get("ground", () => this.engine.ground());
 	}
 	point(index) {
 		return this.get(`point ${String(index)}`, () => this.engine.pointDetail(index));
 	}
-	/** Where the ground at a place of one image may lie in another: x, y in px. */
 	line(from, [x, y], to) {
 		const name = `line ${[
 			from,
@@ -88,7 +80,6 @@ var Facts = class {
 		});
 		return null;
 	}
-	/** Of lines, which are many, the latest. */
 	keep(name, answer) {
 		this.answers.set(name, answer);
 		const lines = [...this.answers.keys()].filter((other) => other.startsWith("line"));
@@ -101,8 +92,6 @@ var Facts = class {
 	}
 };
 // www/block/state/placed.ts
-/** What came of images on an orthophoto, beside what would come of them now. */
-/** Names what placing an image now would be made from. */
 function placingKey({ placing: { orthophoto, heights, options }, options: { cameras } }) {
 	const ground = heights.kind === "level" ? heights.height : `file ${String(heights.model.id)}`;
 	return JSON.stringify([
@@ -112,7 +101,6 @@ function placingKey({ placing: { orthophoto, heights, options }, options: { came
 		cameras
 	]);
 }
-/** The images that were tried, in their order; the same list while nothing of it has changed. */
 function placedFiles(state) {
 	return listed(state.files, state.placing.placed, placingKey(state));
 }
@@ -124,13 +112,11 @@ var listed = remember((files, all, key) => files.flatMap((file) => {
 		isStale: placed.key !== key
 	}];
 }));
-/** The images that are not placed yet, or by other settings. */
 function unplacedFiles(state) {
 	const key = placingKey(state);
 	return state.files.filter(({ id }) => state.placing.placed.get(id)?.key !== key);
 }
 // www/block/state/edited.ts
-/** What belongs to the edits by hand in the state of a block. */
 var UNEDITED = {
 	history: NO_HISTORY,
 	before: null,
@@ -149,11 +135,10 @@ function figuresOf$3(view) {
 		checksM
 	};
 }
-/** Images that are shown where none was asked for. */
 var FIRST_PANES = 4;
 var NO_PANES = {
 	images: [],
-	views: /* @__PURE__ */ new Map(),
+	views: new Map(),
 	whole: false,
 	active: null,
 	look: {
@@ -175,7 +160,7 @@ function reducePanes(panes, action) {
 		};
 		case "wholeImages": return {
 			...panes,
-			views: /* @__PURE__ */ new Map(),
+			views: new Map(),
 			whole: true
 		};
 		case "activeImage": return panes.active === action.image ? panes : {
@@ -191,7 +176,6 @@ function reducePanes(panes, action) {
 		};
 	}
 }
-/** Others are shown; those that stay look where they looked. */
 function withImages(panes, wanted) {
 	const images = [...new Set(wanted)].slice(0, 9);
 	const views = new Map([...panes.views].filter(([image]) => images.includes(image)));
@@ -203,12 +187,10 @@ function withImages(panes, wanted) {
 		active
 	};
 }
-/** The images that are shown; the first ones where none was asked for. */
 function shownImages(panes, view) {
 	if (panes.images.length > 0) return panes.images;
 	return view.images.slice(0, FIRST_PANES).map((_, image) => image);
 }
-/** The panes of another view of the same images: each image by its name. */
 function panesInOtherView(panes, before, after) {
 	if (before === null || panes.images.length === 0) return {
 		...NO_PANES,
@@ -239,14 +221,14 @@ var NO_PLACING = {
 	},
 	options: null,
 	purpose: null,
-	placed: /* @__PURE__ */ new Map(),
+	placed: new Map(),
 	running: null,
 	chosen: NOTHING_LOOKED_AT,
 	pointed: NOTHING_LOOKED_AT,
 	picks: false,
 	draft: null,
 	adjusting: null,
-	uses: /* @__PURE__ */ new Set([
+	uses: new Set([
 		"used",
 		"check",
 		"rejected"
@@ -353,7 +335,6 @@ function reduceSelection(selection, action) {
 		};
 	}
 }
-/** Points as they are chosen together: none, one, or several. */
 function choiceOfPoints(points) {
 	const given = Uint32Array.from(points);
 	const sorted = given.every((point, i) => i === 0 || point > (given[i - 1] ?? 0)) ? given : Uint32Array.from(new Set(given)).sort();
@@ -367,7 +348,6 @@ function choiceOfPoints(points) {
 		points: sorted
 	};
 }
-/** Points chosen beside those that are; one alone is taken from them where it is chosen. */
 function withMore(chosen, points) {
 	const before = new Set(pointsOf(chosen));
 	const [only] = points;
@@ -375,7 +355,6 @@ function withMore(chosen, points) {
 	else for (const point of points) before.add(point);
 	return choiceOfPoints(before);
 }
-/** The images that a choice names. */
 function imagesOf(choice) {
 	switch (choice?.kind) {
 		case "image":
@@ -384,8 +363,7 @@ function imagesOf(choice) {
 		default: return [];
 	}
 }
-var NO_POINTS = /* @__PURE__ */ new Uint32Array();
-/** The tie points that a choice names. */
+var NO_POINTS = new Uint32Array();
 function pointsOf(choice) {
 	switch (choice?.kind) {
 		case "point":
@@ -394,7 +372,6 @@ function pointsOf(choice) {
 		default: return NO_POINTS;
 	}
 }
-/** Whether both say the same; a pair is the same either way round. */
 function isSame(a, b) {
 	if (a === b) return true;
 	if (a === null || b === null || a.kind !== b.kind) return false;
@@ -402,7 +379,6 @@ function isSame(a, b) {
 	const [points, others_] = [pointsOf(a), pointsOf(b)];
 	return images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
 }
-/** The selection as another view of the same images has it: images by their names. Points are numbered anew, so that none stays chosen. */
 function inOtherView(selection, before, after) {
 	const { chosen, filters } = selection;
 	return {
@@ -449,33 +425,27 @@ var BLOCK_INITIAL = {
 	opened: null,
 	notice: null
 };
-/** Names what a run of the present files and options would be made from. */
 function wantedKey({ files, options }) {
 	return JSON.stringify([files.map(({ id }) => id), options]);
 }
-/** Whether other files or options made the block on the screen. */
 function isOutdated(state) {
 	return state.shown !== null && state.shown.files.length > 0 && state.shown.key !== wantedKey(state);
 }
 function isBusy({ running, notice, placing }) {
 	return running.kind === "yes" || notice?.kind === "busy" || placing.running !== null;
 }
-/** The files of the images of the block that is shown, as far as they are there. */
 function imagesOfBlock({ shown, files }) {
 	if (shown === null) return [];
 	const byName = new Map([...files, ...shown.files].map((file) => [file.name, file]));
 	return shown.view.images.flatMap(({ name }) => byName.get(name) ?? []);
 }
 // www/block/state/purpose.ts
-/** A finished block whose images are oriented. */
 function orientedBlock({ shown }) {
 	return shown === null || shown.view.partial || shown.view.oriented === 0 ? null : shown;
 }
-/** A block that was opened in the system of an orthophoto: what it was before is not known. */
 function cameOnGround({ view, ground }) {
 	return ground === null && view.orthophoto?.kind === "linked";
 }
-/** What is done with the orthophoto; null where none is given, or the user is to say it. */
 function purposeOf({ placing, shown, files }) {
 	const { orthophoto, purpose, placed, heights } = placing;
 	if (orthophoto === null || purpose !== null) return orthophoto === null ? null : purpose;
@@ -484,27 +454,22 @@ function purposeOf({ placing, shown, files }) {
 	if (block !== null) return cameOnGround(block) ? "map" : null;
 	return !(shown !== null && !shown.view.partial) && heights.kind === "model" && files.length >= 2 ? "block" : "images";
 }
-/** Whether the user is to say what is done with the orthophoto. */
 function asksPurpose(state) {
 	return state.placing.orthophoto !== null && purposeOf(state) === null;
 }
-/** Names what placing the block now would be made from; its cameras are its own. */
 function groundKey({ placing }) {
 	return placingKey({
 		placing,
 		options: { cameras: null }
 	});
 }
-/** Whether the block is to be placed on the orthophoto and is not, or by other settings or heights. */
 function isOffGround(state) {
 	const block = orientedBlock(state);
 	return block !== null && purposeOf(state) === "block" && block.ground?.key !== groundKey(state);
 }
-/** Whether the block on the screen is the one that is wanted, but for its place. One that was opened in the system of an orthophoto is run anew. */
 function lacksPlaceAlone(state) {
 	return isOffGround(state) && !isOutdated(state) && state.shown !== null && !cameOnGround(state.shown);
 }
-/** Whether other files, options or ground made the block on the screen. */
 function isStale(state) {
 	return isOutdated(state) || isOffGround(state);
 }
@@ -514,7 +479,6 @@ var USES$1 = [
 	"check",
 	"rejected"
 ];
-/** As the crate takes it. */
 function inRows({ placement, size: _, ...image }) {
 	return {
 		...image,
@@ -538,13 +502,11 @@ function linkOf({ at, places, residuals, uses, byHand }, link) {
 		by_hand: byHand[link] === 1
 	};
 }
-/** How many links are used so. */
 function usedSo({ uses }, use) {
 	const code = USES$1.indexOf(use);
 	return uses.reduce((sum, own) => sum + (own === code ? 1 : 0), 0);
 }
 // www/block/state/steps.ts
-/** All links, those that were found and then the added ones, as they are to be used after these steps. */
 function givenLinks(found, steps) {
 	const links = found?.placement?.links ?? null;
 	const given = Array.from({ length: links?.count ?? 0 }, (_, i) => {
@@ -569,7 +531,6 @@ function givenLinks(found, steps) {
 	}
 	return given;
 }
-/** The links of an image as they are drawn: those of its orientation; of an image without one those that were added. */
 function shownLinks({ result, steps, done }) {
 	return result?.placement?.links ?? addedLinks(steps, done);
 }
@@ -589,12 +550,10 @@ var addedLinks = remember((steps, done) => {
 		byHand: new Uint8Array(added.length).fill(1)
 	};
 });
-/** How a link is used; of one that is left out also who left it out, the user or data snooping. */
 function useWord({ steps, done }, link, use) {
 	if (use !== "rejected") return say("link-use", { use });
 	return steps.slice(0, done).findLast((step) => step.kind !== "add" && step.link === link)?.kind === "reject" ? say("rejected-by-hand-2") : say("rejected-as-a-gross-error");
 }
-/** What a step is called. */
 function stepName(step) {
 	return step.kind === "add" ? say("add-a-link") : say("link-2", {
 		kind: step.kind,
@@ -602,21 +561,17 @@ function stepName(step) {
 	});
 }
 // www/block/engine/placing.ts
-/** Places images on an orthophoto: one worker shows it, others place images, one image each at a time. */
-/** Each worker holds an orthophoto that is not read in parts: of one beyond so many px there is one worker beside the one that shows it. */
 var MOST_SHARED = 4e7;
 var PlacingEngine = class {
 	store;
 	shower = new WorkerClient("orthophoto");
 	placers = [1, 2].map((number) => new WorkerClient(`placing ${String(number)}`));
 	maker = new WorkerClient("mosaic");
-	/** Ends what the user cancelled, also between two images. */
 	stopped = false;
 	waits = 0;
 	constructor(store) {
 		this.store = store;
 	}
-	/** Opens an orthophoto; the former one stays where it is refused. */
 	async open(raster, ofBlock = null) {
 		return {
 			raster,
@@ -624,7 +579,6 @@ var PlacingEngine = class {
 			ofBlock
 		};
 	}
-	/** Takes the heights of its ground; the former ones stay where these are refused. */
 	async setHeights(heights) {
 		const { orthophoto } = this.store.state.placing;
 		if (orthophoto === null) return;
@@ -638,7 +592,6 @@ var PlacingEngine = class {
 	asked(ground) {
 		return this.waited(() => this.shower.call("orthoInfo", ground));
 	}
-	/** What the user waits for, of the worker that shows the orthophoto: Cancel ends it. */
 	async waited(ask) {
 		this.waits += 1;
 		try {
@@ -649,10 +602,9 @@ var PlacingEngine = class {
 			this.waits -= 1;
 		}
 	}
-	/** A tile of the picture, halved so many times. */
 	tile(level, column, row) {
 		const { ground } = this;
-		if (ground === null) return Promise.reject(/* @__PURE__ */ new Error("no orthophoto is given"));
+		if (ground === null) return Promise.reject(new Error("no orthophoto is given"));
 		return this.shower.call("orthoTile", {
 			ground,
 			level,
@@ -660,7 +612,6 @@ var PlacingEngine = class {
 			row
 		});
 	}
-	/** Places images: those that are not placed yet, where none are named. Gives how many were tried; null where it was cancelled or refused as a whole. */
 	async place(files = unplacedFiles(this.store.state)) {
 		const { state } = this.store;
 		const { placing, options } = state;
@@ -733,7 +684,6 @@ var PlacingEngine = class {
 			});
 		}
 	}
-	/** What came of an image, or why it cannot be read. */
 	async tried(worker, input) {
 		try {
 			return [await worker.call("orthoPlace", input), ""];
@@ -742,13 +692,11 @@ var PlacingEngine = class {
 			return [null, breakdownOf(error) ?? messageOf(error)];
 		}
 	}
-	/** Ends placing, the making of a mosaic, and what else the user waits for. What was placed stays. */
 	cancel() {
 		this.stopped = true;
 		for (const worker of [...this.placers, this.maker]) worker.cancel();
 		if (this.waits > 0) this.shower.cancel();
 	}
-	/** An image by the links that were found, with these steps by hand. */
 	async adjust(file, found, steps) {
 		const { placing, options } = this.store.state;
 		const { ground } = this;
@@ -784,7 +732,6 @@ var PlacingEngine = class {
 			});
 		}
 	}
-	/** Where one end of a link of a placed image has the other one; null where it has none. */
 	async predict(placement, given) {
 		const { ground } = this;
 		return ground === null ? null : this.shower.call("orthoPredict", {
@@ -796,7 +743,6 @@ var PlacingEngine = class {
 			...given
 		});
 	}
-	/** A placed image resampled to the ground, as GeoTIFF. */
 	async rectified(file) {
 		const { ground } = this;
 		const placement = this.store.state.placing.placed.get(file.id)?.result?.placement ?? null;
@@ -810,10 +756,9 @@ var PlacingEngine = class {
 			}
 		}));
 	}
-	/** A placed image on the ground, as a picture whose sides are no longer than so many px. */
 	laid(file, placement, side) {
 		const { ground } = this;
-		if (ground === null) return Promise.reject(/* @__PURE__ */ new Error("no orthophoto is given"));
+		if (ground === null) return Promise.reject(new Error("no orthophoto is given"));
 		return this.shower.call("orthoLaid", {
 			ground,
 			file: file.file,
@@ -824,7 +769,6 @@ var PlacingEngine = class {
 			side
 		});
 	}
-	/** The orthomosaic of the block of a project file, as GeoTIFF; null where it was cancelled. `heights`: those of the tie points where null. */
 	async mosaic(project, files) {
 		this.stopped = false;
 		const tell = (done, total, text) => this.store.dispatch({
@@ -862,7 +806,6 @@ var PlacingEngine = class {
 			});
 		}
 	}
-	/** The orthophoto of a simulated flight with the heights of its ground, with pixels of so many m. */
 	async scene(flight, gsd) {
 		const { picture, heights } = await this.maker.call("sceneOrthophoto", {
 			flight,
@@ -875,11 +818,9 @@ var PlacingEngine = class {
 			heights: new Blob([heights], { type })
 		};
 	}
-	/** Gives back what workers hold that place images; each opens the orthophoto again when it is asked. */
 	release() {
 		for (const worker of this.placers) worker.cancel();
 	}
-	/** The orthophoto with its heights; null where none is given. */
 	get ground() {
 		const { orthophoto, heights } = this.store.state.placing;
 		return orthophoto === null ? null : groundOf(orthophoto.raster, heights);
@@ -903,13 +844,11 @@ function sourceOf$2({ file, world }) {
 		world: world?.text ?? null
 	};
 }
-/** An error that says what broke off, where a worker did. */
 function named$1(error) {
 	if (error instanceof Cancelled) return error;
 	return new Error(breakdownOf(error) ?? messageOf(error));
 }
 // www/block/engine/block-placing.ts
-/** Places the block on the orthophoto, in a worker of its own: the block on the screen stays until the placed one takes its place. */
 var BlockPlacing = class {
 	store;
 	engine;
@@ -921,7 +860,6 @@ var BlockPlacing = class {
 		this.engine = engine;
 		this.placing = placing;
 	}
-	/** False where the user ended it: the block then is as it was. */
 	async place() {
 		const { shown, placing } = this.store.state;
 		const { ground } = this.placing;
@@ -961,7 +899,6 @@ var BlockPlacing = class {
 			});
 		}
 	}
-	/** The block as it was before it was placed; false where it was not placed here. */
 	async takeOff() {
 		const { shown } = this.store.state;
 		if (shown?.ground == null) return false;
@@ -980,7 +917,6 @@ var BlockPlacing = class {
 		this.stopped = true;
 		this.worker.cancel();
 	}
-	/** The project file of the placed block. */
 	async linked(input) {
 		const names = await this.worker.call("linksOpen", input);
 		const files = new Map(imagesOfBlock(this.store.state).map(({ name, file }) => [name, file]));
@@ -1014,9 +950,7 @@ var BlockPlacing = class {
 	}
 };
 // www/block/state/calibrated.ts
-/** Share of the focal length that its standard error may be. */
 var MOST_FOCAL_ERROR = .01;
-/** Nothing is learned from a block that is weak or simulated, from a focal length that nothing told, and of cameras that the block has twice by one name. */
 function calibrationsOf({ verdict, cameras }, isSimulated, at) {
 	if (isSimulated || verdict?.kind !== "oriented") return [];
 	return cameras.flatMap(({ label, images, given, calibrated: camera, focalErrorPx }) => {
@@ -1040,8 +974,6 @@ function calibrationsOf({ verdict, cameras }, isSimulated, at) {
 	});
 }
 // www/block/state/given.ts
-/** What is wrong with the files that a run is given beside its images: read as the run reads them, once they are there. */
-/** Control points and their marks are of use together. */
 var PARTNER_MISSING = {
 	control: say("ground-control-points-need-their"),
 	marks: say("image-measurements-need-their-ground")
@@ -1049,7 +981,6 @@ var PARTNER_MISSING = {
 function problemsOf({ files, options }) {
 	return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks);
 }
-/** The first of them; null where there is none. */
 function firstProblem(state) {
 	return Object.values(problemsOf(state))[0] ?? null;
 }
@@ -1076,26 +1007,19 @@ var problems = remember((files, placing, cameras, control, marks, masks) => {
 	return found;
 });
 // www/block/engine/engine.ts
-/** How long a run that was stopped may take to end by itself, in ms; computing what cannot be interrupted it is ended with its worker. */
 var PATIENCE_MS = 80;
-/** The same of an export, which ends after the file that it writes, and after what the views asked before: its worker holds the block. */
 var EXPORT_PATIENCE_MS = 3e3;
 var BlockEngine = class {
 	store;
 	pool = new WorkerPool();
-	/** Holds the block on the screen, or of the run that goes on. */
 	block = new WorkerClient("block");
-	/** Records of images and pairs that were done, by key: what is done once is not done again. */
-	kept = /* @__PURE__ */ new Map();
+	kept = new Map();
 	recorded = () => void 0;
 	port = null;
-	/** Opens a project; what it read is not held yet, or was not wanted. */
 	reading = null;
-	/** Of the worker that holds the block. */
 	heldIn = -1;
 	spare = null;
 	regaining = null;
-	/** Of the export that is written. */
 	writing = null;
 	constructor(store) {
 		this.store = store;
@@ -1157,7 +1081,6 @@ var BlockEngine = class {
 			if (this.port === channel.port1) this.port = null;
 		}
 	}
-	/** Ends the run, the export, or whatever else the workers do. What was done is kept. */
 	cancel() {
 		const { port, writing } = this;
 		this.port = null;
@@ -1170,20 +1093,16 @@ var BlockEngine = class {
 			if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
 		}, port === null ? EXPORT_PATIENCE_MS : PATIENCE_MS);
 	}
-	/** Records of images and pairs that were done. */
 	get records() {
 		return this.kept;
 	}
-	/** Takes records of earlier runs, in place of those that are there. */
 	takeRecords(records) {
 		this.kept.clear();
 		for (const [key, record] of records) this.kept.set(key, record);
 	}
-	/** Calls back whenever there is another record. */
 	watchRecords(recorded) {
 		this.recorded = recorded;
 	}
-	/** The project file of the block that is held. */
 	async project() {
 		await this.regained();
 		const { port1, port2 } = new MessageChannel();
@@ -1198,7 +1117,6 @@ var BlockEngine = class {
 			port1.close();
 		}
 	}
-	/** Opens a project file in a worker of its own: the block on the screen can be looked at and edited until `hold` is called. `truth`: of its photos. */
 	async read(bytes, truth = null) {
 		this.reading?.cancel();
 		const worker = new WorkerClient("block");
@@ -1219,7 +1137,6 @@ var BlockEngine = class {
 			hold
 		};
 	}
-	/** The block that is held with these edits, in place of those that it has; it stays as it is where they are refused. */
 	async edited(edits) {
 		await this.regained();
 		return this.block.call("blockEdited", {
@@ -1227,11 +1144,9 @@ var BlockEngine = class {
 			truth: this.store.state.truth
 		});
 	}
-	/** The project file of the block that is shown, for a worker that lost it. */
 	keepSpare(project) {
 		this.spare = project;
 	}
-	/** A worker that was ended, as with a run that was cancelled, held the block on the screen: the next one opens its project file. */
 	async regained() {
 		const { spare } = this;
 		if (this.heldIn === this.block.generation || spare === null) return;
@@ -1255,27 +1170,22 @@ var BlockEngine = class {
 			truth
 		});
 	}
-	/** The observations of an image of the block that is held. */
 	async imagePoints(image) {
 		await this.regained();
 		return this.block.call("blockImagePoints", { image });
 	}
-	/** All observations of the block that is held, of so many images. */
 	async observations(images) {
 		await this.regained();
 		return this.block.call("blockObservations", { images });
 	}
-	/** Where images and recorded positions of the block that is held lie on the ground. */
 	async ground() {
 		await this.regained();
 		return this.block.call("blockGround", null);
 	}
-	/** A point of the block that is held. */
 	async pointDetail(point) {
 		await this.regained();
 		return this.block.call("blockPoint", { point });
 	}
-	/** Where the ground at a place of one image may lie in another: x, y in px, stride 2. */
 	async epipolarLine(from, x, y, to) {
 		await this.regained();
 		return this.block.call("blockLine", {
@@ -1285,11 +1195,9 @@ var BlockEngine = class {
 			to
 		});
 	}
-	/** An image that the browser cannot decode. */
 	grey(file) {
 		return this.pool.call("blockGrey", { file });
 	}
-	/** The window of a place that others are matched to. */
 	window(file, at, turn) {
 		return this.pool.call("blockWindow", {
 			file,
@@ -1297,7 +1205,6 @@ var BlockEngine = class {
 			turn
 		});
 	}
-	/** Where least squares matching finds the place of a window near a place of another image; null where it confirms none. */
 	async matched(left, file, near, turn) {
 		const by = await this.pool.call("blockFit", {
 			left,
@@ -1307,7 +1214,6 @@ var BlockEngine = class {
 		const [ax, ay, bx, by_] = turn;
 		return [near[0] + by[0] * ax + by[1] * bx, near[1] + by[0] * ay + by[1] * by_];
 	}
-	/** Rejects with `Cancelled` where the user ends it. */
 	async export(kind, name) {
 		const { port1, port2 } = new MessageChannel();
 		this.writing = port1;
@@ -1325,7 +1231,6 @@ var BlockEngine = class {
 			port1.close();
 		}
 	}
-	/** Takes the photos of the flight that is set, on all workers. */
 	async photograph(flight, done) {
 		const truth = await this.pool.call("blockPlan", flight);
 		let count = 0;
@@ -1394,7 +1299,6 @@ function runOptions({ gps, cameras, control, marks }, settings) {
 		} }
 	};
 }
-/** The memory of a job's bytes, which are copies that the run made for it. */
 function buffersOf({ inputs }) {
 	return [...new Set(inputs.map(({ buffer }) => buffer))];
 }
@@ -1402,7 +1306,6 @@ function reasonOf(error) {
 	return breakdownOf(error) ?? messageOf(error);
 }
 // www/block/state/carrying.ts
-/** The edits that hold there: those of images, of surveyed points, and of points that were measured by hand; those of tie points where these are the same. */
 function carriedOver(edits, before, after, sameTiePoints = false) {
 	const carrier = new Carrier(before, after, sameTiePoints);
 	return edits.flatMap((edit) => carrier.carried(edit));
@@ -1412,7 +1315,6 @@ var Carrier = class {
 	sameTiePoints;
 	places;
 	surveyed;
-	/** The new numbers of the points that were added; -1 of those that are gone. */
 	numbers = [];
 	added = 0;
 	constructor(before, after, sameTiePoints) {
@@ -1504,7 +1406,6 @@ var Carrier = class {
 	}
 };
 // www/block/state/edits.ts
-/** A name of a point: the same for the same one. */
 function keyOfPoint(point) {
 	const [[kind, number] = []] = Object.entries(point);
 	return `${kind ?? ""} ${String(number)}`;
@@ -1514,13 +1415,11 @@ var SOURCES = [
 	"ground_control",
 	"manual"
 ];
-/** A number for what a point is: a block has many. */
 function codeOfSource(source) {
 	const kind = SOURCES.findIndex((name) => name in source);
 	const [number = 0] = Object.values(source);
 	return SOURCES.length * number + kind;
 }
-/** What a point of a block is; null for one that is not oriented. */
 function sourceOf$1({ points }, point) {
 	const code = points.sources[point];
 	const kind = code === void 0 ? void 0 : SOURCES[code % SOURCES.length];
@@ -1528,11 +1427,9 @@ function sourceOf$1({ points }, point) {
 	return { [kind]: Math.floor(code / SOURCES.length) };
 }
 var places$1 = remember((sources) => new Map([...sources].map((code, point) => [code, point])));
-/** The index of a point; -1 where the block has none such. */
 function indexOfSource({ points }, source) {
 	return places$1(points.sources).get(codeOfSource(source)) ?? -1;
 }
-/** What is chosen, in the same block after other edits: points by what they are. */
 function choiceAfterEdit(choice, before, after) {
 	if (choice === null || choice.kind === "image" || choice.kind === "pair") return choice;
 	const moved = [...pointsOf(choice)].flatMap((point) => {
@@ -1556,13 +1453,13 @@ function choiceAfterEdit(choice, before, after) {
 }
 var keyOfObservation = ({ point, image }) => `${keyOfPoint(point)} ${String(image)}`;
 var standingOf = remember((edits) => {
-	const observations = /* @__PURE__ */ new Map();
-	const points = /* @__PURE__ */ new Map();
-	const images = /* @__PURE__ */ new Set();
-	const unused = /* @__PURE__ */ new Set();
-	const measured = /* @__PURE__ */ new Map();
+	const observations = new Map();
+	const points = new Map();
+	const images = new Set();
+	const unused = new Set();
+	const measured = new Map();
 	const measure = (image, point) => {
-		measured.set(image, (measured.get(image) ?? /* @__PURE__ */ new Set()).add(codeOfSource(point)));
+		measured.set(image, (measured.get(image) ?? new Set()).add(codeOfSource(point)));
 		observations.delete(keyOfObservation({
 			point,
 			image
@@ -1609,7 +1506,6 @@ var standingOf = remember((edits) => {
 		measured
 	};
 });
-/** Rejects what is chosen, or uses it again; null where there is nothing of it. `whole`: of an observation its point with all others. */
 function editOfChoice(kind, choice, view, standing, whole = false) {
 	const rejects = kind === "reject";
 	switch (choice?.kind) {
@@ -1635,7 +1531,6 @@ function editOfChoice(kind, choice, view, standing, whole = false) {
 		default: return null;
 	}
 }
-/** Whether a point was rejected, or is a surveyed point that is not used. */
 function isOut(point, { points, unused }) {
 	return points.has(keyOfPoint(point)) || "ground_control" in point && unused.has(point.ground_control);
 }
@@ -1656,25 +1551,21 @@ function editOfPoints(kind, all, standing) {
 // www/block/state/naming.ts
 var NO_NAMES = {
 	images: [],
-	surveyed: /* @__PURE__ */ new Map()
+	surveyed: new Map()
 };
-/** The names of a block as it was found: the same whatever is edited. */
 function namesOf({ images, surveyed }) {
 	return {
 		images: images.map(({ name }) => name),
 		surveyed: new Map(surveyed.map(({ control, name }) => [control, name]))
 	};
 }
-/** Whether a surveyed point is a place of an orthophoto, as the crate names these. */
 var isPlace = (name) => /^orthophoto_\d+$/u.test(name);
-/** Names without those of places of an orthophoto, which are others on another one. */
 function withoutPlaces({ images, surveyed }) {
 	return {
 		images,
 		surveyed: new Map([...surveyed].filter(([, name]) => !isPlace(name)))
 	};
 }
-/** What a step did. */
 function nameOfStep(step, names = NO_NAMES) {
 	const [first, ...more] = step;
 	if (first === void 0) return say("nothing");
@@ -1705,7 +1596,6 @@ function nameOfMeasures(step, names) {
 		place: more.length === 0 ? inImage(first.image, names) : ""
 	});
 }
-/** What an edit did. */
 function nameOfEdit(edit, names = NO_NAMES) {
 	switch (edit.kind) {
 		case "reject_observations":
@@ -1757,14 +1647,10 @@ function inImage(image, { images }) {
 	return name === void 0 ? "" : say("in-image", { name });
 }
 // www/block/state/editing.ts
-/** How edits by hand change the state of a block. The block that is shown follows them: its view is made of the edits that it has. */
-/** Whether the block on the screen can be edited. */
 function isEditable({ shown, running }) {
 	return shown !== null && !shown.view.partial && shown.view.oriented > 0 && running.kind !== "yes";
 }
-/** The edits of the steps that hold. */
 var editsInForce = remember(({ edits, done }) => edits.slice(0, done).flat());
-/** The next state on the way from some edits to those that hold; `single`: no more than a step farther. */
 function nextEdits(history, now, single) {
 	const wanted = editsInForce(history);
 	let count = 0;
@@ -1823,11 +1709,9 @@ function reduceEdits(state, action) {
 		};
 	}
 }
-/** What is under way is still said. */
 function afterEdit({ notice }) {
 	return notice?.kind === "busy" ? notice : null;
 }
-/** A history without the step that was refused after those that made some edits: what was to follow it is still to be tried. */
 function withoutRefused(history, made) {
 	const kept = stepsOf(history, made);
 	const later = kept.length < history.done && kept.every((step, i) => step === history.edits[i]) ? history.edits.slice(kept.length + 1, history.done) : [];
@@ -1836,7 +1720,6 @@ function withoutRefused(history, made) {
 		done: kept.length + later.length
 	};
 }
-/** The steps of a history that made some edits; what else there is of them is a step each. */
 function stepsOf({ edits: steps }, edits) {
 	let count = 0;
 	const kept = steps.filter((step) => {
@@ -1864,7 +1747,6 @@ function withEdited(state, shown, view, edits) {
 		}
 	};
 }
-/** The point that the last edit added. */
 function newPoint(edits, view) {
 	if (edits.at(-1)?.kind !== "add_point") return null;
 	const point = indexOfSource(view, { manual: edits.filter(({ kind }) => kind === "add_point").length - 1 });
@@ -1873,7 +1755,6 @@ function newPoint(edits, view) {
 		point
 	};
 }
-/** The edits of a block that was found anew, of what the former one had; `said`: what became of them. */
 function carried({ history, shown }, view) {
 	const before = editsInForce(history);
 	if (before.length === 0 || shown === null) return {
@@ -1882,7 +1763,6 @@ function carried({ history, shown }, view) {
 	};
 	return keptOf(before, carriedOver(before, namesOf(shown.found), namesOf(view)));
 }
-/** The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. */
 function carriedToGround({ history, shown }, view) {
 	const names = shown === null ? NO_NAMES : namesOf(shown.found);
 	if (withoutPlaces(names).surveyed.size === names.surveyed.size) return {
@@ -1914,14 +1794,11 @@ function keptOf(before, edits) {
 	};
 }
 // www/block/engine/follow.ts
-/** The block on the screen follows the edits by hand: it is adjusted anew with those that hold. */
-/** So often a worker that broke down is asked again. */
 var MOST_FAILURES = 1;
 var EditFollower = class {
 	store;
 	engine;
 	busy = false;
-	/** After a refusal of several edits together: each is tried by itself. */
 	singly = false;
 	failures = 0;
 	constructor(store, engine) {
@@ -1943,7 +1820,6 @@ var EditFollower = class {
 			adjusting: false
 		});
 	}
-	/** Makes the next adjustment; false where there is none to be made. */
 	async step() {
 		const { history, shown } = this.store.state;
 		const wanted = editsInForce(history);
@@ -1984,15 +1860,12 @@ var EditFollower = class {
 	}
 };
 // www/block/state/draft.ts
-/** A point that is measured by hand, before it is accepted. */
-/** A draft without places yet: of a point that is there, or of a new one. */
 function begun(of) {
 	return {
 		of,
-		places: /* @__PURE__ */ new Map()
+		places: new Map()
 	};
 }
-/** The draft with its place in an image, within it. */
 function placed$1(draft, image, [x, y], { width, height }, by = "hand") {
 	const at = [roundedPx(Math.min(width, Math.max(0, x))), roundedPx(Math.min(height, Math.max(0, y)))];
 	return {
@@ -2003,7 +1876,6 @@ function placed$1(draft, image, [x, y], { width, height }, by = "hand") {
 		}]])
 	};
 }
-/** What the draft becomes; null while too little of it is placed. */
 function editsOfDraft({ of, places }) {
 	const observations = [...places].map(([image, { at, by }]) => ({
 		image,
@@ -2030,7 +1902,6 @@ var SAME = {
 	e: 0,
 	f: 0
 };
-/** From pixels to the ground. */
 function affineOf({ origin, by_column: column, by_row: row }) {
 	return {
 		a: column[0],
@@ -2044,7 +1915,6 @@ function affineOf({ origin, by_column: column, by_row: row }) {
 function mapped({ a, b, c, d, e, f }, x, y) {
 	return [a * x + c * y + e, b * x + d * y + f];
 }
-/** First `inner`, then `outer`. */
 function after(outer, inner) {
 	const [a, b] = mapped({
 		...outer,
@@ -2083,11 +1953,9 @@ function inverse({ a, b, c, d, e, f }) {
 		f: -y
 	};
 }
-/** How much longer lengths become, in the mean of all directions. */
 function scaleOf({ a, b, c, d }) {
 	return Math.sqrt(Math.abs(a * d - b * c));
 }
-/** Turn, scale and shift that bring places nearest to others of the same number; null from fewer than two, or of places that are one. */
 function similarity(from, to) {
 	if (from.length < 2 || from.length !== to.length) return null;
 	const [fx, fy] = middle(from);
@@ -2127,15 +1995,12 @@ function middle(places) {
 	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
 }
 // www/block/state/showing.ts
-/** What the orthophoto view shows: the block that was placed on the orthophoto, else the images that were placed by themselves. */
-/** The block that lies in the system of the orthophoto, on its ground; null where none does, and where each image is placed by itself. */
 function blockOnOrthophoto(state) {
 	const { shown, placing } = state;
 	const { orthophoto } = placing;
 	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial || shown.view.orthophoto?.kind !== "linked") return null;
 	return purposeOf(state) !== "images" && hasPlaceOn(orthophoto, shown.view) ? shown : null;
 }
-/** Whether a control or check point of the block lies on an orthophoto: one of elsewhere may be given in its place. */
 var hasPlaceOn = remember(({ info: { width, height, georeference } }, { surveyed }) => {
 	const toPixels = inverse(affineOf(georeference));
 	return surveyed.some(({ position: [x, y] }) => {
@@ -2143,13 +2008,11 @@ var hasPlaceOn = remember(({ info: { width, height, georeference } }, { surveyed
 		return column >= 0 && row >= 0 && column <= width && row <= height;
 	});
 });
-/** The image placed by itself that is chosen, where it was tried; null where the block is shown in its place. */
 function chosenPlaced(state) {
 	const { image } = state.placing.chosen;
 	return image === null || blockOnOrthophoto(state) !== null ? null : placedFiles(state).find(({ file }) => file.id === image) ?? null;
 }
 // www/block/state/joining.ts
-/** The observations of a point that it would take with it. */
 function placesOf$1({ observations }) {
 	return observations.filter(({ part }) => part !== "rejected_by_hand").map(({ image, x_px, y_px, by_hand }) => ({
 		image,
@@ -2158,15 +2021,11 @@ function placesOf$1({ observations }) {
 		by: by_hand ? "hand" : "least_squares"
 	}));
 }
-/**
-* The step that makes one of several points; null where they cannot be one. Where two have an observation in the same image, that of the one with more
-* rays stands. A surveyed point among them gets the observations of the others.
-*/
 function joined(points) {
 	const [first, ...others] = [...points].sort((a, b) => rank(b) - rank(a));
 	if (first?.id == null || others.length === 0 || others.some(isSurveyed)) return null;
 	const rejected = (isSurveyed(first) ? others : [first, ...others]).flatMap(({ id }) => id ?? []);
-	const places = /* @__PURE__ */ new Map();
+	const places = new Map();
 	for (const point of [first, ...others]) for (const place of placesOf$1(point)) if (!places.has(place.image)) places.set(place.image, place);
 	const reject = {
 		kind: "reject_points",
@@ -2188,11 +2047,9 @@ function joined(points) {
 function isSurveyed({ id }) {
 	return id !== null && "ground_control" in id;
 }
-/** A surveyed point comes first, then the one with most rays. */
 function rank(point) {
 	return isSurveyed(point) ? Infinity : placesOf$1(point).length;
 }
-/** The step that makes two of a point: one of its observations in some images, one of the others; null where either would have fewer than two. */
 function split(point, images) {
 	if (point.id === null || isSurveyed(point)) return null;
 	const places = placesOf$1(point);
@@ -2214,8 +2071,6 @@ function split(point, images) {
 	];
 }
 // www/block/panel/edits.ts
-/** What is done to a finished block by hand: reject, restore, measure, undo, redo, the history, and what became of the adjustment. */
-/** What an edit of the choice would be; null where it cannot be made. */
 function editOf({ selection, shown }, kind, whole = false) {
 	return shown === null ? null : editOfChoice(kind, selection.chosen, shown.view, standingOf(shown.edits), whole);
 }
@@ -2240,23 +2095,19 @@ function makeStep(store, edits) {
 		edits
 	});
 }
-/** So many points may be one. */
 var MOST_JOINED = 8;
-/** The step that joins the chosen points; null where they cannot be, and while their figures are on their way. */
 function joinedOf({ selection, shown }, facts) {
 	const points = pointsOf(selection.chosen);
 	if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
 	const details = [...points].flatMap((point) => facts.point(point) ?? []);
 	return details.length < points.length ? null : joined(details);
 }
-/** The step that splits the chosen point by the images that are shown. */
 function splitOf({ selection, shown, panes }, facts) {
 	const [point, ...more] = pointsOf(selection.chosen);
 	if (shown === null || point === void 0 || more.length > 0 || point >= shown.view.points.taking) return null;
 	const detail = facts.point(point);
 	return detail === null ? null : split(detail, shownImages(panes, shown.view));
 }
-/** A point that is being measured is given up first. */
 function step(store, by) {
 	if (store.state.draft !== null) {
 		store.dispatch({
@@ -2270,16 +2121,13 @@ function step(store, by) {
 		done: store.state.history.done + by
 	});
 }
-/** Of the block as it was found. */
 function namesIn({ shown }) {
 	return shown === null ? NO_NAMES : namesOf(shown.found);
 }
-/** "Reject 14 points", with the noun of what is chosen. */
 function titleOf$1(edit, otherwise, names) {
 	const name = edit === null ? otherwise : nameOfEdit(edit, names);
 	return name.charAt(0).toUpperCase() + name.slice(1).replace(/ 1 /u, " ");
 }
-/** Over the views: what can be done to what is chosen, and what the latest edit did. */
 function mountEditBar(store, facts, measures) {
 	const undo = button(say("undo-sign"), "block-undo", () => step(store, -1));
 	const redo = button(say("redo-sign"), "block-redo", () => step(store, 1));
@@ -2329,7 +2177,7 @@ function mountEditBar(store, facts, measures) {
 		use,
 		text
 	]);
-	const counterparts = /* @__PURE__ */ new Map([
+	const counterparts = new Map([
 		[reject, [restore]],
 		[whole, [restore]],
 		[restore, [reject]],
@@ -2398,7 +2246,6 @@ var USES = [
 	["check", say("check-point")],
 	["", say("not-used")]
 ];
-/** The surveyed point that is chosen alone, with its role; null for another one, and while its figures are on their way. */
 function surveyedChoice({ selection }, facts) {
 	const [point, ...more] = pointsOf(selection.chosen);
 	const detail = point === void 0 || more.length > 0 ? null : facts.point(point);
@@ -2443,7 +2290,6 @@ function textOf({ draft, adjusting, before, shown }) {
 function px(value) {
 	return value === null ? "–" : fixed(value, 3);
 }
-/** The keys of edits: undo and redo wherever the block is shown, the others on the stage and in the tables. */
 function mountBlockEditKeys(store, hosts) {
 	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null;
 	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length > 0 && isBlockSeen(), (by) => step(store, by));
@@ -2466,7 +2312,6 @@ function mountBlockEditKeys(store, hosts) {
 	});
 	for (const host of hosts) listenKeys(host, edits);
 }
-/** In the details: the figures before and after, what is rejected, and all edits. */
 function mountEditPanel(host, store) {
 	const compared = h("div", { testid: "block-compared" });
 	const rejected = h("ul", {
@@ -2509,7 +2354,6 @@ function restoreButton(store, name, edit) {
 	made.setAttribute("aria-label", say("restore-2", { name }));
 	return made;
 }
-/** Of what was rejected so many are listed one by one. */
 var LISTED$1 = 200;
 function rejectedRows(view, { images, points, unused, observations }) {
 	const imageName = (image) => view.images[image]?.name ?? "";
@@ -2568,17 +2412,14 @@ function comparison(before, now) {
 	}, h("thead", {}, head), body);
 }
 // www/block/files/ids.ts
-/** Numbers of files: no two that were ever given have the same. */
 var nextId$1 = 1;
 function newId() {
 	return nextId$1++;
 }
-/** Later files have other numbers than these. */
 function passIds(taken) {
 	for (const id of taken) nextId$1 = Math.max(nextId$1, id + 1);
 }
 // www/block/files/ground.ts
-/** Takes orthophotos, heights and world files in, and says what they are. */
 var GroundFiles = class {
 	store;
 	engine;
@@ -2586,7 +2427,6 @@ var GroundFiles = class {
 		this.store = store;
 		this.engine = engine;
 	}
-	/** Gives what is said of them, nothing where nothing was given; null where one of them was refused, which is said. */
 	async take({ orthophotos, heights, worlds }) {
 		const said = [];
 		const [orthophoto, ...more] = orthophotos;
@@ -2610,7 +2450,6 @@ var GroundFiles = class {
 		}
 		return said.join(" ");
 	}
-	/** Takes a picture of the ground in place of the one that is there. */
 	async takeOrthophoto({ file, world }) {
 		this.tell("busy", say("reading-the-orthophoto", { name: file.name }));
 		try {
@@ -2630,14 +2469,12 @@ var GroundFiles = class {
 			return null;
 		}
 	}
-	/** Takes a height model in place of the heights that are there. */
 	async takeHeights({ file, world }) {
 		return this.setHeights(file.name, async () => ({
 			kind: "model",
 			model: await rasterOf(file, world)
 		}));
 	}
-	/** Takes one height for all of the ground. */
 	async takeLevel(height) {
 		return this.setHeights(`${fixed(height, 2)} m`, () => Promise.resolve({
 			kind: "level",
@@ -2665,7 +2502,6 @@ var GroundFiles = class {
 			return null;
 		}
 	}
-	/** A world file by itself places the image of its name, which then is no photograph. */
 	async takeWorld(world) {
 		const stem = stemOf(world.name);
 		const { files, truth } = this.store.state;
@@ -2716,7 +2552,6 @@ async function rasterOf(file, world) {
 		}
 	};
 }
-/** What was recognised. */
 function orthophotoText({ raster, info: { width, height, gsd, epsg } }) {
 	const by = raster.world === null ? "" : say("placed-by", { name: raster.world.name });
 	return say("orthophoto-px-of", {
@@ -2728,7 +2563,6 @@ function orthophotoText({ raster, info: { width, height, gsd, epsg } }) {
 		by
 	});
 }
-/** The side of a pixel with the digits that say something. */
 function gsdText(gsd) {
 	return say("metres", { value: Number(gsd.toPrecision(3)) });
 }
@@ -2739,7 +2573,6 @@ function stemOf(name) {
 	return name.replace(/\.[^.]*$/u, "").toLowerCase();
 }
 // www/block/panel/mosaic.ts
-/** The quick orthomosaic of a block: saved, or laid under its map. */
 var NAME = "orthomosaic.tif";
 async function saveMosaic(store, engine, placing) {
 	const mosaic = await made$1(store, engine, placing);
@@ -2750,7 +2583,6 @@ async function saveMosaic(store, engine, placing) {
 		store: missingText(store)
 	}));
 }
-/** Takes it as the orthophoto of the project. */
 async function makeMosaic(store, engine, placing) {
 	const key = store.state.shown?.key ?? "";
 	const mosaic = await made$1(store, engine, placing);
@@ -2770,7 +2602,6 @@ async function makeMosaic(store, engine, placing) {
 		tell$2(store, "problem", say("the-orthomosaic-cannot-be-shown", { sentence: sentence(messageOf(error)) }));
 	}
 }
-/** Null where it was cancelled or could not be made, which is said. */
 async function made$1(store, engine, placing) {
 	const files = imagesOfBlock(store.state);
 	if (files.length === 0) {
@@ -2786,7 +2617,6 @@ async function made$1(store, engine, placing) {
 	}
 	return null;
 }
-/** What is not in it. */
 function missingText({ state }) {
 	const missing = (state.shown?.view.images.length ?? 0) - imagesOfBlock(state).length;
 	return missing > 0 ? say("missing-in-it-add-to", { missing }) : "";
@@ -2802,7 +2632,6 @@ function tell$2(store, kind, text, beside = false) {
 	});
 }
 // www/block/panel/exports.ts
-/** Saving a block: its own file, everything, or what another program reads. */
 var NAMES$3 = {
 	project: say("project-file"),
 	everything: say("everything-zip"),
@@ -2819,7 +2648,6 @@ var NAMES$3 = {
 	json: "JSON",
 	geojson: "GeoJSON"
 };
-/** Made of the images as well. */
 var MOSAIC = "mosaic";
 function mountExports(host, store, engine, placing) {
 	const select = h("select", {
@@ -2913,9 +2741,7 @@ var BlockFiles = class {
 	runs;
 	openProject;
 	putAside;
-	/** Orthophotos and heights. */
 	ground;
-	/** Images that are given wait until Run is pressed: large blocks have settings and files that come first. */
 	waiting = keptChoice(WAITS) === "yes";
 	constructor(store, engine, placing, runs, openProject, putAside) {
 		this.store = store;
@@ -2933,7 +2759,6 @@ var BlockFiles = class {
 		this.waiting = waits;
 		keepChoice(WAITS, waits ? "yes" : "no");
 	}
-	/** Adds images to the block; what a folder holds besides images is left aside. `why` is said first. */
 	async take(given, why = "") {
 		const { others: found, taken, ...rasters } = asGiven(await sortRasters(given));
 		const ground = await this.ground.take(rasters);
@@ -2950,7 +2775,6 @@ var BlockFiles = class {
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "));
 		else await this.said(said);
 	}
-	/** Takes files that are given as an orthophoto with what belongs to it, or as its heights: what they hold decides where it can be told. */
 	async takeGround(given, asHeights = false) {
 		const { others, ...sorted } = await sortRasters(given.map((file) => ({
 			file,
@@ -2972,24 +2796,20 @@ var BlockFiles = class {
 			worlds: sorted.worlds
 		}));
 	}
-	/** Takes one height for all of the ground. */
 	async takeLevel(height) {
 		await this.said(await this.ground.takeLevel(height));
 	}
-	/** Says what was taken; images that wait for nothing else are placed. */
 	async said(text) {
 		if (text === null || text === "") return;
 		this.tell("info", text);
 		const { shown, placing, files, running } = this.store.state;
 		if (shown === null && running.kind !== "yes" && !this.waits && files.length > 0 && placing.placed.size === 0) await this.start();
 	}
-	/** Places the images that are given, or runs them as a block. */
 	async start() {
 		const { state } = this.store;
 		if (purposeOf(state) === "images") await this.runs.placeImages();
 		else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run();
 	}
-	/** Takes more images than a pair has, which were given there. */
 	async give(files, masks) {
 		await this.take(files.map((file) => ({
 			file,
@@ -2997,11 +2817,9 @@ var BlockFiles = class {
 		})), say("more-than-two-images-are"));
 		if (masks.length > 0) this.takeMasks(masks);
 	}
-	/** Photographs a block and runs it, whatever waits. */
 	async sample(flight) {
 		if (await this.simulate(flight)) await this.runs.run();
 	}
-	/** Photographs a block and the orthophoto of its scene, with pixels of so many m, and places the photos on it. */
 	async sampleOnOrthophoto(flight, gsd) {
 		if (!await this.simulate(flight)) return;
 		this.tell("busy", say("making-the-orthophoto-of-the"));
@@ -3023,14 +2841,12 @@ var BlockFiles = class {
 			this.failed(say("the-orthophoto-could-not-be"), error);
 		}
 	}
-	/** Photographs the simulated block that is set and runs it. */
 	async photograph() {
 		const { flight } = this.store.state;
 		if (flight === null || !await this.simulate(flight)) return;
 		if (this.waits) this.tell("info", say("photos-of-a-simulated-block", { files: this.store.state.files.length }));
 		else await this.runs.run();
 	}
-	/** Photographs a flight, in place of the images that are there; false where that failed. */
 	async simulate(flight) {
 		this.tell("busy", say("building-the-synthetic-scene"));
 		try {
@@ -3060,7 +2876,6 @@ var BlockFiles = class {
 			return false;
 		}
 	}
-	/** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
 	async takeText(given, file) {
 		this.store.dispatch({
 			type: "options",
@@ -3081,7 +2896,6 @@ var BlockFiles = class {
 		}));
 		else this.tell("problem", say("the-block-cannot-be-run", { problem: sentence(problem) }));
 	}
-	/** Takes masks in place of those that are there. */
 	takeMasks(files) {
 		this.store.dispatch({
 			type: "options",
@@ -3094,7 +2908,6 @@ var BlockFiles = class {
 		const problem = problemsOf(this.store.state).masks;
 		if (problem !== void 0) this.tell("problem", say("the-block-cannot-be-run-with", { problem: sentence(problem) }));
 	}
-	/** Opens a block that was saved. */
 	async open(file) {
 		this.tell("busy", say("reading", { name: file.name }));
 		try {
@@ -3123,7 +2936,6 @@ var BlockFiles = class {
 			this.failed(say("cannot-be-opened", { name: file.name }), error);
 		}
 	}
-	/** What the user decides to do with the orthophoto. */
 	async decide(purpose) {
 		this.store.dispatch({
 			type: "purpose",
@@ -3140,7 +2952,6 @@ var BlockFiles = class {
 			view: "map"
 		});
 	}
-	/** Runs the block. One with edits that do not hold for the next one stays in the list of projects. */
 	async run() {
 		const { shown, history } = this.store.state;
 		const edits = editsInForce(history);
@@ -3164,7 +2975,6 @@ var BlockFiles = class {
 			}
 		});
 	}
-	/** Removes all images, and the block. */
 	async clear() {
 		const { shown } = this.store.state;
 		const stays = await this.leave(say("remove-all-images"));
@@ -3172,7 +2982,6 @@ var BlockFiles = class {
 		this.store.dispatch({ type: "clear" });
 		if (stays) this.tell("info", say("the-stays-under-projects", { what: shown === null ? say("project") : say("edited-block") }));
 	}
-	/** Before the block is gone: one with edits, and what was placed on an orthophoto, stay in the list of projects, which is true then. Null where it cannot, and the user keeps it. */
 	async leave(step) {
 		const { history, placing } = this.store.state;
 		const { length } = history.edits;
@@ -3243,7 +3052,6 @@ var BlockFiles = class {
 		}));
 	}
 };
-/** What is said of files that are the images of a block that was opened without them: it needs no run. Null where they are not, or not all of them are. */
 function ofOpened({ shown }, files) {
 	if (shown === null || shown.view.partial || shown.files.length > 0) return null;
 	const names = new Set(shown.view.images.map(({ name }) => name));
@@ -3257,7 +3065,6 @@ function images$1(count) {
 	return say("so-many-images", { images: count });
 }
 // www/block/state/kept.ts
-/** Whether there is nothing yet that would have to be kept. */
 function isBlank({ catalogue, files, shown, options, flight, placing }) {
 	const { settings, gps, cameras, control, marks, masks } = options;
 	const noText = cameras === null && control === null && marks === null;
@@ -3265,8 +3072,6 @@ function isBlank({ catalogue, files, shown, options, flight, placing }) {
 	return catalogue === null || files.length === 0 && shown === null && placing.orthophoto === null && untouched;
 }
 // www/block/files/edit.ts
-/** An edit of a block as it is read from the browser's storage. */
-/** About what a point, an image or a place takes in an edit, in bytes. */
 var OF_ONE = 60;
 function bytesOfStep(step) {
 	return step.reduce((sum, edit) => sum + bytesOf(edit), 0);
@@ -3275,7 +3080,6 @@ function bytesOf(edit) {
 	const list = "observations" in edit ? edit.observations : "points" in edit ? edit.points : "images" in edit ? edit.images : [edit];
 	return OF_ONE * Math.max(1, list.length);
 }
-/** @throws Error naming the field that is damaged */
 function stepFrom(value, name) {
 	return listOf$1(value, name, editFrom);
 }
@@ -3349,14 +3153,11 @@ var PURPOSES$1 = [
 	"images",
 	"map"
 ];
-/** About the room of a link, in bytes. */
 var LINK = 57;
 var SMALL$1 = 2048;
-/** The files of an orthophoto and its heights. */
 function rastersOf({ orthophoto, heights }) {
 	return [...orthophoto === null ? [] : [orthophoto.raster], ...heights.kind === "model" ? [heights.model] : []];
 }
-/** What was given, without the files. */
 function keptPlacing(orthophoto, heights, options, purpose) {
 	return {
 		orthophoto: orNull(orthophoto, ({ raster, info, ofBlock }) => ({
@@ -3380,11 +3181,9 @@ function keptRaster({ id, name, file, world }) {
 		world
 	};
 }
-/** About how much room what came of an image takes, in bytes. */
 function sizeOfPlaced({ result }) {
 	return SMALL$1 + LINK * (result?.placement?.links.count ?? 0);
 }
-/** @throws Error naming the field that is damaged. Projects of earlier versions have none of it. */
 function placingFrom(given, placed, catalogue, readFile, open) {
 	const none = {
 		...NO_PLACING,
@@ -3432,7 +3231,6 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 		placed: placedFrom(placed)
 	};
 }
-/** Defaults are the catalogue's own, by which they are known. */
 function same(options, { placing }) {
 	return JSON.stringify(options) === JSON.stringify(placing) ? placing : options;
 }
@@ -3455,13 +3253,11 @@ var SHOWN = "block/shown";
 var PLACED = "block/placed/";
 var FILE = "block/file/";
 var RECORD = "block/record/";
-/** Room of what is small and not counted, in bytes. */
 var SMALL = 4096;
 var KeptBlocks = class {
 	store;
 	engine;
 	catalogue;
-	/** The finished block on the screen as it is kept; null until its file is written. */
 	made = null;
 	journal = new Journal("block/edits", stepFrom, bytesOfStep);
 	making = null;
@@ -3489,7 +3285,6 @@ var KeptBlocks = class {
 			this.settled();
 		});
 	}
-	/** Writes the finished block as a project file, unless that is done. */
 	async settled() {
 		const { shown, running } = this.store.state;
 		if (shown === null || shown.view.partial || running.kind === "yes" || this.made?.found === shown.found) return;
@@ -3507,7 +3302,7 @@ var KeptBlocks = class {
 	}
 	parts() {
 		const { state } = this.store;
-		const parts = /* @__PURE__ */ new Map();
+		const parts = new Map();
 		if (isBlank(state)) return parts;
 		const { files, options, flight, truth, opened, shown, placing } = state;
 		parts.set(GIVEN, {
@@ -3614,10 +3409,9 @@ var KeptBlocks = class {
 		this.made = null;
 		this.engine.keepSpare(null);
 		if (this.store.state.running.kind === "yes") this.engine.cancel();
-		this.engine.takeRecords(/* @__PURE__ */ new Map());
+		this.engine.takeRecords(new Map());
 		this.store.dispatch({ type: "cleared" });
 	}
-	/** Its worker may be busy with another one, or be ended: then it is made after the next change. */
 	async make(shown) {
 		try {
 			const project = await this.engine.project();
@@ -3675,14 +3469,12 @@ var KeptBlocks = class {
 		};
 	}
 };
-/** The edits of a file by those of the history that are like them: what is the same needs no new adjustment. */
 function theSame(edits, history) {
 	return edits.map((edit, i) => {
 		const known = history[i];
 		return known !== void 0 && JSON.stringify(known) === JSON.stringify(edit) ? known : edit;
 	});
 }
-/** @throws Error naming the field that is damaged */
 function groundFrom(value) {
 	const { key, before } = objectOf(value, "shown.ground");
 	if (!(before instanceof Blob)) throw new Error(say("the-finished-block-is-damaged"));
@@ -3698,7 +3490,6 @@ function keptFile({ id, name, file }) {
 		file: nameOf$1(file)
 	};
 }
-/** All but files and the finished block; the same object while nothing of it has changed. */
 var given$1 = remember((files, { masks, ...options }, flight, truth, opened, orthophoto, heights, placing, purpose) => ({
 	files: files.map(keptFile),
 	options,
@@ -3716,7 +3507,6 @@ function fileOf$2(value, name) {
 		file: likeOf(file, "", `${name}.file`)
 	};
 }
-/** @throws Error naming the field that is damaged */
 function givenFrom(value, catalogue) {
 	const kept = objectOf(value, "block");
 	const options = objectOf(kept["options"], "options");
@@ -3744,7 +3534,6 @@ function givenFrom(value, catalogue) {
 		placing: kept["placing"]
 	};
 }
-/** @throws Error where the file is not there */
 function fileFrom(parts, { id, name, file: at }) {
 	const file = parts.get(FILE + at);
 	if (!(file instanceof Blob)) throw new Error(say("the-image-is-damaged", { name }));
@@ -3761,7 +3550,6 @@ function truthFrom(parts, name) {
 	return truth;
 }
 // www/block/files/runs.ts
-/** Runs the block, and does with an orthophoto what is wanted: the block is placed on it, or each image by itself. */
 var BlockRuns = class {
 	store;
 	engine;
@@ -3773,7 +3561,6 @@ var BlockRuns = class {
 		this.images = images;
 		this.block = block;
 	}
-	/** Runs the block and places it on the orthophoto, where that is wanted. Of a block that is there as it is wanted only the place is made anew. */
 	async run() {
 		const { state } = this.store;
 		if (purposeOf(state) === "block") this.store.dispatch({
@@ -3787,7 +3574,6 @@ var BlockRuns = class {
 		if (!lacksPlaceAlone(state)) await this.engine.run();
 		if (this.store.state.running.kind === "no" && lacksPlaceAlone(this.store.state)) await this.placeBlock();
 	}
-	/** Places images on the orthophoto: those that are not placed yet, where none are named. */
 	async placeImages(files) {
 		this.store.dispatch({
 			type: "purpose",
@@ -3807,7 +3593,6 @@ var BlockRuns = class {
 			this.tell("problem", say("nothing-was-placed", { sentence: sentence(messageOf(error)) }));
 		}
 	}
-	/** The block as it was before it was placed on an orthophoto. */
 	async takeOff() {
 		this.tell("busy", say("taking-the-block-off-the"));
 		try {
@@ -3850,7 +3635,6 @@ var BlockRuns = class {
 	}
 };
 // www/block/state/address.ts
-/** The view and what is chosen in it, as the address of the page names them: `#view=map&point=12`. Images by their names, points by their numbers in the table. */
 var VIEWS = [
 	"map",
 	"matrix",
@@ -3858,9 +3642,7 @@ var VIEWS = [
 	"plots",
 	"orthophoto"
 ];
-/** An address names no more points than these: a brush over all would make it longer than programs take. */
 var MOST_POINTS = 100;
-/** What follows the `#`; empty where no block is shown. */
 function addressOf({ shown, onStage, selection: { chosen } }) {
 	if (shown === null) return "";
 	const named = new URLSearchParams({ view: onStage });
@@ -3871,7 +3653,6 @@ function addressOf({ shown, onStage, selection: { chosen } }) {
 	if (chosen?.kind === "pair") for (const image of chosen.images) named.append("image", name(image));
 	return named.toString();
 }
-/** What an address asks for; null where it asks for no view of a block. What the block does not have is not chosen. */
 function asked(address, view) {
 	const named = new URLSearchParams(address.replace(/^#/u, ""));
 	const wanted = VIEWS.find((name) => name === named.get("view"));
@@ -3902,7 +3683,6 @@ function choiceOf$2(images, points) {
 }
 // www/block/panel/address.ts
 function mountAddress(store, modes) {
-	/** Of an address that was opened before its block was there. */
 	let waiting = window.location.hash;
 	const follow = () => {
 		const { shown, history } = store.state;
@@ -3940,16 +3720,13 @@ function mountAddress(store, modes) {
 	modes.watch(["mode"], tell);
 }
 // www/block/state/words.ts
-/** What the page says of an image or a pair of a block. */
-/** The connection of two images; undefined where they were not tried. */
 function connectionOf(view, [a, b]) {
 	return connectionsOf(view).get(pairKey(a, b));
 }
 function pairKey(a, b) {
 	return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
 }
-var CONNECTIONS = /* @__PURE__ */ new WeakMap();
-/** All connections by their images. */
+var CONNECTIONS = new WeakMap();
 function connectionsOf(view) {
 	const known = CONNECTIONS.get(view);
 	if (known !== void 0) return known;
@@ -3960,7 +3737,6 @@ function connectionsOf(view) {
 function matchesOf({ outcome }) {
 	return outcome.kind === "connected" ? outcome.matches : 0;
 }
-/** Of the pair that has most. */
 function mostMatches({ connections }) {
 	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
 }
@@ -3993,8 +3769,7 @@ function describeImage(view, index) {
 		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
 	].filter((part) => part !== "").join("; ")}.`;
 }
-var GEOMETRIES = /* @__PURE__ */ new WeakMap();
-/** What relates two views, in words; empty where nothing does. */
+var GEOMETRIES = new WeakMap();
 function geometryText(geometry) {
 	if (geometry === null) return "";
 	const { kind, degenerate, sigmaPx } = geometry;
@@ -4071,12 +3846,10 @@ function known$2(value) {
 	return value !== void 0 && !Number.isNaN(value);
 }
 // www/block/state/columns.ts
-/** The tables of a block: their rows, their columns, and what a row is about. */
 var NO_ROWS = {
 	count: 0,
 	columns: []
 };
-/** A column of numbers with so many decimals. */
 function numbers$1(key, label, unit, digits, value, help, told = {}) {
 	return {
 		key,
@@ -4183,7 +3956,6 @@ var PARTS$1 = [
 	say("rejected-2"),
 	say("rejected-by-hand-2")
 ];
-/** All observations of a block; the same object while both are the same. */
 var observationRows = remember(({ images }, of) => {
 	const residual = (row) => Math.hypot(of.residuals[2 * row] ?? NaN, of.residuals[2 * row + 1] ?? NaN);
 	return {
@@ -4201,13 +3973,11 @@ var observationRows = remember(({ images }, of) => {
 		]
 	};
 });
-/** Observations of each point. */
 var raysOf = remember((of) => {
 	const rays = new Uint16Array(of.points.reduce((most, point) => Math.max(most, point), -1) + 1);
 	for (const point of of.points) rays[point] = (rays[point] ?? 0) + 1;
 	return rays;
 });
-/** Whether an observation belongs to what is chosen: to its points in any image, to its images, or to a pair's common points. Everything where nothing is. */
 function observationsOf(of, choice) {
 	if (choice === null) return () => true;
 	const images = new Set(imagesOf(choice));
@@ -4228,11 +3998,9 @@ var ROWS = {
 	points: remember(pointRows),
 	surveyed: remember(surveyedRows)
 };
-/** The rows of a table of the block; the same object for the same view. */
 function rowsOf(subject, view) {
 	return ROWS[subject](view);
 }
-/** What a row is about; null where it is nothing that can be chosen. */
 function choiceOfRow(subject, view, row) {
 	if (subject === "images") return row < view.images.length ? {
 		kind: "image",
@@ -4252,7 +4020,6 @@ function choiceOfRow(subject, view, row) {
 		images
 	};
 }
-/** The rows that a choice is about. */
 function rowsOfChoice(subject, view, choice) {
 	if (subject === "points") return pointsOf(choice);
 	if (subject === "surveyed") {
@@ -4260,21 +4027,19 @@ function rowsOfChoice(subject, view, choice) {
 		return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => points.has(point) ? [row] : []));
 	}
 	if (subject === "images") return Uint32Array.from(imagesOf(choice));
-	if (subject !== "pairs" || choice?.kind !== "pair") return /* @__PURE__ */ new Uint32Array();
+	if (subject !== "pairs" || choice?.kind !== "pair") return new Uint32Array();
 	const row = view.connections.findIndex(({ images }) => isSame({
 		kind: "pair",
 		images
 	}, choice));
-	return row < 0 ? /* @__PURE__ */ new Uint32Array() : Uint32Array.of(row);
+	return row < 0 ? new Uint32Array() : Uint32Array.of(row);
 }
 var EMPTY = {};
-/** Of each row 1 where the filter keeps it; null where it keeps all. */
 function maskOf(subject, view, filter) {
 	const { count: rows, columns } = rowsOf(subject, view);
 	const meets = keeping(columns, filter);
 	return meets === null ? null : Uint8Array.from({ length: rows }, (_, row) => Number(meets(row)));
 }
-/** The test of a subject; the same function while view and filters are the same. */
 function testOf(subject) {
 	return remember((view, own, ofImages) => {
 		const mask = maskOf(subject, view, own);
@@ -4290,12 +4055,10 @@ var TESTS = {
 	points: testOf("points"),
 	surveyed: testOf("surveyed")
 };
-/** Whether an image, pair, point or surveyed point is shown: what the filter of its table leaves out, no view shows; nor a pair of such an image. */
 function keptBy(subject, view, { filters }) {
 	return TESTS[subject](view, filters[subject] ?? EMPTY, subject === "pairs" ? filters.images ?? EMPTY : EMPTY);
 }
 // www/block/panel/dock.ts
-/** The tables of a block, under its views: what is chosen in one is chosen in all, and a choice elsewhere is brought into sight. */
 var TABLES = [
 	["images", say("images-2")],
 	["pairs", say("pairs")],
@@ -4304,12 +4067,9 @@ var TABLES = [
 	["surveyed", say("control-and-check-points")]
 ];
 var HEIGHT = "tiepoint-dock";
-/** A step of the splitter by keys, and how low and high the tables may be, CSS px. */
 var STEP$1 = 24;
 var LEAST = 110;
-/** So much of the stage is left to the picture. */
 var ABOVE = 240;
-/** Makes the tables; they are opened by the button of the drawer `table`. `others`: tables of a view that shows no block. */
 function makeDock(store, looking, facts, others) {
 	const sources = TABLES.map(([subject, title]) => subject === "observations" ? observationSource(facts, () => draw()) : sourceOf(subject, title));
 	const { element, panels } = tabbed("dock", say("tables"), [...sources.map(({ subject, title }) => [`block-${subject}`, title]), ...others.map(({ id, title }) => [id, title])]);
@@ -4360,7 +4120,6 @@ function sourceOf(subject, title) {
 		}
 	};
 }
-/** Observations are asked of the block's worker when their table is looked at. */
 function observationSource(facts, redraw) {
 	let only = false;
 	const press = toggle(say("of-what-is-chosen"), "block-observations-only", say("shows-the-observations-of-the"), (on) => {
@@ -4410,9 +4169,7 @@ function oneTable(host, store, looking, source) {
 		const { shown } = store.state;
 		return shown === null || row < 0 ? null : source.choice(shown.view, row);
 	};
-	/** What was chosen here last: that is in sight. */
 	let own = null;
-	/** What is chosen is still to be brought into sight. */
 	let seeks = false;
 	let chosen = {
 		has: () => false,
@@ -4441,9 +4198,8 @@ function oneTable(host, store, looking, source) {
 		...subject === "points" ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {}
 	});
 	let shownRows = NO_ROWS;
-	const isHidden = () => host.closest("[hidden], .is-closed") !== null;
 	const draw = () => {
-		if (isHidden()) return;
+		if (isHidden(host)) return;
 		const { shown, selection } = store.state;
 		shownRows = shown === null ? NO_ROWS : source.rows(shown.view);
 		table.show(shownRows.count, shownRows.columns, shown === null ? void 0 : source.keeps(shown.view, selection), selection.filters[subject]);
@@ -4464,21 +4220,19 @@ function oneTable(host, store, looking, source) {
 	store.watch((s) => [s.selection.chosen], ([now]) => {
 		seeks = now !== null && !isSame(now, own);
 		own = null;
-		if (isHidden()) return;
+		if (isHidden(host)) return;
 		if (subject === "observations") draw();
 		else mark();
 	});
-	/** Draws it where its rows are others. */
 	const refresh = () => {
 		const { shown } = store.state;
-		if (!isHidden() && shown !== null && source.rows(shown.view) !== shownRows) draw();
+		if (!isHidden(host) && shown !== null && source.rows(shown.view) !== shownRows) draw();
 	};
 	return {
 		draw,
 		refresh
 	};
 }
-/** The line between picture and tables, which is dragged, or moved by arrow keys. */
 function splitter(dock) {
 	const line = h("div", {
 		class: "splitter",
@@ -4526,7 +4280,6 @@ function splitter(dock) {
 	return line;
 }
 // www/block/panel/flight.ts
-/** The simulated block: a control for each parameter of its flight that photos depend on. */
 function mountFlight(host, store, files) {
 	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
@@ -4556,7 +4309,6 @@ function mountFlight(host, store, files) {
 	});
 }
 // www/block/panel/back.ts
-/** The way back from a pair of the block: a line over the pair that says which one it is. */
 function mountBack(store, modes) {
 	const text = h("span", { testid: "of-block" });
 	const back = button(say("back-to-the-block"), "back-to-block", () => {
@@ -4588,9 +4340,7 @@ var STAGES = {
 	refinement: say("refinement"),
 	orientation: say("orientation")
 };
-/** Stages whose steps are parts of one computation, none that the user counts. */
-var OF_ONE_PIECE = /* @__PURE__ */ new Set(["points", "orientation"]);
-/** Stages in their order. */
+var OF_ONE_PIECE = new Set(["points", "orientation"]);
 var NAMES$2 = Object.keys(STAGES);
 function mountProgress(host, store) {
 	const body = h("div", { class: "stages" });
@@ -4614,7 +4364,6 @@ function stage(name, step) {
 	bar.value = step.done;
 	return line(bar);
 }
-/** "7 of 12, 3 from an earlier run; 8 s, about 5 s left; IMG_9428.jpg"; of a stage that is done what there was and how long it took. */
 function stepText$1(stage, { done, total, found, seconds, secondsLeft, name }) {
 	const goesOn = done < total;
 	return [
@@ -4627,7 +4376,6 @@ function stepText$1(stage, { done, total, found, seconds, secondsLeft, name }) {
 		goesOn ? name ?? "" : ""
 	].filter((part) => part !== "").join("; ");
 }
-/** What the status line says of the stage that runs. */
 function runText(steps) {
 	const name = NAMES$2.findLast((stage) => steps[stage] !== void 0);
 	const step = name === void 0 ? void 0 : steps[name];
@@ -4640,8 +4388,6 @@ function duration(seconds) {
 	return minutes < 90 ? say("min", { minutes }) : say("hours", { value: (seconds / 3600).toFixed(1) });
 }
 // www/block/state/together.ts
-/** An image that is chosen in a view of the block is chosen on the orthophoto too, where it is placed there, and the other way round. Pure. */
-/** The state after a choice in one of them, with the other one after it. */
 function together(before, after) {
 	if (after.shown === null || after.placing.placed.size === 0) return after;
 	const [was, is] = [before.selection.chosen, after.selection.chosen];
@@ -4686,12 +4432,10 @@ function selectedAfter({ selection, placing, ...after }, before) {
 		choice: null
 	}) : selection;
 }
-/** The number of the file of an image of the block; null where it is not given. */
 function fileOf$1({ shown, files }, image) {
 	const name = shown?.view.images[image]?.name;
 	return files.find((file) => file.name === name)?.id ?? null;
 }
-/** The image of the block that a file is; null where it is none. */
 function imageOf({ shown, files }, id) {
 	const name = files.find((file) => file.id === id)?.name;
 	const image = shown?.view.images.findIndex((own) => own.name === name) ?? -1;
@@ -4846,15 +4590,12 @@ function reduced(state, action) {
 		default: return withRun(state, action);
 	}
 }
-/** The view that shows what was kept: images on an orthophoto are no block, whose views would have nothing. */
 function viewOf({ shown, placing }) {
 	return shown === null && placing.orthophoto !== null ? "orthophoto" : BLOCK_INITIAL.onStage;
 }
-/** A run that goes on keeps what it was given; of one that was ended nothing is left to take up as it was. */
 function onOtherInput(running) {
 	return running.kind === "yes" ? running : { kind: "no" };
 }
-/** What refers to the images of a block that is no longer shown. */
 function blank(state) {
 	return {
 		selection: NOTHING_SELECTED,
@@ -4862,7 +4603,6 @@ function blank(state) {
 		notice: state.notice?.kind === "busy" ? null : state.notice
 	};
 }
-/** What refers to the images of a block, in another view of them. */
 function inOther({ selection, panes, shown }, view) {
 	const before = shown?.view ?? null;
 	return {
@@ -4900,7 +4640,6 @@ function onGround$1(state, shown, { view, edits: own, ground }) {
 		}
 	};
 }
-/** What a run reports. */
 function withRun(state, action) {
 	const { running } = state;
 	switch (action.type) {
@@ -4980,9 +4719,7 @@ function withRun(state, action) {
 	}
 }
 // www/block/state/observed.ts
-/** What the observations of images say of other places: where they lie in another image, and on the ground. */
-/** Where each point lies in an image. */
-var placesOf = /* @__PURE__ */ new WeakMap();
+var placesOf = new WeakMap();
 function placesByPoint(of) {
 	const known = placesOf.get(of);
 	if (known !== void 0) return known;
@@ -4990,19 +4727,16 @@ function placesByPoint(of) {
 	placesOf.set(of, made);
 	return made;
 }
-/** Where an image shows a point; null where it does not. */
 function placeOfPoint(of, point) {
 	return placesByPoint(of).get(point) ?? null;
 }
-/** The elements nearest to a place, nearest first. */
 function nearest$1(list, [x, y]) {
 	return list.map((twice) => ({
 		twice,
 		distance: (twice[0] - x) ** 2 + (twice[1] - y) ** 2
 	})).sort((a, b) => a.distance - b.distance).slice(0, 12).map(({ twice }) => twice);
 }
-var commonOf = /* @__PURE__ */ new WeakMap();
-/** The points that both images show, accepted in both. */
+var commonOf = new WeakMap();
 function common(from, to) {
 	const known = commonOf.get(from)?.get(to);
 	if (known !== void 0) return known;
@@ -5017,15 +4751,13 @@ function common(from, to) {
 			...other
 		]];
 	});
-	const ofFrom = commonOf.get(from) ?? /* @__PURE__ */ new WeakMap();
+	const ofFrom = commonOf.get(from) ?? new WeakMap();
 	commonOf.set(from, ofFrom.set(to, made));
 	return made;
 }
-/** Where the ground at a place of one image lies in another, by the points around it that both show; null without any. */
 function inOtherImage(from, to, at) {
 	return movedWith(nearest$1(common(from, to), at), at);
 }
-/** X, Y, Z of the ground at a place of an image, by the points around it; null where they are too few. */
 var groundAt = remember((of, { positions }, x, y) => {
 	const at = [x, y];
 	const coordinate = (point, axis) => positions[3 * point + axis] ?? NaN;
@@ -5049,7 +4781,6 @@ var groundAt = remember((of, { positions }, x, y) => {
 	]), at);
 	return plan === null || height === null ? null : [...plan, height[0]];
 });
-/** Photo coordinates in mm, x right, y up, from the principal point; null where the side of a pixel is not known. */
 function photoMm({ calibrated, given }, [x, y]) {
 	const camera = calibrated ?? given;
 	const side = camera?.pixel_mm ?? given?.pixel_mm;
@@ -5057,10 +4788,7 @@ function photoMm({ calibrated, given }, [x, y]) {
 	return [side * (x - camera.principal_point_px[0]), side * (camera.principal_point_px[1] - y)];
 }
 // www/shared/engine/colour.ts
-/** An image in its colours, as the browser decodes it. They are only looked at: nothing is computed from them. */
-/** Larger files are shown in grey: their colours would take more memory than a tab has to spare. */
 var MOST_BYTES = 2 ** 25;
-/** The image as it is stored: the crate too leaves its EXIF orientation aside. Null where the browser cannot decode it. */
 async function decodeColour(bytes) {
 	if (bytes.length > MOST_BYTES) return null;
 	try {
@@ -5069,7 +4797,6 @@ async function decodeColour(bytes) {
 		return null;
 	}
 }
-/** A JPEG file without its EXIF segments: browsers turn images by the orientation that stands there, whatever they are asked. Of others all stays. */
 function withoutExif(bytes) {
 	const kept = [];
 	let [from, at] = [0, 2];
@@ -5085,39 +4812,28 @@ function withoutExif(bytes) {
 	return [...kept, bytes.subarray(from)];
 }
 // www/block/view/images/bitmaps.ts
-/**
-* The pictures of the images that panes show: a small copy of each, and of the part that is looked at its pixels. An image is decoded when it is
-* needed, one at a time, and of whole decoded images only the latest are kept: nine images of 12 megapixels would take 430 MB.
-*/
-/** Longer side of a small copy, px. */
 var COPY_SIDE = 1024;
-/** What decoded images may take, in bytes. */
 var MOST_DECODED = 1e8;
-/** How much more than what is seen a part shows on each side, in shares of it and at least in px: room to move. */
 var MARGIN$1 = .25;
 var LEAST_MARGIN = 96;
 var Bitmaps = class {
 	grey;
 	arrived;
-	held = /* @__PURE__ */ new Map();
-	/** Decoded images by the number of their file, in order of last use. */
-	decoded = /* @__PURE__ */ new Map();
-	/** By file and slot; the latest counts. */
-	wishes = /* @__PURE__ */ new Map();
+	held = new Map();
+	decoded = new Map();
+	wishes = new Map();
 	working = false;
 	constructor(grey, arrived) {
 		this.grey = grey;
 		this.arrived = arrived;
 	}
-	/** Whether the image of a file cannot be shown. */
 	hasFailed(file) {
 		return this.held.get(file.id)?.failed === true;
 	}
-	/** What there is of an image, the coarser first, and asks for what is wanted. `part`: what is seen; `density`: device px of a px of the image. */
 	pieces(file, size, slot, part, density) {
 		const held = this.held.get(file.id) ?? {
 			copy: null,
-			details: /* @__PURE__ */ new Map(),
+			details: new Map(),
 			failed: false
 		};
 		this.held.set(file.id, held);
@@ -5141,7 +4857,6 @@ var Bitmaps = class {
 		});
 		return [copy, detail].filter((piece) => piece != null);
 	}
-	/** Frees what belongs to other files. */
 	keep(files) {
 		for (const [id, held] of this.held) {
 			if (files.has(id)) continue;
@@ -5155,7 +4870,6 @@ var Bitmaps = class {
 			this.decoded.delete(id);
 		}
 	}
-	/** What all of it takes, in bytes. */
 	get bytes() {
 		return [...[...this.held.values()].flatMap(({ copy, details }) => [copy, ...details.values()].map((piece) => piece?.bitmap)), ...this.decoded.values()].reduce((sum, bitmap) => sum + (bitmap == null ? 0 : sizeOf(bitmap)), 0);
 	}
@@ -5201,7 +4915,6 @@ var Bitmaps = class {
 		} catch {}
 		this.forgetOldest();
 	}
-	/** The decoded image; null where it cannot be decoded, or has another size than the block knows. */
 	async whole(file, size) {
 		const known = this.decoded.get(file.id);
 		if (known !== void 0) {
@@ -5236,7 +4949,6 @@ function sizeOf({ width, height }) {
 function covers(outer, inner) {
 	return outer[0] <= inner[0] && outer[1] <= inner[1] && outer[2] >= inner[2] && outer[3] >= inner[3];
 }
-/** A part with room around it, in whole px. */
 function withMargin([left, top, right, bottom], { width, height }) {
 	const [dx, dy] = [right - left, bottom - top].map((length) => Math.max(MARGIN$1 * length, LEAST_MARGIN));
 	return [
@@ -5246,7 +4958,6 @@ function withMargin([left, top, right, bottom], { width, height }) {
 		Math.min(height, Math.ceil(bottom + dy))
 	];
 }
-/** A part of an image, reduced; where its sides are no multiples of the step the last px are a little narrower. */
 async function pieceOf(whole, [left, top, right, bottom], step) {
 	const [width, height] = [Math.max(1, Math.floor((right - left) / step)), Math.max(1, Math.floor((bottom - top) / step))];
 	return {
@@ -5267,10 +4978,8 @@ var ARROWS = {
 	ArrowUp: [0, -1],
 	ArrowDown: [0, 1]
 };
-/** How far an arrow moves a point that is measured, px; with Shift. */
 var FINE = .1;
 var COARSE = 1;
-/** What keys do while a point is measured, and what begins it. */
 function measuringKeys(view) {
 	const { measuring } = view;
 	const drafts = () => measuring.draft !== null;
@@ -5327,7 +5036,6 @@ function measuringKeys(view) {
 		...Object.entries(ARROWS).map(nudge)
 	];
 }
-/** What else keys do in the panes. */
 function looking(view) {
 	const { store } = view.seen;
 	const look = () => store.state.panes.look;
@@ -5400,15 +5108,12 @@ function looking(view) {
 	];
 }
 // www/block/view/images/grid.ts
-/** Space between panes, CSS px. */
 var GAP = 4;
-/** Columns in which images of a ratio of width to height are largest; where a screen is narrow one below the other. */
 function columnsOf(count, width, height, ratio, narrow) {
 	if (narrow) return 1;
 	const scale = (columns) => Math.min(width / columns, ratio * height / Math.ceil(count / columns));
 	return Array.from({ length: count }, (_, i) => i + 1).reduce((best, columns) => scale(columns) > scale(best) * 1.001 ? columns : best, 1);
 }
-/** The panes, row by row; those of the last row share its width. */
 function gridOf(count, columns, width, height) {
 	const rows = Math.ceil(count / columns);
 	return Array.from({ length: count }, (_, i) => {
@@ -5423,17 +5128,13 @@ function gridOf(count, columns, width, height) {
 		};
 	});
 }
-/** Where one of several equal parts of a length begins and ends. */
 function edges(length, parts, part) {
 	const side = (length - GAP * (parts - 1)) / parts;
 	return [Math.round(part * (side + GAP)), Math.round(part * (side + GAP) + side)];
 }
 // www/block/view/images/scene.ts
-/** What the panes show, gathered from the state once a drawing. */
-/** Files by the names of their images. */
 var byName = remember((files, made) => new Map([...files, ...made].map((file) => [file.name, file])));
 var NO_FILES = [];
-/** The panes on a canvas of `width` x `height` CSS px. */
 function panesOf(state, view, facts, columns, width, height) {
 	const images = shownImages(state.panes, view);
 	const files = byName(state.files, state.shown?.files ?? NO_FILES);
@@ -5452,7 +5153,6 @@ function panesOf(state, view, facts, columns, width, height) {
 		}];
 	});
 }
-/** Where a pane looks: where it was moved to, else at the whole of its image, or at the middle of it as large as the pane. */
 function paneView({ views, whole }, image, rect, of) {
 	const own = views.get(image);
 	if (own !== void 0) return inPane(own, rect);
@@ -5462,23 +5162,18 @@ function paneView({ views, whole }, image, rect, of) {
 		scale: fillScale(rect, of)
 	};
 }
-/** The scale at which an image leaves no bands beside it. */
 function fillScale({ width, height }, of) {
 	return Math.max(width / of.width, height / of.height);
 }
-/** The pane at a place of the canvas. */
 function paneAt(panes, x, y) {
 	return panes.find(({ rect }) => contains(rect, x, y)) ?? null;
 }
-/** Whether a position lies on the image of a pane. */
 function isOn({ width, height }, [x, y]) {
 	return x >= 0 && y >= 0 && x <= width && y <= height;
 }
 // www/block/view/images/lenses.ts
-/** A px of the image in the loupe over a point that is measured, CSS px. */
 var DRAFT_SCALE = 6;
 var EDGE$1 = 8;
-/** At the pointer's place on the canvas, over what it points at. */
 function lensesAt(seen, panes, pointer, pointed) {
 	const from = panes.find(({ image }) => image === pointed.image);
 	const scale = Math.min(48, Math.max(4, (from?.transform.scale ?? 1) * 4));
@@ -5494,7 +5189,6 @@ function lensesAt(seen, panes, pointer, pointed) {
 		}];
 	});
 }
-/** Over the point that is measured, in all images: one place is compared with the others. */
 function draftLenses(measuring, panes) {
 	return panes.flatMap((pane) => {
 		const at = measuring.placeIn(pane);
@@ -5507,7 +5201,6 @@ function draftLenses(measuring, panes) {
 		}];
 	});
 }
-/** Beside the pointer, within its pane. */
 function besidePointer([x, y], { left, top, width, height }) {
 	const rect = lensRect([x - left, y - top], {
 		left: 0,
@@ -5521,7 +5214,6 @@ function besidePointer([x, y], { left, top, width, height }) {
 		top: top + Math.min(rect.top, height - rect.height)
 	};
 }
-/** The lower right corner of a pane. */
 function cornerOf({ left, top, width, height }) {
 	const side = Math.max(40, Math.min(176, width * .45, height * .45));
 	return {
@@ -5532,10 +5224,7 @@ function cornerOf({ left, top, width, height }) {
 	};
 }
 // www/block/view/images/measuring.ts
-/** Measures a point in the images that are shown: where it lies so far, where it is expected, and what a user does to it. */
-/** How far apart places are that say how one image lies to another, px. */
 var STEP = 20;
-/** Images that are named one by one. */
 var MOST_NAMES$1 = 3;
 var STRAIGHT = [
 	1,
@@ -5558,7 +5247,6 @@ var Measuring = class {
 	get draft() {
 		return this.store.state.draft;
 	}
-	/** Measures the chosen point, or a new one where none is chosen or `anew`; ends where a point is measured already. */
 	toggle(anew) {
 		const { state } = this.store;
 		if (state.draft !== null || !isEditable(state) || state.shown === null) {
@@ -5579,11 +5267,9 @@ var Measuring = class {
 		});
 		this.set(begun(of));
 	}
-	/** Where the point lies in an image: where it was placed, else where it was measured before, else where it is expected. */
 	placeIn(pane) {
 		return this.draft?.places.get(pane.image)?.at ?? this.measured(pane.image) ?? this.expected(pane);
 	}
-	/** Where the point is expected in an image in which it is not placed: by its prediction, where the epipolar lines of two places cross, or by the points around it. */
 	expected(pane) {
 		const { draft } = this;
 		if (draft === null || draft.places.has(pane.image)) return null;
@@ -5599,7 +5285,6 @@ var Measuring = class {
 		const line = this.facts.line(first[0], first[1].at, pane.image);
 		return near === null || line === null ? near : onLine(line, near);
 	}
-	/** Places whose epipolar lines say where the point may lie in an image. */
 	sources(image) {
 		return [...this.draft?.places ?? []].filter(([other]) => other !== image).slice(-2).map(([other, { at }]) => ({
 			image: other,
@@ -5613,7 +5298,6 @@ var Measuring = class {
 		const at = this.placeIn(pane);
 		if (at !== null) this.place(pane, [at[0] + dx, at[1] + dy]);
 	}
-	/** Places the point where it is expected, or at a place; where it is placed it is accepted. */
 	settle(pane, middle) {
 		const { draft } = this;
 		if (draft === null) return;
@@ -5627,13 +5311,11 @@ var Measuring = class {
 			edits
 		});
 	}
-	/** Gives the measured point up; false where none is measured. */
 	leave() {
 		if (this.draft === null) return false;
 		this.set(null);
 		return true;
 	}
-	/** Moves the point in the other images to where least squares matching finds it by its place in one of them. */
 	async match(from) {
 		if (this.draft === null) this.toggle(false);
 		const at = from === null ? null : this.placeIn(from);
@@ -5681,7 +5363,6 @@ var Measuring = class {
 			where
 		}));
 	}
-	/** Where the point was measured before, in an image. */
 	measured(image) {
 		const own = this.detail()?.observations.find((one) => one.image === image);
 		return own === void 0 ? null : [own.x_px, own.y_px];
@@ -5709,7 +5390,6 @@ var Measuring = class {
 		});
 	}
 };
-/** How steps in one image lie in another, by the points around a place that both show. */
 function turnOf(from, to, [x, y]) {
 	const { points: own } = from;
 	const { points: other } = to;
@@ -5746,7 +5426,6 @@ var Moving = class {
 	fit() {
 		this.seen.store.dispatch({ type: "wholeImages" });
 	}
-	/** Zooms about the chosen point where the active pane shows it, else about the pane's middle. */
 	zoomMiddle(factor) {
 		const pane = this.seen.active();
 		if (pane === null) return;
@@ -5757,12 +5436,10 @@ var Moving = class {
 		const at = place === null ? middle : toCanvas(pane.transform, ...place);
 		this.zoom(pane.image, factor, ...contains(rect, ...at) ? at : middle);
 	}
-	/** One image px to one CSS px. */
 	actualSize() {
 		const pane = this.seen.active();
 		if (pane !== null) this.zoomMiddle(1 / pane.transform.scale);
 	}
-	/** Changes the view of an image; where all are linked the others follow to the same ground, where that is known. */
 	change(image, next) {
 		const { state } = this.seen.store;
 		const panes = this.seen.panes();
@@ -5773,7 +5450,7 @@ var Moving = class {
 		const leader = panes.find((pane) => pane.image === image);
 		if (leader === void 0) return;
 		const own = moved(leader);
-		const views = /* @__PURE__ */ new Map([[image, own]]);
+		const views = new Map([[image, own]]);
 		if (state.panes.look.linked) {
 			for (const pane of panes) if (pane !== leader) views.set(pane.image, followed(leader, own, pane, moved(pane)));
 		}
@@ -5792,8 +5469,6 @@ function followed(leader, { x, y }, pane, own) {
 	}, pane);
 }
 // www/block/view/images/observations.ts
-/** The observations of an image with their residuals, drawn by the crate. */
-/** Styles by code: what the adjustment accepted and rejected, what was rejected by hand and what was measured by hand. */
 var STYLES$1 = [
 	ACCEPTED,
 	REJECTED,
@@ -5801,7 +5476,7 @@ var STYLES$1 = [
 	MEASURED
 ];
 var BY_HAND$1 = 3;
-var drawnOf = /* @__PURE__ */ new WeakMap();
+var drawnOf = new WeakMap();
 function drawn(of) {
 	const known = drawnOf.get(of);
 	if (known !== void 0) return known;
@@ -5817,15 +5492,13 @@ function drawn(of) {
 	drawnOf.set(of, made);
 	return made;
 }
-var grids = /* @__PURE__ */ new WeakMap();
-/** The observation nearest to a place, by its row; -1 where none is near. */
+var grids = new WeakMap();
 function nearestRow(of, { width, height }, x, y, radius, keeps) {
 	const grid = grids.get(of) ?? new PointGrid(drawn(of).points, width, height);
 	grids.set(of, grid);
 	return grid.nearest(x, y, radius, (row) => keeps(of.points[row] ?? -1));
 }
 var NOT_DRAWN$1 = 255;
-/** One code a point. */
 function codesOf$1({ points, parts }, { byHand, keeps }) {
 	return parts.map((part, i) => {
 		const point = points[i] ?? -1;
@@ -5833,7 +5506,6 @@ function codesOf$1({ points, parts }, { byHand, keeps }) {
 		return part === 0 && byHand.has(point) ? BY_HAND$1 : part;
 	});
 }
-/** Draws the observations that `clip` shows. */
 function drawObservations(context, of, marked, t, clip) {
 	const half = halfSize(t.scale);
 	const styles = Float64Array.from(STYLES$1.flatMap(({ shape }, code) => [
@@ -5843,7 +5515,6 @@ function drawObservations(context, of, marked, t, clip) {
 	]));
 	draw_points(context, drawn(of).points, codesOf$1(of, marked), styles, STYLES$1.map(({ colour }) => colour), drawView(t, clip));
 }
-/** Draws residuals, so many times longer than they are, and a bar for their length. */
 function drawResiduals(context, of, marked, factor, { transform, rect }) {
 	const colours = [
 		RESIDUAL,
@@ -5853,9 +5524,7 @@ function drawResiduals(context, of, marked, factor, { transform, rect }) {
 	];
 	draw_vectors(context, drawn(of).vectors, codesOf$1(of, marked), Float64Array.of(1.4, 1.4, 1.4, 1.4), colours, factor, drawView(transform, rect));
 }
-/** About how long the bar is, CSS px. */
 var BAR$1 = 70;
-/** A bar as long as a residual of a round length is drawn. */
 function drawScaleBar(context, factor, { transform, rect }) {
 	const { px, length } = barOf(factor * transform.scale);
 	const [x, y] = [rect.left + 10, rect.top + rect.height - 10];
@@ -5884,7 +5553,6 @@ function drawScaleBar(context, factor, { transform, rect }) {
 		context.stroke();
 	});
 }
-/** The round length whose bar is as long as it may be, in px of the image and on the canvas. `scale`: CSS px of a px of a residual. */
 function barOf(scale) {
 	const wanted = BAR$1 / scale;
 	const power = 10 ** Math.floor(Math.log10(wanted));
@@ -5900,26 +5568,20 @@ function barOf(scale) {
 	};
 }
 // www/block/view/images/opening.ts
-/** A chosen point is shown at least so large: CSS px of a px of the image. */
 var LEAST_SCALE = 1;
 var Opening = class {
 	seen;
 	measuring;
-	/** The point that the panes were opened at, of the block as it was found, by what it is. */
 	openedAt = null;
-	/** The choice whose images were shown. */
 	shownFor = null;
-	/** The block as it was shown last. */
 	last = null;
 	constructor(seen, measuring) {
 		this.seen = seen;
 		this.measuring = measuring;
 	}
-	/** A press on the point that is chosen shows it in the middle again. */
 	again() {
 		this.openedAt = null;
 	}
-	/** Opens the images of the point that is chosen, once its figures are there. */
 	follow() {
 		const { onStage, panes, selection, shown } = this.seen.store.state;
 		if (shown === null) return;
@@ -5943,7 +5605,6 @@ var Opening = class {
 		};
 		this.open(chosen.detail, view);
 	}
-	/** Moves the point that is measured into sight where it is placed or expected. */
 	showDraft() {
 		const panes = this.seen.panes();
 		const scale = Math.max(LEAST_SCALE, ...panes.map(({ transform }) => transform.scale));
@@ -5964,7 +5625,6 @@ var Opening = class {
 			views: new Map(views)
 		});
 	}
-	/** After an edit of the same block the panes stay as they are, and what is chosen now counts as opened: a point that was added is where it was measured. */
 	afterEdit(found, view) {
 		const { last } = this;
 		this.last = {
@@ -5978,11 +5638,9 @@ var Opening = class {
 			source: this.sourceOf(view, point)
 		};
 	}
-	/** A block that is not oriented does not say what its points are; it is not edited either. */
 	sourceOf({ points }, point) {
 		return points.sources[point] ?? codeOfSource({ tie_point: point });
 	}
-	/** Shows the images that were chosen. */
 	showChosenImages(chosen, view) {
 		this.shownFor = chosen;
 		const images = chosen?.kind === "image" || chosen?.kind === "pair" ? imagesOf(chosen) : [];
@@ -5993,7 +5651,6 @@ var Opening = class {
 			images
 		});
 	}
-	/** Shows a point in the middle of a pane of each image that shows it, all at one scale, at which the panes are filled. */
 	open(detail, view) {
 		const { store } = this.seen;
 		const { panes } = store.state;
@@ -6024,9 +5681,7 @@ function viewAt(at, scale) {
 	};
 }
 // www/block/view/images/paint.ts
-/** Of many chosen points so many are marked. */
 var MOST_RINGS = 3e3;
-/** The pictures of the images. `ratio`: device px per CSS px. */
 function paintPictures(context, bitmaps, panes, ratio) {
 	for (const pane of panes) paintPart(context, bitmaps, pane, pane.transform, pane.rect, "pane", ratio);
 	bitmaps.keep(new Set(panes.flatMap(({ file }) => file?.id ?? [])));
@@ -6044,7 +5699,6 @@ function paintPart(context, bitmaps, pane, t, clip, slot, ratio) {
 		for (const { bitmap, x, y, step } of bitmaps.pieces(pane.file, pane, slot, part, t.scale * ratio)) paintBitmap(context, bitmap, x, y, step, part, t);
 	});
 }
-/** Observations and their residuals, as far as they are to be seen. */
 function paintMarks(context, seen, panes) {
 	const { points: shown, vectors } = seen.store.state.panes.look;
 	for (const pane of panes) {
@@ -6056,7 +5710,6 @@ function paintMarks(context, seen, panes) {
 		if (vectors > 0) drawScaleBar(context, vectors, pane);
 	}
 }
-/** What stands over all: the chosen point, its lines, the point that is measured, and the edges of the loupes. */
 function paintOverlay(context, seen, measuring, panes, lenses, pointed) {
 	paintChosen(context, seen, panes);
 	paintLines$1(context, seen, measuring, panes, pointed);
@@ -6069,7 +5722,6 @@ function paintOverlay(context, seen, measuring, panes, lenses, pointed) {
 		lensFrame(context, rect);
 	}
 }
-/** Rings around the chosen points; of one that is chosen alone where the adjustment predicts it. */
 function paintChosen(context, seen, panes) {
 	const { chosen, pointed } = seen.store.state.selection;
 	const alone = seen.chosen();
@@ -6092,7 +5744,6 @@ function paintChosen(context, seen, panes) {
 		});
 	}
 }
-/** The place whose epipolar lines are drawn: that of the chosen point in the image pointed at, else the pointer's own while the loupe is there. */
 function sourceOfLines(seen, panes, pointed) {
 	const pane = pointed === null ? seen.active() : panes.find(({ image }) => image === pointed.image) ?? null;
 	const [point] = pointsOf(seen.store.state.selection.chosen);
@@ -6113,7 +5764,6 @@ function paintLines$1(context, seen, measuring, panes, pointed) {
 		}
 	}
 }
-/** The point that is measured: where it is placed, or expected. */
 function paintDraft(context, seen, measuring, panes) {
 	if (measuring.draft === null) return;
 	const active = seen.active()?.image;
@@ -6124,7 +5774,6 @@ function paintDraft(context, seen, measuring, panes) {
 		if (at !== null) drawCross$1(context, pane, at, pane.image === active);
 	}
 }
-/** Where the adjustment expects an observation: a small ×. */
 function paintPredicted(context, pane, at) {
 	const [x, y] = toCanvas(pane.transform, ...at);
 	const path = new Path2D();
@@ -6140,9 +5789,8 @@ function paintPredicted(context, pane, at) {
 	context.stroke(path);
 }
 // www/block/view/images/seen.ts
-/** Narrower pages show the panes one below the other. */
 var NARROW = 720;
-var NOBODY = /* @__PURE__ */ new Set();
+var NOBODY = new Set();
 var Seen = class {
 	store;
 	facts;
@@ -6164,12 +5812,10 @@ var Seen = class {
 		const { width, height } = this.size();
 		return panesOf(this.store.state, view, this.facts, this.columns(view, width, height), width, height);
 	}
-	/** The pane that keys move. */
 	active() {
 		const panes = this.panes();
 		return panes.find(({ image }) => image === this.store.state.panes.active) ?? panes[0] ?? null;
 	}
-	/** The point that is chosen alone, with its figures; null while they are on their way. */
 	chosen() {
 		const [point, ...more] = pointsOf(this.store.state.selection.chosen);
 		if (point === void 0 || more.length > 0) return null;
@@ -6179,7 +5825,6 @@ var Seen = class {
 			detail
 		};
 	}
-	/** Which points of an image are shown: what the filter of a table leaves out, no view shows. */
 	marked(image) {
 		const { shown, selection } = this.store.state;
 		if (shown === null) return {
@@ -6191,7 +5836,6 @@ var Seen = class {
 			keeps: keptBy("points", shown.view, selection)
 		};
 	}
-	/** Where the ground at a place of one pane lies in another, to the px where both show the chosen point near it. */
 	sameGround(from, to, at) {
 		if (from?.points == null || to.points === null) return null;
 		const moved = inOtherImage(from.points, to.points, at);
@@ -6207,7 +5851,6 @@ var Seen = class {
 		return columnsOf(images.length, across, down, width / height, this.isNarrow);
 	}
 };
-/** The indices of the points that were measured by hand, by image. */
 var handMeasured = remember((view, edits) => {
 	const { measured } = standingOf(edits);
 	const indices = new Map([...view.points.sources].map((code, point) => [code, point]));
@@ -6220,9 +5863,7 @@ var LAYERS = [
 	"lenses",
 	"overlay"
 ];
-/** How near a press must be to a point, CSS px. */
 var REACH$3 = 14;
-/** Of panes one below the other each is so high, CSS px. */
 var NARROW_HEIGHT = 220;
 var ImagesView = class {
 	host;
@@ -6234,7 +5875,6 @@ var ImagesView = class {
 	opening;
 	layers;
 	bitmaps;
-	/** The pointer's place on the canvas. */
 	pointer = null;
 	listeners = [];
 	constructor(host, store, looking$1, facts, engine) {
@@ -6291,11 +5931,9 @@ var ImagesView = class {
 		new ResizeObserver(() => this.lay()).observe(host.parentElement ?? host);
 		new ResizeObserver(() => this.tell()).observe(host);
 	}
-	/** Calls back when panes, places or figures may have changed. */
 	watch(changed) {
 		this.listeners.push(changed);
 	}
-	/** What the pointer is over; null beside the images. */
 	pointedAt() {
 		if (this.pointer === null) return null;
 		const pane = paneAt(this.seen.panes(), ...this.pointer);
@@ -6306,11 +5944,9 @@ var ImagesView = class {
 			at
 		} : null;
 	}
-	/** Whether the image of a pane cannot be decoded. */
 	hasFailed({ file }) {
 		return file !== null && this.bitmaps.hasFailed(file);
 	}
-	/** Shows the next images in place of those that are shown. */
 	turn(by) {
 		const view = this.seen.view();
 		if (view === null) return;
@@ -6323,7 +5959,6 @@ var ImagesView = class {
 			images: next
 		});
 	}
-	/** Chooses the next point of the active image, row by row. */
 	step(by) {
 		const pane = this.seen.active();
 		const of = pane?.points;
@@ -6339,7 +5974,6 @@ var ImagesView = class {
 			image: pane.image
 		});
 	}
-	/** Gives the keys to the next pane. */
 	other() {
 		const panes = this.seen.panes();
 		const next = panes[(panes.findIndex(({ image }) => image === this.seen.active()?.image) + 1) % Math.max(1, panes.length)];
@@ -6348,7 +5982,6 @@ var ImagesView = class {
 			image: next.image
 		});
 	}
-	/** Matches the point that is chosen or measured in the other images by its place in the active one. */
 	match() {
 		this.measuring.match(this.seen.active()).then(() => this.opening.showDraft());
 	}
@@ -6360,7 +5993,6 @@ var ImagesView = class {
 	tell() {
 		for (const listener of this.listeners) listener();
 	}
-	/** On a narrow page the canvas is as high as its panes need it. */
 	lay() {
 		const view = this.seen.view();
 		const count = view === null ? 0 : shownImages(this.store.state.panes, view).length;
@@ -6378,7 +6010,6 @@ var ImagesView = class {
 			point
 		};
 	}
-	/** `more`: beside what is chosen. */
 	press(x, y, more) {
 		const panes = this.seen.panes();
 		if (this.measuring.draft !== null) {
@@ -6432,12 +6063,9 @@ var ImagesView = class {
 	}
 };
 // www/block/panel/view.ts
-/** The element that says what keys do. */
 var KEYS_ID = "block-keys";
 // www/block/panel/images-view.ts
-/** Images of the block on the stage: the panes with their names and figures, their tools, and what is known of a place. */
 var KEYS$3 = say("press-a-point-every-image");
-/** `addImages` asks for files; `ready` is given what measures points. */
 function imagesView(engine, facts, addImages, ready) {
 	return {
 		name: "images",
@@ -6493,14 +6121,13 @@ function imagesView(engine, facts, addImages, ready) {
 function setText$1(element, text) {
 	if (element.textContent !== text) element.textContent = text;
 }
-/** The name of each image with what it says of the chosen point, over its pane. */
 function mountFrames(host, view, store, addImages) {
-	let frames = /* @__PURE__ */ new Map();
+	let frames = new Map();
 	let of = null;
 	view.watch(() => {
 		const found = store.state.shown?.found ?? null;
 		const panes = view.seen.panes();
-		const known = found === of ? frames : /* @__PURE__ */ new Map();
+		const known = found === of ? frames : new Map();
 		of = found;
 		const next = new Map(panes.map((pane) => [pane.image, known.get(pane.image) ?? frameOf(pane.image, view, store, addImages)]));
 		for (const [image, { element }] of frames) if (next.get(image)?.element !== element) element.remove();
@@ -6558,7 +6185,6 @@ function frameOf(image, view, store, addImages) {
 		}
 	};
 }
-/** Why an observation takes no part in the adjustment. */
 var PARTS = {
 	accepted: "",
 	gross_error: say("rejected-gross-error"),
@@ -6568,12 +6194,10 @@ var PARTS = {
 	rejected_by_hand: say("rejected-by-hand-2"),
 	not_adjusted: say("not-adjusted")
 };
-/** Of column and row the larger one in size. */
 function largest(pair) {
 	const known = pair?.filter((value) => value !== null) ?? [];
 	return known.length === 0 ? null : Math.max(...known.map(Math.abs));
 }
-/** Residual, w and smallest detectable error of the chosen point in an image. */
 function figuresOf$2(detail, image) {
 	const observation = detail?.observations.find((own) => own.image === image);
 	if (observation === void 0) return detail?.elsewhere.some((other) => other.image === image) === true ? say("predicted-not-measured") : "";
@@ -6590,7 +6214,6 @@ function figuresOf$2(detail, image) {
 		by_hand ? say("by-hand") : ""
 	].filter((part) => part !== "").join(" · ");
 }
-/** The point that is chosen alone, by its figures. */
 function pointText({ state }, view) {
 	const chosen = view.seen.chosen();
 	const shown = state.shown?.view;
@@ -6621,7 +6244,6 @@ function pointText({ state }, view) {
 		elsewhere.length === 0 ? "" : say("not-measured-in-more", { elsewhere: elsewhere.length })
 	].filter((part) => part !== "").join(" · ");
 }
-/** What is known of the place under the pointer: in px, in mm on the photo, on the ground. */
 function placeText$1({ state }, view) {
 	const pointed = view.pointedAt();
 	const shown = state.shown?.view;
@@ -6707,12 +6329,10 @@ function toolsOf$2(host, store, view, looking) {
 	});
 	return h("div", { class: "image-tools" }, points, vectors, linked, loupe, unmeasured, pair, unfold, more);
 }
-/** The two images that are shown; null where they are not two. */
 function pairOf({ state: { panes, shown } }) {
 	const [a, b, ...more] = shown === null ? [] : shownImages(panes, shown.view);
 	return a === void 0 || b === void 0 || more.length > 0 ? null : [a, b];
 }
-/** A share from a third to three times what it is, in even steps of its ratio. */
 function slider(label, testid, onChange) {
 	const input = h("input", {
 		type: "range",
@@ -6732,7 +6352,6 @@ function slider(label, testid, onChange) {
 	return h("label", { class: "choice" }, h("span", {}, label), input);
 }
 // www/shared/view/colours.ts
-/** The colours of the page's theme, for canvases. */
 var NAMES$1 = [
 	"text",
 	"muted",
@@ -6745,7 +6364,6 @@ var NAMES$1 = [
 	"surface"
 ];
 var known = null;
-/** The colours as they are now. Custom properties hold both themes' colours; an element's own colour is the one that counts. */
 function themeColours() {
 	known ??= readColours();
 	return known;
@@ -6760,7 +6378,6 @@ function readColours() {
 	probe.remove();
 	return colours;
 }
-/** Calls back when the theme was changed, by the user or by the system. */
 function onRecolour(callback) {
 	const changed = () => {
 		known = null;
@@ -6773,19 +6390,16 @@ function onRecolour(callback) {
 	matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
 }
 // www/block/view/looking.ts
-/** A press chooses; a press on the pair that is chosen opens it. */
 function press(store, looking, choice) {
 	const again = isSame(choice, store.state.selection.chosen);
 	if (choice?.kind === "pair" && again && !isBusy(store.state)) looking.open(choice.images);
 	else looking.choose(choice);
 }
 // www/block/view/chart.ts
-/** What the map and the matrix of a block have in common: shown whole until it is moved, pointed at, pressed. */
 var Chart = class {
 	store;
 	looking;
 	layers;
-	/** Where it was moved to, and how large the canvas was; null: all of it is shown. */
 	moved = null;
 	of = null;
 	constructor(host, name, store, looking) {
@@ -6827,11 +6441,8 @@ var Chart = class {
 			this.layers.redraw();
 		});
 	}
-	/** Takes what is drawn with Shift; `ended`: it stands. Null: nothing can be drawn. */
 	enclosed = null;
-	/** Told where the pointer is; null where it has left. */
 	placed = null;
-	/** Keeps it in sight. */
 	held(_view, t) {
 		return t;
 	}
@@ -6867,7 +6478,6 @@ var Chart = class {
 		const view = this.view();
 		return view === null ? null : this.hit(view, this.current(view), x, y);
 	}
-	/** What keys do with what is chosen. */
 	choiceKeys() {
 		const pair = () => {
 			const { chosen } = this.store.state.selection;
@@ -6889,18 +6499,14 @@ var Chart = class {
 		}];
 	}
 };
-/** What the user looks at stays while more of the same comes in, and while the same images are adjusted anew. */
 function isSameBlock(before, after) {
 	if (before === null || after === null || before.layout.kind !== after.layout.kind || before.partial !== after.partial) return false;
 	return after.partial || before.images.length === after.images.length;
 }
 // www/block/view/matrix.ts
-/** Side of a cell in CSS px: in the whole matrix, and enlarged. */
 var LARGEST_WHOLE = 44;
 var LARGEST$1 = 160;
-/** Room for the numbers of the images. */
 var HEAD = 30;
-/** From this side on a cell holds the number of matches. */
 var NUMBERED = 30;
 var Matrix = class extends Chart {
 	constructor(host, store, looking) {
@@ -6921,7 +6527,6 @@ var Matrix = class extends Chart {
 			most: LARGEST$1
 		};
 	}
-	/** It leaves the heads only towards the upper left, and its last cell comes no farther than the middle. */
 	held({ images: { length } }, { scale, x, y }) {
 		const within = (shift, room) => Math.min(HEAD, Math.max(Math.min(HEAD, (HEAD + room) / 2 - length * scale), shift));
 		return {
@@ -6935,7 +6540,6 @@ var Matrix = class extends Chart {
 		const inside = (index) => index >= 0 && index < view.images.length;
 		return x >= HEAD && y >= HEAD && inside(column) && inside(row) ? choiceOf$1([row, column]) : null;
 	}
-	/** Arrows go from cell to cell. */
 	command(key) {
 		const step = {
 			ArrowLeft: [0, -1],
@@ -6952,7 +6556,6 @@ var Matrix = class extends Chart {
 		this.reveal(view, cell);
 		return true;
 	}
-	/** Brings a cell into sight. */
 	reveal(view, [row, column]) {
 		const t = this.current(view);
 		const brought = (index, shift, room) => Math.max(HEAD - index * t.scale, Math.min(shift, room - (index + 1) * t.scale - 2));
@@ -7027,12 +6630,10 @@ function choiceOf$1([row, column]) {
 		images: [row, column]
 	};
 }
-/** Of an image that on the diagonal; null for what has none. */
 function cellOf(choice) {
 	const [row, column = row] = imagesOf(choice);
 	return row === void 0 || column === void 0 ? null : [row, column];
 }
-/** A pair that was tried in vain is a small square: told apart from a weak one without its colour. */
 function paintCell(context, x, y, side, connected) {
 	const gap = side > 8 ? 1 : 0;
 	const share = side > 12 ? .28 : .6;
@@ -7048,7 +6649,6 @@ function paintNumber(context, colours, x, y, matches) {
 	context.fillStyle = colours.text;
 	context.fillText(String(matches), x, y);
 }
-/** Numbers of the images, as in their table, so many that they do not touch; they stay in sight wherever the matrix is moved. */
 function paintHeads(context, colours, count, t, width, height) {
 	const step = [
 		1,
@@ -7072,7 +6672,6 @@ function paintHeads(context, colours, count, t, width, height) {
 	}
 }
 // www/block/panel/matrix-view.ts
-/** The matrix of matches on the stage. */
 var MATRIX_VIEW = {
 	name: "matrix",
 	title: say("matrix"),
@@ -7102,8 +6701,6 @@ var MATRIX_VIEW = {
 	}
 };
 // www/block/view/map/colouring.ts
-/** Colours of tie points by what is known of them: Viridis, whose steps are seen with any colour vision and in grey. */
-/** Nine of its colours, evenly spaced (Smith & van der Walt 2015). */
 var VIRIDIS = [
 	"#440154",
 	"#472d7b",
@@ -7115,18 +6712,15 @@ var VIRIDIS = [
 	"#addc30",
 	"#fde725"
 ];
-/** Shares of the points below and above those that the ends of the colours stand for. */
 var [LOW, HIGH] = [.02, .98];
-/** As a style of an element has them. */
 var GRADIENT = `linear-gradient(to right, ${VIRIDIS.join(", ")})`;
-/** Red, green, blue, opaque, as bytes in memory: one word a step. */
 var WORDS = (() => {
 	const parsed = VIRIDIS.map((colour) => [
 		1,
 		3,
 		5
 	].map((at) => Number.parseInt(colour.slice(at, at + 2), 16)));
-	const words = /* @__PURE__ */ new Uint32Array(256);
+	const words = new Uint32Array(256);
 	const bytes = new Uint8Array(words.buffer);
 	for (let step = 0; step < 256; step++) {
 		const along = step / 255 * (parsed.length - 1);
@@ -7136,7 +6730,6 @@ var WORDS = (() => {
 	}
 	return words;
 })();
-/** The colours of points; null where they have none of that kind. */
 var colouredPoints = remember((points, colouring) => {
 	if (colouring === "none" || points.count === 0) return null;
 	const values = Float64Array.from({ length: points.count }, (_, i) => i < points.taking ? figureOf(points, colouring, i) : NaN);
@@ -7176,19 +6769,15 @@ function figureOf({ rmsePx, rays, positions }, colouring, point) {
 	return (colouring === "rays" ? rays[point] : positions[3 * point + 2]) ?? NaN;
 }
 // www/block/view/map/frame.ts
-/** About so far apart are lines of the grid, CSS px; and so long is the scale bar at most. */
 var GRID = 120;
 var BAR = 130;
-/** The largest of 1, 2, 5, 10, 20 … that is no larger. */
 function niceBelow(value) {
 	const power = 10 ** Math.floor(Math.log10(value));
 	return ([5, 2].find((step) => step * power <= value) ?? 1) * power;
 }
-/** A length or coordinate at steps of a grid, without decimals that say nothing. */
 function stepText(value, step) {
 	return value.toFixed(Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)))).replace("-", "−");
 }
-/** A length with two digits in the unit that it is said in; in units of the block where it has no scale. */
 function lengthText(length, system) {
 	const twoDigits = (value) => String(Number(value.toPrecision(2)));
 	if (system === "own") return say("length-in-units-of-the-block", { length: twoDigits(length) });
@@ -7231,7 +6820,6 @@ function ticks(from, to, step) {
 	const first = Math.ceil(from / step);
 	return Array.from({ length: Math.min(100, Math.max(0, Math.floor(to / step) - first + 1)) }, (_, i) => (first + i) * step);
 }
-/** The bar at the lower left. */
 function paintScale(context, colours, t, height, system) {
 	const length = niceBelow(BAR / t.scale);
 	const wide = length * t.scale;
@@ -7252,7 +6840,6 @@ function paintScale(context, colours, t, height, system) {
 	haloed(context, colours, lengthText(length, system), left + wide / 2, base - 6);
 	context.restore();
 }
-/** An arrow at the upper right; it is true north at the origin of the block, and the direction of Y of other systems. */
 function paintNorth(context, colours, width, system) {
 	const [x, y] = [width - 24, 18];
 	context.save();
@@ -7272,7 +6859,6 @@ function paintNorth(context, colours, width, system) {
 	haloed(context, colours, system === "geographic" ? "N" : "Y", x, y + 34);
 	context.restore();
 }
-/** Text that is read over any picture. */
 function haloed(context, colours, text, x, y) {
 	context.lineJoin = "round";
 	context.lineWidth = 3;
@@ -7282,15 +6868,11 @@ function haloed(context, colours, text, x, y) {
 	context.fillText(text, x, y);
 }
 // www/block/view/map/ground.ts
-/** Of GNSS positions, and of surveyed points: told apart with any colour vision (Okabe & Ito). */
 var GNSS = "#e69f00";
 var SURVEYED = "#cc79a7";
-/** The longest difference is drawn about so long, CSS px. */
 var LONGEST = 46;
-/** Of more control and check points in sight than these marks are small, without names and ellipses: an orthophoto gives hundreds. */
 var MOST_NAMED = 30;
 var ALL$1 = () => true;
-/** Those of images and surveyed points that are kept. */
 function offsetsOf(view, ground, keepsImage = ALL$1, keepsSurveyed = ALL$1) {
 	const gnss = view.images.flatMap(({ position }, i) => {
 		const [x = NaN, y = NaN] = ground?.gnss.subarray(3 * i, 3 * i + 2) ?? [];
@@ -7321,11 +6903,9 @@ function offsetsOf(view, ground, keepsImage = ALL$1, keepsSurveyed = ALL$1) {
 		}
 	};
 }
-/** How much longer than they are differences are drawn: 1, 2, 5, 10 … times. */
 function factorOf(longest, t) {
 	return longest > 0 ? Math.max(1, niceBelow(LONGEST / (longest * t.scale))) : 1;
 }
-/** The outline of each image on the ground; of those that are marked its surface too. */
 function paintFootprints(context, colours, { footprints }, t, all, marked) {
 	context.save();
 	for (let image = 0; 8 * image < footprints.length; image++) {
@@ -7344,7 +6924,6 @@ function paintFootprints(context, colours, { footprints }, t, all, marked) {
 	}
 	context.restore();
 }
-/** A small copy of an image on the ground that it shows, as if that were level. */
 function paintOnGround(context, thumb, { footprints }, t, image) {
 	const [x0 = NaN, y0 = NaN, x1 = NaN, y1 = NaN, , , x3 = NaN, y3 = NaN] = footprints.subarray(8 * image, 8 * image + 8);
 	if (Number.isNaN(x0)) return;
@@ -7356,7 +6935,6 @@ function paintOnGround(context, thumb, { footprints }, t, image) {
 	context.drawImage(thumb, 0, 0);
 	context.restore();
 }
-/** GNSS positions as lines from the adjusted ones, drawn longer by a factor. */
 function paintGnss(context, { gnss }, t, factor) {
 	context.save();
 	context.strokeStyle = context.fillStyle = GNSS;
@@ -7369,7 +6947,6 @@ function paintGnss(context, { gnss }, t, factor) {
 	}
 	context.restore();
 }
-/** Control points as triangles, check points as squares; their differences, and the ellipses of one standard error, longer by the same factor. */
 function paintSurveyed(context, colours, { surveyed }, t, factor, offsets, size) {
 	const inSight = surveyed.map((point) => ({
 		point,
@@ -7410,7 +6987,6 @@ function paintSurveyed(context, colours, { surveyed }, t, factor, offsets, size)
 	}
 	context.restore();
 }
-/** Draws a line as long as the offset times the factor; gives where it ends. */
 function arrow(context, t, { x, y, dx, dy }, factor) {
 	const end = toCanvas(t, x + factor * dx, -(y + factor * dy));
 	context.beginPath();
@@ -7420,8 +6996,6 @@ function arrow(context, t, { x, y, dx, dy }, factor) {
 	return end;
 }
 // www/block/state/laid.ts
-/** Where an orthophoto lies in the system of the block that is shown. */
-/** Null where nothing says how both systems lie to each other. */
 var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
 	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
 	if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? {
@@ -7434,7 +7008,6 @@ var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
 	};
 	return byImages(placed, files, shown, ground);
 });
-/** The images of the block that are placed show the same ground in both systems. */
 function byImages(placed, files, shown, { footprints }) {
 	const [from, to] = [[], []];
 	let images = 0;
@@ -7457,7 +7030,6 @@ function byImages(placed, files, shown, { footprints }) {
 		images
 	};
 }
-/** The places of the four corners of an image, of as many along each side of its border. */
 function cornersOf$2({ footprint }) {
 	return [
 		0,
@@ -7466,7 +7038,6 @@ function cornersOf$2({ footprint }) {
 		3
 	].map((corner) => footprint[Math.round(corner * footprint.length / 4)] ?? [NaN, NaN]);
 }
-/** Whether any corner of an image lies on the orthophoto, or about it. */
 function overlap({ info: { width, height, georeference } }, footprints) {
 	const toGround = affineOf(georeference);
 	const corners = [
@@ -7481,24 +7052,19 @@ function overlap({ info: { width, height, georeference } }, footprints) {
 	return false;
 }
 // www/block/view/orthophoto/tiles.ts
-/** The picture of an orthophoto on a canvas, in tiles that its worker makes when they are seen: coarse ones stand in for finer ones until these have come. */
-/** So many tiles are kept: some 100 MB. */
 var MOST_TILES = 400;
-/** Tiles that are on their way at the same time. */
 var AT_ONCE = 2;
 var OrthophotoTiles = class {
 	make;
 	arrived;
 	of = null;
-	/** In order of last use; null: it cannot be made. */
-	made = /* @__PURE__ */ new Map();
+	made = new Map();
 	wanted = [];
-	asked = /* @__PURE__ */ new Set();
+	asked = new Set();
 	constructor(make, arrived) {
 		this.make = make;
 		this.arrived = arrived;
 	}
-	/** Paints what a canvas of `width` x `height` CSS px shows. `toSystem`: from the system of the orthophoto to that of the map, whose Y goes up. */
 	paint(context, { raster, info }, toSystem, t, [width, height, ratio]) {
 		this.keepOnly(raster);
 		const toCanvas = after({
@@ -7523,7 +7089,6 @@ var OrthophotoTiles = class {
 		context.restore();
 		this.ask(missing, seen);
 	}
-	/** A tile, or in its place the part of the finest coarser one that is there. */
 	paintTile(context, { level, column, row }, coarsest, { width, height }) {
 		const side = 256 * 2 ** level;
 		const [x, y] = [column * side, row * side];
@@ -7545,7 +7110,6 @@ var OrthophotoTiles = class {
 			return;
 		}
 	}
-	/** The latest drawing says what is wanted; coarse tiles, and those in the middle, come first. */
 	ask(missing, [left, top, right, bottom]) {
 		const [x, y] = [(left + right) / 2, (top + bottom) / 2];
 		const far = ({ level, column, row }) => {
@@ -7593,7 +7157,6 @@ var OrthophotoTiles = class {
 		this.wanted = [];
 	}
 };
-/** What of the picture a canvas shows. */
 function partSeen(toCanvas, { width, height }, across, down) {
 	const back = inverse(toCanvas);
 	const corners = [
@@ -7625,18 +7188,15 @@ function nameOf({ level, column, row }) {
 	return `${String(level)} ${String(column)} ${String(row)}`;
 }
 // www/block/view/map/thumbs.ts
-/** Width of a copy, px. */
 var SIDE$1 = 240;
 var Thumbs = class {
 	arrived;
-	/** By the file's number; null where the browser cannot decode it. */
-	made = /* @__PURE__ */ new Map();
+	made = new Map();
 	waiting = [];
 	making = false;
 	constructor(arrived) {
 		this.arrived = arrived;
 	}
-	/** The copy; null while there is none. */
 	get(file) {
 		const found = this.made.get(file.id);
 		if (found === void 0 && !this.waiting.includes(file)) {
@@ -7668,13 +7228,10 @@ async function copyOf(file) {
 	}
 }
 // www/block/view/map/plan.ts
-/** The plan of a block, which its map shows: where its images are drawn, which lines join them, and what lies at a place. Lengths are CSS px. */
-/** Room about the outermost images, whose names and photos are there, and about their footprints. */
 var MARGIN = 62;
 var MARGIN_OF_GROUND = 22;
 var MARK_REACH = 12;
 var LINE_REACH = 6;
-/** The view that shows all images and surveyed points, and what of `footprints` is known. The plan's y goes up, the canvas's down. */
 function fitPlan({ layout: { kind, places }, surveyed }, footprints, width, height) {
 	const box = [
 		Infinity,
@@ -7714,8 +7271,7 @@ function placeOf(view, plan, image) {
 	const [x = 0, y = 0] = view.layout.places.subarray(2 * image, 2 * image + 2);
 	return toCanvas(plan, x, -y);
 }
-var SPACINGS = /* @__PURE__ */ new WeakMap();
-/** The least distance of two images, in units of the plan. */
+var SPACINGS = new WeakMap();
 function spacingOf(view) {
 	const known = SPACINGS.get(view);
 	if (known !== void 0) return known;
@@ -7727,14 +7283,12 @@ function spacingOf(view) {
 }
 var WIDEST_THUMB = 110;
 var LEAST_THUMB = 26;
-/** How wide images are drawn, CSS px, so that they do not cover each other; 0 where they are too near to be more than dots. */
 function thumbWidth(view, plan) {
 	if (view.images.length > 150) return 0;
 	const width = Math.min(WIDEST_THUMB, .8 * spacingOf(view) * plan.scale);
 	return width < LEAST_THUMB ? 0 : width;
 }
-var LINES = /* @__PURE__ */ new WeakMap();
-/** The lines of a block, the weakest first, so that the strong ones lie on top. */
+var LINES = new WeakMap();
 function linesOf(view) {
 	const known = LINES.get(view);
 	if (known !== void 0) return known;
@@ -7756,7 +7310,6 @@ function linesOf(view) {
 	LINES.set(view, made);
 	return made;
 }
-/** The image at a place that is kept, drawn so wide; -1 where there is none. */
 function imageAt(view, plan, keeps, width, x, y) {
 	let image = -1;
 	let least = Math.max(MARK_REACH, width / 2);
@@ -7768,7 +7321,6 @@ function imageAt(view, plan, keeps, width, x, y) {
 	});
 	return image;
 }
-/** The pair that is kept whose line passes a place; null where none does. */
 function lineAt(view, plan, keeps, x, y) {
 	let found = null;
 	let nearest = Infinity;
@@ -7779,20 +7331,17 @@ function lineAt(view, plan, keeps, x, y) {
 	}
 	return found === null ? null : found.images;
 }
-/** The distance of a place from a line between two others. */
 function toSegment([ax, ay], [bx, by], x, y) {
 	const [dx, dy] = [bx - ax, by - ay];
 	const along = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / Math.max(dx * dx + dy * dy, 1e-9)));
 	return Math.hypot(ax + along * dx - x, ay + along * dy - y);
 }
 // www/block/view/map/images.ts
-/** Above so many images only those that are pointed at or chosen have their names. */
 var NAMED = 60;
 var NAME_GAP = 6;
 function isMarked({ marked }, image) {
 	return marked.some((choice) => imagesOf(choice).includes(image));
 }
-/** Tells whether an image is oriented, or at least connected with most. While a run goes on nothing is said against an image. */
 function soundness(view) {
 	const largest = new Set(view.groups[0]);
 	return (image) => view.partial || (view.layout.kind === "oriented" ? view.images[image]?.oriented === true : largest.has(image));
@@ -7801,7 +7350,6 @@ function isOf(choice, images) {
 	const own = imagesOf(choice);
 	return own.length === 1 ? own.every((image) => images.includes(image)) : images.every((image) => own.includes(image));
 }
-/** The lines of all pairs that are kept. */
 function paintLines(context, colours, view, plan, keepsPair) {
 	const alpha = context.globalAlpha;
 	context.lineCap = "round";
@@ -7814,7 +7362,6 @@ function paintLines(context, colours, view, plan, keepsPair) {
 	}
 	context.globalAlpha = alpha;
 }
-/** Over them the lines of what is marked, and dashed the pairs of it that were tried in vain. */
 function paintMarkedLines(context, colours, view, plan, { marked, keepsPair }) {
 	if (marked.length === 0) return;
 	const isOn = (images) => marked.some((choice) => isOf(choice, images));
@@ -7856,7 +7403,6 @@ function paintImages(context, colours, view, plan, shown) {
 		context.stroke();
 	});
 }
-/** Names below their images, as far as there is room beside each other: first those that are pointed at or chosen, which always stand. */
 function paintNames(context, colours, view, plan, shown, below) {
 	context.font = "11px system-ui, sans-serif";
 	context.textAlign = "center";
@@ -7888,21 +7434,16 @@ var FIRST_LOOK = {
 	orthophoto: true
 };
 // www/block/view/map/points.ts
-/** Tie points of the map, written pixel by pixel: 100,000 of them take a few milliseconds, on any machine. */
-/** Up to so many points are drawn larger. */
 var FEW$1 = 5e3;
-/** The points that are drawn: those that are kept and have a place. */
 var drawnPoints = remember((points, keeps) => {
 	const drawn = new Uint32Array(points.count);
 	let count = 0;
 	for (let point = 0; point < points.count; point++) if (!Number.isNaN(points.positions[3 * point]) && keeps(point)) drawn[count++] = point;
 	return drawn.subarray(0, count);
 });
-/** Where a point lies on the canvas. */
 function pointPlace({ positions }, t, point) {
 	return toCanvas(t, positions[3 * point] ?? NaN, -(positions[3 * point + 1] ?? NaN));
 }
-/** The point nearest to a place, within reach; -1 where there is none. */
 function pointAt(points, keeps, t, x, y) {
 	let [nearest, least] = [-1, 49];
 	for (const point of drawnPoints(points, keeps)) {
@@ -7912,7 +7453,6 @@ function pointAt(points, keeps, t, x, y) {
 	}
 	return nearest;
 }
-/** The points within an outline on the canvas, which closes itself; where it crosses itself, within an odd number of its turns. */
 function pointsWithin(points, keeps, t, outline) {
 	const xs = outline.map(([x]) => x);
 	const ys = outline.map(([, y]) => y);
@@ -7931,7 +7471,6 @@ function pointsWithin(points, keeps, t, outline) {
 	}
 	return inside;
 }
-/** Whether a line from a place to the right crosses the outline an odd number of times. */
 function isWithin(xs, ys, x, y) {
 	let odd = false;
 	for (let i = 0, before = xs.length - 1; i < xs.length; before = i++) {
@@ -7945,7 +7484,6 @@ function isWithin(xs, ys, x, y) {
 	}
 	return odd;
 }
-/** A colour of a style sheet as a word of a bitmap. */
 function wordOf(colour) {
 	const [red = 0, green = 0, blue = 0] = (colour.match(/[\d.]+/gu) ?? []).map(Number);
 	return new Uint32Array(Uint8Array.of(red, green, blue, 255).buffer)[0] ?? 0;
@@ -7958,8 +7496,7 @@ var GONE = wordOf([
 var PointBitmap = class {
 	canvas = document.createElement("canvas");
 	image = null;
-	words = /* @__PURE__ */ new Uint32Array();
-	/** Paints the points over what is on the canvas; `ratio`: device px per CSS px. */
+	words = new Uint32Array();
 	paint(context, t, width, height, ratio, painted) {
 		const [columns, rows] = [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
 		const own = this.canvas.getContext("2d");
@@ -8003,7 +7540,6 @@ var PointBitmap = class {
 		context.restore();
 	}
 };
-/** Writes a square for each point. It is called for 100,000 of them a frame: plain loops, no call a row. */
 function squares({ words, columns, rows }, { positions }, t, points, size, colour) {
 	for (const point of points) {
 		const left = Math.floor(t.scale * (positions[3 * point] ?? 0) + t.x - size / 2);
@@ -8016,9 +7552,7 @@ function squares({ words, columns, rows }, { positions }, t, points, size, colou
 	}
 }
 // www/block/view/map/still.ts
-/** The map rests when it has not moved for so long, ms. */
 var REST_MS = 120;
-/** So much more than the map is drawn at each side, as a share of it: that comes into sight while it moves. */
 var BEYOND = .25;
 var Still = class {
 	redraw;
@@ -8031,11 +7565,9 @@ var Still = class {
 	of = [];
 	moving = null;
 	now = this.at;
-	/** `redraw` is called when the map rests. */
 	constructor(redraw) {
 		this.redraw = redraw;
 	}
-	/** Paints what `draw` draws; the same picture while all of `what` is the same. */
 	paint(context, t, [width, height, ratio], what, draw) {
 		const key = [
 			...what,
@@ -8080,7 +7612,6 @@ var Still = class {
 	}
 };
 // www/block/view/map/map.ts
-/** The system of what is shown: coordinates without a place on the earth and without surveyed points are the block's own. */
 function systemOf(view, ground) {
 	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
 	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
@@ -8091,13 +7622,10 @@ var BlockMap = class extends Chart {
 	bitmap = new PointBitmap();
 	lines = new Still(() => this.layers.redraw());
 	look = FIRST_LOOK;
-	/** The outline that is being drawn. */
 	outline = [];
 	listeners = [];
-	/** Where the pointer is, in the system of the block. */
 	pointer = null;
 	tiles;
-	/** Whether the orthophoto lay under the map when it was looked at last. */
 	hadOrthophoto = false;
 	constructor(host, store, looking, facts, placing) {
 		super(host, "map", store, looking);
@@ -8129,7 +7657,6 @@ var BlockMap = class extends Chart {
 		store.watch((s) => [s.placing.orthophoto, s.placing.placed], () => this.changed());
 	}
 	keys;
-	/** Calls back now and whenever other things are shown, or the pointer is elsewhere. */
 	watch(changed) {
 		this.listeners.push(changed);
 		changed();
@@ -8144,7 +7671,6 @@ var BlockMap = class extends Chart {
 		};
 		this.changed();
 	}
-	/** Where the pointer is; null where it is not over the map, or places mean nothing. */
 	get place() {
 		return this.view()?.layout.kind === "connections" ? null : this.pointer;
 	}
@@ -8154,7 +7680,6 @@ var BlockMap = class extends Chart {
 	get orthophoto() {
 		return this.store.state.placing.orthophoto;
 	}
-	/** How the orthophoto lies under the map; null where there is none, or nothing says how. */
 	laid() {
 		const { placing, files, shown } = this.store.state;
 		const view = shown?.view ?? null;
@@ -8182,7 +7707,6 @@ var BlockMap = class extends Chart {
 		this.pointer = place === null ? null : [place[0], -place[1]];
 		this.tell();
 	};
-	/** The tie points in what is drawn are chosen together. */
 	enclosed = (view, drawn, ended) => {
 		const outline = drawn.to === null ? [] : this.look.lasso ? [...drawn.path] : cornersOf$1(drawn.from, drawn.to);
 		this.outline = ended ? [] : outline;
@@ -8222,7 +7746,6 @@ var BlockMap = class extends Chart {
 	command(key) {
 		return this.keys(key, false);
 	}
-	/** Chooses the next image that is kept. */
 	step(by) {
 		const view = this.view();
 		if (view === null) return;
@@ -8234,7 +7757,6 @@ var BlockMap = class extends Chart {
 			image
 		});
 	}
-	/** Chooses the next connection of the image that is chosen, or of the first of the pair. */
 	stepPair() {
 		const view = this.view();
 		const { chosen } = this.store.state.selection;
@@ -8286,7 +7808,6 @@ var BlockMap = class extends Chart {
 		if (look.offsets) this.paintOffsetLegend(context, colours, offsets, factor, system);
 		this.paintOutline(context, colours);
 	}
-	/** Those of what is marked stand out of the others. */
 	paintConnections(context, colours, view, t, shown) {
 		const { keepsPair, marked } = shown;
 		const { width, height, ratio } = this.layers;
@@ -8305,7 +7826,6 @@ var BlockMap = class extends Chart {
 		context.globalAlpha = 1;
 		paintMarkedLines(context, colours, view, t, shown);
 	}
-	/** What the lines beside images and surveyed points are, over the scale bar. */
 	paintOffsetLegend(context, colours, { longest }, factor, system) {
 		const parts = [longest.gnss > 0 ? say("gnss-minus-adjusted-up-to", { gnss: lengthText(longest.gnss, system) }) : "", longest.surveyed > 0 ? say("adjusted-minus-surveyed-up-to", { surveyed: lengthText(longest.surveyed, system) }) : ""].filter((part) => part !== "");
 		if (parts.length === 0) return;
@@ -8344,7 +7864,6 @@ var BlockMap = class extends Chart {
 			edge: colours.surface
 		});
 	}
-	/** Paints the photos once a run has ended: each on its ground where that is known, else about its place, where they have room. Gives how far below that its name stands. */
 	paintPhotos(context, colours, view, t, ground, { keepsImage, ...marks }) {
 		const { shown, files, running } = this.store.state;
 		const width = this.thumbSide(view, t, ground);
@@ -8375,12 +7894,10 @@ var BlockMap = class extends Chart {
 		});
 		return below;
 	}
-	/** How wide photos are drawn about their places; 0 where they lie on the ground, or have no room. */
 	thumbSide(view, t, ground) {
 		return ground === null && this.look.photos ? thumbWidth(view, t) : 0;
 	}
 };
-/** Of a rectangle between two places. */
 function cornersOf$1([x0, y0], [x1, y1]) {
 	return [
 		[x0, y0],
@@ -8393,7 +7910,6 @@ function distance([px, py], x, y) {
 	return Math.hypot(px - x, py - y);
 }
 // www/block/panel/map-view.ts
-/** The map of the block on the stage: what it shows, its legend, and the same in words. */
 var LAYOUTS = {
 	oriented: say("oriented-positions-from-above"),
 	recorded: say("gnss-positions-from-above"),
@@ -8505,7 +8021,6 @@ function toolsOf$1(store, map, mosaic) {
 	});
 	return unfolded("map-menu", points, ...switches.map(([, press]) => press), make);
 }
-/** What places, lines and colours mean. */
 function showLegend(legend, bar, map, view) {
 	const scale = view === null || view.layout.kind !== "oriented" ? void 0 : colouredPoints(view.points, map.shows.colouring)?.scale;
 	const text = view === null ? "" : legendText(view, map);
@@ -8515,7 +8030,6 @@ function showLegend(legend, bar, map, view) {
 	legend.dataset.text = now;
 	fill(legend, text, ...scale === void 0 ? [] : [h("span", { class: "map-colours" }, `${scale.title}: ${ends[0] ?? ""}`, bar, ends[1] ?? "")]);
 }
-/** What the coordinates of a block are, in words. */
 function systemText(view, map) {
 	const system = systemOf(view, map.ground());
 	return system === "surveyed" && view.orthophoto?.kind === "linked" ? say("system-of-the-orthophoto") : SYSTEMS[system];
@@ -8527,7 +8041,6 @@ function legendText(view, map) {
 	const system = view.layout.kind === "connections" ? "" : ` (${systemText(view, map)})`;
 	return `${LAYOUTS[view.layout.kind]}${system}.${orthophotoNote(map, view)} ${map.shows.connections && most + matches > 0 ? say("widest-line", { widest }) : ""}`;
 }
-/** How the orthophoto came under the map, or what brings it there. */
 function orthophotoNote(map, view) {
 	const { orthophoto } = map;
 	if (orthophoto === null || view.layout.kind !== "oriented") return "";
@@ -8546,7 +8059,6 @@ function placeText(map, view) {
 	const unit = system === "own" ? "" : " m";
 	return `${system === "geographic" ? "E" : "X"} ${fixed(place[0], 2)}${unit}  ${system === "geographic" ? "N" : "Y"} ${fixed(place[1], 2)}${unit}`;
 }
-/** The map for those who do not see it. */
 function inWords$1(map, view) {
 	const ground = map.ground();
 	const system = systemOf(view, ground);
@@ -8592,7 +8104,6 @@ function extentText({ layout: { places } }, system) {
 	});
 }
 // www/block/engine/link-hands.ts
-/** Links of the chosen image by hand: left out, used again, measured. The image is adjusted after each step, and a step that the crate refuses is taken back. */
 var LinkHands = class {
 	store;
 	engine;
@@ -8600,13 +8111,11 @@ var LinkHands = class {
 		this.store = store;
 		this.engine = engine;
 	}
-	/** The image whose links can be changed now. */
 	get image() {
 		const placed = chosenPlaced(this.store.state);
 		const isFree = !isBusy(this.store.state) && this.store.state.placing.adjusting === null;
 		return placed !== null && placed.result !== null && isFree ? placed : null;
 	}
-	/** Leaves the chosen link out, or uses it again. */
 	use(kind) {
 		const { link } = this.store.state.placing.chosen;
 		if (link !== null) this.step({
@@ -8614,7 +8123,6 @@ var LinkHands = class {
 			link
 		});
 	}
-	/** Begins to measure a link, or gives it up. */
 	measure() {
 		const begins = this.store.state.placing.draft === null && this.image !== null;
 		this.store.dispatch({
@@ -8625,7 +8133,6 @@ var LinkHands = class {
 			} : null
 		});
 	}
-	/** One end of the link that is measured; the other one is predicted where the image is placed. */
 	async place(end, position) {
 		const { draft } = this.store.state.placing;
 		const { image } = this;
@@ -8652,7 +8159,6 @@ var LinkHands = class {
 			return null;
 		}
 	}
-	/** Takes the link that is measured. */
 	accept() {
 		const { draft } = this.store.state.placing;
 		if (draft?.at == null || draft.place === null || this.image === null) return;
@@ -8667,7 +8173,6 @@ var LinkHands = class {
 			place
 		});
 	}
-	/** Goes to the state after so many steps more, or fewer. */
 	go(by) {
 		const { image } = this;
 		if (image === null) return;
@@ -8749,7 +8254,6 @@ var LinkHands = class {
 	}
 };
 // www/block/view/orthophoto/links.ts
-/** Told apart by shape as well. */
 var LINK_STYLES = {
 	used: {
 		...ACCEPTED,
@@ -8769,9 +8273,7 @@ var STYLES = [...USES$1.map((use) => LINK_STYLES[use]), MEASURED];
 function useOf$1(code) {
 	return USES$1[code] ?? "used";
 }
-/** How near a link is pointed at, CSS px. */
 var REACH$2 = 12;
-/** Of the image. */
 function linksOnImage({ count, at, residuals, uses, byHand }) {
 	const points = new Float64Array(3 * count);
 	const vectors = new Float64Array(4 * count);
@@ -8788,21 +8290,18 @@ function linksOnImage({ count, at, residuals, uses, byHand }) {
 		vectors
 	};
 }
-/** Of the ground, whose Y goes down on the canvas. */
 function linksOnGround({ places, uses, byHand }) {
 	return pointsOnGround(places, codesOf(uses, byHand));
 }
-/** Places of the ground, X, Y, Z, with the codes of their uses. */
 function pointsOnGround(places, codes) {
 	const points = Float64Array.from(places, (value, i) => i % 3 === 0 ? value : i % 3 === 1 ? -value : 0);
 	return {
 		points,
 		box: spreadOf(points),
 		codes: Uint8Array.from(codes),
-		vectors: /* @__PURE__ */ new Float64Array()
+		vectors: new Float64Array()
 	};
 }
-/** Of those that take part, the ones by hand have a code of their own. */
 var BY_HAND = USES$1.length;
 function codesOf(uses, byHand) {
 	return uses.map((use, i) => use === 0 && byHand[i] === 1 ? BY_HAND : use);
@@ -8823,7 +8322,6 @@ function spreadOf(points) {
 	}
 	return points.length === 0 ? [0, 0] : [box[2] - box[0], box[3] - box[1]];
 }
-/** The link nearest to a place of the canvas, within reach; -1 where there is none. */
 function linkAt({ points, codes }, uses, t, x, y) {
 	let [found, least] = [-1, REACH$2];
 	for (let link = 0; 3 * link < points.length; link++) {
@@ -8844,7 +8342,6 @@ function drawLinks(context, links, t, clip, uses) {
 	draw_points(context, links.points, shownCodes(links, uses), styles, STYLES.map(({ colour }) => colour), drawView(t, clip));
 }
 var [SMALLEST, LARGEST] = [1, 4.5];
-/** Half the size of a mark, CSS px: small where links lie close together. */
 function markSize({ points, box: [width, height] }, { scale }) {
 	const apart = scale * Math.sqrt(width * height / Math.max(1, points.length / 3));
 	return Math.min(LARGEST, Math.max(SMALLEST, .3 * apart));
@@ -8854,7 +8351,6 @@ function shownCodes({ codes }, uses) {
 	const shown = STYLES.map((_, code) => uses.has(useOf$1(code)));
 	return codes.map((code) => shown[code] === true ? code : NOT_DRAWN);
 }
-/** Residuals, so many times longer than they are. */
 function drawLinkResiduals(context, links, factor, t, clip, uses) {
 	draw_vectors(context, links.vectors, shownCodes(links, uses), Float64Array.of(1.2, 1.2, 1.2, 1.2), [
 		RESIDUAL,
@@ -8863,7 +8359,6 @@ function drawLinkResiduals(context, links, factor, t, clip, uses) {
 		RESIDUAL
 	], factor, drawView(t, clip));
 }
-/** A cross where an end of a link is measured, or is predicted. */
 function drawCross(context, [x, y], colour) {
 	context.save();
 	for (const [stroke, width] of [["rgb(0 0 0 / 0.6)", 4], [colour, 2]]) {
@@ -8880,7 +8375,6 @@ function drawCross(context, [x, y], colour) {
 	}
 	context.restore();
 }
-/** A ring about a link that is chosen, a thinner one about what is pointed at. */
 function drawRing(context, { points }, link, t, chosen) {
 	const [x, y] = points.subarray(3 * link, 3 * link + 2);
 	if (x === void 0 || y === void 0) return;
@@ -8896,20 +8390,14 @@ function drawRing(context, { points }, link, t, chosen) {
 	context.restore();
 }
 // www/block/view/orthophoto/picture.ts
-/** What the orthophoto and the image beside it have in common: a picture that is moved and enlarged, with the links of the chosen image. */
-/** A link that is chosen elsewhere is brought into sight where it lies nearer to the edge than this, CSS px. */
 var EDGE = 24;
-/** A little room is left about what is shown whole. */
 var SPARE = .96;
 var LinkPicture = class {
 	store;
 	hands;
 	layers;
-	/** Where it was moved to, and how large the canvas was; null: all of `part` is shown. */
 	moved = null;
-	/** Null: the whole picture. */
 	part = null;
-	/** Where the pointer is, in positions of the picture. */
 	pointer = null;
 	listeners = [];
 	constructor(host, store, hands, keys) {
@@ -8935,15 +8423,12 @@ var LinkPicture = class {
 			command: keys
 		});
 	}
-	/** What lies at a place beside links. */
 	other(_x, _y) {
 		return null;
 	}
-	/** Calls back whenever the pointer is elsewhere. */
 	watch(changed) {
 		this.listeners.push(changed);
 	}
-	/** Where the pointer is, in positions of the picture; null where it is not over it. */
 	get place() {
 		return this.pointer;
 	}
@@ -8953,18 +8438,15 @@ var LinkPicture = class {
 	fit() {
 		this.show(null);
 	}
-	/** Shows all of a part of the picture, however large its canvas becomes; null: of all of it. */
 	show(part) {
 		this.part = part;
 		this.moved = null;
 		this.layers.redraw();
 	}
-	/** Brings a link that is chosen elsewhere into sight. */
 	reveal(link) {
 		const [x, y] = this.links()?.points.subarray(3 * link, 3 * link + 2) ?? [];
 		if (x !== void 0 && y !== void 0) this.bring([x, y]);
 	}
-	/** Brings a position into sight. */
 	bring(at) {
 		const box = this.whole();
 		const { width, height } = this.layers;
@@ -9014,15 +8496,12 @@ var LinkPicture = class {
 	mostScale(fits) {
 		return 400 * fits;
 	}
-	/** Where the end of the link is expected; null: not known. */
 	predicted = null;
-	/** Brings a position into sight, where an end of a link is expected. */
 	expect(at) {
 		this.predicted = at;
 		if (at !== null) this.bring(at);
 		this.layers.redraw("marks");
 	}
-	/** Draws the end of the link that is measured. */
 	paintEnd(context, t) {
 		if (this.store.state.placing.draft === null) return;
 		const end = this.end();
@@ -9040,7 +8519,6 @@ var LinkPicture = class {
 			looked: this.lookedAt(x, y)
 		});
 	}
-	/** The pointer is over a place of the canvas, or has left. */
 	point(at) {
 		this.store.dispatch({
 			type: "pointPlaced",
@@ -9065,12 +8543,10 @@ var LinkPicture = class {
 		for (const listener of this.listeners) listener();
 	}
 };
-/** How far something must move to be on the canvas, clear of its edges. */
 function into(at, length) {
 	return at < EDGE ? 72 - at : at > length - EDGE ? length - 72 - at : 0;
 }
 // www/block/view/orthophoto/image.ts
-/** An image that was placed, with its links and their residuals. */
 var PlacedImageView = class extends LinkPicture {
 	bitmaps;
 	drawn = remember(linksOnImage);
@@ -9081,13 +8557,12 @@ var PlacedImageView = class extends LinkPicture {
 		this.bitmaps = new Bitmaps(grey, () => this.layers.redraw("picture"));
 		store.watch(["placing", "files"], () => {
 			const { id } = this.chosen()?.file ?? { id: -1 };
-			this.bitmaps.keep(/* @__PURE__ */ new Set([id]));
+			this.bitmaps.keep(new Set([id]));
 			if (this.of !== id) this.fit();
 			this.of = id;
 			this.layers.redraw();
 		});
 	}
-	/** How much longer than they are residuals are drawn; 0: not at all. */
 	get factor() {
 		return this.longer;
 	}
@@ -9095,7 +8570,6 @@ var PlacedImageView = class extends LinkPicture {
 		this.longer = factor;
 		this.layers.redraw("marks");
 	}
-	/** Size of the chosen image; null where it could not be read. */
 	size() {
 		const [width, height] = this.chosen()?.result?.size ?? [];
 		return width === void 0 || height === void 0 ? null : {
@@ -9134,7 +8608,6 @@ var PlacedImageView = class extends LinkPicture {
 		if (size === null || at[0] < 0 || at[1] < 0 || at[0] > size.width || at[1] > size.height) return;
 		this.hands.place("at", at).then((place) => this.ground?.expect(place === null ? null : [place[0], -place[1]]));
 	}
-	/** The orthophoto beside it. */
 	ground = null;
 	get clip() {
 		return {
@@ -9172,7 +8645,6 @@ var PlacedImageView = class extends LinkPicture {
 	}
 };
 // www/block/view/orthophoto/keys.ts
-/** While the block lies on the orthophoto. */
 function blockKeys(store, { step, leave }) {
 	const can = () => blockOnOrthophoto(store.state) !== null && !store.state.placing.picks;
 	return [
@@ -9314,11 +8786,8 @@ function stepped$1(now, by, count) {
 	return now < 0 ? by > 0 ? 0 : count - 1 : (now + by + count) % count;
 }
 // www/block/view/orthophoto/footprints.ts
-/** How near a projection centre is pointed at, CSS px. */
 var REACH$1 = 12;
-/** More images than these have their names only where they are chosen. */
 var MOST_NAMES = 60;
-/** The image whose centre is near a place of the canvas, else the one on whose ground it lies, the nearest centre first, with its distance; null where there is none. */
 function footprintAt(all, t, x, y) {
 	const [east, south] = toPosition(t, x, y);
 	const [first] = all.map((of) => {
@@ -9330,7 +8799,6 @@ function footprintAt(all, t, x, y) {
 	}).filter(({ of, distance }) => distance < REACH$1 || isInside(of.outline, east, -south)).sort((a, b) => a.distance - b.distance);
 	return first ?? null;
 }
-/** Whether an outline goes about a place. */
 function isInside(outline, x, y) {
 	let inside = false;
 	outline.forEach(([ax, ay], i) => {
@@ -9358,7 +8826,6 @@ function paintFootprint(context, t, { outline, colour, isStale }, chosen, pointe
 	}
 	context.restore();
 }
-/** The projection centres, with their names where there is room; that of what is chosen always has one. */
 function paintCentres(context, colours, t, all, isChosen) {
 	for (const of of all) paintCentre(context, colours, t, of, isChosen(of), all.length <= MOST_NAMES);
 }
@@ -9380,7 +8847,6 @@ function paintCentre(context, colours, t, of, chosen, hasName) {
 	context.restore();
 }
 // www/block/view/orthophoto/block.ts
-/** Those of its images and points that filters keep. `isStale`: it was placed by other settings, or on another orthophoto. */
 var onOrthophoto = remember((view, ground, isStale, keepsImage, keepsPoint) => ({
 	view,
 	images: view.images.flatMap(({ name, position }, image) => position === null || !keepsImage(image) ? [] : [{
@@ -9411,12 +8877,10 @@ function pointsWhere({ surveyed }, keeps) {
 		drawn: pointsOnGround(own.flatMap(({ position }) => position), own.map((point) => USES$1.indexOf(useOf(point))))
 	};
 }
-/** What a place is for the block, in the words of links. */
 function useOf({ role, isUsed }) {
 	return !isUsed ? "rejected" : role === "check" ? "check" : "used";
 }
 var ALL = new Set(USES$1);
-/** What lies at a place of the canvas: a point, unless the projection centre of an image is nearer, or an image. */
 function choiceAt(of, uses, t, x, y) {
 	const image = footprintAt(of.images, t, x, y);
 	const [point] = [nearest(of.places, uses, t, x, y), nearest(of.surveyed, ALL, t, x, y)].filter((found) => found !== null).sort((a, b) => a.distance - b.distance);
@@ -9426,7 +8890,6 @@ function choiceAt(of, uses, t, x, y) {
 		image: image.of.image
 	};
 }
-/** The row of the point nearest to a place of the canvas, within reach; null where there is none. */
 function nearest({ rows, drawn }, uses, t, x, y) {
 	const found = linkAt(drawn, uses, t, x, y);
 	const row = rows[found];
@@ -9437,7 +8900,6 @@ function nearest({ rows, drawn }, uses, t, x, y) {
 		distance: Math.hypot(px - x, py - y)
 	};
 }
-/** As its row in the table is chosen. */
 function choiceOf({ surveyed }, row) {
 	const point = surveyed[row]?.point ?? -1;
 	return point < 0 ? null : {
@@ -9445,7 +8907,6 @@ function choiceOf({ surveyed }, row) {
 		point
 	};
 }
-/** The image or place after the one that is chosen, or before it, among those that are drawn and can be chosen. */
 function stepped({ view, images, places: { rows } }, uses, of, chosen, by) {
 	const isThere = (row) => {
 		const own = view.surveyed[row];
@@ -9461,14 +8922,12 @@ function stepped({ view, images, places: { rows } }, uses, of, chosen, by) {
 		image: next
 	} : choiceOf(view, next);
 }
-/** Where what is chosen lies, X and Y; null where it is none of what is drawn. */
 function placeOfChoice({ view, images }, chosen) {
 	if (chosen?.kind === "image") return images.find(({ image }) => image === chosen.image)?.centre ?? null;
 	const [point] = pointsOf(chosen);
 	const [x, y] = view.surveyed.find((own) => point !== void 0 && own.point === point)?.position ?? [];
 	return x === void 0 || y === void 0 ? null : [x, y];
 }
-/** Draws it, with what is chosen and pointed at. */
 function paintBlock(context, colours, t, clip, of, uses, { chosen, pointed }) {
 	const isOf = (choice) => (own) => imagesOf(choice).includes(own.image);
 	for (const own of of.images) paintFootprint(context, t, own, isOf(chosen)(own), isOf(pointed)(own));
@@ -9489,13 +8948,10 @@ function paintRings(context, t, { surveyed }, { rows, drawn }, of, isChosen) {
 	});
 }
 // www/block/view/orthophoto/over.ts
-/** The chosen image on the ground, over the orthophoto: roads that run on say that it is placed well. */
-/** Longest side of its picture, px. */
 var SIDE = 3e3;
 var ImageOver = class {
 	make;
 	arrived;
-	/** Of the placement for which it is made; the picture is null while it is on its way, and where it cannot be made. */
 	of = null;
 	picture = null;
 	constructor(make, arrived) {
@@ -9535,10 +8991,7 @@ var ImageOver = class {
 	}
 };
 // www/block/view/orthophoto/plan.ts
-/** The orthophoto from above, with what is placed on it: footprints, projection centres, and the places of the block or the links of the chosen image. */
-/** Coordinates of a map are those of its system. */
 var SYSTEM = "surveyed";
-/** Of what is placed, with doubt, and not: seen on any picture, and told apart with any colour vision. */
 var VERDICTS$1 = {
 	placed: ACCEPTED.colour,
 	weak: "#ffb000",
@@ -9550,7 +9003,6 @@ var OrthophotoPlan = class extends LinkPicture {
 	tiles;
 	over;
 	lays = false;
-	/** What was chosen last. */
 	followed = null;
 	drawn = remember(linksOnGround);
 	constructor(host, store, hands, keys, engine, looking, facts) {
@@ -9568,7 +9020,6 @@ var OrthophotoPlan = class extends LinkPicture {
 		store.watch(["selection"], ([{ chosen }]) => this.follow(chosen));
 		facts.watch(() => this.layers.redraw("marks"));
 	}
-	/** What of the block is drawn, where it lies on the orthophoto. */
 	block() {
 		const { state } = this.store;
 		const shown = blockOnOrthophoto(state);
@@ -9576,7 +9027,6 @@ var OrthophotoPlan = class extends LinkPicture {
 		const keeps = (subject) => keptBy(subject, shown.view, state.selection);
 		return onOrthophoto(shown.view, this.facts.ground(), isOffGround(state), keeps("images"), keeps("surveyed"));
 	}
-	/** What is chosen of the block elsewhere is brought into sight. */
 	follow(chosen) {
 		this.layers.redraw("marks");
 		const block = this.block();
@@ -9584,12 +9034,10 @@ var OrthophotoPlan = class extends LinkPicture {
 		this.followed = chosen;
 		if (place !== null) this.bring([place[0], -place[1]]);
 	}
-	/** Goes to the next image or place of the block, or the one before. */
 	step(of, by) {
 		const block = this.block();
 		if (block !== null) this.looking.choose(stepped(block, this.store.state.placing.uses, of, this.store.state.selection.chosen, by));
 	}
-	/** Whether the chosen image lies over the orthophoto. */
 	get isLaid() {
 		return this.lays;
 	}
@@ -9601,7 +9049,6 @@ var OrthophotoPlan = class extends LinkPicture {
 		const { orthophoto } = this.store.state.placing;
 		return orthophoto === null ? null : boxOf(cornersOf(orthophoto));
 	}
-	/** Shows the ground of an image, with all of its footprint. */
 	showImage({ footprint, pose }) {
 		this.show(boxOf([...footprint, [pose.position[0], pose.position[1]]]));
 	}
@@ -9621,7 +9068,6 @@ var OrthophotoPlan = class extends LinkPicture {
 	measured([east, south]) {
 		this.hands.place("place", [east, -south]).then((at) => this.image?.expect(at));
 	}
-	/** The image beside it. */
 	image = null;
 	pressed(x, y) {
 		const box = this.whole();
@@ -9661,7 +9107,6 @@ var OrthophotoPlan = class extends LinkPicture {
 			link: null
 		};
 	}
-	/** Of the images that were placed by themselves. */
 	footprints() {
 		return placedFiles(this.store.state).flatMap(({ file, result, isStale }) => {
 			const placement = result?.placement ?? null;
@@ -9704,7 +9149,6 @@ var OrthophotoPlan = class extends LinkPicture {
 		paintScale(context, colours, t, height, SYSTEM);
 		paintNorth(context, colours, width, SYSTEM);
 	}
-	/** Images that were placed by themselves, and the links of the chosen one. */
 	paintPlaced(context, colours, t, clip) {
 		const { chosen, pointed, uses } = this.store.state.placing;
 		const all = this.footprints();
@@ -9718,7 +9162,6 @@ var OrthophotoPlan = class extends LinkPicture {
 		this.paintEnd(context, t);
 		paintCentres(context, colours, t, all, ({ file }) => file === chosen.image);
 	}
-	/** Where images are sought, if that is said. */
 	paintNear(context, colours, t) {
 		const { options } = this.store.state.placing;
 		if (options?.near_x == null || options.near_y == null) return;
@@ -9752,7 +9195,6 @@ function cornersOf({ info: { width, height, georeference } }) {
 		[0, height]
 	].map(([x = 0, y = 0]) => mapped(toGround, x, y));
 }
-/** Of places of the ground, as positions whose Y goes down. */
 function boxOf(places) {
 	const [xs, ys] = [places.map(([x]) => x), places.map(([, y]) => -y)];
 	return [
@@ -9763,12 +9205,10 @@ function boxOf(places) {
 	];
 }
 // www/block/files/placed.ts
-/** The tables of images that were placed, as the command writes them. */
 function placedCsv(names, placed) {
 	return placed_tables([...names], placed);
 }
 // www/block/panel/placing-exports.ts
-/** Saving what was placed on an orthophoto: tables, all of it, and images on the ground. */
 var NAMES = {
 	placed: say("positions-placed-csv"),
 	links: say("links-links-csv"),
@@ -9871,13 +9311,10 @@ function rectifiedName(name) {
 	return `${(name.split("/").at(-1) ?? name).replace(/\.[^.]*$/u, "")}-rectified.tif`;
 }
 // www/block/panel/placing-words.ts
-/** What is said of images on an orthophoto. */
-/** What the place of an image is worth, in a sentence. */
 function verdictText({ result, problem }) {
 	return result === null ? say("not-read", { problem: sentence(problem) }) : message("placing_verdict", result.verdict);
 }
 // www/block/panel/orthophoto-view.ts
-/** The orthophoto on the stage: what is placed on it, the chosen image beside it, and their tools. */
 var KEYS$1 = say("press-a-footprint-to-see");
 function orthophotoView(engine, facts, placing, { open, sample }) {
 	return {
@@ -9966,7 +9403,6 @@ function orthophotoView(engine, facts, placing, { open, sample }) {
 		}
 	};
 }
-/** Both pictures go where the choice is, which may be made elsewhere. */
 function follow(store, plan, image, beside, name) {
 	let [of, link] = [store.state.placing.chosen.image, store.state.placing.chosen.link];
 	store.watch([
@@ -9986,7 +9422,6 @@ function follow(store, plan, image, beside, name) {
 		[of, link] = [chosen.image, chosen.link];
 	});
 }
-/** What is chosen, in words. */
 function chosenText({ state }) {
 	const { placing } = state;
 	const placed = chosenPlaced(state);
@@ -10023,7 +9458,6 @@ function chosenText({ state }) {
 		off
 	}) + `X ${fixed(link.place[0], 2)}, Y ${fixed(link.place[1], 2)}, Z ${fixed(link.place[2], 2)}.`;
 }
-/** What the marks of links, or of the block's places, mean, and which of them are drawn. */
 function legendOf(store) {
 	const switches = USES$1.map((use) => {
 		const press = toggle(LINK_STYLES[use].name, `links-${use}`, HELP.links[use], (on) => store.dispatch({
@@ -10111,7 +9545,6 @@ function toolsOf(store, engine, plan, residuals) {
 	});
 	return unfolded("ortho-menu", near, everywhere, residuals, over, whole, exports);
 }
-/** What can be done to links by hand. */
 function handsOf(store, hands) {
 	const reject = button(say("reject-link"), "link-reject", () => hands.use("reject"), say("leaves-the-chosen-link-out"));
 	const restore = button(say("use-link"), "link-restore", () => hands.use("restore"), say("lets-the-chosen-link-take"));
@@ -10168,7 +9601,6 @@ function handsOf(store, hands) {
 	});
 	return h("div", { class: "map-tools" }, reject, restore, add, accept, undo, redo);
 }
-/** What can be done before there is an orthophoto. */
 function invited$1(store, { open, sample }) {
 	const own = button(say("open-an-orthophoto"), "ortho-open-first", open);
 	own.className = "primary";
@@ -10268,7 +9700,6 @@ var PURPOSES = [
 	["images", say("purpose-images")],
 	["map", say("purpose-map")]
 ];
-/** What is done with the orthophoto. */
 function purposeField(store) {
 	const select = h("select", {
 		id: "orthophoto-purpose",
@@ -10294,7 +9725,6 @@ function purposeField(store) {
 	});
 	return h("div", { class: "control compact" }, h("label", { for: select.id }, say("what-is-done-with-it")), select);
 }
-/** One height for level ground. */
 function levelField(store, files) {
 	const problem = problemLine("block-level");
 	const input = numberInput("block-level", problem, () => {
@@ -10338,11 +9768,9 @@ var VERDICTS = {
 	weak: say("with-doubt-2"),
 	not_placed: say("not-placed-2")
 };
-/** What became of an image, in a word or two. */
 function placedWord({ result }) {
 	return result === null ? say("not-read-2") : VERDICTS[result.verdict.kind];
 }
-/** `said`: the verdict of an image in a sentence. */
 function placedColumns(rows, said) {
 	const of = (row) => rows[row]?.result?.placement ?? null;
 	const axes = [
@@ -10399,7 +9827,6 @@ function linkColumns({ links: { at, places, residuals, uses } }, steps, done) {
 	];
 }
 // www/block/panel/placing-tables.ts
-/** Tables under the orthophoto: images that were placed, and the links of the chosen one. */
 function placingTables(store) {
 	return [{
 		id: "block-placed",
@@ -10412,9 +9839,6 @@ function placingTables(store) {
 		view: "orthophoto",
 		make: (host) => linksTable(host, store)
 	}];
-}
-function isHidden(host) {
-	return host.closest("[hidden], .is-closed") !== null;
 }
 function placedTable(host, store) {
 	let rows = [];
@@ -10504,7 +9928,6 @@ function linksTable(host, store) {
 	return { draw };
 }
 // www/block/state/plots.ts
-/** The plots of a block: what they show of images, points and observations, and what each value is about. */
 var PLOTS = [
 	["images", say("residuals-by-image")],
 	["residuals", say("residuals-of-observations")],
@@ -10515,7 +9938,6 @@ var PLOTS = [
 	["surveyed-plan", say("control-and-check-points-plan")],
 	["surveyed-height", say("control-and-check-points-height")]
 ];
-/** A plot; null while what it shows is on its way. Without a value where the block does not have that. */
 function plotOf(name, view, facts) {
 	switch (name) {
 		case "images": return byImage(view);
@@ -10534,7 +9956,6 @@ function plotOf(name, view, facts) {
 		}
 	}
 }
-/** Values of images. */
 function ofImages({ images }, y, value) {
 	const rows = Array.from(images.keys()).filter((image) => !Number.isNaN(value(image)));
 	const names = rows.map((image) => images[image]?.name ?? "");
@@ -10576,7 +9997,6 @@ var positions$1 = remember((view, { gnss }) => ofImages(view, {
 	const { position } = view.images[image] ?? {};
 	return position == null ? NaN : Math.hypot(...position.map((value, axis) => (gnss[3 * image + axis] ?? NaN) - value));
 }));
-/** Values of points, by their indices. */
 function ofPoints(points, x, y, bars = false) {
 	return {
 		x,
@@ -10594,7 +10014,6 @@ function ofPoints(points, x, y, bars = false) {
 		together: (rows) => choiceOfPoints(rows.flatMap((row) => points[row] ?? []))
 	};
 }
-/** Standard errors of points over their place along the longer side of the block. */
 var alongBlock = remember(({ points }, plan) => {
 	const coordinate = (point, axis) => points.positions[3 * point + axis] ?? NaN;
 	const error = (point) => {
@@ -10632,9 +10051,8 @@ var surveyedPoints = remember(({ surveyed }, plan) => {
 		values: Float64Array.from(used, ({ difference_m: [x, y, z] }) => plan ? Math.hypot(x, y) : z)
 	}, true);
 });
-/** How many points have so many rays. */
 var byRays = remember(({ points }) => {
-	const counts = /* @__PURE__ */ new Map();
+	const counts = new Map();
 	for (const rays of points.rays.subarray(0, points.taking)) counts.set(rays, (counts.get(rays) ?? 0) + 1);
 	const rays = [...counts.keys()].sort((a, b) => a - b);
 	const all = points.rays.subarray(0, points.taking);
@@ -10653,7 +10071,7 @@ var byRays = remember(({ points }) => {
 		},
 		bars: true,
 		square: false,
-		choice: (row) => withRays(/* @__PURE__ */ new Set([rays[row]])),
+		choice: (row) => withRays(new Set([rays[row]])),
 		chosen: (choice) => {
 			const chosen = new Set([...pointsOf(choice)].map((point) => all[point]));
 			return (row) => chosen.has(rays[row]);
@@ -10688,16 +10106,13 @@ var residuals = remember((of) => {
 	};
 });
 // www/block/view/plot/axes.ts
-/** Room of labels and ticks about the values, CSS px. */
 var ROOM = {
 	left: 64,
 	right: 16,
 	top: 14,
 	bottom: 40
 };
-/** Beyond the farthest values, in shares of their span. */
 var BESIDE = .04;
-/** The ends of both axes: bars stand on zero, places of a list have room on both sides. */
 function endsOf({ x, y, bars, square }, width, height) {
 	const across = x.names === void 0 ? spread(x.values) : [-.5, Math.max(0, x.names.length - 1) + .5];
 	const up = spread(y.values, bars);
@@ -10720,7 +10135,6 @@ function spread(values, zero = false) {
 	const beside = BESIDE * (high - low);
 	return [zero && low === 0 ? 0 : low - beside, zero && high === 0 ? 0 : high + beside];
 }
-/** Round values between two ends, about so many. */
 function ticksBetween([from, to], about) {
 	const step = roundStep((to - from) / Math.max(1, about));
 	if (!(step > 0) || !Number.isFinite(step)) return [];
@@ -10728,7 +10142,6 @@ function ticksBetween([from, to], about) {
 	const last = Math.floor(to / step + 1e-9);
 	return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
 }
-/** 1, 2 or 5 times a power of ten, no smaller than a length. */
 function roundStep(length) {
 	const power = 10 ** Math.floor(Math.log10(length));
 	return ([
@@ -10738,25 +10151,20 @@ function roundStep(length) {
 		10
 	].find((digit) => digit * power >= length * (1 - 1e-9)) ?? 10) * power;
 }
-/** Decimals that tell ticks apart. */
 function decimalsOf(ticks) {
 	const [first = 0, second = first + 1] = ticks;
 	return Math.max(0, Math.min(9, Math.ceil(-Math.log10(Math.abs(second - first)) - 1e-9)));
 }
-/** The title of an axis, with its unit. */
 function titleOf({ label, unit }) {
 	return unit === "" ? label : `${label}, ${unit}`;
 }
 // www/block/view/plot/plot.ts
-/** How near the pointer must be to a point, CSS px. */
 var REACH = 9;
-/** Ticks are about so far apart, CSS px. */
 var APART = {
 	x: 90,
 	y: 46
 };
 var LEAST_TICKS = 3;
-/** Up to so many points are drawn larger. */
 var FEW = 3e3;
 var FONT = "11px system-ui, sans-serif";
 var Plot = class extends Chart {
@@ -10770,7 +10178,6 @@ var Plot = class extends Chart {
 		facts.watch(() => this.changed());
 		store.watch(["shown", "onStage"], () => this.changed());
 	}
-	/** Calls back when other values may be shown. */
 	watch(changed) {
 		this.listeners.push(changed);
 	}
@@ -10782,12 +10189,10 @@ var Plot = class extends Chart {
 		this.fit();
 		this.changed();
 	}
-	/** What is shown; null while it is on its way, or while the plot is not looked at. */
 	data() {
 		const view = this.view();
 		return view === null || this.store.state.onStage !== "plots" ? null : plotOf(this.name, view, this.facts);
 	}
-	/** The picture as it stands. */
 	picture() {
 		return this.layers.snapshot();
 	}
@@ -10831,7 +10236,6 @@ var Plot = class extends Chart {
 			most: 500
 		};
 	}
-	/** The values stay where their axes are. */
 	held(_, { scale, x, y }) {
 		const { width, height } = this.layers;
 		return {
@@ -10857,7 +10261,6 @@ var Plot = class extends Chart {
 			height: Math.max(1, height - ROOM.top - ROOM.bottom)
 		};
 	}
-	/** Where values lie on the canvas. */
 	placing(data, t) {
 		const at = this.scaling(data, t);
 		return (row) => at(data.x.values[row] ?? NaN, data.y.values[row] ?? NaN);
@@ -10869,7 +10272,6 @@ var Plot = class extends Chart {
 		const [y0, up] = [ends.y[0], height / (ends.y[1] - ends.y[0])];
 		return (x, y) => toCanvas(t, left + (x - x0) * across, top + height - (y - y0) * up);
 	}
-	/** The values at the edges of what is seen. */
 	seen(data, t) {
 		const { left, top, width, height } = this.area();
 		const ends = endsOf(data, this.layers.width, this.layers.height);
@@ -10883,7 +10285,6 @@ var Plot = class extends Chart {
 			y: [from[1], to[1]]
 		};
 	}
-	/** Where bars stand. */
 	base(data, t) {
 		return this.scaling(data, t)(0, 0)[1];
 	}
@@ -10978,7 +10379,6 @@ var Plot = class extends Chart {
 		else if (under >= 0) context.strokeRect(ux - 5, uy - 5, 10, 10);
 		if (under >= 0) this.paintValue(context, colours, data, under, place(under), area);
 	}
-	/** What the value under the pointer is. */
 	paintValue(context, colours, { x, y }, row, [px, py], area) {
 		const value = ({ unit, values, names }) => names?.[row] ?? `${figure(values[row] ?? NaN)}${unit === "" ? "" : ` ${unit}`}`;
 		const text = `${value(x)}: ${value(y)}`;
@@ -11002,12 +10402,10 @@ function line(context, from, to) {
 	context.lineTo(...to);
 	context.stroke();
 }
-/** Whole numbers as they are, others to the third decimal, or to the third digit that counts. */
 function figure(value) {
 	if (Number.isInteger(value)) return fixed(value, 0);
 	return fixed(value, Math.min(7, Math.max(3, 2 - Math.floor(Math.log10(Math.abs(value))))));
 }
-/** A text that is no longer than it may be: names of images differ at their ends. */
 function shortened(context, text, most) {
 	if (context.measureText(text).width <= most) return text;
 	let from = 1;
@@ -11015,7 +10413,6 @@ function shortened(context, text, most) {
 	return `…${text.slice(from)}`;
 }
 // www/block/panel/plots-view.ts
-/** The plots of a block on the stage: which one, what it says in words, its picture and its values as files. */
 var KEYS = say("press-a-value-to-choose");
 function plotsView(facts) {
 	return {
@@ -11067,7 +10464,6 @@ function plotsView(facts) {
 		}
 	};
 }
-/** What the values are like. */
 function inWords({ x, y }) {
 	const sorted = y.values.slice().sort();
 	const at = (share) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
@@ -11104,10 +10500,7 @@ async function saveValues(plot) {
 	save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), `block-${plot.shows}.csv`);
 }
 // www/block/panel/results.ts
-/** What came of a block: images oriented, points by rays, residuals, calibrated cameras, warnings, and what was skipped. */
-/** Reasons listed one by one; the others are in the table of images. */
 var LISTED = 50;
-/** `takeOff`: gives the block as it was before it was placed on an orthophoto. */
 function mountResults(host, store, takeOff) {
 	const body = h("div", { testid: "block-results" });
 	host.append(body);
@@ -11151,12 +10544,10 @@ function sectionsOf(shown, off) {
 		section(say("cameras"), "block-cameras", cameraTable(view))
 	];
 }
-/** What came of the orthophoto. */
 function onGround({ view: { orthophoto }, ground }, off) {
 	if (orthophoto === null) return null;
 	return section(say("orthophoto"), "block-on-orthophoto", h("p", {}, orthophoto.text), ground === null ? null : h("p", { class: "buttons" }, off));
 }
-/** What is known before there are points. */
 function partialFacts(view) {
 	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
 	return [
@@ -11271,7 +10662,6 @@ function factsOf(view) {
 		}
 	];
 }
-/** Why observations keep their positions. */
 var KEPT = {
 	not_converged: say("did-not-converge"),
 	left_image: say("at-the-border"),
@@ -11383,8 +10773,6 @@ function cameraTable({ cameras, found }) {
 	}, head, h("tbody", {}, ...cameras.map((camera, i) => row(`${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, "$1 × ")}`, number(count(camera.images)), number(given(camera)), number(camera.calibrated === null ? "–" : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? "" : ` ± ${fixed(camera.focalErrorPx, 1)}`}`))))));
 }
 // www/block/panel/settings.ts
-/** What the user chooses of a run: pairs, points, recorded positions, cameras. */
-/** `opener` opens the settings, and says how many were changed. */
 function mountSettings(host, store, files, opener) {
 	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
@@ -11419,7 +10807,6 @@ function mountSettings(host, store, files, opener) {
 		});
 	});
 }
-/** Whether recorded positions are used. */
 function positions(store) {
 	const input = h("input", {
 		id: "block-gps",
@@ -11435,7 +10822,6 @@ function positions(store) {
 	});
 	return h("div", { class: "control" }, h("div", { class: "control-head" }, input, h("label", { for: input.id }, say("use-gnss-positions"))), h("p", { class: "help" }, say("they-choose-near-pairs-and")));
 }
-/** Whether images that are given wait for Run. */
 function waiting(files) {
 	const input = h("input", {
 		id: "block-wait",
@@ -11450,12 +10836,10 @@ function waiting(files) {
 }
 var CAMERAS = say("from-exif-a-json-file", { example: "{\"cameras\": [{\"images\": \"DJI_*.JPG\", \"focal_px\": 3666.7}]}" });
 var CONTROL = say("none-two-files-georeference-the");
-/** Files that say more of the block than its images do. */
 function besides(store, files) {
 	return h("fieldset", { class: "group" }, h("legend", {}, say("files")), textFile(store, files, "cameras", say("cameras"), CAMERAS, ".json,application/json"), textFile(store, files, "control", say("ground-control-points"), CONTROL, ".txt,.csv,text/*"), textFile(store, files, "marks", say("image-measurements"), "", ".txt,.csv,text/*"), masks(store, files));
 }
 var MASKS = say("none-images-of-the-same");
-/** What is wrong with what was given, beside where it is given. */
 function problemOf(store, given) {
 	const line = h("p", {
 		class: "field-problem",
@@ -11495,7 +10879,6 @@ function textFile(store, files, option, title, none, accept) {
 	store.watch((s) => [s.options[option]], ([given]) => part.show(given?.name ?? null, none));
 	return part.element;
 }
-/** A file or files beside the images: a button that asks for them, their names, what is wrong with them, and a button that takes them away. */
 function besideField(store, given, title, how, take, clear) {
 	const [press, input] = fileButton(`${title} …`, {
 		testid: `block-${given}`,
@@ -11517,7 +10900,6 @@ function besideField(store, given, title, how, take, clear) {
 	};
 }
 // www/block/panel/stage.ts
-/** The middle of the block's page: one of its views, and what is said of what is pointed at or chosen. */
 function mountStage(host, store, looking, views, dock, invitation) {
 	const shelf = h("div", {
 		class: "views",
@@ -11529,7 +10911,7 @@ function mountStage(host, store, looking, views, dock, invitation) {
 		class: "keys",
 		id: KEYS_ID
 	});
-	const mounted = /* @__PURE__ */ new Map();
+	const mounted = new Map();
 	const now = () => mounted.get(store.state.onStage);
 	const buttons = views.map((view) => ({
 		view,
@@ -11567,7 +10949,6 @@ function mountStage(host, store, looking, views, dock, invitation) {
 		fill(keys, mounted.get(wanted.name)?.keys ?? "");
 	});
 }
-/** The line that says what is chosen, and what is pointed at. */
 function said(store, looking) {
 	const pointedAt = h("p", {
 		class: "pointed",
@@ -11603,7 +10984,6 @@ function tell$1(element, store, choice, otherwise) {
 	const text = choice === null || shown === null ? otherwise : describe(shown.view, choice);
 	if (element.textContent !== text) element.textContent = text;
 }
-/** The invitation, which lies over the views while there is no block. */
 function invited(store, { sample, placedSample, open }) {
 	const own = button(say("open-your-photos"), "block-open-first", open);
 	const simulate = button(say("try-a-sample-block"), "block-simulate-first", sample);
@@ -11695,9 +11075,7 @@ function placingAnswer(state, actions) {
 		others: [other]
 	};
 }
-/** Heights that lie under less of the orthophoto are said to. */
 var MOSTLY = .95;
-/** What the ground is taken for. */
 function heightsText({ placing: { heights, orthophoto } }) {
 	if (heights.kind === "level") return say("its-ground-is-taken-as", { height: heights.height });
 	const [from, to] = orthophoto?.info.heights ?? [];
@@ -11790,8 +11168,6 @@ function images(number) {
 	return say("so-many-images", { images: number });
 }
 // www/block/panel/status.ts
-/** The answer of a block: what came of it; while there is none what runs, how far it is, what went wrong, and what to do. */
-/** `details`: the button that shows them. */
 function mountBlockStatus(store, actions, details) {
 	const line = h("p", {
 		class: "status",
@@ -11832,18 +11208,15 @@ function placed(state, actions) {
 		why: actions.whyPlaced
 	});
 }
-/** Whether it is about images on an orthophoto, each by itself. */
 function places(state) {
 	return state.onStage === "orthophoto" && purposeOf(state) === "images";
 }
-/** Whether what is said is of the orthophoto: of images on it, or of a block that is not there yet. */
 function isOfGround(state) {
 	const { onStage, placing, shown } = state;
 	if (onStage !== "orthophoto") return false;
 	const purpose = purposeOf(state);
 	return placing.orthophoto === null || purpose === "images" || purpose === "block" && (shown === null || shown.view.partial);
 }
-/** What can be done with an orthophoto under a finished block: one choice. */
 function offered(state, { decide }) {
 	return {
 		more: [say("a-block-on-an-orthophoto"), state.placing.heights.kind === "level" ? heightsText(state) : ""].join(" ").trim(),
@@ -12003,7 +11376,6 @@ function figuresOf(view) {
 function connectedPairs({ connections }) {
 	return connections.filter(({ outcome }) => outcome.kind === "connected").length;
 }
-/** What there is of it, after its verdict. */
 function countsOf({ view, seconds }) {
 	return say("block-done", {
 		images: view.images.length,
@@ -12017,20 +11389,16 @@ function countsOf({ view, seconds }) {
 	}).trim();
 }
 // www/block/mount.ts
-/** The block's part of the page: makes its parts and wires them together. */
-/** The sample has so few photos that it is done in half a minute. */
 var SAMPLE = {
 	strips: 3,
 	exposures: 4
 };
-/** The sample of images on an orthophoto; the side of its pixels in m is near that of the photos. */
 var PLACED_SAMPLE = {
 	strips: 2,
 	exposures: 2,
 	pixel_mm: .045
 };
 var PLACED_GSD_M = .5;
-/** In pieces, between which the page answers what the user does. */
 async function mountBlock(catalogue, { modes, openPair, openProject, putAside }) {
 	const store = new Holder(BLOCK_INITIAL, reduceBlock);
 	const engine = new BlockEngine(store);
@@ -12169,7 +11537,6 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 		open: (file) => files.open(file)
 	};
 }
-/** The buttons that give images; gives what asks for images. */
 function mountActions(host, store, files) {
 	const take = (given) => void files.take(given.map((file) => ({
 		file,
@@ -12208,10 +11575,7 @@ function mountActions(host, store, files) {
 	return () => imagesInput.click();
 }
 // www/block/pair.ts
-/** From a pair of the block to the pair's part of the page, and back. */
-/** The pair's own images count up from 1: those of blocks count down. */
 var nextId = -1;
-/** Opens both images with the strategy that the block used; where one cannot be opened the block stays. */
 async function openPair(block, modes, store, engine, [a, b]) {
 	const { shown } = block.state;
 	if (shown === null) return;
@@ -12243,7 +11607,6 @@ async function openPair(block, modes, store, engine, [a, b]) {
 	});
 	modes.dispatch("pair");
 }
-/** The block's settings of features and its camera, in place of whatever the pair before had. */
 function readyFor(store, block, camera) {
 	const { settings } = store.state;
 	const features = block.state.options.settings?.features;
@@ -12289,7 +11652,6 @@ function readyFor(store, block, camera) {
 		});
 	}
 }
-/** The camera of both images: as the block calibrated it, or given before that; null where they have two cameras, or nothing is known. */
 function cameraOf(block, a, b) {
 	const { images = [], cameras = [] } = block.state.shown?.view ?? {};
 	const [left, right] = [images[a], images[b]];

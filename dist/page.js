@@ -1,6 +1,4 @@
 // www/shared/choices.ts
-/** Choices of the page's looks that last from one visit to the next. */
-/** Storage may be switched off, or absent on file://: a choice then lasts as long as the page. */
 function keptChoice(name) {
 	try {
 		return localStorage.getItem(name);
@@ -14,8 +12,6 @@ function keepChoice(name, value) {
 	} catch {}
 }
 // www/shared/text/language.ts
-/** The language of the page: the one that was chosen, or the first of the browser's that there are texts in. */
-/** By their tags: how each calls itself, and which way it runs. */
 var LANGUAGES = {
 	en: {
 		name: "English",
@@ -30,9 +26,7 @@ var NAME = "tiepoint-language";
 function isLanguage(tag) {
 	return typeof tag === "string" && Object.hasOwn(LANGUAGES, tag);
 }
-/** The one that all texts are written in, as long as the document lasts. A worker is told it at the end of its name. */
 var LANGUAGE = typeof document === "undefined" ? told() : preferred(keptChoice(NAME), navigator.languages);
-/** The name of a worker that writes in the language of the page. */
 function namedInLanguage(worker) {
 	return `${worker} ${LANGUAGE}`;
 }
@@ -40,92 +34,45 @@ function told() {
 	const tag = String(globalThis.name ?? "").split(" ").at(-1);
 	return isLanguage(tag) ? tag : "en";
 }
-/** A choice comes before what the browser is set to, in whose order the languages are liked. */
 function preferred(chosen, liked) {
 	if (isLanguage(chosen)) return chosen;
 	return liked.map((tag) => tag.split("-")[0]).find(isLanguage) ?? "en";
 }
-/** Keeps a choice for the next document. */
 function keepLanguage(language) {
 	keepChoice(NAME, language);
 }
 // www/shared/engine/trusted.ts
-/** The page's own files, and what it made itself. */
 function own(address) {
 	const { origin, protocol } = new URL(address, location.href);
 	if (origin !== location.origin && protocol !== "blob:") throw new TypeError(`${address} is no script of this page`);
 	return address;
 }
-/** The one policy that the content-security policy names; absent in browsers without Trusted Types. */
 var policy = typeof trustedTypes === "undefined" ? void 0 : trustedTypes.createPolicy("tiepoint", { createScriptURL: own });
-/** An address that a worker may be started from. */
 function scriptAddress(address) {
 	return policy === void 0 ? own(address) : policy.createScriptURL(address);
 }
-// node_modules/@fluent/bundle/esm/types.js
-/**
-* The `FluentType` class is the base of Fluent's type system.
-*
-* Fluent types wrap JavaScript values and store additional configuration for
-* them, which can then be used in the `toString` method together with a proper
-* `Intl` formatter.
-*/
+// ../main/node_modules/@fluent/bundle/esm/types.js
 var FluentType = class {
-	/**
-	* Create a `FluentType` instance.
-	*
-	* @param value The JavaScript value to wrap.
-	*/
 	constructor(value) {
 		this.value = value;
 	}
-	/**
-	* Unwrap the raw value stored by this `FluentType`.
-	*/
 	valueOf() {
 		return this.value;
 	}
 };
-/**
-* A {@link FluentType} representing no correct value.
-*/
 var FluentNone = class extends FluentType {
-	/**
-	* Create an instance of `FluentNone` with an optional fallback value.
-	* @param value The fallback value of this `FluentNone`.
-	*/
 	constructor(value = "???") {
 		super(value);
 	}
-	/**
-	* Format this `FluentNone` to the fallback string.
-	*/
 	toString(scope) {
 		return `{${this.value}}`;
 	}
 };
-/**
-* A {@link FluentType} representing a number.
-*
-* A `FluentNumber` instance stores the number value of the number it
-* represents. It may also store an option bag of options which will be passed
-* to `Intl.NumerFormat` when the `FluentNumber` is formatted to a string.
-*/
 var FluentNumber = class extends FluentType {
-	/**
-	* Create an instance of `FluentNumber` with options to the
-	* `Intl.NumberFormat` constructor.
-	*
-	* @param value The number value of this `FluentNumber`.
-	* @param opts Options which will be passed to `Intl.NumberFormat`.
-	*/
 	constructor(value, opts = {}) {
 		super(value);
 		this.opts = opts;
 	}
-	/**
-	* Format this `FluentNumber` to a string.
-	*/
 	toString(scope) {
 		if (scope) try {
 			return scope.memoizeIntlObject(Intl.NumberFormat, this.opts).format(this.value);
@@ -135,14 +82,6 @@ var FluentNumber = class extends FluentType {
 		return this.value.toString(10);
 	}
 };
-/**
-* A {@link FluentType} representing a date and time.
-*
-* A `FluentDateTime` instance stores a Date object, Temporal object, or a number
-* as a numerical timestamp in milliseconds. It may also store an
-* option bag of options which will be passed to `Intl.DateTimeFormat` when the
-* `FluentDateTime` is formatted to a string.
-*/
 var FluentDateTime = class FluentDateTime extends FluentType {
 	static supportsValue(value) {
 		if (typeof value === "number") return true;
@@ -154,13 +93,6 @@ var FluentDateTime = class FluentDateTime extends FluentType {
 		}
 		return false;
 	}
-	/**
-	* Create an instance of `FluentDateTime` with options to the
-	* `Intl.DateTimeFormat` constructor.
-	*
-	* @param value The number value of this `FluentDateTime`, in milliseconds.
-	* @param opts Options which will be passed to `Intl.DateTimeFormat`.
-	*/
 	constructor(value, opts = {}) {
 		if (value instanceof FluentDateTime) {
 			opts = {
@@ -179,11 +111,6 @@ var FluentDateTime = class FluentDateTime extends FluentType {
 	[Symbol.toPrimitive](hint) {
 		return hint === "string" ? this.toString() : this.toNumber();
 	}
-	/**
-	* Convert this `FluentDateTime` to a number.
-	* Note that this isn't always possible due to the nature of Temporal objects.
-	* In such cases, a TypeError will be thrown.
-	*/
 	toNumber() {
 		const value = this.value;
 		if (typeof value === "number") return value;
@@ -192,9 +119,6 @@ var FluentDateTime = class FluentDateTime extends FluentType {
 		if ("toZonedDateTime" in value) return value.toZonedDateTime("UTC").epochMilliseconds;
 		throw new TypeError("Unwrapping a non-number value as a number");
 	}
-	/**
-	* Format this `FluentDateTime` to a string.
-	*/
 	toString(scope) {
 		if (scope) try {
 			return scope.memoizeIntlObject(Intl.DateTimeFormat, this.opts).format(this.value);
@@ -205,38 +129,10 @@ var FluentDateTime = class FluentDateTime extends FluentType {
 		return this.value.toString();
 	}
 };
-// node_modules/@fluent/bundle/esm/resolver.js
-/**
-* The role of the Fluent resolver is to format a `Pattern` to an instance of
-* `FluentValue`. For performance reasons, primitive strings are considered
-* such instances, too.
-*
-* Translations can contain references to other messages or variables,
-* conditional logic in form of select expressions, traits which describe their
-* grammatical features, and can use Fluent builtins which make use of the
-* `Intl` formatters to format numbers and dates into the bundle's languages.
-* See the documentation of the Fluent syntax for more information.
-*
-* In case of errors the resolver will try to salvage as much of the
-* translation as possible. In rare situations where the resolver didn't know
-* how to recover from an error it will return an instance of `FluentNone`.
-*
-* All expressions resolve to an instance of `FluentValue`. The caller should
-* use the `toString` method to convert the instance to a native value.
-*
-* Functions in this file pass around an instance of the `Scope` class, which
-* stores the data required for successful resolution and error recovery.
-*/
-/**
-* The maximum number of placeables which can be expanded in a single call to
-* `formatPattern`. The limit protects against the Billion Laughs and Quadratic
-* Blowup attacks. See https://msdn.microsoft.com/en-us/magazine/ee335713.aspx.
-*/
+// ../main/node_modules/@fluent/bundle/esm/resolver.js
 var MAX_PLACEABLES = 100;
-/** Unicode bidi isolation characters. */
 var FSI = "⁨";
 var PDI$1 = "⁩";
-/** Helper: match a variant key to the given selector. */
 function match(scope, selector, key) {
 	if (key === selector) return true;
 	if (key instanceof FluentNumber && selector instanceof FluentNumber && key.value === selector.value) return true;
@@ -245,13 +141,11 @@ function match(scope, selector, key) {
 	}
 	return false;
 }
-/** Helper: resolve the default variant from a list of variants. */
 function getDefault(scope, variants, star) {
 	if (variants[star]) return resolvePattern(scope, variants[star].value);
-	scope.reportError(/* @__PURE__ */ new RangeError("No default"));
+	scope.reportError(new RangeError("No default"));
 	return new FluentNone();
 }
-/** Helper: resolve arguments to a call expression. */
 function getArguments(scope, args) {
 	const positional = [];
 	const named = Object.create(null);
@@ -262,7 +156,6 @@ function getArguments(scope, args) {
 		named
 	};
 }
-/** Resolve an expression to a Fluent type. */
 function resolveExpression(scope, expr) {
 	switch (expr.type) {
 		case "str": return expr.value;
@@ -275,7 +168,6 @@ function resolveExpression(scope, expr) {
 		default: return new FluentNone();
 	}
 }
-/** Resolve a reference to a variable. */
 function resolveVariableReference(scope, { name }) {
 	let arg;
 	if (scope.params) {
@@ -283,7 +175,7 @@ function resolveVariableReference(scope, { name }) {
 		else return new FluentNone(`$${name}`);
 	} else if (scope.args && Object.prototype.hasOwnProperty.call(scope.args, name)) arg = scope.args[name];
 	else {
-		scope.reportError(/* @__PURE__ */ new ReferenceError(`Unknown variable: $${name}`));
+		scope.reportError(new ReferenceError(`Unknown variable: $${name}`));
 		return new FluentNone(`$${name}`);
 	}
 	if (arg instanceof FluentType) return arg;
@@ -292,33 +184,31 @@ function resolveVariableReference(scope, { name }) {
 		case "number": return new FluentNumber(arg);
 		case "object": if (FluentDateTime.supportsValue(arg)) return new FluentDateTime(arg);
 		default:
-			scope.reportError(/* @__PURE__ */ new TypeError(`Variable type not supported: $${name}, ${typeof arg}`));
+			scope.reportError(new TypeError(`Variable type not supported: $${name}, ${typeof arg}`));
 			return new FluentNone(`$${name}`);
 	}
 }
-/** Resolve a reference to another message. */
 function resolveMessageReference(scope, { name, attr }) {
 	const message = scope.bundle._messages.get(name);
 	if (!message) {
-		scope.reportError(/* @__PURE__ */ new ReferenceError(`Unknown message: ${name}`));
+		scope.reportError(new ReferenceError(`Unknown message: ${name}`));
 		return new FluentNone(name);
 	}
 	if (attr) {
 		const attribute = message.attributes[attr];
 		if (attribute) return resolvePattern(scope, attribute);
-		scope.reportError(/* @__PURE__ */ new ReferenceError(`Unknown attribute: ${attr}`));
+		scope.reportError(new ReferenceError(`Unknown attribute: ${attr}`));
 		return new FluentNone(`${name}.${attr}`);
 	}
 	if (message.value) return resolvePattern(scope, message.value);
-	scope.reportError(/* @__PURE__ */ new ReferenceError(`No value: ${name}`));
+	scope.reportError(new ReferenceError(`No value: ${name}`));
 	return new FluentNone(name);
 }
-/** Resolve a call to a Term with key-value arguments. */
 function resolveTermReference(scope, { name, attr, args }) {
 	const id = `-${name}`;
 	const term = scope.bundle._terms.get(id);
 	if (!term) {
-		scope.reportError(/* @__PURE__ */ new ReferenceError(`Unknown term: ${id}`));
+		scope.reportError(new ReferenceError(`Unknown term: ${id}`));
 		return new FluentNone(id);
 	}
 	if (attr) {
@@ -329,7 +219,7 @@ function resolveTermReference(scope, { name, attr, args }) {
 			scope.params = null;
 			return resolved;
 		}
-		scope.reportError(/* @__PURE__ */ new ReferenceError(`Unknown attribute: ${attr}`));
+		scope.reportError(new ReferenceError(`Unknown attribute: ${attr}`));
 		return new FluentNone(`${id}.${attr}`);
 	}
 	scope.params = getArguments(scope, args).named;
@@ -337,15 +227,14 @@ function resolveTermReference(scope, { name, attr, args }) {
 	scope.params = null;
 	return resolved;
 }
-/** Resolve a call to a Function with positional and key-value arguments. */
 function resolveFunctionReference(scope, { name, args }) {
 	let func = scope.bundle._functions[name];
 	if (!func) {
-		scope.reportError(/* @__PURE__ */ new ReferenceError(`Unknown function: ${name}()`));
+		scope.reportError(new ReferenceError(`Unknown function: ${name}()`));
 		return new FluentNone(`${name}()`);
 	}
 	if (typeof func !== "function") {
-		scope.reportError(/* @__PURE__ */ new TypeError(`Function ${name}() is not callable`));
+		scope.reportError(new TypeError(`Function ${name}() is not callable`));
 		return new FluentNone(`${name}()`);
 	}
 	try {
@@ -356,17 +245,15 @@ function resolveFunctionReference(scope, { name, args }) {
 		return new FluentNone(`${name}()`);
 	}
 }
-/** Resolve a select expression to the member object. */
 function resolveSelectExpression(scope, { selector, variants, star }) {
 	let sel = resolveExpression(scope, selector);
 	if (sel instanceof FluentNone) return getDefault(scope, variants, star);
 	for (const variant of variants) if (match(scope, sel, resolveExpression(scope, variant.key))) return resolvePattern(scope, variant.value);
 	return getDefault(scope, variants, star);
 }
-/** Resolve a pattern (a complex string with placeables). */
 function resolveComplexPattern(scope, ptn) {
 	if (scope.dirty.has(ptn)) {
-		scope.reportError(/* @__PURE__ */ new RangeError("Cyclic reference"));
+		scope.reportError(new RangeError("Cyclic reference"));
 		return new FluentNone();
 	}
 	scope.dirty.add(ptn);
@@ -389,30 +276,15 @@ function resolveComplexPattern(scope, ptn) {
 	scope.dirty.delete(ptn);
 	return result.join("");
 }
-/**
-* Resolve a simple or a complex Pattern to a FluentString
-* (which is really the string primitive).
-*/
 function resolvePattern(scope, value) {
 	if (typeof value === "string") return scope.bundle._transform(value);
 	return resolveComplexPattern(scope, value);
 }
-// node_modules/@fluent/bundle/esm/scope.js
+// ../main/node_modules/@fluent/bundle/esm/scope.js
 var Scope = class {
 	constructor(bundle, errors, args) {
-		/**
-		* The Set of patterns already encountered during this resolution.
-		* Used to detect and prevent cyclic resolutions.
-		* @ignore
-		*/
-		this.dirty = /* @__PURE__ */ new WeakSet();
-		/** A dict of parameters passed to a TermReference. */
+		this.dirty = new WeakSet();
 		this.params = null;
-		/**
-		* The running count of placeables resolved so far.
-		* Used to detect the Billion Laughs and Quadratic Blowup attacks.
-		* @ignore
-		*/
 		this.placeables = 0;
 		this.bundle = bundle;
 		this.errors = errors;
@@ -433,19 +305,7 @@ var Scope = class {
 		return cache[id];
 	}
 };
-// node_modules/@fluent/bundle/esm/builtins.js
-/**
-* @overview
-*
-* The FTL resolver ships with a number of functions built-in.
-*
-* Each function take two arguments:
-*   - args - an array of positional args
-*   - opts - an object of key-value args
-*
-* Arguments to functions are guaranteed to already be instances of
-* `FluentValue`.  Functions must return `FluentValues` as well.
-*/
+// ../main/node_modules/@fluent/bundle/esm/builtins.js
 function values(opts, allowed) {
 	const unwrapped = Object.create(null);
 	for (const [name, opt] of Object.entries(opts)) if (allowed.includes(name)) unwrapped[name] = opt.valueOf();
@@ -461,34 +321,6 @@ var NUMBER_ALLOWED = [
 	"minimumSignificantDigits",
 	"maximumSignificantDigits"
 ];
-/**
-* The implementation of the `NUMBER()` builtin available to translations.
-*
-* Translations may call the `NUMBER()` builtin in order to specify formatting
-* options of a number. For example:
-*
-*     pi = The value of π is {NUMBER($pi, maximumFractionDigits: 2)}.
-*
-* The implementation expects an array of {@link FluentValue | FluentValues} representing the
-* positional arguments, and an object of named {@link FluentValue | FluentValues} representing the
-* named parameters.
-*
-* The following options are recognized:
-*
-*     unitDisplay
-*     currencyDisplay
-*     useGrouping
-*     minimumIntegerDigits
-*     minimumFractionDigits
-*     maximumFractionDigits
-*     minimumSignificantDigits
-*     maximumSignificantDigits
-*
-* Other options are ignored.
-*
-* @param args The positional arguments passed to this `NUMBER()`.
-* @param opts The named argments passed to this `NUMBER()`.
-*/
 function NUMBER(args, opts) {
 	let arg = args[0];
 	if (arg instanceof FluentNone) return new FluentNone(`NUMBER(${arg.valueOf()})`);
@@ -515,88 +347,28 @@ var DATETIME_ALLOWED = [
 	"second",
 	"timeZoneName"
 ];
-/**
-* The implementation of the `DATETIME()` builtin available to translations.
-*
-* Translations may call the `DATETIME()` builtin in order to specify
-* formatting options of a number. For example:
-*
-*     now = It's {DATETIME($today, month: "long")}.
-*
-* The implementation expects an array of {@link FluentValue | FluentValues} representing the
-* positional arguments, and an object of named {@link FluentValue | FluentValues} representing the
-* named parameters.
-*
-* The following options are recognized:
-*
-*     dateStyle
-*     timeStyle
-*     fractionalSecondDigits
-*     dayPeriod
-*     hour12
-*     weekday
-*     era
-*     year
-*     month
-*     day
-*     hour
-*     minute
-*     second
-*     timeZoneName
-*
-* Other options are ignored.
-*
-* @param args The positional arguments passed to this `DATETIME()`.
-* @param opts The named argments passed to this `DATETIME()`.
-*/
 function DATETIME(args, opts) {
 	let arg = args[0];
 	if (arg instanceof FluentNone) return new FluentNone(`DATETIME(${arg.valueOf()})`);
 	if (arg instanceof FluentDateTime || arg instanceof FluentNumber) return new FluentDateTime(arg, values(opts, DATETIME_ALLOWED));
 	throw new TypeError("Invalid argument to DATETIME");
 }
-// node_modules/@fluent/bundle/esm/memoizer.js
-var cache = /* @__PURE__ */ new Map();
+// ../main/node_modules/@fluent/bundle/esm/memoizer.js
+var cache = new Map();
 function getMemoizerForLocale(locales) {
 	const stringLocale = Array.isArray(locales) ? locales.join(" ") : locales;
 	let memoizer = cache.get(stringLocale);
 	if (memoizer === void 0) {
-		memoizer = /* @__PURE__ */ new Map();
+		memoizer = new Map();
 		cache.set(stringLocale, memoizer);
 	}
 	return memoizer;
 }
-// node_modules/@fluent/bundle/esm/bundle.js
-/**
-* Message bundles are single-language stores of translation resources. They are
-* responsible for formatting message values and attributes to strings.
-*/
+// ../main/node_modules/@fluent/bundle/esm/bundle.js
 var FluentBundle = class {
-	/**
-	* Create an instance of `FluentBundle`.
-	*
-	* @example
-	* ```js
-	* let bundle = new FluentBundle(["en-US", "en"]);
-	*
-	* let bundle = new FluentBundle(locales, {useIsolating: false});
-	*
-	* let bundle = new FluentBundle(locales, {
-	*   useIsolating: true,
-	*   functions: {
-	*     NODE_ENV: () => process.env.NODE_ENV
-	*   }
-	* });
-	* ```
-	*
-	* @param locales - Used to instantiate `Intl` formatters used by translations.
-	* @param options - Optional configuration for the bundle.
-	*/
 	constructor(locales, { functions, useIsolating = true, transform = (v) => v } = {}) {
-		/** @ignore */
-		this._terms = /* @__PURE__ */ new Map();
-		/** @ignore */
-		this._messages = /* @__PURE__ */ new Map();
+		this._terms = new Map();
+		this._messages = new Map();
 		this.locales = Array.isArray(locales) ? locales : [locales];
 		this._functions = {
 			NUMBER,
@@ -607,53 +379,25 @@ var FluentBundle = class {
 		this._transform = transform;
 		this._intls = getMemoizerForLocale(locales);
 	}
-	/**
-	* Check if a message is present in the bundle.
-	*
-	* @param id - The identifier of the message to check.
-	*/
 	hasMessage(id) {
 		return this._messages.has(id);
 	}
-	/**
-	* Return a raw unformatted message object from the bundle.
-	*
-	* Raw messages are `{value, attributes}` shapes containing translation units
-	* called `Patterns`. `Patterns` are implementation-specific; they should be
-	* treated as black boxes and formatted with `FluentBundle.formatPattern`.
-	*
-	* @param id - The identifier of the message to check.
-	*/
 	getMessage(id) {
 		return this._messages.get(id);
 	}
-	/**
-	* Add a translation resource to the bundle.
-	*
-	* @example
-	* ```js
-	* let res = new FluentResource("foo = Foo");
-	* bundle.addResource(res);
-	* bundle.getMessage("foo");
-	* // → {value: .., attributes: {..}}
-	* ```
-	*
-	* @param res
-	* @param options
-	*/
 	addResource(res, { allowOverrides = false } = {}) {
 		const errors = [];
 		for (let i = 0; i < res.body.length; i++) {
 			let entry = res.body[i];
 			if (entry.id.startsWith("-")) {
 				if (allowOverrides === false && this._terms.has(entry.id)) {
-					errors.push(/* @__PURE__ */ new Error(`Attempt to override an existing term: "${entry.id}"`));
+					errors.push(new Error(`Attempt to override an existing term: "${entry.id}"`));
 					continue;
 				}
 				this._terms.set(entry.id, entry);
 			} else {
 				if (allowOverrides === false && this._messages.has(entry.id)) {
-					errors.push(/* @__PURE__ */ new Error(`Attempt to override an existing message: "${entry.id}"`));
+					errors.push(new Error(`Attempt to override an existing message: "${entry.id}"`));
 					continue;
 				}
 				this._messages.set(entry.id, entry);
@@ -661,36 +405,6 @@ var FluentBundle = class {
 		}
 		return errors;
 	}
-	/**
-	* Format a `Pattern` to a string.
-	*
-	* Format a raw `Pattern` into a string. `args` will be used to resolve
-	* references to variables passed as arguments to the translation.
-	*
-	* In case of errors `formatPattern` will try to salvage as much of the
-	* translation as possible and will still return a string. For performance
-	* reasons, the encountered errors are not returned but instead are appended
-	* to the `errors` array passed as the third argument.
-	*
-	* If `errors` is omitted, the first encountered error will be thrown.
-	*
-	* @example
-	* ```js
-	* let errors = [];
-	* bundle.addResource(
-	*     new FluentResource("hello = Hello, {$name}!"));
-	*
-	* let hello = bundle.getMessage("hello");
-	* if (hello.value) {
-	*     bundle.formatPattern(hello.value, {name: "Jane"}, errors);
-	*     // Returns "Hello, Jane!" and `errors` is empty.
-	*
-	*     bundle.formatPattern(hello.value, undefined, errors);
-	*     // Returns "Hello, {$name}!" and `errors` is now:
-	*     // [<ReferenceError: Unknown variable: name>]
-	* }
-	* ```
-	*/
 	formatPattern(pattern, args = null, errors = null) {
 		if (typeof pattern === "string") return this._transform(pattern);
 		let scope = new Scope(this, errors, args);
@@ -705,7 +419,7 @@ var FluentBundle = class {
 		}
 	}
 };
-// node_modules/@fluent/bundle/esm/resource.js
+// ../main/node_modules/@fluent/bundle/esm/resource.js
 var RE_MESSAGE_START = /^(-?[a-zA-Z][\w-]*) *= */gm;
 var RE_ATTRIBUTE_START = /\.([a-zA-Z][\w-]*) *= */y;
 var RE_VARIANT_START = /\*?\[/y;
@@ -730,9 +444,6 @@ var TOKEN_ARROW = /\s*->\s*/y;
 var TOKEN_COLON = /\s*:\s*/y;
 var TOKEN_COMMA = /\s*,?\s*/y;
 var TOKEN_BLANK = /\s+/y;
-/**
-* Fluent Resource is a structure storing parsed localization entries.
-*/
 var FluentResource = class {
 	constructor(source) {
 		this.body = [];
@@ -1018,27 +729,21 @@ var Indent = class {
 	}
 };
 // www/shared/text/format.ts
-/** Numbers as the panels write them. */
-/** A number with its minus sign as typography has it; a dash where there is none. */
 function fixed(value, digits) {
 	if (value == null || Number.isNaN(value)) return "–";
 	if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
 	const text = value.toFixed(digits);
 	return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
 }
-/** A whole number in groups of three, set apart by narrow spaces. */
 function count(value) {
 	return value == null ? "–" : String(value).replace(/\B(?=(\d{3})+$)/gu, " ");
 }
-/** A sentence with its whole numbers in such groups; digits of names and of decimals stay as they are. */
 function grouped(text) {
 	return text.replaceAll(/(?<![\p{L}\d_.,−-])\d{4,}(?![\p{L}\d_-]|[.,]\d|\.\p{L})/gu, (digits) => count(Number(digits)));
 }
-/** With all of its digits. */
 function plain(value) {
 	return String(value).replace("-", "−");
 }
-/** Four significant digits, with a power of ten where the number is very small or large. */
 function significant(value) {
 	if (value === 0) return "0";
 	const size = Math.abs(value);
@@ -1050,19 +755,15 @@ function significant(value) {
 function percent(share) {
 	return `${(100 * share).toFixed(1)} %`;
 }
-/** With one full stop at its end. */
 function sentence(text) {
 	return `${text.replace(/\.$/u, "")}.`;
 }
 // www/shared/text/catalogue.ts
-/** The texts of one language, as its catalogues have them (Project Fluent). */
-/** A number that is written with all of its digits, and chooses among plurals. */
 var Figure = class extends FluentNumber {
 	toString() {
 		return plain(this.value);
 	}
 };
-/** A function of the catalogues; a dash where there is no number, as those of the crate write it. */
 var written = (write) => ([figure], { digits }) => figure instanceof FluentNumber ? write(figure.value, digits instanceof FluentNumber ? digits.value : 0) : "–";
 var FUNCTIONS = {
 	COUNT: written((value) => count(value)),
@@ -1070,20 +771,16 @@ var FUNCTIONS = {
 };
 var Catalogue = class {
 	bundle;
-	/** Each text as it is written. It is read when it is first said: all of them would take longer than the rest of the start. */
-	unread = /* @__PURE__ */ new Map();
-	/** `isolating`: marks of direction set apart what a text writes, as names and numbers with their signs among words from right to left. */
+	unread = new Map();
 	constructor(language, isolating) {
 		this.bundle = new FluentBundle(language, {
 			useIsolating: isolating,
 			functions: FUNCTIONS
 		});
 	}
-	/** Takes the texts of files into it. */
 	add(files) {
 		for (const file of files) for (const entry of file.split(/\n(?=[a-z])/u)) this.unread.set(entry.slice(0, entry.indexOf(" ")), entry);
 	}
-	/** The text of a name, or what belongs to it by another; null where there is none. Numbers that are not finite are none. */
 	text(name, figures = {}, attribute = null) {
 		this.read(name);
 		const message = this.bundle.getMessage(name);
@@ -1105,47 +802,35 @@ function figureOf(value) {
 	return String(value);
 }
 // www/shared/text/direction.ts
-/** Which way parts of a text run in a language from right to left, by marks of direction (Unicode UAX 9). */
 var IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === "rtl";
-/** The beginning of a part from right to left, and its end. */
 var [RLI, PDI] = ["⁧", "⁩"];
-/** What a text writes is set apart as its first letter runs. A clause, which a space or a comma begins, goes on as the sentence does. */
 function asClauses(text) {
 	return IS_FROM_RIGHT ? text.replaceAll(/\u2068(?=[\s،؛,;:·(])/gu, RLI) : text;
 }
-/** A sentence on a canvas, which itself runs from left to right. */
 function asSentence(text) {
 	return IS_FROM_RIGHT ? `${RLI}${text}${PDI}` : text;
 }
 // www/shared/text/words.ts
-/** The texts of the page in its language. Its parts learn theirs before they are made (`parts.ts`). */
 var CATALOGUE = new Catalogue(LANGUAGE, LANGUAGE !== "en");
-/** The names of texts that were written without figures in another language than English, as heads of tables are. */
-var names = /* @__PURE__ */ new Map();
-/** Texts that are said from now on. */
+var names = new Map();
 function learn(texts) {
 	CATALOGUE.add(texts);
 }
-/** The text of a name, with its figures. Numbers that are not finite are none. */
 function say(name, figures = {}) {
 	const text = asClauses(CATALOGUE.text(name, figures) ?? name);
 	if (LANGUAGE !== "en" && Object.keys(figures).length === 0 && !names.has(text)) names.set(text, name);
 	return text;
 }
-/** The name of a text that was written without figures; null where it is none, or English. */
 function nameOfText(text) {
 	return names.get(text) ?? null;
 }
-/** The text of a name, or what belongs to it by another; null where the language of the page has none. */
 function known(name, attribute = null) {
 	return CATALOGUE.text(name, {}, attribute);
 }
-/** What is said while a field holds a value that is not allowed. */
 function refusedText(label) {
 	return say("this-value-is-not-allowed", { label });
 }
 // www/shared/engine/platform.ts
-/** As `tools/lib/page.mjs` names the files and `tools/lib/compose.mjs` the elements. */
 var WORKER = {
 	file: "worker.js",
 	element: "tiepoint-worker"
@@ -1154,16 +839,13 @@ var WASM = {
 	file: "tiepoint_bg.wasm",
 	element: "tiepoint-wasm"
 };
-/** The text of an element of the page in one file; null in a page with files beside it. */
 function embedded(id) {
 	return document.getElementById(id)?.textContent ?? null;
 }
-/** Whether the page's files lie beside it, and not within it. */
 function besideFiles() {
 	return embedded(WORKER.element) === null;
 }
 var workerUrl;
-/** A fresh worker, waiting for the module as its first message. */
 function spawnWorker(name) {
 	const code = embedded(WORKER.element);
 	workerUrl ??= code === null ? new URL(WORKER.file, document.baseURI).href : URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
@@ -1173,7 +855,6 @@ function spawnWorker(name) {
 	});
 }
 var compiled;
-/** The compiled wasm module; compiled on the first call, and again after a failure. */
 function wasmModule() {
 	compiled ??= compileWasm().catch((error) => {
 		compiled = void 0;
@@ -1191,7 +872,6 @@ async function compileWasm() {
 		status: made.status
 	}));
 }
-/** In a worker of its own: a browser reads the bytes of a module on the thread that asks for it, and the page is to answer meanwhile. */
 async function compiledElsewhere(compile) {
 	const worker = spawnWorker("compile");
 	try {
@@ -1208,17 +888,11 @@ async function compiledElsewhere(compile) {
 		worker.terminate();
 	}
 }
-/** Bytes of base64 text, deflated without a header. */
 function inflated(base64) {
 	const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
 	return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).arrayBuffer();
 }
 // www/shared/engine/parts.ts
-/** Parts of the page that are loaded when they are first needed. */
-/**
-* Imports a part. Its file is fetched first: a browser remembers for as long as the document lasts that an import failed, and would not try again.
-* `file`: as `tools/lib/page.mjs` names it. @throws Error that names the file, where it cannot be had
-*/
 async function loadPart(file, load) {
 	if (besideFiles() && true) await reach(file);
 	return load();
@@ -1231,7 +905,6 @@ async function reach(file) {
 	}));
 	await answer.arrayBuffer();
 }
-/** A part that is made once, when it is first asked for; where that fails, the next one who asks tries again. */
 var LatePart = class {
 	make;
 	made = null;
@@ -1249,7 +922,6 @@ var LatePart = class {
 // \0vite/preload-helper.js
 var __vitePreload = (load) => load();
 // www/shared/engine/texts.ts
-/** The texts of the page in parts, each a file of its own: only those of the language that is chosen are loaded, and those of the block with it. */
 var FILES = {
 	en: {
 		program: ["en.js", () => __vitePreload(() => import("./en.js"), [], import.meta.url)],
@@ -1260,20 +932,17 @@ var FILES = {
 		block: ["ar-block.js", () => __vitePreload(() => import("./ar-block.js"), [], import.meta.url)]
 	}
 };
-/** What was learned. */
 var learned = [];
 async function textsOf(language, part) {
 	const { TEXTS } = await loadPart(...FILES[language][part]);
 	return TEXTS;
 }
-/** Loads the texts of a part; from then on they are said. */
 async function learnPart(part) {
 	const texts = await textsOf(LANGUAGE, part);
 	if (learned.includes(part)) return;
 	learned.push(part);
 	learn(texts);
 }
-/** What writes a text of the page in English, as far as it was written without figures: files for other programs are English in every language. */
 async function intoEnglish() {
 	if (LANGUAGE === "en") return (text) => text;
 	const english = new Catalogue("en", false);
@@ -1284,8 +953,6 @@ async function intoEnglish() {
 	};
 }
 // www/shared/panel/dom.ts
-/** Building the document from code, with types and without inline styles. */
-/** An element with attributes and children. */
 function h(tag, attributes = {}, ...children) {
 	const element = document.createElement(tag);
 	for (const [name, value] of Object.entries(attributes)) setAttribute(element, name, value);
@@ -1303,7 +970,6 @@ function setAttribute(element, name, value) {
 		key: "data-key"
 	}[name] ?? name, value === true ? "" : String(value));
 }
-/** Replaces what an element holds. */
 function fill(element, ...children) {
 	element.replaceChildren(...children.filter((child) => child !== null));
 }
@@ -1323,13 +989,11 @@ function svg(tag, attributes, ...children) {
 	element.append(...children.filter((child) => child !== null));
 	return element;
 }
-/** An element that must be in the page. */
 function byId(id) {
 	const element = document.getElementById(id);
 	if (element === null) throw new Error(`the page has no element "${id}"`);
 	return element;
 }
-/** A section of a panel with a heading. */
 function section(title, testid, ...children) {
 	const id = `h-${testid}`;
 	return h("section", {
@@ -1338,7 +1002,6 @@ function section(title, testid, ...children) {
 		aria: { labelledby: id }
 	}, h("h3", { id }, title), ...children);
 }
-/** Marks a row or a figure, within a panel that is up to date, whose numbers other settings made. */
 function markStale(element, stale) {
 	if (stale) {
 		element.classList.add("is-earlier");
@@ -1346,24 +1009,20 @@ function markStale(element, stale) {
 	}
 	return element;
 }
-/** A table row: a heading and cells. */
 function row(heading, ...cells) {
 	return h("tr", {}, h("th", { scope: "row" }, heading), ...cells.map((cell) => cell instanceof HTMLTableCellElement ? cell : h("td", {}, cell)));
 }
 // www/shared/panel/language.ts
-/** Attributes of the document that hold texts, by those that name them. */
 var ATTRIBUTES = [
 	"title",
 	"aria-label",
 	"aria-roledescription",
 	"content"
 ];
-/** Turns the document the way of its language, before there are texts in it. */
 function turnDocument() {
 	document.documentElement.lang = LANGUAGE;
 	document.documentElement.dir = LANGUAGES[LANGUAGE].direction;
 }
-/** What the document holds before the program is there is English. */
 function sayDocument() {
 	document.documentElement.style.setProperty("--earlier-settings", JSON.stringify(say("earlier-settings-2")));
 	if (LANGUAGE === "en") return;
@@ -1373,11 +1032,9 @@ function sayDocument() {
 		for (const element of document.querySelectorAll(`[${name}]`)) element.setAttribute(attribute, say(element.getAttribute(name) ?? ""));
 	}
 }
-/** A text in which [K] is a key. */
 function withKeys(text) {
 	return text.split(/\[([^\]]+)\]/u).map((part, i) => i % 2 === 0 ? part : h("kbd", {}, part));
 }
-/** The button names the other language, in its own words. The page is loaded again in it, with what was kept; `keeper` is null while there is nothing to keep. */
 function mountLanguage(press, keeper) {
 	const other = LANGUAGE === "en" ? "ar" : "en";
 	press.textContent = LANGUAGES[other].name;

@@ -1,9 +1,5 @@
 import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, besideFiles, button, byId, count, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule } from "./page.js";
 // pkg/wasm/tiepoint.js
-/**
-* The images of an oriented block while they are placed on an orthophoto, one after the other, in wasm memory. Call `free` when it is no longer
-* needed.
-*/
 var BlockOnOrthophoto = class {
 	__destroy_into_raw() {
 		const ptr = this.__wbg_ptr;
@@ -15,13 +11,6 @@ var BlockOnOrthophoto = class {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_blockonorthophoto_free(ptr, 0);
 	}
-	/**
-	* The block in the system of the orthophoto, adjusted by places of its ground; what came of it stands in the summary. Where it could not be
-	* linked it is as it was.
-	* @param {FinishedBlock} block
-	* @param {OrthophotoReference} reference
-	* @returns {FinishedBlock}
-	*/
 	linked(block, reference) {
 		_assertClass(block, FinishedBlock);
 		_assertClass(reference, OrthophotoReference);
@@ -29,23 +18,12 @@ var BlockOnOrthophoto = class {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return FinishedBlock.__wrap(ret[0]);
 	}
-	/**
-	* None is placed yet.
-	*/
 	constructor() {
 		const ret = wasm.blockonorthophoto_new();
 		this.__wbg_ptr = ret;
 		BlockOnOrthophotoFinalization.register(this, this.__wbg_ptr, this);
 		return this;
 	}
-	/**
-	* Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
-	* @param {FinishedBlock} block
-	* @param {number} index
-	* @param {Uint8Array | number[]} file
-	* @param {OrthophotoReference} reference
-	* @returns {PlacingVerdict | null}
-	*/
 	place(block, index, file, reference) {
 		_assertClass(block, FinishedBlock);
 		_assertClass(reference, OrthophotoReference);
@@ -58,9 +36,6 @@ var BlockOnOrthophoto = class {
 	}
 };
 if (Symbol.dispose) BlockOnOrthophoto.prototype[Symbol.dispose] = BlockOnOrthophoto.prototype.free;
-/**
-* The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
-*/
 var BlockScene = class {
 	__destroy_into_raw() {
 		const ptr = this.__wbg_ptr;
@@ -72,10 +47,6 @@ var BlockScene = class {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_blockscene_free(ptr, 0);
 	}
-	/**
-	* Builds the scene of a flight; parameters that are absent take their defaults.
-	* @param {Given<BlockFlight>} flight
-	*/
 	constructor(flight) {
 		const ret = wasm.blockscene_new(flight);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -83,31 +54,16 @@ var BlockScene = class {
 		BlockSceneFinalization.register(this, this.__wbg_ptr, this);
 		return this;
 	}
-	/**
-	* The orthophoto of all that the photos show and the heights of its surface, as GeoTIFF files; `gsd_m` is the side of a pixel.
-	* @param {number} gsd_m
-	* @returns {{ picture: Uint8Array; heights: Uint8Array }}
-	*/
 	orthophoto(gsd_m) {
 		const ret = wasm.blockscene_orthophoto(this.__wbg_ptr, gsd_m);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Takes a photo.
-	* @param {number} index
-	* @returns {SampleImage}
-	*/
 	photo(index) {
 		const ret = wasm.blockscene_photo(this.__wbg_ptr, index);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Takes a photo as a PNG file, with its camera and recorded position as EXIF.
-	* @param {number} index
-	* @returns {Uint8Array}
-	*/
 	photo_file(index) {
 		const ret = wasm.blockscene_photo_file(this.__wbg_ptr, index);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
@@ -115,19 +71,9 @@ var BlockScene = class {
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v1;
 	}
-	/**
-	* How many photos the flight takes.
-	* @returns {number}
-	*/
 	get photos() {
 		return wasm.blockscene_photos(this.__wbg_ptr) >>> 0;
 	}
-	/**
-	* Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
-	* @param {number} index
-	* @param {Float64Array | number[]} positions
-	* @returns {Float64Array}
-	*/
 	surface_at(index, positions) {
 		const val2 = +index;
 		const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
@@ -136,18 +82,11 @@ var BlockScene = class {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The true cameras and exterior orientations.
-	* @returns {BlockModel}
-	*/
 	truth() {
 		return wasm.blockscene_truth(this.__wbg_ptr);
 	}
 };
 if (Symbol.dispose) BlockScene.prototype[Symbol.dispose] = BlockScene.prototype.free;
-/**
-* The files of a block, of which each step writes some.
-*/
 var BlockWriting = class BlockWriting {
 	static __wrap(ptr) {
 		const obj = Object.create(BlockWriting.prototype);
@@ -165,11 +104,6 @@ var BlockWriting = class BlockWriting {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_blockwriting_free(ptr, 0);
 	}
-	/**
-	* Writes the next files; gives the summary after the last one, null before.
-	* @param {Emit} emit
-	* @returns {Summary | null}
-	*/
 	step(emit) {
 		const ret = wasm.blockwriting_step(this.__wbg_ptr, emit);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -177,10 +111,6 @@ var BlockWriting = class BlockWriting {
 	}
 };
 if (Symbol.dispose) BlockWriting.prototype[Symbol.dispose] = BlockWriting.prototype.free;
-/**
-* Two oriented images of a project, to be resampled so that what both show lies in the same row of either. Call `free` when it is no longer
-* needed.
-*/
 var EpipolarPair = class EpipolarPair {
 	static __wrap(ptr) {
 		const obj = Object.create(EpipolarPair.prototype);
@@ -198,44 +128,21 @@ var EpipolarPair = class EpipolarPair {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_epipolarpair_free(ptr, 0);
 	}
-	/**
-	* SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
-	* @returns {(string | null)[]}
-	*/
 	get contents() {
 		return wasm.epipolarpair_contents(this.__wbg_ptr);
 	}
-	/**
-	* How the epipolar images lie.
-	* @returns {EpipolarGeometry}
-	*/
 	get geometry() {
 		return wasm.epipolarpair_geometry(this.__wbg_ptr);
 	}
-	/**
-	* Whether the left image stands second in the project.
-	* @returns {boolean}
-	*/
 	get is_swapped() {
 		return wasm.epipolarpair_is_swapped(this.__wbg_ptr) !== 0;
 	}
-	/**
-	* The names of the left and the right image.
-	* @returns {string[]}
-	*/
 	get names() {
 		const ret = wasm.epipolarpair_names(this.__wbg_ptr);
 		var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
 		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 		return v1;
 	}
-	/**
-	* Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
-	* that order in which the base goes to the right.
-	* @param {Uint8Array | number[]} project
-	* @param {string[] | null} [names]
-	* @returns {EpipolarPair}
-	*/
 	static open(project, names) {
 		let ptr0, len0, ptr1, len1;
 		try {
@@ -255,12 +162,6 @@ var EpipolarPair = class EpipolarPair {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return EpipolarPair.__wrap(ret[0]);
 	}
-	/**
-	* Resamples both images, which are given in the order of `names`.
-	* @param {Photo} left
-	* @param {Photo} right
-	* @returns {EpipolarFiles}
-	*/
 	resample(left, right) {
 		_assertClass(left, Photo);
 		_assertClass(right, Photo);
@@ -270,9 +171,6 @@ var EpipolarPair = class EpipolarPair {
 	}
 };
 if (Symbol.dispose) EpipolarPair.prototype[Symbol.dispose] = EpipolarPair.prototype.free;
-/**
-* A block that was run, or opened from its project file; its owner frees it.
-*/
 var FinishedBlock = class FinishedBlock {
 	static __wrap(ptr) {
 		const obj = Object.create(FinishedBlock.prototype);
@@ -290,24 +188,11 @@ var FinishedBlock = class FinishedBlock {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_finishedblock_free(ptr, 0);
 	}
-	/**
-	* A map of the standard errors that are expected of points that would be measured in the block. `cell`: the side of a cell, in units of the block;
-	* `sigma_px`: the standard error of an image coordinate. Absent: an eightieth of the longer side; σ₀ of the block.
-	* @param {number | null} [cell]
-	* @param {number | null} [sigma_px]
-	* @returns {AccuracyFiles}
-	*/
 	accuracy(cell, sigma_px) {
 		const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, !isLikeNone(cell), isLikeNone(cell) ? 0 : cell, !isLikeNone(sigma_px), isLikeNone(sigma_px) ? 0 : sigma_px);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
-	* error, then its covariances with all of them.
-	* @param {readonly string[]} names
-	* @returns {string}
-	*/
 	covariances(names) {
 		let deferred2_0;
 		let deferred2_1;
@@ -327,31 +212,14 @@ var FinishedBlock = class FinishedBlock {
 			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 		}
 	}
-	/**
-	* The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found.
-	* @param {readonly BlockEdit[]} edits
-	* @returns {FinishedBlock}
-	*/
 	edited(edits) {
 		const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return FinishedBlock.__wrap(ret[0]);
 	}
-	/**
-	* The edits that it has.
-	* @returns {BlockEdit[]}
-	*/
 	edits() {
 		return wasm.finishedblock_edits(this.__wbg_ptr);
 	}
-	/**
-	* The epipolar line of a place of one image in another one: x, y in px, stride 2, as far as that shows it, from near to far.
-	* @param {number} from
-	* @param {number} x_px
-	* @param {number} y_px
-	* @param {number} to
-	* @returns {Float64Array}
-	*/
 	epipolar_line(from, x_px, y_px, to) {
 		const ret = wasm.finishedblock_epipolar_line(this.__wbg_ptr, from, x_px, y_px, to);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
@@ -359,55 +227,26 @@ var FinishedBlock = class FinishedBlock {
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 		return v1;
 	}
-	/**
-	* Writes it in one format.
-	* @param {ExportFormat} format
-	* @param {Emit} emit
-	*/
 	export(format, emit) {
 		const ret = wasm.finishedblock_export(this.__wbg_ptr, format, emit);
 		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* All its files, in steps of about one. `score`: what the summary holds of a simulated block.
-	* @param {readonly ExportFormat[]} formats
-	* @param {BlockScore | null} [score]
-	* @returns {BlockWriting}
-	*/
 	files(formats, score) {
 		const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return BlockWriting.__wrap(ret[0]);
 	}
-	/**
-	* The observations of an image.
-	* @param {number} image
-	* @returns {ImagePoints}
-	*/
 	image_points(image) {
 		const ret = wasm.finishedblock_image_points(this.__wbg_ptr, image);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The model that is written.
-	* @returns {BlockModel}
-	*/
 	model() {
 		return wasm.finishedblock_model(this.__wbg_ptr);
 	}
-	/**
-	* What came of the orthophoto that the block was given; null where it was given none.
-	* @returns {OnOrthophoto | null}
-	*/
 	on_orthophoto() {
 		return wasm.finishedblock_on_orthophoto(this.__wbg_ptr);
 	}
-	/**
-	* Opens a project file; one that is damaged or of another kind is refused whole.
-	* @param {Uint8Array | number[]} bytes
-	* @returns {FinishedBlock}
-	*/
 	static open(bytes) {
 		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -415,36 +254,19 @@ var FinishedBlock = class FinishedBlock {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return FinishedBlock.__wrap(ret[0]);
 	}
-	/**
-	* What is shown of it.
-	* @returns {BlockOverview & { points: PointColumns }}
-	*/
 	overview() {
 		const ret = wasm.finishedblock_overview(this.__wbg_ptr);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* All that is known of a point of the model that is written.
-	* @param {number} point
-	* @returns {PointDetail}
-	*/
 	point(point) {
 		const ret = wasm.finishedblock_point(this.__wbg_ptr, point);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The points of the model that is written by what they are, whatever their indices; empty for a block that is not oriented.
-	* @returns {PointSource[]}
-	*/
 	point_ids() {
 		return wasm.finishedblock_point_ids(this.__wbg_ptr);
 	}
-	/**
-	* The text of its project file.
-	* @returns {string}
-	*/
 	project() {
 		let deferred2_0;
 		let deferred2_1;
@@ -464,11 +286,6 @@ var FinishedBlock = class FinishedBlock {
 			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 		}
 	}
-	/**
-	* How near a simulated block is to its truth.
-	* @param {BlockModel} truth
-	* @returns {BlockScore}
-	*/
 	score(truth) {
 		const ret = wasm.finishedblock_score(this.__wbg_ptr, truth);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -476,10 +293,6 @@ var FinishedBlock = class FinishedBlock {
 	}
 };
 if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
-/**
-* A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Call
-* `free` when it is no longer needed.
-*/
 var OrthoMosaic = class OrthoMosaic {
 	static __wrap(ptr) {
 		const obj = Object.create(OrthoMosaic.prototype);
@@ -497,11 +310,6 @@ var OrthoMosaic = class OrthoMosaic {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_orthomosaic_free(ptr, 0);
 	}
-	/**
-	* Adds an image, by its index; one that is not oriented adds nothing.
-	* @param {number} index
-	* @param {Uint8Array | number[]} file
-	*/
 	add(index, file) {
 		const val2 = +index;
 		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
@@ -509,10 +317,6 @@ var OrthoMosaic = class OrthoMosaic {
 		const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
 		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The mosaic, grey, as GeoTIFF.
-	* @returns {Uint8Array}
-	*/
 	finish() {
 		const ptr = this.__destroy_into_raw();
 		const ret = wasm.orthomosaic_finish(ptr);
@@ -521,10 +325,6 @@ var OrthoMosaic = class OrthoMosaic {
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v1;
 	}
-	/**
-	* The heights on which it lies, as GeoTIFF; absent where these are one for all.
-	* @returns {Uint8Array | undefined}
-	*/
 	heights() {
 		const ret = wasm.orthomosaic_heights(this.__wbg_ptr);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
@@ -535,25 +335,12 @@ var OrthoMosaic = class OrthoMosaic {
 		}
 		return v1;
 	}
-	/**
-	* The names of the block's images.
-	* @returns {string[]}
-	*/
 	get names() {
 		const ret = wasm.orthomosaic_names(this.__wbg_ptr);
 		var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
 		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 		return v1;
 	}
-	/**
-	* Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
-	* pixel; absent: that of the images.
-	* @param {Uint8Array | number[]} project
-	* @param {number | Uint8Array | null} heights
-	* @param {string | null} [heights_world_file]
-	* @param {number | null} [gsd]
-	* @returns {OrthoMosaic}
-	*/
 	static open(project, heights, heights_world_file, gsd) {
 		const val3 = +(isLikeNone(gsd) ? 0 : gsd);
 		let ptr0, len0, ptr1, len1;
@@ -573,9 +360,6 @@ var OrthoMosaic = class OrthoMosaic {
 	}
 };
 if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
-/**
-* An orthophoto with the heights of its ground in wasm memory, on which images are placed. Call `free` when it is no longer needed.
-*/
 var OrthophotoReference = class OrthophotoReference {
 	static __wrap(ptr) {
 		const obj = Object.create(OrthophotoReference.prototype);
@@ -593,17 +377,6 @@ var OrthophotoReference = class OrthophotoReference {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_orthophotoreference_free(ptr, 0);
 	}
-	/**
-	* Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
-	* links. The file tells its camera. `options`: as of `search`; absent: those that it had.
-	* @param {string} name
-	* @param {Uint8Array | number[]} file
-	* @param {readonly GivenLink[]} links
-	* @param {Placement | null} start
-	* @param {string | null | undefined} cameras
-	* @param {Given<PlacingOptions>} [options]
-	* @returns {PlacedImage}
-	*/
 	adjust(name, file, links, start, cameras, options) {
 		let ptr0, len0, ptr1, len1, ptr2, len2;
 		try {
@@ -623,12 +396,6 @@ var OrthophotoReference = class OrthophotoReference {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
-	* @param {Placement} placement
-	* @param {Float64Array | number[]} positions
-	* @returns {Float64Array}
-	*/
 	ground_positions(placement, positions) {
 		const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -638,11 +405,6 @@ var OrthophotoReference = class OrthophotoReference {
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 		return v2;
 	}
-	/**
-	* The heights of places X, Y, stride 2; no number where there is none.
-	* @param {Float64Array | number[]} places
-	* @returns {Float64Array}
-	*/
 	heights_at(places) {
 		const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -652,12 +414,6 @@ var OrthophotoReference = class OrthophotoReference {
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 		return v2;
 	}
-	/**
-	* Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.
-	* @param {Placement} placement
-	* @param {Float64Array | number[]} places
-	* @returns {Float64Array}
-	*/
 	image_positions(placement, places) {
 		const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -667,20 +423,9 @@ var OrthophotoReference = class OrthophotoReference {
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 		return v2;
 	}
-	/**
-	* Size, place and heights.
-	* @returns {OrthophotoInfo}
-	*/
 	info() {
 		return wasm.orthophotoreference_info(this.__wbg_ptr);
 	}
-	/**
-	* Opens a GeoTIFF, or an image with its world file: all of its bytes, or a file from which large ones are read in parts. Its ground is level at 0 until
-	* heights are given.
-	* @param {Uint8Array | FileInParts} file
-	* @param {string | null} [world_file]
-	* @returns {OrthophotoReference}
-	*/
 	static open(file, world_file) {
 		var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 		var len0 = WASM_VECTOR_LEN;
@@ -688,16 +433,6 @@ var OrthophotoReference = class OrthophotoReference {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return OrthophotoReference.__wrap(ret[0]);
 	}
-	/**
-	* Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
-	* picture on, 0 where it shows nothing.
-	* @param {number} column
-	* @param {number} row
-	* @param {number} width
-	* @param {number} height
-	* @param {number} halvings
-	* @returns {Uint8Array}
-	*/
 	picture(column, row, width, height, halvings) {
 		const ret = wasm.orthophotoreference_picture(this.__wbg_ptr, column, row, width, height, halvings);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
@@ -705,14 +440,6 @@ var OrthophotoReference = class OrthophotoReference {
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v1;
 	}
-	/**
-	* Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
-	* of its EXIF and XMP, or a usual one.
-	* @param {string} name
-	* @param {Uint8Array | number[]} file
-	* @param {string | null} [cameras]
-	* @returns {PlacedImage}
-	*/
 	place(name, file, cameras) {
 		let ptr0, len0, ptr1, len1, ptr2, len2;
 		try {
@@ -732,12 +459,6 @@ var OrthophotoReference = class OrthophotoReference {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* A placed image resampled to the ground, grey, as GeoTIFF.
-	* @param {Uint8Array | number[]} file
-	* @param {Placement} placement
-	* @returns {Uint8Array}
-	*/
 	rectified(file, placement) {
 		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -747,22 +468,11 @@ var OrthophotoReference = class OrthophotoReference {
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v2;
 	}
-	/**
-	* How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
-	* gives how many they are.
-	* @param {Given<PlacingOptions>} options
-	* @returns {number}
-	*/
 	search(options) {
 		const ret = wasm.orthophotoreference_search(this.__wbg_ptr, options);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return ret[0] >>> 0;
 	}
-	/**
-	* The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
-	* @param {number | Uint8Array} heights
-	* @param {string | null} [world_file]
-	*/
 	set_heights(heights, world_file) {
 		var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 		var len0 = WASM_VECTOR_LEN;
@@ -771,9 +481,6 @@ var OrthophotoReference = class OrthophotoReference {
 	}
 };
 if (Symbol.dispose) OrthophotoReference.prototype[Symbol.dispose] = OrthophotoReference.prototype.free;
-/**
-* A grey image in wasm memory. Call `free` when it is no longer needed.
-*/
 var Photo = class Photo {
 	static __wrap(ptr) {
 		const obj = Object.create(Photo.prototype);
@@ -791,11 +498,6 @@ var Photo = class Photo {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_photo_free(ptr, 0);
 	}
-	/**
-	* Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
-	* @param {Uint8Array | number[]} bytes
-	* @returns {Photo}
-	*/
 	static decode(bytes) {
 		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -803,14 +505,6 @@ var Photo = class Photo {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return Photo.__wrap(ret[0]);
 	}
-	/**
-	* Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
-	* Empty for the strategies that compare grey values.
-	* @param {Float64Array | number[]} point_list
-	* @param {Given<WindowOptions>} window
-	* @param {Strategy} strategy
-	* @returns {Float64Array}
-	*/
 	describe(point_list, window, strategy) {
 		const ptr0 = passArrayF64ToWasm0(point_list, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -820,12 +514,6 @@ var Photo = class Photo {
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 		return v2;
 	}
-	/**
-	* Finds interest points and describes them as the strategy of the settings needs it.
-	* @param {Given<PairSettings>} settings
-	* @param {Uint8Array | number[] | null} [mask]
-	* @returns {DescribedPoints}
-	*/
 	describe_points(settings, mask) {
 		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
 		var len0 = WASM_VECTOR_LEN;
@@ -833,13 +521,6 @@ var Photo = class Photo {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
-	* and row by row, are left out.
-	* @param {Given<PairSettings>} settings
-	* @param {Uint8Array | number[] | null} [mask]
-	* @returns {DetectedPoints}
-	*/
 	detect(settings, mask) {
 		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
 		var len0 = WASM_VECTOR_LEN;
@@ -847,13 +528,6 @@ var Photo = class Photo {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Finds points distinct in position and scale and describes them by the gradients around them. Points whose pixel is 0 in the mask,
-	* of the image's size and row by row, are left out.
-	* @param {Given<FeatureOptions>} options
-	* @param {Uint8Array | number[] | null} [mask]
-	* @returns {Features}
-	*/
 	features(options, mask) {
 		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
 		var len0 = WASM_VECTOR_LEN;
@@ -861,13 +535,6 @@ var Photo = class Photo {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Takes grey values 0..255, row by row.
-	* @param {number} width
-	* @param {number} height
-	* @param {Uint8Array | number[]} grey
-	* @returns {Photo}
-	*/
 	static from_grey(width, height, grey) {
 		const val2 = +width;
 		const val3 = +height;
@@ -877,50 +544,24 @@ var Photo = class Photo {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return Photo.__wrap(ret[0]);
 	}
-	/**
-	* A copy of the grey values, row by row.
-	* @returns {Uint8Array}
-	*/
 	grey() {
 		const ret = wasm.photo_grey(this.__wbg_ptr);
 		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v1;
 	}
-	/**
-	* @returns {number}
-	*/
 	get height() {
 		return wasm.photo_height(this.__wbg_ptr) >>> 0;
 	}
-	/**
-	* Size, format, camera and drone.
-	* @returns {PhotoInfo}
-	*/
 	info() {
 		return wasm.photo_info(this.__wbg_ptr);
 	}
-	/**
-	* The image halved until its longer side is at most `max_side` px.
-	* @param {number} max_side
-	* @returns {ReducedImage}
-	*/
 	reduced(max_side) {
 		return wasm.photo_reduced(this.__wbg_ptr, max_side);
 	}
-	/**
-	* @returns {number}
-	*/
 	get width() {
 		return wasm.photo_width(this.__wbg_ptr) >>> 0;
 	}
-	/**
-	* The window around a pixel (column and row from 0) with its moments.
-	* @param {number} col
-	* @param {number} row
-	* @param {Given<WindowOptions>} window
-	* @returns {WindowReport}
-	*/
 	window_moments(col, row, window) {
 		const ret = wasm.photo_window_moments(this.__wbg_ptr, col, row, window);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -928,9 +569,6 @@ var Photo = class Photo {
 	}
 };
 if (Symbol.dispose) Photo.prototype[Symbol.dispose] = Photo.prototype.free;
-/**
-* The report of a pair in the making: `step` until it says false, then `html`.
-*/
 var Report = class {
 	__destroy_into_raw() {
 		const ptr = this.__wbg_ptr;
@@ -942,10 +580,6 @@ var Report = class {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_report_free(ptr, 0);
 	}
-	/**
-	* The page, which holds everything it shows. Does the steps that are left.
-	* @returns {string}
-	*/
 	html() {
 		let deferred2_0;
 		let deferred2_1;
@@ -965,18 +599,6 @@ var Report = class {
 			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 		}
 	}
-	/**
-	* Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
-	* and row by row, are left out.
-	* @param {Photo} left
-	* @param {Photo} right
-	* @param {[string, string]} names
-	* @param {Given<PairInput>} input
-	* @param {Given<PairSettings>} settings
-	* @param {ReportTruth | null} truth
-	* @param {Uint8Array | number[] | null} [left_mask]
-	* @param {Uint8Array | number[] | null} [right_mask]
-	*/
 	constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
 		_assertClass(left, Photo);
 		_assertClass(right, Photo);
@@ -997,28 +619,16 @@ var Report = class {
 		ReportFinalization.register(this, this.__wbg_ptr, this);
 		return this;
 	}
-	/**
-	* Does the next step; false when all were done.
-	* @returns {boolean}
-	*/
 	step() {
 		const ret = wasm.report_step(this.__wbg_ptr);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return ret[0] !== 0;
 	}
-	/**
-	* What each step does, in their order.
-	* @returns {string[]}
-	*/
 	steps() {
 		return wasm.report_steps(this.__wbg_ptr);
 	}
 };
 if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
-/**
-* The run of a block. Its host does the jobs of `next`, in any order and any number at the same time: it reads the files, asks `prepare`,
-* looks for a kept record of the key, which goes to `found`, and else calls `execute_job`, keeps what comes of it and hands it to `complete`.
-*/
 var Run = class {
 	__destroy_into_raw() {
 		const ptr = this.__wbg_ptr;
@@ -1030,11 +640,6 @@ var Run = class {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_run_free(ptr, 0);
 	}
-	/**
-	* Takes the bytes that came of a job.
-	* @param {number} id
-	* @param {Uint8Array | number[]} bytes
-	*/
 	complete(id, bytes) {
 		const val2 = +id;
 		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
@@ -1042,31 +647,16 @@ var Run = class {
 		const ret = wasm.run_complete(this.__wbg_ptr, val2, ptr0, len0);
 		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Takes why a job could not be done: an image or a pair is left out with it, where these are to blame.
-	* @param {number} id
-	* @param {Failure} failure
-	*/
 	failed(id, failure) {
 		const ret = wasm.run_failed(this.__wbg_ptr, id, failure);
 		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* What the run has found; frees it.
-	* @returns {FinishedBlock}
-	*/
 	finish() {
 		const ptr = this.__destroy_into_raw();
 		const ret = wasm.run_finish(ptr);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return FinishedBlock.__wrap(ret[0]);
 	}
-	/**
-	* Takes a kept record; one that does not read well is not taken, and the job is still to be done.
-	* @param {number} id
-	* @param {Uint8Array | number[]} record
-	* @returns {boolean}
-	*/
 	found(id, record) {
 		const val2 = +id;
 		const ptr0 = passArray8ToWasm0(record, wasm.__wbindgen_malloc);
@@ -1075,10 +665,6 @@ var Run = class {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return ret[0] !== 0;
 	}
-	/**
-	* A run of which nothing is done; what can be refused before the images are read is refused here.
-	* @param {Given<RunInput>} input
-	*/
 	constructor(input) {
 		const ret = wasm.run_new(input);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -1086,29 +672,14 @@ var Run = class {
 		RunFinalization.register(this, this.__wbg_ptr, this);
 		return this;
 	}
-	/**
-	* What was found since the last call, and how far the stages are.
-	* @returns {News[]}
-	*/
 	news() {
 		return wasm.run_news(this.__wbg_ptr);
 	}
-	/**
-	* Jobs that can be done now, at most so many. Where there are none, and none is under way, the run is over.
-	* @param {number} most
-	* @returns {Job[]}
-	*/
 	next(most) {
 		const ret = wasm.run_next(this.__wbg_ptr, most);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* What is to be done for a job whose files have these digests, SHA-256 in hexadecimal digits.
-	* @param {number} id
-	* @param {string[]} digests
-	* @returns {Work}
-	*/
 	prepare(id, digests) {
 		const val2 = +id;
 		const ptr0 = passArrayJsValueToWasm0(digests, wasm.__wbindgen_malloc);
@@ -1119,67 +690,32 @@ var Run = class {
 	}
 };
 if (Symbol.dispose) Run.prototype[Symbol.dispose] = Run.prototype.free;
-/**
-* The keys of the options of a block that have an effect with these settings.
-* @param {Given<BlockSettings>} settings
-* @returns {string[]}
-*/
 function acting_block_parameters(settings) {
 	const ret = wasm.acting_block_parameters(settings);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* The keys of the options of a pair that have an effect with these settings.
-* @param {Given<PairSettings>} settings
-* @returns {string[]}
-*/
 function acting_parameters(settings) {
 	const ret = wasm.acting_parameters(settings);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* Every parameter of a block's flight on which photos depend.
-* @returns {Parameter[]}
-*/
 function block_flight_parameters() {
 	return wasm.block_flight_parameters();
 }
-/**
-* A ready-made flight of a block.
-* @param {BlockPreset} name
-* @returns {BlockFlight}
-*/
 function block_flight_preset(name) {
 	const ret = wasm.block_flight_preset(name);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* Every option of a block, in the order of the pipeline.
-* @returns {Parameter[]}
-*/
 function block_parameters() {
 	return wasm.block_parameters();
 }
-/**
-* All settings of a block: those given, the others from the defaults. Values of pairs, points and selection outside their ranges are refused.
-* @param {Given<BlockSettings>} given
-* @returns {BlockSettings}
-*/
 function block_settings(given) {
 	const ret = wasm.block_settings(given);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* What a block calls the camera of a photograph of this size in px: make, model, focal length and size.
-* @param {ExifCamera} camera
-* @param {number} width
-* @param {number} height
-* @returns {string}
-*/
 function camera_label(camera, width, height) {
 	let deferred2_0;
 	let deferred2_1;
@@ -1199,21 +735,11 @@ function camera_label(camera, width, height) {
 		wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 	}
 }
-/**
-* The camera of an EXIF block, with what is not known of it.
-* @param {ExifCamera} exif
-* @returns {CameraMm}
-*/
 function camera_of_exif(exif) {
 	const ret = wasm.camera_of_exif(exif);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* Refuses a file of cameras that cannot be read, or fits no image of these names, where there are any.
-* @param {string} text
-* @param {string[]} names
-*/
 function check_cameras(text, names) {
 	let ptr0, len0, ptr1, len1;
 	try {
@@ -1232,13 +758,6 @@ function check_cameras(text, names) {
 	const ret = wasm.check_cameras(ptr0, len0, ptr1, len1);
 	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 }
-/**
-* Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say.
-* @param {string} points
-* @param {string} marks
-* @param {string[]} names
-* @param {GeoreferencingOptions} placing
-*/
 function check_control(points, marks, names, placing) {
 	let ptr0, len0, ptr1, len1, ptr2, len2;
 	try {
@@ -1260,19 +779,10 @@ function check_control(points, marks, names, placing) {
 	const ret = wasm.check_control(ptr0, len0, ptr1, len1, ptr2, len2, placing);
 	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 }
-/**
-* Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
-* @param {Given<Flight>} flight
-*/
 function check_flight(flight) {
 	const ret = wasm.check_flight(flight);
 	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 }
-/**
-* Refuses two masks of one image.
-* @param {string[]} names
-* @param {string[]} masks
-*/
 function check_masks(names, masks) {
 	let ptr0, len0, ptr1, len1;
 	try {
@@ -1294,39 +804,14 @@ function check_masks(names, masks) {
 	const ret = wasm.check_masks(ptr0, len0, ptr1, len1);
 	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 }
-/**
-* The same offset (right minus left position, px) everywhere.
-* @param {number} dx
-* @param {number} dy
-* @returns {OffsetField}
-*/
 function constant_offset(dx, dy) {
 	const ret = wasm.constant_offset(dx, dy);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* The defaults of all options.
-* @returns {PairSettings}
-*/
 function defaults() {
 	return wasm.defaults();
 }
-/**
-* Draws the lines of matches whose two ends are both in view, from the left image's view to the right one's; returns how many.
-*
-* `matches`: stride 5, `x left, y left, x right, y right, measure` in px. `codes`: one a match, the index of its style; a code without
-* a style is not drawn. `widths` and `colours`: one a style. Where more than `most` are in view, evenly many are drawn.
-* @param {CanvasRenderingContext2D} context
-* @param {Float64Array | number[]} matches
-* @param {Uint8Array | number[]} codes
-* @param {Float64Array | number[]} widths
-* @param {string[]} colours
-* @param {Float64Array | number[]} left_view
-* @param {Float64Array | number[]} right_view
-* @param {number} most
-* @returns {number}
-*/
 function draw_match_lines(context, matches, codes, widths, colours, left_view, right_view, most) {
 	const val7 = +most;
 	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4, ptr5, len5;
@@ -1359,21 +844,6 @@ function draw_match_lines(context, matches, codes, widths, colours, left_view, r
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return ret[0] >>> 0;
 }
-/**
-* Draws points; returns how many were drawn.
-*
-* `points`: stride 3, `x, y, value` in px. `codes`: one a point, the index of its style; a code without a style is not drawn.
-* `styles`: stride 3, `shape, half size, line width` in canvas units (shapes: 0 dot, 1 circle, 2 plus, 3 cross, 4 square,
-* 5 triangle up, 6 triangle down, 7 diamond). `colours`: one CSS colour a style. `view`: see [`View::new`]. Styles are drawn in order,
-* the last on top; where points crowd, some are left out.
-* @param {CanvasRenderingContext2D} context
-* @param {Float64Array | number[]} points
-* @param {Uint8Array | number[]} codes
-* @param {Float64Array | number[]} styles
-* @param {string[]} colours
-* @param {Float64Array | number[]} view
-* @returns {number}
-*/
 function draw_points(context, points, codes, styles, colours, view) {
 	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
 	try {
@@ -1402,20 +872,6 @@ function draw_points(context, points, codes, styles, colours, view) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return ret[0] >>> 0;
 }
-/**
-* Draws vectors as arrows from their points, enlarged `factor` times; returns how many.
-*
-* `vectors`: stride 4, `x, y, dx, dy` in px of the image. `codes`: one a vector, the index of its style; a code without a style is not drawn.
-* `widths` and `colours`: one a style.
-* @param {CanvasRenderingContext2D} context
-* @param {Float64Array | number[]} vectors
-* @param {Uint8Array | number[]} codes
-* @param {Float64Array | number[]} widths
-* @param {string[]} colours
-* @param {number} factor
-* @param {Float64Array | number[]} view
-* @returns {number}
-*/
 function draw_vectors(context, vectors, codes, widths, colours, factor, view) {
 	const val6 = +factor;
 	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
@@ -1445,50 +901,22 @@ function draw_vectors(context, vectors, codes, widths, colours, factor, view) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return ret[0] >>> 0;
 }
-/**
-* Every parameter of a flight.
-* @returns {Parameter[]}
-*/
 function flight_parameters() {
 	return wasm.flight_parameters();
 }
-/**
-* A ready-made flight.
-* @param {Preset} name
-* @returns {Flight}
-*/
 function flight_preset(name) {
 	const ret = wasm.flight_preset(name);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* The names of the ready-made flights.
-* @returns {Preset[]}
-*/
 function flight_presets() {
 	return wasm.flight_presets();
 }
-/**
-* The interior orientation of an image: from its fiducials, or from the camera's pixel size.
-* @param {CameraMm} camera
-* @param {PhotoGeometry} photo
-* @returns {Interior}
-*/
 function interior$1(camera, photo) {
 	const ret = wasm.interior(camera, photo);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
-* that there is a catalogue of.
-* @param {keyof Messages} family
-* @param {Messages[keyof Messages]} message
-* @param {string | null} [attribute]
-* @param {string | null} [language]
-* @returns {string}
-*/
 function message$1(family, message, attribute, language) {
 	let deferred5_0;
 	let deferred5_1;
@@ -1522,53 +950,25 @@ function message$1(family, message, attribute, language) {
 		wasm.__wbindgen_free(deferred5_0, deferred5_1, 1);
 	}
 }
-/**
-* What else would do for a pair of this verdict and these settings; null where nothing is known to.
-* @param {PairVerdict} verdict
-* @param {Given<PairSettings>} settings
-* @returns {PairHint | null}
-*/
 function pair_hint(verdict, settings) {
 	const ret = wasm.pair_hint(verdict, settings);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* Ready-made settings.
-* @param {PairPreset} name
-* @returns {PairSettings}
-*/
 function pair_preset(name) {
 	const ret = wasm.pair_preset(name);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* The names of ready-made settings.
-* @returns {PairPreset[]}
-*/
 function pair_presets() {
 	return wasm.pair_presets();
 }
-/**
-* What the paper printed for its own pair.
-* @returns {Paper}
-*/
 function paper() {
 	return wasm.paper();
 }
-/**
-* Every option of a pair, in the order of the pipeline.
-* @returns {Parameter[]}
-*/
 function parameters() {
 	return wasm.parameters();
 }
-/**
-* Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion", "tangential_distortion"}.
-* @param {string} json
-* @returns {CameraMm}
-*/
 function parse_camera(json) {
 	const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 	const len0 = WASM_VECTOR_LEN;
@@ -1576,11 +976,6 @@ function parse_camera(json) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
-* @param {string} text
-* @returns {GroundControlRow[]}
-*/
 function parse_ground_control_points(text) {
 	const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 	const len0 = WASM_VECTOR_LEN;
@@ -1588,11 +983,6 @@ function parse_ground_control_points(text) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* Reads where images show surveyed points: lines of image, point, x, y in px.
-* @param {string} text
-* @returns {ImageMeasurementRow[]}
-*/
 function parse_image_measurements(text) {
 	const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 	const len0 = WASM_VECTOR_LEN;
@@ -1600,22 +990,11 @@ function parse_image_measurements(text) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* A block's camera as a photo of a pair has it: lengths in mm, the radial distortion as a correction of what was measured.
-* @param {Camera} camera
-* @returns {CameraMm}
-*/
 function photo_camera(camera) {
 	const ret = wasm.photo_camera(camera);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* The tables of images that were placed: of the images, and of their links.
-* @param {string[]} names
-* @param {readonly PlacedImage[]} placed
-* @returns {{ placed: string; links: string }}
-*/
 function placed_tables(names, placed) {
 	const ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
 	const len0 = WASM_VECTOR_LEN;
@@ -1623,51 +1002,25 @@ function placed_tables(names, placed) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* Their defaults.
-* @returns {PlacingOptions}
-*/
 function placing_defaults() {
 	return wasm.placing_defaults();
 }
-/**
-* Every option of placing images.
-* @returns {Parameter[]}
-*/
 function placing_parameters() {
 	return wasm.placing_parameters();
 }
-/**
-* What a project file holds, by its first kilobyte; null for what is no project.
-* @param {Uint8Array | number[]} start
-* @returns {ProjectKind | null}
-*/
 function project_kind(start) {
 	const ptr0 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
 	const len0 = WASM_VECTOR_LEN;
 	return wasm.project_kind(ptr0, len0);
 }
-/**
-* Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
-* @param {Given<PairSettings>} settings
-* @returns {PairSettings}
-*/
 function resolved(settings) {
 	const ret = wasm.resolved(settings);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-/**
-* The names of the rules, in the order of their codes.
-* @returns {Rule[]}
-*/
 function rule_names() {
 	return wasm.rule_names();
 }
-/**
-* The version of the crate.
-* @returns {string}
-*/
 function version() {
 	let deferred1_0;
 	let deferred1_1;
@@ -1844,7 +1197,7 @@ function __wbg_get_imports() {
 				return new Uint32Array(arg0);
 			},
 			__wbg_new_cd4348290afae586: function() {
-				return /* @__PURE__ */ new Object();
+				return new Object();
 			},
 			__wbg_new_from_slice_1ed4a41a79189233: function(arg0, arg1) {
 				return new Uint16Array(getArrayU16FromWasm0(arg0, arg1));
@@ -2266,7 +1619,6 @@ async function __wbg_init_once(module_or_path) {
 	return __wbg_finalize_init(instance, module);
 }
 // www/shared/text/options.ts
-/** An option, with what the catalogue has of it; the rest as the crate has it. */
 function optionInLanguage(parameter) {
 	const { key, label, help, absent, section, unit } = parameter;
 	const name = key.replaceAll(/[._]/gu, "-");
@@ -2297,7 +1649,6 @@ function catalogueInLanguage(catalogue) {
 }
 // www/shared/panel/mode.ts
 var MODES = [["pair", say("pair")], ["block", say("block")]];
-/** `show`: shows a part of the page, which may have to be loaded. */
 function modeSwitch(modes, show) {
 	const buttons = MODES.map(([mode, text]) => ({
 		mode,
@@ -2314,31 +1665,24 @@ function modeSwitch(modes, show) {
 		aria: { label: say("what-is-matched") }
 	}, ...buttons.map(({ press }) => press));
 }
-/** Shows elements in one mode alone. */
 function showIn(modes, mode, elements) {
 	modes.watch(["mode"], ([now]) => {
 		for (const element of elements) element.hidden = now !== mode;
 	});
 }
 // www/shared/panel/drawers.ts
-/** What is opened and closed by a button: the settings, the details of the results, the settings that few need, the tables. It stays as it was left. */
 var NAME$3 = "tiepoint-open";
-/** Where a screen has room for pictures and tables, a stranger finds both. */
 var AT_FIRST = window.innerHeight >= 900 && window.innerWidth >= 1180 ? "table" : "";
 var open$2 = new Set((keptChoice(NAME$3) ?? AT_FIRST).split(" "));
 var watchers = [];
-/** Here the settings lie over the pictures, as the style sheet has it. */
 var OVER = window.matchMedia("(width < 1180px)");
-/** Here settings and details leave room for the pictures between them. */
 var ROOM = window.matchMedia("(width >= 1500px)");
-/** What gives way to a drawer where there is no room for both. */
 var BESIDE$1 = {
 	settings: ["details"],
 	details: ["settings"]
 };
 if (OVER.matches) open$2.delete("settings");
 ROOM.addEventListener("change", () => !ROOM.matches && isOpen("details") && setDrawer("settings", false));
-/** Calls back now and whenever a drawer is opened or closed. */
 function watchDrawers(callback) {
 	watchers.push(callback);
 	callback();
@@ -2354,11 +1698,9 @@ function setDrawer(drawer, wanted) {
 	keepChoice(NAME$3, [...open$2].filter((name) => name !== "").join(" "));
 	for (const callback of watchers) callback();
 }
-/** Closes the settings where they lie over the pictures, in which something is to be done now. */
 function uncoverPictures() {
 	if (OVER.matches) setDrawer("settings", false);
 }
-/** A button that opens a drawer and closes it; the drawer itself gets a button that closes it. */
 function drawerButton(drawer, text, testid, element) {
 	const made = button(text, testid, () => {
 		setDrawer(drawer, !isOpen(drawer));
@@ -2377,14 +1719,11 @@ function drawerButton(drawer, text, testid, element) {
 	});
 	return made;
 }
-/** Brings what lies below the picture into sight. */
 function reveal$1(element) {
 	const { top } = element.getBoundingClientRect();
 	if (top < 0 || top > .8 * window.innerHeight) element.scrollIntoView({ block: "start" });
 }
 // www/shared/panel/picker.ts
-/** A hidden field for files, and the button that opens it. */
-/** The field of files; `take` gets what was chosen, and the same file can be chosen again. */
 function fileInput({ testid, label, accept, multiple = false, folder = false }, take) {
 	const input = h("input", {
 		type: "file",
@@ -2403,14 +1742,11 @@ function fileInput({ testid, label, accept, multiple = false, folder = false }, 
 	});
 	return input;
 }
-/** The button with its field. */
 function fileButton(text, picked, take, title) {
 	const input = fileInput(picked, take);
 	return [button(text, picked.testid, () => input.click(), title), input];
 }
 // www/shared/panel/tabs.ts
-/** Tabs: one panel of a list is shown; arrow keys move between them. */
-/** A column of tabs with a panel each, in its place. Panel and tab are named after the tab's id. */
 function tabbed(place, label, tabs) {
 	const buttons = tabs.map(([id, text]) => h("button", {
 		type: "button",
@@ -2463,13 +1799,10 @@ function tabbed(place, label, tabs) {
 		panels
 	};
 }
-/** Shows the panel of a tab. */
 function showTab(id) {
 	document.getElementById(id)?.click();
 }
 // www/shared/state/store.ts
-/** Holds a state and tells who asked when a part of it changed. */
-/** A state `S` that changes by actions `A` alone. */
 var Holder = class {
 	current;
 	reduce;
@@ -2483,7 +1816,6 @@ var Holder = class {
 	get state() {
 		return this.current;
 	}
-	/** Applies an action, then tells the listeners. An action dispatched by a listener follows after all have been told. */
 	dispatch(action) {
 		this.waiting.push(action);
 		if (this.dispatching) return;
@@ -2510,10 +1842,24 @@ var Holder = class {
 	}
 };
 // www/shared/engine/breath.ts
-/** Lets the browser answer what the user did, and draw, between two pieces of work that are long together. */
 var breath = () => new Promise((resolve) => setTimeout(resolve));
+var PATIENCE_MS$2 = 1e3;
+var quiet = () => new Promise((resolve) => {
+	if ("requestIdleCallback" in window) window.requestIdleCallback(() => resolve(), { timeout: PATIENCE_MS$2 });
+	else setTimeout(resolve);
+});
+function afterFrame(callback) {
+	let waits = false;
+	return () => {
+		if (waits) return;
+		waits = true;
+		requestAnimationFrame(() => setTimeout(() => {
+			waits = false;
+			callback();
+		}));
+	};
+}
 // www/shared/crate.ts
-/** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
 function readCatalogue() {
 	return {
 		version: version(),
@@ -2533,13 +1879,10 @@ function readCatalogue() {
 	};
 }
 // www/shared/text/messages.ts
-/** Messages of the crate in the language of the page. */
-/** The text of a message, or, by its name, another text that belongs to it, as its `label`; its figures as the page writes them. */
 function message(family, of, attribute = null) {
 	const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀");
 	return asClauses(family.endsWith("verdict") ? grouped(text) : text);
 }
-/** What is said of whatever was thrown. Errors of the crate come with their figures. */
 function messageOf(thrown) {
 	if (!(thrown instanceof Error)) return String(thrown);
 	const error = "error" in thrown && LANGUAGE !== "en" ? thrown.error : null;
@@ -2549,8 +1892,6 @@ function messageOf(thrown) {
 	}) : thrown.message;
 }
 // www/shared/text/allowed.ts
-/** What the crate allows in place of a number, in the language of the page. */
-/** As the crate writes ranges. */
 var FORMS = [
 	[/^(\S+) to (\S+)$/u, (from, to) => say("allowed-between", {
 		from,
@@ -2578,7 +1919,6 @@ var FORMS = [
 	})],
 	[/^above (\S+)$/u, (from) => say("allowed-above", { from })]
 ];
-/** What is written otherwise stays as it is. */
 function allowedText(allowed) {
 	if (LANGUAGE === "en") return allowed;
 	for (const [form, write] of FORMS) {
@@ -2587,11 +1927,9 @@ function allowedText(allowed) {
 	}
 	return allowed;
 }
-/** Why the crate refused what was typed or given. */
 function refusalText(thrown) {
 	return ownWords(thrown instanceof Error && "error" in thrown ? thrown.error : null) ?? messageOf(thrown);
 }
-/** The text of a refusal whose range the page writes; null where it is another, or English, as the crate writes it. */
 function ownWords(error) {
 	if (LANGUAGE === "en" || typeof error !== "object" || error === null || !("allowed" in error) || !("kind" in error)) return null;
 	const { kind, allowed } = error;
@@ -2603,7 +1941,6 @@ function ownWords(error) {
 	});
 }
 // www/shared/engine/client.ts
-/** A call that was refused or failed. `ended`: the worker is gone, and with it what it held. */
 var CallError = class extends Error {
 	failure;
 	ended;
@@ -2614,26 +1951,22 @@ var CallError = class extends Error {
 		this.ended = ended;
 	}
 };
-/** What ended the worker, in words; null where it lives on.  */
 function breakdownOf(error) {
 	if (!(error instanceof CallError) || !error.ended) return null;
 	return error.failure.kind === "memory" ? say("the-worker-ran-out-of", { message: error.message }) : say("the-worker-broke-off-at", { message: error.message });
 }
-/** A call that the user cancelled. */
 var Cancelled = class extends Error {
 	name = say("cancelled");
 };
 var WorkerClient = class {
 	name;
 	worker = null;
-	pending = /* @__PURE__ */ new Map();
+	pending = new Map();
 	nextId = 1;
-	/** Changes when a worker ends: what it held is lost. */
 	generation = 0;
 	constructor(name) {
 		this.name = name;
 	}
-	/** Asks the worker, starting one where there is none. Rejects with `CallError` or `Cancelled`; no promise stays open. */
 	async call(call, input, transfer = []) {
 		this.worker ??= this.start();
 		const worker = this.worker;
@@ -2657,7 +1990,6 @@ var WorkerClient = class {
 			}, (error) => this.end(new CallError(otherFailure(error), true)));
 		});
 	}
-	/** Ends the worker and rejects what waits for it. The next call starts a fresh one. */
 	cancel() {
 		this.end(new Cancelled("cancelled"));
 	}
@@ -2713,7 +2045,6 @@ function otherFailure(error) {
 	};
 }
 // www/shared/state/remember.ts
-/** Remembers the last result of a function of a few arguments, compared by identity. */
 function remember(compute) {
 	let last = null;
 	return (...args) => {
@@ -2729,21 +2060,18 @@ var NO_HISTORY = {
 	edits: [],
 	done: 0
 };
-/** The history after one more edit: what was undone before is given up. */
 function recorded({ edits, done }, edit) {
 	return {
 		edits: [...edits.slice(0, done), edit],
 		done: done + 1
 	};
 }
-/** The history with the first `done` edits. */
 function wentTo({ edits }, done) {
 	return {
 		edits,
 		done: Math.min(edits.length, Math.max(0, done))
 	};
 }
-/** The names of the edit that undo takes back, and of the one that redo makes again; null where there is none. */
 function steps({ edits, done }, nameOf) {
 	const [last, next] = [edits[done - 1], edits[done]];
 	return {
@@ -2752,15 +2080,12 @@ function steps({ edits, done }, nameOf) {
 	};
 }
 // www/shared/engine/pool.ts
-/** As many workers as the processor allows: each does one call at a time, the others wait in order. */
-/** More workers than these would share memory bandwidth and take memory for an image each. */
 var MOST_WORKERS = 8;
 var WorkerPool = class {
 	size = Math.min(MOST_WORKERS, Math.max(1, navigator.hardwareConcurrency || 1));
 	idle = Array.from({ length: this.size }, (_, i) => new WorkerClient(`pool ${String(i + 1)}`));
 	all = [...this.idle];
 	waiting = [];
-	/** Rejects with `CallError` or `Cancelled`; no promise stays open. */
 	call(call, input, transfer = []) {
 		return new Promise((resolve, reject) => {
 			const start = (client) => client.call(call, input, transfer).then(resolve, reject);
@@ -2771,7 +2096,6 @@ var WorkerPool = class {
 			this.next();
 		});
 	}
-	/** Ends all workers and what waits for them. The next call starts fresh ones. */
 	cancel() {
 		const { waiting } = this;
 		this.waiting = [];
@@ -2791,13 +2115,9 @@ var WorkerPool = class {
 	}
 };
 // www/shared/state/calibrations.ts
-/** Cameras as blocks calibrated them, remembered by this browser, for photographs that name a camera of the same make, model, focal length and size. */
 var NAME$2 = "tiepoint-cameras";
-/** The oldest ones make room. */
 var MOST = 50;
-/** The latest first; null until they are read. */
 var all = null;
-/** What cannot be read or used is not there. */
 function read() {
 	try {
 		const kept = JSON.parse(keptChoice(NAME$2) ?? "[]");
@@ -2833,19 +2153,16 @@ var lensOf = ({ radial = [
 function calibrationOf(label, recorded) {
 	return remembered$1().find((kept) => kept.label === label && lensOf(kept.recorded) === lensOf(recorded)) ?? null;
 }
-/** The one that a pair's camera was taken from. */
 function calibrationBehind(camera) {
 	const text = JSON.stringify(camera);
 	return remembered$1().find((kept) => JSON.stringify(cameraOfPair(kept)) === text) ?? null;
 }
-/** Each takes the place of the former one of its name. */
 function rememberCalibrations(made) {
 	if (made.length > 0) keep([...made, ...remembered$1().filter(({ label }) => !made.some((other) => other.label === label))]);
 }
 function forgetCalibration(label) {
 	keep(remembered$1().filter((kept) => kept.label !== label));
 }
-/** The camera for a pair, as uncertain as if its files recorded the calibration: another day, another specimen of the model. */
 function cameraOfPair({ camera }) {
 	const pixel = camera.pixel_mm ?? null;
 	return camera_of_exif({
@@ -2858,8 +2175,6 @@ function cameraOfPair({ camera }) {
 	});
 }
 // www/shared/panel/choice.ts
-/** Choices in the bar over a picture. */
-/** How much longer than they are residuals may be drawn; 0: not at all. */
 var VECTOR_FACTORS = [
 	0,
 	10,
@@ -2870,29 +2185,24 @@ var VECTOR_FACTORS = [
 	500,
 	1e3
 ];
-/** A list of which one is chosen, with its label; gives both. */
 function choice(label, testid, options, onChange) {
 	const select = h("select", { testid });
 	for (const [value, text] of options) select.append(new Option(text, value));
 	select.addEventListener("change", () => onChange(select.value));
 	return [h("label", { class: "choice" }, h("span", {}, label), select), select];
 }
-/** A button that is pressed or not. */
 function toggle(label, testid, title, onChange) {
 	const made = button(label, testid, () => onChange(made.getAttribute("aria-pressed") !== "true"), title);
 	made.setAttribute("aria-pressed", "false");
 	return made;
 }
-/** The list of how much longer residuals are drawn. */
 function vectorChoice(testid, onChange) {
 	const factors = VECTOR_FACTORS.map((factor) => [String(factor), factor === 0 ? say("no-residuals") : `× ${String(factor)}`]);
 	return choice(say("residuals"), testid, factors, (value) => onChange(Number(value)));
 }
 // www/shared/view/commands.ts
 var known = [];
-/** All that was declared. */
 var declared = () => known;
-/** Declares commands; gives what runs the one of a key, false where there is none now. */
 function declare(commands) {
 	known.push(commands);
 	return (key, shift) => {
@@ -2913,17 +2223,12 @@ var SIGNS = {
 	ArrowDown: "↓",
 	"-": "−"
 };
-/** How a key is written. */
 var keyText = (key) => SIGNS[key] ?? (key.length === 1 ? key.toUpperCase() : key);
 // www/shared/view/gestures.ts
-/** Pointer, wheel, touch and keys: every canvas of the page is moved in the same way. */
-/** Movement below which a press is a click, CSS px. */
 var CLICK_SLACK = 5;
 var KEY_PAN = 60;
 var KEY_ZOOM = 1.25;
-/** Wheels that count in lines scroll about so many px each. */
 var LINE_PX = 24;
-/** Natural logarithm of the enlargement a px of wheel; a pinch on a touch pad comes as a wheel event with Ctrl and small steps. */
 var WHEEL_RATE = .0016;
 var PINCH_RATE = .01;
 var pan = (dx, dy) => (movable, far) => {
@@ -2968,11 +2273,9 @@ var MOVES = [
 		run: (movable) => movable.fit()
 	}
 ];
-/** Listens on a host, and for keys on it or on a larger element that belongs to it. */
 function listen(host, movable, keyHost = host) {
 	new Gestures(host, movable, keyHost);
 }
-/** Listens for the keys of commands where there are no gestures. */
 function listenKeys(host, command) {
 	host.addEventListener("keydown", (event) => {
 		if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select") !== null) return;
@@ -2982,11 +2285,10 @@ function listenKeys(host, command) {
 var Gestures = class {
 	host;
 	movable;
-	presses = /* @__PURE__ */ new Map();
+	presses = new Map();
 	target = null;
 	clicked = false;
 	encloses = false;
-	/** Of what is being enclosed. */
 	path = [];
 	constructor(host, movable, keyHost) {
 		this.host = host;
@@ -3040,7 +2342,6 @@ var Gestures = class {
 		press.x = x;
 		press.y = y;
 	}
-	/** Two fingers: pan by their middle, zoom by their distance. */
 	pinch(target, moved, still, x, y) {
 		const before = Math.hypot(moved.x - still.x, moved.y - still.y);
 		const after = Math.hypot(x - still.x, y - still.y);
@@ -3083,12 +2384,9 @@ var Gestures = class {
 	}
 };
 // www/shared/panel/focus.ts
-/** The keyboard stays with what was pressed: where that can no longer be, what takes its place gets it. */
-/** Whether an element can have the keyboard. */
 function canHold(element) {
 	return element.isConnected && element.closest("[hidden], :disabled") === null;
 }
-/** Gives the keyboard from a part of a host that was hidden, disabled or replaced to the first of others that can have it. `held`: what had it. */
 function passFocus(held, others) {
 	if (!(held instanceof HTMLElement) || canHold(held)) return;
 	const { activeElement } = document;
@@ -3096,13 +2394,10 @@ function passFocus(held, others) {
 	others.find((other) => other != null && canHold(other))?.focus({ preventScroll: true });
 }
 // www/shared/panel/history.ts
-/** Edits by hand: undo and redo by their names and keys, and the list of all of them. */
-/** A button that says what it would do, and cannot be pressed where that is nothing. */
 function set(made, text, disabled) {
 	if (made.textContent !== text) made.textContent = text;
 	made.disabled = disabled;
 }
-/** Undo and redo as signs, which are there once there is an edit; what they would do is their title. */
 function showSteps(undo, redo, history, nameOf) {
 	const names = steps(history, nameOf);
 	for (const [made, name, keys] of [[
@@ -3121,7 +2416,6 @@ function showSteps(undo, redo, history, nameOf) {
 	undo.disabled = names.undo === null;
 	redo.disabled = names.redo === null;
 }
-/** Every state can be gone to by a press; `first` is the name of the one before all edits, `prefix` that of test ids. */
 function showHistory(host, prefix, first, { edits, done }, nameOf, go) {
 	const focused = host.contains(document.activeElement);
 	const entry = (place, name) => {
@@ -3133,7 +2427,6 @@ function showHistory(host, prefix, first, { edits, done }, nameOf, go) {
 	fill(host, entry(0, first), ...edits.map((edit, i) => entry(i + 1, nameOf(edit))));
 	if (focused) host.querySelector("[aria-current]")?.focus({ preventScroll: true });
 }
-/** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own. */
 function undoKeys(isActive, step) {
 	const act = declare({
 		where: say("anywhere-after-edits"),
@@ -3157,11 +2450,9 @@ function undoKeys(isActive, step) {
 	});
 }
 // www/shared/state/pane.ts
-/** Places that are measured are kept to so many parts of a px: nobody measures better. */
 var STEPS_OF_PX = 100;
 var roundedPx = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
 // www/shared/files/save.ts
-/** Files that the page gives. */
 function save(blob, name) {
 	const link = document.createElement("a");
 	link.href = URL.createObjectURL(blob);
@@ -3174,7 +2465,6 @@ var WORLD = /\.(?:tfw|jgw|pgw|bpw|gfw|tifw|tiffw|jpgw|jpegw|pngw|wld)$/iu;
 var TIFF = /\.tiff?$/iu;
 var PICTURE = /\.(?:jpe?g|png|bmp|webp|p[gpn]m)$/iu;
 var GRID$1 = /\.(?:asc|grd|txt|agr)$/iu;
-/** Sorts what was given; files whose names say that they are neither stay with the others. */
 async function sortRasters(found) {
 	const sorted = {
 		orthophotos: [],
@@ -3183,7 +2473,7 @@ async function sortRasters(found) {
 		others: []
 	};
 	const worlds = found.filter(({ file }) => WORLD.test(file.name));
-	const used = /* @__PURE__ */ new Set();
+	const used = new Set();
 	for (const one of found) {
 		const { file } = one;
 		if (WORLD.test(file.name)) continue;
@@ -3202,7 +2492,6 @@ async function sortRasters(found) {
 	sorted.worlds = worlds.map(({ file }) => file).filter((file) => !used.has(file));
 	return sorted;
 }
-/** Several pictures that say where they lie are photographs: nothing says which of them is the orthophoto. */
 function asGiven(sorted) {
 	const { orthophotos } = sorted;
 	if (orthophotos.length < 2) return {
@@ -3219,12 +2508,10 @@ function asGiven(sorted) {
 		taken: orthophotos.length
 	};
 }
-/** Whether photographs are to be placed on an orthophoto: it is among them, or its heights are. */
 async function hasGround(found) {
 	const { orthophotos, heights, others } = await sortRasters(found);
 	return heights.length > 0 || orthophotos.length === 1 && (others.length > 0 || found.length === 2);
 }
-/** Folder and name without its end. */
 function stemOf({ file, path }) {
 	return (path === "" ? file.name : path).replace(/\.[^./]*$/u, "").toLowerCase();
 }
@@ -3233,7 +2520,6 @@ async function kindOf(file, hasWorld) {
 	if (TIFF.test(file.name) || file.type === "image/tiff") return kindOfTiff(await tiffTags(file), hasWorld);
 	return hasWorld && (file.type.startsWith("image/") || PICTURE.test(file.name)) ? "orthophoto" : "photograph";
 }
-/** Of TIFF 6.0 and OGC 19-008r4. */
 var [BITS, SAMPLES, FORMAT, SCALE, TIES, TRANSFORMATION, KEYS] = [
 	258,
 	277,
@@ -3244,18 +2530,15 @@ var [BITS, SAMPLES, FORMAT, SCALE, TIES, TRANSFORMATION, KEYS] = [
 	34735
 ];
 var UNSIGNED = 1;
-/** Numbers below 0 or with decimals are heights; so is one band of more than 16 bits. */
 function kindOfTiff(tags, hasWorld) {
 	const isPlaced = hasWorld || tags.has(TRANSFORMATION) || tags.has(SCALE) && tags.has(TIES) || tags.has(KEYS);
 	if ((tags.get(SAMPLES) ?? 1) === 1 && isPlaced && ((tags.get(FORMAT) ?? UNSIGNED) !== UNSIGNED || (tags.get(BITS) ?? 1) > 16)) return "heights";
 	return isPlaced ? "orthophoto" : "photograph";
 }
-/** A directory has no more entries than these; what says more is damaged. */
 var MOST_ENTRIES = 4096;
-/** The tags of the first image of a TIFF or BigTIFF with their first values, where these stand in the directory itself (0 elsewhere); none where it is damaged. */
 async function tiffTags(file) {
 	const read = async (from, length) => new DataView(await file.slice(from, from + length).arrayBuffer());
-	const tags = /* @__PURE__ */ new Map();
+	const tags = new Map();
 	try {
 		const head = await read(0, 16);
 		const little = head.getUint16(0) === 18761;
@@ -3271,7 +2554,6 @@ async function tiffTags(file) {
 			const isShort = directory.getUint16(from + 2, little) === 3 && values <= (isBig ? 4 : 2);
 			tags.set(directory.getUint16(from, little), isShort ? directory.getUint16(from + (isBig ? 12 : 8), little) : await first(from, values));
 		}
-		/** Three bands say their bits elsewhere. */
 		async function first(from, values) {
 			if (!(directory.getUint16(from + 2, little) === 3 && values < 64)) return 0;
 			const offset = isBig ? Number(directory.getBigUint64(from + 12, little)) : directory.getUint32(from + 8, little);
@@ -3281,44 +2563,33 @@ async function tiffTags(file) {
 	return tags;
 }
 // www/shared/files/keepable.ts
-var names = /* @__PURE__ */ new WeakMap();
-/** A name of a value for its part of a project: the same as long as it is the same object. `kept`: the name that it has in the storage. */
+var names = new WeakMap();
 function nameOf$1(value, kept) {
 	const name = names.get(value) ?? kept ?? randomName();
 	names.set(value, name);
 	return name;
 }
-/** No two are the same, on plain http too. */
 function randomName() {
-	return Array.from(crypto.getRandomValues(/* @__PURE__ */ new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, "0")).join("");
+	return Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
-/** A field of what was kept is not as it should be. */
 function wrong(name) {
 	return new Error(say("the-field-is-damaged", { name }));
 }
-/** A kept object. @throws Error where it is none */
 function objectOf(value, name) {
 	if (typeof value !== "object" || value === null || Array.isArray(value)) throw wrong(name);
 	return value;
 }
-/** A kept value of one of the types of `like`. @throws Error where it is of another */
 function likeOf(value, like, name) {
 	if (typeof value !== typeof like || typeof value === "number" && Number.isNaN(value)) throw wrong(name);
 	return value;
 }
-/** @throws Error where it is no list, or one of its elements is not as `element` reads it */
 function listOf(value, name, element) {
 	if (!Array.isArray(value)) throw wrong(name);
 	return value.map((one, i) => element(one, `${name}[${String(i)}]`));
 }
-/** Null stays null. */
 function orNull(value, read) {
 	return value == null ? null : read(value);
 }
-/**
-* The values of a kept object in the shape of another: fields that a later version added have their default, fields that it dropped are left
-* out. Where the default is null, or is a list, what was kept stands. @throws Error where a field is of another type
-*/
 function fitted$1(value, defaults, name) {
 	const kept = objectOf(value, name);
 	const fields = Object.entries(defaults).map(([field, normal]) => {
@@ -3332,10 +2603,7 @@ function fitted$1(value, defaults, name) {
 	return Object.fromEntries(fields);
 }
 // www/shared/files/journal.ts
-/** The journal of edits by hand, kept in pieces: an edit writes the last piece alone. */
-/** Edits of a piece. */
 var SIDE = 64;
-/** Of what says how many edits there are, in bytes. */
 var OF_HEAD = 40;
 var Journal$1 = class {
 	name;
@@ -3351,9 +2619,8 @@ var Journal$1 = class {
 		this.editFrom = editFrom;
 		this.bytesOf = bytesOf;
 	}
-	/** What is kept of the edits; what has not changed is the same value as before. Nothing where there are none. */
 	parts({ edits, done }) {
-		const parts = /* @__PURE__ */ new Map();
+		const parts = new Map();
 		const pieces = Math.ceil(edits.length / SIDE);
 		this.pieces = Array.from({ length: pieces }, (_, i) => same(this.pieces[i], edits, i * SIDE));
 		if (this.head.done !== done || this.head.pieces !== pieces) this.head = {
@@ -3371,7 +2638,6 @@ var Journal$1 = class {
 		});
 		return parts;
 	}
-	/** @throws Error naming what is damaged */
 	read(parts) {
 		const value = parts.get(this.name);
 		if (value === void 0) return NO_HISTORY;
@@ -3382,23 +2648,18 @@ var Journal$1 = class {
 			done: doneFrom(done, edits.length, "edits.done")
 		};
 	}
-	/** About what some edits take, in bytes. */
 	size(edits) {
 		return edits.reduce((sum, edit) => sum + this.bytesOf(edit), 0);
 	}
 };
-/** How many of some edits hold. @throws Error where that is no number */
 function doneFrom(value, edits, name) {
 	return Math.min(edits, Math.max(0, Math.trunc(likeOf(value, 0, name))));
 }
-/** The piece that begins at an edit; the earlier one where it holds the same edits. */
 function same(earlier, edits, from) {
 	const length = Math.min(SIDE, edits.length - from);
 	return earlier?.length === length && earlier.every((edit, i) => edit === edits[from + i]) ? earlier : edits.slice(from, from + length);
 }
 // www/shared/text/project.ts
-/** What a project is called. */
-/** Called after its images, unless it was given a name. */
 function titleOf({ name, images }) {
 	if (name !== null) return name;
 	const [first, second] = images;
@@ -3412,14 +2673,37 @@ function titleOf({ name, images }) {
 		images: images.length - 1
 	});
 }
-/** Bytes as a size in MB, or kB where there are few. */
 function sizeText(bytes) {
 	if (bytes < 1e6) return say("kb", { bytes: Math.ceil(bytes / 1e3) });
 	if (bytes < 1e9) return `${(bytes / 1e6).toFixed(1)} MB`;
 	return `${(bytes / 1e9).toFixed(1)} GB`;
 }
+// www/shared/panel/sight.ts
+var HIDING = "[hidden], .is-closed";
+function isHidden(element) {
+	return element.closest(HIDING) !== null;
+}
+function whenInSight(host, draw) {
+	let due = false;
+	const observer = new MutationObserver(() => {
+		if (!isHidden(host)) show();
+	});
+	function show() {
+		observer.disconnect();
+		due = false;
+		draw();
+	}
+	return () => {
+		if (!isHidden(host)) return show();
+		if (due) return;
+		due = true;
+		for (let around = host; around !== null; around = around.parentElement) observer.observe(around, {
+			attributes: true,
+			attributeFilter: ["hidden", "class"]
+		});
+	};
+}
 // www/shared/state/rows.ts
-/** The rows that are kept, in order of a column. Equal values keep their order. */
 function ordered(count, columns, { key, descending }, keep) {
 	const kept = keptRows(count, keep);
 	const column = columns.find((candidate) => candidate.key === key);
@@ -3440,7 +2724,6 @@ function keptRows(count, keep) {
 	for (let row = 0; row < count; row++) if (keep(row)) rows[length++] = row;
 	return rows.subarray(0, length);
 }
-/** Tells the rows that meet all conditions; null where there is no condition. What has no number meets no limits. */
 function keeping$1(columns, filter) {
 	const tests = columns.flatMap(({ key, value, text, words }) => {
 		const condition = filter[key];
@@ -3461,7 +2744,6 @@ var NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?`;
 var BETWEEN = new RegExp(`^(${NUMBER})\\s*(?:\\.\\.+|…|–|-|to)\\s*(${NUMBER})$`, "iu");
 var LIMIT = new RegExp(`^(>=|<=|≥|≤|>|<)\\s*(${NUMBER})$`, "iu");
 var EQUAL = new RegExp(`^=?\\s*(${NUMBER})$`, "iu");
-/** What is typed over a column of numbers: `2..5`, `>2`, `≤0.5`, or a number as it is shown. Null: nothing; undefined: it cannot be read. */
 function conditionOf(typed, words) {
 	const text = typed.trim();
 	if (text === "") return null;
@@ -3509,7 +2791,6 @@ function limited(sign, number) {
 		to: number
 	};
 }
-/** A condition as it could be typed. */
 function conditionText(condition) {
 	if (condition === void 0) return "";
 	if (condition.kind === "contains") return condition.text;
@@ -3517,7 +2798,6 @@ function conditionText(condition) {
 	if (from !== null && to !== null) return `${String(from)}..${String(to)}`;
 	return from !== null ? `≥${String(from)}` : to !== null ? `≤${String(to)}` : "";
 }
-/** Sum, mean or root mean square of what a column has for these rows; NaN where it has nothing. */
 function totalOf(column, rows) {
 	let [sum, squares, count] = [
 		0,
@@ -3534,22 +2814,18 @@ function totalOf(column, rows) {
 	if (count === 0) return NaN;
 	return column.total === "sum" ? sum : column.total === "mean" ? sum / count : Math.sqrt(squares / count);
 }
-/** The head of a column in a file: its unit stands with it. */
 function headText({ label, unit }, inEnglish) {
 	const name = inEnglish(label);
 	return unit === "" ? name : `${name} [${unit}]`;
 }
-/** A figure as programs read it: without groups of digits, signs of typography and dashes. */
 function plain(column, row, inEnglish) {
 	const text = column.text(row);
 	return column.words === true ? inEnglish(text) : text.replaceAll(" ", "").replaceAll("−", "-").replace(/^–$/u, "");
 }
-/** The rows as lines of comma-separated values (RFC 4180), under their heads. */
 function csvOf(columns, rows, inEnglish) {
 	const field = (text) => /[",\r\n]/u.test(text) ? `"${text.replaceAll("\"", "\"\"")}"` : text;
 	return linesOf(columns, rows, field, ",", inEnglish);
 }
-/** The rows as a spreadsheet takes them from the clipboard. */
 function tabbedOf(columns, rows, inEnglish) {
 	return linesOf(columns, rows, (text) => text.replaceAll(/[\t\r\n]/gu, " "), "	", inEnglish);
 }
@@ -3559,11 +2835,8 @@ function linesOf(columns, rows, field, between, inEnglish) {
 	return `${lines.join("\n")}\n`;
 }
 // www/shared/panel/rows.ts
-/** Height of a row in CSS px, as in the style sheet. */
 var ROW = 24;
-/** Rows beyond the ones in sight, so that a scroll shows no gap. */
 var MARGIN = 12;
-/** More columns than any table has. */
 var COLUMNS$1 = 30;
 var RowsInSight = class {
 	row;
@@ -3571,17 +2844,13 @@ var RowsInSight = class {
 	head = h("thead", {});
 	foot = h("tfoot", {});
 	scroller;
-	/** The grid, which has the keyboard for all its rows. */
 	table;
 	body = h("tbody", {});
 	count = 0;
-	/** The rows that exist, from the first to the one behind the last. */
 	drawn = [0, 0];
 	frame = 0;
-	/** How high all of it is and what of that heads and feet take, as the browser laid them out last: to ask for it makes the browser lay out the page. Null: not yet. */
 	heights = null;
 	top = 0;
-	/** `row` builds the row at a place. */
 	constructor(testid, words, row) {
 		this.row = row;
 		this.table = h("table", {
@@ -3613,17 +2882,14 @@ var RowsInSight = class {
 		this.heights = heights.all === 0 ? null : heights;
 		return heights;
 	}
-	/** The height in which rows are seen. */
 	get room() {
 		const { all, fixed } = this.heights ?? this.laidOut();
 		return all - fixed;
 	}
-	/** Shows so many rows, or the same ones anew. */
 	show(count) {
 		this.count = count;
 		this.draw();
 	}
-	/** Brings a row into sight; a place below 0 is none. `near`: no farther than needed. */
 	reveal(place, near = false) {
 		const { room } = this;
 		const top = place * ROW;
@@ -3635,15 +2901,12 @@ var RowsInSight = class {
 		this.scroller.scrollTop = top;
 		this.top = this.scroller.scrollTop;
 	}
-	/** How many rows are seen at once. */
 	get page() {
 		return Math.max(1, Math.floor(this.room / ROW) - 1);
 	}
-	/** Says on the heads of columns how the rows are sorted. */
 	markOrder(key, descending) {
 		for (const cell of this.head.querySelectorAll("tr:first-child > th")) cell.setAttribute("aria-sort", cell.dataset.key === key ? descending ? "descending" : "ascending" : "none");
 	}
-	/** Draws before the next frame, where rows come into sight that do not exist yet. */
 	scrolled() {
 		this.top = this.scroller.scrollTop;
 		const [first, last] = this.inSight(0);
@@ -3658,7 +2921,7 @@ var RowsInSight = class {
 	draw() {
 		cancelAnimationFrame(this.frame);
 		this.frame = 0;
-		if (this.scroller.closest("[hidden], .is-closed") !== null) return;
+		if (isHidden(this.scroller)) return;
 		const [first, last] = this.inSight(MARGIN);
 		this.drawn = [first, last];
 		this.table.removeAttribute("aria-activedescendant");
@@ -3666,7 +2929,6 @@ var RowsInSight = class {
 		fill(this.body, filler(first), ...seen, filler(this.count - last));
 	}
 };
-/** The head of a column that rows are sorted by. */
 function sortHead({ key, label, unit, help, words }, press) {
 	const button = h("button", {
 		type: "button",
@@ -3690,10 +2952,8 @@ function filler(rows) {
 	}, cell);
 }
 // www/shared/panel/table.ts
-/** A table of any length: sorted by any of its columns, searched, chosen from by mouse and keys, and saved as it is shown. */
 var ALL$1 = () => true;
-var NONE$2 = /* @__PURE__ */ new Set();
-/** Whether columns have the same heads, whatever their rows hold. */
+var NONE$2 = new Set();
 function sameHeads(a, b) {
 	const head = ({ key, label, unit, help, words }) => [
 		key,
@@ -3704,7 +2964,6 @@ function sameHeads(a, b) {
 	].join("\n");
 	return a.length === b.length && a.every((column, i) => head(column) === head(b[i] ?? column));
 }
-/** So many rows say how wide a column is. */
 var MEASURED$1 = 200;
 var TOTALS = {
 	sum: "Σ",
@@ -3717,20 +2976,17 @@ var Table = class {
 	table;
 	bar;
 	all = [];
-	/** Those that the user has not hidden. */
 	columns = [];
 	count = 0;
 	keep = ALL$1;
 	conditions = {};
-	shown = /* @__PURE__ */ new Uint32Array();
+	shown = new Uint32Array();
 	order = {
 		key: "",
 		descending: false
 	};
 	marked = -1;
-	/** The row that was pressed last. */
 	anchor = -1;
-	/** The row that keys start from. */
 	active = -1;
 	constructor(host, options) {
 		this.options = options;
@@ -3758,7 +3014,6 @@ var Table = class {
 	get head() {
 		return this.table.head;
 	}
-	/** Shows rows of other columns; `keep` and the conditions leave some of them out. Returns how many are shown. */
 	show(count, columns, keep = ALL$1, conditions = {}) {
 		const before = this.all;
 		Object.assign(this, {
@@ -3775,21 +3030,17 @@ var Table = class {
 		this.showConditions();
 		return this.sort();
 	}
-	/** Marks a row and brings it into sight, where it is not the marked one; none where it is negative. */
 	mark(row) {
 		if (row === this.marked) return;
 		this.marked = row;
 		this.reveal(row);
 	}
-	/** Brings a row into sight, and draws all anew. */
 	reveal(row) {
 		this.table.reveal(row < 0 ? -1 : this.shown.indexOf(row));
 	}
-	/** Draws the rows anew, as others are chosen. */
 	redraw() {
 		this.table.show(this.shown.length);
 	}
-	/** The rows that are shown, in their order. */
 	get listed() {
 		return this.shown;
 	}
@@ -3845,7 +3096,6 @@ var Table = class {
 		});
 		return h("td", {}, input);
 	}
-	/** Writes the conditions into their fields; one that is being typed stays as it is. */
 	showConditions() {
 		for (const input of this.table.head.querySelectorAll("input.filter")) {
 			const key = input.dataset.key ?? "";
@@ -3866,7 +3116,6 @@ var Table = class {
 		if (!shiftKey || from < 0) this.anchor = row;
 		this.redraw();
 	}
-	/** Arrows go from row to row, Enter chooses; with Shift the rows between are chosen together. */
 	key(event) {
 		if (event.target !== this.table.table || event.altKey || this.shown.length === 0) return;
 		const last = this.shown.length - 1;
@@ -3906,7 +3155,6 @@ var Table = class {
 		this.table.show(this.shown.length);
 		return this.shown.length;
 	}
-	/** Columns as wide as their longest texts of some rows, so that they do not move while rows come into sight. */
 	measure() {
 		const step = Math.max(1, Math.floor(this.shown.length / MEASURED$1));
 		const longest = this.columns.map(({ text }) => {
@@ -3954,11 +3202,9 @@ var Table = class {
 		return line;
 	}
 };
-/** How many digits stand behind the point. */
 function decimals(text) {
 	return text.split(".")[1]?.length ?? 0;
 }
-/** The line over a table: how many rows it shows, its columns, and what is made of them. */
 var TableBar = class {
 	words;
 	doing;
@@ -3999,11 +3245,9 @@ var TableBar = class {
 		if (this.caption.textContent !== text) this.caption.textContent = text;
 		this.clear.hidden = !filtered;
 	}
-	/** The columns that are hidden. */
 	get left() {
 		return this.hidden;
 	}
-	/** Lists the columns; gives those that are hidden. */
 	offer(columns) {
 		fill(this.list, ...columns.map(({ key, label, unit }) => {
 			const box = h("input", {
@@ -4032,14 +3276,12 @@ var TableBar = class {
 		await this.doing.csv().catch(() => tellOn(press, say("not-saved")));
 	}
 };
-/** Says on a button for a moment what came of it. */
 function tellOn(press, text) {
 	const own = press.dataset.own ?? press.textContent;
 	press.dataset.own = own;
 	press.textContent = text;
 	window.setTimeout(() => fill(press, own), 2e3);
 }
-/** Pages from plain http have no clipboard of their own: there the browser copies what is selected. */
 async function toClipboard(text) {
 	try {
 		await navigator.clipboard.writeText(text);
@@ -4058,7 +3300,6 @@ async function toClipboard(text) {
 	}
 }
 // www/shared/panel/control.ts
-/** Beyond this many steps, or this range of a real number, a slider is too coarse to be of use. */
 var SLIDER_STEPS = 200;
 var WIDEST_SLIDER = 20;
 function makeControl(parameter, binding) {
@@ -4122,7 +3363,6 @@ function makeField(parameter, id, binding) {
 		default: return textField(key, id, binding);
 	}
 }
-/** Words, which the check of the settings reads; none where it is empty. */
 function textField(key, id, { set }) {
 	const input = h("input", {
 		id,
@@ -4184,7 +3424,6 @@ function choiceField(parameter, id, { set, standard, whenEmpty }) {
 		onProblem: () => void 0
 	};
 }
-/** The step of a whole number; null where any number between is allowed. */
 function stepOf(parameter) {
 	if (parameter.kind === "real") return null;
 	return parameter.odd ? 2 : 1;
@@ -4262,7 +3501,6 @@ function makeSlider(parameter, step) {
 	return slider;
 }
 // www/shared/panel/settings.ts
-/** The path of a key: groups of features lie a step deeper in a block's settings, and a group that stands alone has its fields at the top. */
 function pathOf(settings, key) {
 	const [group = "", field = ""] = key.split(".");
 	if (group in settings) return [group, field];
@@ -4272,11 +3510,9 @@ function pathOf(settings, key) {
 		field
 	] : [field];
 }
-/** The value of a setting; null where it is absent. */
 function readSetting(settings, key) {
 	return pathOf(settings, key).reduce((at, name) => at?.[name], settings) ?? null;
 }
-/** The settings with one value changed. */
 function withSetting(settings, key, value) {
 	return changed$1(settings, pathOf(settings, key), value);
 }
@@ -4288,7 +3524,6 @@ function changed$1(at, [name = "", ...rest], value) {
 	};
 }
 // www/shared/panel/own.ts
-/** The file of settings. */
 function writeOwn(of, parameters, defaults, settings) {
 	const own = parameters.map(({ key }) => [key, readSetting(settings, key)]).filter(([key, value]) => readSetting(defaults, key) !== value);
 	return `${JSON.stringify({
@@ -4296,7 +3531,6 @@ function writeOwn(of, parameters, defaults, settings) {
 		changed: Object.fromEntries(own)
 	}, null, 2)}\n`;
 }
-/** The settings of a file: the defaults with what it changes. @throws Error where the file holds none of this kind, or a value that is not allowed */
 function readOwn(text, of, parameters, defaults) {
 	const { tiepoint_settings: subject, changed } = fieldsOf(text);
 	if (typeof changed !== "object" || changed === null || Array.isArray(changed)) throw new Error(say("the-file-holds-no-settings"));
@@ -4323,7 +3557,6 @@ function fieldsOf(text) {
 	}
 	return typeof read === "object" && read !== null ? read : {};
 }
-/** By what the crate says of the parameter. `optional`: whether it may be absent. */
 function isAllowed(parameter, value, optional) {
 	if (value === null) return optional;
 	switch (parameter.kind) {
@@ -4346,7 +3579,6 @@ function makeSections(parameters, bound) {
 		show
 	};
 }
-/** The same with few settings in sight, the number of those that were changed, and one button that sets all back. */
 function makeFolded(parameters, bound, { title, first, of, take, changed }) {
 	const controls = parameters.map((parameter) => controlOf(parameter, bound));
 	const ahead = controls.filter(({ parameter }) => first.includes(parameter.key));
@@ -4392,7 +3624,6 @@ function makeFolded(parameters, bound, { title, first, of, take, changed }) {
 		show
 	};
 }
-/** Saves the settings that were changed, and takes them from a file. */
 function settingsFiles(of, parameters, { defaults }, now, take) {
 	const problem = h("p", {
 		class: "field-problem",
@@ -4416,7 +3647,6 @@ function settingsFiles(of, parameters, { defaults }, now, take) {
 	const give = button(say("save"), `${of}-settings-save`, write, say("saves-what-differs-from-the"));
 	return h("fieldset", { class: "group" }, h("legend", {}, say("settings-as-a-file")), h("div", { class: "buttons" }, give, load, input), problem);
 }
-/** What a button says that opens settings. */
 function settingsText(changed) {
 	return changed === 0 ? say("settings") : say("settings-2", { changed });
 }
@@ -4446,8 +3676,6 @@ function showAll(controls, groups, settings, acting) {
 	for (const { own, element } of groups) element.hidden = !own.some(used);
 }
 // www/shared/panel/menu.ts
-/** A menu: a button, and what it unfolds. A press elsewhere, a choice or Escape folds it again. On wide screens a style may show it unfolded. */
-/** Tools of a view: side by side where there is room, a menu on a phone. */
 function unfolded(testid, ...tools) {
 	const more = h("div", {
 		class: "more",
@@ -4484,9 +3712,7 @@ function mountMenu(press, panel) {
 	show(false);
 }
 // www/shared/panel/zoom.ts
-/** The buttons that enlarge a picture. */
 var STEP = 1.5;
-/** `prefix` of their test ids; `whole` says what Fit shows; `picture` is asked at each press. */
 function zoomButtons(prefix, whole, picture) {
 	return [
 		labelled("−", `${prefix}zoom-out`, say("zoom-out"), () => picture().zoomMiddle(1 / STEP)),
@@ -4494,21 +3720,17 @@ function zoomButtons(prefix, whole, picture) {
 		labelled(say("fit"), `${prefix}zoom-fit`, say("fit-0", { whole }), () => picture().fit())
 	];
 }
-/** A button whose sign says less than its label. */
 function labelled(text, testid, label, action) {
 	const made = button(text, testid, action, label);
 	made.setAttribute("aria-label", label);
 	return made;
 }
 // www/shared/state/neighbours.ts
-/** Fewer of them say only how far things move. */
 var LEAST_OF_MAP = 6;
-/** The median of some values; NaN of none. */
 function middle(values) {
 	const sorted = [...values].sort((a, b) => a - b);
 	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
 }
-/** How one coordinate of the other image follows from a place, by least squares about the neighbours' middle; null where they lie along a line. */
 function mapped$1(places, at, k) {
 	const mean = (of) => places.reduce((sum, place) => sum + of(place), 0) / places.length;
 	const [mx, my, mv] = [
@@ -4539,17 +3761,14 @@ function mapped$1(places, at, k) {
 	if (!(determinant > .001 * xx * yy)) return null;
 	return mv + ((yy * xv - xy * yv) * (at[0] - mx) + (xx * yv - xy * xv) * (at[1] - my)) / determinant;
 }
-/** The place that follows from those around it; null where they are too few, or lie along a line. */
 function affine(places, at) {
 	const [x, y] = places.length < LEAST_OF_MAP ? [null, null] : [mapped$1(places, at, 2), mapped$1(places, at, 3)];
 	return x === null || y === null ? null : [x, y];
 }
-/** The place in the other image, moved with those around it where no more is known; null without any. */
 function movedWith(places, at) {
 	if (places.length === 0) return null;
 	return affine(places, at) ?? [at[0] + middle(places.map((p) => p[2] - p[0])), at[1] + middle(places.map((p) => p[3] - p[1]))];
 }
-/** The place nearest to another one along a line of positions (stride 2); the one place where there is only one, and the same without any. */
 function onLine(positions, [x, y]) {
 	let best = null;
 	for (let i = 0; i + 3 < positions.length; i += 2) {
@@ -4564,9 +3783,7 @@ function onLine(positions, [x, y]) {
 	const [px, py] = positions;
 	return px === void 0 || py === void 0 ? [x, y] : [px, py];
 }
-/** The least angle, by its sine, at which two lines say where they cross. */
 var LEAST_SINE = .1;
-/** Where two lines of positions (stride 2) cross; null where they do not, or hardly at an angle. */
 function crossing(a, b) {
 	for (let i = 0; i + 3 < a.length; i += 2) for (let k = 0; k + 3 < b.length; k += 2) {
 		const [ax = NaN, ay = NaN, ux = NaN, uy = NaN] = [
@@ -4595,7 +3812,6 @@ function contextOf(canvas) {
 	if (context === null) throw new Error(say("this-browser-offers-no-canvas"));
 	return context;
 }
-/** Draws within a rectangle alone. */
 function within(context, rect, draw) {
 	context.save();
 	context.beginPath();
@@ -4609,13 +3825,11 @@ var Layers = class {
 	names;
 	paint;
 	contexts;
-	dirty = /* @__PURE__ */ new Set();
+	dirty = new Set();
 	frame = 0;
-	/** Device px per CSS px. */
 	ratio = 1;
 	width = 1;
 	height = 1;
-	/** `names` from the lowest layer to the highest; `paint` draws one of them, in CSS px. */
 	constructor(host, names, paint) {
 		this.host = host;
 		this.names = names;
@@ -4627,12 +3841,10 @@ var Layers = class {
 		for (const name of names.length > 0 ? names : this.names) this.dirty.add(name);
 		if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
 	}
-	/** The place of a pointer, CSS px. */
 	place(event) {
 		const box = this.host.getBoundingClientRect();
 		return [event.clientX - box.left, event.clientY - box.top];
 	}
-	/** The picture as it is on the screen, all layers together. */
 	snapshot() {
 		this.draw();
 		const canvas = document.createElement("canvas");
@@ -4684,11 +3896,9 @@ function contains(rect, x, y) {
 function toCanvas(t, x, y) {
 	return [t.scale * x + t.x, t.scale * y + t.y];
 }
-/** The position that a place of the canvas shows. */
 function toPosition(t, x, y) {
 	return [(x - t.x) / t.scale, (y - t.y) / t.scale];
 }
-/** As a canvas of another size shows it: the same in its middle, and all that was seen. */
 function resized(t, from, to) {
 	const [x, y] = toPosition(t, from.width / 2, from.height / 2);
 	const scale = t.scale * Math.min(to.width / from.width, to.height / from.height);
@@ -4705,7 +3915,6 @@ function panned(t, dx, dy) {
 		y: t.y + dy
 	};
 }
-/** Enlarged by a factor about a place of the canvas, within limits of the scale. */
 function zoomedAbout(t, factor, x, y, { least, most }) {
 	const scale = Math.min(most, Math.max(least, t.scale * factor));
 	const actual = scale / t.scale;
@@ -4716,8 +3925,6 @@ function zoomedAbout(t, factor, x, y, { least, most }) {
 	};
 }
 // www/shared/view/bitmap.ts
-/** Paints bitmaps of parts of an image, each pixel where it lies in the image. */
-/** The part of the image that a rectangle of the canvas shows: left, top, right, bottom in px, within the image. */
 function visiblePart(picture, t, clip) {
 	const [left, top] = toPosition(t, clip.left, clip.top);
 	const [right, bottom] = toPosition(t, clip.left + clip.width, clip.top + clip.height);
@@ -4728,11 +3935,9 @@ function visiblePart(picture, t, clip) {
 		Math.min(picture.height, bottom)
 	];
 }
-/** The reduction whose pixels are nearest to, and not larger than, device pixels. */
 function wantedLevel(scale, ratio) {
 	return Math.max(0, Math.floor(Math.log2(1 / (scale * ratio))));
 }
-/** Draws the part of a bitmap that is seen. `step`: image px of one bitmap px; `x`, `y`: image position of its corner. */
 function paintBitmap(context, bitmap, x, y, step, part, t) {
 	const left = Math.max(0, Math.floor((part[0] - x) / step));
 	const top = Math.max(0, Math.floor((part[1] - y) / step));
@@ -4742,14 +3947,11 @@ function paintBitmap(context, bitmap, x, y, step, part, t) {
 	const size = step * t.scale;
 	context.drawImage(bitmap, left, top, right - left, bottom - top, t.scale * x + t.x + left * size, t.scale * y + t.y + top * size, (right - left) * size, (bottom - top) * size);
 }
-/** Enlarged pixels are shown as they are; reduced ones are smoothed. `ratio`: device px per CSS px. */
 function smooth(context, scale, ratio) {
 	context.imageSmoothingEnabled = scale * ratio < 2;
 	context.imageSmoothingQuality = "medium";
 }
 // www/shared/view/palette.ts
-/** Shapes of points, and the colours of what is marked on images: Okabe and Ito's, told apart with any colour vision. */
-/** Shape codes of the crate's `draw_points`. */
 var SHAPES = {
 	dot: 0,
 	circle: 1,
@@ -4760,7 +3962,6 @@ var SHAPES = {
 	triangleDown: 6,
 	diamond: 7
 };
-/** Of what was matched and holds, of what an adjustment or the user rejected, and of what was measured by hand. */
 var ACCEPTED = {
 	colour: "#00c08b",
 	shape: SHAPES.circle
@@ -4780,15 +3981,11 @@ var MEASURED = {
 var SELECTED = "#ffd400";
 var CANDIDATE = "#56b4e9";
 var EPIPOLAR = "#ff9ee0";
-/** Of residual vectors. */
 var RESIDUAL = "#f0e442";
 var RESIDUAL_REJECTED = "#ff7a1a";
 // www/shared/view/pointer.ts
-/** Half the length of a cross, CSS px. */
 var ARM = 12;
-/** Side of the magnifier in CSS px, and how much more it enlarges. */
 var LENS_SIDE$1 = 176;
-/** A ring around a position. */
 function ring(context, pane, at, radius, colour, width) {
 	const [x, y] = toCanvas(pane.transform, at[0], at[1]);
 	context.beginPath();
@@ -4800,7 +3997,6 @@ function ring(context, pane, at, radius, colour, width) {
 	context.strokeStyle = colour;
 	context.stroke();
 }
-/** An epipolar line, or a cross at the one place that a map gives. */
 function drawLine(context, pane, positions) {
 	const places = Array.from({ length: positions.length / 2 }, (_, i) => toCanvas(pane.transform, positions[2 * i] ?? 0, positions[2 * i + 1] ?? 0));
 	const path = new Path2D();
@@ -4826,7 +4022,6 @@ function drawLine(context, pane, positions) {
 		context.setLineDash([]);
 	});
 }
-/** A dashed ring where a point is expected. */
 function drawExpected(context, pane, at) {
 	const [x, y] = toCanvas(pane.transform, ...at);
 	within(context, pane.rect, () => {
@@ -4839,7 +4034,6 @@ function drawExpected(context, pane, at) {
 		context.setLineDash([]);
 	});
 }
-/** A cross that leaves its middle free. */
 function drawCross(context, pane, at, active) {
 	const [x, y] = toCanvas(pane.transform, ...at);
 	const path = new Path2D();
@@ -4861,7 +4055,6 @@ function drawCross(context, pane, at, active) {
 		context.stroke(path);
 	});
 }
-/** Beside the pointer, on the canvas. */
 function lensRect([x, y], bounds) {
 	const side = Math.min(LENS_SIDE$1, bounds.width, bounds.height);
 	const left = x + 24 + side > bounds.width ? x - 24 - side : x + 24;
@@ -4873,7 +4066,6 @@ function lensRect([x, y], bounds) {
 		height: side
 	};
 }
-/** In the middle of the loupe. */
 function crosshair(context, rect) {
 	const x = rect.left + rect.width / 2;
 	const y = rect.top + rect.height / 2;
@@ -4891,13 +4083,11 @@ function crosshair(context, rect) {
 	context.strokeStyle = SELECTED;
 	context.stroke();
 }
-/** The edge of the loupe. */
 function lensFrame(context, rect) {
 	context.lineWidth = 2;
 	context.strokeStyle = SELECTED;
 	context.strokeRect(rect.left, rect.top, rect.width, rect.height);
 }
-/** How the loupe shows the place in its middle. */
 function lensTransform({ left, top, width, height }, [x, y], scale) {
 	return {
 		scale,
@@ -4913,13 +4103,10 @@ function transformOf(pane, view) {
 		y: pane.top + pane.height / 2 - view.scale * view.y
 	};
 }
-/** What the crate's drawing takes: `[scale, shift x, shift y, left, top, right, bottom]`. */
 function drawView(t, clip) {
 	return Float64Array.of(t.scale, t.x, t.y, clip.left, clip.top, clip.left + clip.width, clip.top + clip.height);
 }
-/** What the bar with the image's name takes of the top of its pane, as in the style sheet. */
 var HEAD$1 = 40;
-/** The view that shows the whole image, in the middle of its pane where the bar over it leaves that free, else below the bar. */
 function fitView(pane, width, height) {
 	const head = Math.min(HEAD$1, pane.height / 4);
 	const scale = Math.min(pane.width / width, (pane.height - head) / height);
@@ -4930,9 +4117,7 @@ function fitView(pane, width, height) {
 		scale
 	};
 }
-/** The pane that a view was first shown in. */
-var SHOWN_IN = /* @__PURE__ */ new WeakMap();
-/** A view that was made in a pane of another size, in this one: the same in its middle, and all that was seen. */
+var SHOWN_IN = new WeakMap();
 function inPane(view, { width, height }) {
 	if (width === 0 || height === 0) return view;
 	const first = SHOWN_IN.get(view);
@@ -4946,7 +4131,6 @@ function inPane(view, { width, height }) {
 	};
 }
 var MAX_SCALE = 64;
-/** The view after zooming by `factor` about a canvas position, within sensible limits. */
 function zoomed(pane, view, factor, x, y, least) {
 	const t = zoomedAbout(transformOf(pane, view), factor, x, y, {
 		least,
@@ -4959,7 +4143,6 @@ function zoomed(pane, view, factor, x, y, least) {
 		y: centreY
 	};
 }
-/** Keeps the centre of the pane on the image. */
 function clamped(view, { width, height }) {
 	return {
 		scale: view.scale,
@@ -4967,12 +4150,10 @@ function clamped(view, { width, height }) {
 		y: Math.min(height, Math.max(0, view.y))
 	};
 }
-/** Half the size of a mark in CSS px: small in the overview, larger when pixels are enlarged. */
 function halfSize(scale) {
 	return Math.min(7, Math.max(1.5, 2.6 * scale));
 }
 // www/shared/view/grid.ts
-/** Finds the point nearest to a position: points sorted into square cells. */
 var PointGrid = class {
 	points;
 	start;
@@ -4980,7 +4161,6 @@ var PointGrid = class {
 	columns;
 	rows;
 	side;
-	/** `points`: stride 3, x, y, value, in an image of `width` x `height` px. */
 	constructor(points, width, height) {
 		this.points = points;
 		const count = points.length / 3;
@@ -4999,7 +4179,6 @@ var PointGrid = class {
 			next[cell] = at + 1;
 		});
 	}
-	/** Index of the nearest accepted point within `radius` px; -1 where there is none. */
 	nearest(x, y, radius, accept) {
 		let found = -1;
 		let least = radius * radius;
@@ -5029,7 +4208,7 @@ var PointGrid = class {
 		return [clamp(centre - radius), clamp(centre + radius)];
 	}
 };
-// node_modules/fflate/esm/browser.js
+// ../main/node_modules/fflate/esm/browser.js
 var u8 = Uint8Array;
 var u16 = Uint16Array;
 var i32 = Int32Array;
@@ -5181,9 +4360,9 @@ var err = function(ind, msg, nt) {
 	if (!nt) throw e;
 	return e;
 };
-var et = /*#__PURE__*/ new u8(0);
-var crct = /*#__PURE__*/ (function() {
-	var t = /* @__PURE__ */ new Int32Array(256);
+var et = new u8(0);
+var crct = (function() {
+	var t = new Int32Array(256);
 	for (var i = 0; i < 256; ++i) {
 		var c = i, k = 9;
 		while (--k) c = (c & 1 && -306674912) ^ c >>> 1;
@@ -5213,18 +4392,11 @@ var mrg = function(a, b) {
 var wbytes = function(d, b, v) {
 	for (; v; ++b) d[b] = v, v >>>= 8;
 };
-var te = typeof TextEncoder != "undefined" && /*#__PURE__*/ new TextEncoder();
-var td = typeof TextDecoder != "undefined" && /*#__PURE__*/ new TextDecoder();
+var te = typeof TextEncoder != "undefined" && new TextEncoder();
+var td = typeof TextDecoder != "undefined" && new TextDecoder();
 try {
 	td.decode(et, { stream: true });
 } catch (e) {}
-/**
-* Converts a string into a Uint8Array for use with compression/decompression methods
-* @param str The string to encode
-* @param latin1 Whether or not to interpret the data as Latin-1. This should
-*               not need to be true unless decoding a binary string.
-* @returns The string encoded in UTF-8/Latin-1 binary
-*/
 function strToU8(str, latin1) {
 	if (latin1) {
 		var ar_1 = new u8(str.length);
@@ -5302,38 +4474,16 @@ var wzf = function(o, b, c, d, e) {
 	wbytes(o, b + 12, d);
 	wbytes(o, b + 16, e);
 };
-/**
-* A pass-through stream to keep data uncompressed in a ZIP archive.
-*/
-var ZipPassThrough = /* @__PURE__ */ function() {
-	/**
-	* Creates a pass-through stream that can be added to ZIP archives
-	* @param filename The filename to associate with this data stream
-	*/
+var ZipPassThrough = function() {
 	function ZipPassThrough(filename) {
 		this.filename = filename;
 		this.c = crc();
 		this.size = 0;
 		this.compression = 0;
 	}
-	/**
-	* Processes a chunk and pushes to the output stream. You can override this
-	* method in a subclass for custom behavior, but by default this passes
-	* the data through. You must call this.ondata(err, chunk, final) at some
-	* point in this method.
-	* @param chunk The chunk to process
-	* @param final Whether this is the last chunk
-	*/
 	ZipPassThrough.prototype.process = function(chunk, final) {
 		this.ondata(null, chunk, final);
 	};
-	/**
-	* Pushes a chunk to be added. If you are subclassing this with a custom
-	* compression algorithm, note that you must push data from the source
-	* file only, pre-compression.
-	* @param chunk The chunk to push
-	* @param final Whether this is the last chunk
-	*/
 	ZipPassThrough.prototype.push = function(chunk, final) {
 		if (!this.ondata) err(5);
 		this.c.p(chunk);
@@ -5343,24 +4493,12 @@ var ZipPassThrough = /* @__PURE__ */ function() {
 	};
 	return ZipPassThrough;
 }();
-/**
-* A zippable archive to which files can incrementally be added
-*/
-var Zip = /* @__PURE__ */ function() {
-	/**
-	* Creates an empty ZIP archive to which files can be added
-	* @param cb The callback to call whenever data for the generated ZIP archive
-	*           is available
-	*/
+var Zip = function() {
 	function Zip(cb) {
 		this.ondata = cb;
 		this.u = [];
 		this.d = 1;
 	}
-	/**
-	* Adds a file to the ZIP archive
-	* @param file The file stream to add
-	*/
 	Zip.prototype.add = function(file) {
 		var _this = this;
 		if (!this.ondata) err(5);
@@ -5425,11 +4563,6 @@ var Zip = /* @__PURE__ */ function() {
 			this.u.push(uf_1);
 		}
 	};
-	/**
-	* Ends the process of adding files and prepares to emit the final chunks.
-	* This *must* be called after adding all desired files for the resulting
-	* ZIP file to work properly.
-	*/
 	Zip.prototype.end = function() {
 		var _this = this;
 		if (this.d & 2) {
@@ -5463,10 +4596,6 @@ var Zip = /* @__PURE__ */ function() {
 		this.ondata(null, out, true);
 		this.d = 2;
 	};
-	/**
-	* A method to terminate any internal workers used by the stream. Subsequent
-	* calls to add() will fail.
-	*/
 	Zip.prototype.terminate = function() {
 		for (var _i = 0, _a = this.u; _i < _a.length; _i++) _a[_i].t();
 		this.d = 2;
@@ -5474,9 +4603,7 @@ var Zip = /* @__PURE__ */ function() {
 	return Zip;
 }();
 // www/shared/panel/numberfield.ts
-/** Fields for numbers that are no parameters of the crate's catalogue: what is not allowed is said, and the last valid value stays. */
 var STAYS = say("the-last-valid-value-stays");
-/** A number input that tells what it is described by; `change` is called when a number was typed. */
 function numberInput(testid, problem, change) {
 	const input = h("input", {
 		id: `c-${testid}`,
@@ -5489,7 +4616,6 @@ function numberInput(testid, problem, change) {
 	input.addEventListener("change", change);
 	return input;
 }
-/** Where the problem of a field, or of a pair of them, is said. */
 function problemLine(testid) {
 	return h("p", {
 		class: "field-problem",
@@ -5498,7 +4624,6 @@ function problemLine(testid) {
 		role: "alert"
 	});
 }
-/** A field with its label; `problem` where another line than its own says what is wrong. */
 function numberField(label, unit, testid, change, problem) {
 	const line = problem ?? problemLine(testid);
 	const input = numberInput(testid, line, change);
@@ -5509,11 +4634,9 @@ function numberField(label, unit, testid, change, problem) {
 		element: h("div", { class: "control compact" }, name, input, problem === void 0 ? line : null)
 	};
 }
-/** The first of some fields, by its label, in which something was typed that is not allowed; null where there is none. */
 function firstRefused(fields) {
 	return fields.find(([, input]) => input.getAttribute("aria-invalid") === "true" && typed(input) !== void 0)?.[0] ?? null;
 }
-/** The number typed: undefined where the field is empty, NaN where it holds no number. */
 function typed({ value, valueAsNumber, validity }) {
 	return value === "" && !validity.badInput ? void 0 : valueAsNumber;
 }
@@ -5521,14 +4644,12 @@ function mark$1(input, wrong) {
 	if (wrong) input.setAttribute("aria-invalid", "true");
 	else input.removeAttribute("aria-invalid");
 }
-/** Shows a number, unless the field already says the same. */
 function showNumber({ input, problem }, value) {
 	if (value == null) input.value = "";
 	else if (input.valueAsNumber !== value) input.value = String(value);
 	mark$1(input, false);
 	problem.textContent = "";
 }
-/** The number of a field, `last` where it is not allowed; `allowed` says what is instead of a value. */
 function readNumber({ input, problem }, allowed, last) {
 	const value = typed(input);
 	const instead = value === void 0 ? null : Number.isNaN(value) ? "a number" : allowed(value);
@@ -5539,7 +4660,6 @@ function readNumber({ input, problem }, allowed, last) {
 	});
 	return instead === null ? value : last;
 }
-/** Two numbers that are given together: both, null where both fields are empty, undefined where they are no pair, which is then said. */
 function readPair(inputs, problem, allowed) {
 	const [a, b] = [typed(inputs[0]), typed(inputs[1])];
 	const tell = (text, wrong) => {
@@ -5568,9 +4688,7 @@ function readPair(inputs, problem, allowed) {
 	}), alone);
 }
 // www/shared/panel/facts.ts
-/** Figures that explain themselves: a press on a name shows what the figure is. */
-/** Names whose explanation is open: kept, since the panels are built anew with each result. */
-var open$1 = /* @__PURE__ */ new Set();
+var open$1 = new Set();
 function facts(list) {
 	return h("dl", { class: "facts" }, ...list.flatMap(({ name, testid, value, help, kind }) => {
 		const text = h("dd", {
@@ -5598,8 +4716,6 @@ function facts(list) {
 	}));
 }
 // www/shared/panel/answer.ts
-/** The answer: what came of a run in one sentence, the figures that decided, and what to do next. It stands beside the picture, where nothing has to be scrolled. */
-/** Shows answers in `host`, whose line for the sentence is `line`; the button for what is next comes before the others. */
 function answerCard(host, line, buttons, prefix) {
 	const figures = h("dl", {
 		class: "figures",
@@ -5615,7 +4731,6 @@ function answerCard(host, line, buttons, prefix) {
 		for (const { target } of entries) byKeys(target);
 	});
 	buttons.prepend(press, others);
-	/** How high it is while nothing runs, as the browser has laid it out. */
 	let height = 0;
 	new ResizeObserver(() => {
 		if (host.dataset.kind !== "busy") ({height} = host.getBoundingClientRect());
@@ -5644,13 +4759,11 @@ function answerCard(host, line, buttons, prefix) {
 		others.hidden = instead.length === 0;
 	};
 }
-/** What has too little room is scrolled, by keys too. */
 function byKeys(text) {
 	if (text.scrollHeight > text.clientHeight) text.setAttribute("tabindex", "0");
 	else text.removeAttribute("tabindex");
 }
 // www/shared/text/names.ts
-/** What is no parameter of the crate's catalogue, but named in its messages. */
 var OTHER = {
 	"camera.focal_mm": say("focal-length"),
 	"camera.pixel_mm": say("pixel-size"),
@@ -5660,7 +4773,6 @@ var OTHER = {
 	focal_mm: say("focal-length"),
 	origin: say("origin-in-the-scan-2")
 };
-/** A message with the labels of the parameters that it names by their keys. */
 function readable(catalogue, message) {
 	const labels = new Map(Object.entries(OTHER));
 	for (const { key, label } of [...catalogue?.parameters ?? [], ...catalogue?.flightParameters ?? []]) labels.set(key, label);
@@ -5674,14 +4786,12 @@ var SIDES = ["left", "right"];
 function otherSide(side) {
 	return side === "left" ? "right" : "left";
 }
-/** Parts of the state that are typed in fields. */
 var TYPED_PARTS = [
 	"settings",
 	"camera",
 	"photos",
 	"offset"
 ];
-/** What belongs to the edits of a pair goes with its images. */
 var UNEDITED = {
 	history: NO_HISTORY,
 	chosen: [],
@@ -5723,7 +4833,7 @@ var INITIAL = {
 	paused: false,
 	selection: null,
 	...UNEDITED,
-	shelf: /* @__PURE__ */ new Map(),
+	shelf: new Map(),
 	tool: "look",
 	activeSide: "left",
 	views: {
@@ -5755,10 +4865,6 @@ var RULES = [
 	"imprecise",
 	"frame"
 ];
-/**
-* After the rules: a match that the adjustment rejected; a point that nothing was decided about, or a right point that no match uses; what the
-* user rejected and measured.
-*/
 var CODES = [
 	...RULES,
 	"gross_error",
@@ -5774,38 +4880,32 @@ var GROSS_ERROR = codeOf("gross_error");
 var UNDECIDED = codeOf("undecided");
 var BY_HAND = codeOf("rejected_by_hand");
 var MANUAL = codeOf("manual");
-/** Codes of matches: whatever became of them, a user looks for them among the matches. */
 var OF_MATCHES = [
 	MATCHED,
 	GROSS_ERROR,
 	BY_HAND,
 	MANUAL
 ];
-/** The rules that refuse, in the order in which the panel lists them. */
 var REFUSALS = RULES.filter((rule) => rule !== "matched");
-/** Throws where the page and the crate disagree on the rules: they are of different builds. */
 function checkRules(names) {
 	if (names.length !== RULES.length || RULES.some((rule, i) => names[i] !== rule)) throw new Error(`the page and the program do not fit each other: rules ${names.join(", ")}`);
 }
 // www/pair/state/edits.ts
-/** Edits of the matches by hand: records of what was done to which match, and what stands after some of them. */
 var NOTHING = {
-	rejected: /* @__PURE__ */ new Map(),
-	placed: /* @__PURE__ */ new Map()
+	rejected: new Map(),
+	placed: new Map()
 };
-/** Keys that were made: an edit of many matches is looked at again and again. */
-var keys = /* @__PURE__ */ new WeakMap();
+var keys = new WeakMap();
 function keyOfTarget(target) {
 	if (typeof target === "number") return `#${String(target)}`;
 	const key = keys.get(target) ?? target.join(" ");
 	keys.set(target, key);
 	return key;
 }
-/** What stands after the edits that hold; the same object where none does. */
 var standingOf = remember((edits, done) => {
 	if (done === 0) return NOTHING;
-	const rejected = /* @__PURE__ */ new Map();
-	const placed = /* @__PURE__ */ new Map();
+	const rejected = new Map();
+	const placed = new Map();
 	for (const edit of edits.slice(0, done)) switch (edit.kind) {
 		case "reject":
 			for (const target of edit.of) rejected.set(keyOfTarget(target), target);
@@ -5832,11 +4932,9 @@ var standingOf = remember((edits, done) => {
 function isNothing({ rejected, placed }) {
 	return rejected.size === 0 && placed.size === 0;
 }
-/** A number that no match measured by hand has yet. */
 function freshNumber({ edits }) {
 	return edits.reduce((most, edit) => edit.kind === "add" ? Math.max(most, edit.id) : most, 0) + 1;
 }
-/** What an edit did, as in "Undo: reject 14 matches". */
 function nameOfEdit(edit) {
 	switch (edit.kind) {
 		case "reject":
@@ -5848,7 +4946,6 @@ function nameOfEdit(edit) {
 		case "move": return say("step-move-match");
 	}
 }
-/** The edits of exchanged images. */
 function exchanged({ edits, done }) {
 	if (edits.length === 0) return NO_HISTORY;
 	const place = ([xl, yl, xr, yr]) => [
@@ -5882,18 +4979,13 @@ function exchanged({ edits, done }) {
 	};
 }
 // www/pair/state/edited.ts
-/** The pair with the edits by hand: a pure function of what the matching found and of what stands after the edits. */
-/** Stands for the right point of a match whose place is none. */
 var NO_POINT = 4294967295;
-/** A new run finds the place of an edit again where a left point lies this near, px. */
 var SAME_PLACE_PX = .5;
-/** Whether the place of a match was measured by hand. */
 function isManual({ matches }, row) {
 	return matches[5 * row + 4] === -1;
 }
-/** Rows of matches by the whole px that holds their left position. */
 var rowsByPixel = remember((matches) => {
-	const cells = /* @__PURE__ */ new Map();
+	const cells = new Map();
 	for (let row = 0; 5 * row < matches.length; row++) {
 		const cell = pixelOf(matches[5 * row] ?? NaN, matches[5 * row + 1] ?? NaN);
 		const rows = cells.get(cell);
@@ -5902,7 +4994,6 @@ var rowsByPixel = remember((matches) => {
 	}
 	return cells;
 });
-/** More columns than any image has. */
 var COLUMNS = 2 ** 24;
 function pixelOf(x, y) {
 	return Math.floor(y) * COLUMNS + Math.floor(x);
@@ -5917,16 +5008,14 @@ var AROUND = [
 	0,
 	1
 ].map((dx) => [dx, dy]));
-/** Squares of the distances of a match from a place, in the left and in the right image. */
 function distances(matches, row, [xl, yl, xr, yr]) {
 	const [ul = NaN, vl = NaN, ur = NaN, vr = NaN] = matches.subarray(5 * row, 5 * row + 4);
 	return [(ul - xl) ** 2 + (vl - yl) ** 2, (ur - xr) ** 2 + (vr - yr) ** 2];
 }
-/** The row of each target that has one: the very match where it is there, else the nearest one at the same place of the left image. */
 function rowsOf$1(matches, targets) {
 	const cells = rowsByPixel(matches);
-	const taken = /* @__PURE__ */ new Set();
-	const rows = /* @__PURE__ */ new Map();
+	const taken = new Set();
+	const rows = new Map();
 	const claim = (key, place, around, accepts) => {
 		let best = null;
 		for (const [dx, dy] of around) for (const row of cells.get(pixelOf(place[0] + dx, place[1] + dy)) ?? []) {
@@ -5946,7 +5035,6 @@ function rowsOf$1(matches, targets) {
 	for (const [key, place] of targets) if (!rows.has(key)) claim(key, place, AROUND, (left) => left <= SAME_PLACE_PX ** 2);
 	return rows;
 }
-/** Rows of matches that are gathered. */
 var Rows = class {
 	found;
 	matches;
@@ -5983,13 +5071,11 @@ var Rows = class {
 		};
 	}
 };
-/** An array with room for more at its end. */
 function longer(values, more) {
 	const copy = new values.constructor(values.length + more);
 	copy.set(values);
 	return copy;
 }
-/** What each edit did to the matches that were found. The same objects where nothing stands. */
 function applied(left, found, standing) {
 	return isNothing(standing) ? {
 		left,
@@ -5999,15 +5085,13 @@ function applied(left, found, standing) {
 		lost: 0
 	} : new Applying(left, found, standing).edited();
 }
-/** The places by which the matches of edits are found. */
 function placesOf({ rejected, placed }) {
-	const places = /* @__PURE__ */ new Map();
+	const places = new Map();
 	for (const [key, { target }] of placed) if (typeof target !== "number") places.set(key, target);
 	for (const [key, target] of rejected) if (typeof target !== "number") places.set(key, target);
 	for (const [key, { target, at }] of placed) if (typeof target === "number" && !rejected.has(key)) places.set(key, at);
 	return places;
 }
-/** Goes through the matches that were found, then through those that have a place of their own. */
 var Applying = class {
 	left;
 	found;
@@ -6037,7 +5121,7 @@ var Applying = class {
 		const { found, left, standing, appended } = this;
 		const rowOf = rowsOf$1(found.matches, placesOf(standing));
 		const keyOfRow = new Map([...rowOf].map(([key, row]) => [row, key]));
-		const handled = /* @__PURE__ */ new Set();
+		const handled = new Set();
 		for (let row = 0; 5 * row < found.matches.length; row++) {
 			const key = keyOfRow.get(row);
 			if (key === void 0) this.rows.keep(row);
@@ -6054,7 +5138,6 @@ var Applying = class {
 			lost
 		};
 	}
-	/** Does to a match that was found what stands of it; false where its place is another one in the left image, which is appended. */
 	change(row, key) {
 		const { found, standing } = this;
 		const own = found.indices[2 * row] ?? 0;
@@ -6070,7 +5153,6 @@ var Applying = class {
 		else this.rows.place(own, at);
 		return true;
 	}
-	/** A left point of its own, with the verdict on it. */
 	append(key, target, at) {
 		const index = this.count + this.appended.length;
 		const rejected = this.standing.rejected.has(key);
@@ -6084,13 +5166,11 @@ var Applying = class {
 		this.decide(index, at[2], at[3]);
 		if (!rejected) this.rows.place(index, at);
 	}
-	/** Of a left point of which nothing was compared, where it lies in the right image. */
 	decide(index, x, y) {
 		this.best[index] = -1;
 		this.places.set([x, y], 2 * index);
 		this.measures.fill(Infinity, 2 * index, 2 * index + 2);
 	}
-	/** `all`: so many left points. */
 	match(all) {
 		const used = this.rows.all;
 		return {
@@ -6107,7 +5187,6 @@ var Applying = class {
 		};
 	}
 };
-/** How many matches were rejected and measured by hand. */
 function countsByHand(match) {
 	let manual = 0;
 	for (let row = 0; 5 * row < match.matches.length; row++) manual += Number(isManual(match, row));
@@ -6116,7 +5195,6 @@ function countsByHand(match) {
 		manual
 	};
 }
-/** What a run of the matching has of the edits by hand; null where there are none. */
 function keptText({ match, found, lost }) {
 	if (match === found && lost === 0) return null;
 	const { rejected, manual } = countsByHand(match);
@@ -6129,14 +5207,12 @@ function keptText({ match, found, lost }) {
 	return `${kept.length === 0 ? say("no-edits-by-hand-apply") : say("kept", { join: kept.join(", ") })}${none}`;
 }
 var remembered = remember(applied);
-/** The pair with its edits; null while there are no matches of the points that are there. */
 function editedPair({ results, history }) {
 	const left = results.pointsLeft?.value.points;
 	const match = results.match?.value;
 	if (left === void 0 || match === void 0 || match.rules.length * 3 !== left.length) return null;
 	return remembered(left, match, standingOf(history.edits, history.done));
 }
-/** What an edit of the match at a left point is about; null where there is no match. */
 function targetOfLeft({ found, match, appended }, left) {
 	const rule = match.rules[left];
 	if (rule !== MATCHED && rule !== BY_HAND) return null;
@@ -6152,16 +5228,14 @@ function targetOfLeft({ found, match, appended }, left) {
 		yr
 	];
 }
-/** The row of the match of each left point; -1 where it has none. */
 function rowsOfLefts(match) {
 	const rows = new Int32Array(match.rules.length).fill(-1);
 	for (let i = 0; i < match.indices.length; i += 2) rows[match.indices[i] ?? 4294967295] = i / 2;
 	return rows;
 }
 var rowOfLeft = remember(rowsOfLefts);
-/** The left points that have a match, or had one that was rejected by hand, by the keys of its target. */
 var leftsByTarget = remember((edited) => {
-	const lefts = /* @__PURE__ */ new Map();
+	const lefts = new Map();
 	edited.match.rules.forEach((rule, left) => {
 		if (rule !== MATCHED && rule !== BY_HAND) return;
 		const target = targetOfLeft(edited, left);
@@ -6169,7 +5243,6 @@ var leftsByTarget = remember((edited) => {
 	});
 	return lefts;
 });
-/** Where the match of a left point lies, or lay until it was rejected by hand. */
 function placeOfLeft({ left, match }, index) {
 	const [x = NaN, y = NaN] = left.subarray(3 * index, 3 * index + 2);
 	const row = rowOfEdited(match)[index] ?? -1;
@@ -6183,7 +5256,6 @@ function placeOfLeft({ left, match }, index) {
 }
 var rowOfEdited = remember(rowsOfLefts);
 // www/pair/state/marks.ts
-/** A mark of which nothing is known. */
 var UNMEASURED = {
 	col: NaN,
 	row: NaN,
@@ -6191,28 +5263,22 @@ var UNMEASURED = {
 	y_mm: NaN
 };
 var isMeasured = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
-/** Whether a mark is measured and its photo coordinates are known: only then it takes part. */
 var isWhole$1 = (mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
 var wholeMarks = ({ fiducials }) => fiducials.filter(isWhole$1);
-/** A photo as far as it is measured. */
 var measuredPhoto = (photo) => ({
 	...photo,
 	fiducials: wholeMarks(photo)
 });
-/** Where a mark lies in its image, px; null where it is not measured. */
 function placeOfMark({ origin }, mark) {
 	const [left, top] = origin ?? [0, 0];
 	return mark !== void 0 && isMeasured(mark) ? [mark.col - left, mark.row - top] : null;
 }
-/** The mark in hand, where it is one of those that are there. */
 var markInHand = ({ mark, photos }) => mark === null ? void 0 : photos[mark.side].fiducials[mark.index];
 // www/pair/state/truth.ts
-/** The truth of the images on the screen; null where they are not a simulated pair in its own order. */
 function truthOf(state) {
 	const { truth, images } = state;
 	return truth !== null && images.left?.id === truth.leftId && images.right?.id === truth.rightId ? truth : null;
 }
-/** The true orientation with by and bz at the scale of another base; NaN where the true base is 0, which has no scale. */
 function orientationAt({ orientation, baseMm }, otherMm) {
 	const scale = baseMm === 0 ? NaN : otherMm / baseMm;
 	return {
@@ -6222,12 +5288,7 @@ function orientationAt({ orientation, baseMm }, otherMm) {
 	};
 }
 // www/pair/state/keys.ts
-/**
-* What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
-* change is not computed again, whatever was changed elsewhere.
-*/
-var numbers$1 = /* @__PURE__ */ new Map();
-/** A short name for a value: equal values get equal names. Keys of keys would otherwise grow with every stage. */
+var numbers$1 = new Map();
 function shortName(parts) {
 	const text = JSON.stringify(parts);
 	let name = numbers$1.get(text);
@@ -6237,9 +5298,8 @@ function shortName(parts) {
 	}
 	return name;
 }
-var standings = /* @__PURE__ */ new WeakMap();
+var standings = new WeakMap();
 var lastStanding = 0;
-/** What is made of the matches depends on the edits by hand too; without any it is what it would be without editing. */
 function withEdits({ history }, match) {
 	const standing = standingOf(history.edits, history.done);
 	if (isNothing(standing)) return match;
@@ -6247,7 +5307,6 @@ function withEdits({ history }, match) {
 	standings.set(standing, number);
 	return keyOf("edited", [match], number);
 }
-/** The key of a stage from its inputs; null where one of them is missing. */
 function keyOf(kind, inputs, options = null) {
 	return inputs.includes(null) ? null : shortName([
 		kind,
@@ -6255,7 +5314,6 @@ function keyOf(kind, inputs, options = null) {
 		options
 	]);
 }
-/** The camera of both images where one is given, else that of each image's EXIF, as the crate's `match_pair` takes them. */
 function pairCameras(state) {
 	const [left, right] = SIDES.map((side) => cameraOf$1(state, side));
 	if (left !== void 0 && "kind" in left) return { missing: left };
@@ -6289,21 +5347,16 @@ function cameraOf$1(state, side) {
 	};
 	return camera;
 }
-/** Whether a strategy searches the right image itself, in place of its interest points. */
 function comparesGreyValues({ matching }) {
 	return matching.strategy === "correlation" || matching.strategy === "least-squares";
 }
-/** Whether a strategy compares gradient descriptors: it looks for no expected place, and the geometry of the two views verifies its matches. */
 function comparesGradients(settings) {
 	return inFull(settings).matching.strategy === "gradient";
 }
-/** The settings with what follows from them, as the strategy where it is to be chosen. */
 var inFull = remember(resolved);
-/** Whether a strategy compares the moments of windows. */
 function comparesMoments(settings) {
 	return !comparesGreyValues(settings) && !comparesGradients(settings);
 }
-/** What the points depend on: of the groups `multiscale` and `gradient` only what is used. */
 function pointSettings(settings) {
 	const gradients = comparesGradients(settings);
 	const scales = gradients || settings.points.operator === "multiscale";
@@ -6313,13 +5366,11 @@ function pointSettings(settings) {
 		gradients ? settings.gradient : null
 	];
 }
-/** What the interior orientation of the matches' own making comes from: the matches, where they tell it or are still to come. */
 function estimatedFrom(state, settings, match) {
 	const result = state.results.match;
 	const tellsNone = result !== void 0 && result.key === match && result.value.estimated === null;
 	return comparesGradients(settings) && !tellsNone ? "" : null;
 }
-/** Photos from one place have no base: there is nothing to orient. */
 function fromOnePlace(state, match) {
 	const result = state.results.match;
 	return result !== void 0 && result.key === match && result.value.geometry?.degenerate === "pure-rotation";
@@ -6328,13 +5379,11 @@ function openKey(state, side) {
 	const image = state.images[side];
 	return image === null ? null : keyOf("open", [], image.id);
 }
-/** What of the cameras matching depends on: the geometry that verifies gradients, and matching along epipolar lines. */
 function ofCameras(settings, interiors) {
 	if (settings === null) return [];
 	if (comparesGradients(settings)) return [...interiors, settings.geometry];
 	return settings.matching.epipolar ? [...interiors, settings.orientation] : [];
 }
-/** The point whose place in the other image is looked for. */
 function knownOfDraft({ draft }) {
 	return draft === null ? null : [draft.side, draft.places[otherSide(draft.side)]];
 }
@@ -6393,7 +5442,6 @@ function compute(state) {
 	};
 }
 var last = null;
-/** The wanted keys of a state; computed once a state. */
 function wantedKeys(state) {
 	if (last?.state !== state) last = {
 		state,
@@ -6401,12 +5449,10 @@ function wantedKeys(state) {
 	};
 	return last.keys;
 }
-/** Whether a stage's result is there and made by the settings that are wanted now. */
 function isCurrent(state, stage) {
 	const key = wantedKeys(state)[stage];
 	return key !== null && state.results[stage]?.key === key;
 }
-/** Whether a stage shows a result that other settings made. What is not part of the run is neither shown nor out of date. */
 function isStale(state, stage) {
 	const key = wantedKeys(state)[stage];
 	return key !== null && state.results[stage] !== void 0 && state.results[stage].key !== key;
@@ -6495,7 +5541,6 @@ var STAGES = {
 };
 var STAGE_NAMES = Object.keys(STAGES);
 // www/pair/engine/failure.ts
-/** What the page says when a stage has no result: what happened, what is kept, what to try. */
 var KEPT = say("images-settings-and-earlier-results");
 function advice(stage) {
 	switch (stage) {
@@ -6509,7 +5554,6 @@ function advice(stage) {
 		default: return say("change-a-setting-or-run");
 	}
 }
-/** A sentence or two for the user. */
 function plainMessage(stage, error, catalogue) {
 	const text = readable(catalogue, messageOf(error));
 	if (!(error instanceof CallError)) return say("failed", {
@@ -6548,10 +5592,7 @@ function capital(text) {
 	return trimmed.charAt(0).toUpperCase() + trimmed.slice(1);
 }
 // www/pair/engine/nearest.ts
-/** The search for nearest gradient descriptors, in pieces over a pool of workers: the same result for any number of them. */
-/** Pairs of descriptors that a worker compares in some ten milliseconds: fewer are not worth a message to it. */
 var LEAST_PAIRS = 2e6;
-/** The pieces in their order, of equal size, as many as there are workers or are worth it; null where it is not worth more than one. */
 function nearestPieces(left, right, workers, search) {
 	const count = left.length / 128;
 	const pieces = Math.min(workers, Math.floor(count * (right.length / 128) / LEAST_PAIRS));
@@ -6565,20 +5606,16 @@ var paired = remember((left, right, focal) => ({
 	right: right.interior,
 	focal_mm: focal
 }));
-/** Those of known cameras; null where a camera is missing or its stage has no result. */
 function knownInterior(state) {
 	const cameras = pairCameras(state);
 	const { interiorLeft, interiorRight } = state.results;
 	if ("missing" in cameras || interiorLeft === void 0 || interiorRight === void 0) return null;
 	return paired(interiorLeft.value, interiorRight.value, cameras.left.focal_mm);
 }
-/** Those in use: where no camera is known, as the matches tell them. */
 function interiorInUse(state) {
 	return "missing" in pairCameras(state) ? state.results.match?.value.estimated ?? null : knownInterior(state);
 }
 // www/pair/engine/inputs.ts
-/** What the runs of stages work with: the workers, and results of earlier stages. */
-/** A result that the stage graph promised. */
 function needed(state, stage) {
 	const result = state.results[stage];
 	if (result === void 0) throw new Error(`the stage ${stage} has no result`);
@@ -6605,13 +5642,11 @@ function matchInput(state) {
 	};
 }
 // www/pair/state/selected.ts
-/** Where the best place of a left point lies in the right image; null where it has none. */
 function placeOf(places, index) {
 	if (index < 0) return null;
 	const [x = NaN, y = NaN] = places.subarray(2 * index, 2 * index + 2);
 	return Number.isNaN(x) || Number.isNaN(y) ? null : [x, y];
 }
-/** The left point that a selection is about: itself, or the one that has the selected right point as its best candidate; a match of them before others. */
 function leftIndexOf(state, best, rules) {
 	const { selection } = state;
 	if (selection === null) return -1;
@@ -6624,11 +5659,8 @@ function leftIndexOf(state, best, rules) {
 	}
 	return found;
 }
-/** How much wider than the cells is what is shown of the image around them: turned by an eighth they still fit. */
 var SURROUNDINGS = 1.5;
-/** Candidates by gradients that are looked up. */
 var MOST_CANDIDATES = 50;
-/** The window whose content decided: that of the moments, or that of the grey values. */
 function comparedWindow(state) {
 	const settings = settingsOf(state);
 	return comparesGreyValues(settings) ? {
@@ -6636,14 +5668,12 @@ function comparedWindow(state) {
 		shape: "square"
 	} : settings.window;
 }
-/** The matches with what was done to them by hand. */
 function matchOf$1(state) {
 	return editedPair(state)?.match ?? needed(state, "match");
 }
 function pointsOf(state, side) {
 	return needed(state, side === "left" ? "pointsLeft" : "pointsRight");
 }
-/** A position of an image, as its points give it; null where there is no such point. */
 function pointAt(state, side, index) {
 	if (index < 0) return null;
 	const [x, y] = ((side === "left" ? editedPair(state)?.left : void 0) ?? pointsOf(state, side).points).subarray(3 * index, 3 * index + 2);
@@ -6700,13 +5730,11 @@ async function featureAt(workers, state, side, index) {
 		upright
 	};
 }
-/** The epipolar line of the selected point in the other image, where a geometry of the two views is known. */
 async function lineOf(workers, state) {
 	const { selection } = state;
 	const at = selection === null ? null : pointAt(state, selection.side, selection.index);
 	return selection === null || at === null ? null : seenFrom(workers, state, selection.side, at);
 }
-/** Where a place of one image may be seen in the other one; null where no geometry of the two views is known. */
 async function seenFrom(workers, state, from, at) {
 	const { geometry } = needed(state, "match");
 	if (geometry === null) return null;
@@ -6727,7 +5755,7 @@ async function seenFrom(workers, state, from, at) {
 }
 async function candidatesOf(workers, state, left) {
 	const settings = settingsOf(state);
-	if (left < 0 || 3 * left >= pointsOf(state, "left").points.length || comparesGreyValues(settings)) return /* @__PURE__ */ new Float64Array();
+	if (left < 0 || 3 * left >= pointsOf(state, "left").points.length || comparesGreyValues(settings)) return new Float64Array();
 	const worker = workers.client("pair");
 	if (!comparesGradients(settings)) return worker.call("candidates", {
 		...matchInput(state),
@@ -6742,7 +5770,6 @@ async function candidatesOf(workers, state, left) {
 		most: MOST_CANDIDATES
 	});
 }
-/** Windows of moments or grey values; for gradients the features. */
 async function comparedOf(workers, state, left) {
 	const { best, places } = matchOf$1(state);
 	const { selection } = state;
@@ -6780,7 +5807,6 @@ var inspection = async (state, workers) => {
 		line
 	};
 };
-/** Where the point that is measured may lie. */
 var line = async (state, workers) => {
 	const { draft } = state;
 	const from = draft === null ? null : otherSide(draft.side);
@@ -6788,8 +5814,6 @@ var line = async (state, workers) => {
 	return from === null || at == null ? null : seenFrom(workers, state, from, [at[0], at[1]]);
 };
 // www/pair/engine/runs.ts
-/** How each stage is computed: which calls, on which worker, from which results. */
-/** Longest side of the copies from which the offset is estimated, in px. */
 var OFFSET_SIDE = 1024;
 function open(side) {
 	return async (state, workers) => {
@@ -6799,10 +5823,9 @@ function open(side) {
 	};
 }
 var NONE$1 = {
-	moments: /* @__PURE__ */ new Float64Array(),
-	gradients: /* @__PURE__ */ new Uint8Array()
+	moments: new Float64Array(),
+	gradients: new Uint8Array()
 };
-/** Gradients are described where the points are found: both come from the same pyramid. */
 function points(side) {
 	return async (state, workers) => {
 		const settings = settingsOf(state);
@@ -6884,7 +5907,6 @@ function interior(side) {
 		});
 	};
 }
-/** The matches with what was done to them by hand. */
 function edited(state) {
 	const pair = editedPair(state);
 	if (pair === null) throw new Error("the matches are of other points");
@@ -6939,10 +5961,7 @@ var RUNS = {
 	line
 };
 // www/pair/engine/engine.ts
-/** Starts what is wanted and not there, one call a stage at a time, and reports to the store. */
-/** Quiet time after a change of settings before work starts, in ms. */
 var DEBOUNCE_MS$1 = 150;
-/** Longest side of the copy that is shown until detail tiles come, in px. */
 var OVERVIEW_SIDE = 2048;
 var Engine = class {
 	store;
@@ -6953,11 +5972,8 @@ var Engine = class {
 		preview: new WorkerClient("preview"),
 		report: new WorkerClient("report")
 	};
-	/** For what can be done in pieces. */
 	pool = new WorkerPool();
-	/** What each worker has opened last: the image, in which life of the worker, and the answer to come. */
-	opened = /* @__PURE__ */ new Map();
-	/** Which pair the pair's worker holds, and when it does. */
+	opened = new Map();
 	held = null;
 	timer;
 	constructor(store) {
@@ -6982,7 +5998,6 @@ var Engine = class {
 	client(name) {
 		return this.clients[name];
 	}
-	/** Opens an image in the worker of a side; the earlier answer where that worker holds it already. */
 	open(side, image) {
 		if (image.source.kind === "project") return Promise.reject(new Error(say("the-project-does-not-hold", { name: image.name })));
 		const client = this.clients[side];
@@ -7002,7 +6017,6 @@ var Engine = class {
 		});
 		return answer;
 	}
-	/** The worker of a side; opens the side's image in it where it holds another or none (after a cancel, a trap or a swap). */
 	async withImage(side, state) {
 		const client = this.clients[side];
 		const image = state.images[side];
@@ -7040,12 +6054,10 @@ var Engine = class {
 			right
 		}, [left.grey.buffer, right.grey.buffer]);
 	}
-	/** Ends all workers and what they do; nothing runs until the user asks or changes something. */
 	cancel() {
 		this.stopWorkers();
 		this.store.dispatch({ type: "cancelled" });
 	}
-	/** Exchanges the images; each worker keeps the image it holds. */
 	swap() {
 		this.clients = {
 			...this.clients,
@@ -7054,7 +6066,6 @@ var Engine = class {
 		};
 		this.store.dispatch({ type: "swap" });
 	}
-	/** Starts every stage whose inputs are current and whose own result is not. */
 	update() {
 		window.clearTimeout(this.timer);
 		for (const stage of STAGE_NAMES) {
@@ -7122,7 +6133,6 @@ var Engine = class {
 		});
 	}
 };
-/** Names what a worker holds in one of its lives. */
 function lifeTag(client, what) {
 	return `${String(client.generation)}:${what}`;
 }
@@ -7133,10 +6143,7 @@ function isReady(state, stage) {
 	return needs.every((input) => keys[input] === null || current(input)) && uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input]);
 }
 // www/shared/engine/fit.ts
-/** Least squares matching of one place that was pointed at. */
-/** How far around the given place is searched: a window of so many px. */
 var SEARCH_PX = 9;
-/** What the matching of a left place near a right one is given. */
 function fitInput(left, right, settings) {
 	return {
 		left: Float64Array.of(...left, 0),
@@ -7154,19 +6161,16 @@ function fitInput(left, right, settings) {
 		}
 	};
 }
-/** The right place of the match that was found; null where none was confirmed. */
 function placeOfFit(matches) {
 	const [, , x, y] = matches;
 	return x === void 0 || y === void 0 ? null : [x, y];
 }
 // www/pair/engine/fit.ts
-/** Least squares matching of one place that was measured by hand. */
-/** The place in the right image that least squares matching finds near a given one; null where it confirms none. */
 async function fitted(state, workers, left, right) {
 	const { left: point, offset, settings } = fitInput(left, right, settingsOf(state));
 	const { matches } = await (await workers.withPair(state)).call("match", {
 		left: { points: point },
-		right: { points: /* @__PURE__ */ new Float64Array() },
+		right: { points: new Float64Array() },
 		offset,
 		interior: null,
 		settings,
@@ -7175,8 +6179,6 @@ async function fitted(state, workers, left, right) {
 	return placeOfFit(matches);
 }
 // www/pair/state/shelf.ts
-/** Edits of pairs that are not on the page: a pair that is opened again, as one of a block, has its edits again. */
-/** The same for the same two files, in this order; null where an image is no file. */
 function keyOfPair(images) {
 	const parts = [images.left, images.right].map((image) => {
 		if (image?.source.kind !== "file") return null;
@@ -7189,7 +6191,6 @@ function keyOfPair(images) {
 	});
 	return parts.includes(null) ? null : JSON.stringify(parts);
 }
-/** The edits of a pair that leaves go to the shelf, those of the one that comes leave it. */
 function exchangedPair(state, images) {
 	const [before, next] = [keyOfPair(state.images), keyOfPair(images)];
 	const shelf = new Map(state.shelf);
@@ -7202,7 +6203,6 @@ function exchangedPair(state, images) {
 	};
 }
 // www/pair/state/project.ts
-/** All that is known of the pair on the screen; null while parts of it are missing or out of date. `contents`: digests of the image files. */
 function projectOf(state, contents) {
 	const { settings, camera, offset, photos, fiducialModel, results } = state;
 	const { openLeft, openRight, pointsLeft, pointsRight, match, orientation } = results;
@@ -7274,7 +6274,6 @@ function projectOf(state, contents) {
 		truth: truthFor$1(state)
 	};
 }
-/** Points with those measured by hand, at the one scale of points that have none. */
 function appendedTo({ points, frames }, left) {
 	const more = (left.length - points.length) / 3;
 	if (more === 0) return {
@@ -7288,10 +6287,6 @@ function appendedTo({ points, frames }, left) {
 	};
 }
 var NO_CANDIDATE = codeOf("no_candidate");
-/**
-* Matches as a file holds them, which knows the rules of the crate alone. What was rejected by hand has no candidate there, but keeps its place:
-* a point without a candidate has none.
-*/
 function filed(match) {
 	const own = match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND || rule === UNDECIDED), 0);
 	if (own === 0) return match;
@@ -7305,7 +6300,6 @@ function filed(match) {
 		}
 	};
 }
-/** The opposite of `filed`. */
 function unfiled(match) {
 	const byHand = (rule, left) => rule === NO_CANDIDATE && !Number.isNaN(match.places[2 * left]);
 	const own = match.rules.reduce((sum, rule, left) => sum + Number(byHand(rule, left)), 0);
@@ -7320,11 +6314,9 @@ function unfiled(match) {
 		}
 	};
 }
-/** How many matches of a file were rejected and measured by hand. */
 function editsOfFile({ output }) {
 	return countsByHand(unfiled(output.match));
 }
-/** Why there is no orientation, in the order in which the crate's `match_pair` asks. */
 function whyNone(state) {
 	const cameras = pairCameras(state);
 	const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
@@ -7356,7 +6348,6 @@ function truthFor$1(state) {
 		score
 	};
 }
-/** The state that shows a project: its results stand as if they had just been computed. What costs nothing and needs no image is computed. */
 function withProject(state, { project, images, overviews, masks, estimated }) {
 	const { input, settings, truth } = project;
 	const [left] = project.images;
@@ -7381,7 +6372,7 @@ function withProject(state, { project, images, overviews, masks, estimated }) {
 			rightId: images.right.id,
 			orientation: truth.orientation,
 			baseMm: truth.base_mm,
-			rightPosition: /* @__PURE__ */ new Float32Array(),
+			rightPosition: new Float32Array(),
 			leftWidth: left.width_px,
 			leftHeight: left.height_px
 		},
@@ -7403,7 +6394,6 @@ function withProject(state, { project, images, overviews, masks, estimated }) {
 		overviews
 	}), {});
 }
-/** What stands for images whose files are not there. */
 function standingFor$1({ project: { images }, overviews }) {
 	const [left, right] = images;
 	const info = ({ width_px, height_px, format, bits_per_sample, camera }) => ({
@@ -7425,7 +6415,6 @@ function standingFor$1({ project: { images }, overviews }) {
 		}
 	};
 }
-/** The state with the results of a project, which it was made from: they are kept under the keys of what the state has now. */
 function withResults(state, { project, estimated }, beside, times) {
 	const { output, truth } = project;
 	let next = {
@@ -7476,10 +6465,9 @@ function withResults(state, { project, estimated }, beside, times) {
 	return next;
 }
 var nothing = () => ({
-	moments: /* @__PURE__ */ new Float64Array(),
-	gradients: /* @__PURE__ */ new Uint8Array()
+	moments: new Float64Array(),
+	gradients: new Uint8Array()
 });
-/** The state with the files of images that a project names: their pixels are read, and what the project does not hold of their points is made. */
 function withFiles(state, images) {
 	const results = { ...state.results };
 	for (const side of SIDES.filter((one) => images[one] !== void 0)) {
@@ -7513,11 +6501,6 @@ var OF_IMAGE = {
 	]
 };
 // www/pair/state/select.ts
-/**
-* The points, matches and orientation that fit each other and the images on the screen. Matches refer to points by index: once points are
-* newer than the matches, the matches are no longer shown on them. An orientation is shown while another is on its way, and not where
-* none will come.
-*/
 function shownPair(state) {
 	const found = pointsOfShownImage(state, "left");
 	const right = pointsOfShownImage(state, "right");
@@ -7533,7 +6516,6 @@ function shownPair(state) {
 		edited
 	};
 }
-/** The orientation of the matches as they are now. One that was made before the latest edit is shown of the matches that it knows. */
 var orientationOf = remember((orientation, of, { match, found }) => {
 	if (of === null || of.match === match) return orientation.residuals_mm.length * 5 === match.matches.length ? orientation : null;
 	if (of.found !== found) return null;
@@ -7570,7 +6552,6 @@ function pointsOfShownImage(state, side) {
 	if (state.results[opened] === void 0 || state.results[opened].key !== wantedKeys(state)[opened]) return null;
 	return state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.points ?? null;
 }
-/** Whether the first and last match start where their left points lie and refer to right points that exist. */
 function matchIsOf(match, left, right) {
 	const count = match.indices.length / 2;
 	return [0, count - 1].every((i) => {
@@ -7580,7 +6561,6 @@ function matchIsOf(match, left, right) {
 		return left[3 * l] === match.matches[5 * i] && (r === 4294967295 || 3 * r < right.length);
 	});
 }
-/** The code of each left point: the rule that decided, or that the adjustment rejected its match. */
 var leftCodes = remember((left, match, orientation) => {
 	const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
 	if (match === null) return codes;
@@ -7589,7 +6569,6 @@ var leftCodes = remember((left, match, orientation) => {
 	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
 	return codes;
 });
-/** The code of each right point: matched, rejected by hand or by the adjustment, or unused. */
 var rightCodes = remember((right, match, orientation) => {
 	const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
 	if (match === null) return codes;
@@ -7600,7 +6579,6 @@ var rightCodes = remember((right, match, orientation) => {
 	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 4294967295] = GROSS_ERROR;
 	return codes;
 });
-/** The code of each match: `MATCHED`, `MANUAL` or `GROSS_ERROR`. */
 var matchCodes = remember((match, orientation) => {
 	const codes = Uint8Array.from({ length: (match?.matches.length ?? 0) / 5 }, (_, row) => match !== null && isManual(match, row) ? MANUAL : MATCHED);
 	for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
@@ -7630,13 +6608,11 @@ var loosePlaces = remember((match, codes) => {
 		lefts: Uint32Array.from(lefts)
 	};
 });
-/** The match of each left point; -1 where it has none. */
 var matchOfLeft = remember((match) => {
 	const matches = new Int32Array(match.rules.length).fill(-1);
 	for (let i = 0; i < match.indices.length; i += 2) matches[match.indices[i] ?? 4294967295] = i / 2;
 	return matches;
 });
-/** Stages that are part of the run itself; looking at a point is not. */
 var RUN_STAGES = [
 	"openLeft",
 	"openRight",
@@ -7651,12 +6627,10 @@ var RUN_STAGES = [
 	"orientation",
 	"score"
 ];
-/** Whether a stage failed for what is wanted now, or cannot be reached since one that it needs did. */
 function isBarred(state, stage) {
 	const failure = state.failures[stage];
 	return failure !== void 0 && failure.key === wantedKeys(state)[stage] || STAGES[stage].needs.some((needed) => isBarred(state, needed));
 }
-/** How far the run is: stages that are wanted, and those of them that are there or will not come. */
 function progress(state) {
 	const keys = wantedKeys(state);
 	const wanted = RUN_STAGES.filter((stage) => keys[stage] !== null);
@@ -7666,7 +6640,6 @@ function progress(state) {
 		running: RUN_STAGES.filter((stage) => state.running[stage] !== void 0)
 	};
 }
-/** The first failure that stands for what is wanted now. */
 function currentFailure(state) {
 	const keys = wantedKeys(state);
 	for (const stage of [
@@ -7683,12 +6656,10 @@ function currentFailure(state) {
 	}
 	return null;
 }
-/** Whether any result on the screen was made by other settings than the wanted ones. */
 function anyStale(state) {
 	return RUN_STAGES.some((stage) => isStale(state, stage));
 }
 // www/pair/state/kept.ts
-/** What of the pair is kept in the browser's storage: of the state, and back. */
 function typedOf({ settings, camera, photos, fiducialModel, offset }) {
 	return settings === null ? null : {
 		settings,
@@ -7698,28 +6669,23 @@ function typedOf({ settings, camera, photos, fiducialModel, offset }) {
 		offset
 	};
 }
-/** Whether there is nothing yet that would have to be kept. */
 function isBlank(state) {
 	const { catalogue, settings, flight, images, camera, photos, fiducialModel, offset } = state;
 	return catalogue === null || images.left === null && images.right === null && settings === catalogue.defaults && flight === (catalogue.flights[0]?.flight ?? null) && camera === null && photos === INITIAL.photos && fiducialModel === INITIAL.fiducialModel && offset === null;
 }
-/** Whether results of the user's own photographs are there, which should not be lost to the next pair. */
 function isWorthKeeping(state) {
 	return SIDES.every((side) => state.images[side]?.source.kind === "file") && isCurrent(state, "match");
 }
-/** Stages whose results the project file holds not, or not whole. */
 var BESIDE = [
 	"interiorLeft",
 	"interiorRight",
 	"descriptorsLeft",
 	"descriptorsRight"
 ];
-/** Whether all that is wanted was computed, so that it can be kept. */
 function isWhole(state) {
 	const { wanted, done, running } = progress(state);
 	return running.length === 0 && done === wanted && isCurrent(state, "match");
 }
-/** What the project file does not hold of results that are up to date. */
 function besideOf(state) {
 	const beside = {};
 	const take = (stage) => {
@@ -7733,7 +6699,6 @@ function besideOf(state) {
 		times: Object.fromEntries(times)
 	};
 }
-/** The pair as it would be without what was done to it by hand. */
 function unedited(state) {
 	return {
 		...state,
@@ -7743,12 +6708,10 @@ function unedited(state) {
 function isEdited({ history }) {
 	return !isNothing(standingOf(history.edits, history.done));
 }
-/** In place of the results that edits change: what is kept of them are those without edits. */
 var OF_EDITS = "edits";
-/** The results by which what is kept of them is known to be the latest. */
 function resultsOf(state) {
 	const keys = wantedKeys(state);
-	const changes = isEdited(state) ? /* @__PURE__ */ new Set(["orientation", "score"]) : /* @__PURE__ */ new Set();
+	const changes = isEdited(state) ? new Set(["orientation", "score"]) : new Set();
 	const stages = [
 		"pointsLeft",
 		"pointsRight",
@@ -7765,11 +6728,9 @@ function resultsOf(state) {
 		state.masks
 	];
 }
-/** Whether what is kept of these results is still what they are. Edits leave it as it is. */
 function areSame(kept, now) {
 	return now.every((value, i) => value === OF_EDITS || value === kept[i]);
 }
-/** The state that shows a pair as it was. Results that other settings made stay so: what is out of date is computed again. */
 function withKept(state, { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result }) {
 	const fresh = {
 		...INITIAL,
@@ -7802,7 +6763,6 @@ function withKept(state, { typed, display, flight, paused, images, masks, truth,
 		before: history.done === 0 ? null : made.results.orientation?.value ?? null
 	};
 }
-/** The same of both sides. */
 function bothSides(of) {
 	const [left, right] = SIDES.map(of);
 	return {
@@ -7811,13 +6771,10 @@ function bothSides(of) {
 	};
 }
 // www/pair/files/journal.ts
-/** Edits of pairs that are not on the page. */
 var SHELF = "pair/shelf";
-/** About what a match takes in an edit, in bytes. */
 var OF_MATCH = 40;
 var Journal = class {
 	edits = new Journal$1("pair/edits", editFrom, bytesOf$2);
-	/** What is kept of the edits; what has not changed is the same value as before. Nothing where there are none. */
 	parts({ history, shelf }) {
 		const parts = this.edits.parts(history);
 		if (shelf.size > 0) parts.set(SHELF, {
@@ -7826,7 +6783,6 @@ var Journal = class {
 		});
 		return parts;
 	}
-	/** @throws Error naming what is damaged */
 	read(parts) {
 		return {
 			history: this.edits.read(parts),
@@ -7835,7 +6791,7 @@ var Journal = class {
 	}
 };
 function shelfFrom(value) {
-	if (value === void 0) return /* @__PURE__ */ new Map();
+	if (value === void 0) return new Map();
 	if (!(value instanceof Map)) throw new Error(say("the-edits-of-other-pairs"));
 	const entry = ([key, kept]) => {
 		const { edits, done } = objectOf(kept, "shelf");
@@ -7850,7 +6806,6 @@ function shelfFrom(value) {
 function bytesOf$2(edit) {
 	return OF_MATCH * (edit.kind === "reject" || edit.kind === "restore" ? edit.of.length : 2);
 }
-/** @throws Error naming the field that is damaged */
 function editFrom(value, name) {
 	const edit = objectOf(value, name);
 	const kind = likeOf(edit["kind"], "", `${name}.kind`);
@@ -7892,9 +6847,7 @@ function placeFrom(value, name) {
 	];
 }
 // www/pair/view/geometry.ts
-/** Space between the panes, crossed by the match lines. */
 var GAP = 10;
-/** Side by side where the canvas is wide, one above the other where it is high. */
 function panesOf(width, height) {
 	if (width >= .85 * height) {
 		const pane = Math.max(1, Math.floor((width - GAP) / 2));
@@ -7930,8 +6883,6 @@ function panesOf(width, height) {
 	};
 }
 // www/pair/files/export.ts
-/** What can be taken away: matches as CSV, everything as JSON, the picture as PNG. */
-/** Rows of a flat array. */
 function rows(values, stride) {
 	return Array.from({ length: values.length / stride }, (_, i) => Array.from({ length: stride }, (_, k) => values[i * stride + k] ?? NaN));
 }
@@ -7963,7 +6914,6 @@ function verdicts(state) {
 		second: finite(match.measures[2 * i + 1])
 	}));
 }
-/** JSON has no infinity: null stands for "no such candidate". */
 function finite(value) {
 	return value !== void 0 && Number.isFinite(value) ? value : null;
 }
@@ -7977,7 +6927,6 @@ function countsOf(state) {
 		rejected: match === void 0 ? null : rejected
 	};
 }
-/** What the orientation is worth, as the command's JSON has it; null without one. */
 function verdictOf$1(state) {
 	const verdict = isCurrent(state, "orientation") ? state.results.orientation?.value.verdict : void 0;
 	return verdict === void 0 ? null : {
@@ -7985,7 +6934,6 @@ function verdictOf$1(state) {
 		text: message$1("pair_verdict", verdict)
 	};
 }
-/** What was done by hand; null where nothing was. */
 function editsOf(state) {
 	const edited = editedPair(state);
 	if (edited === null) return null;
@@ -7998,7 +6946,6 @@ function editsOf(state) {
 		measured_by_hand: manual
 	};
 }
-/** Everything on the page as one object; fields named as in the command's JSON. Positions in px, the top-left pixel's centre at (0.5, 0.5). */
 function everything(state) {
 	const { left, right, match, orientation } = shownPair(state);
 	return {
@@ -8062,7 +7009,6 @@ function everything(state) {
 		score: scoreOf(state)
 	};
 }
-/** The true orientation with the base that its by and bz belong to. */
 function trueOrientation(state) {
 	const truth = truthOf(state);
 	return truth === null ? null : {
@@ -8070,7 +7016,6 @@ function trueOrientation(state) {
 		base_mm: truth.baseMm
 	};
 }
-/** How right the matches are, where the truth is known. */
 function scoreOf(state) {
 	const score = state.results.score?.value;
 	return score === void 0 || !isCurrent(state, "score") ? null : {
@@ -8099,18 +7044,14 @@ function baseName(state) {
 	return [state.images.left?.name, state.images.right?.name].map((name) => (name ?? "image").replace(/\.[^.]+$/u, "")).join("-").replace(/[^\p{L}\p{N}._-]+/gu, "_");
 }
 // www/pair/files/project.ts
-/** Longest side of what stands for an image that is not there, px. */
 var STANDING_SIDE = 256;
-/** Its grey value. */
 var STANDING_GREY = 128;
-/** Writes all that is known of the pair. */
 async function exportProject(store, engine) {
 	const { state } = store;
 	const text = await projectText(state, engine);
 	if (text === null) throw new Error(say("the-pair-is-not-matched"));
 	save(new Blob([text], { type: "application/octet-stream" }), `${baseName(state)}.tiepoint`);
 }
-/** The text of the pair's project file; null while parts of it are missing or out of date. */
 async function projectText(state, engine) {
 	const [left, right] = await Promise.all(SIDES.map((side) => contentOf(state, engine, side)));
 	const project = projectOf(state, {
@@ -8119,9 +7060,7 @@ async function projectText(state, engine) {
 	});
 	return project === null ? null : engine.client("pair").call("projectWrite", project);
 }
-/** Digests that were made: files are large. */
-var digests = /* @__PURE__ */ new WeakMap();
-/** The digest of an image's file; null for an image that was simulated. */
+var digests = new WeakMap();
 async function contentOf({ images }, engine, side) {
 	const source = images[side]?.source;
 	switch (source?.kind) {
@@ -8134,7 +7073,6 @@ async function contentOf({ images }, engine, side) {
 		default: return null;
 	}
 }
-/** Reads a project; what stands for its images has their names and sizes. `nextId` numbers images and masks. */
 async function readProject(engine, file, nextId) {
 	const bytes = new Uint8Array(await file.arrayBuffer());
 	const { project, estimated } = await engine.client("pair").call("projectOpen", { bytes }, [bytes.buffer]);
@@ -8166,7 +7104,7 @@ async function readProject(engine, file, nextId) {
 			},
 			width,
 			height,
-			grey: /* @__PURE__ */ new Uint8Array(),
+			grey: new Uint8Array(),
 			leftOut: NaN,
 			overlay: overviews[side].clear
 		};
@@ -8185,7 +7123,6 @@ async function readProject(engine, file, nextId) {
 		}
 	};
 }
-/** A grey area of the size of an image, and a clear one. */
 async function standingFor(width, height) {
 	const halvings = Math.max(0, Math.ceil(Math.log2(Math.max(width, height) / STANDING_SIDE)));
 	const data = new ImageData(Math.ceil(width / 2 ** halvings), Math.ceil(height / 2 ** halvings));
@@ -8199,7 +7136,6 @@ async function standingFor(width, height) {
 		clear
 	};
 }
-/** The side of a project that was opened to which this very file belongs; null where there is none. */
 async function sideOfFile({ images }, engine, file) {
 	for (const side of SIDES) {
 		const image = images[side];
@@ -8223,15 +7159,10 @@ function sortFiles(files) {
 	};
 }
 // www/pair/files/open.ts
-/** Takes files in: dropped, pasted, opened. A file that cannot be used changes nothing. */
-/** Longest side of the copy of a mask that is shown, px. */
 var MASK_SIDE = 1024;
-/** Beyond this a file is refused before it is read, in bytes: a browser tab cannot hold it and its decoded copy. */
 var MOST_BYTES = 2 ** 30;
 var nextId = 1;
-/** Differs for every image and mask ever given. */
 var freshId = () => nextId++;
-/** Masks named "right", or the second of two, belong right. */
 function sideOfMask(mask, index) {
 	const [, painted] = /-mask-(left|right)\./u.exec(mask.name) ?? [];
 	if (painted !== void 0) return painted;
@@ -8246,7 +7177,6 @@ var info = (text) => ({
 	kind: "info",
 	text
 });
-/** A file holds the matches as the edits left them, and not the edits. */
 function editsToldOf({ project }) {
 	const { rejected, manual } = editsOfFile(project);
 	const of = (number, what) => number === 0 ? [] : [say("matches-by-hand", {
@@ -8264,7 +7194,6 @@ var Files = class {
 	putAside;
 	isReady = false;
 	started = () => void 0;
-	/** Resolves with `begin`. */
 	ready = new Promise((resolve) => {
 		this.started = resolve;
 	});
@@ -8275,12 +7204,10 @@ var Files = class {
 		this.toBlock = toBlock;
 		this.putAside = putAside;
 	}
-	/** Takes files from now on: what was kept of the pair is shown. */
 	begin() {
 		this.isReady = true;
 		this.started();
 	}
-	/** Takes files of any kind; `side` says where a single one belongs. */
 	async take(files, side) {
 		if (files.length === 0) return;
 		this.store.dispatch({
@@ -8307,7 +7234,6 @@ var Files = class {
 		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
 		this.tell(told);
 	}
-	/** Opens a pair that was saved. */
 	async takeProject(file) {
 		this.store.dispatch({
 			type: "notice",
@@ -8332,7 +7258,6 @@ var Files = class {
 			this.tell([this.failed(say("cannot-be-opened", { name: file.name }), error)]);
 		}
 	}
-	/** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
 	async takeMask(file, side) {
 		this.tell([await this.readMask(file, side)]);
 	}
@@ -8378,7 +7303,6 @@ var Files = class {
 			return this.failed(say("cannot-be-used-as-a", { name: file.name }), error);
 		}
 	}
-	/** Renders the pair of a flight in a worker and opens it. */
 	async takeFlight(name, flight) {
 		this.store.dispatch({
 			type: "notice",
@@ -8409,12 +7333,10 @@ var Files = class {
 			this.tell([this.failed(say("the-pair-could-not-be"), error)]);
 		}
 	}
-	/** The built-in pair. */
 	async takeSample() {
 		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
 		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
 	}
-	/** Says together what came of files that were given together. */
 	tell(told) {
 		const said = told.filter((one) => one !== null);
 		const bad = said.some(({ kind }) => kind === "problem");
@@ -8433,7 +7355,6 @@ var Files = class {
 		if (error instanceof Cancelled) return info(say("cancelled-nothing-was-changed"));
 		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
 	}
-	/** Fiducials named "right", or the second of two tables, belong right. */
 	sideOfTable(table, index) {
 		if (/right/iu.test(table.name)) return "right";
 		if (/left/iu.test(table.name)) return "left";
@@ -8468,7 +7389,6 @@ var Files = class {
 			return this.failed(say("holds-no-camera-data", { name: file.name }), error);
 		}
 	}
-	/** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
 	async takeImages(files, side) {
 		const tooLarge = files.find((file) => file.size > MOST_BYTES);
 		if (tooLarge !== void 0) return [problem(say("has-mb-up-to-1", {
@@ -8499,7 +7419,6 @@ var Files = class {
 		});
 		return this.check(images);
 	}
-	/** The files of images that a project names take their places: nothing of the project changes. */
 	async takeFound(files, sides) {
 		const images = {};
 		for (const [i, side] of sides.entries()) {
@@ -8525,7 +7444,6 @@ var Files = class {
 		});
 		return [aside];
 	}
-	/** Before another pair takes the place of photographs that were matched: they stay in the list of projects. */
 	async leave() {
 		if (!isWorthKeeping(this.store.state)) return null;
 		const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
@@ -8542,14 +7460,12 @@ var Files = class {
 		}));
 		return this.failed(say("cannot-be-opened", { name }), error);
 	}
-	/** Where a single image goes: an empty place, else the active one. */
 	freeSide() {
 		const { images, activeSide } = this.store.state;
 		if (images.left === null) return "left";
 		return images.right === null ? "right" : activeSide;
 	}
 };
-/** Takes what is dropped on the page while no other part does; a single image goes to the pane that it is dropped on. */
 function takerOf(view, files) {
 	const sideAt = (event) => {
 		const box = view.host.getBoundingClientRect();
@@ -8563,15 +7479,11 @@ function takerOf(view, files) {
 	};
 }
 // www/pair/files/keep.ts
-/** Keeps the pair in the browser's storage, and reads it from there. */
 var GIVEN = "pair";
 var RESULT = "pair/result";
 var FILE = "pair/file/";
-/** Room of what is small and not counted, in bytes. */
 var SMALL = 4096;
-/** Results are written once nothing has changed for so long, in ms: the next ones, which a slider brings, need the worker. */
 var QUIET_MS = 300;
-/** What changes what is kept. */
 var WATCHED = [
 	"settings",
 	"camera",
@@ -8617,7 +7529,7 @@ var KeptPairs = class {
 	}
 	parts() {
 		const { state } = this.store;
-		const parts = /* @__PURE__ */ new Map();
+		const parts = new Map();
 		const given = isBlank(state) ? null : givenOf(state);
 		if (given === null) return parts;
 		parts.set(GIVEN, {
@@ -8710,7 +7622,6 @@ var KeptPairs = class {
 		if (Object.keys(this.store.state.running).length > 0) this.engine.cancel();
 		this.store.dispatch({ type: "cleared" });
 	}
-	/** Writes the results as a project file once they are all there; what is cancelled meanwhile is written after the next change. */
 	async make() {
 		const { state } = this.store;
 		if (this.making || !isWhole(state)) return;
@@ -8734,7 +7645,6 @@ var KeptPairs = class {
 		this.changed();
 		if (this.store.state !== state) this.make();
 	}
-	/** `standing`: in place of masks whose files are not there. */
 	async masks({ masks }, parts, standing) {
 		const read = async (side) => {
 			const kept = masks[side];
@@ -8760,7 +7670,6 @@ var KeptPairs = class {
 			right
 		};
 	}
-	/** The results, where they are of these very files. */
 	async result(parts, { images, masks }) {
 		if (!parts.has(RESULT)) return null;
 		const value = objectOf(parts.get(RESULT), "result");
@@ -8789,7 +7698,6 @@ var KeptPairs = class {
 		};
 	}
 };
-/** The names under which images and masks are kept, as one text. */
 function filesOf$1({ images, masks }) {
 	const files = [
 		images.left,
@@ -8799,7 +7707,6 @@ function filesOf$1({ images, masks }) {
 	].map((given) => given === null ? null : nameOf$1(given.source));
 	return JSON.stringify(files);
 }
-/** All but files and results; the same object while nothing of it has changed. */
 function givenOf(state) {
 	const typed = typedOf(state);
 	const { settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth } = state;
@@ -8831,7 +7738,6 @@ var given = remember((settings, camera, photos, fiducialModel, offset, display, 
 		}))
 	};
 });
-/** @throws Error naming the field that is damaged */
 function givenFrom(value, catalogue) {
 	const kept = objectOf(value, "pair");
 	const file = (one, name) => {
@@ -8856,7 +7762,6 @@ function givenFrom(value, catalogue) {
 		truth: orNull(kept["truth"], (truth) => objectOf(truth, "truth")) ?? null
 	};
 }
-/** What was typed, judged as it is where it is typed. @throws Error naming what is damaged */
 function typedFrom(value, { defaults }, name) {
 	const kept = objectOf(value, name);
 	const settings = fitted$1(kept["settings"], defaults, `${name}.settings`);
@@ -8887,14 +7792,12 @@ function typedFrom(value, { defaults }, name) {
 		offset
 	};
 }
-/** @throws Error where the file is not there */
 function sourceFrom(parts, file) {
 	const source = objectOf(parts.get(FILE + file), `file ${file}`);
 	if (source.kind === "file" && !(source.file instanceof Blob)) throw new Error(say("an-image-is-damaged"));
 	nameOf$1(source, file);
 	return source;
 }
-/** The truth of images that have other numbers now. */
 function truthFrom(truth, kept, parts, images) {
 	const { file, ...known } = truth;
 	const rightPosition = parts.get(FILE + file);
@@ -8919,8 +7822,6 @@ function bytesOf$1(source) {
 	}
 }
 // www/pair/files/painted.ts
-/** Masks that are painted on the page: files, as those that are given. */
-/** The mask of a side with an area masked or no longer; null where it was cancelled. */
 async function paintedMask(engine, state, side, corners, masked) {
 	try {
 		return await painted(engine, state, side, corners, masked);
@@ -8955,8 +7856,6 @@ async function painted(engine, { images, masks }, side, corners, masked) {
 	};
 }
 // www/pair/state/labels.ts
-/** What is said of a point by its code. */
-/** What the crate's catalogue does not know: edits are the page's. */
 var EDITED = {
 	rejected_by_hand: {
 		text: say("matched-then-rejected-by-hand"),
@@ -8967,15 +7866,12 @@ var EDITED = {
 		label: say("measured-by-hand-2")
 	}
 };
-/** What a code says of a point: a sentence, or its label. */
 function textOfCode(code, part = "text") {
 	const name = CODES[code] ?? "undecided";
 	if (name === "rejected_by_hand" || name === "manual") return EDITED[name][part];
 	return message("verdict", name, part === "label" ? part : null);
 }
 // www/pair/panel/verdict.ts
-/** Why a point was matched or refused, with the numbers that its rule compared. */
-/** The rule that decided about the selected point, in words. */
 function verdictOf(state, shown, match) {
 	const { selection, settings } = state;
 	const leftIndex = leftIndexOf(state, match.best, match.rules);
@@ -9036,12 +7932,10 @@ function numbers(code, index, match, settings) {
 		default: return "";
 	}
 }
-/** A verified match: where its descriptor alone would not have decided, the geometry did. */
 function agreeing(best, second, largest) {
 	if (!Number.isFinite(second)) return "only-candidate";
 	return best > largest * second ? "agreeing-candidate" : "clear-candidate";
 }
-/** Its descriptor is like enough, but it lies elsewhere than the geometry has it; or there is no geometry. */
 function outOfGeometry({ geometry, no_geometry }, compared) {
 	if (geometry === null) return say("no-geometry", {
 		...compared,
@@ -9054,8 +7948,6 @@ function outOfGeometry({ geometry, no_geometry }, compared) {
 	});
 }
 // www/pair/panel/announce.ts
-/** Says beside the picture what became of the selected point, and why. */
-/** `details` shows all that is known of it. */
 function mountAnnouncements(host, store, details) {
 	const keys = byId("keys");
 	const text = h("span", {});
@@ -9084,8 +7976,6 @@ function mountAnnouncements(host, store, details) {
 	});
 }
 // www/pair/state/calibration.ts
-/** The calibration that this browser remembers of the camera of both images. */
-/** Null for images that name no camera, are no photographs of one, or are not as it took them. */
 function labelOf({ camera, width, height }) {
 	if (camera === null || camera.origin === "panorama" || (camera.cautions ?? []).length > 0) return null;
 	return camera.make === null && camera.model === null ? null : camera_label(camera, width, height);
@@ -9094,13 +7984,11 @@ var labels = {
 	left: remember(labelOf),
 	right: remember(labelOf)
 };
-/** What a side names as its camera; undefined until the image is opened. */
 function named(state, side) {
 	const stage = side === "left" ? "openLeft" : "openRight";
 	const opened = state.results[stage];
 	return opened === void 0 || !isCurrent(state, stage) ? void 0 : labels[side](opened.value.info);
 }
-/** What can be taken in place of the images' own camera; null where a camera or fiducial marks are given, or none is remembered. */
 function offeredCalibration(state) {
 	const { camera, images, photos, results } = state;
 	if (camera !== null || SIDES.some((side) => images[side]?.source.kind !== "file" || photos[side].fiducials.length > 0)) return null;
@@ -9108,7 +7996,6 @@ function offeredCalibration(state) {
 	if (label == null || label !== named(state, "right")) return null;
 	return calibrationOf(label, results.openLeft?.value.info.camera?.lens ?? {});
 }
-/** Whether the camera was taken for photographs of another camera than those that are open now. */
 function isOfOthers(state) {
 	if (state.camera === null) return false;
 	const behind = calibrationBehind(state.camera);
@@ -9119,9 +8006,7 @@ function isOfOthers(state) {
 	});
 }
 // www/pair/panel/calibration.ts
-/** The calibrated camera that is offered for the images, taken, and left with them. */
 var DAY = new Intl.DateTimeFormat(LANGUAGE === "en" ? "en-GB" : `${LANGUAGE}-u-nu-latn`, { dateStyle: "medium" });
-/** Takes the calibration that this browser remembers of the images' camera. */
 function useCalibration(store) {
 	const offered = offeredCalibration(store.state);
 	if (offered !== null) store.dispatch({
@@ -9129,7 +8014,6 @@ function useCalibration(store) {
 		camera: cameraOfPair(offered)
 	});
 }
-/** What is offered, with the button that takes it; nothing where nothing is. */
 function calibrationGroup(store) {
 	const text = h("p", {
 		class: "note",
@@ -9177,8 +8061,6 @@ function calibrationGroup(store) {
 	return group;
 }
 // www/pair/engine/checks.ts
-/** What the crate takes of what is typed. The crate itself is asked, so that no range stands here a second time; none of this takes time. */
-/** The message of the crate's refusal; null where it takes what it is given. */
 function refusalOf(call) {
 	try {
 		call();
@@ -9188,12 +8070,10 @@ function refusalOf(call) {
 		throw error;
 	}
 }
-/** What is allowed instead, in the crate's words; null where it takes what it is given. */
 function allowedInstead(call) {
 	const message = refusalOf(call);
 	return message === null ? null : message.replace(/^.*(?:; allowed|؛ المسموح): /u, "");
 }
-/** What of a camera is allowed; the rest of it is taken for granted. */
 function allowedOfCamera(part) {
 	return allowedInstead(() => parse_camera(JSON.stringify({
 		focal_mm: 1,
@@ -9203,7 +8083,6 @@ function allowedOfCamera(part) {
 function allowedOfOffset(dx, dy) {
 	return allowedInstead(() => constant_offset(dx, dy));
 }
-/** Three marks that any camera can be oriented by. */
 var MARKS = [
 	[0, 0],
 	[1, 0],
@@ -9222,17 +8101,14 @@ function allowedOfOrigin(col, row) {
 		origin: [col, row]
 	}));
 }
-/** Why a flight cannot be flown; null where it can. */
 function problemOfFlight(flight) {
 	return refusalOf(() => check_flight(flight));
 }
 // www/pair/state/residuals.ts
-/** Side of a pixel in mm: the root of the area that the interior orientation gives a pixel. */
 function pixelMm(interior) {
 	const [[a, b], [d, e]] = interior.parameters;
 	return Math.sqrt(Math.abs(a * e - b * d));
 }
-/** The residual of each match at its point of one image: stride 4, x, y, dx, dy in px. */
 function vectorsOf(side) {
 	return remember((match, orientation, interior) => {
 		const [[a, b], [d, e]] = interior.parameters;
@@ -9253,7 +8129,6 @@ var residualVectors = {
 	left: vectorsOf("left"),
 	right: vectorsOf("right")
 };
-/** The y-parallax left in each match that the adjustment kept, in px: the right photo's correction in y minus the left one's. */
 var parallaxResiduals = remember((orientation, interior) => {
 	const rejected = new Set(orientation.rejected);
 	const pixel = pixelMm(interior);
@@ -9261,7 +8136,6 @@ var parallaxResiduals = remember((orientation, interior) => {
 	return Float64Array.from(kept, ([, left, , right]) => (right - left) / pixel);
 });
 // www/pair/panel/camera.ts
-/** The camera: typed, loaded, or from EXIF; and the offset between the images. */
 var NUMBERS = [
 	{
 		label: say("focal-length"),
@@ -9339,7 +8213,6 @@ var NUMBERS = [
 		alone: (v) => ({ tangential_distortion: [0, v] })
 	}
 ];
-/** A camera of its numbers, in the order of `NUMBERS`; null without a focal length. */
 function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0]) {
 	if (focal === void 0) return null;
 	const lens = {
@@ -9435,7 +8308,6 @@ function sourceText(state) {
 	});
 	return say("orientation-needs-a-focal-length", { exif });
 }
-/** What is known of a camera that nobody calibrated. */
 function estimatedText(state) {
 	const camera = state.results.orientation?.value.cameras?.[0];
 	const interior = interiorInUse(state)?.left;
@@ -9446,7 +8318,6 @@ function estimatedText(state) {
 		error: error ?? NaN
 	});
 }
-/** The offset of the right image: estimated, or given. */
 function offsetGroup(store) {
 	const change = () => {
 		const offset = readPair([dx.input, dy.input], problem, allowedOfOffset);
@@ -9496,17 +8367,15 @@ function offsetGroup(store) {
 	return h("fieldset", { class: "group" }, h("legend", {}, say("offset-of-the-right-image")), found, h("div", { class: "pairs" }, dx.element, dy.element), problem);
 }
 // www/pair/panel/presets.ts
-/** What can be chosen: the names of their texts. */
 var TEXTS = {
 	defaults: "preset-defaults",
 	"many-points": "preset-many-points",
 	"little-in-common": "preset-little-in-common",
 	"zahran-2007": "preset-zahran-2007"
 };
-/** What is shown of settings that are not ready made. */
 var OWN = "own";
 function makePresets(presets, take) {
-	let offered = /* @__PURE__ */ new Map();
+	let offered = new Map();
 	const names = ["defaults", ...presets.map(({ name }) => name)];
 	const help = h("p", {
 		class: "help",
@@ -9547,13 +8416,13 @@ function makePresets(presets, take) {
 	};
 }
 // www/pair/panel/controls.ts
-/** The settings of the run: a control for each, in the order of the pipeline; those without effect under the others are hidden. */
-/** Fills the settings panel once the crate's catalogue is there; `opener` opens it, and says how many settings were changed. */
 function mountControls(host, store, opener) {
 	store.watch(["catalogue"], ([catalogue]) => {
-		if (catalogue === null) return;
+		if (catalogue !== null) quiet().then(() => show(catalogue));
+	});
+	function show(catalogue) {
 		let acts = resolved(catalogue.defaults);
-		const { elements, show } = makeFolded(catalogue.parameters, {
+		const { elements, show: showValues } = makeFolded(catalogue.parameters, {
 			change: (key, value) => change(store, key, value),
 			defaults: () => standardOf(store.state, catalogue),
 			resolved: () => acts,
@@ -9580,12 +8449,11 @@ function mountControls(host, store, opener) {
 		store.watch(["settings", "truth"], ([settings]) => {
 			if (settings === null) return;
 			acts = resolved(settings);
-			show(settings, acting_parameters(settings));
+			showValues(settings, acting_parameters(settings));
 			presets.show(settings, standardOf(store.state, catalogue));
 		});
-	});
+	}
 }
-/** A threshold and a fraction of candidates exclude each other: setting one clears the other. */
 var EXCLUSIVE = {
 	"points.threshold": "points.fraction",
 	"points.fraction": "points.threshold"
@@ -9600,7 +8468,6 @@ function change(store, key, value) {
 		settings: withSetting(free, key, value)
 	});
 }
-/** The defaults. The base belongs to the simulated pair, as its camera does: without it by and bz would have another scale than the truth. */
 function standardOf({ truth }, { defaults }) {
 	return truth === null ? defaults : {
 		...defaults,
@@ -9611,33 +8478,26 @@ function standardOf({ truth }, { defaults }) {
 	};
 }
 // www/pair/state/paper.ts
-/** Whether what the paper printed of its own pair can be set beside the results. */
-/** Whether the images are of the paper's camera, which the flight of that name has: other pairs have nothing in common with the paper's. */
 function hasPaperCamera(state) {
 	const paper = state.catalogue?.flights.find(({ name }) => name === "paper");
 	const cameras = pairCameras(state);
 	return paper !== void 0 && !("missing" in cameras) && cameras.left.focal_mm === paper.flight.focal_mm;
 }
 // www/pair/state/display.ts
-/** Which points the picture shows. */
-/** Shown at first: accepted matches, and those that the user rejected, who may want them back. */
 var MATCHES = [
 	MATCHED,
 	MANUAL,
 	BY_HAND
 ];
-/** Whether points of a code are shown: the others than these only where they are asked for. */
 function isCodeShown({ points, hidden }, code) {
 	if (hidden.includes(code)) return false;
 	return points === "all" || points === "matched" && MATCHES.includes(code);
 }
-/** Codes of all other points. */
 var REJECTED = [
 	...REFUSALS.map(codeOf),
 	GROSS_ERROR,
 	UNDECIDED
 ];
-/** Shows or hides the points of one code. Where only matches were shown, those of other codes stay hidden. */
 function withCode(display, code, on) {
 	const { points } = display;
 	const others = (points === "all" ? display.hidden : [...points === "none" ? MATCHES : display.hidden, ...REJECTED]).filter((other) => other !== code);
@@ -9647,7 +8507,6 @@ function withCode(display, code, on) {
 	};
 }
 // www/pair/view/palette.ts
-/** Colours and shapes of points. Okabe and Ito's colours, told apart with any colour vision; shapes differ as well. */
 var STYLE_OF = {
 	matched: ACCEPTED,
 	no_descriptor: {
@@ -9702,14 +8561,12 @@ var STYLE_OF = {
 	rejected_by_hand: REJECTED_BY_HAND,
 	manual: MEASURED
 };
-/** By code. */
 var STYLES = CODES.map((name) => STYLE_OF[name]);
 function styleOf(code) {
 	const style = STYLES[code];
 	if (style === void 0) throw new Error(`no style for code ${String(code)}`);
 	return style;
 }
-/** The codes in drawing order: the common ones below, matches on top. */
 var DRAWN = [
 	UNDECIDED,
 	...REFUSALS.map(codeOf),
@@ -9721,7 +8578,6 @@ var DRAWN = [
 var LINE = "rgb(0 222 160 / 0.5)";
 var LINE_REJECTED = "rgb(255 110 20 / 0.85)";
 // www/pair/panel/swatch.ts
-/** The mark of a code as a small picture, for legends. */
 var OUTLINES = {
 	[SHAPES.dot]: "M6 6h4v4h-4z",
 	[SHAPES.circle]: "M12 8a4 4 0 1 0-8 0a4 4 0 1 0 8 0z",
@@ -9732,7 +8588,6 @@ var OUTLINES = {
 	[SHAPES.triangleDown]: "M8 12l4-7h-8z",
 	[SHAPES.diamond]: "M8 3.5l4.5 4.5l-4.5 4.5l-4.5-4.5z"
 };
-/** On a dark ground as in the image, so that white and yellow show in the light theme too. */
 function swatch(code) {
 	const style = styleOf(code);
 	return svg("svg", {
@@ -9754,8 +8609,6 @@ function swatch(code) {
 	}));
 }
 // www/pair/panel/counts.ts
-/** The counts of each phase, as in the paper's Table 1, and what each rule refused. */
-/** Places in the paper's Table 1; it does not count what the threshold of roundness leaves. */
 var PAPER = {
 	candidates: 0,
 	after_roundness: null,
@@ -9767,12 +8620,10 @@ var PHASES = [
 	["after_roundness", say("roundness")],
 	["after_suppression", say("suppression")]
 ];
-/** The settings by which the paper counted, whose Table 1 says nothing of others. */
 function countsAsPaper({ settings }) {
 	return settings !== null && comparesMoments(settings) && resolved(settings).points.operator === resolved({ matching: { strategy: "moments" } }).points.operator;
 }
-/** Rules that only some strategies have. */
-var RARE = /* @__PURE__ */ new Set([
+var RARE = new Set([
 	"border",
 	"left_right",
 	"not_converged",
@@ -9796,13 +8647,13 @@ function mountCounts(host, store) {
 		s.offset,
 		s.fiducialModel,
 		s.failures
-	], () => {
+	], whenInSight(host, () => {
 		const { state } = store;
 		points.classList.toggle("is-stale", pointsAreStale(state));
 		matches.classList.toggle("is-stale", isStale(state, "match"));
 		fill(phases, phaseTable(state));
 		fill(rules, ruleTable(state, store), scoreLines(state));
-	});
+	}));
 }
 function pointsAreStale(state) {
 	return isStale(state, "pointsLeft") || isStale(state, "pointsRight");
@@ -9828,7 +8679,6 @@ function phaseTable(state) {
 		title: say("the-papers-table-1-for")
 	}, say("paper-l-r")) : null)), h("tbody", {}, ...body, markStale(row(say("matching"), cell("count-left-matches", count(matches)), cell("count-right-matches", count(matches)), ...counted(PAPER_MATCHES)), isStale(state, "match") && !pointsAreStale(state)), row(say("threshold"), cell("threshold-left", threshold(left?.threshold)), cell("threshold-right", threshold(right?.threshold)), ...paper((of) => [of.threshold, of.threshold].map(count).join(" / ")))));
 }
-/** The matches with what was done to them by hand. */
 function matchOf(state) {
 	return editedPair(state)?.match ?? state.results.match?.value;
 }
@@ -9845,7 +8695,6 @@ function ruleTable(state, store) {
 		colspan: 4
 	}, say("rejected-by"))), ...refused));
 }
-/** What was done by hand, where anything was. */
 function byHand(result) {
 	if (result === void 0) return [];
 	const { rejected, manual } = countsByHand(result);
@@ -9878,7 +8727,6 @@ function ruleRow(code, testid, value, share, state, store, label) {
 	const name = h("span", { title: textOfCode(code) }, label ?? own);
 	return row(h("span", { class: "legend" }, swatch(code), name), cell(testid, count(value)), h("td", { class: "number" }, share(value)), h("td", { class: "centre" }, toggle));
 }
-/** How many matches are right, where the truth is known. */
 function scoreLines(state) {
 	const score = state.results.score?.value;
 	const { match } = shownPair(state);
@@ -9890,7 +8738,6 @@ function scoreLines(state) {
 		aria: { label: say("matches-against-the-truth") }
 	}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("against-the-truth")), h("th", { scope: "col" }, say("number")), h("th", { scope: "col" }, say("share")))), h("tbody", {}, line(say("right-matches"), "score-right", score.right, share(score.right), say("within-1-5-px-of")), line(say("strictly-right"), "score-strict", score.strict, share(score.strict), say("within-1-5-px-of-where")), line(say("missed"), "score-missed", score.missed, "", say("left-points-that-are-visible"))));
 }
-/** What became of the points, in one sentence for the status line. */
 function summary(state) {
 	const shown = shownPair(state);
 	if (shown.match === null) return "";
@@ -9901,8 +8748,6 @@ function summary(state) {
 	});
 }
 // www/pair/state/draft.ts
-/** A match that is measured by hand: where it lies so far, and where its other point may be. */
-/** The places of a side, then of the other, of the matches nearest to a place; nearest first. */
 function nearest({ match }, side, [x, y]) {
 	const first = side === "left" ? 0 : 2;
 	const rows = Array.from({ length: match.matches.length / 5 }, (_, row) => {
@@ -9928,7 +8773,6 @@ function nearest({ match }, side, [x, y]) {
 		];
 	});
 }
-/** Where the ground at a place of one image lies in the other, by the matches around it; null without matches. */
 function byNeighbours(edited, side, at) {
 	return movedWith(nearest(edited, side, at), at);
 }
@@ -9939,17 +8783,14 @@ var predicted = remember((edited, draft, line) => {
 	const around = byNeighbours(edited, otherSide(draft.side), known);
 	return around === null || line?.side !== draft.side ? around : onLine(line.positions, around);
 });
-/** Where the point that is placed now is expected: by the matches around it, on its epipolar line where one is known. */
 function expectedPlace(state) {
 	const edited = editedPair(state);
 	if (edited === null || state.draft === null) return null;
 	return predicted(edited, state.draft, lineOfDraft(state));
 }
-/** Where the point may lie in the image in which it is placed now. */
 function lineOfDraft(state) {
 	return state.draft !== null && isCurrent(state, "line") ? state.results.line?.value ?? null : null;
 }
-/** Where the match lies in an image: where it was placed, else where it is expected; null where neither is known. */
 function placeOfDraft(state, side) {
 	const { draft } = state;
 	if (draft === null) return null;
@@ -9957,11 +8798,9 @@ function placeOfDraft(state, side) {
 	if (own !== null) return [own[0], own[1]];
 	return side === draft.side ? expectedPlace(state) : null;
 }
-/** The size of an image; null while it is not open. */
 function sizeOf({ results }, side) {
 	return results[side === "left" ? "openLeft" : "openRight"]?.value.info ?? null;
 }
-/** The draft with its point of a side at a place, within the image. */
 function placed(state, draft, side, [x, y]) {
 	const { width, height } = sizeOf(state, side) ?? {
 		width: Infinity,
@@ -9976,7 +8815,6 @@ function placed(state, draft, side, [x, y]) {
 		}
 	};
 }
-/** A new match whose first point lies at a place of an image; its other point comes next. */
 function begun(state, side, at) {
 	return {
 		...placed(state, {
@@ -9990,7 +8828,6 @@ function begun(state, side, at) {
 		side: otherSide(side)
 	};
 }
-/** The match of the selected point, to be moved; null where there is none. */
 function moving(state) {
 	const edited = editedPair(state);
 	if (edited === null) return null;
@@ -10008,7 +8845,6 @@ function moving(state) {
 		side: state.selection?.side === "left" ? "right" : state.selection?.side ?? "right"
 	};
 }
-/** The edit that a draft becomes; null while a point of it is not placed. */
 function editOfDraft(state) {
 	const { draft, history } = state;
 	const [left, right] = [placeOfDraft(state, "left"), placeOfDraft(state, "right")];
@@ -10037,8 +8873,6 @@ function editOfDraft(state) {
 	};
 }
 // www/pair/panel/draft.ts
-/** While a match is measured by hand: what to do next, where its points lie, and buttons for each key. */
-/** In the bar above the pictures. `follow` shows the points that are measured. */
 function mountDraft(host, store, editing, follow) {
 	const tool = button(say("add-match"), "tool-measure", () => editing.toggle("measure"), say("measure-a-match-by-hand"));
 	const text = h("span", {
@@ -10093,25 +8927,21 @@ function textOf$2(state) {
 	});
 }
 // www/pair/state/choice.ts
-/** The matches that an edit would change: those chosen together, else that of the selected point. */
 var NONE = [];
 var leftsOf = remember((edited, chosen) => {
 	const lefts = leftsByTarget(edited);
 	return chosen.flatMap((key) => lefts.get(key) ?? []);
 });
-/** The left points of the matches that are chosen together. */
 function chosenLefts(state) {
 	const edited = editedPair(state);
 	return edited === null || state.chosen.length === 0 ? NONE : leftsOf(edited, state.chosen);
 }
-/** The left points whose matches an edit would change. */
 function concerned(state, edited) {
 	const chosen = chosenLefts(state);
 	if (chosen.length > 0) return chosen;
 	const left = leftIndexOf(state, edited.match.best, edited.match.rules);
 	return left < 0 ? NONE : [left];
 }
-/** What rejects or restores the chosen matches; null where none of them is there for it. */
 function editOfChoice(state, kind) {
 	const edited = editedPair(state);
 	if (edited === null) return null;
@@ -10125,14 +8955,12 @@ function editOfChoice(state, kind) {
 		of
 	};
 }
-/** The keys of the matches of left points; points without one have none. */
 function keysOfLefts(edited, lefts) {
 	return [...lefts].flatMap((left) => {
 		const target = targetOfLeft(edited, left);
 		return target === null ? [] : [keyOfTarget(target)];
 	});
 }
-/** The keys of matches whose point of a side lies in a rectangle of its image. */
 function keysWithin(edited, side, [left, top, right, bottom], isShown) {
 	const inside = [];
 	const first = side === "left" ? 0 : 2;
@@ -10144,7 +8972,6 @@ function keysWithin(edited, side, [left, top, right, bottom], isShown) {
 	});
 	return keysOfLefts(edited, inside);
 }
-/** The choice with matches added, or taken out where all of them were in it. */
 function toggled(chosen, keys) {
 	const own = new Set(chosen);
 	const all = keys.every((key) => own.has(key));
@@ -10153,13 +8980,10 @@ function toggled(chosen, keys) {
 	return [...own];
 }
 // www/pair/panel/marking.ts
-/** While fiducial marks are measured: which one is in hand, where it lies, and buttons for each key. */
-/** Whether undo and redo by their keys are of marks: while they are measured, and where the keyboard is in their tables. */
 function marksHaveKeys({ tool }) {
 	const held = document.activeElement?.closest("[data-testid=\"fiducials\"]") ?? null;
 	return tool === "fiducials" || held !== null;
 }
-/** In the bar above the pictures. */
 function mountMarking(bar, store, marking) {
 	const text = h("span", {
 		testid: "mark-text",
@@ -10264,12 +9088,9 @@ var UNKNOWNS = [
 	}
 ];
 // www/pair/panel/edits.ts
-/** What is done to the matches by hand: reject, restore, undo, redo, the history, and what became of the orientation. */
-/** How many matches an edit is about, where it is more than one. */
 function several(edit) {
 	return edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : "";
 }
-/** In the panel of the matches. */
 function mountEdits(host, store, editing, follow) {
 	const reject = button(say("reject"), "reject", () => editing.edit("reject"), say("take-the-chosen-matches-out"));
 	const restore = button(say("restore"), "restore", () => editing.edit("restore"), say("use-the-chosen-matches-again"));
@@ -10335,7 +9156,6 @@ var ANGLES = [
 	"phi_deg",
 	"kappa_deg"
 ];
-/** The figures of the orientation before the latest edit and now. */
 function comparison(state) {
 	const { before, history } = state;
 	if (history.edits.length === 0 || before === null) return [];
@@ -10363,7 +9183,6 @@ function comparison(state) {
 		aria: { label: say("orientation-before-and-after-the") }
 	}, h("thead", {}, head), body)];
 }
-/** With the pictures: the tool that chooses, undo and redo; in the bar itself, which is always in sight, what is done to the choice. */
 function mountEditTools(host, bar, store, editing) {
 	const choose = button(say("choose"), "tool-choose", () => editing.toggle("choose"));
 	choose.title = say("choose-matches-by-a-rectangle");
@@ -10391,7 +9210,6 @@ function mountEditTools(host, bar, store, editing) {
 		showSteps(undo, redo, state.history, nameOfEdit);
 	});
 }
-/** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own; the others in the list of matches. */
 function mountEditKeys(list, store, editing) {
 	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== "mask" && !marksHaveKeys(store.state), (by) => editing.step(by));
 	const keys = [
@@ -10428,7 +9246,6 @@ function mountEditKeys(list, store, editing) {
 	}));
 }
 // www/pair/panel/fiducials.ts
-/** Fiducial marks of one photo: a table to type into, or a CSV file. */
 var FIELDS$1 = [
 	"col",
 	"row",
@@ -10441,7 +9258,6 @@ var HEADS = {
 	x_mm: "x mm",
 	y_mm: "y mm"
 };
-/** `measure`: in the picture of a side. */
 function mountFiducials(host, store, loadFile, marking, measure) {
 	const model = h("select", {
 		id: "fiducial-model",
@@ -10554,7 +9370,6 @@ function removeButton(side, marking, index) {
 	remove.setAttribute("aria-label", say("remove-mark", { index: index + 1 }));
 	return remove;
 }
-/** `residuals`: of the marks that take part, in their order. */
 function showMarks(table, fiducials, residuals) {
 	const parts = fiducials.map((mark, i) => isWhole$1(mark) ? residuals[fiducials.slice(0, i).filter(isWhole$1).length] : void 0);
 	table.querySelectorAll("tbody tr").forEach((line, i) => {
@@ -10569,7 +9384,6 @@ function showMarks(table, fiducials, residuals) {
 		if (cell !== null) cell.textContent = vx === void 0 ? "" : `${fixed(1e3 * vx, 0)}, ${fixed(1e3 * (vy ?? NaN), 0)}`;
 	});
 }
-/** Where the image lies in the scan whose marks were measured. */
 function originFields(side, store) {
 	const problem = problemLine(`origin-${side}`);
 	const change = () => {
@@ -10616,12 +9430,12 @@ function mountGeometry(host, store) {
 		"camera",
 		"photos",
 		"masks"
-	], () => {
+	], whenInSight(host, () => {
 		const { state } = store;
 		panel.hidden = state.settings === null || !comparesGradients(state.settings);
 		panel.classList.toggle("is-stale", isStale(state, "match"));
 		if (!panel.hidden) fill(body, ...content$2(state));
-	});
+	}));
 }
 function content$2(state) {
 	const { match } = shownPair(state);
@@ -10677,7 +9491,6 @@ function figures(match, { model: { kind }, sigma_px: sigma, threshold_px: thresh
 	];
 }
 // www/pair/files/epipolar.ts
-/** Epipolar images of the pair on the screen: made in a worker of its own, and saved as one archive. */
 async function exportEpipolar(store, engine) {
 	const { state } = store;
 	const { left, right } = state.images;
@@ -10712,8 +9525,6 @@ async function exportEpipolar(store, engine) {
 	}
 }
 // www/pair/files/report.ts
-/** The report of the pair on the screen: made in a worker of its own, step by step, and saved as one file. */
-/** What the report is made of; null where an image is missing. */
 function inputOf(state) {
 	const { left, right } = state.images;
 	const { settings, camera, photos, masks, offset, fiducialModel } = state;
@@ -10790,9 +9601,7 @@ async function exportReport(store, engine) {
 // www/pair/panel/matrix.ts
 var CELL = 44;
 var HEAD = 26;
-/** The part of a cell that the number takes, below the square: a small square would strike it through. */
 var FOOT = 12;
-/** The matrix of correlations: the larger the square the stronger, filled where positive and hatched by its outline where negative. */
 function correlationPicture({ correlations }) {
 	const size = HEAD + CELL * UNKNOWNS.length;
 	const words = UNKNOWNS.flatMap(({ symbol }, i) => UNKNOWNS.slice(i + 1).map((other, k) => say("and", {
@@ -10817,7 +9626,6 @@ function correlationPicture({ correlations }) {
 		"aria-label": say("correlations", { join: words.join(", ") })
 	}, ...heads, ...cells));
 }
-/** The area of the square stands for the magnitude. */
 function cellOf(value, row, column) {
 	const side = 28 * Math.sqrt(Math.min(1, Math.abs(value)));
 	const x = HEAD + CELL * (column + .5);
@@ -10842,7 +9650,6 @@ function cellOf(value, row, column) {
 	}, fixed(value, 2)));
 }
 var PLOT = 150;
-/** The standard error ellipse of by and bz, with the truth where it is known. */
 function ellipsePicture(ellipse, deviation) {
 	const { semi_major: major, semi_minor: minor, bearing_deg: angle } = ellipse;
 	const reach = Math.max(2 * major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
@@ -10906,11 +9713,11 @@ function mountOrientation(host, store) {
 		"photos",
 		"offset",
 		"fiducialModel"
-	], () => {
+	], whenInSight(host, () => {
 		const { state } = store;
 		panel.classList.toggle("is-stale", isStale(state, "orientation"));
 		fill(body, ...content$1(state));
-	});
+	}));
 }
 function content$1(state) {
 	const reason = whyNotOriented(state);
@@ -10935,7 +9742,6 @@ function content$1(state) {
 		pictures(state, result)
 	];
 }
-/** Says where the focal length is from, where no camera is known. */
 function estimatedFocal(state) {
 	const { match } = state.results;
 	const focal = match?.value.geometry?.focal ?? null;
@@ -10948,7 +9754,6 @@ function estimatedFocal(state) {
 		error_px: focal.standard_error_px
 	}))];
 }
-/** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
 var EQUAL_PX = .05;
 function areEqual(matches) {
 	let equal = 0;
@@ -10958,7 +9763,6 @@ function areEqual(matches) {
 	}
 	return matches.length > 0 && equal > .9 * (matches.length / 5);
 }
-/** Why there is no orientation for what is wanted now; null where there is one, or one to come. */
 function whyNotOriented(state) {
 	const keys = wantedKeys(state);
 	if (state.images.left === null || state.images.right === null) return say("two-images-are-needed");
@@ -10984,7 +9788,6 @@ function whyNotOriented(state) {
 	}
 	return null;
 }
-/** The true orientation at the scale of a result's base; null where it is not known. */
 function truthFor(state, { base_mm: base }) {
 	const truth = truthOf(state);
 	return truth === null ? null : orientationAt(truth, base);
@@ -11032,7 +9835,6 @@ function valueTable(state, result) {
 		class: kind
 	}, text)))), h("tbody", {}, ...rows))), note);
 }
-/** Whose pair it was, and with what it was photographed. */
 function paperNote({ catalogue }, { pixel_mm: pixel }) {
 	const flight = catalogue?.flights.find(({ name }) => name === "paper")?.flight;
 	return say("paper", {
@@ -11149,8 +9951,6 @@ function pictures(state, result) {
 	return h("div", { class: "precision-pictures" }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
 }
 // www/pair/panel/answer.ts
-/** What came of a pair: its verdict, the figures that decided, and what to do next. */
-/** The answer while nothing runs; `waiting`: something is about to. */
 function resting(state, waiting, actions) {
 	const { images } = state;
 	const line = (kind, text, next = null) => ({
@@ -11254,7 +10054,6 @@ function figuresWithout(state) {
 		label: say("points-tried")
 	}];
 }
-/** Warnings that another camera would answer. */
 function asksForCamera({ kind }) {
 	return kind === "unknown_camera" || kind === "focal_length" || kind === "wide_angle";
 }
@@ -11265,21 +10064,18 @@ function nextWithout(state, actions) {
 		act: actions.why
 	};
 }
-/** Takes the camera as a block calibrated it, where it did. */
 function calibrated(state, actions) {
 	return offeredCalibration(state) === null ? null : {
 		text: say("use-the-calibrated-camera"),
 		act: actions.calibrated
 	};
 }
-/** Where the camera is what is wanting. */
 function cameraNext(state, actions) {
 	return calibrated(state, actions) ?? {
 		text: say("give-the-camera"),
 		act: actions.camera
 	};
 }
-/** A sound result is saved; after a simulated one come photos of one's own. */
 function nextAfter({ images }, { open, save }) {
 	return SIDES.some((side) => images[side]?.source.kind === "grey") ? {
 		text: say("open-your-photos"),
@@ -11290,8 +10086,6 @@ function nextAfter({ images }, { open, save }) {
 	};
 }
 // www/pair/panel/status.ts
-/** What the answer says while nothing is answered yet: what runs, how far it is, what went wrong, and what to do. */
-/** A run shorter than this shows no bar: it would only flicker. */
 var PATIENCE_MS$1 = 250;
 function mountStatus(store, actions) {
 	const show = answerCard(byId("answer"), byId("status"), byId("answer-actions"), "");
@@ -11347,17 +10141,14 @@ function answerOf(state, actions) {
 		more: `${answer.more ?? ""} ${state.notice.text}`.trimStart()
 	};
 }
-/** Matches that determine no orientation are a result all the same. */
 function isOrientation({ stage, ended }) {
 	return !ended && stage === "orientation";
 }
-/** Without an interior orientation there are matches, but no more. */
 function matchedAllTheSame(state, failed) {
 	const matches = summary(state);
 	return (failed === "interiorLeft" || failed === "interiorRight") && matches !== "" ? say("not-oriented-4", { matches }) : "";
 }
 // www/pair/panel/header.ts
-/** The bar of the page as the pair uses it: what opens, exchanges and exports its images. */
 function pickerOf(files) {
 	const input = byId("file-input");
 	let wanted = {
@@ -11430,7 +10221,6 @@ function mountHeader({ store, engine, view, files, pick, attempt, sampleBlock })
 		leaveWelcome(!none);
 	});
 }
-/** What is known of the truth says where left pixels are seen in the right image: it holds in the simulated order alone. */
 function swap(store, engine) {
 	const known = truthOf(store.state) !== null;
 	engine.swap();
@@ -11442,7 +10232,6 @@ function swap(store, engine) {
 		}
 	});
 }
-/** Hides the welcome; the keyboard goes on to the images where it was in there, or on the button that gave them. */
 function leaveWelcome(left) {
 	const welcome = byId("welcome");
 	const { activeElement } = document;
@@ -11455,17 +10244,14 @@ function leaveWelcome(left) {
 	if (left && focused) byId("view").focus({ preventScroll: true });
 }
 // www/pair/state/histogram.ts
-/** A quantile of sorted values; NaN of none. */
 function quantile(sorted, q) {
 	return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? NaN;
 }
-/** One value of each row of a flat array. */
 function columnOf(values, stride, at) {
 	const column = new Float64Array(Math.floor(values.length / stride));
 	for (let i = 0; i < column.length; i++) column[i] = values[i * stride + at] ?? NaN;
 	return column;
 }
-/** The finite values in ascending order. */
 function sortedFinite(values) {
 	const sorted = values.slice().sort();
 	let end = sorted.length;
@@ -11474,10 +10260,6 @@ function sortedFinite(values) {
 	while (start < end && sorted[start] === -Infinity) start += 1;
 	return sorted.subarray(start, end);
 }
-/**
-* The histogram of the finite values in `bins` bins. The range is that of the values from the 0.5 % to the 99.5 % quantile, so that
-* a few extreme ones do not squeeze the rest into one bin; `symmetric` centres it on 0, `from` fixes its lower end.
-*/
 function histogram(values, bins, { symmetric = false, from } = {}) {
 	const sorted = sortedFinite(values);
 	let low = from ?? quantile(sorted, .005);
@@ -11504,7 +10286,6 @@ function histogram(values, bins, { symmetric = false, from } = {}) {
 	};
 }
 // www/pair/panel/histograms.ts
-/** Histograms: the measure of the matches, what the adjustment left, the interest value. */
 var BINS = 40;
 var WIDTH = 320;
 var HEIGHT = 84;
@@ -11529,13 +10310,12 @@ function mountHistograms(host, store) {
 		"offset",
 		"fiducialModel",
 		"failures"
-	], () => {
+	], whenInSight(host, () => {
 		panel.classList.toggle("is-stale", isStale(store.state, "match"));
 		round += 1;
 		update(body, store, () => round, round);
-	});
+	}));
 }
-/** Draws the charts one after the other, each in its own task: with many points each takes some ms, and input comes between. */
 async function update(body, store, round, own) {
 	const charts = [];
 	for (const make of CHARTS) {
@@ -11604,8 +10384,6 @@ function chart(title, unit, data, testid) {
 	return h("figure", { testid }, h("figcaption", {}, title, h("span", { class: "unit" }, `${suffix} · n = ${count(data.total)}`)), picture, h("div", { class: "scale" }, h("span", {}, significant(data.low)), h("span", {}, say("median", { median: significant(data.median) })), h("span", {}, significant(data.high))));
 }
 // www/pair/panel/masking.ts
-/** While areas of the pictures are masked: what to do next, and buttons for each key. */
-/** The tool with those of the pictures, its buttons in the bar above them. `paint` masks the outlined area, or no longer. */
 function mountMasking(host, bar, store, masking, paint) {
 	const tool = button(say("mask-areas"), "tool-mask", () => masking.toggle(), say("outline-areas-in-which-no"));
 	const text = h("span", {
@@ -11733,7 +10511,6 @@ function label(side, actions) {
 	};
 }
 // www/pair/state/statistics.ts
-/** Values a match has in `RelativeOrientation.points`. */
 var POINT_STRIDE = 9;
 var POSITION = [{
 	key: "x",
@@ -11762,7 +10539,6 @@ var FIT = {
 	digits: 3,
 	help: say("standard-error-of-the-right")
 };
-/** In the order of a row of `RelativeOrientation.points`; lengths in mm are given in px where that is easier to read. */
 var ADJUSTED = [
 	{
 		key: "v",
@@ -11830,13 +10606,11 @@ var ADJUSTED = [
 		help: say("model-coordinate-at-photo-scale-upwards")
 	}
 ];
-/** The larger semi-axis of the error ellipse of a fit, in px. */
 function worstError(fits, match) {
 	if (5 * match >= fits.length) return NaN;
 	const [xx = NaN, xy = NaN, yy = NaN] = fits.subarray(5 * match + 1, 5 * match + 4);
 	return Math.sqrt(.5 * (xx + yy) + Math.hypot(.5 * (xx - yy), xy));
 }
-/** The statistics of a pair's matches, then of those that were rejected by hand; those of the adjustment where there is one. */
 var statisticsOf = remember((left, match, orientation, score, pixel) => {
 	const used = match.matches.length / 5;
 	const off = Uint32Array.from(match.rules, (_, left) => left).filter((left) => match.rules[left] === BY_HAND);
@@ -11872,7 +10646,6 @@ var statisticsOf = remember((left, match, orientation, score, pixel) => {
 		rightness: score !== null && score.rightness.length === used ? score.rightness : null
 	};
 });
-/** Whether a filter keeps a match. */
 function isKept({ codes, rightness }, filter, match) {
 	switch (filter) {
 		case "all": return true;
@@ -11883,13 +10656,10 @@ function isKept({ codes, rightness }, filter, match) {
 	}
 }
 // www/pair/panel/feature.ts
-/** Gradient descriptors as pictures: the patch around a point, and a star of eight directions in each of its 4 x 4 cells. */
-/** Canvas px of a sample. */
 var PIXEL = 3;
 var SIZE = 112 * PIXEL;
 var STAR = "#ffd400";
 var GRID = "rgb(255 212 0 / 0.55)";
-/** Both points: as they lie in their images with the grid of their descriptors, then turned and scaled to their frames. The same ones of the same inspection. */
 var featurePictures = remember(({ features }) => {
 	if (features === null) return [];
 	const both = (name, testid, picture, text) => {
@@ -11914,7 +10684,6 @@ var featurePictures = remember(({ features }) => {
 		reach
 	}))];
 });
-/** Grey values from black to white: what is dull would show nothing. */
 function stretched(grey) {
 	const [low, high] = grey.reduce(([least, most], value) => [Math.min(least, value), Math.max(most, value)], [255, 0]);
 	return grey.map((value) => 255 * (value - low) / Math.max(1, high - low));
@@ -11938,7 +10707,6 @@ function canvasOf(grey) {
 	context.putImageData(pixels, 0, 0);
 	return [canvas, context];
 }
-/** What the descriptor describes: of a right match it is the same in both images. */
 function turnedPicture({ turned }) {
 	return canvasOf(turned)[0];
 }
@@ -11951,7 +10719,6 @@ function uprightPicture({ upright, descriptor, direction }) {
 	drawStars(context, SIZE / SURROUNDINGS, descriptor);
 	return canvas;
 }
-/** The cells, and their first direction, which is that of the point. */
 function drawGrid(context, side) {
 	context.strokeStyle = GRID;
 	context.lineWidth = 1.5;
@@ -11967,7 +10734,6 @@ function drawGrid(context, side) {
 	context.lineTo(side / 2 + 14, 0);
 	context.stroke();
 }
-/** In each cell a ray a direction, as long as the descriptor's number; the longest of all reaches the cell's border. */
 function drawStars(context, side, descriptor) {
 	const cell = side / 4;
 	const most = descriptor.reduce((a, b) => Math.max(a, b), 1);
@@ -11986,7 +10752,6 @@ function drawStars(context, side, descriptor) {
 	context.stroke();
 }
 // www/pair/panel/window.ts
-/** The pixels of the window about the pixel `col`, `row`, the ones outside a circular window darkened; the ring marks the centroid, the line the axis. */
 function windowPicture(report, col, row, axis) {
 	const { side } = report;
 	const canvas = h("canvas", {
@@ -12035,13 +10800,13 @@ function mountPoint(host, store, select) {
 		"images",
 		"settings",
 		"failures"
-	], () => {
+	], whenInSight(host, () => {
 		const { state } = store;
 		body.classList.toggle("is-stale", state.selection !== null && state.results.match !== void 0 && !isCurrent(state, "match"));
 		const focused = body.contains(document.activeElement);
 		fill(body, ...content(state, select));
 		if (focused) host.focus({ preventScroll: true });
-	});
+	}));
 }
 function content(state, select) {
 	const { selection } = state;
@@ -12074,7 +10839,6 @@ function content(state, select) {
 		...candidateTable(state, shown.match, inspection, select)
 	];
 }
-/** What is drawn of the geometry in the other image. */
 function lineNote({ line }, { geometry }) {
 	if (line === null || geometry === null) return [];
 	const text = "fundamental" in geometry.model ? say("the-dashed-line-in-the", { side: line.side }) : say("the-cross-in-the-image", { side: line.side });
@@ -12125,7 +10889,6 @@ function moments({ left, right }) {
 		aria: { label: say("invariants") }
 	}, head(say("invariant")), h("tbody", {}, ...MOMENTS.map((_, i) => row(`I${"₀₁₂₃₄₅₆".charAt(i)}`, value(left?.report?.invariants[i]), value(right?.report?.invariants[i]))))))];
 }
-/** The figures of the point's match, each with what it is. */
 function matchStatistics(state, shown, match) {
 	const index = matchOfLeft(match)[leftIndexOf(state, match.best, match.rules)] ?? -1;
 	if (index < 0) return [];
@@ -12188,10 +10951,7 @@ function candidateTable(state, match, { candidates }, select) {
 	}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows)))];
 }
 // www/pair/panel/simulate.ts
-/** A flight to simulate: presets, a control for each of its parameters, and a small picture of the pair that follows every change. */
-/** Longest side of the preview's images, in px. */
 var PREVIEW_SIDE = 240;
-/** Quiet time after a change before the preview is rendered, in ms. */
 var DEBOUNCE_MS = 120;
 var PRESETS = {
 	sample: say("sample-the-built-in-pair"),
@@ -12201,7 +10961,7 @@ var PRESETS = {
 };
 function mountSimulate(host, store, engine, render) {
 	store.watch(["catalogue"], ([catalogue]) => {
-		if (catalogue !== null) new SimulatePanel(host, store, engine, catalogue, render);
+		if (catalogue !== null) quiet().then(() => new SimulatePanel(host, store, engine, catalogue, render));
 	});
 }
 var SimulatePanel = class {
@@ -12281,7 +11041,6 @@ var SimulatePanel = class {
 		window.clearTimeout(this.timer);
 		this.timer = window.setTimeout(() => void this.preview(), DEBOUNCE_MS);
 	}
-	/** Renders the newest flight, one rendering at a time. */
 	async preview() {
 		const { flight } = this.store.state;
 		if (this.rendering || flight === null || flight === this.shown || this.host.offsetParent === null) return;
@@ -12309,7 +11068,6 @@ var SimulatePanel = class {
 		this.problem.textContent = problem === null ? "" : `${readable(this.catalogue, problem)}.`;
 	}
 };
-/** The same flight with coarser pixels: as coarse as the preview is small, within what the crate flies. */
 function reduced(flight, { flightParameters }) {
 	const { pixel_mm: pixel, width_px: width, height_px: height } = flight;
 	const range = (field) => {
@@ -12341,7 +11099,6 @@ function paint(canvas, { width, height, grey }, words) {
 	canvas.getContext("2d")?.putImageData(pixels, 0, 0);
 }
 // www/pair/panel/statistics.ts
-/** The table of matches: each with its statistics, sorted by any of them, linked both ways to the images. */
 var FILTERS = [
 	["all", say("all-matches")],
 	["used", say("used")],
@@ -12349,7 +11106,6 @@ var FILTERS = [
 	["by-hand", say("by-hand")],
 	["wrong", say("wrong-by-the-truth")]
 ];
-/** What became of a match, in a word. */
 var STATES = {
 	[GROSS_ERROR]: say("gross-error"),
 	[BY_HAND]: say("rejected-by-hand-2"),
@@ -12393,7 +11149,7 @@ function mountStatistics(host, store, editing, select) {
 	new ResizeObserver(() => {
 		sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
 	}).observe(table.head);
-	let chosen = /* @__PURE__ */ new Set();
+	let chosen = new Set();
 	let statistics = null;
 	let columns = [];
 	const leftsOf = (rows) => [...rows].flatMap((row) => statistics?.lefts[row] ?? []);
@@ -12427,6 +11183,8 @@ function mountStatistics(host, store, editing, select) {
 		} else if (isOther) table.redraw();
 		table.mark(selectedMatch(state, statistics));
 	};
+	const seen = whenInSight(host, follow);
+	store.watch(["selection", "chosen"], seen);
 	store.watch([
 		"results",
 		"history",
@@ -12436,10 +11194,8 @@ function mountStatistics(host, store, editing, select) {
 		"photos",
 		"offset",
 		"fiducialModel",
-		"failures",
-		"selection",
-		"chosen"
-	], follow);
+		"failures"
+	], afterFrame(seen));
 }
 function columnsOf({ columns, codes, rightness }) {
 	const word = (key, label, help, text) => ({
@@ -12471,32 +11227,25 @@ function statisticsOfState(state) {
 	const interior = interiorInUse(state)?.left;
 	return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
 }
-/** The match of the selected point; -1 where it has none. */
 function selectedMatch(state, statistics) {
 	const { match } = shownPair(state);
 	if (match === null || statistics === null || state.selection === null) return -1;
 	return statistics.lefts.indexOf(leftIndexOf(state, match.best, match.rules));
 }
 // www/pair/view/frames.ts
-/** Scales and directions of points: a circle of twice the scale, a tick in the direction; only where they are few enough to be read. */
-/** Radius of the circle in scales. */
 var SCALES = 2;
-/** Least radius in CSS px at which a circle is drawn, and how many are: where more are in sight, zooming in shows them. */
 var LEAST_RADIUS = 6;
 var MOST_DRAWN = 250;
-/** CSS px of an image px from which on frames of matches are drawn, where these alone are shown. */
 var LEAST_SCALE = 1;
-/** Whether the directions of the frames were sought. */
 function haveDirections(settings) {
 	return settings !== null && comparesGradients(settings) && !settings.gradient.upright;
 }
-/** Draws the frames of the shown points that `clip` shows. */
 function drawFrames(context, state, pane, transform, clip) {
 	const { points, frames, codes } = pane;
 	if (points === null || frames === null || frames.length === 0 || state.display.points === "none") return;
 	if (state.display.points === "matched" && transform.scale < LEAST_SCALE) return;
 	const ticks = haveDirections(state.settings);
-	const paths = /* @__PURE__ */ new Map();
+	const paths = new Map();
 	let drawn = 0;
 	codes.forEach((code, i) => {
 		const radius = SCALES * (frames[2 * i] ?? 0) * transform.scale;
@@ -12522,7 +11271,6 @@ function addFrame(path, [x, y], radius, direction) {
 	path.moveTo(x, y);
 	path.lineTo(x + radius * Math.cos(direction), y + radius * Math.sin(direction));
 }
-/** Draws what the gradient descriptor of a point describes: its cells' outline, turned and scaled, with the direction. */
 function drawSupport(context, settings, { points, frames, transform }, index) {
 	if (index < 0) return;
 	const [x, y] = points?.subarray(3 * index, 3 * index + 2) ?? [];
@@ -12543,7 +11291,6 @@ function drawSupport(context, settings, { points, frames, transform }, index) {
 }
 var ALL = 4294967295;
 var NOT_DRAWN = 255;
-/** The styles in drawing order, refused points smaller than matches. */
 function stylesAt(scale) {
 	const half = halfSize(scale);
 	const rows = DRAWN.map((code) => {
@@ -12568,13 +11315,11 @@ function makeSlots() {
 		return codes.map((code) => slots[code] ?? NOT_DRAWN);
 	});
 }
-/** For each point the place of its style in the drawing order; kept until codes or layers change, as a drag draws many times. */
 var slotsOf = {
 	left: makeSlots(),
 	right: makeSlots()
 };
 var slotsOfPlaces = makeSlots();
-/** Draws the points of one image where `clip` shows them, and the matched places that are no points. */
 function drawPoints(context, state, scene, pane, transform, clip) {
 	const { points, hidden } = state.display;
 	if (pane.points === null || points === "none") return;
@@ -12600,7 +11345,6 @@ function drawResiduals(context, state, scene, pane) {
 	const codes = scene.matchCodes.map((code) => code === GROSS_ERROR ? 1 : 0);
 	draw_vectors(context, pane.vectors, codes, Float64Array.of(1.4, 1.4), [RESIDUAL, RESIDUAL_REJECTED], state.display.vectors, drawView(pane.transform, pane.rect));
 }
-/** Draws all layers of marks over both panes. */
 function drawMarks(context, state, scene) {
 	drawLines(context, state, scene);
 	for (const side of SIDES) {
@@ -12657,7 +11401,6 @@ function mountToolbar(host, store, navigator) {
 	});
 }
 // www/pair/state/editing.ts
-/** What a user does to matches, whatever was pressed for it. */
 var Editing = class {
 	store;
 	fitter;
@@ -12665,7 +11408,6 @@ var Editing = class {
 		this.store = store;
 		this.fitter = fitter;
 	}
-	/** Rejects or restores what is chosen; nothing where there is nothing of it. */
 	edit(kind) {
 		const edit = editOfChoice(this.store.state, kind);
 		if (edit !== null) this.store.dispatch({
@@ -12673,14 +11415,12 @@ var Editing = class {
 			edit
 		});
 	}
-	/** Takes edits back, or makes them again. */
 	step(by) {
 		this.store.dispatch({
 			type: "goto",
 			done: this.store.state.history.done + by
 		});
 	}
-	/** Chooses the match of a point beside others, or no longer. */
 	choose(selection) {
 		const { state } = this.store;
 		const edited = editedPair(state);
@@ -12688,7 +11428,6 @@ var Editing = class {
 		const left = leftIndexOf({ selection }, edited.match.best, edited.match.rules);
 		this.chooseAll(keysOfLefts(edited, left < 0 ? [] : [left]));
 	}
-	/** Chooses matches of left points beside others, or no longer where all of them were. */
 	chooseLefts(lefts) {
 		const edited = editedPair(this.store.state);
 		if (edited !== null) this.chooseAll(keysOfLefts(edited, lefts));
@@ -12699,7 +11438,6 @@ var Editing = class {
 			chosen: []
 		});
 	}
-	/** Takes up a tool, or puts it away where it is in use. Without matches there is nothing to be done with any. */
 	toggle(tool) {
 		const { state } = this.store;
 		const next = state.tool === tool || editedPair(state) === null ? "look" : tool;
@@ -12708,7 +11446,6 @@ var Editing = class {
 			tool: next
 		});
 	}
-	/** Measures the match of the selected point anew. */
 	move() {
 		const draft = moving(this.store.state);
 		if (draft === null) return;
@@ -12721,7 +11458,6 @@ var Editing = class {
 			draft
 		});
 	}
-	/** Places a point of the match that is measured; the first one begins it. */
 	place(side, at) {
 		const { state } = this.store;
 		const { draft } = state;
@@ -12730,13 +11466,11 @@ var Editing = class {
 			draft: draft === null ? begun(state, side, at) : placed(state, draft, side, at)
 		});
 	}
-	/** Moves the point that is placed now. */
 	nudge(dx, dy) {
 		const { draft } = this.store.state;
 		const at = draft === null ? null : placeOfDraft(this.store.state, draft.side);
 		if (draft !== null && at !== null) this.place(draft.side, [at[0] + dx, at[1] + dy]);
 	}
-	/** Goes on in the other image. */
 	exchange() {
 		const { state } = this.store;
 		const { draft } = state;
@@ -12751,7 +11485,6 @@ var Editing = class {
 			}
 		});
 	}
-	/** Finds the right place by least squares, near where it is. */
 	async fit() {
 		const { state } = this.store;
 		const { draft } = state;
@@ -12772,7 +11505,6 @@ var Editing = class {
 			} : null
 		});
 	}
-	/** The match is measured: it becomes an edit, and is selected. */
 	accept() {
 		const edit = editOfDraft(this.store.state);
 		if (edit === null || edit.kind !== "add" && edit.kind !== "move") return;
@@ -12797,7 +11529,6 @@ var Editing = class {
 			}
 		});
 	}
-	/** Ends what was begun last: the match that is measured, the area that is outlined, the tool, the choice; false where nothing was. */
 	leave() {
 		const { tool, chosen, draft, outline } = this.store.state;
 		if (draft !== null && draft.of === null) this.store.dispatch({
@@ -12824,8 +11555,6 @@ var Editing = class {
 	}
 };
 // www/pair/state/undoing.ts
-/** Steps of a tool on what the images of a pair have, masks or marks: taken back and made again as long as nothing else has changed that. */
-/** The side of an image; undefined where it is no longer in the pair. */
 function sideOf({ images: { left, right } }, imageId) {
 	return left?.id === imageId ? "left" : right?.id === imageId ? "right" : void 0;
 }
@@ -12841,7 +11570,6 @@ var Undoing = class {
 		this.isSame = isSame;
 		this.most = most;
 	}
-	/** The steps that can be taken back and made again; those whose image has something else by now are gone. */
 	get history() {
 		let { edits, done } = this.all;
 		for (let last = edits[done - 1]; last !== void 0 && !this.isAt(last, last.after); last = edits[done - 1]) {
@@ -12855,16 +11583,13 @@ var Undoing = class {
 		};
 		return this.all;
 	}
-	/** The step that was made last. */
 	get last() {
 		const { edits, done } = this.history;
 		return edits[done - 1];
 	}
-	/** Takes a step that is about to be made. */
 	record(step) {
 		this.keep(this.history, step);
 	}
-	/** Takes a step in place of the one that was made last. */
 	amend(step) {
 		const { history } = this;
 		this.keep(wentTo(history, history.done - 1), step);
@@ -12876,7 +11601,6 @@ var Undoing = class {
 			done: edits.length
 		};
 	}
-	/** Goes a step back or on: gives it with the side and what its image has then; null where there is none. */
 	go(by) {
 		const { edits, done } = this.history;
 		const step = edits[by < 0 ? done - 1 : done];
@@ -12898,7 +11622,6 @@ function without$1(all, index) {
 	return all.filter((_, i) => i !== index);
 }
 // www/pair/state/marking.ts
-/** Marks that determine each transformation. */
 var LEAST_SIMILARITY = 2;
 var LEAST_AFFINE = 3;
 var FIELDS = [
@@ -12907,7 +11630,6 @@ var FIELDS = [
 	"x_mm",
 	"y_mm"
 ];
-/** Steps that can be taken back: far more than a photo has marks. */
 var MOST_UNDONE$1 = 1e3;
 var Marking = class {
 	store;
@@ -12924,7 +11646,6 @@ var Marking = class {
 			if (mark !== null) this.take(mark.side, mark.index);
 		});
 	}
-	/** Begins with the first mark of a photo that is not measured, or a new one; puts the tool away where it is in use there. */
 	toggle(side) {
 		const { tool, mark, images, photos } = this.store.state;
 		const ends = tool === "fiducials" && mark?.side === side;
@@ -12941,7 +11662,6 @@ var Marking = class {
 			side
 		});
 	}
-	/** Places the mark in hand, where it is of that image. */
 	place(side, at) {
 		this.put(side, at, isMeasured(markInHand(this.store.state) ?? UNMEASURED) ? "moved" : "measured");
 	}
@@ -12967,7 +11687,6 @@ var Marking = class {
 			...fiducials.slice(mark.index + 1)
 		], deed, mark.index);
 	}
-	/** Takes the next or the former mark in hand; behind the last one a new one. */
 	async go(by) {
 		const { mark, photos } = this.store.state;
 		if (mark === null) return;
@@ -12975,7 +11694,6 @@ var Marking = class {
 		const last = photos[side].fiducials.length;
 		await this.goTo(side, Math.min(last, Math.max(0, index + by)));
 	}
-	/** The mark in hand is not measured any more. */
 	clear() {
 		const { mark, photos } = this.store.state;
 		const cleared = markInHand(this.store.state);
@@ -12987,7 +11705,6 @@ var Marking = class {
 			row: NaN
 		} : one), "cleared", mark.index);
 	}
-	/** Changes numbers of a mark that were typed. */
 	type(side, index, numbers) {
 		const { fiducials } = this.store.state.photos[side];
 		const now = fiducials[index];
@@ -12997,7 +11714,6 @@ var Marking = class {
 			...numbers
 		} : mark), "typed", index);
 	}
-	/** A new mark, whose numbers are to be typed. */
 	add(side) {
 		const { fiducials } = this.store.state.photos[side];
 		this.set(side, [...fiducials, UNMEASURED], "added", fiducials.length);
@@ -13009,11 +11725,9 @@ var Marking = class {
 	removeAll(side) {
 		if (this.store.state.photos[side].fiducials.length > 0) this.set(side, [], "all_removed", 0);
 	}
-	/** What was done to the marks, and can be taken back and done again. */
 	get history() {
 		return this.steps.history;
 	}
-	/** Takes the last step back, or makes it again, and shows its mark. */
 	step(by) {
 		const gone = this.steps.go(by);
 		if (gone === null) return;
@@ -13058,7 +11772,6 @@ var Marking = class {
 			photo: { fiducials }
 		});
 	}
-	/** Goes on with a mark: the tool ended with the one in hand where that may be another one now. */
 	resume(side, index) {
 		if (this.store.state.tool !== "fiducials") this.store.dispatch({
 			type: "tool",
@@ -13066,12 +11779,10 @@ var Marking = class {
 		});
 		this.goTo(side, index);
 	}
-	/** Takes a mark in hand, and shows where it is, or is expected. */
 	async goTo(side, index) {
 		const at = await this.take(side, index);
 		if (at !== null) this.show(side, at);
 	}
-	/** Takes a mark in hand; where others tell where it is, that follows. */
 	async take(side, index) {
 		this.store.dispatch({
 			type: "mark",
@@ -13102,7 +11813,6 @@ var Marking = class {
 		return expected;
 	}
 };
-/** Where an interior orientation has a mark in the image. */
 function positionOf({ origin }, { parameters }, { x_mm, y_mm }) {
 	const [[a, b, tx], [d, e, ty]] = parameters;
 	const [u, v, determinant] = [
@@ -13115,28 +11825,21 @@ function positionOf({ origin }, { parameters }, { x_mm, y_mm }) {
 	return at.every(Number.isFinite) ? at : null;
 }
 // www/pair/state/masking.ts
-/** What a user does to masks: areas are outlined, and hold no points from then on, or do so again. */
-/** An area has three corners at least. */
 var LEAST_CORNERS = 3;
-/** Areas that can be taken back: each holds a whole mask. */
 var MOST_UNDONE = 10;
 var Masking = class {
 	store;
 	painter;
 	steps;
-	/** What was outlined before the line that is being drawn. */
 	former = null;
-	/** Whether the outline was drawn in one go. */
 	isTraced = false;
 	isTracing = false;
-	/** Areas are painted one after the other: each begins with the mask that the one before it left. */
 	painting = Promise.resolve();
 	constructor(store, painter) {
 		this.store = store;
 		this.painter = painter;
 		this.steps = new Undoing(() => store.state, (side) => store.state.masks[side], (a, b) => a?.id === b?.id, MOST_UNDONE);
 	}
-	/** Whether there is an image to be masked: of a project that was opened the images themselves may be missing. */
 	can() {
 		return Object.values(this.store.state.images).some((image) => image !== null && image.source.kind !== "project");
 	}
@@ -13147,7 +11850,6 @@ var Masking = class {
 			tool: next
 		});
 	}
-	/** Places the next corner; in another image a new outline begins. */
 	place(side, at) {
 		const { outline } = this.store.state;
 		const before = outline?.side === side ? outline.corners : [];
@@ -13160,7 +11862,6 @@ var Masking = class {
 			}
 		});
 	}
-	/** What is drawn in one go; `ended`: as far as it goes. */
 	trace(side, corners, ended) {
 		if (!this.isTracing) this.former = this.store.state.outline;
 		this.isTracing = !ended;
@@ -13173,7 +11874,6 @@ var Masking = class {
 			}
 		});
 	}
-	/** Gives up what is being drawn: what was outlined before it is so again. */
 	giveUp() {
 		if (!this.isTracing) return;
 		this.isTracing = false;
@@ -13183,7 +11883,6 @@ var Masking = class {
 			outline: this.former
 		});
 	}
-	/** Takes the last corner back, or all that was drawn in one go. */
 	back() {
 		const { outline } = this.store.state;
 		if (outline === null) return;
@@ -13199,7 +11898,6 @@ var Masking = class {
 	isArea() {
 		return (this.store.state.outline?.corners.length ?? 0) >= LEAST_CORNERS;
 	}
-	/** The outlined area holds no points from now on, or does so again. */
 	paint(masked) {
 		const { outline, images } = this.store.state;
 		const image = outline === null ? null : images[outline.side];
@@ -13211,11 +11909,9 @@ var Masking = class {
 		this.painting = this.painting.catch(() => {}).then(() => this.painted(image.id, outline.corners, masked));
 		return this.painting;
 	}
-	/** The areas that can be taken back and painted again. */
 	get history() {
 		return this.steps.history;
 	}
-	/** Takes the area back that was painted last, or paints it again. */
 	step(by) {
 		const gone = this.steps.go(by);
 		if (gone !== null) this.store.dispatch({
@@ -13287,8 +11983,7 @@ var NO_DATA = {
 	fiducials: [],
 	origin: null
 };
-/** What a user does; what was said of an earlier deed is then over. Looking at points or moving the view is none of it. */
-var DEEDS = /* @__PURE__ */ new Set([
+var DEEDS = new Set([
 	"images",
 	"simulated",
 	"opened",
@@ -13315,19 +12010,16 @@ function reduce(state, action) {
 		notice: null
 	} : next;
 }
-/** Marks are measured as long as one is in hand. */
 function withTool(next, action) {
 	return next.tool === "fiducials" && next.mark === null && action.type !== "tool" ? {
 		...next,
 		tool: "look"
 	} : next;
 }
-/** The mark in hand among the marks of a photo that change; null where it may be another one, or none. */
 function markAmong({ mark, photos }, side, { fiducials }) {
 	if (mark?.side !== side || fiducials === void 0) return mark;
 	return fiducials.length < photos[side].fiducials.length || mark.index > fiducials.length ? null : mark;
 }
-/** Fields show new values in place of what they held. */
 function withShown(state, next) {
 	const shown = TYPED_PARTS.filter((part) => part in next.refused && next[part] !== state[part]);
 	return shown.length === 0 ? next : {
@@ -13459,7 +12151,6 @@ function changed(state, action) {
 		default: return withRun(state, action);
 	}
 }
-/** What the engine reports. */
 function withRun(state, action) {
 	switch (action.type) {
 		case "stageStarted": return {
@@ -13509,7 +12200,6 @@ function without(object, key) {
 	delete copy[key];
 	return copy;
 }
-/** After a new run of the matching the user is told what of the edits by hand it has. */
 function withKeptEdits(stage, state) {
 	const edited = stage === "match" ? editedPair(state) : null;
 	const text = edited === null ? null : keptText(edited);
@@ -13521,7 +12211,6 @@ function withKeptEdits(stage, state) {
 		}
 	};
 }
-/** The state with other edits. What they do to the orientation is compared with the one before them. */
 function withHistory(state, history) {
 	if (history.done === state.history.done && history.edits === state.history.edits) return state;
 	const before = isCurrent(state, "orientation") ? state.results.orientation?.value ?? null : state.before;
@@ -13532,7 +12221,6 @@ function withHistory(state, history) {
 		paused: false
 	};
 }
-/** New images. Data that belonged to a simulated pair goes with it; data the user gave stays. */
 function withImages(state, images) {
 	const before = state.truth === null ? state : withoutTruth(state);
 	const all = {
@@ -13613,7 +12301,6 @@ function withSimulated(state, { left, right, pair }) {
 		}
 	};
 }
-/** Left becomes right: images, their data, and the results that belong to one image alone. */
 function swapped(state) {
 	const results = { ...state.results };
 	exchange(results, "openLeft", "openRight");
@@ -13652,7 +12339,6 @@ function exchange(results, a, b) {
 	results[b] = kept;
 }
 // www/pair/state/store.ts
-/** Holds the state of the pair. */
 var Store = class extends Holder {
 	constructor() {
 		super(INITIAL, reduce);
@@ -13672,7 +12358,6 @@ function pictureOf(state, side) {
 		overview
 	};
 }
-/** The scene on a canvas of `width` x `height` CSS px. A pane without a view shows its whole image. */
 function sceneOf(state, width, height) {
 	const rects = panesOf(width, height);
 	const shown = shownPair(state);
@@ -13714,15 +12399,12 @@ function sceneOf(state, width, height) {
 		places: loosePlaces(shown.match, ofMatches)
 	};
 }
-/** The pane at a canvas position. */
 function paneAt(scene, x, y) {
 	const side = SIDES.find((s) => contains(scene.panes[s].rect, x, y));
 	return side === void 0 ? null : scene.panes[side];
 }
-/** The position in the middle of a pane, where keys place what is measured. */
 var middleOf = ({ rect, transform }) => toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2);
 // www/pair/view/input.ts
-/** Pointer, wheel, touch and keys on the images. */
 function mountInput(view, store, navigator, { editing, masking, marking, paint }) {
 	const { host } = view;
 	const activate = (side) => {
@@ -13777,7 +12459,6 @@ function mountInput(view, store, navigator, { editing, masking, marking, paint }
 		command: (key, shift) => measuring(key, shift) || masks(key, shift) || marks(key, shift) || look(key, shift)
 	}, host.closest(".stage") ?? host);
 }
-/** Selects a point; with `more` its match is chosen beside the others, or no longer. */
 function press(hit, more, editing, navigator) {
 	if (more) {
 		editing.choose(hit);
@@ -13786,7 +12467,6 @@ function press(hit, more, editing, navigator) {
 	editing.chooseNone();
 	navigator.select(hit);
 }
-/** Chooses the matches in a rectangle of the canvas. */
 function enclose(view, store, side, from, to, ended) {
 	const rect = to === null ? null : between(from, to);
 	view.enclose(ended ? null : rect);
@@ -13815,31 +12495,26 @@ function between([x, y], [u, v]) {
 		height: Math.abs(v - y)
 	};
 }
-/** Places a point of the match that is measured. */
 function measure(view, x, y, editing, navigator) {
 	const pane = paneAt(view.scene(), x, y);
 	if (pane?.picture == null) return;
 	editing.place(pane.side, toPosition(pane.transform, x, y));
 	navigator.followDraft();
 }
-/** Places a corner of an area. */
 function corner(view, x, y, masking) {
 	const pane = paneAt(view.scene(), x, y);
 	if (pane?.picture != null) masking.place(pane.side, toPosition(pane.transform, x, y));
 }
-/** Outlines an area by a line that is drawn; one without places is given up. */
 function outline(view, side, path, ended, masking) {
 	const { transform } = view.scene().panes[side];
 	const corners = path.map(([x, y]) => toPosition(transform, x, y));
 	if (corners.length === 0) masking.giveUp();
 	else masking.trace(side, corners, ended);
 }
-/** Measures the mark in hand. */
 function mark(view, x, y, marking) {
 	const pane = paneAt(view.scene(), x, y);
 	if (pane?.picture != null) marking.place(pane.side, toPosition(pane.transform, x, y));
 }
-/** While fiducial marks are measured. */
 function markingKeys(store, navigator, marking) {
 	const marks = () => store.state.tool === "fiducials" && store.state.mark !== null;
 	const isMeasured = () => marks() && placeOfMark(store.state.photos[store.state.mark?.side ?? "left"], markInHand(store.state)) !== null;
@@ -13890,7 +12565,6 @@ function markingKeys(store, navigator, marking) {
 		}
 	];
 }
-/** While areas are masked. */
 function maskingKeys(store, navigator, masking, paint) {
 	const masks = () => store.state.tool === "mask";
 	const encloses = () => masks() && masking.isArea();
@@ -13925,10 +12599,8 @@ function maskingKeys(store, navigator, masking, paint) {
 		}
 	];
 }
-/** How far an arrow moves a point, px; with Shift. */
 var FINE = .1;
 var COARSE = 1;
-/** While a match is measured. */
 function measuringKeys(store, navigator, editing) {
 	const measures = () => store.state.tool === "measure";
 	const drafts = () => measures() && store.state.draft !== null;
@@ -14072,7 +12744,6 @@ function pictureKeys(store, navigator, editing, masking) {
 	];
 }
 // www/pair/state/offset.ts
-/** The node below a position along one axis, the one above, and how far between them. */
 function along(position, spacing, nodes) {
 	const place = Math.min(nodes - 1, Math.max(0, position / spacing));
 	const first = Math.min(Math.floor(place), Math.max(0, nodes - 2));
@@ -14082,7 +12753,6 @@ function along(position, spacing, nodes) {
 		place - first
 	];
 }
-/** The left position plus the field's offset there, bilinear between nodes, as the crate's `OffsetField::at`. */
 function expectedPosition(field, [x, y]) {
 	const [left, right, u] = along(x, field.spacing_px, field.columns);
 	const [top, bottom, v] = along(y, field.spacing_px, field.rows);
@@ -14094,7 +12764,6 @@ function expectedPosition(field, [x, y]) {
 	};
 	return [x + offset(0), y + offset(1)];
 }
-/** The left position whose expected position is this right one: the field is smooth, so that a few repetitions settle. */
 function expectedOrigin(field, [x, y]) {
 	let at = [x - field.median_px[0], y - field.median_px[1]];
 	for (let i = 0; i < 3; i++) {
@@ -14104,10 +12773,7 @@ function expectedOrigin(field, [x, y]) {
 	return at;
 }
 // www/pair/state/follow.ts
-/** Where the ground at a place of one image lies in the other, so that linked panes show the same: by the offset, or by the matches. */
-/** Matches below which a map is not trusted. */
 var LEAST_MATCHES = 10;
-/** The affine map from left to right that fits all matches best (stride 5); null where they are few or lie along a line. */
 var affineOf = remember((matches) => {
 	const count = matches.length / 5;
 	if (count < LEAST_MATCHES) return null;
@@ -14161,7 +12827,6 @@ function mappedBack([a, b, c, d, e, f], [x, y]) {
 	const determinant = a * e - b * d;
 	return [(e * (x - c) - b * (y - f)) / determinant, (a * (y - f) - d * (x - c)) / determinant];
 }
-/** The place in the other image of what lies at a place of one; null where nothing tells it yet. */
 function sameGround(state, side, at) {
 	const { settings, results } = state;
 	if (settings !== null && comparesGradients(settings)) {
@@ -14181,7 +12846,6 @@ var Navigator = class {
 		this.store = store;
 		this.view = view;
 	}
-	/** Moves the content by CSS px; both panes where they are linked. */
 	pan(side, dx, dy) {
 		this.change(side, (pane, own) => ({
 			...own,
@@ -14189,19 +12853,16 @@ var Navigator = class {
 			y: own.y - dy / pane.transform.scale
 		}));
 	}
-	/** Zooms about a canvas position; in a linked pane about the same place of the pane. */
 	zoom(side, factor, x, y) {
 		const origin = this.view.scene().panes[side].rect;
 		this.change(side, (pane, own, least) => zoomed(pane.rect, own, factor, x - origin.left + pane.rect.left, y - origin.top + pane.rect.top, least));
 	}
-	/** Zooms about the selected point where the active pane shows it, else about the pane's middle. */
 	zoomMiddle(factor) {
 		const pane = this.activePane();
 		const { rect } = pane;
 		const middle = [rect.left + rect.width / 2, rect.top + rect.height / 2];
 		this.zoom(pane.side, factor, ...this.selectedPlace(pane) ?? middle);
 	}
-	/** Shows whole images. */
 	fit() {
 		this.store.dispatch({
 			type: "views",
@@ -14211,11 +12872,9 @@ var Navigator = class {
 			}
 		});
 	}
-	/** One image px to one CSS px. */
 	actualSize() {
 		this.zoomMiddle(1 / this.activePane().transform.scale);
 	}
-	/** Selects the next or previous shown point of the active side, in raster order. */
 	step(by) {
 		const { state } = this.store;
 		const pane = this.activePane();
@@ -14229,7 +12888,6 @@ var Navigator = class {
 			return;
 		}
 	}
-	/** Selects a point and brings it, and its match, into view. */
 	select(selection) {
 		this.store.dispatch({
 			type: "select",
@@ -14241,7 +12899,6 @@ var Navigator = class {
 		const partner = partnerOf(scene, selection);
 		if (partner !== null) this.bringIntoView(scene, partner);
 	}
-	/** Shows the points of the match that is measured, the second one as large as the first. */
 	followDraft() {
 		const { state } = this.store;
 		const scene = this.view.scene();
@@ -14261,7 +12918,6 @@ var Navigator = class {
 			views: Object.fromEntries(views)
 		});
 	}
-	/** Brings a position of an image into view. */
 	show(side, at) {
 		const { rect, transform } = this.view.scene().panes[side];
 		if (contains(inner(rect), ...toCanvas(transform, ...at))) return;
@@ -14274,7 +12930,6 @@ var Navigator = class {
 			} }
 		});
 	}
-	/** The position in the middle of a pane, the active one if none is named; null where it shows no image. */
 	middle(of) {
 		const { side, ...pane } = of === void 0 ? this.activePane() : this.view.scene().panes[of];
 		return pane.picture === null ? null : [side, middleOf(pane)];
@@ -14305,7 +12960,6 @@ var Navigator = class {
 			} }
 		});
 	}
-	/** Changes the view of a side; a linked one follows to the same ground, where that is known. */
 	change(side, next) {
 		const scene = this.view.scene();
 		const { state } = this.store;
@@ -14322,7 +12976,6 @@ var Navigator = class {
 			views: Object.fromEntries([...own, ...other.map((entry) => this.followed(side, own[0]?.[1], entry))])
 		});
 	}
-	/** The view of the linked pane, centred where the ground at the other one's centre is expected. */
 	followed(side, leader, [other, view]) {
 		const ground = leader === void 0 ? null : sameGround(this.store.state, side, [leader.x, leader.y]);
 		return ground === null ? [other, view] : [other, {
@@ -14332,7 +12985,6 @@ var Navigator = class {
 		}];
 	}
 };
-/** A place at the very edge of a pane is hardly seen. */
 function inner({ left, top, width, height }) {
 	return {
 		left: left + width / 8,
@@ -14341,7 +12993,6 @@ function inner({ left, top, width, height }) {
 		height: .75 * height
 	};
 }
-/** The best right point of a left one, or the left point that a right one is matched to. */
 function partnerOf(scene, { side, index }) {
 	const best = scene.match?.best;
 	if (best === void 0) return null;
@@ -14352,9 +13003,7 @@ function partnerOf(scene, { side, index }) {
 	};
 }
 // www/pair/view/chosen.ts
-/** The matches that are chosen together, and the rectangle that chooses them. */
 var RADIUS = 6;
-/** Draws a ring around both points of each chosen match, with a dark edge, so that it shows on light and dark ground. */
 function drawChosen(context, state, scene) {
 	const edited = editedPair(state);
 	const lefts = chosenLefts(state);
@@ -14391,21 +13040,17 @@ function drawRectangle(context, { left, top, width, height }) {
 	context.setLineDash([]);
 }
 // www/pair/view/tilecache.ts
-/** Tiles kept at most: 1 MB each. */
 var MOST_TILES = 96;
-/** Tiles asked for at the same time: a worker that also computes is not flooded with requests for places already left. */
 var MOST_REQUESTS = 3;
 var TileCache = class {
 	fetch;
 	arrived;
-	/** In order of last use. */
-	tiles = /* @__PURE__ */ new Map();
-	requested = /* @__PURE__ */ new Set();
+	tiles = new Map();
+	requested = new Set();
 	constructor(fetch, arrived) {
 		this.fetch = fetch;
 		this.arrived = arrived;
 	}
-	/** The tile, or null while it is on its way. */
 	get(imageId, level, column, row) {
 		const name = [
 			imageId,
@@ -14437,8 +13082,6 @@ var TileCache = class {
 	}
 };
 // www/pair/view/picture.ts
-/** Paints an image into a pane: its reduced copy at once, detail tiles as they come. */
-/** Paints what a rectangle of the canvas shows of an image. `ratio`: device px per CSS px. */
 function paintPicture(context, picture, t, clip, ratio, tiles) {
 	within(context, clip, () => {
 		smooth(context, t.scale, ratio);
@@ -14454,7 +13097,6 @@ function paintPicture(context, picture, t, clip, ratio, tiles) {
 		}
 	});
 }
-/** Paints what a mask leaves out over its image. */
 function paintMask(context, { overlay, width, height }, t, clip) {
 	within(context, clip, () => {
 		context.imageSmoothingEnabled = false;
@@ -14462,9 +13104,7 @@ function paintMask(context, { overlay, width, height }, t, clip) {
 	});
 }
 // www/pair/view/overlay.ts
-/** What follows the pointer and the selection: the selected point, its search window and candidates, the magnifier. */
 var MOST_CANDIDATES_DRAWN = 200;
-/** Candidates by gradients lie all over the image: the nearest of them. */
 var MOST_GRADIENT_CANDIDATES_DRAWN = 10;
 function pointOf(pane, index) {
 	const x = pane.points?.[3 * index];
@@ -14479,7 +13119,6 @@ function square(context, pane, [x, y], side, colour, dash) {
 	context.strokeRect(left, top, side * pane.transform.scale, side * pane.transform.scale);
 	context.setLineDash([]);
 }
-/** Draws the selection in both panes: the point, its window, its search window with all candidates, its best place. */
 function drawSelection(context, state, scene) {
 	const { selection, settings } = state;
 	if (selection === null || settings === null) return;
@@ -14508,7 +13147,7 @@ function drawCandidates(context, state, scene, leftIndex, leftAt, best) {
 		const field = isCurrent(state, "offset") ? state.results.offset?.value : void 0;
 		if (field !== void 0) square(context, pane, expectedPosition(field, leftAt), state.settings?.matching.search ?? 0, CANDIDATE, [5, 4]);
 		if (isCurrent(state, "inspection")) {
-			const list = state.results.inspection?.value.candidates ?? /* @__PURE__ */ new Float64Array();
+			const list = state.results.inspection?.value.candidates ?? new Float64Array();
 			const most = gradients ? MOST_GRADIENT_CANDIDATES_DRAWN : MOST_CANDIDATES_DRAWN;
 			for (let i = 0; i < Math.min(list.length / 2, most); i++) {
 				const at = pointOf(pane, list[2 * i] ?? -1);
@@ -14519,14 +13158,12 @@ function drawCandidates(context, state, scene, leftIndex, leftAt, best) {
 		if (best !== null) ring(context, pane, best, 9, SELECTED, state.selection?.side === "right" ? 2.5 : 2);
 	});
 }
-/** The magnifier at a canvas position: the image under the pointer, enlarged, with its points. */
 function drawLens(context, state, scene, at, ratio, tiles, bounds) {
 	const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
 	if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
 	const scale = Math.min(48, Math.max(4, pane.transform.scale * 4));
 	paintLens(context, state, scene, pane, toPosition(pane.transform, at[0], at[1]), lensRect(at, bounds), scale, ratio, tiles);
 }
-/** A rectangle of the canvas that shows what lies around a place of an image, enlarged, with its points. */
 function paintLens(context, state, scene, pane, at, rect, scale, ratio, tiles) {
 	const { picture } = pane;
 	if (picture === null) return;
@@ -14542,10 +13179,8 @@ function paintLens(context, state, scene, pane, at, rect, scale, ratio, tiles) {
 }
 // www/pair/view/draft.ts
 var LENS_SIDE = 168;
-/** A px of the image in the lens, CSS px. */
 var LENS_SCALE = 12;
 var EDGE = 8;
-/** Draws the points of the draft as crosses that leave their middle free, and what is known of where the second one may lie. */
 function drawDraft(context, state, scene) {
 	const { draft } = state;
 	if (draft === null) return;
@@ -14558,14 +13193,12 @@ function drawDraft(context, state, scene) {
 		if (at !== null) drawCross(context, scene.panes[side], at, side === draft.side);
 	}
 }
-/** Enlarges what lies around both points: one place is compared with the other. */
 function drawDraftLenses(context, state, scene, ratio, tiles) {
 	for (const side of SIDES) {
 		const at = placeOfDraft(state, side);
 		if (at !== null) drawCornerLens(context, state, scene, side, at, ratio, tiles);
 	}
 }
-/** Enlarges what lies around a place, in the lower outer corner of its pane. */
 function drawCornerLens(context, state, scene, side, at, ratio, tiles) {
 	const pane = scene.panes[side];
 	paintLens(context, state, scene, pane, at, cornerOf(pane), Math.max(LENS_SCALE, pane.transform.scale), ratio, tiles);
@@ -14580,7 +13213,6 @@ function cornerOf({ rect, side }) {
 	};
 }
 // www/pair/view/fiducials.ts
-/** Fiducial marks while they are measured: where they are, where the next one is expected, and the one in hand enlarged. */
 function drawFiducials(context, state, scene, ratio, tiles) {
 	const { tool, mark, photos } = state;
 	if (tool !== "fiducials") return;
@@ -14599,7 +13231,6 @@ function drawFiducials(context, state, scene, ratio, tiles) {
 	if (mark.expected !== null) drawExpected(context, pane, [mark.expected[0], mark.expected[1]]);
 }
 // www/pair/view/outline.ts
-/** The area that is being outlined on a picture, and where keys place its next corner. */
 var CORNER = 3;
 function drawOutline(context, { outline, tool, activeSide }, scene) {
 	const active = scene.panes[activeSide];
@@ -14625,13 +13256,11 @@ function drawOutline(context, { outline, tool, activeSide }, scene) {
 	});
 }
 // www/pair/view/view.ts
-/** The canvases: images below, marks above them, selection and magnifier on top. Each is drawn again only when what it shows changed. */
 var LAYERS = [
 	"pictures",
 	"marks",
 	"overlay"
 ];
-/** How near a click must be to a point, in CSS px. */
 var CLICK_RADIUS = 14;
 var gridOf = {
 	left: remember((points, width, height) => new PointGrid(points, width, height)),
@@ -14690,21 +13319,17 @@ var View = class {
 			s.results.offset
 		], () => this.layers.redraw("overlay"));
 	}
-	/** The scene as it stands now. */
 	scene() {
 		return sceneOf(this.store.state, this.layers.width, this.layers.height);
 	}
-	/** The pointer's place over the canvas, for the magnifier; null when it left. */
 	point(at) {
 		this.pointer = at;
 		if (this.store.state.display.magnifier) this.layers.redraw("overlay");
 	}
-	/** Shows a rectangle that is being drawn; null: none. */
 	enclose(rectangle) {
 		this.rectangle = rectangle;
 		this.layers.redraw("overlay");
 	}
-	/** The shown point nearest to a canvas position. */
 	hit(x, y) {
 		const { state } = this.store;
 		const scene = this.scene();
@@ -14726,7 +13351,6 @@ var View = class {
 			index: places.lefts[place] ?? 0
 		};
 	}
-	/** The picture as it is on the screen, all layers together. */
 	snapshot() {
 		return this.layers.snapshot();
 	}
@@ -14751,7 +13375,6 @@ var View = class {
 				if (state.draft === null) this.drawMagnifier(context, state, scene);
 		}
 	}
-	/** At the pointer; at the selected point while the pointer is elsewhere. */
 	drawMagnifier(context, state, scene) {
 		const at = this.pointer ?? selectedPlace(state, scene);
 		if (!state.display.magnifier || at === null || state.catalogue === null) return;
@@ -14779,7 +13402,6 @@ function selectedPlace(state, scene) {
 	return x === void 0 || y === void 0 ? null : toCanvas(transform, x, y);
 }
 // www/pair/mount.ts
-/** In pieces, between which the page answers what the user does. */
 async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAside }) {
 	const store = new Store();
 	const { element: left, panels: [settings, camera, simulate] } = tabbed("settings", say("settings"), [
@@ -14804,9 +13426,9 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	const engine = new Engine(store);
 	const view = new View(byId("view"), store, engine);
 	const navigator = new Navigator(store, view);
+	await breath();
 	const kept = new KeptPairs(store, engine, catalogue);
 	const files = new Files(store, engine, openProject, toBlock, () => putAside(kept));
-	/** Runs an action of the user's; what goes wrong is said in the status line. */
 	const attempt = async (action) => {
 		try {
 			await action();
@@ -14838,6 +13460,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft());
 	mountMasking(byId("view-more"), byId("toolbar"), store, masking, paint);
 	mountMarking(byId("toolbar"), store, marking);
+	await breath();
 	const pick = pickerOf(files);
 	mountPanes(view, store, {
 		open: (side) => pick(side),
@@ -14851,6 +13474,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	await breath();
 	mountControls(settings, store, settingsButton);
 	mountCamera(camera, store, () => pick(null));
+	await breath();
 	mountFiducials(camera, store, (side) => pick(side), marking, (side) => {
 		marking.toggle(side);
 		if (store.state.tool !== "fiducials") return;
@@ -14862,6 +13486,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	mountGeometry(results, store);
 	mountOrientation(results, store);
 	mountHistograms(results, store);
+	await breath();
 	mountPoint(point, store, (side, index) => navigator.select({
 		side,
 		index
@@ -14906,7 +13531,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 					hidden: []
 				}
 			});
-			results.querySelector(`[data-testid="${oriented ? "orientation" : "matches"}-section"]`)?.scrollIntoView({ block: "start" });
+			queueMicrotask(() => results.querySelector(`[data-testid="${oriented ? "orientation" : "matches"}-section"]`)?.scrollIntoView({ block: "start" }));
 		},
 		save: () => void attempt(() => exportProject(store, engine))
 	});
@@ -14932,12 +13557,8 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	};
 }
 // www/shared/engine/release.ts
-/** The release of the page that the browser keeps, so that it starts offline, and the one that comes after it. */
-/** As `tools/lib/page.mjs` names it. */
 var SCRIPT = "service-worker.js";
-/** A page that stays open asks so often, in ms, whether there is a later release. */
 var ASK_AGAIN_MS = 36e5;
-/** Has the browser keep the page's files. What stands in the way is no fault: the page then needs its host at each start. */
 async function keepRelease({ ready, replaced }) {
 	const { serviceWorker } = navigator;
 	if (serviceWorker === void 0 || !besideFiles() || false) return;
@@ -14959,7 +13580,6 @@ async function keepRelease({ ready, replaced }) {
 		registration.update().catch(() => void 0);
 	});
 }
-/** Files that the system opens with the installed page. */
 function watchLaunches(open) {
 	if (typeof launchQueue === "undefined") return;
 	launchQueue.setConsumer(({ files }) => {
@@ -14967,13 +13587,11 @@ function watchLaunches(open) {
 	});
 }
 // www/shared/engine/start.ts
-/** The module on the main thread: for what takes no time, as checks of fields and drawing. */
-/** Loads the module and reads what the crate says of itself. */
 async function loadCatalogue() {
 	await __wbg_init({ module_or_path: await wasmModule() });
 	return catalogueInLanguage(readCatalogue());
 }
-// node_modules/idb/build/index.js
+// ../main/node_modules/idb/build/index.js
 var instanceOfAny = (object, constructors) => constructors.some((c) => object instanceof c);
 var idbProxyableTypes;
 var cursorAdvanceMethods;
@@ -14993,9 +13611,9 @@ function getCursorAdvanceMethods() {
 		"continuePrimaryKey"
 	].map((method) => IDBCursor.prototype[method]));
 }
-var transactionDoneMap = /* @__PURE__ */ new WeakMap();
-var transformCache = /* @__PURE__ */ new WeakMap();
-var reverseTransformCache = /* @__PURE__ */ new WeakMap();
+var transactionDoneMap = new WeakMap();
+var transformCache = new WeakMap();
+var reverseTransformCache = new WeakMap();
 function promisifyRequest(request) {
 	const promise = new Promise((resolve, reject) => {
 		const unlisten = () => {
@@ -15084,13 +13702,6 @@ function wrap(value) {
 	return newValue;
 }
 var unwrap = (value) => reverseTransformCache.get(value);
-/**
-* Open a database.
-*
-* @param name Name of the database.
-* @param version Schema version.
-* @param callbacks Additional callbacks.
-*/
 function openDB(name, version, { blocked, upgrade, blocking, terminated } = {}) {
 	const request = indexedDB.open(name, version);
 	const openPromise = wrap(request);
@@ -15144,8 +13755,8 @@ var advanceMethodProps = [
 	"continuePrimaryKey"
 ];
 var methodMap = {};
-var advanceResults = /* @__PURE__ */ new WeakMap();
-var ittrProxiedCursorToOriginalProxy = /* @__PURE__ */ new WeakMap();
+var advanceResults = new WeakMap();
+var ittrProxiedCursorToOriginalProxy = new WeakMap();
 var cursorIteratorTraps = { get(target, prop) {
 	if (!advanceMethodProps.includes(prop)) return target[prop];
 	let cachedFunc = methodMap[prop];
@@ -15186,11 +13797,8 @@ replaceTraps((oldTraps) => ({
 	}
 }));
 // www/shared/files/database.ts
-/** The browser's own storage: projects, each kept in named parts. A change is one transaction: it is there whole, or not at all. */
 var NAME$1 = "tiepoint";
-/** Of the database itself; what projects look like inside has a number of its own (`FORM`). */
 var VERSION = 1;
-/** Storage that does not answer in this time, in ms, counts as absent. */
 var PATIENCE_MS = 5e3;
 var KeepError = class extends Error {
 	kind;
@@ -15200,14 +13808,12 @@ var KeepError = class extends Error {
 		this.kind = kind;
 	}
 };
-/** All parts of a project, in the order of their names. */
 var partsOf = (project) => IDBKeyRange.bound([project], [project, []]);
 var Database = class Database {
 	db;
 	constructor(db) {
 		this.db = db;
 	}
-	/** Rejects where the browser keeps nothing: in some private windows, where storage is blocked, or where a later version of the page wrote it. */
 	static async open() {
 		const opening = openDB(NAME$1, VERSION, {
 			upgrade: (db) => {
@@ -15219,7 +13825,6 @@ var Database = class Database {
 		const late = new Promise((_, reject) => setTimeout(() => setTimeout(() => reject(new Error(say("the-storage-does-not-answer")))), PATIENCE_MS));
 		return new Database(await Promise.race([opening, late]));
 	}
-	/** The one changed last comes first. */
 	async projects() {
 		return (await this.db.getAll("projects")).sort((a, b) => b.changed - a.changed);
 	}
@@ -15230,7 +13835,6 @@ var Database = class Database {
 		const rows = await this.db.getAll("parts", partsOf(id));
 		return new Map(rows.map(({ part, value }) => [part, value]));
 	}
-	/** About how much room a project takes: no part is read for that. */
 	async bytesOf(id) {
 		let sum = 0;
 		let cursor = await this.db.transaction("parts").store.index("sizes").openKeyCursor(IDBKeyRange.bound([id], [id, []]));
@@ -15240,7 +13844,6 @@ var Database = class Database {
 		}
 		return sum;
 	}
-	/** Writes what has changed of a project. `isNew`: it need not be there. @throws KeepError, with nothing changed */
 	async write(row, { put, drop }, isNew) {
 		await this.change(async (projects, parts) => {
 			const there = await projects.get(row.id);
@@ -15259,7 +13862,6 @@ var Database = class Database {
 			]);
 		});
 	}
-	/** Changes what the list says of a project. */
 	async edit(id, changed) {
 		await this.change(async (projects) => {
 			const there = await projects.get(id);
@@ -15290,7 +13892,6 @@ var Database = class Database {
 			await Promise.all([projects.delete(id), parts.delete(partsOf(id))]);
 		});
 	}
-	/** One transaction, which is on the disk when this resolves. */
 	async change(work) {
 		let done = null;
 		let abort = () => {};
@@ -15308,7 +13909,6 @@ var Database = class Database {
 		}
 	}
 };
-/** Ends a transaction that failed; gives what is to blame for it: requests of a transaction that broke off say only that it did. */
 async function ended(error, done, abort) {
 	try {
 		abort();
@@ -15321,10 +13921,7 @@ function isFull(error) {
 	return error instanceof DOMException && error.name === "QuotaExceededError";
 }
 // www/shared/files/drop.ts
-/** Dropping and pasting files and folders anywhere on the page: the part that is shown takes them. */
-/** What a drag of files says of itself. */
 var FILES = "Files";
-/** The first taker that is active gets what is given. Takers come once the program has loaded: what is given before is kept for them. */
 function mountDrop() {
 	let serving = null;
 	const waiting = [];
@@ -15379,7 +13976,6 @@ function mountDrop() {
 function hasFiles(event) {
 	return event.dataTransfer?.types.includes(FILES) === true;
 }
-/** The files of an entry, those of folders below it too. */
 async function found(entry, file) {
 	if (entry?.isDirectory !== true) return file === null ? [] : [{
 		file,
@@ -15397,7 +13993,6 @@ async function below(folder) {
 		}];
 	}))).flat();
 }
-/** All entries of a folder; the reader gives them in portions, the last of which is empty. */
 async function entriesOf(folder) {
 	const reader = folder.createReader();
 	const all = [];
@@ -15408,16 +14003,12 @@ async function entriesOf(folder) {
 	}
 }
 // www/shared/files/claim.ts
-/** Which tab has a project open: one at a time, told by a lock where the browser has locks, else by asking the other tabs. */
-/** A tab that is just leaving lets go of its lock within this time, in ms. */
 var LEAVING_MS = 1e3;
-/** Other tabs answer within this time, in ms. */
 var ANSWER_MS = 1500;
 var Claims = class {
 	tab;
-	held = /* @__PURE__ */ new Map();
+	held = new Map();
 	channel = typeof BroadcastChannel === "undefined" ? null : new BroadcastChannel("tiepoint-projects");
-	/** `tab` names this tab. */
 	constructor(tab) {
 		this.tab = tab;
 		this.channel?.addEventListener("message", ({ data }) => {
@@ -15426,7 +14017,6 @@ var Claims = class {
 			if (data.kind === "taken") this.lose(data.project);
 		});
 	}
-	/** Claims a project; null where another tab has it, unless it is to be taken from there. `lost`: another tab has taken it. */
 	async take(project, steal, lost) {
 		const held = this.held.get(project);
 		if (held !== void 0) return held.claim;
@@ -15443,7 +14033,6 @@ var Claims = class {
 		if (steal) this.post("taken", project);
 		return claim;
 	}
-	/** Whether another tab has it open. */
 	async elsewhere(project) {
 		if (this.held.has(project)) return false;
 		const release = await this.claimed(project, false);
@@ -15462,7 +14051,6 @@ var Claims = class {
 			from: this.tab
 		});
 	}
-	/** What lets a project go again; null where another tab has it. */
 	claimed(project, steal) {
 		const locks = navigator.locks;
 		if (locks === void 0) return steal ? Promise.resolve(() => void 0) : this.asked(project);
@@ -15496,19 +14084,12 @@ var Claims = class {
 	}
 };
 // www/shared/files/keeper.ts
-/** Keeps the project of this tab in the browser's storage as it changes, and shows it again. */
-/** Changes are gathered for so long before they are written, in ms. */
 var GATHER_MS = 200;
-/** A tab that loses its project has so long to write its last changes, in ms. */
 var HANDOVER_MS = 400;
-/** So much of files is written in one go. */
 var PORTION_BYTES = 32e6;
-/** The project of this tab, which a reload opens again. */
 var TAB_PROJECT = "tiepoint-project";
-/** How often in a row the page broke off with a project; then it is opened only when the user asks. */
 var BROKE_OFF = "tiepoint-broke-off";
 var MOST_BREAKS = 2;
-/** A page that lasts so long with a project, in ms, did not break off for it. */
 var CALM_MS = 15e3;
 var Keeper = class {
 	keepables;
@@ -15527,10 +14108,8 @@ var Keeper = class {
 	claims = new Claims(this.tab);
 	claim = null;
 	database = null;
-	/** What stands in the storage, by the names of the parts. */
-	written = /* @__PURE__ */ new Map();
+	written = new Map();
 	writtenMode = "";
-	/** Nothing of the project is in the storage yet. */
 	isNew = true;
 	timer;
 	saving = Promise.resolve();
@@ -15538,7 +14117,6 @@ var Keeper = class {
 		this.keepables = keepables;
 		this.mode = mode;
 	}
-	/** Opens the project that this tab had, else the one changed last. `ready`: called before anything is shown, in any case. */
 	async start(opening, ready) {
 		let show = () => {};
 		try {
@@ -15571,13 +14149,11 @@ var Keeper = class {
 			this.flush();
 		});
 	}
-	/** Whether something on the page would be lost if it were left now. */
 	get isLost() {
 		const { works, trouble } = this.keeping.state;
 		if (trouble?.kind === "reading") return this.isChanged();
 		return !(works && trouble?.kind !== "full" && trouble?.kind !== "failed" && trouble?.kind !== "taken") && this.keepables.some((keepable) => keepable.parts().size > 0);
 	}
-	/** All projects that are kept, the one changed last first. */
 	async projects() {
 		const { database } = this;
 		if (database === null) return [];
@@ -15588,7 +14164,6 @@ var Keeper = class {
 			bytes: await database.bytesOf(row.id)
 		})));
 	}
-	/** Opens a kept project in place of the present one, which stays in the list; where it cannot be opened nothing changes. */
 	async open(id, how = "claim") {
 		await this.settle();
 		const show = await this.read(id, how);
@@ -15598,7 +14173,6 @@ var Keeper = class {
 		await this.shown(show);
 		this.writtenMode = this.mode.now();
 	}
-	/** Shows what was read. What was read well and still cannot be shown must not stop the page, and stays in the storage as it is. */
 	async shown(show) {
 		try {
 			show();
@@ -15617,17 +14191,12 @@ var Keeper = class {
 			} });
 		}
 	}
-	/** Puts the present project aside and begins a new one. */
 	async anew() {
 		await this.settle();
 		await this.begin();
 		for (const keepable of this.keepables) keepable.clear();
 		this.keeping.dispatch({ trouble: null });
 	}
-	/**
-	* Leaves the project in the list as it is and goes on with the same in a new one; false where nothing is kept, or another part of the page
-	* has something in it too, which would be kept twice: `twice` allows that.
-	*/
 	async putAside(part, twice = false) {
 		await this.settle();
 		const { trouble } = this.keeping.state;
@@ -15636,7 +14205,6 @@ var Keeper = class {
 		await this.begin();
 		return true;
 	}
-	/** Keeps what is on the page as a project of its own. */
 	async keepAsNew() {
 		await this.begin();
 		this.keeping.dispatch({ trouble: null });
@@ -15654,26 +14222,21 @@ var Keeper = class {
 			changed: Date.now()
 		});
 	}
-	/** Deletes a project; of the one on the page nothing is left there either. @throws Error where another tab has it open */
 	async remove(id) {
 		if (await this.claims.elsewhere(id)) throw new Error(say("another-tab-has-this-project"));
 		if (id === this.keeping.state.project) await this.anew();
 		await this.database?.remove(id);
 	}
-	/** The parts of a project as they stand in the storage. */
 	async partsOf(id) {
-		return await this.database?.parts(id) ?? /* @__PURE__ */ new Map();
+		return await this.database?.parts(id) ?? new Map();
 	}
-	/** What was said is known. */
 	dismiss() {
 		this.keeping.dispatch({ trouble: null });
 	}
-	/** Resolves when all that there is is written, or could not be. */
 	async settle() {
 		await Promise.all(this.keepables.map((keepable) => keepable.settled?.()));
 		await this.flush();
 	}
-	/** Resolves when all changes so far are written, or could not be. */
 	flush() {
 		window.clearTimeout(this.timer);
 		this.timer = void 0;
@@ -15683,7 +14246,6 @@ var Keeper = class {
 	later() {
 		this.timer ??= window.setTimeout(() => void this.flush(), GATHER_MS);
 	}
-	/** Reads the project that a start shows. */
 	async first(database) {
 		const remembered = rememberedProject();
 		const rows = await database.projects();
@@ -15706,7 +14268,6 @@ var Keeper = class {
 		this.keeping.dispatch({ opening: titleOf(row) });
 		return await this.read(row.id, "claim") ?? nothing;
 	}
-	/** Claims and reads a project; gives what shows it, or null where it cannot be opened, for which there is then a trouble. */
 	async read(id, how) {
 		const { database } = this;
 		const row = await database?.project(id);
@@ -15755,13 +14316,12 @@ var Keeper = class {
 			return refuse("unreadable", messageOf(error));
 		}
 	}
-	/** Begins a project of which nothing is kept yet. */
 	async begin() {
 		const project = randomName();
 		this.claim?.release();
 		this.claim = await this.claims.take(project, true, () => this.lost(project));
 		this.isNew = true;
-		this.written = /* @__PURE__ */ new Map();
+		this.written = new Map();
 		this.keeping.dispatch({
 			project,
 			name: null
@@ -15789,7 +14349,6 @@ var Keeper = class {
 	images() {
 		return this.keepables.map((keepable) => keepable.images()).find((images) => images.length > 0) ?? [];
 	}
-	/** What is other than in the storage. */
 	changes() {
 		const parts = new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
 		return {
@@ -15801,7 +14360,6 @@ var Keeper = class {
 		const { put, drop } = this.changes();
 		return drop.length > 0 || [...put.values()].some(({ again }) => again !== true);
 	}
-	/** Writes what has changed since it was written last. */
 	async save() {
 		const { database, keeping } = this;
 		const { project, name, trouble } = keeping.state;
@@ -15826,7 +14384,6 @@ var Keeper = class {
 			this.failed(error, project);
 		}
 	}
-	/** Files go first, in portions; what names them goes last, all at once. Where there is no room for all, what can be made again is left out. */
 	async write(database, row, put, drop) {
 		const write = async (some, gone) => {
 			await database.write(row, {
@@ -15863,7 +14420,7 @@ var Keeper = class {
 		}
 		if (kind === "gone") {
 			this.isNew = true;
-			this.written = /* @__PURE__ */ new Map();
+			this.written = new Map();
 			this.later();
 			return;
 		}
@@ -15878,14 +14435,13 @@ var Keeper = class {
 		} });
 	}
 };
-/** Files that may be written before the rest, in portions that take a moment each. */
 function portionsOf(put) {
 	const portions = [];
 	let room = 0;
 	for (const [part, kept] of put) {
 		if (kept.alone !== true) continue;
 		if (room < kept.bytes) {
-			portions.push(/* @__PURE__ */ new Map());
+			portions.push(new Map());
 			room = PORTION_BYTES;
 		}
 		portions.at(-1)?.set(part, kept);
@@ -15893,7 +14449,6 @@ function portionsOf(put) {
 	}
 	return portions;
 }
-/** Runs what may be forbidden to a page: its storage of words. */
 function allowed(action, otherwise) {
 	try {
 		return action();
@@ -15903,7 +14458,6 @@ function allowed(action, otherwise) {
 }
 var rememberedProject = () => allowed(() => sessionStorage.getItem(TAB_PROJECT), null);
 var rememberProject = (id) => allowed(() => sessionStorage.setItem(TAB_PROJECT, id), void 0);
-/** How often in a row the page broke off with this project. */
 function breaks(id) {
 	const [project, count] = (allowed(() => localStorage.getItem(BROKE_OFF), null) ?? "").split(" ");
 	return project === id ? Number(count) || 0 : 0;
@@ -15916,7 +14470,6 @@ var LateKeepable = class {
 	load;
 	part = null;
 	changed = null;
-	/** `prefix`: what the names of its parts begin with; `load` has the part `arrive`. */
 	constructor(prefix, load) {
 		this.prefix = prefix;
 		this.load = load;
@@ -15933,7 +14486,7 @@ var LateKeepable = class {
 		return this.part?.settled?.() ?? Promise.resolve();
 	}
 	parts() {
-		return this.part?.parts() ?? /* @__PURE__ */ new Map();
+		return this.part?.parts() ?? new Map();
 	}
 	images() {
 		return this.part?.images() ?? [];
@@ -15947,7 +14500,6 @@ var LateKeepable = class {
 	}
 };
 // www/shared/panel/version.ts
-/** The button that names the version of the program, and opens what is known about it. */
 function nameVersion(press, version) {
 	const name = `Tiepoint ${version}`;
 	press.textContent = name;
@@ -15968,13 +14520,10 @@ function nameVersion(press, version) {
 	});
 }
 // www/shared/panel/reach.ts
-/** What lies in a closed drawer, behind a tab or in a fold, and the way to it. */
-/** Whether an element is there for the user, in sight or one press away: not where the page itself hides it. */
 function reachable(element) {
 	if (element.closest("[hidden]:not([role=\"tabpanel\"])") !== null) return false;
 	return element.closest("main")?.checkVisibility() !== false;
 }
-/** Opens what an element lies in. */
 function reveal(element) {
 	const side = element.closest(".side");
 	if (side !== null) setDrawer(side.classList.contains("of-settings") ? "settings" : "details", true);
@@ -15984,8 +14533,6 @@ function reveal(element) {
 	for (let fold = element.closest("details"); fold !== null; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
 }
 // www/shared/panel/actions.ts
-/** All that can be done: found by a word (Ctrl+K), and the list of all keys (?). */
-/** `press` opens the search. */
 function mountActions(press) {
 	const keys = new KeyList();
 	const search = new Search(() => keys.open());
@@ -16011,7 +14558,6 @@ function mountActions(press) {
 		if (everywhere(held ? `Ctrl+${event.key.toUpperCase()}` : event.key, event.shiftKey)) event.preventDefault();
 	});
 }
-/** What keys do in views that are seen now, what buttons do, and the settings. */
 function actions() {
 	const commands = declared().filter(({ host, list }) => host.checkVisibility() && list.length > 0).flatMap(({ where, list }) => list.filter(({ can }) => can?.() !== false).map(({ keys, does, run }) => ({
 		name: sentenceOf(does),
@@ -16043,16 +14589,13 @@ function actions() {
 		...settings
 	];
 }
-/** Buttons that only unfold what is listed itself, or close what is open. */
 var UNNAMED = ".close, .menu-button, #export-menu";
-/** What a button is called; one that shows a sign alone is called by what it says of itself. */
 function nameOf(made) {
 	const shown = made.getAttribute("aria-label") ?? made.textContent;
 	return /\p{L}|\d/u.test(shown) || made.title === "" ? shown : made.title;
 }
 var sentenceOf = (does) => does.charAt(0).toUpperCase() + does.slice(1);
 var groupOf = (made) => made.parentElement?.closest("[aria-label]")?.getAttribute("aria-label") ?? "";
-/** The search for actions: what is typed narrows a list, arrows go through it, Enter runs one. */
 var Search = class {
 	dialog = h("dialog", {
 		class: "dialog search",
@@ -16146,9 +14689,8 @@ var Search = class {
 		action.run();
 	}
 };
-/** Keys that do the same are one row, and so is all that the same keys do one after the other. */
 function rowsOf(list) {
-	const rows = /* @__PURE__ */ new Map();
+	const rows = new Map();
 	for (const does of new Set(list.map((one) => one.does))) {
 		const keys = [...new Set(list.filter((one) => one.does === does).flatMap((one) => one.keys))];
 		const row = rows.get(keys.join(" "));
@@ -16160,12 +14702,10 @@ function rowsOf(list) {
 	}
 	return [...rows.values()];
 }
-/** Keys, each in a box of its own; arrows stand side by side. */
 function keysOf(keys) {
 	const between = keys.every((key) => /^Arrow/u.test(key)) ? " " : say("or");
 	return h("span", { class: "keys-of" }, ...keys.flatMap((key, i) => [...i === 0 ? [] : [between], h("kbd", {}, keyText(key))]));
 }
-/** All keys, those of what is seen now first. */
 var KeyList = class {
 	dialog = h("dialog", {
 		class: "dialog",
@@ -16197,7 +14737,6 @@ var KeyList = class {
 	}
 };
 // www/shared/files/rescue.ts
-/** The parts of a kept project as files in one archive, whatever state they are in. */
 async function archiveOf(parts) {
 	const chunks = [];
 	const archive = new Zip((error, chunk) => {
@@ -16212,7 +14751,6 @@ async function archiveOf(parts) {
 	archive.end();
 	return new Blob(chunks, { type: "application/zip" });
 }
-/** Files that a part holds, and the part itself as JSON. */
 function filesOf(part, value) {
 	if (value instanceof Blob) return [[part, value]];
 	const { project, file } = typeof value === "object" && value !== null ? value : {};
@@ -16293,7 +14831,6 @@ var DATE = new Intl.DateTimeFormat(LANGUAGE === "en" ? "en-GB" : `${LANGUAGE}-u-
 	dateStyle: "medium",
 	timeStyle: "short"
 });
-/** The buttons of the bar, the dialog, and the line that says what stands in the way of keeping. */
 function mountProjects(keeper) {
 	const anew = byId("anew");
 	const press = byId("projects");
@@ -16312,7 +14849,6 @@ function mountProjects(keeper) {
 		press.disabled = !works || project === "";
 	});
 }
-/** Asks before what could not be kept is lost. */
 function mayLeave({ isLost }) {
 	return !isLost || window.confirm(say("the-last-changes-on-the"));
 }
@@ -16356,11 +14892,9 @@ var ProjectList = class {
 		await this.attempt(() => this.show());
 		if (!this.dialog.open) this.dialog.showModal();
 	}
-	/** Does something after which the list is no longer needed. */
 	async leave(action) {
 		if (mayLeave(this.keeper) && await this.attempt(action)) this.dialog.close();
 	}
-	/** Does something, and says what went wrong. */
 	async attempt(action) {
 		this.problem.textContent = "";
 		try {
@@ -16371,14 +14905,12 @@ var ProjectList = class {
 			return false;
 		}
 	}
-	/** Does something that changes the list. The keyboard goes on to `focus`. */
 	async change(action, focus) {
 		await this.attempt(async () => {
 			await action();
 			await this.show(focus);
 		});
 	}
-	/** `focus`: what has the keyboard among the new rows, at once: the next key is meant for it. */
 	async show(focus) {
 		const projects = await this.keeper.projects();
 		const none = h("li", { class: "note" }, say("nothing-is-kept-yet"));
@@ -16456,7 +14988,6 @@ var ProjectList = class {
 	}
 };
 // www/shared/panel/releases.ts
-/** A line that offers a later release of the page. It is taken when the user says so; what is on the page is kept and shown again. */
 function mountReleases(host, keeper) {
 	const tell = (text, ...buttons) => {
 		fill(host, h("p", {}, text), ...buttons);
@@ -16484,7 +15015,6 @@ function mountReleases(host, keeper) {
 	}).catch(() => void 0);
 }
 // www/shared/panel/theme.ts
-/** Light, dark, or as the system has it. */
 var NEXT = {
 	auto: "light",
 	light: "dark",
@@ -16509,7 +15039,6 @@ function mountTheme(button) {
 	});
 }
 // www/shared/state/mode.ts
-/** Which part of the page is shown: the pair or the block. */
 function isMode(text) {
 	return text === "pair" || text === "block";
 }
@@ -16517,10 +15046,7 @@ function makeModes() {
 	return new Holder({ mode: "pair" }, (_, mode) => ({ mode }));
 }
 // www/program.ts
-/** The program of the page: starts the part of the pair, has that of the block loaded when it is first needed, and joins them. */
-/** So much of a project file says what it holds. */
 var START_BYTES = 1024;
-/** What keeps the work, once it is there. */
 var keeping = null;
 async function startProgram() {
 	mountTheme(byId("theme"));
@@ -16536,7 +15062,6 @@ async function startProgram() {
 		byId("status").textContent = messageOf(error);
 	}
 }
-/** The module holds words and options of the page: its parts are made once it is there, and show what the browser has kept. */
 async function startParts(opening, serveDrop) {
 	const catalogue = await loadCatalogue();
 	checkRules(catalogue.rules);
@@ -16564,7 +15089,6 @@ async function startParts(opening, serveDrop) {
 		return block;
 	});
 	const keptBlock = new LateKeepable("block", () => blocks.get());
-	/** What cannot be loaded is said, and tried again the next time. */
 	async function withBlock(act) {
 		const block = await blocks.get().catch((error) => {
 			pair.store.dispatch({
@@ -16585,14 +15109,12 @@ async function startParts(opening, serveDrop) {
 		modes.dispatch("block");
 		await act(block);
 	});
-	/** What a file holds decides which part shows it; what is no project is refused by the part that it was given to. */
 	async function openProject(file) {
 		const mode = project_kind(new Uint8Array(await file.slice(0, START_BYTES).arrayBuffer())) ?? modes.state.mode;
 		if (mode === "block") return inBlock((block) => block.open(file));
 		modes.dispatch(mode);
 		await pair.open(file);
 	}
-	/** More images than two are a block. */
 	function toBlock(files, masks) {
 		inBlock((block) => block.give(files, masks));
 	}
@@ -16621,7 +15143,6 @@ async function startParts(opening, serveDrop) {
 		...pair.taker,
 		take: (found, at) => void toPair(found, at)
 	});
-	/** An orthophoto with photographs is nothing for a pair. */
 	async function toPair(found, at) {
 		if (await hasGround(found)) await inBlock((block) => block.taker.take(found, null));
 		else pair.taker.take(found, at);
@@ -16630,7 +15151,6 @@ async function startParts(opening, serveDrop) {
 	watchLaunches(openProject);
 	mountReleases(byId("update"), keeper);
 }
-/** Says which kept work is being opened; nobody is welcomed meanwhile. */
 function sayOpening(keeper, { store }) {
 	let said = null;
 	keeper.keeping.watch(["opening"], ([title]) => {
@@ -16646,7 +15166,6 @@ function sayOpening(keeper, { store }) {
 		});
 	});
 }
-/** The part of the block, with its texts. */
 async function loadBlock(catalogue, pair, elsewhere) {
 	await learnPart("block");
 	const { blockCatalogue, mountBlock, openPair } = await loadPart("block.js", () => __vitePreload(() => import("./block.js"), [], import.meta.url));
@@ -16661,4 +15180,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isHidden, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };

@@ -4,7 +4,6 @@
 	var PREFIX = `tiepoint ${here.registration.scope} `;
 	var OWN = `${PREFIX}${RELEASE.name}`;
 	var addressOf = (file) => new URL(file, here.registration.scope).href;
-	/** Fetches all files of the release; one that is of another release is refused by its digest. */
 	async function fetchRelease() {
 		const kept = await caches.open(OWN);
 		const files = Object.entries(RELEASE.files).map(async ([file, integrity]) => {
@@ -27,7 +26,6 @@
 		const names = await caches.keys();
 		await Promise.all(names.filter((name) => name.startsWith(PREFIX) && name !== OWN).map((name) => caches.delete(name)));
 	}
-	/** The file of the release that a request asks for; null where it is none. What stands behind ? and # is the page's own affair. */
 	function fileOf({ method, url }) {
 		const { origin, pathname } = new URL(url);
 		const { scope } = here.registration;

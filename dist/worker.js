@@ -1,9 +1,5 @@
 (function() {
 	// pkg/wasm/tiepoint.js
-	/**
-	* The images of an oriented block while they are placed on an orthophoto, one after the other, in wasm memory. Call `free` when it is no longer
-	* needed.
-	*/
 	var BlockOnOrthophoto = class {
 		__destroy_into_raw() {
 			const ptr = this.__wbg_ptr;
@@ -15,13 +11,6 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_blockonorthophoto_free(ptr, 0);
 		}
-		/**
-		* The block in the system of the orthophoto, adjusted by places of its ground; what came of it stands in the summary. Where it could not be
-		* linked it is as it was.
-		* @param {FinishedBlock} block
-		* @param {OrthophotoReference} reference
-		* @returns {FinishedBlock}
-		*/
 		linked(block, reference) {
 			_assertClass(block, FinishedBlock);
 			_assertClass(reference, OrthophotoReference);
@@ -29,23 +18,12 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return FinishedBlock.__wrap(ret[0]);
 		}
-		/**
-		* None is placed yet.
-		*/
 		constructor() {
 			const ret = wasm.blockonorthophoto_new();
 			this.__wbg_ptr = ret;
 			BlockOnOrthophotoFinalization.register(this, this.__wbg_ptr, this);
 			return this;
 		}
-		/**
-		* Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
-		* @param {FinishedBlock} block
-		* @param {number} index
-		* @param {Uint8Array | number[]} file
-		* @param {OrthophotoReference} reference
-		* @returns {PlacingVerdict | null}
-		*/
 		place(block, index, file, reference) {
 			_assertClass(block, FinishedBlock);
 			_assertClass(reference, OrthophotoReference);
@@ -58,9 +36,6 @@
 		}
 	};
 	if (Symbol.dispose) BlockOnOrthophoto.prototype[Symbol.dispose] = BlockOnOrthophoto.prototype.free;
-	/**
-	* The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
-	*/
 	var BlockScene = class {
 		__destroy_into_raw() {
 			const ptr = this.__wbg_ptr;
@@ -72,10 +47,6 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_blockscene_free(ptr, 0);
 		}
-		/**
-		* Builds the scene of a flight; parameters that are absent take their defaults.
-		* @param {Given<BlockFlight>} flight
-		*/
 		constructor(flight) {
 			const ret = wasm.blockscene_new(flight);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -83,31 +54,16 @@
 			BlockSceneFinalization.register(this, this.__wbg_ptr, this);
 			return this;
 		}
-		/**
-		* The orthophoto of all that the photos show and the heights of its surface, as GeoTIFF files; `gsd_m` is the side of a pixel.
-		* @param {number} gsd_m
-		* @returns {{ picture: Uint8Array; heights: Uint8Array }}
-		*/
 		orthophoto(gsd_m) {
 			const ret = wasm.blockscene_orthophoto(this.__wbg_ptr, gsd_m);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* Takes a photo.
-		* @param {number} index
-		* @returns {SampleImage}
-		*/
 		photo(index) {
 			const ret = wasm.blockscene_photo(this.__wbg_ptr, index);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* Takes a photo as a PNG file, with its camera and recorded position as EXIF.
-		* @param {number} index
-		* @returns {Uint8Array}
-		*/
 		photo_file(index) {
 			const ret = wasm.blockscene_photo_file(this.__wbg_ptr, index);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
@@ -115,19 +71,9 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			return v1;
 		}
-		/**
-		* How many photos the flight takes.
-		* @returns {number}
-		*/
 		get photos() {
 			return wasm.blockscene_photos(this.__wbg_ptr) >>> 0;
 		}
-		/**
-		* Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
-		* @param {number} index
-		* @param {Float64Array | number[]} positions
-		* @returns {Float64Array}
-		*/
 		surface_at(index, positions) {
 			const val2 = +index;
 			const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
@@ -136,18 +82,11 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* The true cameras and exterior orientations.
-		* @returns {BlockModel}
-		*/
 		truth() {
 			return wasm.blockscene_truth(this.__wbg_ptr);
 		}
 	};
 	if (Symbol.dispose) BlockScene.prototype[Symbol.dispose] = BlockScene.prototype.free;
-	/**
-	* The files of a block, of which each step writes some.
-	*/
 	var BlockWriting = class BlockWriting {
 		static __wrap(ptr) {
 			const obj = Object.create(BlockWriting.prototype);
@@ -165,11 +104,6 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_blockwriting_free(ptr, 0);
 		}
-		/**
-		* Writes the next files; gives the summary after the last one, null before.
-		* @param {Emit} emit
-		* @returns {Summary | null}
-		*/
 		step(emit) {
 			const ret = wasm.blockwriting_step(this.__wbg_ptr, emit);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -177,10 +111,6 @@
 		}
 	};
 	if (Symbol.dispose) BlockWriting.prototype[Symbol.dispose] = BlockWriting.prototype.free;
-	/**
-	* Two oriented images of a project, to be resampled so that what both show lies in the same row of either. Call `free` when it is no longer
-	* needed.
-	*/
 	var EpipolarPair = class EpipolarPair {
 		static __wrap(ptr) {
 			const obj = Object.create(EpipolarPair.prototype);
@@ -198,44 +128,21 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_epipolarpair_free(ptr, 0);
 		}
-		/**
-		* SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
-		* @returns {(string | null)[]}
-		*/
 		get contents() {
 			return wasm.epipolarpair_contents(this.__wbg_ptr);
 		}
-		/**
-		* How the epipolar images lie.
-		* @returns {EpipolarGeometry}
-		*/
 		get geometry() {
 			return wasm.epipolarpair_geometry(this.__wbg_ptr);
 		}
-		/**
-		* Whether the left image stands second in the project.
-		* @returns {boolean}
-		*/
 		get is_swapped() {
 			return wasm.epipolarpair_is_swapped(this.__wbg_ptr) !== 0;
 		}
-		/**
-		* The names of the left and the right image.
-		* @returns {string[]}
-		*/
 		get names() {
 			const ret = wasm.epipolarpair_names(this.__wbg_ptr);
 			var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
 			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 			return v1;
 		}
-		/**
-		* Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
-		* that order in which the base goes to the right.
-		* @param {Uint8Array | number[]} project
-		* @param {string[] | null} [names]
-		* @returns {EpipolarPair}
-		*/
 		static open(project, names) {
 			let ptr0, len0, ptr1, len1;
 			try {
@@ -255,12 +162,6 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return EpipolarPair.__wrap(ret[0]);
 		}
-		/**
-		* Resamples both images, which are given in the order of `names`.
-		* @param {Photo} left
-		* @param {Photo} right
-		* @returns {EpipolarFiles}
-		*/
 		resample(left, right) {
 			_assertClass(left, Photo);
 			_assertClass(right, Photo);
@@ -270,9 +171,6 @@
 		}
 	};
 	if (Symbol.dispose) EpipolarPair.prototype[Symbol.dispose] = EpipolarPair.prototype.free;
-	/**
-	* A block that was run, or opened from its project file; its owner frees it.
-	*/
 	var FinishedBlock = class FinishedBlock {
 		static __wrap(ptr) {
 			const obj = Object.create(FinishedBlock.prototype);
@@ -290,24 +188,11 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_finishedblock_free(ptr, 0);
 		}
-		/**
-		* A map of the standard errors that are expected of points that would be measured in the block. `cell`: the side of a cell, in units of the block;
-		* `sigma_px`: the standard error of an image coordinate. Absent: an eightieth of the longer side; σ₀ of the block.
-		* @param {number | null} [cell]
-		* @param {number | null} [sigma_px]
-		* @returns {AccuracyFiles}
-		*/
 		accuracy(cell, sigma_px) {
 			const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, !isLikeNone(cell), isLikeNone(cell) ? 0 : cell, !isLikeNone(sigma_px), isLikeNone(sigma_px) ? 0 : sigma_px);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
-		* error, then its covariances with all of them.
-		* @param {readonly string[]} names
-		* @returns {string}
-		*/
 		covariances(names) {
 			let deferred2_0;
 			let deferred2_1;
@@ -327,31 +212,14 @@
 				wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 			}
 		}
-		/**
-		* The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found.
-		* @param {readonly BlockEdit[]} edits
-		* @returns {FinishedBlock}
-		*/
 		edited(edits) {
 			const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return FinishedBlock.__wrap(ret[0]);
 		}
-		/**
-		* The edits that it has.
-		* @returns {BlockEdit[]}
-		*/
 		edits() {
 			return wasm.finishedblock_edits(this.__wbg_ptr);
 		}
-		/**
-		* The epipolar line of a place of one image in another one: x, y in px, stride 2, as far as that shows it, from near to far.
-		* @param {number} from
-		* @param {number} x_px
-		* @param {number} y_px
-		* @param {number} to
-		* @returns {Float64Array}
-		*/
 		epipolar_line(from, x_px, y_px, to) {
 			const ret = wasm.finishedblock_epipolar_line(this.__wbg_ptr, from, x_px, y_px, to);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
@@ -359,55 +227,26 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 			return v1;
 		}
-		/**
-		* Writes it in one format.
-		* @param {ExportFormat} format
-		* @param {Emit} emit
-		*/
 		export(format, emit) {
 			const ret = wasm.finishedblock_export(this.__wbg_ptr, format, emit);
 			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* All its files, in steps of about one. `score`: what the summary holds of a simulated block.
-		* @param {readonly ExportFormat[]} formats
-		* @param {BlockScore | null} [score]
-		* @returns {BlockWriting}
-		*/
 		files(formats, score) {
 			const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return BlockWriting.__wrap(ret[0]);
 		}
-		/**
-		* The observations of an image.
-		* @param {number} image
-		* @returns {ImagePoints}
-		*/
 		image_points(image) {
 			const ret = wasm.finishedblock_image_points(this.__wbg_ptr, image);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* The model that is written.
-		* @returns {BlockModel}
-		*/
 		model() {
 			return wasm.finishedblock_model(this.__wbg_ptr);
 		}
-		/**
-		* What came of the orthophoto that the block was given; null where it was given none.
-		* @returns {OnOrthophoto | null}
-		*/
 		on_orthophoto() {
 			return wasm.finishedblock_on_orthophoto(this.__wbg_ptr);
 		}
-		/**
-		* Opens a project file; one that is damaged or of another kind is refused whole.
-		* @param {Uint8Array | number[]} bytes
-		* @returns {FinishedBlock}
-		*/
 		static open(bytes) {
 			const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
 			const len0 = WASM_VECTOR_LEN;
@@ -415,36 +254,19 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return FinishedBlock.__wrap(ret[0]);
 		}
-		/**
-		* What is shown of it.
-		* @returns {BlockOverview & { points: PointColumns }}
-		*/
 		overview() {
 			const ret = wasm.finishedblock_overview(this.__wbg_ptr);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* All that is known of a point of the model that is written.
-		* @param {number} point
-		* @returns {PointDetail}
-		*/
 		point(point) {
 			const ret = wasm.finishedblock_point(this.__wbg_ptr, point);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* The points of the model that is written by what they are, whatever their indices; empty for a block that is not oriented.
-		* @returns {PointSource[]}
-		*/
 		point_ids() {
 			return wasm.finishedblock_point_ids(this.__wbg_ptr);
 		}
-		/**
-		* The text of its project file.
-		* @returns {string}
-		*/
 		project() {
 			let deferred2_0;
 			let deferred2_1;
@@ -464,11 +286,6 @@
 				wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 			}
 		}
-		/**
-		* How near a simulated block is to its truth.
-		* @param {BlockModel} truth
-		* @returns {BlockScore}
-		*/
 		score(truth) {
 			const ret = wasm.finishedblock_score(this.__wbg_ptr, truth);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -476,10 +293,6 @@
 		}
 	};
 	if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
-	/**
-	* A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Call
-	* `free` when it is no longer needed.
-	*/
 	var OrthoMosaic = class OrthoMosaic {
 		static __wrap(ptr) {
 			const obj = Object.create(OrthoMosaic.prototype);
@@ -497,11 +310,6 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_orthomosaic_free(ptr, 0);
 		}
-		/**
-		* Adds an image, by its index; one that is not oriented adds nothing.
-		* @param {number} index
-		* @param {Uint8Array | number[]} file
-		*/
 		add(index, file) {
 			const val2 = +index;
 			const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
@@ -509,10 +317,6 @@
 			const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
 			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* The mosaic, grey, as GeoTIFF.
-		* @returns {Uint8Array}
-		*/
 		finish() {
 			const ptr = this.__destroy_into_raw();
 			const ret = wasm.orthomosaic_finish(ptr);
@@ -521,10 +325,6 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			return v1;
 		}
-		/**
-		* The heights on which it lies, as GeoTIFF; absent where these are one for all.
-		* @returns {Uint8Array | undefined}
-		*/
 		heights() {
 			const ret = wasm.orthomosaic_heights(this.__wbg_ptr);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
@@ -535,25 +335,12 @@
 			}
 			return v1;
 		}
-		/**
-		* The names of the block's images.
-		* @returns {string[]}
-		*/
 		get names() {
 			const ret = wasm.orthomosaic_names(this.__wbg_ptr);
 			var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
 			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 			return v1;
 		}
-		/**
-		* Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
-		* pixel; absent: that of the images.
-		* @param {Uint8Array | number[]} project
-		* @param {number | Uint8Array | null} heights
-		* @param {string | null} [heights_world_file]
-		* @param {number | null} [gsd]
-		* @returns {OrthoMosaic}
-		*/
 		static open(project, heights, heights_world_file, gsd) {
 			const val3 = +(isLikeNone(gsd) ? 0 : gsd);
 			let ptr0, len0, ptr1, len1;
@@ -573,9 +360,6 @@
 		}
 	};
 	if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
-	/**
-	* An orthophoto with the heights of its ground in wasm memory, on which images are placed. Call `free` when it is no longer needed.
-	*/
 	var OrthophotoReference = class OrthophotoReference {
 		static __wrap(ptr) {
 			const obj = Object.create(OrthophotoReference.prototype);
@@ -593,17 +377,6 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_orthophotoreference_free(ptr, 0);
 		}
-		/**
-		* Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
-		* links. The file tells its camera. `options`: as of `search`; absent: those that it had.
-		* @param {string} name
-		* @param {Uint8Array | number[]} file
-		* @param {readonly GivenLink[]} links
-		* @param {Placement | null} start
-		* @param {string | null | undefined} cameras
-		* @param {Given<PlacingOptions>} [options]
-		* @returns {PlacedImage}
-		*/
 		adjust(name, file, links, start, cameras, options) {
 			let ptr0, len0, ptr1, len1, ptr2, len2;
 			try {
@@ -623,12 +396,6 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
-		* @param {Placement} placement
-		* @param {Float64Array | number[]} positions
-		* @returns {Float64Array}
-		*/
 		ground_positions(placement, positions) {
 			const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
 			const len0 = WASM_VECTOR_LEN;
@@ -638,11 +405,6 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 			return v2;
 		}
-		/**
-		* The heights of places X, Y, stride 2; no number where there is none.
-		* @param {Float64Array | number[]} places
-		* @returns {Float64Array}
-		*/
 		heights_at(places) {
 			const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
 			const len0 = WASM_VECTOR_LEN;
@@ -652,12 +414,6 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 			return v2;
 		}
-		/**
-		* Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.
-		* @param {Placement} placement
-		* @param {Float64Array | number[]} places
-		* @returns {Float64Array}
-		*/
 		image_positions(placement, places) {
 			const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
 			const len0 = WASM_VECTOR_LEN;
@@ -667,20 +423,9 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 			return v2;
 		}
-		/**
-		* Size, place and heights.
-		* @returns {OrthophotoInfo}
-		*/
 		info() {
 			return wasm.orthophotoreference_info(this.__wbg_ptr);
 		}
-		/**
-		* Opens a GeoTIFF, or an image with its world file: all of its bytes, or a file from which large ones are read in parts. Its ground is level at 0 until
-		* heights are given.
-		* @param {Uint8Array | FileInParts} file
-		* @param {string | null} [world_file]
-		* @returns {OrthophotoReference}
-		*/
 		static open(file, world_file) {
 			var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 			var len0 = WASM_VECTOR_LEN;
@@ -688,16 +433,6 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return OrthophotoReference.__wrap(ret[0]);
 		}
-		/**
-		* Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
-		* picture on, 0 where it shows nothing.
-		* @param {number} column
-		* @param {number} row
-		* @param {number} width
-		* @param {number} height
-		* @param {number} halvings
-		* @returns {Uint8Array}
-		*/
 		picture(column, row, width, height, halvings) {
 			const ret = wasm.orthophotoreference_picture(this.__wbg_ptr, column, row, width, height, halvings);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
@@ -705,14 +440,6 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			return v1;
 		}
-		/**
-		* Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
-		* of its EXIF and XMP, or a usual one.
-		* @param {string} name
-		* @param {Uint8Array | number[]} file
-		* @param {string | null} [cameras]
-		* @returns {PlacedImage}
-		*/
 		place(name, file, cameras) {
 			let ptr0, len0, ptr1, len1, ptr2, len2;
 			try {
@@ -732,12 +459,6 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* A placed image resampled to the ground, grey, as GeoTIFF.
-		* @param {Uint8Array | number[]} file
-		* @param {Placement} placement
-		* @returns {Uint8Array}
-		*/
 		rectified(file, placement) {
 			const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
 			const len0 = WASM_VECTOR_LEN;
@@ -747,22 +468,11 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			return v2;
 		}
-		/**
-		* How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
-		* gives how many they are.
-		* @param {Given<PlacingOptions>} options
-		* @returns {number}
-		*/
 		search(options) {
 			const ret = wasm.orthophotoreference_search(this.__wbg_ptr, options);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return ret[0] >>> 0;
 		}
-		/**
-		* The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
-		* @param {number | Uint8Array} heights
-		* @param {string | null} [world_file]
-		*/
 		set_heights(heights, world_file) {
 			var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 			var len0 = WASM_VECTOR_LEN;
@@ -771,9 +481,6 @@
 		}
 	};
 	if (Symbol.dispose) OrthophotoReference.prototype[Symbol.dispose] = OrthophotoReference.prototype.free;
-	/**
-	* A grey image in wasm memory. Call `free` when it is no longer needed.
-	*/
 	var Photo = class Photo {
 		static __wrap(ptr) {
 			const obj = Object.create(Photo.prototype);
@@ -791,11 +498,6 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_photo_free(ptr, 0);
 		}
-		/**
-		* Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
-		* @param {Uint8Array | number[]} bytes
-		* @returns {Photo}
-		*/
 		static decode(bytes) {
 			const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
 			const len0 = WASM_VECTOR_LEN;
@@ -803,14 +505,6 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return Photo.__wrap(ret[0]);
 		}
-		/**
-		* Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
-		* Empty for the strategies that compare grey values.
-		* @param {Float64Array | number[]} point_list
-		* @param {Given<WindowOptions>} window
-		* @param {Strategy} strategy
-		* @returns {Float64Array}
-		*/
 		describe(point_list, window, strategy) {
 			const ptr0 = passArrayF64ToWasm0(point_list, wasm.__wbindgen_malloc);
 			const len0 = WASM_VECTOR_LEN;
@@ -820,12 +514,6 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 			return v2;
 		}
-		/**
-		* Finds interest points and describes them as the strategy of the settings needs it.
-		* @param {Given<PairSettings>} settings
-		* @param {Uint8Array | number[] | null} [mask]
-		* @returns {DescribedPoints}
-		*/
 		describe_points(settings, mask) {
 			var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
 			var len0 = WASM_VECTOR_LEN;
@@ -833,13 +521,6 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
-		* and row by row, are left out.
-		* @param {Given<PairSettings>} settings
-		* @param {Uint8Array | number[] | null} [mask]
-		* @returns {DetectedPoints}
-		*/
 		detect(settings, mask) {
 			var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
 			var len0 = WASM_VECTOR_LEN;
@@ -847,13 +528,6 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* Finds points distinct in position and scale and describes them by the gradients around them. Points whose pixel is 0 in the mask,
-		* of the image's size and row by row, are left out.
-		* @param {Given<FeatureOptions>} options
-		* @param {Uint8Array | number[] | null} [mask]
-		* @returns {Features}
-		*/
 		features(options, mask) {
 			var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
 			var len0 = WASM_VECTOR_LEN;
@@ -861,13 +535,6 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* Takes grey values 0..255, row by row.
-		* @param {number} width
-		* @param {number} height
-		* @param {Uint8Array | number[]} grey
-		* @returns {Photo}
-		*/
 		static from_grey(width, height, grey) {
 			const val2 = +width;
 			const val3 = +height;
@@ -877,50 +544,24 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return Photo.__wrap(ret[0]);
 		}
-		/**
-		* A copy of the grey values, row by row.
-		* @returns {Uint8Array}
-		*/
 		grey() {
 			const ret = wasm.photo_grey(this.__wbg_ptr);
 			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			return v1;
 		}
-		/**
-		* @returns {number}
-		*/
 		get height() {
 			return wasm.photo_height(this.__wbg_ptr) >>> 0;
 		}
-		/**
-		* Size, format, camera and drone.
-		* @returns {PhotoInfo}
-		*/
 		info() {
 			return wasm.photo_info(this.__wbg_ptr);
 		}
-		/**
-		* The image halved until its longer side is at most `max_side` px.
-		* @param {number} max_side
-		* @returns {ReducedImage}
-		*/
 		reduced(max_side) {
 			return wasm.photo_reduced(this.__wbg_ptr, max_side);
 		}
-		/**
-		* @returns {number}
-		*/
 		get width() {
 			return wasm.photo_width(this.__wbg_ptr) >>> 0;
 		}
-		/**
-		* The window around a pixel (column and row from 0) with its moments.
-		* @param {number} col
-		* @param {number} row
-		* @param {Given<WindowOptions>} window
-		* @returns {WindowReport}
-		*/
 		window_moments(col, row, window) {
 			const ret = wasm.photo_window_moments(this.__wbg_ptr, col, row, window);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -928,9 +569,6 @@
 		}
 	};
 	if (Symbol.dispose) Photo.prototype[Symbol.dispose] = Photo.prototype.free;
-	/**
-	* The report of a pair in the making: `step` until it says false, then `html`.
-	*/
 	var Report = class {
 		__destroy_into_raw() {
 			const ptr = this.__wbg_ptr;
@@ -942,10 +580,6 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_report_free(ptr, 0);
 		}
-		/**
-		* The page, which holds everything it shows. Does the steps that are left.
-		* @returns {string}
-		*/
 		html() {
 			let deferred2_0;
 			let deferred2_1;
@@ -965,18 +599,6 @@
 				wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 			}
 		}
-		/**
-		* Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
-		* and row by row, are left out.
-		* @param {Photo} left
-		* @param {Photo} right
-		* @param {[string, string]} names
-		* @param {Given<PairInput>} input
-		* @param {Given<PairSettings>} settings
-		* @param {ReportTruth | null} truth
-		* @param {Uint8Array | number[] | null} [left_mask]
-		* @param {Uint8Array | number[] | null} [right_mask]
-		*/
 		constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
 			_assertClass(left, Photo);
 			_assertClass(right, Photo);
@@ -997,28 +619,16 @@
 			ReportFinalization.register(this, this.__wbg_ptr, this);
 			return this;
 		}
-		/**
-		* Does the next step; false when all were done.
-		* @returns {boolean}
-		*/
 		step() {
 			const ret = wasm.report_step(this.__wbg_ptr);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return ret[0] !== 0;
 		}
-		/**
-		* What each step does, in their order.
-		* @returns {string[]}
-		*/
 		steps() {
 			return wasm.report_steps(this.__wbg_ptr);
 		}
 	};
 	if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
-	/**
-	* The run of a block. Its host does the jobs of `next`, in any order and any number at the same time: it reads the files, asks `prepare`,
-	* looks for a kept record of the key, which goes to `found`, and else calls `execute_job`, keeps what comes of it and hands it to `complete`.
-	*/
 	var Run = class {
 		__destroy_into_raw() {
 			const ptr = this.__wbg_ptr;
@@ -1030,11 +640,6 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_run_free(ptr, 0);
 		}
-		/**
-		* Takes the bytes that came of a job.
-		* @param {number} id
-		* @param {Uint8Array | number[]} bytes
-		*/
 		complete(id, bytes) {
 			const val2 = +id;
 			const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
@@ -1042,31 +647,16 @@
 			const ret = wasm.run_complete(this.__wbg_ptr, val2, ptr0, len0);
 			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* Takes why a job could not be done: an image or a pair is left out with it, where these are to blame.
-		* @param {number} id
-		* @param {Failure} failure
-		*/
 		failed(id, failure) {
 			const ret = wasm.run_failed(this.__wbg_ptr, id, failure);
 			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* What the run has found; frees it.
-		* @returns {FinishedBlock}
-		*/
 		finish() {
 			const ptr = this.__destroy_into_raw();
 			const ret = wasm.run_finish(ptr);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return FinishedBlock.__wrap(ret[0]);
 		}
-		/**
-		* Takes a kept record; one that does not read well is not taken, and the job is still to be done.
-		* @param {number} id
-		* @param {Uint8Array | number[]} record
-		* @returns {boolean}
-		*/
 		found(id, record) {
 			const val2 = +id;
 			const ptr0 = passArray8ToWasm0(record, wasm.__wbindgen_malloc);
@@ -1075,10 +665,6 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return ret[0] !== 0;
 		}
-		/**
-		* A run of which nothing is done; what can be refused before the images are read is refused here.
-		* @param {Given<RunInput>} input
-		*/
 		constructor(input) {
 			const ret = wasm.run_new(input);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -1086,29 +672,14 @@
 			RunFinalization.register(this, this.__wbg_ptr, this);
 			return this;
 		}
-		/**
-		* What was found since the last call, and how far the stages are.
-		* @returns {News[]}
-		*/
 		news() {
 			return wasm.run_news(this.__wbg_ptr);
 		}
-		/**
-		* Jobs that can be done now, at most so many. Where there are none, and none is under way, the run is over.
-		* @param {number} most
-		* @returns {Job[]}
-		*/
 		next(most) {
 			const ret = wasm.run_next(this.__wbg_ptr, most);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
-		/**
-		* What is to be done for a job whose files have these digests, SHA-256 in hexadecimal digits.
-		* @param {number} id
-		* @param {string[]} digests
-		* @returns {Work}
-		*/
 		prepare(id, digests) {
 			const val2 = +id;
 			const ptr0 = passArrayJsValueToWasm0(digests, wasm.__wbindgen_malloc);
@@ -1119,32 +690,11 @@
 		}
 	};
 	if (Symbol.dispose) Run.prototype[Symbol.dispose] = Run.prototype.free;
-	/**
-	* The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane, or
-	* there is none. Sizes in px.
-	* @param {Omit<TwoView, "inliers"> | null} geometry
-	* @param {number} left_width
-	* @param {number} left_height
-	* @param {number} right_width
-	* @param {number} right_height
-	* @returns {PairInterior | null}
-	*/
 	function assumed_interior(geometry, left_width, left_height, right_width, right_height) {
 		const ret = wasm.assumed_interior(geometry, left_width, left_height, right_width, right_height);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The candidates of one left point, the best first: index of the right point and measure, stride 2.
-	* @param {number} index
-	* @param {Float64Array | number[]} left_points
-	* @param {Float64Array | number[]} left_descriptors
-	* @param {Float64Array | number[]} right_points
-	* @param {Float64Array | number[]} right_descriptors
-	* @param {OffsetField} offset
-	* @param {Given<MatchOptions>} options
-	* @returns {Float64Array}
-	*/
 	function candidates(index, left_points, left_descriptors, right_points, right_descriptors, offset, options) {
 		const val5 = +index;
 		let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
@@ -1170,48 +720,19 @@
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 		return v6;
 	}
-	/**
-	* The groups of connected images of a block, the largest first.
-	* @param {number} images
-	* @param {Connection[]} connections
-	* @returns {number[][]}
-	*/
 	function connected_groups(images, connections) {
 		const ret = wasm.connected_groups(images, connections);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The same offset (right minus left position, px) everywhere.
-	* @param {number} dx
-	* @param {number} dy
-	* @returns {OffsetField}
-	*/
 	function constant_offset(dx, dy) {
 		const ret = wasm.constant_offset(dx, dy);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The defaults of all options.
-	* @returns {PairSettings}
-	*/
 	function defaults() {
 		return wasm.defaults();
 	}
-	/**
-	* Where a point of one image may be seen in the other, by the geometry that `match_photos` gave with the same interior orientations:
-	* positions x, y in px along its epipolar line, or the one place that the map of a plane or a rotation gives; stride 2. Empty where the
-	* line passes the other image, whose width and height are given.
-	* @param {"left" | "right"} from
-	* @param {number} x
-	* @param {number} y
-	* @param {TwoViewModel} model
-	* @param {PairInterior | null} interior
-	* @param {number} other_width
-	* @param {number} other_height
-	* @returns {Float64Array}
-	*/
 	function epipolar_line(from, x, y, model, interior, other_width, other_height) {
 		const ret = wasm.epipolar_line(from, x, y, model, interior, other_width, other_height);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
@@ -1219,23 +740,11 @@
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 		return v1;
 	}
-	/**
-	* Estimates the offsets between two images from `Photo.reduced(1024)` of each.
-	* @param {ReducedImage} left
-	* @param {ReducedImage} right
-	* @returns {OffsetField}
-	*/
 	function estimate_offset(left, right) {
 		const ret = wasm.estimate_offset(left, right);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Does the task of a job: the same bytes give the same bytes, on every machine.
-	* @param {string} task
-	* @param {readonly Uint8Array[]} inputs
-	* @returns {Uint8Array}
-	*/
 	function execute_job(task, inputs) {
 		const ptr0 = passStringToWasm0(task, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -1245,21 +754,9 @@
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v2;
 	}
-	/**
-	* The names of the formats that blocks are written in.
-	* @returns {ExportFormat[]}
-	*/
 	function export_formats() {
 		return wasm.export_formats();
 	}
-	/**
-	* The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
-	* @param {number} index
-	* @param {Uint8Array | number[]} left_gradients
-	* @param {Uint8Array | number[]} right_gradients
-	* @param {number} most
-	* @returns {Float64Array}
-	*/
 	function gradient_candidates(index, left_gradients, right_gradients, most) {
 		const val3 = +index;
 		const val4 = +most;
@@ -1280,14 +777,6 @@
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
 		return v5;
 	}
-	/**
-	* Writes grey values as a PNG file, with the camera and the position of `exif` where it is given.
-	* @param {number} width
-	* @param {number} height
-	* @param {Uint8Array | number[]} grey
-	* @param {ExifImage} [exif]
-	* @returns {Uint8Array}
-	*/
 	function grey_png(width, height, grey, exif) {
 		const val2 = +width;
 		const val3 = +height;
@@ -1299,22 +788,11 @@
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v4;
 	}
-	/**
-	* The interior orientation of an image: from its fiducials, or from the camera's pixel size.
-	* @param {CameraMm} camera
-	* @param {PhotoGeometry} photo
-	* @returns {Interior}
-	*/
 	function interior(camera, photo) {
 		const ret = wasm.interior(camera, photo);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Positions in m east, north and up of the first known one: of longitude, latitude in degrees and height in m (stride 3), NaN where not known.
-	* @param {Float64Array | number[]} geographic
-	* @returns {Float64Array}
-	*/
 	function local_positions(geographic) {
 		const ptr0 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -1322,22 +800,6 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Matches two photos by any strategy.
-	*
-	* With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
-	* changes. Only the strategy gradient does without an offset. It finds the nearest descriptors itself, unless it is given the pieces that
-	* `nearest_piece` made of all left points, in their order: the matches are the same.
-	* @param {Photo} left
-	* @param {Photo} right
-	* @param {GivenPoints} left_points
-	* @param {GivenPoints} right_points
-	* @param {OffsetField | null} offset
-	* @param {PairInterior | null} interior
-	* @param {Given<PairSettings>} settings
-	* @param {NearestPiece[]} [nearest]
-	* @returns {MatchResult}
-	*/
 	function match_photos(left, right, left_points, right_points, offset, interior, settings, nearest) {
 		_assertClass(left, Photo);
 		_assertClass(right, Photo);
@@ -1345,11 +807,6 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Writes matches (stride 5) as CSV.
-	* @param {Float64Array | number[]} matches
-	* @returns {string}
-	*/
 	function matches_csv(matches) {
 		let deferred3_0;
 		let deferred3_1;
@@ -1371,15 +828,6 @@
 			wasm.__wbindgen_free(deferred3_0, deferred3_1, 1);
 		}
 	}
-	/**
-	* The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
-	* that there is a catalogue of.
-	* @param {keyof Messages} family
-	* @param {Messages[keyof Messages]} message
-	* @param {string | null} [attribute]
-	* @param {string | null} [language]
-	* @returns {string}
-	*/
 	function message$1(family, message, attribute, language) {
 		let deferred5_0;
 		let deferred5_1;
@@ -1413,15 +861,6 @@
 			wasm.__wbindgen_free(deferred5_0, deferred5_1, 1);
 		}
 	}
-	/**
-	* The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
-	* `match_photos`.
-	* @param {Uint8Array | number[]} left
-	* @param {number} first
-	* @param {number} end
-	* @param {Uint8Array | number[]} right
-	* @returns {NearestPiece}
-	*/
 	function nearest_piece(left, first, end, right) {
 		const val3 = +first;
 		const val4 = +end;
@@ -1440,11 +879,6 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Opens the project file of a pair; one that is damaged or of another kind is refused whole.
-	* @param {Uint8Array | number[]} bytes
-	* @returns {PairProject}
-	*/
 	function open_pair_project(bytes) {
 		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -1452,27 +886,11 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Interior orientation by fiducial marks.
-	* @param {Fiducial[]} fiducials
-	* @param {FiducialModel} model
-	* @returns {FiducialOrientation}
-	*/
 	function orient_fiducials(fiducials, model) {
 		const ret = wasm.orient_fiducials(fiducials, model);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
-	* of weight 1), with the verdict on it. `points`: how many the left and the right image have, where they were matched. The total standard errors hold those of the interior orientations, where these have covariances.
-	* @param {Float64Array | number[]} matches
-	* @param {Float64Array | number[]} fits
-	* @param {PairInterior} interior
-	* @param {Given<OrientationOptions>} options
-	* @param {[number, number]} [points]
-	* @returns {OrientedPair}
-	*/
 	function orient_matches(matches, fits, interior, options, points) {
 		let ptr0, len0, ptr1, len1;
 		try {
@@ -1489,11 +907,6 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion", "tangential_distortion"}.
-	* @param {string} json
-	* @returns {CameraMm}
-	*/
 	function parse_camera(json) {
 		const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -1501,11 +914,6 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Reads fiducial marks: columns col, row, x_mm, y_mm.
-	* @param {string} csv
-	* @returns {Fiducial[]}
-	*/
 	function parse_fiducials(csv) {
 		const ptr0 = passStringToWasm0(csv, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -1513,28 +921,11 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* The same rays at a focal length `factor` times as long: two photos of different focal lengths are oriented at one of them.
-	* @param {Interior} interior
-	* @param {number} factor
-	* @returns {Interior}
-	*/
 	function scaled_interior(interior, factor) {
 		const ret = wasm.scaled_interior(interior, factor);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
-	* @param {Float64Array | number[]} matches
-	* @param {Float64Array | number[]} left_points
-	* @param {Float32Array | number[]} right_position
-	* @param {number} left_width
-	* @param {number} left_height
-	* @param {number} right_width
-	* @param {number} right_height
-	* @returns {MatchScore}
-	*/
 	function score_matches(matches, left_points, right_position, left_width, left_height, right_width, right_height) {
 		const val4 = +left_width;
 		const val5 = +left_height;
@@ -1558,11 +949,6 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* SHA-256 (FIPS 180-4) of bytes: 32 bytes.
-	* @param {Uint8Array | number[]} bytes
-	* @returns {Uint8Array}
-	*/
 	function sha256(bytes) {
 		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
@@ -1571,21 +957,11 @@
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v2;
 	}
-	/**
-	* Renders the pair of a flight; parameters that are absent are those of the sample.
-	* @param {Given<Flight>} flight
-	* @returns {SamplePair}
-	*/
 	function simulate(flight) {
 		const ret = wasm.simulate(flight);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	/**
-	* Writes the project file of a pair.
-	* @param {PairProject} project
-	* @returns {string}
-	*/
 	function write_pair_project(project) {
 		let deferred2_0;
 		let deferred2_1;
@@ -1769,7 +1145,7 @@
 					return new Uint32Array(arg0);
 				},
 				__wbg_new_cd4348290afae586: function() {
-					return /* @__PURE__ */ new Object();
+					return new Object();
 				},
 				__wbg_new_from_slice_1ed4a41a79189233: function(arg0, arg1) {
 					return new Uint16Array(getArrayU16FromWasm0(arg0, arg1));
@@ -2158,8 +1534,6 @@
 		return __wbg_finalize_init(new WebAssembly.Instance(module, imports), module);
 	}
 	// pkg/block/jobs.js
-	/** What a worker does for a block, of whatever kind it is, on the module that its host has initialised. */
-	/** @type {import('./jobs.js').Jobs} */
 	var jobs = { block: async ({ task, inputs }) => execute_job(task, inputs) };
 	// www/block/state/links.ts
 	var USES = [
@@ -2188,7 +1562,6 @@
 		};
 	}
 	// www/block/engine/orthophoto.ts
-	/** An orthophoto in a worker: its picture in tiles, and images that are placed on it. The worker opens it when another one is asked about, and keeps it. */
 	var held$2 = null;
 	async function opened$2({ picture, heights, keys }) {
 		if (held$2?.keys.picture !== keys.picture) {
@@ -2218,7 +1591,6 @@
 		}
 		return held$2;
 	}
-	/** A file of which the module reads what it needs: only in a worker is that answered at once. */
 	function inParts(file) {
 		const reader = new FileReaderSync();
 		return {
@@ -2229,7 +1601,6 @@
 	async function bytesOf(file) {
 		return new Uint8Array(await file.arrayBuffer());
 	}
-	/** Size, place and heights; refuses what is no orthophoto, or no heights. */
 	async function orthoInfo(ground) {
 		return (await opened$2(ground)).info;
 	}
@@ -2241,19 +1612,16 @@
 		const height = Math.min(256, Math.ceil((info.height - top) / step));
 		return transparentWhereEmpty(reference.picture(column * 256, row * 256, width, height, level), width, height);
 	}
-	/** What shows nothing is 0. */
 	function transparentWhereEmpty(grey, width, height) {
 		const pixels = Uint32Array.from(grey, (value) => value === 0 ? 0 : 4278190080 | value * 65793);
 		return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height));
 	}
-	/** Finds the points among which images are sought; refuses options and heights with which none can be. */
 	async function orthoSearch({ ground, options }) {
 		const now = await opened$2(ground);
 		const points = now.reference.search(options);
 		now.searched = JSON.stringify(options);
 		return points;
 	}
-	/** The orthophoto with the points among which images are sought. */
 	async function orthoReference(input) {
 		const now = await opened$2(input.ground);
 		if (now.searched !== JSON.stringify(input.options)) await orthoSearch(input);
@@ -2268,7 +1636,6 @@
 		const placed = reference.place(name, bytes, cameras);
 		return inColumns(placed, sizeOf(placed, bytes));
 	}
-	/** Width and height of an image, placed or not. */
 	function sizeOf({ placement }, file) {
 		if (placement !== null) return [placement.camera.width_px, placement.camera.height_px];
 		const photo = Photo.decode(file);
@@ -2276,23 +1643,19 @@
 		photo.free();
 		return size;
 	}
-	/** An image by links that are given; nothing is matched. */
 	async function orthoAdjust({ ground, options, name, file, cameras, links, start, size }) {
 		const { reference } = await opened$2(ground);
 		return inColumns(reference.adjust(name, await bytesOf(file), links, start, cameras, options), size);
 	}
-	/** Where a position of a placed image is on the ground, or a place of the ground in the image: X, Y or px; null where it shows none. */
 	async function orthoPredict({ ground, placement, at, place }) {
 		const { reference } = await opened$2(ground);
 		const [x = NaN, y = NaN] = at === null ? reference.image_positions(placement, Float64Array.from(place ?? [])) : reference.ground_positions(placement, Float64Array.from(at));
 		return Number.isNaN(x) ? null : [x, y];
 	}
-	/** A placed image on the ground, as GeoTIFF. */
 	async function orthoRectified({ ground, file, placement }) {
 		const { reference } = await opened$2(ground);
 		return reference.rectified(await bytesOf(file), placement);
 	}
-	/** A placed image on the ground as a picture, with where it lies: halved until its sides are no longer than so many px. */
 	async function orthoLaid({ ground, file, placement, side }) {
 		const { reference } = await opened$2(ground);
 		const laid = OrthophotoReference.open(reference.rectified(await bytesOf(file), placement));
@@ -2311,7 +1674,6 @@
 		}
 	}
 	var mosaic = null;
-	/** Lays out the orthomosaic of a project file; gives the names of its images. */
 	async function mosaicOpen({ project, heights }) {
 		mosaic?.free();
 		mosaic = null;
@@ -2324,14 +1686,12 @@
 		mosaic?.add(index, await bytesOf(file));
 		return null;
 	}
-	/** The mosaic as GeoTIFF. */
 	function mosaicFinish() {
 		const made = mosaic;
 		mosaic = null;
 		if (made === null) throw new Error("no mosaic is laid out");
 		return made.finish();
 	}
-	/** The orthophoto of a simulated flight, and its heights. */
 	function sceneOrthophoto({ flight, gsd }) {
 		const scene = new BlockScene(flight);
 		try {
@@ -2341,10 +1701,7 @@
 		}
 	}
 	// www/block/engine/block-links.ts
-	/** A block that is placed on an orthophoto, in a worker: its images one after the other, then all of it. */
-	/** The worker ends with the block: nothing of it is freed before. */
 	var placing = null;
-	/** Names of the images, null for those that are not oriented; refuses an orthophoto on which none can be sought. */
 	async function linksOpen({ project, ground, options }) {
 		const reference = await orthoReference({
 			ground,
@@ -2358,12 +1715,10 @@
 		};
 		return block.model().images.map(({ name, pose }) => pose == null ? null : name);
 	}
-	/** Places an image of the block, near where those that were placed before have it. */
 	async function linksPlace({ index, file }) {
 		const { block, links, reference } = opened$1();
 		return links.place(block, index, new Uint8Array(await file.arrayBuffer()), reference);
 	}
-	/** The project file of the block in the system of the orthophoto, or as it was, with the reason. */
 	function linksFinish() {
 		const { block, links, reference } = opened$1();
 		return new TextEncoder().encode(links.linked(block, reference).project());
@@ -2373,10 +1728,7 @@
 		return placing;
 	}
 	// www/shared/engine/fit.ts
-	/** Least squares matching of one place that was pointed at. */
-	/** How far around the given place is searched: a window of so many px. */
 	var SEARCH_PX = 9;
-	/** What the matching of a left place near a right one is given. */
 	function fitInput(left, right, settings) {
 		return {
 			left: Float64Array.of(...left, 0),
@@ -2394,23 +1746,16 @@
 			}
 		};
 	}
-	/** The right place of the match that was found; null where none was confirmed. */
 	function placeOfFit(matches) {
 		const [, , x, y] = matches;
 		return x === void 0 || y === void 0 ? null : [x, y];
 	}
 	// www/shared/engine/tiles.ts
-	/** Grey values to bitmaps, whole or in tiles of a reduced image, and between pixels. */
-	/** A bitmap of a grey image. */
 	function bitmapOf(grey, width, height) {
 		const pixels = new Uint32Array(width * height);
 		for (let i = 0; i < pixels.length; i++) pixels[i] = 4278190080 | (grey[i] ?? 0) * 65793;
 		return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height));
 	}
-	/**
-	* The tile of `side` px at `column`, `row` (counted in tiles) of the image reduced by 2^level: each pixel is the mean of a block.
-	* Tiles at the right and lower edge are smaller.
-	*/
 	function tileOf(grey, width, height, level, column, row, side) {
 		const step = 2 ** level;
 		const left = column * side * step;
@@ -2428,7 +1773,6 @@
 		for (let row = y; row < bottom; row++) for (let col = x; col < right; col++) sum += grey[row * width + col] ?? 0;
 		return Math.round(sum / ((right - x) * (bottom - y)));
 	}
-	/** Bilinear between the centres of pixels; beyond the border counts what lies nearest to it. */
 	function greyAt(grey, width, height, x, y) {
 		const [px, py] = [Math.min(width - 1, Math.max(0, x - .5)), Math.min(height - 1, Math.max(0, y - .5))];
 		const [col, row] = [Math.min(Math.floor(px), Math.max(0, width - 2)), Math.min(Math.floor(py), Math.max(0, height - 2))];
@@ -2444,10 +1788,7 @@
 		return (a * (1 - fx) + b * fx) * (1 - fy) + (c * (1 - fx) + d * fx) * fy;
 	}
 	// www/block/engine/match.ts
-	/** Least squares matching of a place in one image to another one: by windows of both, the second turned and scaled as the first. */
-	/** Side of a window, px. */
 	var SIDE = 81;
-	/** The grey values around a place, a px a sample, along a step across and a step down. */
 	function blockWindow({ file, at, turn }) {
 		return file.arrayBuffer().then((bytes) => {
 			const photo = Photo.decode(new Uint8Array(bytes));
@@ -2471,13 +1812,12 @@
 			};
 		});
 	}
-	/** How far, in steps of the second window, the place of the first one lies from the place of the second; null where no match is confirmed. */
 	function blockFit({ left, right }) {
 		const [first, second] = [left, right].map(({ grey }) => Photo.from_grey(SIDE, SIDE, grey));
 		if (first === void 0 || second === void 0) return null;
 		try {
 			const { left: point, offset, settings } = fitInput(left.at, right.at, defaults());
-			const found = placeOfFit(match_photos(first, second, { points: point }, { points: /* @__PURE__ */ new Float64Array() }, offset, null, settings, void 0).matches);
+			const found = placeOfFit(match_photos(first, second, { points: point }, { points: new Float64Array() }, offset, null, settings, void 0).matches);
 			return found === null ? null : [found[0] - right.at[0], found[1] - right.at[1]];
 		} finally {
 			first.free();
@@ -2485,11 +1825,7 @@
 		}
 	}
 	// pkg/block/photo.js
-	/** Photos of a simulated block as image files. A worker keeps the scene from one photo to the next: building it takes longer than a photo. */
-	/** @typedef {import('../wasm/tiepoint.js').BlockFlight} BlockFlight */
-	/** @type {{ key: string, scene: BlockScene } | null} */
 	var kept = null;
-	/** @param {BlockFlight} flight @returns {BlockScene} */
 	function sceneOf(flight) {
 		const key = JSON.stringify(flight);
 		if (kept?.key !== key) {
@@ -2502,7 +1838,6 @@
 		}
 		return kept.scene;
 	}
-	/** The truth of a flight, its images named as their files.  @param {BlockFlight} flight @returns {import('../wasm/tiepoint.js').BlockModel} */
 	function photoTruth(flight) {
 		const truth = sceneOf(flight).truth();
 		return {
@@ -2513,11 +1848,8 @@
 			}))
 		};
 	}
-	/** @param {{ flight: BlockFlight, index: number }} job @returns {Uint8Array} a PNG file with EXIF, in memory of its own */
 	var photoFile = ({ flight, index }) => sceneOf(flight).photo_file(index);
 	// www/block/engine/photo.ts
-	/** Photos of a simulated block, taken one at a time. */
-	/** The truth of a flight, which names its photos. */
 	function blockPlan(flight) {
 		return photoTruth(flight);
 	}
@@ -2525,7 +1857,6 @@
 		return photoFile(job);
 	}
 	// www/block/engine/grey.ts
-	/** Images that the browser cannot decode, as the crate decodes them. */
 	async function blockGrey({ file }) {
 		const photo = Photo.decode(new Uint8Array(await file.arrayBuffer()));
 		try {
@@ -2535,12 +1866,6 @@
 		}
 	}
 	// pkg/block/faults.js
-	/** What a call of the module ended with, where it was no refusal: memory that ran out, or a fault of the program. */
-	/**
-	* Of an error by its name and message, which pass between workers. A module that gets no memory ends in `unreachable`, and a host that has
-	* none throws a RangeError. Any other trap is a fault, as are panics, stacks that overflow and workers that end; null for other errors.
-	* @param {unknown} error @returns {'memory' | 'fault' | null}
-	*/
 	function breakdownOf(error) {
 		const { name, message } = error instanceof Error ? error : {
 			name: "",
@@ -2555,15 +1880,7 @@
 		}
 	}
 	// pkg/block/timed.js
-	/** How long the stages of a run take. */
-	/** @typedef {import('./types.js').Step} Step */
-	/**
-	* Adds to each step of a run the time since its stage began, and the time that is left.
-	* @param {number} width so many jobs go on at the same time
-	* @returns {(step: Pick<Step, 'stage' | 'done' | 'total' | 'found' | 'name'>) => Step}
-	*/
 	function timed(width) {
-		/** @type {string | null} */
 		let last = null;
 		let began = 0;
 		return ({ stage, done, total, found, name }) => {
@@ -2583,20 +1900,6 @@
 		};
 	}
 	// pkg/block/run.js
-	/** A block from its image files to its orientation: the crate says what is to be done, a pool does it, and a store keeps it. */
-	/**
-	* @typedef {import('./types.js').Source} Source
-	* @typedef {import('./types.js').Surroundings} Surroundings
-	* @typedef {import('../wasm/tiepoint.js').Job} Job
-	* @typedef {import('../wasm/tiepoint.js').Failure} Failure
-	*/
-	/**
-	* Runs a block. What an earlier run with the same images and settings has kept in the store is not done again; the result is the same, for
-	* any number of workers. Images that cannot be read are skipped and listed.
-	* @param {readonly Source[]} sources in the order in which they follow each other; no two have the same name
-	* @param {import('./types.js').RunOptions} options @param {Surroundings} surroundings
-	* @returns {Promise<import('../wasm/tiepoint.js').FinishedBlock>} which the caller frees
-	*/
 	async function runBlock(sources, { settings = {}, cameras, gps, control, masks = [] }, surroundings) {
 		const { pool, progress, news, signal } = surroundings;
 		const names = (files) => files.map(({ name }) => name);
@@ -2614,9 +1917,7 @@
 			for (const found of run.news()) if (found.kind === "step") progress?.(step(found));
 			else news?.(found);
 		};
-		/** @type {Set<Promise<void>>} */
-		const underway = /* @__PURE__ */ new Set();
-		/** @type {{ error: unknown } | null} */
+		const underway = new Set();
 		let failure = null;
 		const perform = (job) => {
 			const done = performed(job, run, {
@@ -2643,12 +1944,7 @@
 		}
 		return run.finish();
 	}
-	/**
-	* Does a job, or finds it done.
-	* @param {Job} job @param {Run} run @param {{ image: readonly Source[], mask: readonly Source[] }} files @param {Surroundings} surroundings
-	*/
 	async function performed({ id, files: needed }, run, files, { pool, store }) {
-		/** @type {Uint8Array[]} */
 		let inputs;
 		try {
 			inputs = await Promise.all(needed.map(({ kind, index }) => files[kind][index].bytes()));
@@ -2672,8 +1968,7 @@
 			inputs.push(record);
 		}
 		if (input) inputs.push(input);
-		if (task === null) return run.complete(id, inputs[0] ?? /* @__PURE__ */ new Uint8Array());
-		/** @type {Uint8Array} */
+		if (task === null) return run.complete(id, inputs[0] ?? new Uint8Array());
 		let output;
 		try {
 			output = await pool.run("block", {
@@ -2686,13 +1981,11 @@
 		if (key !== null) await store.put(key, output);
 		run.complete(id, output);
 	}
-	/** SHA-256 in hexadecimal digits.  @param {Uint8Array} bytes */
 	async function digest(bytes) {
 		const own = globalThis.crypto?.subtle;
 		const sum = own ? new Uint8Array(await own.digest("SHA-256", bytes)) : sha256(bytes);
 		return Array.from(sum, (byte) => byte.toString(16).padStart(2, "0")).join("");
 	}
-	/** What a job says of itself, or that its worker broke down; any other error is thrown on.  @param {unknown} error @returns {Failure} */
 	function failureOf$1(error) {
 		const { name, code = "", usage = false } = error instanceof Error ? error : {};
 		if (name === "TiepointError") return {
@@ -2710,8 +2003,6 @@
 	}
 	var messageOf$1 = (error) => error instanceof Error ? error.message : String(error);
 	// www/shared/choices.ts
-	/** Choices of the page's looks that last from one visit to the next. */
-	/** Storage may be switched off, or absent on file://: a choice then lasts as long as the page. */
 	function keptChoice(name) {
 		try {
 			return localStorage.getItem(name);
@@ -2720,8 +2011,6 @@
 		}
 	}
 	// www/shared/text/language.ts
-	/** The language of the page: the one that was chosen, or the first of the browser's that there are texts in. */
-	/** By their tags: how each calls itself, and which way it runs. */
 	var LANGUAGES = {
 		en: {
 			name: "English",
@@ -2736,43 +2025,33 @@
 	function isLanguage(tag) {
 		return typeof tag === "string" && Object.hasOwn(LANGUAGES, tag);
 	}
-	/** The one that all texts are written in, as long as the document lasts. A worker is told it at the end of its name. */
 	var LANGUAGE = typeof document === "undefined" ? told() : preferred(keptChoice(NAME), navigator.languages);
 	function told() {
 		const tag = String(globalThis.name ?? "").split(" ").at(-1);
 		return isLanguage(tag) ? tag : "en";
 	}
-	/** A choice comes before what the browser is set to, in whose order the languages are liked. */
 	function preferred(chosen, liked) {
 		if (isLanguage(chosen)) return chosen;
 		return liked.map((tag) => tag.split("-")[0]).find(isLanguage) ?? "en";
 	}
 	// www/shared/text/direction.ts
-	/** Which way parts of a text run in a language from right to left, by marks of direction (Unicode UAX 9). */
 	var IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === "rtl";
-	/** The beginning of a part from right to left, and its end. */
 	var [RLI, PDI] = ["⁧", "⁩"];
-	/** What a text writes is set apart as its first letter runs. A clause, which a space or a comma begins, goes on as the sentence does. */
 	function asClauses(text) {
 		return IS_FROM_RIGHT ? text.replaceAll(/\u2068(?=[\s،؛,;:·(])/gu, RLI) : text;
 	}
 	// www/shared/text/format.ts
-	/** A whole number in groups of three, set apart by narrow spaces. */
 	function count(value) {
 		return value == null ? "–" : String(value).replace(/\B(?=(\d{3})+$)/gu, " ");
 	}
-	/** A sentence with its whole numbers in such groups; digits of names and of decimals stay as they are. */
 	function grouped(text) {
 		return text.replaceAll(/(?<![\p{L}\d_.,−-])\d{4,}(?![\p{L}\d_-]|[.,]\d|\.\p{L})/gu, (digits) => count(Number(digits)));
 	}
 	// www/shared/text/messages.ts
-	/** Messages of the crate in the language of the page. */
-	/** The text of a message, or, by its name, another text that belongs to it, as its `label`; its figures as the page writes them. */
 	function message(family, of, attribute = null) {
 		const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀");
 		return asClauses(family.endsWith("verdict") ? grouped(text) : text);
 	}
-	/** What is said of whatever was thrown. Errors of the crate come with their figures. */
 	function messageOf(thrown) {
 		if (!(thrown instanceof Error)) return String(thrown);
 		const error = "error" in thrown && LANGUAGE !== "en" ? thrown.error : null;
@@ -2782,10 +2061,7 @@
 		}) : thrown.message;
 	}
 	// www/block/engine/layout.ts
-	/** Where the images of a block are drawn: from above where their poses or recorded positions are known, else by who is connected with whom. */
-	/** Steps of the arrangement by connections, times images squared: more take too long. */
 	var MOST_STEPS = 2e8;
-	/** Poses where any image has one, recorded positions where most have one, else connections. Images without a place stand beside their neighbours. */
 	function layoutOf(centres, recordings, connections) {
 		const oriented = centres.map((centre) => centre?.slice(0, 2) ?? null);
 		if (oriented.some((place) => place !== null)) return {
@@ -2802,7 +2078,6 @@
 			places: arranged(centres.length, connections)
 		};
 	}
-	/** In m, east and north. */
 	function recordedPlaces(recordings) {
 		const geographic = recordings.flatMap((position) => position === null ? [
 			NaN,
@@ -2819,7 +2094,6 @@
 			return place.every(Number.isFinite) ? place : null;
 		});
 	}
-	/** Gives each image without a place the mean of those it is connected with, or one at the lower left. */
 	function completed(places, connections) {
 		const known = places.filter((place) => place !== null);
 		const least = [0, 1].map((axis) => known.reduce((low, place) => Math.min(low, place[axis] ?? 0), Infinity));
@@ -2849,10 +2123,6 @@
 		});
 		return flat;
 	}
-	/**
-	* Connected images attract, all repel each other (Fruchterman & Reingold 1991, Software: Practice and Experience 21), from a circle: the
-	* same connections give the same picture.
-	*/
 	function arranged(count, connections) {
 		const places = Float64Array.from({ length: 2 * count }, (_, i) => {
 			const angle = 2 * Math.PI * Math.floor(i / 2) / Math.max(1, count);
@@ -2878,7 +2148,6 @@
 		}
 		return places;
 	}
-	/** Adds the force between two images to the moves of both. */
 	function push(places, moves, a, b, force) {
 		const x = (places[2 * a] ?? 0) - (places[2 * b] ?? 0);
 		const y = (places[2 * a + 1] ?? 0) - (places[2 * b + 1] ?? 0);
@@ -2890,7 +2159,6 @@
 		moves[2 * b + 1] = (moves[2 * b + 1] ?? 0) - by * y;
 	}
 	// www/shared/state/remember.ts
-	/** Remembers the last result of a function of a few arguments, compared by identity. */
 	function remember(compute) {
 		let last = null;
 		return (...args) => {
@@ -2902,7 +2170,6 @@
 		};
 	}
 	// www/block/state/edits.ts
-	/** A name of a point: the same for the same one. */
 	function keyOfPoint(point) {
 		const [[kind, number] = []] = Object.entries(point);
 		return `${kind ?? ""} ${String(number)}`;
@@ -2912,7 +2179,6 @@
 		"ground_control",
 		"manual"
 	];
-	/** A number for what a point is: a block has many. */
 	function codeOfSource(source) {
 		const kind = SOURCES.findIndex((name) => name in source);
 		const [number = 0] = Object.values(source);
@@ -2920,13 +2186,13 @@
 	}
 	var keyOfObservation = ({ point, image }) => `${keyOfPoint(point)} ${String(image)}`;
 	var standingOf = remember((edits) => {
-		const observations = /* @__PURE__ */ new Map();
-		const points = /* @__PURE__ */ new Map();
-		const images = /* @__PURE__ */ new Set();
-		const unused = /* @__PURE__ */ new Set();
-		const measured = /* @__PURE__ */ new Map();
+		const observations = new Map();
+		const points = new Map();
+		const images = new Set();
+		const unused = new Set();
+		const measured = new Map();
 		const measure = (image, point) => {
-			measured.set(image, (measured.get(image) ?? /* @__PURE__ */ new Set()).add(codeOfSource(point)));
+			measured.set(image, (measured.get(image) ?? new Set()).add(codeOfSource(point)));
 			observations.delete(keyOfObservation({
 				point,
 				image
@@ -2974,7 +2240,6 @@
 		};
 	});
 	// www/block/engine/outcome.ts
-	/** What of a block, finished or under way, the page shows. */
 	function viewOf(block) {
 		const onOrthophoto = block.on_orthophoto();
 		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, points } = block.overview();
@@ -3059,7 +2324,6 @@
 			formats: export_formats()
 		};
 	}
-	/** A block whose points are not made yet. */
 	function viewOfParts(read, connections, geometries) {
 		const own = read.map(({ camera }) => JSON.stringify(camera));
 		const kinds = [...new Set(own)];
@@ -3071,7 +2335,7 @@
 			shared: 0,
 			chosen: 0
 		}));
-		const none = /* @__PURE__ */ new Float64Array();
+		const none = new Float64Array();
 		return {
 			partial: true,
 			images: read.map(({ name, width_px: width, height_px: height, features, exif }, i) => ({
@@ -3109,7 +2373,7 @@
 				count: 0,
 				taking: 0,
 				sources: none,
-				rays: /* @__PURE__ */ new Uint16Array(),
+				rays: new Uint16Array(),
 				rmsePx: none,
 				positions: none,
 				errors: none,
@@ -3155,18 +2419,15 @@
 		};
 	}
 	// www/block/engine/coming.ts
-	/** Views follow one another no faster, in ms. */
 	var PAUSE_MS = 250;
-	/** Making views takes no more than this share of the time. */
 	var SHARE = .05;
 	var Coming = class {
 		show;
-		images = /* @__PURE__ */ new Map();
+		images = new Map();
 		leftOut = [];
 		connections = [];
 		geometries = [];
 		nextAt = 0;
-		/** What came too soon after a view is shown by the next one. */
 		timer = null;
 		constructor(show) {
 			this.show = show;
@@ -3189,11 +2450,9 @@
 				this.nextAt = ended + Math.max(PAUSE_MS, (ended - began) / SHARE);
 			}, Math.max(0, this.nextAt - performance.now()));
 		}
-		/** Shows all that was found. */
 		tell() {
 			if (this.images.size > 0) this.show(this.view());
 		}
-		/** Shows nothing more. */
 		end() {
 			if (this.timer !== null) clearTimeout(this.timer);
 		}
@@ -3205,8 +2464,6 @@
 		}
 	};
 	// www/block/engine/ground.ts
-	/** Footprints, ground sample distances and recorded positions of an oriented block, in its worker. */
-	/** A corner that lies farther away than so many times the height above ground is not drawn: its ray hardly goes down. */
 	var FARTHEST = 12;
 	function groundOf(block) {
 		const model = block.model();
@@ -3227,7 +2484,6 @@
 			origin: model.origin ?? null
 		};
 	}
-	/** Of each image the median height of the points that it shows; where it shows none that of all. */
 	function heightsOf({ images, points }) {
 		const own = images.map(() => []);
 		const all = [];
@@ -3243,7 +2499,6 @@
 		const sorted = Float64Array.from(values).sort();
 		return sorted[Math.floor(sorted.length / 2)] ?? NaN;
 	}
-	/** The corners of an image on the level plane at a height, its distortion left aside; all NaN where one of them does not meet the plane. */
 	function footprintOf({ width_px: width, height_px: height, focal_px: focal, principal_point_px: [cx, cy] }, { rotation, position }, ground) {
 		const places = [
 			[0, 0],
@@ -3266,7 +2521,6 @@
 		});
 		return places.some(Number.isNaN) ? places.map(() => NaN) : places;
 	}
-	/** Recorded positions from the origin of the block. */
 	function gnssOf(block, { origin, images }) {
 		if (origin == null) return new Float64Array(3 * images.length).fill(NaN);
 		const recorded = block.overview().images.flatMap(({ gnss }) => gnss === null ? [
@@ -3285,7 +2539,7 @@
 			...recorded
 		])).subarray(3);
 	}
-	// node_modules/fflate/esm/browser.js
+	// ../main/node_modules/fflate/esm/browser.js
 	var u8 = Uint8Array;
 	var u16 = Uint16Array;
 	var i32 = Int32Array;
@@ -3432,8 +2686,8 @@
 	for (var i = 280; i < 288; ++i) flt[i] = 8;
 	var fdt = new u8(32);
 	for (var i = 0; i < 32; ++i) fdt[i] = 5;
-	var flm = /*#__PURE__*/ hMap(flt, 9, 0);
-	var fdm = /*#__PURE__*/ hMap(fdt, 5, 0);
+	var flm = hMap(flt, 9, 0);
+	var fdm = hMap(fdt, 5, 0);
 	var shft = function(p) {
 		return (p + 7) / 8 | 0;
 	};
@@ -3659,7 +2913,7 @@
 		wbits16(out, p, lm[256]);
 		return p + ll[256];
 	};
-	var deo = /*#__PURE__*/ new i32([
+	var deo = new i32([
 		65540,
 		131080,
 		131088,
@@ -3670,7 +2924,7 @@
 		2114560,
 		2117632
 	]);
-	var et = /*#__PURE__*/ new u8(0);
+	var et = new u8(0);
 	var dflt = function(dat, lvl, plvl, pre, post, st) {
 		var s = st.z || dat.length;
 		var o = new u8(pre + s + 5 * (1 + Math.ceil(s / 7e3)) + post);
@@ -3765,8 +3019,8 @@
 		}
 		return slc(o, 0, pre + shft(pos) + post);
 	};
-	var crct = /*#__PURE__*/ (function() {
-		var t = /* @__PURE__ */ new Int32Array(256);
+	var crct = (function() {
+		var t = new Int32Array(256);
 		for (var i = 0; i < 256; ++i) {
 			var c = i, k = 9;
 			while (--k) c = (c & 1 && -306674912) ^ c >>> 1;
@@ -3810,10 +3064,7 @@
 	var wbytes = function(d, b, v) {
 		for (; v; ++b) d[b] = v, v >>>= 8;
 	};
-	/**
-	* Streaming DEFLATE compression
-	*/
-	var Deflate = /* @__PURE__ */ function() {
+	var Deflate = function() {
 		function Deflate(opts, cb) {
 			if (typeof opts == "function") cb = opts, opts = {};
 			this.ondata = cb;
@@ -3834,11 +3085,6 @@
 		Deflate.prototype.p = function(c, f) {
 			this.ondata(dopt(c, this.o, 0, 0, this.s), f);
 		};
-		/**
-		* Pushes a chunk to be deflated
-		* @param chunk The chunk to push
-		* @param final Whether this is the last chunk
-		*/
 		Deflate.prototype.push = function(chunk, final) {
 			if (!this.ondata) err(5);
 			if (this.s.l) err(4);
@@ -3871,14 +3117,6 @@
 				this.b = et;
 			}
 		};
-		/**
-		* Flushes buffered uncompressed data. Useful to immediately retrieve the
-		* deflated output for small inputs.
-		* @param sync Whether to flush to a byte boundary. A sync flush takes 4-5
-		*             extra bytes, but guarantees all pushed data is immediately
-		*             decompressible. A separate DEFLATE stream may be concatenated
-		*             with the current output after a sync flush.
-		*/
 		Deflate.prototype.flush = function(sync) {
 			if (!this.ondata) err(5);
 			if (this.s.l) err(4);
@@ -3894,12 +3132,6 @@
 		};
 		return Deflate;
 	}();
-	/**
-	* Compresses data with DEFLATE without any wrapper
-	* @param data The data to compress
-	* @param opts The compression options
-	* @returns The deflated version of the data
-	*/
 	function deflateSync(data, opts) {
 		return dopt(data, opts || {}, 0, 0);
 	}
@@ -3914,18 +3146,11 @@
 			}
 		}
 	};
-	var te = typeof TextEncoder != "undefined" && /*#__PURE__*/ new TextEncoder();
-	var td = typeof TextDecoder != "undefined" && /*#__PURE__*/ new TextDecoder();
+	var te = typeof TextEncoder != "undefined" && new TextEncoder();
+	var td = typeof TextDecoder != "undefined" && new TextDecoder();
 	try {
 		td.decode(et, { stream: true });
 	} catch (e) {}
-	/**
-	* Converts a string into a Uint8Array for use with compression/decompression methods
-	* @param str The string to encode
-	* @param latin1 Whether or not to interpret the data as Latin-1. This should
-	*               not need to be true unless decoding a binary string.
-	* @returns The string encoded in UTF-8/Latin-1 binary
-	*/
 	function strToU8(str, latin1) {
 		if (latin1) {
 			var ar_1 = new u8(str.length);
@@ -4006,38 +3231,16 @@
 		wbytes(o, b + 12, d);
 		wbytes(o, b + 16, e);
 	};
-	/**
-	* A pass-through stream to keep data uncompressed in a ZIP archive.
-	*/
-	var ZipPassThrough = /* @__PURE__ */ function() {
-		/**
-		* Creates a pass-through stream that can be added to ZIP archives
-		* @param filename The filename to associate with this data stream
-		*/
+	var ZipPassThrough = function() {
 		function ZipPassThrough(filename) {
 			this.filename = filename;
 			this.c = crc();
 			this.size = 0;
 			this.compression = 0;
 		}
-		/**
-		* Processes a chunk and pushes to the output stream. You can override this
-		* method in a subclass for custom behavior, but by default this passes
-		* the data through. You must call this.ondata(err, chunk, final) at some
-		* point in this method.
-		* @param chunk The chunk to process
-		* @param final Whether this is the last chunk
-		*/
 		ZipPassThrough.prototype.process = function(chunk, final) {
 			this.ondata(null, chunk, final);
 		};
-		/**
-		* Pushes a chunk to be added. If you are subclassing this with a custom
-		* compression algorithm, note that you must push data from the source
-		* file only, pre-compression.
-		* @param chunk The chunk to push
-		* @param final Whether this is the last chunk
-		*/
 		ZipPassThrough.prototype.push = function(chunk, final) {
 			if (!this.ondata) err(5);
 			this.c.p(chunk);
@@ -4047,16 +3250,7 @@
 		};
 		return ZipPassThrough;
 	}();
-	/**
-	* Streaming DEFLATE compression for ZIP archives. Prefer using AsyncZipDeflate
-	* for better performance
-	*/
-	var ZipDeflate = /* @__PURE__ */ function() {
-		/**
-		* Creates a DEFLATE stream that can be added to ZIP archives
-		* @param filename The filename to associate with this data stream
-		* @param opts The compression options
-		*/
+	var ZipDeflate = function() {
 		function ZipDeflate(filename, opts) {
 			var _this = this;
 			if (!opts) opts = {};
@@ -4074,34 +3268,17 @@
 				this.ondata(e, null, final);
 			}
 		};
-		/**
-		* Pushes a chunk to be deflated
-		* @param chunk The chunk to push
-		* @param final Whether this is the last chunk
-		*/
 		ZipDeflate.prototype.push = function(chunk, final) {
 			ZipPassThrough.prototype.push.call(this, chunk, final);
 		};
 		return ZipDeflate;
 	}();
-	/**
-	* A zippable archive to which files can incrementally be added
-	*/
-	var Zip = /* @__PURE__ */ function() {
-		/**
-		* Creates an empty ZIP archive to which files can be added
-		* @param cb The callback to call whenever data for the generated ZIP archive
-		*           is available
-		*/
+	var Zip = function() {
 		function Zip(cb) {
 			this.ondata = cb;
 			this.u = [];
 			this.d = 1;
 		}
-		/**
-		* Adds a file to the ZIP archive
-		* @param file The file stream to add
-		*/
 		Zip.prototype.add = function(file) {
 			var _this = this;
 			if (!this.ondata) err(5);
@@ -4166,11 +3343,6 @@
 				this.u.push(uf_1);
 			}
 		};
-		/**
-		* Ends the process of adding files and prepares to emit the final chunks.
-		* This *must* be called after adding all desired files for the resulting
-		* ZIP file to work properly.
-		*/
 		Zip.prototype.end = function() {
 			var _this = this;
 			if (this.d & 2) {
@@ -4204,23 +3376,12 @@
 			this.ondata(null, out, true);
 			this.d = 2;
 		};
-		/**
-		* A method to terminate any internal workers used by the stream. Subsequent
-		* calls to add() will fail.
-		*/
 		Zip.prototype.terminate = function() {
 			for (var _i = 0, _a = this.u; _i < _a.length; _i++) _a[_i].t();
 			this.d = 2;
 		};
 		return Zip;
 	}();
-	/**
-	* Synchronously creates a ZIP file. Prefer using `zip` for better performance
-	* with more than one file.
-	* @param data The directory structure for the ZIP archive
-	* @param opts The main options, merged with per-file options
-	* @returns The generated ZIP archive
-	*/
 	function zipSync(data, opts) {
 		if (!opts) opts = {};
 		var r = {};
@@ -4263,13 +3424,10 @@
 		return out;
 	}
 	// www/shared/engine/archive.ts
-	/** The time in archives: that of their making would give the same files other bytes. */
 	var ARCHIVE_TIME = "1980-01-01T00:00:00";
 	// www/block/engine/made.ts
-	/** The files that a block is saved as: one by itself, several as one archive. */
-	/** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
 	async function made(block, kind, name, signal) {
-		const files = /* @__PURE__ */ new Map();
+		const files = new Map();
 		const write = (path, text) => files.set(path, text);
 		if (kind === "project") write(`${name}-project.tiepoint`, block.project());
 		else if (kind === "everything") await inSteps(block.files(export_formats()), write, signal);
@@ -4283,7 +3441,6 @@
 			writing.free();
 		}
 	}
-	/** Lets messages in, of which one may end it all. */
 	async function pause(signal) {
 		await new Promise((resolve) => setTimeout(resolve));
 		signal.throwIfAborted();
@@ -4321,26 +3478,21 @@
 		};
 	}
 	// www/block/engine/rejected.ts
-	/** How `ImagePoints` has what was rejected by hand. */
 	var BY_HAND = 2;
-	/** A block as it was found, of which edits leave something out. */
 	var Found = class {
 		block;
 		places;
 		columns;
 		surveyed;
-		/** `surveyed`: as its view has them. */
 		constructor(block, surveyed) {
 			this.block = block;
 			this.places = new Map(block.point_ids().map((id, point) => [codeOfSource(id), point]));
 			this.columns = block.overview().points;
 			this.surveyed = new Map(surveyed.map((known) => [known.control, known]));
 		}
-		/** Index of a point; -1 of one that was not found. */
 		indexOf(code) {
 			return this.places.get(code) ?? -1;
 		}
-		/** What a column has of a point. */
 		column(name, index) {
 			return this.columns[name][index] ?? NaN;
 		}
@@ -4348,13 +3500,11 @@
 			return this.surveyed.get(control);
 		}
 	};
-	/** What was rejected by hand of a block, as long as it is held with these edits. */
 	var Rejected = class {
 		found;
 		edits;
 		taking;
 		gone;
-		/** Places among them by their indices in the block as it was found. */
 		byIndex;
 		constructor(found, edits, taking, sources) {
 			this.found = found;
@@ -4374,7 +3524,6 @@
 			}));
 			this.byIndex = new Map(this.gone.flatMap(({ index }, place) => index < 0 ? [] : [[index, place]]));
 		}
-		/** The view of the edited block, and behind its points those that were rejected. */
 		inView(view) {
 			const { gone, taking, found } = this;
 			if (gone.length === 0) return view;
@@ -4410,7 +3559,6 @@
 				surveyed: [...view.surveyed, ...this.surveyed(taking)]
 			};
 		}
-		/** The observations of an image, with those of rejected points. */
 		inImage(of, image) {
 			const { gone, byIndex, taking } = this;
 			if (gone.length === 0) return of;
@@ -4440,7 +3588,6 @@
 			all.places.set(places, 2 * rows);
 			return all;
 		}
-		/** What is known of a rejected point; null of one that takes part. */
 		detail(point) {
 			const gone = this.gone[point - this.taking];
 			if (gone === void 0) return null;
@@ -4478,7 +3625,6 @@
 				elsewhere: []
 			};
 		}
-		/** Surveyed points that are not used, where the block was found with them. */
 		surveyed(taking) {
 			return this.gone.flatMap(({ source }, place) => {
 				const known = "ground_control" in source ? this.found.surveyedPoint(source.ground_control) : void 0;
@@ -4500,7 +3646,6 @@
 				}];
 			});
 		}
-		/** The places of a point that was added by hand. */
 		byHand(source) {
 			if (!("manual" in source)) return [];
 			const places = new Map(this.edits.filter((edit) => edit.kind === "add_point")[source.manual]?.observations.map((one) => [one.image, one]));
@@ -4517,19 +3662,15 @@
 		detectable_px: [null, null],
 		predicted_px: null
 	};
-	/** A copy with room for more at its end. */
 	function longer(of, more) {
 		const copy = new of.constructor(of.length + more);
 		copy.set(of);
 		return copy;
 	}
 	// www/block/engine/session.ts
-	/** The block in a worker: runs it, its jobs done elsewhere and its records kept by the page, and holds what came of it for exports. */
 	var held$1 = null;
-	/** The block as it was found, once edits have left something out; what they left out. */
 	var found = null;
 	var rejected = null;
-	/** The block that was run or opened last. */
 	function heldBlock() {
 		if (held$1 === null) throw new Error("no block is held");
 		return held$1;
@@ -4569,11 +3710,9 @@
 			edits: block.edits()
 		};
 	}
-	/** The former block stays where the edits are refused. */
 	function blockEdited({ edits, truth }) {
 		return hold$1(heldBlock().edited(edits), truth, "edited");
 	}
-	/** Takes the place of the former block, which stays where anything of this one is refused. */
 	function hold$1(block, truth, kind) {
 		try {
 			const view = {
@@ -4654,7 +3793,6 @@
 			bytes: async () => new Uint8Array(await file.arrayBuffer())
 		};
 	}
-	/** Records as blobs: they lie outside the memory of the worker, and outlive it with the page. */
 	function storeOf(kept, link) {
 		const records = new Map(kept);
 		return {
@@ -4674,11 +3812,10 @@
 			}
 		};
 	}
-	/** The page as the run sees it: it has the workers. */
 	var Link = class {
 		port;
 		stopped = new AbortController();
-		waiting = /* @__PURE__ */ new Map();
+		waiting = new Map();
 		nextId = 1;
 		constructor(port) {
 			this.port = port;
@@ -4730,7 +3867,6 @@
 		error.name = name;
 		return error;
 	}
-	/** The crate's error as it was in the worker that threw it. */
 	function refused({ message, code, usage }) {
 		return Object.assign(named("TiepointError", message), {
 			code,
@@ -4738,7 +3874,6 @@
 		});
 	}
 	// www/block/engine/handlers.ts
-	/** The crate's refusal of an image is an answer; what else goes wrong ends the call, and perhaps the worker. */
 	async function blockJob(job) {
 		try {
 			return { made: await jobs.block(job) };
@@ -4785,10 +3920,7 @@
 		sceneOrthophoto
 	};
 	// www/shared/engine/colour.ts
-	/** An image in its colours, as the browser decodes it. They are only looked at: nothing is computed from them. */
-	/** Larger files are shown in grey: their colours would take more memory than a tab has to spare. */
 	var MOST_BYTES = 2 ** 25;
-	/** The image as it is stored: the crate too leaves its EXIF orientation aside. Null where the browser cannot decode it. */
 	async function decodeColour(bytes) {
 		if (bytes.length > MOST_BYTES) return null;
 		try {
@@ -4797,7 +3929,6 @@
 			return null;
 		}
 	}
-	/** A JPEG file without its EXIF segments: browsers turn images by the orientation that stands there, whatever they are asked. Of others all stays. */
 	function withoutExif(bytes) {
 		const kept = [];
 		let [from, at] = [0, 2];
@@ -4813,17 +3944,11 @@
 		return [...kept, bytes.subarray(from)];
 	}
 	// www/pair/engine/colour.ts
-	/** Larger images are shown in grey: their colours would take more memory than a tab has to spare. */
 	var MOST_PIXELS = 5e7;
-	/** Pixels of the reduced image that are looked at, one in so many. */
 	var STRIDE = 7;
-	/** Channels that differ by no more are grey, but for the noise of compression. */
 	var GREY = 6;
-	/** A share of pixels that differ by more makes an image coloured. */
 	var LEAST_COLOURED = .001;
-	/** The decoded pixels lie as the crate's do where their brightness correlates so well. */
 	var LEAST_CORRELATION = .9;
-	/** The coloured copy of a reduced image; null where it has no colours, or other pixels than the crate decoded. */
 	function reducedColour(colour, grey, width, height) {
 		if (colour.width !== width || colour.height !== height || width * height > MOST_PIXELS) return null;
 		const canvas = new OffscreenCanvas(grey.width, grey.height);
@@ -4835,7 +3960,6 @@
 		const { data } = context.getImageData(0, 0, grey.width, grey.height);
 		return isColoured(data) && correlation(data, grey.grey) >= LEAST_CORRELATION ? canvas.transferToImageBitmap() : null;
 	}
-	/** The tile that `tileOf` gives of grey values. */
 	function colourTile(colour, level, column, row, side) {
 		const step = 2 ** level;
 		const [left, top] = [column * side * step, row * side * step];
@@ -4859,7 +3983,6 @@
 		}
 		return coloured > LEAST_COLOURED * data.length / 28;
 	}
-	/** Of brightness and grey values. */
 	function correlation(data, grey) {
 		let [n, x, y, xx, yy, xy] = [
 			0,
@@ -4882,10 +4005,7 @@
 		return (n * xy - x * y) / Math.sqrt((n * xx - x * x) * (n * yy - y * y));
 	}
 	// www/pair/engine/mask.ts
-	/** What a mask leaves out: how much, as it is shown over its image, and areas that are painted. */
-	/** Red, half transparent: `ImageData` keeps bytes in the order red, green, blue, alpha. */
 	var LEFT_OUT = 2569545944;
-	/** The pixels that a mask leaves out (its zeros), in colour, in a bitmap of at most `most` px a side. */
 	function overlayOf(grey, width, height, most) {
 		const step = Math.max(1, Math.ceil(Math.max(width, height) / most));
 		const [columns, rows] = [Math.ceil(width / step), Math.ceil(height / step)];
@@ -4896,13 +4016,11 @@
 		}
 		return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), columns, rows));
 	}
-	/** The share of the pixels that a mask leaves out. */
 	function shareLeftOut(grey) {
 		let zeros = 0;
 		for (const value of grey) if (value === 0) zeros += 1;
 		return zeros / grey.length;
 	}
-	/** Gives the pixels whose middles lie in an outline a value; where it crosses itself, what it goes round at all. `outline`: x and y of its corners in px, stride 2. */
 	function fill(grey, width, height, outline, value) {
 		const count = outline.length / 2;
 		for (let row = 0; row < height; row++) {
@@ -4927,11 +4045,8 @@
 			}
 		}
 	}
-	/** The first column whose middle lies at a place or to the right of it. */
 	var columnAfter = (x, width) => Math.min(width, Math.max(0, Math.ceil(x - .5)));
 	// www/pair/engine/patch.ts
-	/** Grey values on a turned and scaled grid around a place of an image. */
-	/** The samples of a grid, row by row. Where they lie farther apart than pixels each is the mean of several. */
 	function patchOf(grey, width, height, { x, y, direction, reach, side }) {
 		const fine = Math.max(1, Math.round(reach / side));
 		const step = reach / (side * fine);
@@ -4948,7 +4063,6 @@
 		});
 	}
 	// www/pair/engine/handlers.ts
-	/** What a worker does for a pair: unpacks a call, asks the crate, packs the answer. It holds the image opened last, the grey values of a pair, or a report in the making. */
 	var opened = null;
 	function photo() {
 		if (opened === null) throw new Error("no image is open in this worker");
@@ -4986,7 +4100,6 @@
 			}
 		};
 	}
-	/** The grey values of the image that is open, copied once. */
 	function greyOf(current) {
 		current.grey ??= current.photo.grey();
 		return current.grey;
@@ -5025,7 +4138,6 @@
 			png
 		};
 	}
-	/** The pair whose grey values this worker compares. */
 	var held = null;
 	function hold({ left, right }) {
 		held?.left.free();
@@ -5048,12 +4160,10 @@
 	}
 	function candidatesOf({ left, right, offset, index, options }) {
 		if (offset === null) throw new Error("these candidates lie around an expected place");
-		const none = /* @__PURE__ */ new Float64Array();
+		const none = new Float64Array();
 		return candidates(index, left.points, left.moments ?? none, right.points, right.moments ?? none, offset, options);
 	}
-	/** SHA-256 in hexadecimal digits. */
 	var digestOf = (bytes) => Array.from(sha256(bytes), (byte) => byte.toString(16).padStart(2, "0")).join("");
-	/** The report in the making. */
 	var report = null;
 	function reportInHand() {
 		if (report === null) throw new Error("no report is begun in this worker");
@@ -5175,8 +4285,6 @@
 		}
 	}
 	// www/shared/engine/serve.ts
-	/** The worker's end of the calls: answers them in their order, each by the handler of its name. */
-	/** Buffers and bitmaps of an answer, moved rather than copied. Every array the crate hands out is a copy of its own. */
 	function transferables(value) {
 		if (value instanceof ImageBitmap) return [value];
 		if (ArrayBuffer.isView(value)) return value.buffer instanceof ArrayBuffer ? [value.buffer] : [];
@@ -5199,7 +4307,6 @@
 			error: error instanceof Error && "error" in error ? error.error : null
 		};
 	}
-	/** Why the module could not start here; every call is then answered with it. */
 	var startFailure = null;
 	function start(message) {
 		try {
@@ -5208,7 +4315,6 @@
 			startFailure = { error };
 		}
 	}
-	/** Answers the page's calls from now on. */
 	function serve(handlers) {
 		const answer = async ({ id, call, input }) => {
 			try {
@@ -5234,7 +4340,6 @@
 		});
 	}
 	// www/worker.ts
-	/** The one worker script of the page: any worker can do the work of a pair and of a block. */
 	serve({
 		...PAIR_HANDLERS,
 		...BLOCK_HANDLERS

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default presets verdict accuracy speed features geometry rivals refinement sizes workers map page blocks orthophoto orthophoto-reference large-orthophoto geotiffs components rendered memory former kills`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default presets verdict accuracy speed features geometry rivals refinement sizes workers map edit lighthouse page blocks orthophoto orthophoto-reference large-orthophoto geotiffs components rendered memory former kills`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
@@ -18,6 +18,8 @@ const PARTS = {
   sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),
   workers: async () => (await import('./bench/workers.mjs')).workers(),
   map: async () => (await import('./bench/map.mjs')).map(),
+  edit: async () => (await import('./bench/edit.mjs')).edit(),
+  lighthouse: async () => (await import('./bench/lighthouse.mjs')).lighthouse(),
   page: async () => (await import('./bench/page.mjs')).page(),
   blocks: async () => (await import('./bench/blocks.mjs')).blocks(),
   orthophoto: async () => (await import('./bench/orthophoto.mjs')).orthophoto(),

@@ -122,8 +122,25 @@ export async function done(page) {
   return (await part(page, 'status').textContent()) ?? '';
 }
 
+/** What stands in the panel of the results, which is drawn while it is in sight. */
+const OF_RESULTS = /^(?:count|refused|orientation|sigma|geometry|global|degenerate|warning|histogram)-|^sigma0$/;
+
+/** Shows the panel of the results for a moment where another tab is shown, as who wants to read there does.  @param {import('playwright-core').Page} page @param {string} id */
+async function glance(page, id) {
+  if (!OF_RESULTS.test(id)) return;
+  await page.evaluate(async () => {
+    const [tab, panel] = ['tab-results', 'panel-results'].map((id) => document.getElementById(id));
+    const chosen = /** @type {HTMLElement | null} */ (tab?.parentElement?.querySelector('[aria-selected="true"]'));
+    if (panel?.hidden !== true || !tab || !chosen) return;
+    tab.click();
+    await null;
+    chosen.click();
+  });
+}
+
 /** The number in a cell.  @param {import('playwright-core').Page} page @param {string} id */
 export async function number(page, id) {
+  await glance(page, id);
   return Number(((await part(page, id).textContent()) ?? '').replaceAll(/[^\d.−-]/g, '').replace('−', '-'));
 }
 
@@ -193,6 +210,11 @@ export async function again(page) {
 
 /** Waits until a part says something.  @param {import('playwright-core').Page} page @param {string} id @param {RegExp} pattern */
 export async function says(page, id, pattern) {
+  if (OF_RESULTS.test(id))
+    await until(page, `${id} says ${pattern}`, async () => {
+      await glance(page, id);
+      return part(page, id).evaluateAll((parts, source) => parts.some(({ textContent }) => new RegExp(source).test(textContent)), pattern.source);
+    });
   await page.waitForFunction(
     ([at = '', source = '', flags = '']) => new RegExp(source, flags).test(document.querySelector(`[data-testid="${at}"]`)?.textContent ?? ''),
     [id, pattern.source, pattern.flags],

@@ -16,6 +16,9 @@ const WWW = join(ROOT, 'www');
 /** @type {import('vite').BuildOptions} */
 const READABLE = { target: 'es2022', minify: false, cssMinify: false, modulePreload: false, reportCompressedSize: false, assetsInlineLimit: 0 };
 
+/** They stand in the sources; those of licences remain. */
+const COMMENTS = { legal: true, annotation: false, jsdoc: false };
+
 /** The policy stands in the page itself, for hosts that send no headers.  @type {import('vite').Plugin} */
 const policy = {
   name: 'tiepoint-policy',
@@ -55,13 +58,19 @@ export async function buildPage(out) {
       emptyOutDir: true,
       cssCodeSplit: false,
       // Parts give and take names as they stand in the sources: another one renames none.
-      rollupOptions: { output: { entryFileNames: 'page.js', chunkFileNames: '[name].js', assetFileNames: 'page[extname]', minifyInternalExports: false } },
+      rollupOptions: {
+        output: { comments: COMMENTS, entryFileNames: 'page.js', chunkFileNames: '[name].js', assetFileNames: 'page[extname]', minifyInternalExports: false },
+      },
     },
   });
   for (const script of ['worker', 'service-worker']) {
     const built = await build({
       ...common,
-      build: { ...READABLE, write: false, rollupOptions: { input: join(WWW, `${script}.ts`), output: { format: 'iife', codeSplitting: false } } },
+      build: {
+        ...READABLE,
+        write: false,
+        rollupOptions: { input: join(WWW, `${script}.ts`), output: { comments: COMMENTS, format: 'iife', codeSplitting: false } },
+      },
     });
     writeFileSync(join(out, `${script}.js`), onlyScript(built));
   }

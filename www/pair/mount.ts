@@ -96,6 +96,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   const engine = new Engine(store);
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);
+  await breath();
   const kept = new KeptPairs(store, engine, catalogue);
   const files = new Files(store, engine, openProject, toBlock, () => putAside(kept));
   /** Runs an action of the user's; what goes wrong is said in the status line. */
@@ -126,6 +127,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft());
   mountMasking(byId('view-more'), byId('toolbar'), store, masking, paint);
   mountMarking(byId('toolbar'), store, marking);
+  await breath();
   const pick = pickerOf(files);
   mountPanes(view, store, {
     open: (side) => pick(side),
@@ -135,6 +137,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   await breath();
   mountControls(settings, store, settingsButton);
   mountCamera(camera, store, () => pick(null));
+  await breath();
   mountFiducials(
     camera,
     store,
@@ -152,6 +155,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   mountGeometry(results, store);
   mountOrientation(results, store);
   mountHistograms(results, store);
+  await breath();
   mountPoint(point, store, (side, index) => navigator.select({ side, index }));
   mountEdits(matches, store, editing, () => navigator.followDraft());
   mountEditKeys(matches, store, editing);
@@ -182,7 +186,8 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
       setDrawer('details', true);
       const oriented = shownPair(store.state).orientation !== null;
       if (!oriented) store.dispatch({ type: 'display', display: { points: 'all', hidden: [] } });
-      results.querySelector(`[data-testid="${oriented ? 'orientation' : 'matches'}-section"]`)?.scrollIntoView({ block: 'start' });
+      // Once it is drawn.
+      queueMicrotask(() => results.querySelector(`[data-testid="${oriented ? 'orientation' : 'matches'}-section"]`)?.scrollIntoView({ block: 'start' }));
     },
     save: () => void attempt(() => exportProject(store, engine)),
   });

@@ -2,6 +2,7 @@
 import { toggle } from '../../shared/panel/choice';
 import { h } from '../../shared/panel/dom';
 import { isOpen, watchDrawers } from '../../shared/panel/drawers';
+import { isHidden } from '../../shared/panel/sight';
 import { tabbed } from '../../shared/panel/tabs';
 import { Table } from '../../shared/panel/table';
 import { keepChoice, keptChoice } from '../../shared/choices';
@@ -167,9 +168,8 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
   });
   let shownRows = NO_ROWS;
   // It is drawn when it comes into sight.
-  const isHidden = () => host.closest('[hidden], .is-closed') !== null;
   const draw = () => {
-    if (isHidden()) return;
+    if (isHidden(host)) return;
     const { shown, selection } = store.state;
     shownRows = shown === null ? NO_ROWS : source.rows(shown.view);
     table.show(shownRows.count, shownRows.columns, shown === null ? undefined : source.keeps(shown.view, selection), selection.filters[subject]);
@@ -191,7 +191,7 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
     ([now]) => {
       seeks = now !== null && !isSame(now, own);
       own = null;
-      if (isHidden()) return;
+      if (isHidden(host)) return;
       if (subject === 'observations') draw();
       else mark();
     },
@@ -199,7 +199,7 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
   /** Draws it where its rows are others. */
   const refresh = () => {
     const { shown } = store.state;
-    if (!isHidden() && shown !== null && source.rows(shown.view) !== shownRows) draw();
+    if (!isHidden(host) && shown !== null && source.rows(shown.view) !== shownRows) draw();
   };
   return { draw, refresh };
 }

@@ -10,6 +10,7 @@ import type { PlacedFile } from '../state/placed';
 import type { Looked } from '../state/placing';
 import type { ViewName } from '../state/state';
 import { verdictText } from './placing-words';
+import { isHidden } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 
 /** A table of the dock that is no table of a block. */
@@ -26,10 +27,6 @@ export function placingTables(store: BlockStore): DockTable[] {
     { id: 'block-placed', title: say('placed-images'), view: 'orthophoto', make: (host) => placedTable(host, store) },
     { id: 'block-links', title: say('links-2'), view: 'orthophoto', make: (host) => linksTable(host, store) },
   ];
-}
-
-function isHidden(host: HTMLElement): boolean {
-  return host.closest('[hidden], .is-closed') !== null;
 }
 
 function placedTable(host: HTMLElement, store: BlockStore): { draw: () => void } {

@@ -6,6 +6,7 @@ import type { Store } from '../state/store';
 import type { Value } from '../../shared/panel/control';
 import { makePresets } from './presets';
 import { fill } from '../../shared/panel/dom';
+import { quiet } from '../../shared/engine/breath';
 import { makeFolded, settingsText } from '../../shared/panel/sections';
 import { withSetting } from '../../shared/panel/settings';
 import { say } from '../../shared/text/words';
@@ -13,7 +14,10 @@ import { say } from '../../shared/text/words';
 /** Fills the settings panel once the crate's catalogue is there; `opener` opens it, and says how many settings were changed. */
 export function mountControls(host: HTMLElement, store: Store, opener: HTMLElement): void {
   store.watch(['catalogue'], ([catalogue]) => {
-    if (catalogue === null) return;
+    if (catalogue !== null) void quiet().then(() => show(catalogue));
+  });
+  // Some hundred fields: who starts the page waits for none of them.
+  function show(catalogue: Catalogue): void {
     let acts: Settings = resolved(catalogue.defaults);
     const bound = {
       change: (key: string, value: Value) => change(store, key, value),
@@ -21,7 +25,7 @@ export function mountControls(host: HTMLElement, store: Store, opener: HTMLEleme
       resolved: () => acts,
       refused: (label: string) => store.dispatch({ type: 'refused', part: 'settings', label }),
     };
-    const { elements, show } = makeFolded(catalogue.parameters, bound, {
+    const { elements, show: showValues } = makeFolded(catalogue.parameters, bound, {
       title: say('method'),
       first: ['matching.strategy', 'matching.refine'],
       of: 'pair',
@@ -33,10 +37,10 @@ export function mountControls(host: HTMLElement, store: Store, opener: HTMLEleme
     store.watch(['settings', 'truth'], ([settings]) => {
       if (settings === null) return;
       acts = resolved(settings);
-      show(settings, acting_parameters(settings));
+      showValues(settings, acting_parameters(settings));
       presets.show(settings, standardOf(store.state, catalogue));
     });
-  });
+  }
 }
 
 /** A threshold and a fraction of candidates exclude each other: setting one clears the other. */

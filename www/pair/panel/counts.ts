@@ -13,6 +13,7 @@ import type { Store } from '../state/store';
 import { fill, h, markStale, row, section } from '../../shared/panel/dom';
 import { count, percent, significant } from '../../shared/text/format';
 import { swatch } from './swatch';
+import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 
 /** Places in the paper's Table 1; it does not count what the threshold of roundness leaves. */
@@ -43,13 +44,13 @@ export function mountCounts(host: HTMLElement, store: Store): void {
   host.append(points, matches);
   store.watch(
     (s) => [s.results, s.history, s.settings, s.images, s.display, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const,
-    () => {
+    whenInSight(host, () => {
       const { state } = store;
       points.classList.toggle('is-stale', pointsAreStale(state));
       matches.classList.toggle('is-stale', isStale(state, 'match'));
       fill(phases, phaseTable(state));
       fill(rules, ruleTable(state, store), scoreLines(state));
-    },
+    }),
   );
 }
 

@@ -8,6 +8,7 @@ import { fill, h, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
 import { count } from '../../shared/text/format';
+import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
 
@@ -15,12 +16,15 @@ export function mountGeometry(host: HTMLElement, store: Store): void {
   const body = h('div', {});
   const panel = section(say('geometry-of-the-two-views'), 'geometry-section', body);
   host.append(panel);
-  store.watch(['results', 'settings', 'images', 'camera', 'photos', 'masks'], () => {
-    const { state } = store;
-    panel.hidden = state.settings === null || !comparesGradients(state.settings);
-    panel.classList.toggle('is-stale', isStale(state, 'match'));
-    if (!panel.hidden) fill(body, ...content(state));
-  });
+  store.watch(
+    ['results', 'settings', 'images', 'camera', 'photos', 'masks'],
+    whenInSight(host, () => {
+      const { state } = store;
+      panel.hidden = state.settings === null || !comparesGradients(state.settings);
+      panel.classList.toggle('is-stale', isStale(state, 'match'));
+      if (!panel.hidden) fill(body, ...content(state));
+    }),
+  );
 }
 
 function content(state: State): HTMLElement[] {

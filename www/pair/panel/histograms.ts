@@ -11,6 +11,7 @@ import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, markStale, section, svg } from '../../shared/panel/dom';
 import { count, significant } from '../../shared/text/format';
+import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 
 const BINS = 40;
@@ -30,11 +31,14 @@ export function mountHistograms(host: HTMLElement, store: Store): void {
   const panel = section(say('histograms'), 'histograms-section', body);
   host.append(panel);
   let round = 0;
-  store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
-    panel.classList.toggle('is-stale', isStale(store.state, 'match'));
-    round += 1;
-    void update(body, store, () => round, round);
-  });
+  store.watch(
+    ['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'],
+    whenInSight(host, () => {
+      panel.classList.toggle('is-stale', isStale(store.state, 'match'));
+      round += 1;
+      void update(body, store, () => round, round);
+    }),
+  );
 }
 
 /** Draws the charts one after the other, each in its own task: with many points each takes some ms, and input comes between. */

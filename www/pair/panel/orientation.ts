@@ -13,6 +13,7 @@ import type { Fact } from '../../shared/panel/facts';
 import { count, fixed, significant } from '../../shared/text/format';
 import { correlationPicture, ellipsePicture } from './matrix';
 import { UNKNOWNS } from './unknowns';
+import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
 
@@ -22,11 +23,14 @@ export function mountOrientation(host: HTMLElement, store: Store): void {
   const body = h('div', {});
   const panel = section(say('relative-orientation'), 'orientation-section', body);
   host.append(panel);
-  store.watch(['results', 'settings', 'images', 'failures', 'camera', 'photos', 'offset', 'fiducialModel'], () => {
-    const { state } = store;
-    panel.classList.toggle('is-stale', isStale(state, 'orientation'));
-    fill(body, ...content(state));
-  });
+  store.watch(
+    ['results', 'settings', 'images', 'failures', 'camera', 'photos', 'offset', 'fiducialModel'],
+    whenInSight(host, () => {
+      const { state } = store;
+      panel.classList.toggle('is-stale', isStale(state, 'orientation'));
+      fill(body, ...content(state));
+    }),
+  );
 }
 
 function content(state: State): HTMLElement[] {

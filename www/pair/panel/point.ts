@@ -17,6 +17,7 @@ import { count, fixed, significant } from '../../shared/text/format';
 import { swatch } from './swatch';
 import { verdictOf } from './verdict';
 import { windowPicture } from './window';
+import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 
 const MOST_ROWS = 50;
@@ -24,14 +25,17 @@ const MOST_ROWS = 50;
 export function mountPoint(host: HTMLElement, store: Store, select: (side: 'left' | 'right', index: number) => void): void {
   const body = h('div', { testid: 'point-panel' });
   host.append(body);
-  store.watch(['selection', 'results', 'history', 'images', 'settings', 'failures'], () => {
-    const { state } = store;
-    body.classList.toggle('is-stale', state.selection !== null && state.results.match !== undefined && !isCurrent(state, 'match'));
-    const focused = body.contains(document.activeElement);
-    fill(body, ...content(state, select));
-    // A candidate that was chosen is no longer there; the keyboard stays in the panel.
-    if (focused) host.focus({ preventScroll: true });
-  });
+  store.watch(
+    ['selection', 'results', 'history', 'images', 'settings', 'failures'],
+    whenInSight(host, () => {
+      const { state } = store;
+      body.classList.toggle('is-stale', state.selection !== null && state.results.match !== undefined && !isCurrent(state, 'match'));
+      const focused = body.contains(document.activeElement);
+      fill(body, ...content(state, select));
+      // A candidate that was chosen is no longer there; the keyboard stays in the panel.
+      if (focused) host.focus({ preventScroll: true });
+    }),
+  );
 }
 
 function content(state: State, select: (side: 'left' | 'right', index: number) => void): HTMLElement[] {

@@ -1,5 +1,7 @@
 /** The table of matches: each with its statistics, sorted by any of them, linked both ways to the images. */
 import { button, fill, h } from '../../shared/panel/dom';
+import { afterFrame } from '../../shared/engine/breath';
+import { whenInSight } from '../../shared/panel/sight';
 import { Table } from '../../shared/panel/table';
 import type { Column } from '../../shared/state/rows';
 import { count } from '../../shared/text/format';
@@ -81,8 +83,10 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
     } else if (isOther) table.redraw();
     table.mark(selectedMatch(state, statistics));
   };
-  // Together: each of them draws the rows.
-  store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures', 'selection', 'chosen'], follow);
+  const seen = whenInSight(host, follow);
+  store.watch(['selection', 'chosen'], seen);
+  // The figures of the orientation come first: rows take as long as they do, and change with several of these.
+  store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], afterFrame(seen));
 }
 
 function columnsOf({ columns, codes, rightness }: Statistics): Column[] {

@@ -1,2 +1,28 @@
 /** Lets the browser answer what the user did, and draw, between two pieces of work that are long together. */
 export const breath = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+/** So long a page may have something else to do, before what nobody waits for is done all the same, in ms. */
+const PATIENCE_MS = 1000;
+
+/** Waits until the page has nothing else to do. */
+export const quiet = (): Promise<void> =>
+  new Promise((resolve) => {
+    // Safari does not say when.
+    if ('requestIdleCallback' in window) window.requestIdleCallback(() => resolve(), { timeout: PATIENCE_MS });
+    else setTimeout(resolve);
+  });
+
+/** Gives a function that calls back once the next frame is on the screen, once for all calls until then. */
+export function afterFrame(callback: () => void): () => void {
+  let waits = false;
+  return () => {
+    if (waits) return;
+    waits = true;
+    requestAnimationFrame(() =>
+      setTimeout(() => {
+        waits = false;
+        callback();
+      }),
+    );
+  };
+}

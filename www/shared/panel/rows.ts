@@ -1,6 +1,7 @@
 /** The rows of a long table: only those in sight exist, between two fillers as high as the others would be. */
 import type { Column } from '../state/rows';
 import { fill, h } from './dom';
+import { isHidden } from './sight';
 
 /** Height of a row in CSS px, as in the style sheet. */
 const ROW = 24;
@@ -116,7 +117,7 @@ export class RowsInSight {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
     // Its height would make the browser lay out the whole page; it is drawn when it comes into sight.
-    if (this.scroller.closest('[hidden], .is-closed') !== null) return;
+    if (isHidden(this.scroller)) return;
     const [first, last] = this.inSight(MARGIN);
     this.drawn = [first, last];
     // The row that has the keyboard says so where it is drawn.
