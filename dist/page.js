@@ -62,7 +62,7 @@ var policy = typeof trustedTypes === "undefined" ? void 0 : trustedTypes.createP
 function scriptAddress(address) {
 	return policy === void 0 ? own(address) : policy.createScriptURL(address);
 }
-// node_modules/@fluent/bundle/esm/types.js
+// ../main/node_modules/@fluent/bundle/esm/types.js
 /**
 * The `FluentType` class is the base of Fluent's type system.
 *
@@ -205,7 +205,7 @@ var FluentDateTime = class FluentDateTime extends FluentType {
 		return this.value.toString();
 	}
 };
-// node_modules/@fluent/bundle/esm/resolver.js
+// ../main/node_modules/@fluent/bundle/esm/resolver.js
 /**
 * The role of the Fluent resolver is to format a `Pattern` to an instance of
 * `FluentValue`. For performance reasons, primitive strings are considered
@@ -397,7 +397,7 @@ function resolvePattern(scope, value) {
 	if (typeof value === "string") return scope.bundle._transform(value);
 	return resolveComplexPattern(scope, value);
 }
-// node_modules/@fluent/bundle/esm/scope.js
+// ../main/node_modules/@fluent/bundle/esm/scope.js
 var Scope = class {
 	constructor(bundle, errors, args) {
 		/**
@@ -433,7 +433,7 @@ var Scope = class {
 		return cache[id];
 	}
 };
-// node_modules/@fluent/bundle/esm/builtins.js
+// ../main/node_modules/@fluent/bundle/esm/builtins.js
 /**
 * @overview
 *
@@ -555,7 +555,7 @@ function DATETIME(args, opts) {
 	if (arg instanceof FluentDateTime || arg instanceof FluentNumber) return new FluentDateTime(arg, values(opts, DATETIME_ALLOWED));
 	throw new TypeError("Invalid argument to DATETIME");
 }
-// node_modules/@fluent/bundle/esm/memoizer.js
+// ../main/node_modules/@fluent/bundle/esm/memoizer.js
 var cache = /* @__PURE__ */ new Map();
 function getMemoizerForLocale(locales) {
 	const stringLocale = Array.isArray(locales) ? locales.join(" ") : locales;
@@ -566,7 +566,7 @@ function getMemoizerForLocale(locales) {
 	}
 	return memoizer;
 }
-// node_modules/@fluent/bundle/esm/bundle.js
+// ../main/node_modules/@fluent/bundle/esm/bundle.js
 /**
 * Message bundles are single-language stores of translation resources. They are
 * responsible for formatting message values and attributes to strings.
@@ -705,7 +705,7 @@ var FluentBundle = class {
 		}
 	}
 };
-// node_modules/@fluent/bundle/esm/resource.js
+// ../main/node_modules/@fluent/bundle/esm/resource.js
 var RE_MESSAGE_START = /^(-?[a-zA-Z][\w-]*) *= */gm;
 var RE_ATTRIBUTE_START = /\.([a-zA-Z][\w-]*) *= */y;
 var RE_VARIANT_START = /\*?\[/y;

@@ -5029,7 +5029,7 @@ var PointGrid = class {
 		return [clamp(centre - radius), clamp(centre + radius)];
 	}
 };
-// node_modules/fflate/esm/browser.js
+// ../main/node_modules/fflate/esm/browser.js
 var u8 = Uint8Array;
 var u16 = Uint16Array;
 var i32 = Int32Array;
@@ -14973,7 +14973,7 @@ async function loadCatalogue() {
 	await __wbg_init({ module_or_path: await wasmModule() });
 	return catalogueInLanguage(readCatalogue());
 }
-// node_modules/idb/build/index.js
+// ../main/node_modules/idb/build/index.js
 var instanceOfAny = (object, constructors) => constructors.some((c) => object instanceof c);
 var idbProxyableTypes;
 var cursorAdvanceMethods;
