@@ -1,4 +1,4 @@
-//! Blocks with GNSS positions on WGS 84 and control points in a coordinate reference system, beside their truth.
+//! Blocks with GNSS positions on WGS 84, and control points and orthophotos in a coordinate reference system, beside their truth.
 
 use crate::shown::shown;
 use proj_core::Transform;
@@ -7,8 +7,9 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
-    BlockFlight, BlockRun, BlockScene, BlockSettings, ControlRole, ControlTexts, Datum, Error, MultiscaleOptions, NotLinked, OnOrthophoto,
-    RunInput, block_files, geographic_from_local, run_block,
+    BlockEdit, BlockFlight, BlockLinks, BlockRun, BlockScene, BlockSettings, ControlRole, ControlTexts, Datum, DecodeLimits, Error,
+    Failure, Georeference, HeightModel, Heights, MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, PlacingOptions, PointSource,
+    Remark, RunInput, SearchArea, block_files, decode, geographic_from_local, run_block,
 };
 
 /// West of the central meridian of its zone.
@@ -49,11 +50,20 @@ fn flown() -> &'static Flown {
     })
 }
 
+/// A place of the scene as longitude, latitude and height above the ellipsoid.
+fn on_earth(place: [f64; 3]) -> [f64; 3] {
+    let origin = flown().scene.truth().origin.unwrap();
+    geographic_from_local(place, [origin.longitude_deg, origin.latitude_deg, origin.height_m])
+}
+
 /// A place of the scene in UTM, with its height above the geoid.
 fn in_utm(place: [f64; 3]) -> [f64; 3] {
-    let origin = flown().scene.truth().origin.unwrap();
-    let [longitude, latitude, height] = geographic_from_local(place, [origin.longitude_deg, origin.latitude_deg, origin.height_m]);
-    let (x, y) = Transform::new("EPSG:4258", UTM).unwrap().convert((longitude, latitude)).unwrap();
+    in_zone(UTM, place)
+}
+
+fn in_zone(utm: &str, place: [f64; 3]) -> [f64; 3] {
+    let [longitude, latitude, height] = on_earth(place);
+    let (x, y) = Transform::new("EPSG:4258", utm).unwrap().convert((longitude, latitude)).unwrap();
     [x, y, height - GEOID_M]
 }
 
@@ -72,14 +82,14 @@ fn control(write: impl Fn([f64; 3]) -> [f64; 3]) -> ControlTexts {
 
 static FOLDER: Mutex<()> = Mutex::new(());
 
-fn run(crs: &str, geoid_m: Option<f64>, control: Option<ControlTexts>) -> Result<BlockRun, Error> {
+fn run<'a>(crs: impl Into<Option<&'a str>>, geoid_m: Option<f64>, control: Option<ControlTexts>) -> Result<BlockRun, Error> {
     let Flown { photos, folder, scene } = flown();
     // Over ground that is nearly flat a focal length that is estimated takes the height with it.
     let focal_px = scene.truth().cameras[0].focal_px;
     let cameras = Some(format!(r#"{{"cameras": [{{"focal_px": {focal_px}, "fixed": true}}]}}"#));
     let mut settings = BlockSettings::default();
     settings.features.multiscale = MultiscaleOptions { number: 2500, ..settings.features.multiscale };
-    (settings.placing.crs, settings.placing.geoid_m) = (Some(crs.into()), geoid_m);
+    (settings.placing.crs, settings.placing.geoid_m) = (crs.into().map(String::from), geoid_m);
     // One run at a time has the folder.
     let _folder = FOLDER.lock().unwrap_or_else(PoisonError::into_inner);
     run_block(photos, &[], RunInput { settings, cameras, control, ..RunInput::default() }, &folder.join("work"), 2, drop)
@@ -242,15 +252,195 @@ fn control_points_that_cannot_be_in_the_system_are_refused_with_figures() {
     assert!(lambert.contains("RGF93") || lambert.contains("EPSG:2154"), "{lambert}");
 }
 
+/// The block without control points, in UTM by its GNSS positions.
+fn by_gnss() -> &'static BlockRun {
+    static BY_GNSS: OnceLock<BlockRun> = OnceLock::new();
+    BY_GNSS.get_or_init(|| run(UTM, None, None).unwrap())
+}
+
+/// The orthophoto of the scene in a zone of UTM, in a unit of so many m, with heights above the geoid in m.
+fn orthophoto(utm: &str, unit_m: f64) -> Orthophoto {
+    const GSD: f64 = 0.8;
+    /// Over which the projection is taken as linear, in m.
+    const STEP: f64 = 300.0;
+    let made = flown().scene.orthophoto(GSD).unwrap();
+    let [width, height] = made.size();
+    let middle = made.georeference.ground([0.5 * width as f64, 0.5 * height as f64]);
+    let at = |x: f64, y: f64| in_zone(utm, [middle[0] + x, middle[1] + y, 0.0]);
+    let slope = |ahead: [f64; 3], behind: [f64; 3]| [0, 1].map(|k| (ahead[k] - behind[k]) / (2.0 * STEP));
+    let (east, north) = (slope(at(STEP, 0.0), at(-STEP, 0.0)), slope(at(0.0, STEP), at(0.0, -STEP)));
+    let along = |[x, y]: [f64; 2]| [0, 1].map(|k| (x * east[k] + y * north[k]) / unit_m);
+    let Georeference { origin, by_column, by_row } = made.georeference;
+    let from_middle = along([origin[0] - middle[0], origin[1] - middle[1]]);
+    let origin = [0, 1].map(|k| at(0.0, 0.0)[k] / unit_m + from_middle[k]);
+    let georeference = Georeference { origin, by_column: along(by_column), by_row: along(by_row) };
+    let above_geoid = |pixel: usize| {
+        let [x, y] = made.georeference.ground([(pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5]);
+        made.heights.at([x, y]).map_or(f32::NAN, |z| (on_earth([x, y, z])[2] - GEOID_M) as f32)
+    };
+    let heights = HeightModel::new(width, height, (0..width * height).map(above_geoid).collect(), georeference).unwrap();
+    Orthophoto::new(made.grey().unwrap(), georeference, Heights::Model(heights)).unwrap()
+}
+
+fn with_code(orthophoto: &Orthophoto, epsg: u16) -> Orthophoto {
+    let mut orthophoto = orthophoto.clone();
+    orthophoto.epsg = Some(epsg);
+    orthophoto
+}
+
+fn placing() -> PlacingOptions {
+    PlacingOptions { points: 3000, ..PlacingOptions::default() }
+}
+
+fn placed(block: &BlockRun, reference: &Orthophoto) -> BlockLinks {
+    let area = SearchArea::new(reference, &placing()).unwrap();
+    let mut links = BlockLinks::default();
+    for (index, path) in flown().photos.iter().enumerate() {
+        let grey = decode(&fs::read(path).unwrap(), &DecodeLimits::default()).unwrap().grey;
+        links.place(block, index, grey.view(), reference, &area, &placing()).unwrap();
+    }
+    links
+}
+
+fn linked(block: &BlockRun, reference: &Orthophoto) -> BlockRun {
+    let found = placed(block, reference).linked(block, reference, &placing()).unwrap();
+    assert!(matches!(found.orthophoto, Some(OnOrthophoto::Linked { linked: 8, .. })), "{:?}", found.orthophoto);
+    found
+}
+
+fn not_linked(run: &BlockRun) -> &NotLinked {
+    match &run.orthophoto {
+        Some(OnOrthophoto::NotLinked { not_linked }) => not_linked,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// X, Y and Z of the projection centres.
+fn centres(run: &BlockRun) -> Vec<[f64; 3]> {
+    numbers(&files(run)["images.csv"], &["x", "y", "z"]).into_iter().map(|row| [row[0], row[1], row[2]]).collect()
+}
+
+/// The largest differences of projection centres along each axis.
+fn largest(own: &[[f64; 3]], others: &[[f64; 3]]) -> [f64; 3] {
+    [0, 1, 2].map(|k| own.iter().zip(others).map(|(a, b)| (a[k] - b[k]).abs()).fold(0.0, f64::max))
+}
+
+fn of_truth() -> Vec<[f64; 3]> {
+    flown().scene.truth().images.iter().map(|image| in_utm(image.pose.unwrap().position)).collect()
+}
+
+/// The block on an orthophoto in its system, beside its GNSS positions.
+fn on_orthophoto() -> &'static BlockRun {
+    static LINKED: OnceLock<BlockRun> = OnceLock::new();
+    LINKED.get_or_init(|| linked(by_gnss(), &with_code(&orthophoto(UTM, 1.0), 25832)))
+}
+
 #[test]
-fn a_block_of_a_system_is_not_taken_into_that_of_an_orthophoto() {
-    let scene = &flown().scene;
-    let linked =
-        tiepoint::BlockLinks::default().linked(both(), &scene.orthophoto(0.8).unwrap(), &tiepoint::PlacingOptions::default()).unwrap();
-    // No image was placed, which is said first; a block of a system stays in it in any case.
-    assert!(matches!(
-        linked.orthophoto,
-        Some(OnOrthophoto::NotLinked { not_linked: NotLinked::OwnSystem { .. } | NotLinked::FewImages { .. } })
-    ));
-    assert_eq!(linked.model, both().model);
+fn an_orthophoto_places_a_block_in_its_system_beside_gnss_positions() {
+    let found = on_orthophoto();
+    let model = &found.reconstruction.as_ref().unwrap().models[0];
+    assert!(model.in_system && model.adjusted.datum == Datum::GnssAndControl, "{:?}", model.adjusted.datum);
+    assert!(found.model.origin.is_some() && files(found)["summary.json"].contains("ETRS89 / UTM zone 32N"));
+    let accepted = model.adjusted.images.iter().filter(|image| image.gnss.is_some_and(|gnss| gnss.accepted)).count();
+    assert!(accepted >= 7, "{accepted} GNSS positions took part");
+    let apart = largest(&centres(found), &of_truth());
+    println!("{} {apart:.3?}", found.orthophoto.as_ref().unwrap());
+    assert!(apart.iter().all(|off| *off < 1.6), "{apart:?} m, two px of the orthophoto, from 785 m above it");
+    // GNSS positions alone are metres off, and their heights those of another zero.
+    let before = largest(&centres(by_gnss()), &of_truth());
+    assert!((before[2] - GEOID_M).abs() < 30.0 && before[2] > 10.0 * apart[2], "{before:?}");
+    assert!(!found.remarks.iter().any(|remark| matches!(remark, Remark::OrthophotoSystemAssumed { .. } | Remark::OrthophotoUnits { .. })));
+    let checks: Vec<_> = model.surveyed.iter().filter(|point| point.role == ControlRole::Check).collect();
+    assert!(checks.len() >= 8, "{}", checks.len());
+    // Edits keep the system.
+    let edited = found.with_edits(&[BlockEdit::RejectPoints { points: vec![PointSource::GroundControl(0)] }]).unwrap();
+    let apart = largest(&centres(&edited), &centres(found));
+    assert!(edited.model != found.model && apart.iter().all(|off| *off < 0.2), "{apart:?}");
+}
+
+#[test]
+fn without_a_system_the_map_is_taken_as_level_and_differs_by_its_scale() {
+    let plain = linked(&run(None, None, None).unwrap(), &orthophoto(UTM, 1.0));
+    assert!(plain.model.origin.is_none());
+    let [map, with_system] = [centres(&plain), centres(on_orthophoto())];
+    // The length of 1 m of the ground in the map.
+    let [from, to] = [-500.0, 500.0].map(|x| in_utm([x, 0.0, 0.0]));
+    let scale = 1e-3 * (to[0] - from[0]).hypot(to[1] - from[1]);
+    assert!((scale - 0.99966).abs() < 3e-5, "{scale}");
+    for (map, own) in map.iter().zip(&with_system) {
+        let above_ground = own[2] - in_utm([0.0; 3])[2];
+        let by_scale = (scale - 1.0) * above_ground;
+        assert!((map[0] - own[0]).hypot(map[1] - own[1]) < 0.15, "{map:?} {own:?}");
+        assert!(by_scale < -0.2 && (map[2] - own[2] - by_scale).abs() < 0.1, "{} m, of which {by_scale} by the scale", map[2] - own[2]);
+    }
+}
+
+#[test]
+fn an_orthophoto_of_another_zone_is_converted_and_one_without_a_system_is_taken_to_be_in_that_of_the_block() {
+    let other = linked(by_gnss(), &with_code(&orthophoto("EPSG:25833", 1.0), 25833));
+    let apart = largest(&centres(&other), &centres(on_orthophoto()));
+    assert!(apart.iter().all(|off| *off < 0.8), "{apart:?} m, a px of the orthophoto, which zone 33 stretches there by a 400th");
+    let is_said = |remark: &Remark| {
+        matches!(remark, Remark::OrthophotoConverted { orthophoto, crs, accuracy_m: None }
+        if orthophoto.contains("zone 33N") && crs.contains("zone 32N"))
+    };
+    assert!(other.remarks.iter().any(is_said), "{:?}", other.remarks);
+    // In feet, which only the system of the block says; heights stay metres.
+    const FEET: &str = "+proj=utm +zone=32 +ellps=GRS80 +towgs84=0,0,0 +units=us-ft";
+    const FOOT_M: f64 = 1200.0 / 3937.0;
+    let in_feet = linked(&run(FEET, None, None).unwrap(), &orthophoto(UTM, FOOT_M));
+    let metres: Vec<[f64; 3]> = centres(&in_feet).into_iter().map(|[x, y, z]| [x * FOOT_M, y * FOOT_M, z]).collect();
+    let apart = largest(&metres, &centres(on_orthophoto()));
+    assert!(apart.iter().all(|off| *off < 0.1), "{apart:?}");
+    let [assumed, units] = [
+        |remark: &Remark| matches!(remark, Remark::OrthophotoSystemAssumed { .. }),
+        |remark: &Remark| matches!(remark, Remark::OrthophotoUnits { unit_m, height_unit_m: 1.0 } if (unit_m - FOOT_M).abs() < 1e-12),
+    ];
+    assert!(in_feet.remarks.iter().any(assumed) && in_feet.remarks.iter().any(units), "{:?}", in_feet.remarks);
+}
+
+#[test]
+fn control_points_take_part_beside_an_orthophoto_in_one_system_or_contradict_it() {
+    let reference = with_code(&orthophoto(UTM, 1.0), 25832);
+    let found = linked(both(), &reference);
+    let model = &found.reconstruction.as_ref().unwrap().models[0];
+    let control = |begins: &str| model.surveyed.iter().filter(|point| point.name.starts_with(begins)).count();
+    assert!(control("G") >= 9 && control("orthophoto_") >= 40, "{} {}", control("G"), control("orthophoto_"));
+    let apart = largest(&centres(&found), &of_truth());
+    assert!(apart.iter().all(|off| *off < 1.6), "{apart:?}");
+    let low = run(UTM, None, Some(control_raised(5.0))).unwrap();
+    let contradicted = placed(&low, &reference).linked(&low, &reference, &placing()).unwrap();
+    let NotLinked::Contradiction { x_m, y_m, z_m } = not_linked(&contradicted) else { panic!("{}", not_linked(&contradicted)) };
+    assert!(x_m.abs() < 0.5 && y_m.abs() < 0.5 && (z_m + 5.0).abs() < 0.5, "{x_m} {y_m} {z_m}");
+    assert_eq!(contradicted.model, low.model);
+}
+
+fn control_raised(by_m: f64) -> ControlTexts {
+    control(|[x, y, z]| [x, y, z + by_m])
+}
+
+#[test]
+fn an_orthophoto_that_cannot_be_in_the_system_is_refused_with_both_systems() {
+    let reference = orthophoto(UTM, 1.0);
+    let links = placed(by_gnss(), &with_code(&reference, 25832));
+    let refused = |epsg: u16| links.linked(by_gnss(), &with_code(&reference, epsg), &placing()).unwrap();
+    // New Zealand; a code that is none.
+    for (epsg, code) in [(2193, "crs-area"), (9999, "unknown-crs")] {
+        let found = refused(epsg);
+        let NotLinked::OtherSystem { orthophoto, crs, failure } = not_linked(&found) else { panic!("{}", not_linked(&found)) };
+        assert!(orthophoto.as_deref() == Some(&*format!("EPSG:{epsg}")) && crs == UTM, "{orthophoto:?} {crs}");
+        let Failure::Refused { .. } = failure else { panic!("{failure:?}") };
+        let told = found.orthophoto.as_ref().unwrap().to_string();
+        assert!(told.contains(UTM) && told.contains(&format!("EPSG:{epsg}")), "{code}: {told}");
+        assert_eq!(found.model, by_gnss().model);
+    }
+    // No image is placed on it in vain.
+    let mut none = BlockLinks::default();
+    let area = SearchArea::new(&reference, &placing()).unwrap();
+    let grey = decode(&fs::read(&flown().photos[0]).unwrap(), &DecodeLimits::default()).unwrap().grey;
+    assert!(none.place(by_gnss(), 0, grey.view(), &with_code(&reference, 2193), &area, &placing()).unwrap().is_none());
+    // The wrong zone: far from the GNSS positions.
+    let found = refused(25833);
+    let told = not_linked(&found).to_string();
+    assert!(matches!(not_linked(&found), NotLinked::Failed { .. }) && told.contains("km from the GNSS positions"), "{told}");
 }

@@ -91,7 +91,6 @@ async function run(call) {
   // What can be refused before anything is computed.
   const names = sources.map(({ name }) => name);
   if (known) about(String(truth), () => check_block_truth(known, names));
-  if (values.has('orthophoto') && values.has('crs')) throw new UsageError('--orthophoto gives the block its own system: leave out --crs');
   const reference = orthophotoOf(values);
   const folder = new BlockFolder(out, names, formats);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));

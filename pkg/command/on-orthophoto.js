@@ -23,7 +23,7 @@ export const ORTHOPHOTO_OPTIONS = [
   path(
     'orthophoto',
     'FILE',
-    `Georeferences the block by it, without a control point or beside those of --control. ${ORTHOPHOTO_HELP} --heights or --level beside it.`,
+    `Georeferences the block by it, without a control point or beside those of --control, in its system or in that of --crs. ${ORTHOPHOTO_HELP} --heights or --level beside it.`,
   ),
   ...GROUND_OPTIONS,
   ...OPTIONS,

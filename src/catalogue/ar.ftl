@@ -491,6 +491,13 @@ remark-result-system =
        *[other] . وارتفاعاته من سطح خاص به: لم تشارك ارتفاعات مواضع GNSS. وهي أعلى من ارتفاعات الكتلة بمقدار { FIXED($gnss_above_m, digits: 2) } م، أي نحو ارتفاع الجيوئيد (--geoid-m) إذا كانت فوق الإهليلجي
     }
 remark-no-result-system = النتائج ليست في { $crs }: ليس للكتلة موضع على الأرض تعطيه مواضع GNSS أو نقاط الضبط
+remark-orthophoto-system-assumed = لا تذكر الصورة المصححة نظامها المرجعي للإحداثيات: أُخذت على أنها في { $crs }
+remark-orthophoto-converted =
+    حُولت مواضع الصورة المصححة من { $orthophoto } إلى { $crs }{ $accuracy_m ->
+        [none] {""}
+       *[other] ، بدقة { SIGNIFICANT($accuracy_m, digits: 1) } م لانتقالي مرجعيهما
+    }
+remark-orthophoto-units = شرق الصورة المصححة وشمالها بوحدات طول كل منها { $unit_m } م؛ وتؤخذ ارتفاعات أرضها بوحدات طول كل منها { $height_unit_m } م
 remark-unsupported-edits = كُتب ملف المشروع قبل أن تُحفظ جميع النقاط المضبوطة: مع التعديلات تُضبط الكتلة بالنقاط المختارة وحدها، وهي أقل دقة
 remark-unknown-columns =
     أعمدة في جدول نقاط الضبط غير مفهومة ولا تُقرأ: { $columns }{ $columns_more ->
@@ -548,7 +555,10 @@ verdict-undecided = لا مطابقة تستعمل هذه النقطة.
 
 # What came of the orthophoto that a block was given.
 on-orthophoto-linked =
-    تقع الكتلة في نظام الصورة المصححة، بعدد { $points } من المواضع التي تظهر في { $linked } من { $images } من الصور{ $checks ->
+    { $in_crs ->
+        [true] ضُبطت الكتلة بالصورة المصححة في نظامها المرجعي للإحداثيات،
+       *[false] تقع الكتلة في نظام الصورة المصححة،
+    } بعدد { $points } من المواضع التي تظهر في { $linked } من { $images } من الصور{ $checks ->
         [0] ، دون نقاط تحقق
         [one] ؛ ويتحقق منها موضع واحد آخر
        *[other] ؛ وتتحقق منها { $checks } من المواضع الأخرى
@@ -560,7 +570,11 @@ on-orthophoto-not-linked = ليست الكتلة في نظام الصورة ال
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = لم توجَّه
-not-linked-own-system = للكتلة النظام المرجعي { $crs }: الصورة المصححة تعطي الكتلة نظامها، دون --crs
+not-linked-other-system =
+    نظامها المرجعي { $crs }، ولا سبيل إليه من نظام الصورة المصححة{ $orthophoto ->
+        [none] {""}
+       *[other] ، { $orthophoto }
+    } ({ $failure }). أعطِ --crs نظام الصورة المصححة، أو أعد إسقاط الصورة المصححة
 not-linked-few-images = أمكن وضع { $placed } من { $images } من الصور على الصورة المصححة، والمطلوب { $needed }: هل تُظهر الأرض نفسها، وهل الارتفاعات ارتفاعات هذه الأرض؟
 not-linked-few-points = { $points } من مواضع أرضها تظهر في صورتين أو أكثر، والمطلوب { $needed }
 not-linked-disagreement = تناقض { $rejected } من { $points } من مواضع أرضها الكتلة: تحقق من الارتفاعات
@@ -725,21 +739,20 @@ refusal-measured-again = جدول القياسات الصورية: تكررت ا
 refusal-unknown-crs = نظام الإحداثيات المرجعي: أُعطي { $crs }، وهو رمز غير معروف هنا، أو لإسقاط أو نوع غير مدعوم؛ المسموح: رموز EPSG لأنظمة جغرافية ومسقطة، أو نص PROJ
 refusal-crs-text = نظام الإحداثيات المرجعي: أُعطي { $crs }، ولا يمكن قراءته ({ $reason })؛ المسموح: رمز EPSG (EPSG:25832) أو WKT أو نص PROJ بأحد الإسقاطات { $projections }
 refusal-geocentric-crs = نظام الإحداثيات المرجعي: أُعطي { $crs }، وتلتقي محاوره في مركز الأرض؛ المسموح: أنظمة جغرافية ومسقطة
-refusal-crs-unit = نظام الإحداثيات المرجعي: أُعطي { $crs }، ووحدته { $unit_m } م؛ المسموح: أنظمة بالأمتار أو الدرجات
 refusal-crs-axes = نظام الإحداثيات المرجعي: أُعطي { $crs }، وهو يذكر انتقال مرجع ويجعل الشمال قبل الشرق؛ المسموح: الشرق قبل الشمال مع انتقال مذكور
 refusal-no-datum-shift = نظام الإحداثيات المرجعي: أُعطي { $crs } ({ $name })، ولا يُعرف انتقال من مرجعه إلى WGS 84 دون شبكة؛ المسموح: نص PROJ مع +datum=WGS84، أو مع الانتقال في +towgs84 (+towgs84=0,0,0 حيث يساوي المرجع WGS 84 إلا بضعة ديسيمترات)
 refusal-crs-area = نظام الإحداثيات المرجعي: أُعطي { $crs } عند خط الطول { FIXED($longitude_deg, digits: 4) }° وخط العرض { FIXED($latitude_deg, digits: 4) }°، ولا يُعرف هناك انتقال من مرجعه إلى WGS 84؛ المسموح: مواضع في { $areas }. هل المنطقة وترتيب الإحداثيات صحيحان؟
 refusal-crs-place =
     الإحداثيات: أُعطي ({ $x }, { $y })، وهي خارج { $crs }؛ المسموح: { $degrees ->
         [true] خط الطول x من -180 إلى 180 وخط العرض y من -90 إلى 90 بالدرجات
-       *[false] الشرق x والشمال y بالأمتار
+       *[false] الشرق x والشمال y بوحدة هذا النظام
     }
 refusal-control-place =
     نقطة الضبط الأرضي { $point }: أُعطي ({ $x }, { $y })، وهي خارج { $crs }؛ المسموح: { $degrees ->
         [true] خط الطول x من -180 إلى 180 وخط العرض y من -90 إلى 90 بالدرجات
-       *[false] الشرق x والشمال y بالأمتار
+       *[false] الشرق x والشمال y بوحدة هذا النظام
     }
-refusal-control-degrees = نقطة الضبط الأرضي { $point }: أُعطي ({ $x }, { $y })، وهي تشبه الدرجات؛ المسموح: الشرق x والشمال y بالأمتار كما في { $crs }
+refusal-control-degrees = نقطة الضبط الأرضي { $point }: أُعطي ({ $x }, { $y })، وهي تشبه الدرجات؛ المسموح: الشرق x والشمال y كما في { $crs }
 refusal-control-elsewhere =
     نقطة الضبط الأرضي { $point }: أُعطي موضع يبعد { FIXED($distance_km, digits: 0) } كم عن مواضع GNSS للصور كما يضعه { $crs }؛ المسموح: حتى { $most_km } كم. { $swapped ->
         [true] إذا تبادل x وy فهو قريب منها: x هو الشرق أو خط الطول
@@ -802,6 +815,11 @@ refusal-grid-lacks = شبكة ESRI ASCII: تنقصها { $name }؛ المسمو�
 refusal-grid-size = شبكة ESRI ASCII: أُعطي { $columns } من الأعمدة و{ $rows } من الصفوف بخلية { $cell }؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
 refusal-grid-height = شبكة ESRI ASCII: أُعطي { $word } بين الارتفاعات؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
 refusal-picture-without-place = الصورة المصححة: أُعطي { $format } لا يذكر موضعه؛ المسموح: GeoTIFF، أو ملف إحداثيات (world file) بجانب الصورة (.tfw، .jgw، .pgw، .wld)
+refusal-orthophoto-system =
+    نظام الإحداثيات المرجعي للصورة المصححة: أُعطي { $described ->
+        [none] لا شيء
+       *[other] { $described }، وهو موصوف دون رمز وبإسقاط غير مركاتور المستعرض ولامبرت المخروطي المطابق
+    }؛ المسموح: رمز EPSG، يكتبه مثلًا gdal_edit.py -a_srs EPSG:25832، أو لا شيء حيث للكتلة نظام مسقط
 refusal-nothing-above-ground = كتلة الموزاييك: ليس فيها صورة موجَّهة فوق الأرض؛ المسموح: صورة واحدة أو أكثر
 refusal-mosaic-pixel = ضلع بكسل الموزاييك: أُعطي { $gsd }؛ المسموح: { FIXED($least, digits: 4) } أو أكثر، حتى لا يتجاوز الموزاييك 100 ميغابكسل
 refusal-mosaic-image = صورة موزاييك: أُعطي الرقم { $image }؛ المسموح: رقم صورة من النموذج

@@ -259,21 +259,20 @@ refusal-measured-again = the table of image marks: got point '{ $point }' in ima
 refusal-unknown-crs = coordinate reference system: got { $crs }, a code that is unknown here, or of a projection or a kind that is not supported; allowed: EPSG codes of geographic and projected systems, or PROJ text
 refusal-crs-text = coordinate reference system: got { $crs }, which cannot be read ({ $reason }); allowed: an EPSG code (EPSG:25832), WKT, or PROJ text with one of the projections { $projections }
 refusal-geocentric-crs = coordinate reference system: got { $crs }, whose axes meet in the centre of the earth; allowed: geographic and projected systems
-refusal-crs-unit = coordinate reference system: got { $crs }, whose unit is { $unit_m } m; allowed: systems in metres or degrees
 refusal-crs-axes = coordinate reference system: got { $crs }, which states a datum shift and has north before east; allowed: east before north beside a stated shift
 refusal-no-datum-shift = coordinate reference system: got { $crs } ({ $name }), whose datum no known shift without a grid leads to WGS 84 from; allowed: PROJ text with +datum=WGS84, or with the shift as +towgs84 (+towgs84=0,0,0 where the datum is WGS 84 but for some decimetres)
 refusal-crs-area = coordinate reference system: got { $crs } at longitude { FIXED($longitude_deg, digits: 4) }°, latitude { FIXED($latitude_deg, digits: 4) }°, where no shift of its datum to WGS 84 is known; allowed: positions in { $areas }. Are the zone and the order of the coordinates right?
 refusal-crs-place =
     coordinates: got ({ $x }, { $y }), which lie outside { $crs }; allowed: { $degrees ->
         [true] longitude as x, -180 to 180, and latitude as y, -90 to 90, in degrees
-       *[false] easting as x and northing as y in m
+       *[false] easting as x and northing as y in the unit of this system
     }
 refusal-control-place =
     ground control point { $point }: got ({ $x }, { $y }), which lie outside { $crs }; allowed: { $degrees ->
         [true] longitude as x, -180 to 180, and latitude as y, -90 to 90, in degrees
-       *[false] easting as x and northing as y in m
+       *[false] easting as x and northing as y in the unit of this system
     }
-refusal-control-degrees = ground control point { $point }: got ({ $x }, { $y }), which look like degrees; allowed: easting as x and northing as y in m, as { $crs } has them
+refusal-control-degrees = ground control point { $point }: got ({ $x }, { $y }), which look like degrees; allowed: easting as x and northing as y, as { $crs } has them
 refusal-control-elsewhere =
     ground control point { $point }: got a place { FIXED($distance_km, digits: 0) } km from the GNSS positions of the images, as { $crs } has it; allowed: up to { $most_km } km. { $swapped ->
         [true] With x and y exchanged it lies near them: x is the easting or longitude
@@ -328,6 +327,11 @@ refusal-grid-lacks = ESRI ASCII grid: got no { $name }; allowed: ncols, nrows, x
 refusal-grid-size = ESRI ASCII grid: got { $columns } columns, { $rows } rows of { $cell }; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
 refusal-grid-height = ESRI ASCII grid: got { $word } among the heights; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
 refusal-picture-without-place = orthophoto: got a { $format } that does not say where it lies; allowed: a GeoTIFF, or a world file beside the image (.tfw, .jgw, .pgw, .wld)
+refusal-orthophoto-system =
+    coordinate reference system of an orthophoto: got { $described ->
+        [none] none
+       *[other] { $described }, which is described without a code and by no transverse Mercator or Lambert conformal conic projection
+    }; allowed: an EPSG code, which gdal_edit.py -a_srs EPSG:25832 writes, say, or nothing where the block has a projected system
 refusal-nothing-above-ground = block for a mosaic: got no oriented image above the ground; allowed: one or more
 refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { FIXED($least, digits: 4) } or more, so that the mosaic has at most 100 MP
 refusal-mosaic-image = image of a mosaic: got index { $image }; allowed: one of the model
@@ -845,6 +849,13 @@ remark-result-system =
        *[other] . Its heights count from a level of their own: heights of GNSS positions took no part. They are { FIXED($gnss_above_m, digits: 2) } m higher than those of the block, about the height of the geoid (--geoid-m) where they are above the ellipsoid
     }
 remark-no-result-system = the results are not in { $crs }: the block has no place on the earth, which GNSS positions or control points would give it
+remark-orthophoto-system-assumed = the orthophoto does not say its coordinate reference system: it is taken to be in { $crs }
+remark-orthophoto-converted =
+    places of the orthophoto were converted from { $orthophoto } to { $crs }{ $accuracy_m ->
+        [none] {""}
+       *[other] , accurate to { SIGNIFICANT($accuracy_m, digits: 1) } m by the shifts of their datums
+    }
+remark-orthophoto-units = the orthophoto has eastings and northings in units of { $unit_m } m; heights of its ground are taken in units of { $height_unit_m } m
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unknown-columns =
     columns of the table of control points are not understood and not read: { $columns }{ $columns_more ->
@@ -902,7 +913,10 @@ verdict-undecided = No match uses this point.
 
 # What came of the orthophoto that a block was given.
 on-orthophoto-linked =
-    The block lies in the system of the orthophoto, by { $points } places that { $linked } of { $images } images show{ $checks ->
+    { $in_crs ->
+        [true] The block is adjusted by the orthophoto in its coordinate reference system,
+       *[false] The block lies in the system of the orthophoto,
+    } by { $points } places that { $linked } of { $images } images show{ $checks ->
         [0] , without check points
         [one] ; 1 more checks it
        *[other] ; { $checks } more check it
@@ -914,7 +928,11 @@ on-orthophoto-not-linked = The block is not in the system of the orthophoto, and
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = it is not oriented
-not-linked-own-system = it has the coordinate reference system { $crs }: an orthophoto gives the block its own, without --crs
+not-linked-other-system =
+    its coordinate reference system is { $crs }, and nothing leads there from that of the orthophoto{ $orthophoto ->
+        [none] {""}
+       *[other] , { $orthophoto }
+    } ({ $failure }). Give --crs the system of the orthophoto, or reproject the orthophoto
 not-linked-few-images = { $placed } of { $images } images could be placed on the orthophoto, { $needed } are needed: does it show the same ground, and are the heights those of this ground?
 not-linked-few-points = { $points } places of its ground are shown by two images or more, { $needed } are needed
 not-linked-disagreement = { $rejected } of { $points } places of its ground contradict the block: check the heights

@@ -1,15 +1,16 @@
 //! A coordinate reference system as it is named: an EPSG code, PROJ text or WKT.
 
+use super::spelling::Spelling;
 use crate::error::refuse;
 use crate::text::shorten;
 use crate::{Error, Refusal};
-use proj_core::{AxisOrder, CrsDef, VerticalCrsKind};
+use proj_core::{AxisOrder, CrsDef, ProjectedCrsDef, VerticalCrsDef, VerticalCrsKind};
 use proj_wkt::{ParseError, parse_crs};
 
 /// The projections of PROJ texts.
-const PROJECTIONS: [&str; 17] = [
-    "longlat", "utm", "tmerc", "lcc", "merc", "webmerc", "stere", "sterea", "omerc", "krovak", "cass", "laea", "aea", "aeqd", "eqc",
-    "poly", "eqearth",
+const PROJECTIONS: [&str; 18] = [
+    "longlat", "utm", "tmerc", "lcc", "merc", "webmerc", "stere", "sterea", "omerc", "somerc", "krovak", "cass", "laea", "aea", "aeqd",
+    "eqc", "poly", "eqearth",
 ];
 
 /// What heights count from.
@@ -23,22 +24,26 @@ pub(crate) enum HeightReference {
     Unsaid,
 }
 
-/// A coordinate reference system that was read: geographic in degrees, or projected in m.
+/// A coordinate reference system that was read: geographic in degrees, or projected in a unit of length; heights in their own.
 #[derive(Debug, Clone)]
 pub(crate) struct Definition {
     text: String,
+    spelling: Spelling,
     crs: CrsDef,
+    /// Whether the text may state the shift to WGS 84: it names no datum that the registry has, and has east before north.
+    may_state_shift: bool,
 }
 
 impl Definition {
     /// Reads an EPSG code (`EPSG:25832`, `EPSG:25832+7837` with heights), PROJ text (`+proj=utm +zone=32 …`) or WKT.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for what is none of these, systems about the centre of the earth, and units other than degrees and metres.
+    /// [`Error::InvalidInput`] for what is none of these, and systems about the centre of the earth.
     pub fn read(text: &str) -> Result<Self, Error> {
         let text = text.trim();
         let named = shorten(text);
-        let crs = match parse_crs(text) {
+        let spelling = Spelling::of(text);
+        let crs = match parse_crs(&spelling.text) {
             Ok(crs) => crs,
             Err(ParseError::Core(proj_core::Error::UnknownCrs(_))) => return refuse(Refusal::UnknownCrs { crs: named }),
             Err(error) => {
@@ -49,16 +54,17 @@ impl Definition {
         if crs.is_geocentric() {
             return refuse(Refusal::GeocentricCrs { crs: named });
         }
-        let plane = crs.as_projected().map(|projected| projected.linear_unit_to_meter());
-        let up = crs.vertical_crs().map(|vertical| vertical.linear_unit_to_meter());
-        if let Some(unit_m) = plane.into_iter().chain(up).find(|unit_m| *unit_m != 1.0) {
-            return refuse(Refusal::CrsUnit { crs: named, unit_m });
-        }
         // A shift that the text states is applied in the order of axes that it states.
         if crs.datum().declares_shift() && crs.axis_order() != Some(AxisOrder::EastNorth) {
             return refuse(Refusal::CrsAxes { crs: named });
         }
-        Ok(Self { text: text.to_string(), crs: crs.with_axis_order(AxisOrder::EastNorth) })
+        let may_state_shift = crs.datum().declares_shift() || (crs.datum().epsg() == 0 && crs.axis_order() == Some(AxisOrder::EastNorth));
+        Ok(Self { text: text.to_string(), spelling, crs: crs.with_axis_order(AxisOrder::EastNorth), may_state_shift })
+    }
+
+    /// A system of the plane that no text defines, by its name.
+    pub(super) fn of(name: &str, crs: CrsDef) -> Self {
+        Self { text: name.into(), spelling: Spelling::none(), crs, may_state_shift: false }
     }
 
     /// As it was given.
@@ -66,8 +72,37 @@ impl Definition {
         &self.text
     }
 
+    /// As the library reads it.
+    pub(super) fn spelling(&self) -> &str {
+        &self.spelling.text
+    }
+
     pub(super) fn crs(&self) -> &CrsDef {
         &self.crs
+    }
+
+    /// Whether its text may state the shift to WGS 84, be it none at all, which the library does not tell from a shift that is not known.
+    pub(super) fn may_state_shift(&self) -> bool {
+        self.may_state_shift
+    }
+
+    /// The unit of eastings and northings in m; absent where coordinates are degrees.
+    pub fn unit_m(&self) -> Option<f64> {
+        self.crs.as_projected().map(ProjectedCrsDef::linear_unit_to_meter)
+    }
+
+    /// The unit of heights in m: metres where nothing says another, whatever that of eastings and northings is.
+    pub fn height_unit_m(&self) -> f64 {
+        let own = self.crs.vertical_crs().map(VerticalCrsDef::linear_unit_to_meter);
+        own.or(self.spelling.height_unit_m).unwrap_or(1.0)
+    }
+
+    /// Whether it has the plane coordinates of another.
+    pub fn has_plane_of(&self, other: &Self) -> bool {
+        match (self.crs.horizontal_crs(), other.crs.horizontal_crs()) {
+            (Some(own), Some(others)) => own.semantically_equivalent(&others),
+            _ => false,
+        }
     }
 
     /// The name that the registry has for it; the text where it has none.

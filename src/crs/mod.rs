@@ -5,9 +5,12 @@
 //! between native code and WebAssembly: what leaves this module is rounded (`rounding`).
 
 mod definition;
+mod described;
 mod operation;
 mod rounding;
+mod spelling;
 mod system;
 
 pub(crate) use definition::Definition;
+pub(crate) use described::{Described, Projection};
 pub(crate) use system::CoordinateSystem;

@@ -27,7 +27,7 @@ const NAMED_AREAS: usize = 5;
 pub(super) fn to_wgs84(definition: &Definition, place: [f64; 2]) -> Result<Transform, Error> {
     let interest = AreaOfInterest::geographic_point(Coord::new(place[0], place[1]));
     let options = SelectionOptions::new().with_area_of_interest(interest);
-    if definition.crs().datum().declares_shift() {
+    if definition.may_state_shift() {
         return stated(definition, options);
     }
     let Some((source, target)) = ends(definition) else { return refuse(no_shift(definition)) };
@@ -55,10 +55,10 @@ fn outside(definition: &Definition, [longitude_deg, latitude_deg]: [f64; 2], usa
     Refusal::CrsArea { crs: definition.name(), longitude_deg, latitude_deg, areas }
 }
 
-/// By the shift that the text states.
+/// By the shift that the text states, if it states one.
 fn stated(definition: &Definition, options: SelectionOptions) -> Result<Transform, Error> {
     let target = format!("EPSG:{WGS84}");
-    transform_from_crs_strings_horizontal_with_selection_options(definition.text(), &target, options)
+    transform_from_crs_strings_horizontal_with_selection_options(definition.spelling(), &target, options)
         .map_err(|_| no_shift(definition).into_error())
 }
 
@@ -87,7 +87,7 @@ pub(super) fn about(definition: &Definition, [x, y]: [f64; 2]) -> Result<[f64; 2
     let Some((plane, wgs84)) = ends(definition) else { return refuse(no_shift(definition)) };
     let to_degrees = match plane.base_geographic_crs_epsg().and_then(lookup_epsg) {
         Some(base) => Transform::from_crs_defs(&plane, &base).ok(),
-        None if plane.datum().declares_shift() => Some(stated(definition, SelectionOptions::new())?),
+        None if definition.may_state_shift() => Some(stated(definition, SelectionOptions::new())?),
         None => Transform::from_crs_defs(&plane, &wgs84).ok(),
     };
     let Some(to_degrees) = to_degrees else { return refuse(no_shift(definition)) };

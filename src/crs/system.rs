@@ -7,12 +7,12 @@ use crate::math::{cross, dot3, local_from_geographic, minus};
 use crate::{Error, Refusal};
 use proj_core::{Coord3D, Transform};
 
-/// Coordinates that do not come back from WGS 84 within this, in m or in parts of a degree as long, are outside the system.
-const RETURN_M: f64 = 1e-3;
+/// Coordinates that do not come back from WGS 84 within this, in the unit of the system or in parts of a degree as long as m, are outside it.
+const RETURN: f64 = 1e-3;
 const RETURN_DEG: f64 = 1e-8;
 
-/// Half the length over which the direction of an axis is taken, in m or parts of a degree about as long.
-const STEP_M: f64 = 1000.0;
+/// Half the length over which the direction of an axis is taken, in m, in the unit of the system or in parts of a degree about as long as m.
+const STEP: f64 = 1000.0;
 const STEP_DEG: f64 = 0.01;
 
 /// A coordinate reference system with the operation to WGS 84 that holds at a place.
@@ -75,7 +75,7 @@ impl CoordinateSystem {
     pub fn geographic(&self, position: [f64; 3]) -> Option<[f64; 3]> {
         let place = self.exact_geographic(position)?;
         let back = self.exact_coordinates(place)?;
-        let limit = if self.definition.is_geographic() { RETURN_DEG } else { RETURN_M };
+        let limit = if self.definition.is_geographic() { RETURN_DEG } else { RETURN };
         let returns = (0..2).all(|k| (back[k] - position[k]).abs() <= limit);
         let [longitude, latitude, height] = place;
         returns.then(|| [rounding::degrees(longitude), rounding::degrees(latitude), rounding::metres(height)])
@@ -93,9 +93,9 @@ impl CoordinateSystem {
     pub fn axes(&self, place: [f64; 3], origin: [f64; 3]) -> Option<[[f64; 3]; 3]> {
         let local = |place: [f64; 3]| local_from_geographic(place, origin);
         let [longitude, latitude, height] = place;
-        let up = unit(minus(&local([longitude, latitude, height + STEP_M]), &local([longitude, latitude, height - STEP_M])))?;
+        let up = unit(minus(&local([longitude, latitude, height + STEP]), &local([longitude, latitude, height - STEP])))?;
         let [x, y, z] = self.exact_coordinates(place)?;
-        let step = if self.definition.is_geographic() { STEP_DEG } else { STEP_M };
+        let step = if self.definition.is_geographic() { STEP_DEG } else { STEP };
         let at = |y: f64| Some(local(self.exact_geographic([x, y, z])?));
         let along = minus(&at(y + step)?, &at(y - step)?);
         let tilt = dot3(&along, &up);
@@ -104,7 +104,7 @@ impl CoordinateSystem {
     }
 
     fn exact_geographic(&self, [x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
-        converted(&self.to_wgs84, [x, y, z + self.geoid_m.unwrap_or(0.0)])
+        converted(&self.to_wgs84, [x, y, z * self.definition.height_unit_m() + self.geoid_m.unwrap_or(0.0)])
     }
 
     /// The inverse of a datum shift in the plane is not quite its way back, since heights are kept on both: what is missing is added.
@@ -117,7 +117,7 @@ impl CoordinateSystem {
             apart - 360.0 * (apart / 360.0).round()
         };
         let [x, y, z] = converted(&self.from_wgs84, [place[0] + missing(0), place[1] + missing(1), place[2]])?;
-        Some([x, y, z - self.geoid_m.unwrap_or(0.0)])
+        Some([x, y, (z - self.geoid_m.unwrap_or(0.0)) / self.definition.height_unit_m()])
     }
 }
 
@@ -201,6 +201,9 @@ mod tests {
             ("EPSG:4258", [10.0, 50.0, 100.0]),
             ("EPSG:4937", [10.0, 50.0, 100.0]),
             ("+proj=utm +zone=32 +datum=WGS84", [691_000.25, 5_334_000.5, 500.0]),
+            ("+proj=utm +zone=32 +ellps=GRS80 +towgs84=0,0,0", [691_000.25, 5_334_000.5, 500.0]),
+            ("EPSG:2227", [6_048_000.0, 2_120_000.0, 30.0]),
+            ("EPSG:2227+6360", [6_048_000.0, 2_120_000.0, 100.0]),
         ] {
             let system = system(crs, None, [position[0], position[1]]);
             let back = system.coordinates(system.geographic(position).unwrap()).unwrap();
@@ -223,6 +226,69 @@ mod tests {
         assert_eq!(system("EPSG:4979", None, [10.0, 50.0]).geoid_m(), Some(0.0));
         let refused = CoordinateSystem::about(Definition::read("EPSG:4979").unwrap(), Some(46.5), [10.0, 50.0]).err().unwrap();
         assert!(matches!(refused, Error::InvalidInput { refusal } if matches!(refusal, Refusal::GeoidOfEllipsoid { .. })));
+    }
+
+    /// Stem, L. 1989, State Plane Coordinate System of 1983, NOAA Manual NOS NGS 5: California zone 3.
+    const CALIFORNIA_3: &str = "+proj=lcc +lat_0=36.5 +lon_0=-120.5 +lat_1=37.0666666666666667 +lat_2=38.4333333333333333 +x_0=2000000 \
+        +y_0=500000 +datum=NAD83";
+
+    #[test]
+    fn systems_in_feet_are_those_in_metres() {
+        const FOOT_US: f64 = 1200.0 / 3937.0;
+        let at = [1_843_000.0, 646_000.0];
+        let metres = system("EPSG:26943", None, at).geographic([at[0], at[1], 12.0]).unwrap();
+        let text = |units: &str| format!("{CALIFORNIA_3} +towgs84=0,0,0 {units}");
+        for (crs, unit, height_unit) in [
+            ("EPSG:2227".to_string(), FOOT_US, 1.0),
+            ("EPSG:2227+6360".to_string(), FOOT_US, FOOT_US),
+            (format!("{CALIFORNIA_3} +units=us-ft"), FOOT_US, 1.0),
+            (text("+units=us-ft"), FOOT_US, 1.0),
+            (text("+units=ft +vunits=us-ft"), 0.3048, FOOT_US),
+            (text("+to_meter=0.3048 +vto_meter=0.3048"), 0.3048, 0.3048),
+        ] {
+            let in_feet = [at[0] / unit, at[1] / unit, 12.0 / height_unit];
+            let feet = system(&crs, None, [in_feet[0], in_feet[1]]);
+            let place = feet.geographic(in_feet).unwrap();
+            assert!((0..2).all(|k| (place[k] - metres[k]).abs() < 1.1e-8) && (place[2] - 12.0).abs() < 1e-4, "{crs}: {place:?} {metres:?}");
+            let back = feet.coordinates(place).unwrap();
+            assert!((0..3).all(|k| (back[k] - in_feet[k]).abs() < 1e-3), "{crs}: {back:?}");
+            let known = (feet.definition().unit_m().unwrap(), feet.definition().height_unit_m());
+            assert!((known.0 - unit).abs() < 1e-12 && (known.1 - height_unit).abs() < 1e-12, "{crs}: {known:?}");
+        }
+    }
+
+    #[test]
+    fn a_system_has_one_plane_in_all_its_spellings() {
+        let read = |crs: &str| Definition::read(crs).unwrap();
+        assert!(read("EPSG:25832+7837").has_plane_of(&read("EPSG:25832")) && read("epsg:2227").has_plane_of(&read("EPSG:2227+6360")));
+        for other in ["EPSG:25833", "EPSG:32632", "EPSG:4258", "EPSG:4979"] {
+            assert!(!read("EPSG:25832").has_plane_of(&read(other)), "{other}");
+        }
+        assert!(!read("EPSG:26943").has_plane_of(&read("EPSG:2227")));
+    }
+
+    #[test]
+    fn swiss_coordinates_are_read_from_text() {
+        const LV95: &str = "+proj=somerc +lat_0=46.9524055555556 +lon_0=7.43958333333333 +k_0=1 +x_0=2600000 +y_0=1200000 +ellps=bessel \
+            +towgs84=674.374,15.056,405.346 +units=m +no_defs";
+        let lv03 = LV95.replace("2600000", "600000").replace("1200000", "200000");
+        let of_gdal = r#"PROJCS["CH1903+ / LV95",GEOGCS["CH1903+",DATUM["CH1903+",SPHEROID["Bessel 1841",6377397.155,299.1528128],TOWGS84[674.374,15.056,405.346,0,0,0,0]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],PROJECTION["Hotine_Oblique_Mercator_Azimuth_Center"],PARAMETER["latitude_of_center",46.9524055555556],PARAMETER["longitude_of_center",7.43958333333333],PARAMETER["azimuth",90],PARAMETER["rectified_grid_angle",90],PARAMETER["scale_factor",1],PARAMETER["false_easting",2600000],PARAMETER["false_northing",1200000],UNIT["metre",1],AXIS["Easting",EAST],AXIS["Northing",NORTH]]"#;
+        let older = of_gdal
+            .replace("Hotine_Oblique_Mercator_Azimuth_Center", "Swiss_Oblique_Cylindrical")
+            .replace("PARAMETER[\"azimuth\",90],PARAMETER[\"rectified_grid_angle\",90],", "");
+        let tagged = of_gdal.replace("AXIS[\"Northing\",NORTH]]", "AXIS[\"Northing\",NORTH],AUTHORITY[\"EPSG\",\"2056\"]]");
+        let tagged = tagged.replace("DATUM[\"CH1903+\",SPHEROID[\"Bessel 1841\",6377397.155,299.1528128],TOWGS84[674.374,15.056,405.346,0,0,0,0]]", "DATUM[\"CH1903+\",SPHEROID[\"Bessel 1841\",6377397.155,299.1528128,AUTHORITY[\"EPSG\",\"7004\"]],AUTHORITY[\"EPSG\",\"6150\"]]");
+        for at in [[2_700_000.0, 1_100_000.0], [2_485_000.0, 1_110_000.0], [2_830_000.0, 1_180_000.0]] {
+            let known = system("EPSG:2056", None, at).geographic([at[0], at[1], 600.0]).unwrap();
+            for crs in [LV95, of_gdal, &older, &tagged] {
+                let place = system(crs, None, at).geographic([at[0], at[1], 600.0]).unwrap();
+                let apart = off(place, [known[0], known[1]]);
+                assert!(apart.iter().all(|d| d.abs() < 2e-3), "{crs}: {apart:?}");
+            }
+            let former = [at[0] - 2e6, at[1] - 1e6];
+            let place = system(&lv03, None, former).geographic([former[0], former[1], 600.0]).unwrap();
+            assert!(off(place, [known[0], known[1]]).iter().all(|d| d.abs() < 2e-3), "{place:?}");
+        }
     }
 
     #[test]
@@ -258,7 +324,6 @@ mod tests {
             ("+proj=utm +zone=77 +datum=WGS84", "cannot be read"),
             ("PROJCS[\"half", "cannot be read"),
             ("EPSG:4978", "centre of the earth"),
-            ("EPSG:2227", "0.3048006"),
             ("+proj=utm +zone=32 +ellps=GRS80 +units=m", "+towgs84"),
             ("+proj=tmerc +lat_0=0 +lon_0=12 +x_0=4500000 +ellps=bessel +nadgrids=BETA2007.gsb +units=m", "without a grid"),
         ] {

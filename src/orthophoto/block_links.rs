@@ -2,6 +2,7 @@
 
 use super::adjusting::{PlaceErrors, PlacingCamera, variance_px2};
 use super::heights::Heights;
+use super::into_system::IntoSystem;
 use super::links::{Found, MEASURED_PX, height_spread};
 use super::options::PlacingOptions;
 use super::outcome::{LinkUse, PlacedImage, Placement, PlacingVerdict};
@@ -10,8 +11,8 @@ use super::rectify::Seen;
 use super::reference::Orthophoto;
 use crate::math::{dot3, median, minus};
 use crate::pipeline::GroundPoint;
-use crate::text::shorten;
 use crate::{BlockRun, ControlRole, Error, GreyView, NotLinked, Pose};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Images that are placed, at least.
@@ -47,7 +48,8 @@ struct Seeing {
 
 impl BlockLinks {
     /// Places an image of an oriented block, with the camera that the block has adjusted: near where those that were placed before have it,
-    /// otherwise anywhere. `None` for an image that is not oriented.
+    /// otherwise anywhere. `None` for an image that is not oriented, and where nothing leads from the orthophoto into the coordinate reference system of the
+    /// block, as [`linked`](Self::linked) then says. A block with one has placements in m, whatever the unit of the orthophoto is.
     ///
     /// # Errors
     /// As [`place_image`].
@@ -61,12 +63,16 @@ impl BlockLinks {
         options: &PlacingOptions,
     ) -> Result<Option<&PlacedImage>, Error> {
         let Some(known) = PlacingCamera::of_block(run, image) else { return Ok(None) };
+        let reference = match IntoSystem::of(run, reference) {
+            Ok(into) => in_metres(into.as_ref(), reference),
+            Err(_) => return Ok(None),
+        };
         // The block has check points of its own.
         let all = PlacingOptions { check_share: 0.0, ..options.clone() };
-        let near = self.expected(run, image).map(|pose| place_near(grey, &known, reference, &pose, &all)).transpose()?;
+        let near = self.expected(run, image).map(|pose| place_near(grey, &known, &reference, &pose, &all)).transpose()?;
         let found = match near.filter(|found| found.placement.is_some()) {
             Some(found) => found,
-            None => place_image(grey, &known, reference, area, &all)?,
+            None => place_image(grey, &known, &reference, area, &all)?,
         };
         self.placed.insert(image, found);
         Ok(self.placed.get(&image))
@@ -102,8 +108,8 @@ impl BlockLinks {
         Some(Pose { rotation, position })
     }
 
-    /// The block in the system of the orthophoto: adjusted by places of the ground that two images or more show, beside its tie points and
-    /// ground control points. A share of the places takes no part and checks it. What came of it is `orthophoto` of the block, which is as it was where it
+    /// The block in the system of the orthophoto, or in the coordinate reference system that it has: adjusted by places of the ground that two images
+    /// or more show, beside its tie points and ground control points, and beside its GNSS positions where it has such a system. A share of the places takes no part and checks it. What came of it is `orthophoto` of the block, which is as it was where it
     /// could not be linked.
     ///
     /// # Errors
@@ -113,14 +119,20 @@ impl BlockLinks {
         if oriented == 0 {
             return Ok(run.not_linked(NotLinked::NotOriented));
         }
-        if let Some(crs) = &run.input.settings.placing.crs {
-            return Ok(run.not_linked(NotLinked::OwnSystem { crs: shorten(crs) }));
-        }
+        let into = match IntoSystem::of(run, reference) {
+            Ok(into) => into,
+            Err(not_linked) => return Ok(run.not_linked(not_linked)),
+        };
         let placed = self.sure().count();
         if placed < LEAST_IMAGES {
             return Ok(run.not_linked(NotLinked::FewImages { placed, images: oriented, needed: LEAST_IMAGES }));
         }
-        run.on_ground(&self.points(reference, options))
+        let points = self.points(&in_metres(into.as_ref(), reference), options);
+        match into.map(|into| into.taken(points.clone(), reference)).transpose() {
+            Ok(None) => run.on_ground(&points, &[]),
+            Ok(Some((points, remarks))) => run.on_ground(&points, &remarks),
+            Err(not_linked) => Ok(run.not_linked(not_linked)),
+        }
     }
 
     /// The places of the ground, of which each square gives one.
@@ -178,6 +190,11 @@ impl BlockLinks {
         let at = [0, 1].map(|k| link.at[k] + there[k] - here[k]);
         placement.camera.sees(at[0], at[1]).then_some(at)
     }
+}
+
+/// The orthophoto in m where it goes into a coordinate reference system, else as it is.
+fn in_metres<'a>(into: Option<&IntoSystem>, reference: &'a Orthophoto) -> Cow<'a, Orthophoto> {
+    into.map_or(Cow::Borrowed(reference), |into| Cow::Owned(into.in_metres(reference)))
 }
 
 /// Of the links of a square the one whose place most images show, of equal ones that on the most level ground; with the nearest link of each of these

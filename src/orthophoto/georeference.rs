@@ -99,6 +99,13 @@ impl Georeference {
         Self { origin: self.ground([column as f64, row as f64]), ..*self }
     }
 
+    /// In a system whose coordinates are so many times as large.
+    pub(super) fn enlarged(&self, factor: f64) -> Self {
+        let Self { origin, by_column, by_row } = *self;
+        let [origin, by_column, by_row] = [origin, by_column, by_row].map(|vector| vector.map(|v| factor * v));
+        Self { origin, by_column, by_row }
+    }
+
     /// In a system whose origin is that place of this one.
     pub(super) fn about(&self, place: [f64; 2]) -> Self {
         Self { origin: [0, 1].map(|k| self.origin[k] - place[k]), ..*self }

@@ -19,6 +19,10 @@ pub struct HeightModel {
     values: Arc<Vec<f32>>,
     /// Lowest and highest.
     range: [f64; 2],
+    /// Heights are so many times the values.
+    factor: f64,
+    /// The unit of the heights in m, where the file says it.
+    unit_m: Option<f64>,
 }
 
 /// What is known of the height of the ground.
@@ -43,6 +47,29 @@ impl Heights {
         match self {
             Self::Level(height) => [*height; 2],
             Self::Model(model) => model.range,
+        }
+    }
+
+    /// The unit of heights in m: metres, unless their file says otherwise.
+    pub(super) fn unit_m(&self) -> f64 {
+        match self {
+            Self::Level(_) => 1.0,
+            Self::Model(model) => model.unit_m.unwrap_or(1.0),
+        }
+    }
+
+    /// In m; an easting and a northing of 1 are so many.
+    pub(super) fn in_metres(&self, plane_m: f64) -> Self {
+        let height_m = self.unit_m();
+        match self {
+            Self::Level(height) => Self::Level(*height),
+            Self::Model(model) => Self::Model(HeightModel {
+                georeference: model.georeference.enlarged(plane_m),
+                range: model.range.map(|height| height_m * height),
+                factor: height_m * model.factor,
+                unit_m: None,
+                ..model.clone()
+            }),
         }
     }
 
@@ -80,7 +107,7 @@ impl HeightModel {
             let [low, high] = range;
             return refuse(Refusal::HeightRange { low, high });
         }
-        Ok(Self { georeference: georeference.checked()?, width, height, values: Arc::new(values), range })
+        Ok(Self { georeference: georeference.checked()?, width, height, values: Arc::new(values), range, factor: 1.0, unit_m: None })
     }
 
     /// Reads a GeoTIFF of whole or floating-point numbers, or an ESRI ASCII grid. `world_file`: where a TIFF lies that does not say so.
@@ -97,7 +124,7 @@ impl HeightModel {
         }
     }
 
-    /// Width and height, and the heights row by row.
+    /// Width and height, and the heights row by row, as they were given.
     pub(crate) fn raster(&self) -> ([usize; 2], &[f32]) {
         ([self.width, self.height], &self.values)
     }
@@ -137,7 +164,7 @@ impl HeightModel {
         };
         let hole = tags.no_data.map(|v| v as f32);
         let values = values.into_iter().map(|v| if Some(v) == hole { f32::NAN } else { v }).collect();
-        Self::new(width, height, values, georeference)
+        Ok(Self { unit_m: tags.system.height_unit_m, ..Self::new(width, height, values, georeference)? })
     }
 
     /// # Source
@@ -184,7 +211,7 @@ impl HeightModel {
         };
         let above = share(0, 0, (1.0 - s) * (1.0 - t)) + share(1, 0, s * (1.0 - t));
         let height = above + share(0, 1, (1.0 - s) * t) + share(1, 1, s * t);
-        height.is_finite().then_some(height)
+        height.is_finite().then_some(self.factor * height)
     }
 }
 
@@ -204,6 +231,21 @@ mod tests {
         let centred = GRID.replace("xllcorner 100", "xllcenter 105").replace("yllcorner 50", "yllcenter 55");
         let centred = HeightModel::read(centred.as_bytes(), None).unwrap();
         assert_eq!((centred.georeference, centred.range), (model.georeference, model.range));
+    }
+
+    #[test]
+    fn heights_in_feet_become_metres_with_their_places() {
+        const FOOT_M: f64 = 0.3048;
+        let model = HeightModel { unit_m: Some(FOOT_M), ..HeightModel::read(GRID.as_bytes(), None).unwrap() };
+        let [own, metric] = [Heights::Model(model.clone()), Heights::Model(model).in_metres(0.5)];
+        for place in [[105.0, 65.0], [110.0, 60.0], [101.0, 69.0]] {
+            assert_eq!(metric.at(place.map(|v| 0.5 * v)), own.at(place).map(|height| FOOT_M * height));
+        }
+        assert_eq!((metric.range(), metric.at([61.5, 29.0])), ([FOOT_M, 5.0 * FOOT_M], None));
+        // In m it is what it is.
+        let again = metric.in_metres(1.0);
+        assert_eq!((again.range(), again.at([52.5, 32.5])), (metric.range(), metric.at([52.5, 32.5])));
+        assert_eq!((Heights::Level(7.0).in_metres(0.3), Heights::Level(7.0).unit_m()), (Heights::Level(7.0), 1.0));
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! then fine) → `adjusting` (the bundle adjustment of one image, its `precision`) → `verdict` → [`PlacedImage`].
 //!
 //! A block: `block_links` (images placed by themselves or near where the others of the block have them) → places of the ground that several images
-//! show → [`BlockRun`](crate::BlockRun) adjusted by them.
+//! show → in the coordinate reference system of the block, where it has one (`into_system`) → [`BlockRun`](crate::BlockRun) adjusted by them.
 //!
 //! The other way round: an oriented block → `mosaic` → a picture of the ground, which `write` makes a GeoTIFF.
 
@@ -19,6 +19,7 @@ mod footprint;
 mod georeference;
 mod geotiff;
 mod heights;
+mod into_system;
 mod links;
 mod mosaic;
 mod options;

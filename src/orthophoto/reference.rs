@@ -1,7 +1,7 @@
 //! An orthophoto as the reference of images.
 
 use super::georeference::Georeference;
-use super::geotiff::{GeoTags, refuse_degrees};
+use super::geotiff::{GeoTags, SaidSystem, refuse_degrees};
 use super::heights::{HeightModel, Heights};
 use super::parts::Parts;
 use super::picture::Picture;
@@ -20,6 +20,8 @@ pub struct Orthophoto {
     pub heights: Heights,
     /// The EPSG code of its system, where the file tells one.
     pub epsg: Option<u16>,
+    /// What the file says of its system beside that.
+    said: SaidSystem,
 }
 
 /// Grey value of pixels that show nothing, where a file does not name another.
@@ -41,7 +43,8 @@ impl Orthophoto {
     /// [`Error::InvalidInput`] for a georeference that places nothing.
     pub fn new(grey: GreyImage, georeference: Georeference, heights: Heights) -> Result<Self, Error> {
         let nothing: Vec<bool> = grey.data().iter().map(|value| *value == EMPTY).collect();
-        Ok(Self { georeference: georeference.checked()?, heights, epsg: None, picture: Picture::whole(grey, &nothing) })
+        let picture = Picture::whole(grey, &nothing);
+        Ok(Self { georeference: georeference.checked()?, heights, epsg: None, said: SaidSystem::default(), picture })
     }
 
     /// Reads a GeoTIFF, or any image with a world file beside it.
@@ -84,7 +87,7 @@ impl Orthophoto {
         if georeference.is_in_degrees(picture.size()) {
             return refuse_degrees();
         }
-        Ok(Self { picture, georeference: georeference.checked()?, heights, epsg: tags.epsg })
+        Ok(Self { picture, georeference: georeference.checked()?, heights, epsg: tags.system.epsg, said: tags.system })
     }
 
     /// Width and height in px.
@@ -123,6 +126,16 @@ impl Orthophoto {
             }
         };
         Ok([write_geotiff(&picture, self.epsg)?, heights?])
+    }
+
+    /// What its file says of its system, with the code that it has now.
+    pub(super) fn said(&self) -> SaidSystem {
+        SaidSystem { epsg: self.epsg, ..self.said.clone() }
+    }
+
+    /// In m: an easting and a northing of 1 are so many, heights are metres unless their file says otherwise.
+    pub(super) fn in_metres(&self, unit_m: f64) -> Self {
+        Self { georeference: self.georeference.enlarged(unit_m), heights: self.heights.in_metres(unit_m), ..self.clone() }
     }
 
     /// In a system whose origin is that place of this one.

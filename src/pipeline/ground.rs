@@ -3,11 +3,12 @@
 use super::edited::confidences;
 use super::points::reconstruction_options;
 use super::state::describe;
-use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, RunInput};
+use super::system::system_of;
+use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, Remark, RunInput};
 use crate::error::refuse;
 use crate::formats::{ground_control_table, image_measurement_table};
-use crate::math::median;
-use crate::reconstruction::with_further_control;
+use crate::math::{dot3, median};
+use crate::reconstruction::{origin_of, with_further_control};
 use crate::{
     BlockDescription, ControlRole, Error, Failure, GroundControlRow, ImageMeasurementRow, ObservationVerdict, PointSource,
     ReconstructedModel, Refusal, parse_ground_control_points, parse_image_measurements,
@@ -41,14 +42,16 @@ pub(crate) struct GroundPoint {
 }
 
 impl BlockRun {
-    /// The block as it was found, adjusted anew in the system of these points, beside ground control points that were given; edits by hand are
-    /// not kept. Points that contradict the others are rejected and stay in its table of ground control points. Where most do, or where the
+    /// The block as it was found, adjusted anew in the system of these points, beside ground control points that were given, and GNSS positions
+    /// where this is its coordinate reference system; edits by hand are not kept. `remarks`: what is to be said of the orthophoto. Points that contradict the others are rejected and stay in its table of ground control points. Where most do, or where the
     /// ground control points contradict them, the block is not changed.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for ground control points of the same names.
-    pub(crate) fn on_ground(&self, points: &[GroundPoint]) -> Result<Self, Error> {
-        let found = self.found();
+    pub(crate) fn on_ground(&self, points: &[GroundPoint], remarks: &[Remark]) -> Result<Self, Error> {
+        let mut found = self.found();
+        found.remarks.retain(|remark| !remark.is_of_orthophoto());
+        found.remarks.extend_from_slice(remarks);
         match Ground::new(&found, points)?.adjusted()? {
             Ok(run) => Ok(run),
             Err(not_linked) => Ok(found.not_linked(not_linked)),
@@ -137,7 +140,7 @@ impl<'a> Ground<'a> {
             last = self.attempt(if places { &checking } else { &self.own })?;
         }
         let attempt = match last {
-            Ok(attempt) if places => match contradiction(&attempt.model, &self.own) {
+            Ok(attempt) if places => match contradiction(&attempt, &self.own)? {
                 Some(contradiction) => return Ok(Err(contradiction)),
                 None => self.attempt(&self.own)?,
             },
@@ -155,9 +158,17 @@ impl<'a> Ground<'a> {
         let points = ground_control_table(&[own, &self.added].concat());
         let texts = ControlTexts { points, marks: image_measurement_table(&self.measurements) };
         let input = RunInput { control: Some(texts), ..found.input.clone() };
-        let checked = input.clone().checked()?;
-        let (description, _) = describe(&checked, &found.images, &found.cameras)?;
-        Ok(match with_further_control(model, &description, &reconstruction_options(&checked.settings)) {
+        let described = input.clone().checked().and_then(|checked| {
+            let (description, _) = describe(&checked, &found.images, &found.cameras)?;
+            Ok((checked.settings, description))
+        });
+        let (settings, description) = match described {
+            Ok(described) => described,
+            // What was given could be in the system: the places of the orthophoto cannot.
+            Err(error) if has_crs(&input) => return Ok(Err(NotLinked::Failed { failure: Failure::from(&error) })),
+            Err(error) => return Err(error),
+        };
+        Ok(match with_further_control(model, &description, &reconstruction_options(&settings)) {
             Ok(model) if model.in_system => Ok(Attempt { input, description, model }),
             Ok(_) => Err(NotLinked::Disagreement { rejected: self.added.len(), points: self.added.len() }),
             Err(error) if error.is_usage() => return Err(error),
@@ -208,6 +219,7 @@ impl<'a> Ground<'a> {
             points: self.used(ControlRole::Control),
             checks: self.used(ControlRole::Check),
             rejected: role(None).count(),
+            in_crs: has_crs(&input),
         };
         let confidence = confidences(found);
         let mut reconstruction = found.reconstruction.clone().unwrap_or_default();
@@ -216,20 +228,42 @@ impl<'a> Ground<'a> {
         for other in &mut reconstruction.models[1..] {
             (other.in_system, other.surveyed) = (false, Vec::new());
         }
-        reconstruction.origin = None;
+        reconstruction.origin = origin_of(&description)?;
         let model = reconstruction.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
         Ok(BlockRun { input, reconstruction: Ok(reconstruction), model, orthophoto: Some(outcome), ..found.clone() })
     }
 }
 
+fn has_crs(input: &RunInput) -> bool {
+    input.settings.placing.crs.is_some()
+}
+
 /// Whether the ground control points of a block that lies where the orthophoto has it are all elsewhere: by the medians of their differences,
-/// since errors of the orthophoto as a whole are common to them.
-fn contradiction(model: &ReconstructedModel, own: &[GroundControlRow]) -> Option<NotLinked> {
+/// since errors of the orthophoto as a whole are common to them. They are given along the axes of the coordinate reference system, where the block has one.
+fn contradiction(attempt: &Attempt, own: &[GroundControlRow]) -> Result<Option<NotLinked>, Error> {
     let names: BTreeSet<&str> = own.iter().map(|row| row.name.as_str()).collect();
-    let given = || model.surveyed.iter().filter(|point| names.contains(point.name.as_str()));
+    let given = || attempt.model.surveyed.iter().filter(|point| names.contains(point.name.as_str()));
     let middle = |k: usize| median(&mut given().map(|point| point.difference_m[k]).collect::<Vec<_>>());
     let error = |k: usize| median(&mut given().filter_map(|point| point.standard_errors_m[k]).collect::<Vec<_>>());
     let differs = |k: usize| matches!((middle(k), error(k)), (Some(difference), Some(error)) if difference.abs() > GROSS * error);
-    let [x_m, y_m, z_m] = [0, 1, 2].map(|k| middle(k).unwrap_or(0.0));
-    (0..3).any(differs).then_some(NotLinked::Contradiction { x_m, y_m, z_m })
+    if !(0..3).any(differs) {
+        return Ok(None);
+    }
+    let apart = [0, 1, 2].map(|k| middle(k).unwrap_or(0.0));
+    let [x_m, y_m, z_m] = match attempt.axes()? {
+        Some(axes) => axes.map(|axis| dot3(&axis, &apart)),
+        None => apart,
+    };
+    Ok(Some(NotLinked::Contradiction { x_m, y_m, z_m }))
+}
+
+impl Attempt {
+    /// The directions of the axes of the coordinate reference system in the middle of the block; absent without one.
+    fn axes(&self) -> Result<Option<[[f64; 3]; 3]>, Error> {
+        let Some(origin) = origin_of(&self.description)?.map(|origin| [origin.longitude_deg, origin.latitude_deg, origin.height_m]) else {
+            return Ok(None);
+        };
+        let system = system_of(&self.input.settings.placing, None, &[[origin[0], origin[1]]])?;
+        Ok(system.and_then(|system| system.axes(origin, origin)))
+    }
 }

@@ -10,8 +10,17 @@ messages! {
     #[serde(tag = "kind", rename_all = "snake_case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     pub enum OnOrthophoto as "on_orthophoto" {
-        /// The block lies in its system, by so many places of its ground; others check it, or were rejected. `linked` of `images` show one.
-        Linked { linked: usize, images: usize, points: usize, checks: usize, rejected: usize },
+        /// The block is adjusted by so many places of the orthophoto's ground; others check it, or were rejected. `linked` of `images` show one. It lies
+        /// in the system of the orthophoto, or, `in_crs`, in the coordinate reference system that it has.
+        Linked {
+            linked: usize,
+            images: usize,
+            points: usize,
+            checks: usize,
+            rejected: usize,
+            #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+            in_crs: bool,
+        },
         /// The block is as it was without it.
         NotLinked { not_linked: NotLinked },
     }
@@ -25,8 +34,8 @@ messages! {
     pub enum NotLinked as "not_linked" {
         /// The block has no orientation.
         NotOriented,
-        /// The block has a coordinate reference system of its own.
-        OwnSystem { crs: String },
+        /// The block has a coordinate reference system that nothing leads to from that of the orthophoto.
+        OtherSystem { orthophoto: Option<String>, crs: String, failure: Failure },
         /// Too few images were placed on it.
         FewImages { placed: usize, images: usize, needed: usize },
         /// Too few places of its ground are shown by two images or more.

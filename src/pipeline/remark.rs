@@ -26,10 +26,24 @@ messages! {
         /// The coordinate reference system of tables; the operation from it to WGS 84 with its accuracy, where the registry has one; how much higher GNSS
         /// positions are than where the block has them, where their heights took no part.
         ResultSystem { crs: String, operation: Option<String>, accuracy_m: Option<f64>, gnss_above_m: Option<f64> },
+        /// The orthophoto does not say its coordinate reference system and is taken to be in that of the block.
+        OrthophotoSystemAssumed { crs: String },
+        /// Places of the orthophoto were converted to the coordinate reference system of the block; the accuracy of the shifts of their datums, where
+        /// these are two.
+        OrthophotoConverted { orthophoto: String, crs: String, accuracy_m: Option<f64> },
+        /// Coordinates of the orthophoto, or heights of its ground, are not in m.
+        OrthophotoUnits { unit_m: f64, height_unit_m: f64 },
         /// The block has no place on the earth that would be in the system that was chosen.
         NoResultSystem { crs: String },
         /// The block comes from a project file that holds less than is known of a block.
         OlderProject { version: u32 },
+    }
+}
+
+impl Remark {
+    /// Whether it is of the orthophoto that a block was given.
+    pub(super) fn is_of_orthophoto(&self) -> bool {
+        matches!(self, Self::OrthophotoSystemAssumed { .. } | Self::OrthophotoConverted { .. } | Self::OrthophotoUnits { .. })
     }
 }
 

@@ -62,6 +62,14 @@ impl Frame {
     }
 }
 
+/// Where (0, 0, 0) of the system of a block is; absent where it has no place on the earth.
+///
+/// # Errors
+/// [`Error::InvalidInput`] for observed positions of different kinds.
+pub(crate) fn origin_of(description: &BlockDescription) -> Result<Option<GeographicOrigin>, Error> {
+    Frame::new(description).map(|frame| frame.origin)
+}
+
 /// Whether positions are geographic; `None` where there are none or of both kinds.
 fn is_geographic(positions: &[ObservedPosition]) -> Option<bool> {
     let first = place(positions.first()?).is_some();

@@ -30,6 +30,7 @@ mod surveyed;
 mod units;
 mod warning;
 
+pub(crate) use frame::origin_of;
 pub use options::ReconstructionOptions;
 pub(crate) use readjust::{Changed, ObservedPoint, ObservedRay, RayPart, RayWeight, readjust, with_further_control};
 pub use reconstruct::reconstruct_block;

@@ -9,7 +9,7 @@ options! {
     pub struct GeoreferencingOptions in "placing" {
         section "Coordinate system";
 
-        /// The coordinate reference system of the control points, in which tables give the results, too: an EPSG code (EPSG:25832), PROJ text or WKT. GNSS positions and control points then georeference the block together.
+        /// The coordinate reference system of the control points, in which tables give the results, too: an EPSG code (EPSG:25832), PROJ text or WKT. GNSS positions, control points and an orthophoto then georeference the block together.
         crs: Option<String> = None, "Coordinate system", absent "control points are in a system of their own, in m; results in theirs, or in one that touches the earth at the block";
 
         /// The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights.

@@ -1,0 +1,139 @@
+//! The way from an orthophoto into the coordinate reference system of a block.
+
+use super::geotiff::SaidSystem;
+use super::reference::Orthophoto;
+use crate::crs::{CoordinateSystem, Definition, Described};
+use crate::error::refuse;
+use crate::math::median;
+use crate::pipeline::GroundPoint;
+use crate::text::shorten;
+use crate::{BlockRun, Error, Failure, NotLinked, Refusal, Remark};
+
+/// How places of an orthophoto come into the coordinate reference system of a block.
+///
+/// Images are placed on the orthophoto in m, whatever its unit is; heights count from where those of the block's system do.
+#[derive(Debug)]
+pub(super) struct IntoSystem {
+    orthophoto: Definition,
+    block: Definition,
+    /// Whether the orthophoto says nothing of its system, and is taken to be in that of the block.
+    is_assumed: bool,
+    /// The unit of its eastings and northings in m.
+    unit_m: f64,
+}
+
+impl IntoSystem {
+    /// Absent where the block has no coordinate reference system: it is taken into that of the orthophoto.
+    ///
+    /// # Errors
+    /// [`NotLinked::OtherSystem`] where nothing leads from one to the other at the middle of the orthophoto.
+    pub fn of(run: &BlockRun, orthophoto: &Orthophoto) -> Result<Option<Self>, NotLinked> {
+        let Some(crs) = &run.input.settings.placing.crs else { return Ok(None) };
+        let said = orthophoto.said();
+        let not_linked = |error: &Error| NotLinked::OtherSystem {
+            orthophoto: said.epsg.map(name_of).or_else(|| named(&said)),
+            crs: shorten(crs),
+            failure: Failure::from(error),
+        };
+        let into = Self::between(&said, crs).map_err(|error| not_linked(&error))?;
+        let middle = orthophoto.georeference.ground(orthophoto.size().map(|side| 0.5 * side as f64));
+        into.conversion(middle.map(|v| into.unit_m * v)).map_err(|error| not_linked(&error))?;
+        Ok(Some(into))
+    }
+
+    fn between(said: &SaidSystem, crs: &str) -> Result<Self, Error> {
+        let block = Definition::read(crs)?;
+        let is_assumed = said.epsg.is_none() && said.described.is_none();
+        let orthophoto = match (said.epsg, &said.described) {
+            (Some(code), _) => Definition::read(&name_of(code))?,
+            (None, None) if !block.is_geographic() => block.clone(),
+            (None, _) => match said.parameters.as_ref().and_then(Described::definition) {
+                Some(described) => described,
+                None => return refuse(Refusal::OrthophotoSystem { described: named(said) }),
+            },
+        };
+        let unit_m = said.unit_m.or(orthophoto.unit_m()).unwrap_or(1.0);
+        Ok(Self { orthophoto, block, is_assumed, unit_m })
+    }
+
+    /// The orthophoto in m.
+    pub fn in_metres(&self, orthophoto: &Orthophoto) -> Orthophoto {
+        orthophoto.in_metres(self.unit_m)
+    }
+
+    /// Places of the orthophoto in m as those of the block's system, and what is to be said of that.
+    ///
+    /// # Errors
+    /// [`NotLinked::Failed`] for places that lie outside one of the systems.
+    pub fn taken(&self, points: Vec<GroundPoint>, orthophoto: &Orthophoto) -> Result<(Vec<GroundPoint>, Vec<Remark>), NotLinked> {
+        let failed = |error: Error| NotLinked::Failed { failure: Failure::from(&error) };
+        let middle = |k: usize| median(&mut points.iter().map(|point| point.place[k]).collect::<Vec<_>>());
+        let conversion = middle(0).zip(middle(1)).map(|(x, y)| self.conversion([x, y])).transpose().map_err(failed)?.flatten();
+        let points = points.into_iter().map(|point| {
+            let place = self.place(point.place, conversion.as_ref())?;
+            Ok(GroundPoint { place, ..point })
+        });
+        let points = points.collect::<Result<Vec<GroundPoint>, Error>>().map_err(failed)?;
+        Ok((points, self.remarks(orthophoto, conversion.as_ref())))
+    }
+
+    /// By WGS 84, about a place in m; absent where both have one plane.
+    fn conversion(&self, middle: [f64; 2]) -> Result<Option<Conversion>, Error> {
+        if self.orthophoto.has_plane_of(&self.block) {
+            return Ok(None);
+        }
+        let [x, y] = middle.map(|v| v / self.orthophoto.unit_m().unwrap_or(1.0));
+        let from = CoordinateSystem::about(self.orthophoto.clone(), None, [x, y])?;
+        let [longitude, latitude, _] = on_earth(&from, [x, y, 0.0])?;
+        let to = CoordinateSystem::new(self.block.clone(), None, [longitude, latitude])?;
+        Ok(Some(Conversion { from, to }))
+    }
+
+    fn place(&self, [x, y, z]: [f64; 3], conversion: Option<&Conversion>) -> Result<[f64; 3], Error> {
+        let unit_m = self.orthophoto.unit_m().unwrap_or(1.0);
+        let (x, y) = (x / unit_m, y / unit_m);
+        let Some(Conversion { from, to }) = conversion else { return Ok([x, y, z / self.block.height_unit_m()]) };
+        let place = on_earth(from, [x, y, z])?;
+        to.coordinates(place).ok_or_else(|| outside(to, [place[0], place[1]]))
+    }
+
+    fn remarks(&self, orthophoto: &Orthophoto, conversion: Option<&Conversion>) -> Vec<Remark> {
+        let height_unit_m = orthophoto.heights.unit_m();
+        let assumed = || Remark::OrthophotoSystemAssumed { crs: self.block.name() };
+        let units = || Remark::OrthophotoUnits { unit_m: self.unit_m, height_unit_m };
+        let converted = |Conversion { from, to }: &Conversion| Remark::OrthophotoConverted {
+            orthophoto: self.orthophoto.name(),
+            crs: self.block.name(),
+            // What both shift alike is in no difference.
+            accuracy_m: (from.operation() != to.operation())
+                .then(|| libm::hypot(from.accuracy_m().unwrap_or(0.0), to.accuracy_m().unwrap_or(0.0)))
+                .filter(|accuracy_m| *accuracy_m > 0.0),
+        };
+        let is_metric = self.unit_m == 1.0 && height_unit_m == 1.0;
+        let said = [self.is_assumed.then(assumed), conversion.map(converted), (!is_metric).then(units)];
+        said.into_iter().flatten().collect()
+    }
+}
+
+/// The way from one system to another by WGS 84.
+struct Conversion {
+    from: CoordinateSystem,
+    to: CoordinateSystem,
+}
+
+/// The name of a system without a code.
+fn named(said: &SaidSystem) -> Option<String> {
+    said.described.as_deref().filter(|name| !name.is_empty()).map(shorten)
+}
+
+fn name_of(code: u16) -> String {
+    format!("EPSG:{code}")
+}
+
+fn on_earth(system: &CoordinateSystem, position: [f64; 3]) -> Result<[f64; 3], Error> {
+    system.geographic(position).ok_or_else(|| outside(system, [position[0], position[1]]))
+}
+
+fn outside(system: &CoordinateSystem, [x, y]: [f64; 2]) -> Error {
+    Refusal::CrsPlace { x, y, crs: system.definition().name(), degrees: system.definition().is_geographic() }.into_error()
+}
