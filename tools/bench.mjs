@@ -1,11 +1,13 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default presets verdict accuracy speed features geometry rivals refinement sizes workers map edit lighthouse page blocks orthophoto orthophoto-reference large-orthophoto geotiffs components rendered memory former kills`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default loops totals presets verdict accuracy speed features geometry rivals refinement sizes workers map edit lighthouse page blocks orthophoto orthophoto-reference large-orthophoto geotiffs components rendered memory former kills`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
   strategies: async () => (await import('./bench/strategies.mjs')).strategies(),
   calibration: async () => (await import('./bench/calibration.mjs')).calibration(),
   default: async () => (await import('./bench/default.mjs')).byDefault(),
+  loops: async () => (await import('./bench/loops.mjs')).loops(),
+  totals: async () => (await import('./bench/totals.mjs')).totals(),
   presets: async () => (await import('./bench/presets.mjs')).presets(),
   verdict: async () => (await import('./bench/verdict.mjs')).verdict(),
   statistics: async () => (await import('./bench/statistics.mjs')).statistics(),

@@ -102,7 +102,7 @@ export function describeOrientation(o, pixelMm) {
 }
 
 /**
- * The left camera, which nobody calibrated: what is known of it after the orientation.
+ * The left camera, where it is not known without error: what is known of it after the orientation.
  * @param {import('../node.js').EstimatedCamera} camera @param {number | null} pixelMm @returns {string}
  */
 function estimatedCamera(camera, pixelMm) {
@@ -110,7 +110,7 @@ function estimatedCamera(camera, pixelMm) {
   const withError = (/** @type {number} */ value, /** @type {number} */ error) => `${fixed(value / unit, digits)} ± ${fixed(error / unit, digits)} ${name}`;
   const square = camera.focal_mm ** 2;
   return (
-    `camera not calibrated: focal length ${withError(camera.focal_mm, camera.focal_standard_error_mm)}, ` +
+    `camera: focal length ${withError(camera.focal_mm, camera.focal_standard_error_mm)}, ` +
     `k1 ${fixed(camera.k1_per_mm2 * square, 4)} ± ${fixed(camera.k1_standard_error_per_mm2 * square, 4)} at one focal length`
   );
 }

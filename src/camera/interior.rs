@@ -28,7 +28,7 @@ pub struct Interior {
     /// Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
     #[serde(default)]
     pub covariance: Option<[[f64; 3]; 3]>,
-    /// What is not known of the camera; absent: it is calibrated.
+    /// What is not known of the camera; absent: nothing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<CameraUncertainty>,
 }
@@ -52,7 +52,8 @@ impl Interior {
     }
 
     /// From the side of a pixel, for the whole image of a digital camera of `width` x `height` px:
-    /// x = (col - width/2)·pixel - x0, y = (height/2 - row)·pixel - y0.
+    /// x = (col - width/2)·pixel - x0, y = (height/2 - row)·pixel - y0. A camera that does not say what is not known of it has
+    /// [`CameraUncertainty::GIVEN`]: its constants are no metric camera's.
     ///
     /// # Errors
     /// [`Error::InvalidOption`] for the camera, also where it has no `pixel_mm`.
@@ -61,7 +62,7 @@ impl Interior {
         let pixel = camera.pixel_mm.ok_or_else(|| refuse("camera.pixel_mm", "absent", "0.000001 to 10 where there are no fiducials"))?;
         let (half_width, half_height) = (0.5 * width as f64, 0.5 * height as f64);
         let parameters = [[pixel, 0.0, -half_width * pixel], [0.0, -pixel, half_height * pixel]];
-        Ok(Self::new(camera, parameters, None))
+        Ok(Self { uncertainty: Some(camera.uncertainty.unwrap_or(CameraUncertainty::GIVEN)), ..Self::new(camera, parameters, None) })
     }
 
     fn new(camera: &CameraMm, parameters: [[f64; 3]; 2], covariance: Option<[[f64; 3]; 3]>) -> Self {

@@ -26,7 +26,7 @@ pub struct CameraMm {
     /// `[p1, p2]` in mm⁻¹: see [`Interior::photo_mm`](crate::Interior::photo_mm).
     #[serde(default)]
     pub tangential_distortion: [f64; 2],
-    /// What is not known of these; absent: the camera is calibrated.
+    /// What is not known of these; absent: nothing where photos have fiducial marks, of digital ones [`CameraUncertainty::GIVEN`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<CameraUncertainty>,
 }

@@ -10,6 +10,9 @@ use crate::{Error, Refusal};
 pub struct ErrorModel {
     /// Errors that all observations share.
     pub shared: Vec<SharedErrors>,
+    /// Standard deviation of each of the modes 1, x, y, xy, x², y² (1 at the largest coordinate of the left photo) of a y-parallax that matches share,
+    /// in standard errors of a coordinate; 0: none.
+    pub shared_parallax: f64,
     /// Points nearer to each other than this in the left photo, in mm, have errors that depend on each other, as matches whose windows
     /// overlap; 0: none have.
     pub neighbourhood_mm: f64,
@@ -20,7 +23,9 @@ pub struct ErrorModel {
 impl ErrorModel {
     /// Refuses what does not fit the observations.
     pub(super) fn check(&self, observations: usize) -> Result<(), Error> {
-        for (name, value) in [("neighbourhood_mm", self.neighbourhood_mm), ("resolution_mm", self.resolution_mm)] {
+        let values =
+            [("shared_parallax", self.shared_parallax), ("neighbourhood_mm", self.neighbourhood_mm), ("resolution_mm", self.resolution_mm)];
+        for (name, value) in values {
             if !(value >= 0.0 && value.is_finite()) {
                 return Err(refuse(name, value, "0 or more"));
             }

@@ -25,6 +25,8 @@ mod reliability;
 mod result;
 mod robust_start;
 mod shared;
+mod shared_covariance;
+mod shared_parallax;
 mod warning;
 mod weighting;
 
@@ -39,3 +41,4 @@ pub use relative::{orient_relative, orient_relative_with};
 pub use result::{ErrorEllipse, EstimatedCamera, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Warning};
 pub(crate) use robust_start::Poses;
 pub use shared::SharedErrors;
+pub(crate) use shared_parallax::{MODES, SHARED_BY_FEATURES, SHARED_BY_FITS, extent, modes};

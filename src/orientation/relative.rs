@@ -17,7 +17,7 @@ use super::result::{ErrorEllipse, GlobalTest, PointStatistics, Warning};
 use super::robust_start::{median_parallax, robust_start};
 use super::warning::{condition, parallax_beside_rotation, spread, warnings};
 use super::weighting::reweight;
-use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared};
+use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared_covariance};
 use crate::math::{chi_square_quantile, normal_quantile, student_limit, variance_left};
 use crate::{Cause, Error};
 
@@ -92,8 +92,7 @@ pub fn orient_relative_with(
     };
     let base_mm = signed_base(&adjusted.pose, options.base_mm.unwrap_or_else(|| focal_mm * default_base(&kept)));
     let taken: Vec<bool> = different.spread(&accepted).iter().zip(&different.is_first).map(|(kept, first)| *kept && *first).collect();
-    let by_shared = shared::covariance_of(&errors.shared, &adjusted, (&kept, &kept_solved, &taken), base_mm, focal_mm);
-    let by_shared = (!errors.shared.is_empty()).then_some(by_shared);
+    let by_shared = shared_covariance::covariance_of(errors, &adjusted, (&kept, &kept_solved, &taken), base_mm, focal_mm);
     let side = errors.neighbourhood_mm / focal_mm;
     let by_groups = if side > 0.0 { neighbours::covariance_of(&adjusted, &kept, &kept_solved, &factors, side, base_mm) } else { None };
     let outcome = Outcome { adjusted, accepted, factors, solved, by_shared, by_groups, behind, base_mm, focal_mm };

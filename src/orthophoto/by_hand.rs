@@ -169,8 +169,7 @@ mod tests {
     }
 
     fn known() -> PlacingCamera {
-        let calibrated = CameraUncertainty { focal: 0.0, principal_point: 0.0, k1: 0.0 };
-        PlacingCamera { camera: Camera::without_distortion(800, 600, 700.0), uncertainty: calibrated }
+        PlacingCamera { camera: Camera::without_distortion(800, 600, 700.0), uncertainty: CameraUncertainty::NONE }
     }
 
     fn pose() -> Pose {

@@ -4,15 +4,13 @@ use super::adjusting::PlacingCamera;
 use crate::pipeline::CameraRules;
 use crate::{BlockRun, Camera, CameraUncertainty, ExifImage};
 
-const CALIBRATED: CameraUncertainty = CameraUncertainty { focal: 0.0, principal_point: 0.0, k1: 0.0 };
-
 impl PlacingCamera {
     /// By the rules that the image's name fits, as in blocks: those with `fixed` are taken as calibrated. Else by its EXIF and XMP, else a usual
     /// focal length, each with its uncertainty.
     pub fn of(rules: &CameraRules, name: &str, size: [u32; 2], exif: &ExifImage) -> Self {
         let (rule, known) = rules.camera_of(name, size, exif);
         let uncertainty = match (rule, known.focal_px, &exif.camera) {
-            (Some(_), ..) if known.fixed => CALIBRATED,
+            (Some(_), ..) if known.fixed => CameraUncertainty::NONE,
             (Some(_), ..) => CameraUncertainty::EXIF,
             (None, Some(_), Some(camera)) => CameraUncertainty::of(camera.origin),
             _ => CameraUncertainty::ASSUMED,

@@ -420,8 +420,6 @@ mod tests {
     use super::*;
     use crate::{BlockFlight, BlockScene, GreyImage};
 
-    const CALIBRATED: CameraUncertainty = CameraUncertainty { focal: 0.0, principal_point: 0.0, k1: 0.0 };
-
     fn scene(seed: u32) -> BlockScene {
         let flight = BlockFlight {
             strips: 1,
@@ -441,7 +439,7 @@ mod tests {
     }
 
     fn placed(scene: &BlockScene, reference: &Orthophoto, options: &PlacingOptions) -> Result<PlacedImage, Error> {
-        let known = PlacingCamera { camera: scene.truth().cameras[0], uncertainty: CALIBRATED };
+        let known = PlacingCamera { camera: scene.truth().cameras[0], uncertainty: CameraUncertainty::NONE };
         place_image(scene.photo(0)?.view(), &known, reference, &SearchArea::new(reference, options)?, options)
     }
 

@@ -1,10 +1,10 @@
 //! From matches and interior orientations to the relative orientation.
 
 use super::geometry::PairInterior;
-use super::self_calibration::{self, Measured, SelfCalibration};
+use super::self_calibration::{self, Measured};
 use super::weakness::NEIGHBOURHOOD_PX;
 use crate::math::median;
-use crate::orientation::RelativePose;
+use crate::orientation::{RelativePose, SHARED_BY_FEATURES, SHARED_BY_FITS};
 use crate::{
     Cause, Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,
     Warning, orient_relative_with,
@@ -72,20 +72,20 @@ fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &Orientat
     let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
     let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
     let mut weights = match_weights(&fits);
-    let mut found = orient_with(&positions, &weights, interior, Vec::new(), options)?;
+    let shared = if fits.iter().any(Option::is_some) { SHARED_BY_FITS } else { SHARED_BY_FEATURES };
+    let mut found = orient_as_given(&positions, &weights, shared, interior, options)?;
     if let Some(weight) = weight_without_fit(&fits, &weights, &found) {
         weights.iter_mut().zip(&fits).filter(|(_, fit)| fit.is_none()).for_each(|(own, _)| *own = weight);
-        found = orient_with(&positions, &weights, interior, Vec::new(), options)?;
+        found = orient_as_given(&positions, &weights, shared, interior, options)?;
     }
-    if self_calibration::is_wanted(interior) {
-        // Estimated cameras decide which matches are gross errors, and these the cameras; those that stay as given do not change.
-        let rounds = if self_calibration::tells_more(interior) { CALIBRATIONS } else { 1 };
-        for _ in 0..rounds {
-            found = orient_calibrated(&positions, &weights, interior, &found, options)?;
+    if self_calibration::tells_more(interior) {
+        // Estimated cameras decide which matches are gross errors, and these the cameras.
+        for _ in 0..CALIBRATIONS {
+            found = orient_calibrated(&positions, &weights, shared, interior, &found, options)?;
         }
     }
     check_precision(&found, interior.left.pixel_mm(), options)?;
-    if self_calibration::is_wanted(interior) {
+    if !self_calibration::is_calibrated(interior) {
         // The intervals hold what is not known of the focal length.
         found.warnings.retain(|warning| !matches!(warning, Warning::FocalLength { .. }));
     }
@@ -107,10 +107,11 @@ fn weight_without_fit(fits: &[Option<Fit>], weights: &[f64], found: &RelativeOri
     (ratio * ratio).is_finite().then(|| (ratio * ratio).clamp(LEAST_WEIGHT, 1.0))
 }
 
-/// The orientation with the cameras that the matches tell which an earlier orientation accepted.
+/// The orientation with the cameras that the matches tell which an earlier orientation accepted. `shared_parallax`: as of [`ErrorModel`].
 fn orient_calibrated(
     positions: &[[f64; 4]],
     weights: &[f64],
+    shared_parallax: f64,
     interior: &PairInterior,
     earlier: &RelativeOrientation,
     options: &OrientationOptions,
@@ -122,31 +123,49 @@ fn orient_calibrated(
     let (rotation, base) = earlier.pose();
     let neighbourhood = NEIGHBOURHOOD_PX * interior.left.pixel_mm() / interior.focal_mm;
     let sigma = earlier.sigma0_mm.unwrap_or(0.0) / earlier.focal_mm;
-    let (measured, pose) = (Measured { positions: &kept, weights: &kept_weights, sigma, neighbourhood }, RelativePose { rotation, base });
-    let estimated = match self_calibration::tells_more(interior) {
-        true => self_calibration::calibrated(interior, &measured, pose),
-        false => None,
-    };
-    let cameras = estimated.unwrap_or_else(|| SelfCalibration::of_priors(interior, &measured, pose));
-    let found = orient_with(positions, weights, &cameras.interior, cameras.shared_errors(positions), options)?;
-    Ok(RelativeOrientation { cameras: Some(cameras.cameras()), ..found })
+    let (measured, pose) =
+        (Measured { positions: &kept, weights: &kept_weights, sigma, shared_parallax, neighbourhood }, RelativePose { rotation, base });
+    match self_calibration::calibrated(interior, &measured, pose) {
+        // Cameras and shared y-parallax are estimated together: their errors depend on each other.
+        Some(cameras) => {
+            let errors = ErrorModel { shared: cameras.shared_errors(positions), ..ErrorModel::default() };
+            let found = orient_with(positions, weights, &cameras.interior, errors, options)?;
+            Ok(RelativeOrientation { cameras: Some(cameras.cameras()), ..found })
+        }
+        None => orient_as_given(positions, weights, shared_parallax, interior, options),
+    }
 }
 
-/// The orientation with fixed cameras, whose errors count in the total standard errors.
+/// The orientation with the cameras as they were given, whose errors count in the total standard errors.
+fn orient_as_given(
+    positions: &[[f64; 4]],
+    weights: &[f64],
+    shared_parallax: f64,
+    interior: &PairInterior,
+    options: &OrientationOptions,
+) -> Result<RelativeOrientation, Error> {
+    let shared = self_calibration::errors_as_given(interior, positions);
+    let errors = ErrorModel { shared, shared_parallax, ..ErrorModel::default() };
+    let found = orient_with(positions, weights, interior, errors, options)?;
+    Ok(RelativeOrientation { cameras: self_calibration::cameras_as_given(interior), ..found })
+}
+
+/// The orientation with fixed cameras; `errors`: what is known of theirs, and of those that matches share over the image.
 fn orient_with(
     positions: &[[f64; 4]],
     weights: &[f64],
     interior: &PairInterior,
-    of_cameras: Vec<SharedErrors>,
+    errors: ErrorModel,
     options: &OrientationOptions,
 ) -> Result<RelativeOrientation, Error> {
     let mut observed = observations(positions, &interior.left, &interior.right);
     observed.iter_mut().zip(weights).for_each(|(observation, weight)| observation.weight = *weight);
     let pixel_mm = interior.left.pixel_mm();
     let errors = ErrorModel {
-        shared: interior_errors(positions, interior).into_iter().chain(of_cameras).collect(),
+        shared: interior_errors(positions, interior).into_iter().chain(errors.shared).collect(),
         neighbourhood_mm: NEIGHBOURHOOD_PX * pixel_mm,
         resolution_mm: if positions.iter().all(are_whole_pixels) { WHOLE_PIXEL_SIGMA * pixel_mm } else { 0.0 },
+        ..errors
     };
     orient_relative_with(&observed, &errors, interior.focal_mm, options)
 }

@@ -36,7 +36,7 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
     let [angle_deg, base_deg] = half_widths_deg(&found);
     // Without redundancy nothing tells the precision: there are too few matches.
     let sigma0_px = found.sigma0_mm.unwrap_or(f64::NAN) / interior.left.pixel_mm();
-    let is_calibrated = !self_calibration::is_wanted(interior);
+    let is_calibrated = self_calibration::is_calibrated(interior);
     let marks = [(Side::Left, &interior.left), (Side::Right, &interior.right)];
     let told = [
         (is_mirrored(&accepted), Warning::Mirrored),

@@ -53,7 +53,8 @@ fn total_standard_errors_hold_those_of_the_marks() {
         "variance of error / standard error with measured marks, {SETS} sets: total {with:.3?}, of the observations alone {without:.3?}"
     );
     // The σ of the marks comes from ten degrees of freedom: its square is Student's, which raises the variance by a tenth or two.
-    assert!(with.iter().all(|v| (0.8..1.45).contains(v)), "{with:?}");
+    // The errors that matches share, which these do not, lower it where the marks matter least.
+    assert!(with.iter().all(|v| (0.7..1.45).contains(v)), "{with:?}");
     assert!(without[2] > 2.0 && without[4] > 1.5, "{without:?}");
 }
 

@@ -1,4 +1,4 @@
-//! Cameras that nobody calibrated: the errors of an orientation by their total standard errors, over many cameras.
+//! Cameras that are not known without error: the errors of an orientation by their total standard errors, over many cameras.
 
 use super::scene::{Dice, FOCAL_MM, NADIR};
 use tiepoint::{CameraMm, CameraUncertainty, Interior, Match, OrientationOptions, PairInterior, orient_matches};
@@ -16,15 +16,22 @@ fn px(interior: &Interior, [x, y]: [f64; 2]) -> [f64; 2] {
 
 #[test]
 fn total_standard_errors_hold_what_exif_does_not_tell() {
-    check(CameraUncertainty::EXIF);
+    check(CameraUncertainty::EXIF, 0.4, 20.0);
+}
+
+#[test]
+fn total_standard_errors_hold_what_a_camera_is_off_that_is_given() {
+    // κ hardly depends on the camera: its standard error holds what matches share, which these do not.
+    check(CameraUncertainty::GIVEN, 0.2, 5.0);
 }
 
 #[test]
 fn total_standard_errors_hold_what_the_pair_does_not_tell_of_an_unknown_camera() {
-    check(CameraUncertainty { focal: 0.15, ..CameraUncertainty::ASSUMED });
+    check(CameraUncertainty { focal: 0.15, ..CameraUncertainty::ASSUMED }, 0.4, 20.0);
 }
 
-fn check(uncertainty: CameraUncertainty) {
+/// `least`: the least variance of error over standard error of an unknown of the pose; `beside`: what one exceeds where the camera is taken to be known.
+fn check(uncertainty: CameraUncertainty, least: f64, beside: f64) {
     let nominal = CameraMm::without_distortion(FOCAL_MM, Some(PIXEL_MM));
     let (mut with, mut without) = ([0.0; 5], [0.0; 5]);
     let mut focal = 0.0;
@@ -57,7 +64,8 @@ fn check(uncertainty: CameraUncertainty) {
             .collect();
         let options = OrientationOptions { base_mm: Some(92.0), ..OrientationOptions::default() };
         let uncalibrated = orient_matches(&matches, &known(&CameraMm { uncertainty: Some(uncertainty), ..nominal }), &options).unwrap();
-        let as_if_calibrated = orient_matches(&matches, &known(&nominal), &options).unwrap();
+        let exact = CameraMm { uncertainty: Some(CameraUncertainty::NONE), ..nominal };
+        let as_if_calibrated = orient_matches(&matches, &known(&exact), &options).unwrap();
         for (sums, found) in [(&mut with, &uncalibrated), (&mut without, &as_if_calibrated)] {
             let standard = found.total_standard_errors.unwrap();
             let standard = [standard.omega_deg, standard.phi_deg, standard.kappa_deg, standard.by_mm, standard.bz_mm];
@@ -72,7 +80,7 @@ fn check(uncertainty: CameraUncertainty) {
     println!(
         "variance of error / total standard error over {SETS} cameras: {with:.2?}, as if calibrated {without:.1?}, focal length {focal:.2}"
     );
-    assert!(with.iter().all(|v| (0.4..1.7).contains(v)), "{with:?}");
+    assert!(with.iter().all(|v| (least..1.7).contains(v)), "{with:?}");
     assert!((0.4..1.7).contains(&focal), "{focal}");
-    assert!(without.iter().any(|v| *v > 20.0), "{without:?}");
+    assert!(without.iter().any(|v| *v > beside), "{without:?}");
 }

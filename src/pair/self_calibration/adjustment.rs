@@ -2,9 +2,8 @@
 
 use super::constants::{CAMERA, cameras_of, effects, growth, priors, rays, with_constants};
 use super::measured::Measured;
-use super::modes::{MODES, extent, modes};
 use super::result::SelfCalibration;
-use crate::orientation::RelativePose;
+use crate::orientation::{MODES, RelativePose, extent, modes};
 use crate::pair::geometry::PairInterior;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
@@ -68,7 +67,7 @@ impl<'a> Adjustment<'a> {
     fn new(given: &'a PairInterior, measured: &'a Measured<'a>) -> Self {
         let cameras = cameras_of(given);
         let extent = extent(&rays(measured.positions, given));
-        Self { given, measured, cameras, priors: priors(given, cameras, measured.sigma), extent }
+        Self { given, measured, cameras, priors: priors(given, cameras, measured.shared_parallax * measured.sigma), extent }
     }
 
     /// What the modes add to the misclosure of a ray.

@@ -1,8 +1,7 @@
 //! The constants of the cameras: what is known of them before, and what they do to the rays.
 
-use super::modes::{MODES, SHARED_PARALLAX};
 use crate::camera::{CameraUncertainty, Interior};
-use crate::orientation::Ray;
+use crate::orientation::{MODES, Ray};
 use crate::pair::geometry::PairInterior;
 use nalgebra::DVector;
 
@@ -19,9 +18,15 @@ pub fn tells_more(interior: &PairInterior) -> bool {
     [&interior.left, &interior.right].iter().any(|side| side.uncertainty.is_some_and(|known| known.focal > KNOWN_FOCAL))
 }
 
+/// Whether the cameras were given, and not only named by files: residuals that ask for others contradict who gave them.
+pub fn is_calibrated(interior: &PairInterior) -> bool {
+    let is_given = |side: &Interior| side.uncertainty.is_none_or(|known| known.focal <= CameraUncertainty::GIVEN.focal);
+    is_given(&interior.left) && is_given(&interior.right)
+}
+
 /// Whether anything of the cameras is not known.
-pub fn is_wanted(interior: &PairInterior) -> bool {
-    interior.left.uncertainty.is_some() || interior.right.uncertainty.is_some()
+pub fn is_uncertain(interior: &PairInterior) -> bool {
+    [&interior.left, &interior.right].iter().any(|side| side.uncertainty.is_some_and(|known| known != CameraUncertainty::NONE))
 }
 
 /// How many cameras are to be told: one where both photos are of the same, as far as is known.
@@ -36,15 +41,18 @@ fn is_one_camera(PairInterior { left, right, .. }: &PairInterior) -> bool {
     known(left) == known(right)
 }
 
-/// Prior standard deviations of the constants, and of the modes where a coordinate has the standard error `sigma`. A camera that is calibrated
-/// beside one that is not has none that matters.
-pub fn priors(given: &PairInterior, cameras: usize, sigma: f64) -> DVector<f64> {
-    const CALIBRATED: f64 = 1e-9;
-    let of = |side: &Interior| side.uncertainty.unwrap_or(CameraUncertainty { focal: 0.0, principal_point: 0.0, k1: 0.0 });
-    let sides = [of(&given.left), of(&given.right)];
-    let constants = sides.iter().take(cameras).flat_map(|u| [u.focal, u.principal_point, u.principal_point, u.k1]);
-    let modes = std::iter::repeat_n(SHARED_PARALLAX * sigma, MODES);
-    DVector::from_iterator(cameras * CAMERA + MODES, constants.map(|v| v.max(CALIBRATED)).chain(modes))
+/// Prior standard deviations of the constants, those of the left camera first. A camera that is known without error beside one that is not has none that
+/// matters.
+pub fn priors_of_constants(given: &PairInterior, cameras: usize) -> Vec<f64> {
+    const NONE: f64 = 1e-9;
+    let sides = [&given.left, &given.right].map(|side| side.uncertainty.unwrap_or(CameraUncertainty::NONE));
+    sides.iter().take(cameras).flat_map(|u| [u.focal, u.principal_point, u.principal_point, u.k1]).map(|v| v.max(NONE)).collect()
+}
+
+/// The same, and those of the modes, in focal lengths.
+pub fn priors(given: &PairInterior, cameras: usize, of_mode: f64) -> DVector<f64> {
+    let modes = std::iter::repeat_n(of_mode, MODES);
+    DVector::from_iterator(cameras * CAMERA + MODES, priors_of_constants(given, cameras).into_iter().chain(modes))
 }
 
 /// The cameras with their constants changed.

@@ -5,6 +5,8 @@ pub struct Measured<'a> {
     pub positions: &'a [[f64; 4]],
     pub weights: &'a [f64],
     pub sigma: f64,
+    /// Standard deviation of each mode of the y-parallax that they share, in standard errors of a coordinate.
+    pub shared_parallax: f64,
     /// Side of a cell in which matches share errors, in focal lengths.
     pub neighbourhood: f64,
 }

@@ -1,9 +1,7 @@
 //! The cameras of a pair as it calibrates them, and what their errors do to its observations.
 
-use super::constants::{CAMERA, cameras_of, effects, priors, rays};
-use super::measured::Measured;
-use super::modes::{MODES, extent, modes};
-use crate::orientation::{Ray, RelativePose};
+use super::constants::{CAMERA, effects, rays};
+use crate::orientation::{MODES, Ray, RelativePose, modes};
 use crate::pair::geometry::PairInterior;
 use crate::{EstimatedCamera, SharedErrors};
 use nalgebra::{DMatrix, DVector};
@@ -23,15 +21,6 @@ pub struct SelfCalibration {
 }
 
 impl SelfCalibration {
-    /// The cameras as given, with their priors alone: where the matches cannot tell more.
-    pub fn of_priors(given: &PairInterior, measured: &Measured<'_>, pose: RelativePose) -> Self {
-        let cameras = cameras_of(given);
-        let priors = priors(given, cameras, measured.sigma);
-        let covariance = DMatrix::from_diagonal(&priors.component_mul(&priors));
-        let extent = extent(&rays(measured.positions, given));
-        Self { interior: *given, given: *given, values: DVector::zeros(priors.len()), pose, covariance, cameras, extent }
-    }
-
     /// What the errors of the cameras, and those that matches share, do to the observations: along the principal axes of their covariance,
     /// which are independent.
     pub fn shared_errors(&self, positions: &[[f64; 4]]) -> Vec<SharedErrors> {
@@ -41,21 +30,14 @@ impl SelfCalibration {
         let focal_mm = self.interior.focal_mm;
         let by_constants = effects(positions, &self.given, &self.values, self.cameras);
         let rays = rays(positions, &self.interior);
-        let of = |index: usize, cause: Option<&DVector<f64>>| -> [f64; 4] {
-            let Some(cause) = cause else { return [0.0; 4] };
+        let of = |index: usize, cause: &DVector<f64>| -> [f64; 4] {
             let modes = self.modes_across(&rays[index]);
             let effects = by_constants.iter().map(|effect| effect[index]).chain(modes);
             effects
                 .zip(cause.iter())
                 .fold([0.0; 4], |sum, (effect, change)| std::array::from_fn(|c| sum[c] + focal_mm * effect[c] * change))
         };
-        causes
-            .chunks(3)
-            .map(|three| SharedErrors {
-                effects: (0..positions.len()).map(|index| std::array::from_fn(|k| of(index, three.get(k)))).collect(),
-                covariance: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            })
-            .collect()
+        in_threes(positions.len(), causes.len(), |index, cause| of(index, &causes[cause]))
     }
 
     /// The change of the coordinates of a ray by each mode, which lies across the epipolar line.
@@ -66,20 +48,36 @@ impl SelfCalibration {
 
     /// What is known of the left and the right camera now.
     pub fn cameras(&self) -> [EstimatedCamera; 2] {
-        let right = if self.cameras == 1 { 0 } else { CAMERA };
-        // The right photo is computed at the focal length estimated for the left one; what is told of it is in the photo coordinates that were given.
-        let own = self.interior.right.scaled(libm::exp(self.values[right] - self.values[0]));
-        [(&self.interior.left, 0), (&own, right)].map(|(side, first)| {
-            let error = |k: usize| self.covariance[(first + k, first + k)].max(0.0).sqrt();
-            let focal_mm = self.given.focal_mm * libm::exp(self.values[first]);
-            EstimatedCamera {
-                focal_mm,
-                focal_standard_error_mm: focal_mm * error(0),
-                principal_point_mm: side.principal_point_mm,
-                principal_point_standard_errors_mm: [focal_mm * error(1), focal_mm * error(2)],
-                k1_per_mm2: side.radial_distortion[0],
-                k1_standard_error_per_mm2: error(3) / (focal_mm * focal_mm),
-            }
-        })
+        let values = self.values.rows(0, self.cameras * CAMERA);
+        let errors: Vec<f64> = (0..values.len()).map(|k| self.covariance[(k, k)].max(0.0).sqrt()).collect();
+        cameras_with(&self.given, &self.interior, values.as_slice(), &errors)
     }
+}
+
+/// Independent causes of unit variance, three to a group; `of` is what each does to each observation.
+pub fn in_threes(observations: usize, causes: usize, of: impl Fn(usize, usize) -> [f64; 4]) -> Vec<SharedErrors> {
+    let effect = |index: usize, cause: usize| if cause < causes { of(index, cause) } else { [0.0; 4] };
+    let group = |first: usize| SharedErrors {
+        effects: (0..observations).map(|index| std::array::from_fn(|k| effect(index, first + k))).collect(),
+        covariance: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+    };
+    (0..causes).step_by(3).map(group).collect()
+}
+
+/// The left and the right camera whose constants are `values` from those given and have these standard errors; `interior`: with these constants.
+pub fn cameras_with(given: &PairInterior, interior: &PairInterior, values: &[f64], errors: &[f64]) -> [EstimatedCamera; 2] {
+    let right = values.len() - CAMERA;
+    // The right photo is computed at the focal length estimated for the left one; what is told of it is in the photo coordinates that were given.
+    let own = interior.right.scaled(libm::exp(values[right] - values[0]));
+    [(&interior.left, 0), (&own, right)].map(|(side, first)| {
+        let focal_mm = given.focal_mm * libm::exp(values[first]);
+        EstimatedCamera {
+            focal_mm,
+            focal_standard_error_mm: focal_mm * errors[first],
+            principal_point_mm: side.principal_point_mm,
+            principal_point_standard_errors_mm: [focal_mm * errors[first + 1], focal_mm * errors[first + 2]],
+            k1_per_mm2: side.radial_distortion[0],
+            k1_standard_error_per_mm2: errors[first + 3] / (focal_mm * focal_mm),
+        }
+    })
 }

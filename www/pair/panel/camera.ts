@@ -115,7 +115,7 @@ function sourceText(state: State): string {
     .join(' ');
   const used = pairCameras(state);
   const told = estimatedText(state);
-  if (state.camera !== null) return say('in-use-the-values-below', { what: state.truth === null ? '' : say('they-came-with-the-sample'), exif });
+  if (state.camera !== null) return say('in-use-the-values-below', { what: state.truth === null ? '' : say('they-came-with-the-sample'), told, exif });
   if (!('missing' in used)) return say('in-use-the-photos-own', { told, exif });
   if (used.missing.kind !== 'panorama' && state.results.match?.value.estimated != null) {
     return say('no-camera-is-known-that', { told, exif });
@@ -123,7 +123,7 @@ function sourceText(state: State): string {
   return say('orientation-needs-a-focal-length', { exif });
 }
 
-/** What is known of a camera that nobody calibrated. */
+/** What is known of a camera that is not known without error. */
 function estimatedText(state: State): string {
   const camera = state.results.orientation?.value.cameras?.[0];
   const interior = interiorInUse(state)?.left;

@@ -138,7 +138,7 @@ f-mm = { $message }, { $name ->
        *[right] right
     }: { $what }, f = { $focal_mm } mm, { $pixel }.{ $cautions }
 they-came-with-the-sample = {" "}(they came with the sample)
-in-use-the-values-below = In use: the values below{ $what }. { $exif }
+in-use-the-values-below = In use: the values below{ $what }{ $told }. { $exif }
 in-use-the-photos-own = In use: the photos' own camera{ $told }. Values below replace it. { $exif }
 no-camera-is-known-that = No camera is known: that of most photographs is assumed{ $told }. Values below replace it. { $exif }
 orientation-needs-a-focal-length = Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. { $exif }
@@ -396,7 +396,7 @@ the-right-photo-relative-to = The right photo relative to the left one, dependen
 std-error = Std error
 what-the-scatter-of-the = What the scatter of the matches leaves uncertain.
 in-total = In total
-standard-error-including-what-does = Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks.
+standard-error-including-what-does = Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the camera, of the measured fiducial marks, and of walls and roofs.
 half-width-of-the-interval = Half-width of the interval that holds the unknown in 95 of 100 cases: of the last standard error, by the distribution of Student for the degrees of freedom.
 paper-2 = Paper
 the-papers-table-3-of = The paper's Table 3, of its own pair

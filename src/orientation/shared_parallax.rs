@@ -1,12 +1,14 @@
 //! The y-parallax that matches share over the image: 1, x, y, xy, x², y².
 
-use crate::orientation::Ray;
+use super::coplanarity::Ray;
 
 pub const MODES: usize = 6;
 
-/// Prior standard deviation of each mode of the y-parallax, in standard errors of a coordinate: walls, roofs and the shape of a point's
-/// surroundings give matches of one part of the image an error of the same sign.
-pub const SHARED_PARALLAX: f64 = 0.15;
+/// Standard deviation of each mode of the y-parallax that matches share, in standard errors of a coordinate: walls, roofs and the shape of a point's
+/// surroundings give matches of one part of the image an error of the same sign. It is hardly smaller for matches by least squares, whose standard
+/// errors are.
+pub const SHARED_BY_FITS: f64 = 0.2;
+pub const SHARED_BY_FEATURES: f64 = 0.1;
 
 /// The modes at a point of the left photo.
 pub fn modes(ray: &Ray, extent: f64) -> [f64; MODES] {

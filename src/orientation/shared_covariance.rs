@@ -1,0 +1,53 @@
+//! What errors that observations share do to the result.
+
+use super::ErrorModel;
+use super::adjusted::Adjusted;
+use super::coplanarity::{Ray, Unknowns};
+use super::normals::Matrix5;
+use super::precision::derivatives;
+use super::shared_parallax::{MODES, extent, modes};
+use nalgebra::SMatrix;
+
+/// Covariance of ω φ κ (radians), by bz (mm) that shared errors give the adjusted unknowns, by first-order propagation; `None` without any.
+///
+/// `rays` and `weights` are those of the accepted observations, `accepted` tells which of all they are.
+pub(super) fn covariance_of(
+    errors: &ErrorModel,
+    adjusted: &Adjusted,
+    (rays, weights, accepted): (&[Ray], &[f64], &[bool]),
+    base_mm: f64,
+    focal_mm: f64,
+) -> Option<Matrix5> {
+    if errors.shared.is_empty() && errors.shared_parallax == 0.0 {
+        return None;
+    }
+    let tangents = adjusted.pose.tangents();
+    let to_parameters = derivatives(&adjusted.pose, base_mm) * adjusted.cofactors;
+    let lines: Vec<_> = rays.iter().map(|ray| adjusted.pose.linearise(&tangents, ray, &adjusted.pose.project(ray).0)).collect();
+    let mut total = Matrix5::zeros();
+    for group in &errors.shared {
+        let mut response = [Unknowns::zeros(); 3];
+        let effects = group.effects.iter().zip(accepted).filter(|(_, kept)| **kept).map(|(effect, _)| effect);
+        for ((line, weight), effect) in lines.iter().zip(weights).zip(effects) {
+            let Some(line) = line else { continue };
+            for (sum, change) in response.iter_mut().zip(effect) {
+                let misclosure = (0..4).map(|k| line.by_coordinates[k] * change[k] / focal_mm).sum::<f64>();
+                *sum -= line.by_unknowns * (weight * misclosure);
+            }
+        }
+        let response = SMatrix::<f64, 5, 3>::from_columns(&response.map(|sum| to_parameters * sum));
+        let covariance = SMatrix::<f64, 3, 3>::from_fn(|i, j| group.covariance[i][j]);
+        total += response * covariance * response.transpose();
+    }
+    if errors.shared_parallax > 0.0 {
+        let mut response = [Unknowns::zeros(); MODES];
+        let extent = extent(rays);
+        for ((line, weight), ray) in lines.iter().zip(weights).zip(rays) {
+            let Some(line) = line else { continue };
+            response.iter_mut().zip(modes(ray, extent)).for_each(|(sum, mode)| *sum -= line.by_unknowns * (weight * mode));
+        }
+        let deviation = errors.shared_parallax * adjusted.sigma;
+        total += response.iter().map(|sum| to_parameters * sum * deviation).fold(Matrix5::zeros(), |sum, one| sum + one * one.transpose());
+    }
+    Some((total + total.transpose()) * 0.5)
+}

@@ -1,0 +1,24 @@
+//! Cameras that stay as they were given: what is not known of them does to the observations what their priors say.
+
+use super::constants::{CAMERA, cameras_of, effects, is_uncertain, priors_of_constants};
+use super::result::{cameras_with, in_threes};
+use crate::pair::geometry::PairInterior;
+use crate::{EstimatedCamera, SharedErrors};
+use nalgebra::DVector;
+
+/// What the errors of the cameras do to the observations; nothing of cameras that are known without error.
+pub fn errors_as_given(given: &PairInterior, positions: &[[f64; 4]]) -> Vec<SharedErrors> {
+    if !is_uncertain(given) {
+        return Vec::new();
+    }
+    let cameras = cameras_of(given);
+    let priors = priors_of_constants(given, cameras);
+    let by_constants = effects(positions, given, &DVector::zeros(cameras * CAMERA), cameras);
+    in_threes(positions.len(), priors.len(), |index, k| by_constants[k][index].map(|effect| given.focal_mm * effect * priors[k]))
+}
+
+/// What is known of the left and the right camera; `None` where they are known without error.
+pub fn cameras_as_given(given: &PairInterior) -> Option<[EstimatedCamera; 2]> {
+    let cameras = cameras_of(given);
+    is_uncertain(given).then(|| cameras_with(given, given, &vec![0.0; cameras * CAMERA], &priors_of_constants(given, cameras)))
+}
