@@ -8296,6 +8296,7 @@ function sourceText(state) {
 	const told = estimatedText(state);
 	if (state.camera !== null) return say("in-use-the-values-below", {
 		what: state.truth === null ? "" : say("they-came-with-the-sample"),
+		told,
 		exif
 	});
 	if (!("missing" in used)) return say("in-use-the-photos-own", {

@@ -2830,7 +2830,7 @@ export interface CameraMm {
      */
     tangential_distortion?: [number, number];
     /**
-     * What is not known of these; absent: the camera is calibrated.
+     * What is not known of these; absent: nothing where photos have fiducial marks, of digital ones [`CameraUncertainty::GIVEN`].
      */
     uncertainty?: CameraUncertainty;
 }
@@ -2870,7 +2870,7 @@ export interface ResultSystem {
  */
 export interface GeoreferencingOptions {
     /**
-     * The coordinate reference system of the control points, in which tables give the results, too: an EPSG code (EPSG:25832), PROJ text or WKT. GNSS positions and control points then georeference the block together.
+     * The coordinate reference system of the control points, in which tables give the results, too: an EPSG code (EPSG:25832), PROJ text or WKT. GNSS positions, control points and an orthophoto then georeference the block together.
      */
     crs: string | null;
     /**
@@ -3138,7 +3138,7 @@ export interface Interior {
      */
     covariance?: [[number, number, number], [number, number, number], [number, number, number]] | null;
     /**
-     * What is not known of the camera; absent: it is calibrated.
+     * What is not known of the camera; absent: nothing.
      */
     uncertainty?: CameraUncertainty;
 }
@@ -3730,7 +3730,7 @@ export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: nu
 /**
  * What came of the orthophoto that a block was given.
  */
-export type OnOrthophoto = { kind: "linked"; linked: number; images: number; points: number; checks: number; rejected: number } | { kind: "not_linked"; not_linked: NotLinked };
+export type OnOrthophoto = { kind: "linked"; linked: number; images: number; points: number; checks: number; rejected: number; in_crs?: boolean } | { kind: "not_linked"; not_linked: NotLinked };
 
 /**
  * What check points say of a model: differences, adjusted minus surveyed.
@@ -4213,7 +4213,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -4308,7 +4308,7 @@ export interface PairChoice {
 /**
  * Why a block is not in the system of an orthophoto.
  */
-export type NotLinked = { kind: "not_oriented" } | { kind: "own_system"; crs: string } | { kind: "few_images"; placed: number; images: number; needed: number } | { kind: "few_points"; points: number; needed: number } | { kind: "disagreement"; rejected: number; points: number } | { kind: "contradiction"; x_m: number; y_m: number; z_m: number } | { kind: "failed"; failure: Failure };
+export type NotLinked = { kind: "not_oriented" } | { kind: "other_system"; orthophoto: string | null; crs: string; failure: Failure } | { kind: "few_images"; placed: number; images: number; needed: number } | { kind: "few_points"; points: number; needed: number } | { kind: "disagreement"; rejected: number; points: number } | { kind: "contradiction"; x_m: number; y_m: number; z_m: number } | { kind: "failed"; failure: Failure };
 
 /**
  * Why a job of a run, or the reading of a file that it needs, failed.
