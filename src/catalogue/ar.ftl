@@ -570,6 +570,7 @@ on-orthophoto-not-linked = ليست الكتلة في نظام الصورة ال
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = لم توجَّه
+not-linked-own-system = للكتلة النظام المرجعي { $crs }، ولم يكن الإصدار الذي شغّلها يضبطها فيه بصورة مصححة
 not-linked-other-system =
     نظامها المرجعي { $crs }، ولا سبيل إليه من نظام الصورة المصححة{ $orthophoto ->
         [none] {""}
@@ -815,10 +816,11 @@ refusal-grid-lacks = شبكة ESRI ASCII: تنقصها { $name }؛ المسمو�
 refusal-grid-size = شبكة ESRI ASCII: أُعطي { $columns } من الأعمدة و{ $rows } من الصفوف بخلية { $cell }؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
 refusal-grid-height = شبكة ESRI ASCII: أُعطي { $word } بين الارتفاعات؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
 refusal-picture-without-place = الصورة المصححة: أُعطي { $format } لا يذكر موضعه؛ المسموح: GeoTIFF، أو ملف إحداثيات (world file) بجانب الصورة (.tfw، .jgw، .pgw، .wld)
+refusal-orthophoto-unit = الصورة المصححة: أُعطيت وحدة طول رمزها في EPSG { $code }؛ المسموح: 9001 (متر)، 9002 (قدم)، 9003 (قدم المساحة الأمريكية)
 refusal-orthophoto-system =
     نظام الإحداثيات المرجعي للصورة المصححة: أُعطي { $described ->
         [none] لا شيء
-       *[other] { $described }، وهو موصوف دون رمز وبإسقاط غير مركاتور المستعرض ولامبرت المخروطي المطابق
+       *[other] { $described }، وهو موصوف دون رمز، وليس بكل معاملات إسقاط مركاتور المستعرض أو لامبرت المخروطي المطابق بدرجات من غرينتش
     }؛ المسموح: رمز EPSG، يكتبه مثلًا gdal_edit.py -a_srs EPSG:25832، أو لا شيء حيث للكتلة نظام مسقط
 refusal-nothing-above-ground = كتلة الموزاييك: ليس فيها صورة موجَّهة فوق الأرض؛ المسموح: صورة واحدة أو أكثر
 refusal-mosaic-pixel = ضلع بكسل الموزاييك: أُعطي { $gsd }؛ المسموح: { FIXED($least, digits: 4) } أو أكثر، حتى لا يتجاوز الموزاييك 100 ميغابكسل

@@ -327,10 +327,11 @@ refusal-grid-lacks = ESRI ASCII grid: got no { $name }; allowed: ncols, nrows, x
 refusal-grid-size = ESRI ASCII grid: got { $columns } columns, { $rows } rows of { $cell }; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
 refusal-grid-height = ESRI ASCII grid: got { $word } among the heights; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
 refusal-picture-without-place = orthophoto: got a { $format } that does not say where it lies; allowed: a GeoTIFF, or a world file beside the image (.tfw, .jgw, .pgw, .wld)
+refusal-orthophoto-unit = orthophoto: got a unit of length with the EPSG code { $code }; allowed: 9001 (metre), 9002 (foot), 9003 (foot of the US survey)
 refusal-orthophoto-system =
     coordinate reference system of an orthophoto: got { $described ->
         [none] none
-       *[other] { $described }, which is described without a code and by no transverse Mercator or Lambert conformal conic projection
+       *[other] { $described }, which is described without a code, and not by all parameters of a transverse Mercator or Lambert conformal conic projection in degrees from Greenwich
     }; allowed: an EPSG code, which gdal_edit.py -a_srs EPSG:25832 writes, say, or nothing where the block has a projected system
 refusal-nothing-above-ground = block for a mosaic: got no oriented image above the ground; allowed: one or more
 refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { FIXED($least, digits: 4) } or more, so that the mosaic has at most 100 MP
@@ -928,6 +929,7 @@ on-orthophoto-not-linked = The block is not in the system of the orthophoto, and
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = it is not oriented
+not-linked-own-system = it has the coordinate reference system { $crs }, in which the version that ran it did not adjust by an orthophoto
 not-linked-other-system =
     its coordinate reference system is { $crs }, and nothing leads there from that of the orthophoto{ $orthophoto ->
         [none] {""}

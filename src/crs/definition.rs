@@ -100,7 +100,10 @@ impl Definition {
     /// Whether it has the plane coordinates of another.
     pub fn has_plane_of(&self, other: &Self) -> bool {
         match (self.crs.horizontal_crs(), other.crs.horizontal_crs()) {
-            (Some(own), Some(others)) => own.semantically_equivalent(&others),
+            // The library takes datums of one ellipsoid for one where neither states a shift.
+            (Some(own), Some(others)) => {
+                own.semantically_equivalent(&others) && !are_other_datums(own.datum().epsg(), others.datum().epsg())
+            }
             _ => false,
         }
     }
@@ -125,4 +128,9 @@ impl Definition {
             Some(VerticalCrsKind::GravityRelatedHeight { .. }) => HeightReference::Other,
         }
     }
+}
+
+/// Whether the codes of two datums tell them apart; 0: without a code.
+fn are_other_datums(own: u32, others: u32) -> bool {
+    own != 0 && others != 0 && own != others
 }

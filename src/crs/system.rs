@@ -265,6 +265,8 @@ mod tests {
             assert!(!read("EPSG:25832").has_plane_of(&read(other)), "{other}");
         }
         assert!(!read("EPSG:26943").has_plane_of(&read("EPSG:2227")));
+        // JGD2000 and JGD2011: one ellipsoid, and ground that has moved by metres.
+        assert!(!read("EPSG:2451").has_plane_of(&read("EPSG:6677")));
     }
 
     #[test]

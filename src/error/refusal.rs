@@ -195,6 +195,7 @@ messages! {
         GridHeight { word: String },
         PictureWithoutPlace { format: String },
         OrthophotoSystem { described: Option<String> },
+        OrthophotoUnit { code: u16 },
         NothingAboveGround,
         MosaicPixel { #[serde(with = "number")] gsd: f64, #[serde(with = "number")] least: f64 },
         MosaicImage { image: usize },

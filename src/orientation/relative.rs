@@ -92,7 +92,8 @@ pub fn orient_relative_with(
     };
     let base_mm = signed_base(&adjusted.pose, options.base_mm.unwrap_or_else(|| focal_mm * default_base(&kept)));
     let taken: Vec<bool> = different.spread(&accepted).iter().zip(&different.is_first).map(|(kept, first)| *kept && *first).collect();
-    let by_shared = shared_covariance::covariance_of(errors, &adjusted, (&kept, &kept_solved, &taken), base_mm, focal_mm);
+    let in_normals: Vec<f64> = kept_solved.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
+    let by_shared = shared_covariance::covariance_of(errors, &adjusted, (&kept, &in_normals, &taken), base_mm, focal_mm);
     let side = errors.neighbourhood_mm / focal_mm;
     let by_groups = if side > 0.0 { neighbours::covariance_of(&adjusted, &kept, &kept_solved, &factors, side, base_mm) } else { None };
     let outcome = Outcome { adjusted, accepted, factors, solved, by_shared, by_groups, behind, base_mm, focal_mm };

@@ -98,7 +98,8 @@ impl ErrorEllipse {
     }
 }
 
-/// A camera that was not calibrated, as its pair tells it: prior information and matches together, in the millimetres of its photo coordinates.
+/// A camera that is not known without error: prior information, and where its pair tells more, matches with it, in the millimetres of its photo
+/// coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct EstimatedCamera {
@@ -201,7 +202,7 @@ pub struct RelativeOrientation {
     pub method: OrientationMethod,
     /// With σ₀ a priori where that is given and the global test does not contradict it; else with the estimated σ₀, and absent without redundancy.
     pub standard_errors: Option<FiveParameters>,
-    /// The same with what makes observations depend on each other: the errors of the interior orientations, and what neighbouring matches
+    /// The same with what makes observations depend on each other: the errors of cameras and interior orientations, and what matches
     /// share. They are no less than the others; absent where neither is known.
     pub total_standard_errors: Option<FiveParameters>,
     /// Half-widths of the intervals in which the unknowns lie with a probability of 95 %: the total standard errors, or the others where these are
@@ -248,7 +249,7 @@ pub struct RelativeOrientation {
     pub points: Vec<Option<PointStatistics>>,
     /// Indices of the observations that were left out as gross errors.
     pub rejected: Vec<usize>,
-    /// The left and the right camera where they were not calibrated, in the photo axes of ω φ κ by bz; absent where both were.
+    /// The left and the right camera where they are not known without error, in the photo axes of ω φ κ by bz; absent where both are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cameras: Option<[EstimatedCamera; 2]>,
 }

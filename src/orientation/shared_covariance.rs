@@ -10,7 +10,7 @@ use nalgebra::SMatrix;
 
 /// Covariance of ω φ κ (radians), by bz (mm) that shared errors give the adjusted unknowns, by first-order propagation; `None` without any.
 ///
-/// `rays` and `weights` are those of the accepted observations, `accepted` tells which of all they are.
+/// `rays` and `weights` in the normal equations are those of the accepted observations, `accepted` tells which of all they are.
 pub(super) fn covariance_of(
     errors: &ErrorModel,
     adjusted: &Adjusted,

@@ -22,6 +22,7 @@ const GEOGRAPHIC_SYSTEM: u16 = 2048;
 const ANGULAR_UNIT: u16 = 2054;
 pub(super) const PROJECTED_SYSTEM: u16 = 3072;
 const PROJECTED_CITATION: u16 = 3073;
+const PROJECTION_CODE: u16 = 3074;
 pub(super) const LINEAR_UNIT: u16 = 3076;
 const LINEAR_UNIT_SIZE: u16 = 3077;
 const PROJECTION: u16 = 3075;
@@ -32,6 +33,8 @@ const OF_ORIGIN: [u16; 2] = [3082, 3083];
 const FALSE_ORIGIN: [u16; 2] = [3084, 3085];
 const OF_FALSE_ORIGIN: [u16; 2] = [3086, 3087];
 const SCALE: u16 = 3092;
+/// Codes of geographic systems whose longitudes count from Paris, Ferro and others.
+const OTHER_MERIDIANS: std::ops::RangeInclusive<u16> = 4801..=4904;
 const DEGREE: u16 = 9102;
 const TRANSVERSE_MERCATOR: u16 = 1;
 const CONIC_OF_TWO_PARALLELS: u16 = 8;
@@ -92,7 +95,7 @@ impl GeoTags {
             None => None,
         };
         let no_data = directory.text(NO_DATA).and_then(|text| text.parse().ok());
-        Ok(Self { georeference, system: keys.system(), no_data })
+        Ok(Self { georeference, system: keys.system()?, no_data })
     }
 }
 
@@ -147,24 +150,35 @@ impl Keys {
         Some(text.trim_end_matches(['|', '\0', ' '])).filter(|text| !text.is_empty())
     }
 
-    fn system(&self) -> SaidSystem {
-        let code = self.short(PROJECTED_SYSTEM).filter(|code| *code != 0);
+    /// # Errors
+    /// [`Error::InvalidInput`] for units of length that are not known.
+    fn system(&self) -> Result<SaidSystem, Error> {
+        let describes =
+            || [PROJECTED_CITATION, PROJECTION_CODE, PROJECTION].iter().any(|key| self.entries.iter().any(|entry| entry[0] == *key));
+        let code = self.short(PROJECTED_SYSTEM).filter(|code| *code != 0).or_else(|| describes().then_some(USER_DEFINED));
         let epsg = code.filter(|code| *code != USER_DEFINED);
         let citation = || self.text(PROJECTED_CITATION).or_else(|| self.text(CITATION)).unwrap_or_default();
-        let unit_m = |key: u16| {
-            let code = self.short(key)?;
-            UNITS.iter().find(|(unit, _)| *unit == code).map(|(_, unit_m)| *unit_m)
+        let unit_m = |key: u16| match self.short(key).filter(|code| *code != 0 && *code != USER_DEFINED) {
+            None => Ok(None),
+            Some(code) => match UNITS.iter().find(|(unit, _)| *unit == code) {
+                Some((_, unit_m)) => Ok(Some(*unit_m)),
+                None => refuse(Refusal::OrthophotoUnit { code }),
+            },
         };
         let stated_m = self.number(LINEAR_UNIT_SIZE).filter(|unit_m| unit_m.is_finite() && *unit_m > 0.0);
         let described = (code == Some(USER_DEFINED)).then(|| citation().to_string());
-        let plane_m = unit_m(LINEAR_UNIT).or(stated_m);
+        let plane_m = match stated_m {
+            Some(stated_m) => Some(stated_m),
+            None => unit_m(LINEAR_UNIT)?,
+        };
         let parameters = described.as_ref().and_then(|name| self.described(name, plane_m.unwrap_or(1.0)));
-        SaidSystem { epsg, described, parameters, unit_m: plane_m, height_unit_m: unit_m(HEIGHT_UNIT) }
+        Ok(SaidSystem { epsg, described, parameters, unit_m: plane_m, height_unit_m: unit_m(HEIGHT_UNIT)? })
     }
 
     /// A system by its parameters; absent for other projections, and where one is missing.
     fn described(&self, name: &str, unit_m: f64) -> Option<Described> {
-        let base_epsg = self.short(GEOGRAPHIC_SYSTEM).filter(|code| *code != USER_DEFINED && *code != 0)?;
+        let base_epsg =
+            self.short(GEOGRAPHIC_SYSTEM).filter(|code| *code != USER_DEFINED && *code != 0 && !OTHER_MERIDIANS.contains(code))?;
         if self.short(ANGULAR_UNIT).is_some_and(|unit| unit != DEGREE) {
             return None;
         }
@@ -178,7 +192,8 @@ impl Keys {
             _ => return None,
         };
         let (origin_deg, of_origin) = at.or_else(|| both(ORIGIN).zip(both(OF_ORIGIN)))?;
-        Some(Described { name: name.into(), base_epsg, unit_m, projection, origin_deg, scale, of_origin })
+        let name = if name.is_empty() { format!("EPSG:{base_epsg}") } else { name.into() };
+        Some(Described { name, base_epsg, unit_m, projection, origin_deg, scale, of_origin })
     }
 }
 
@@ -229,6 +244,10 @@ mod tests {
         assert_eq!(described, SaidSystem { epsg: None, described: name, parameters: None, unit_m: Some(0.3), height_unit_m: Some(0.3048) });
         let unnamed = said(&[own[0], own[1]], &[0.0], texts);
         assert_eq!(unnamed.described.as_deref(), Some("all of it"));
+        // Without a code of its own a system that is described is none that nothing is said of.
+        assert_eq!(said(&[own[2]], &[0.0], texts).described.as_deref(), Some("California zone 3"));
+        let rods = GeoTags::read(&tiff(&[[LINEAR_UNIT, 0, 1, 9042]], &[0.0], "")[..]).unwrap_err();
+        assert!(rods.to_string().contains("9042"), "{rods}");
         // Keys that lead nowhere say nothing.
         let broken =
             [[PROJECTED_SYSTEM, 0, 1, USER_DEFINED], [CITATION, KEY_TEXTS as u16, 900, 800], [LINEAR_UNIT_SIZE, KEY_NUMBERS as u16, 1, 9]];
@@ -250,7 +269,7 @@ mod tests {
         let origin = [number(3080, 2), number(3081, 3), number(3082, 4), number(3083, 5)];
         let numbers = [37.0, 38.5, -120.5, 36.5, 6e6, 1e6, 0.9996];
         let expected = Described {
-            name: String::new(),
+            name: "EPSG:4269".into(),
             base_epsg: 4269,
             unit_m: 1200.0 / 3937.0,
             projection: Projection::Conic { parallels_deg: Some([37.0, 38.5]) },

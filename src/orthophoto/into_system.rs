@@ -9,6 +9,9 @@ use crate::pipeline::GroundPoint;
 use crate::text::shorten;
 use crate::{BlockRun, Error, Failure, NotLinked, Refusal, Remark};
 
+/// Parts of width and height of an orthophoto by which it is tried whether anything leads from it to another system: the middle first.
+const TRIED: [[f64; 2]; 5] = [[0.5, 0.5], [0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9]];
+
 /// How places of an orthophoto come into the coordinate reference system of a block.
 ///
 /// Images are placed on the orthophoto in m, whatever its unit is; heights count from where those of the block's system do.
@@ -26,7 +29,7 @@ impl IntoSystem {
     /// Absent where the block has no coordinate reference system: it is taken into that of the orthophoto.
     ///
     /// # Errors
-    /// [`NotLinked::OtherSystem`] where nothing leads from one to the other at the middle of the orthophoto.
+    /// [`NotLinked::OtherSystem`] where nothing leads from one to the other, in the middle of the orthophoto or towards its corners.
     pub fn of(run: &BlockRun, orthophoto: &Orthophoto) -> Result<Option<Self>, NotLinked> {
         let Some(crs) = &run.input.settings.placing.crs else { return Ok(None) };
         let said = orthophoto.said();
@@ -36,9 +39,14 @@ impl IntoSystem {
             failure: Failure::from(error),
         };
         let into = Self::between(&said, crs).map_err(|error| not_linked(&error))?;
-        let middle = orthophoto.georeference.ground(orthophoto.size().map(|side| 0.5 * side as f64));
-        into.conversion(middle.map(|v| into.unit_m * v)).map_err(|error| not_linked(&error))?;
-        Ok(Some(into))
+        // The block is somewhere on it: one of these places will do.
+        let [width, height] = orthophoto.size().map(|side| side as f64);
+        let tried = TRIED.map(|[x, y]| into.conversion(orthophoto.georeference.ground([x * width, y * height]).map(|v| into.unit_m * v)));
+        let is_left_to_try = tried.iter().any(Result::is_ok);
+        match tried.into_iter().find_map(Result::err).filter(|_| !is_left_to_try) {
+            Some(error) => Err(not_linked(&error)),
+            None => Ok(Some(into)),
+        }
     }
 
     fn between(said: &SaidSystem, crs: &str) -> Result<Self, Error> {
@@ -93,7 +101,7 @@ impl IntoSystem {
         let unit_m = self.orthophoto.unit_m().unwrap_or(1.0);
         let (x, y) = (x / unit_m, y / unit_m);
         let Some(Conversion { from, to }) = conversion else { return Ok([x, y, z / self.block.height_unit_m()]) };
-        let place = on_earth(from, [x, y, z])?;
+        let place = on_earth(from, [x, y, z / self.orthophoto.height_unit_m()])?;
         to.coordinates(place).ok_or_else(|| outside(to, [place[0], place[1]]))
     }
 

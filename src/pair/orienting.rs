@@ -36,7 +36,7 @@ fn are_whole_pixels(positions: &[f64; 4]) -> bool {
 }
 
 /// Orients the right photo from matches, weighted by the precision that least squares matching gave them. The total standard errors allow
-/// for what neighbouring matches share, and for the errors of the interior orientations where these have covariances.
+/// for what matches share, and for the errors of cameras and interior orientations where these are known.
 ///
 /// by and bz are in units of b, so the base must lie along the x axis rather than along y: where it does not, ω φ κ by bz are those of
 /// photo axes turned by 90°, as [`RelativeOrientation::turn_deg`] tells.
@@ -72,7 +72,8 @@ fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &Orientat
     let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
     let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
     let mut weights = match_weights(&fits);
-    let shared = if fits.iter().any(Option::is_some) { SHARED_BY_FITS } else { SHARED_BY_FEATURES };
+    let with_fit = fits.iter().flatten().count();
+    let shared = if 2 * with_fit > fits.len() { SHARED_BY_FITS } else { SHARED_BY_FEATURES };
     let mut found = orient_as_given(&positions, &weights, shared, interior, options)?;
     if let Some(weight) = weight_without_fit(&fits, &weights, &found) {
         weights.iter_mut().zip(&fits).filter(|(_, fit)| fit.is_none()).for_each(|(own, _)| *own = weight);

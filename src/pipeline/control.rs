@@ -106,8 +106,12 @@ impl ControlTables {
     /// Refuses degrees where the coordinate system has metres.
     fn check_metres(&self, placing: &GeoreferencingOptions) -> Result<(), Error> {
         let Some(definition) = placing.definition()?.filter(|definition| !definition.is_geographic()) else { return Ok(()) };
-        let degrees = self.used().find(|(point, _)| point.position[0].abs() <= 180.0 && point.position[1].abs() <= 90.0);
-        degrees.map_or(Ok(()), |(point, _)| {
+        let looks_like_degrees = |[x, y, _]: [f64; 3]| x.abs() <= 180.0 && y.abs() <= 90.0;
+        // One of many may lie beside the origin of the system.
+        if !self.used().all(|(point, _)| looks_like_degrees(point.position)) {
+            return Ok(());
+        }
+        self.used().next().map_or(Ok(()), |(point, _)| {
             let [x, y, _] = point.position;
             refuse(Refusal::ControlDegrees { point: point.name.clone(), x, y, crs: definition.name() })
         })

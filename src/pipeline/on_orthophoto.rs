@@ -34,6 +34,8 @@ messages! {
     pub enum NotLinked as "not_linked" {
         /// The block has no orientation.
         NotOriented,
+        /// The block has a coordinate reference system, in which the version that wrote this did not adjust by an orthophoto.
+        OwnSystem { crs: String },
         /// The block has a coordinate reference system that nothing leads to from that of the orthophoto.
         OtherSystem { orthophoto: Option<String>, crs: String, failure: Failure },
         /// Too few images were placed on it.
@@ -46,5 +48,17 @@ messages! {
         Contradiction { x_m: f64, y_m: f64, z_m: f64 },
         /// The adjustment has no result.
         Failed { failure: Failure },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_earlier_versions_wrote_is_read() {
+        let read: OnOrthophoto =
+            serde_json::from_str(r#"{"kind":"not_linked","not_linked":{"kind":"own_system","crs":"EPSG:25832"}}"#).unwrap();
+        assert_eq!(read, OnOrthophoto::NotLinked { not_linked: NotLinked::OwnSystem { crs: "EPSG:25832".into() } });
     }
 }

@@ -112,7 +112,7 @@ pub fn standard_errors(report: &Report) -> Markup {
             }
             @if with_interior {
                 tbody {
-                    tr.subhead { th colspan=(report.studies.len() + 2) { "in total: with what neighbouring matches share, and the errors of the measured fiducial marks" } }
+                    tr.subhead { th colspan=(report.studies.len() + 2) { "in total: with what matches share, and the errors of the camera and of measured fiducial marks" } }
                     (parameter_rows(&report.studies, total, None))
                 }
             }
