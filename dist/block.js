@@ -1998,7 +1998,8 @@ function middle(places) {
 function blockOnOrthophoto(state) {
 	const { shown, placing } = state;
 	const { orthophoto } = placing;
-	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial || shown.view.orthophoto?.kind !== "linked") return null;
+	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial) return null;
+	if (shown.view.orthophoto?.kind !== "linked" || shown.view.orthophoto.inCrs) return null;
 	return purposeOf(state) !== "images" && hasPlaceOn(orthophoto, shown.view) ? shown : null;
 }
 var hasPlaceOn = remember(({ info: { width, height, georeference } }, { surveyed }) => {

@@ -2306,6 +2306,7 @@
 			},
 			orthophoto: onOrthophoto === null ? null : {
 				kind: onOrthophoto.kind,
+				inCrs: onOrthophoto.kind === "linked" && onOrthophoto.in_crs === true,
 				text: message("on_orthophoto", onOrthophoto)
 			},
 			rmsePx: rmse_px,
