@@ -1670,6 +1670,32 @@ function showIn(modes, mode, elements) {
 		for (const element of elements) element.hidden = now !== mode;
 	});
 }
+// www/shared/engine/breath.ts
+var breath = () => new Promise((resolve) => setTimeout(resolve));
+var PATIENCE_MS$2 = 1e3;
+var waiting = new Set();
+function whenQuiet(work) {
+	const once = () => {
+		if (waiting.delete(once)) work();
+	};
+	waiting.add(once);
+	if ("requestIdleCallback" in window) window.requestIdleCallback(once, { timeout: PATIENCE_MS$2 });
+	else setTimeout(once);
+}
+function hasten() {
+	for (const work of [...waiting]) work();
+}
+function afterFrame(callback) {
+	let waits = false;
+	return () => {
+		if (waits) return;
+		waits = true;
+		requestAnimationFrame(() => setTimeout(() => {
+			waits = false;
+			callback();
+		}));
+	};
+}
 // www/shared/panel/drawers.ts
 var NAME$3 = "tiepoint-open";
 var AT_FIRST = window.innerHeight >= 900 && window.innerWidth >= 1180 ? "table" : "";
@@ -1692,6 +1718,7 @@ function isOpen(drawer) {
 }
 function setDrawer(drawer, wanted) {
 	if (isOpen(drawer) === wanted) return;
+	if (wanted && drawer === "settings") hasten();
 	if (wanted) open$2.add(drawer);
 	else open$2.delete(drawer);
 	if (wanted && !ROOM.matches) for (const other of BESIDE$1[drawer] ?? []) open$2.delete(other);
@@ -1841,24 +1868,6 @@ var Holder = class {
 		callback(seen);
 	}
 };
-// www/shared/engine/breath.ts
-var breath = () => new Promise((resolve) => setTimeout(resolve));
-var PATIENCE_MS$2 = 1e3;
-var quiet = () => new Promise((resolve) => {
-	if ("requestIdleCallback" in window) window.requestIdleCallback(() => resolve(), { timeout: PATIENCE_MS$2 });
-	else setTimeout(resolve);
-});
-function afterFrame(callback) {
-	let waits = false;
-	return () => {
-		if (waits) return;
-		waits = true;
-		requestAnimationFrame(() => setTimeout(() => {
-			waits = false;
-			callback();
-		}));
-	};
-}
 // www/shared/crate.ts
 function readCatalogue() {
 	return {
@@ -8434,7 +8443,7 @@ function makePresets(presets, take) {
 // www/pair/panel/controls.ts
 function mountControls(host, store, opener) {
 	store.watch(["catalogue"], ([catalogue]) => {
-		if (catalogue !== null) quiet().then(() => show(catalogue));
+		if (catalogue !== null) whenQuiet(() => show(catalogue));
 	});
 	function show(catalogue) {
 		let acts = resolved(catalogue.defaults);
@@ -10977,7 +10986,7 @@ var PRESETS = {
 };
 function mountSimulate(host, store, engine, render) {
 	store.watch(["catalogue"], ([catalogue]) => {
-		if (catalogue !== null) quiet().then(() => new SimulatePanel(host, store, engine, catalogue, render));
+		if (catalogue !== null) whenQuiet(() => new SimulatePanel(host, store, engine, catalogue, render));
 	});
 }
 var SimulatePanel = class {
@@ -14665,6 +14674,7 @@ var Search = class {
 		});
 	}
 	open() {
+		hasten();
 		this.all = actions();
 		this.input.value = "";
 		this.dialog.showModal();
