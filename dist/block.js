@@ -1,4 +1,4 @@
-import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -1998,7 +1998,8 @@ function middle(places) {
 function blockOnOrthophoto(state) {
 	const { shown, placing } = state;
 	const { orthophoto } = placing;
-	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial || shown.view.orthophoto?.kind !== "linked") return null;
+	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial) return null;
+	if (shown.view.orthophoto?.kind !== "linked" || shown.view.orthophoto.inCrs) return null;
 	return purposeOf(state) !== "images" && hasPlaceOn(orthophoto, shown.view) ? shown : null;
 }
 var hasPlaceOn = remember(({ info: { width, height, georeference } }, { surveyed }) => {
@@ -11574,6 +11575,13 @@ function mountActions(host, store, files) {
 	});
 	return () => imagesInput.click();
 }
+// www/block/state/pair-camera.ts
+function cameraOfImages({ images, cameras }, a, b) {
+	const [left, right] = [images[a], images[b]];
+	const camera = left !== void 0 && left.camera === right?.camera ? cameras[left.camera] : void 0;
+	if (camera?.calibrated != null) return photo_camera(camera.calibrated);
+	return camera?.given == null ? null : cameraFrom(camera.given, "exif35_mm");
+}
 // www/block/pair.ts
 var nextId = -1;
 async function openPair(block, modes, store, engine, [a, b]) {
@@ -11590,7 +11598,7 @@ async function openPair(block, modes, store, engine, [a, b]) {
 	};
 	let camera;
 	try {
-		camera = cameraOf(block, a, b);
+		camera = cameraOfImages(shown.view, a, b);
 		await Promise.all([engine.open("left", images.left), engine.open("right", images.right)]);
 	} catch (error) {
 		tell(block, say("the-pair-cannot-be-shown", { error: messageOf(error) }));
@@ -11651,13 +11659,6 @@ function readyFor(store, block, camera) {
 			mask: null
 		});
 	}
-}
-function cameraOf(block, a, b) {
-	const { images = [], cameras = [] } = block.state.shown?.view ?? {};
-	const [left, right] = [images[a], images[b]];
-	const camera = left !== void 0 && left.camera === right?.camera ? cameras[left.camera] : void 0;
-	const known = camera?.calibrated ?? camera?.given ?? null;
-	return known === null ? null : photo_camera(known);
 }
 function fileOf(block, name) {
 	const { shown, files } = block.state;

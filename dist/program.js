@@ -1670,6 +1670,32 @@ function showIn(modes, mode, elements) {
 		for (const element of elements) element.hidden = now !== mode;
 	});
 }
+// www/shared/engine/breath.ts
+var breath = () => new Promise((resolve) => setTimeout(resolve));
+var PATIENCE_MS$2 = 1e3;
+var waiting = new Set();
+function whenQuiet(work) {
+	const once = () => {
+		if (waiting.delete(once)) work();
+	};
+	waiting.add(once);
+	if ("requestIdleCallback" in window) window.requestIdleCallback(once, { timeout: PATIENCE_MS$2 });
+	else setTimeout(once);
+}
+function hasten() {
+	for (const work of [...waiting]) work();
+}
+function afterFrame(callback) {
+	let waits = false;
+	return () => {
+		if (waits) return;
+		waits = true;
+		requestAnimationFrame(() => setTimeout(() => {
+			waits = false;
+			callback();
+		}));
+	};
+}
 // www/shared/panel/drawers.ts
 var NAME$3 = "tiepoint-open";
 var AT_FIRST = window.innerHeight >= 900 && window.innerWidth >= 1180 ? "table" : "";
@@ -1692,6 +1718,7 @@ function isOpen(drawer) {
 }
 function setDrawer(drawer, wanted) {
 	if (isOpen(drawer) === wanted) return;
+	if (wanted && drawer === "settings") hasten();
 	if (wanted) open$2.add(drawer);
 	else open$2.delete(drawer);
 	if (wanted && !ROOM.matches) for (const other of BESIDE$1[drawer] ?? []) open$2.delete(other);
@@ -1841,24 +1868,6 @@ var Holder = class {
 		callback(seen);
 	}
 };
-// www/shared/engine/breath.ts
-var breath = () => new Promise((resolve) => setTimeout(resolve));
-var PATIENCE_MS$2 = 1e3;
-var quiet = () => new Promise((resolve) => {
-	if ("requestIdleCallback" in window) window.requestIdleCallback(() => resolve(), { timeout: PATIENCE_MS$2 });
-	else setTimeout(resolve);
-});
-function afterFrame(callback) {
-	let waits = false;
-	return () => {
-		if (waits) return;
-		waits = true;
-		requestAnimationFrame(() => setTimeout(() => {
-			waits = false;
-			callback();
-		}));
-	};
-}
 // www/shared/crate.ts
 function readCatalogue() {
 	return {
@@ -2114,6 +2123,18 @@ var WorkerPool = class {
 		}
 	}
 };
+// www/shared/state/camera.ts
+function cameraFrom(camera, origin) {
+	const pixel = camera.pixel_mm ?? null;
+	return camera_of_exif({
+		make: null,
+		model: null,
+		focal_mm: camera.focal_px * (pixel ?? 1),
+		pixel_mm: pixel,
+		origin,
+		lens: camera
+	});
+}
 // www/shared/state/calibrations.ts
 var NAME$2 = "tiepoint-cameras";
 var MOST = 50;
@@ -2164,15 +2185,7 @@ function forgetCalibration(label) {
 	keep(remembered$1().filter((kept) => kept.label !== label));
 }
 function cameraOfPair({ camera }) {
-	const pixel = camera.pixel_mm ?? null;
-	return camera_of_exif({
-		make: null,
-		model: null,
-		focal_mm: camera.focal_px * (pixel ?? 1),
-		pixel_mm: pixel,
-		origin: "xmp_calibration",
-		lens: camera
-	});
+	return cameraFrom(camera, "xmp_calibration");
 }
 // www/shared/panel/choice.ts
 var VECTOR_FACTORS = [
@@ -4208,7 +4221,7 @@ var PointGrid = class {
 		return [clamp(centre - radius), clamp(centre + radius)];
 	}
 };
-// node_modules/fflate/esm/browser.js
+// ../main/node_modules/fflate/esm/browser.js
 var u8 = Uint8Array;
 var u16 = Uint16Array;
 var i32 = Int32Array;
@@ -8213,7 +8226,8 @@ var NUMBERS = [
 		alone: (v) => ({ tangential_distortion: [0, v] })
 	}
 ];
-function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0]) {
+function cameraOf(numbers, last) {
+	const [focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0] = numbers;
 	if (focal === void 0) return null;
 	const lens = {
 		radial_distortion: [
@@ -8223,20 +8237,30 @@ function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0,
 		],
 		tangential_distortion: [p1, p2]
 	};
+	const uncertain = last?.uncertainty === void 0 ? {} : { uncertainty: last.uncertainty };
 	return {
 		focal_mm: focal,
 		principal_point_mm: [x0, y0],
 		...pixel === void 0 ? {} : { pixel_mm: pixel },
-		...lens
+		...lens,
+		...uncertain
 	};
 }
+var IN_TEXT = [
+	"openLeft",
+	"openRight",
+	"interiorLeft",
+	"interiorRight",
+	"match",
+	"orientation"
+];
 function mountCamera(host, store, loadFile) {
 	const change = () => {
 		const last = store.state.camera;
 		const camera = cameraOf(fields.map((field, i) => {
 			const number = NUMBERS[i];
 			return number === void 0 ? void 0 : readNumber(field, (value) => allowedOfCamera(number.alone(value)), (last === null ? null : number.of(last)) ?? void 0);
-		}));
+		}), last);
 		if (!NUMBERS.every(({ of }) => (camera === null ? null : of(camera) ?? null) === (last === null ? null : of(last) ?? null))) store.dispatch({
 			type: "camera",
 			camera
@@ -8266,11 +8290,10 @@ function mountCamera(host, store, loadFile) {
 	});
 	store.watch((s) => [
 		s.camera,
-		s.results.openLeft,
-		s.results.openRight,
-		s.results.match,
 		s.photos,
-		s.truth
+		s.truth,
+		isCurrent(s, "orientation"),
+		...IN_TEXT.map((stage) => s.results[stage])
 	], () => fill(source, sourceText(store.state)));
 }
 function exifText(name, exif) {
@@ -8310,6 +8333,7 @@ function sourceText(state) {
 	return say("orientation-needs-a-focal-length", { exif });
 }
 function estimatedText(state) {
+	if (!isCurrent(state, "orientation")) return "";
 	const camera = state.results.orientation?.value.cameras?.[0];
 	const interior = interiorInUse(state)?.left;
 	if (camera == null || interior === void 0) return "";
@@ -8419,7 +8443,7 @@ function makePresets(presets, take) {
 // www/pair/panel/controls.ts
 function mountControls(host, store, opener) {
 	store.watch(["catalogue"], ([catalogue]) => {
-		if (catalogue !== null) quiet().then(() => show(catalogue));
+		if (catalogue !== null) whenQuiet(() => show(catalogue));
 	});
 	function show(catalogue) {
 		let acts = resolved(catalogue.defaults);
@@ -10962,7 +10986,7 @@ var PRESETS = {
 };
 function mountSimulate(host, store, engine, render) {
 	store.watch(["catalogue"], ([catalogue]) => {
-		if (catalogue !== null) quiet().then(() => new SimulatePanel(host, store, engine, catalogue, render));
+		if (catalogue !== null) whenQuiet(() => new SimulatePanel(host, store, engine, catalogue, render));
 	});
 }
 var SimulatePanel = class {
@@ -13592,7 +13616,7 @@ async function loadCatalogue() {
 	await __wbg_init({ module_or_path: await wasmModule() });
 	return catalogueInLanguage(readCatalogue());
 }
-// node_modules/idb/build/index.js
+// ../main/node_modules/idb/build/index.js
 var instanceOfAny = (object, constructors) => constructors.some((c) => object instanceof c);
 var idbProxyableTypes;
 var cursorAdvanceMethods;
@@ -14650,6 +14674,7 @@ var Search = class {
 		});
 	}
 	open() {
+		hasten();
 		this.all = actions();
 		this.input.value = "";
 		this.dialog.showModal();
@@ -15181,4 +15206,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isHidden, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isHidden, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };

@@ -1,14 +1,16 @@
-/** Which cameras the page remembers of a block. */
+/** Which cameras the page remembers of a block, and what a pair's camera is worth. */
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import '../pkg/node.js';
+import { photo_camera } from '../pkg/node.js';
 import { pageModules } from './www.js';
 
 const {
   calibrated: { calibrationsOf },
+  camera: { cameraOf },
+  pair_camera: { cameraOfImages },
   calibrations: { rememberCalibrations, calibrationBehind, calibrationOf, cameraOfPair, forgetCalibration },
-} = await pageModules(['block/state/calibrated', 'shared/state/calibrations']);
+} = await pageModules(['block/state/calibrated', 'block/state/pair-camera', 'pair/panel/camera', 'shared/state/calibrations']);
 
 const CAMERA = { width_px: 4000, height_px: 3000, focal_px: 3600, principal_point_px: [2000, 1500], radial: [-0.01, 0, 0] };
 const GIVEN = { ...CAMERA, focal_px: 3700, radial: [0, 0, 0] };
@@ -57,4 +59,25 @@ test('the latest calibration of a camera takes the place of the former one, and 
   assert.equal(of('A'), null);
   for (let i = 0; i < 60; i++) rememberCalibrations([{ ...first, label: String(i) }]);
   assert.deepEqual([of('9'), of('10')?.label, of('59')?.label], [null, '10', '59']);
+});
+
+test('a pair of a block has the calibrated camera, else the given one, as uncertain as one of EXIF', () => {
+  const of = (/** @type {object} */ camera, second = 0) => cameraOfImages({ images: [{ camera: 0 }, { camera: second }], cameras: [camera, camera] }, 0, 1);
+  assert.deepEqual(of({ given: GIVEN, calibrated: CAMERA }), photo_camera(CAMERA));
+  const given = of({ given: GIVEN, calibrated: null });
+  const { uncertainty, ...constants } = given;
+  assert.deepEqual(constants, photo_camera(GIVEN));
+  // Less is known of it than of one that a file calls calibrated.
+  assert.ok(uncertainty.focal > cameraOfPair({ camera: GIVEN }).uncertainty.focal);
+  assert.equal(of({ given: null, calibrated: null }), null);
+  assert.equal(of({ given: GIVEN, calibrated: CAMERA }, 1), null);
+});
+
+test('a camera of which a number is changed stays as uncertain as it was loaded; one that is typed anew says nothing', () => {
+  const uncertainty = { focal: 0.01, principal_point: 0.003, k1: 0.01 };
+  const loaded = { focal_mm: 85, pixel_mm: 0.15, uncertainty };
+  const changed = cameraOf([86, 0.15], loaded);
+  assert.deepEqual([changed.focal_mm, changed.uncertainty], [86, uncertainty]);
+  assert.equal(cameraOf([undefined, 0.15], loaded), null);
+  assert.ok(!('uncertainty' in cameraOf([86, 0.15], null)));
 });

@@ -49,7 +49,7 @@ export const match = {
     "Without --camera the focal length comes from the images' XMP and EXIF data (file_cameras, each with its origin and cautions); without either the matches are given and the orientation is null, with the " +
     'reason. JSON: verdict (oriented, weak or not_oriented, with what decided), counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` ' +
     'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With gradients also geometry (model, threshold_px, sigma_px, ' +
-    'degenerate, focal) or null with no_geometry; where no camera is known, one is assumed. What is known of a camera that is not calibrated stands in orientation.cameras.',
+    'degenerate, focal) or null with no_geometry; where no camera is known, one is assumed. orientation.cameras says what is known of each camera, but for those known without error: with an uncertainty of zeros, or with none and fiducial marks.',
   async run(call) {
     const {
       positionals: [leftPath = '', rightPath = ''],

@@ -12,6 +12,19 @@ hosted('/calibrations/');
 /** The camera of the flight as its photos name it, and as a block would have calibrated it. */
 const LABEL = 'Tiepoint Simulated 0, 85 mm, 480 x 360 px';
 
+/** What the page says of a camera that its pair told. */
+const ESTIMATED = /focal length \d+ ± \d+ px/;
+
+/** Types a focal length; gives what is said of the camera before and at once after. It runs in the page. */
+function changeFocal() {
+  const said = () => document.querySelector('[data-testid="camera-source"]')?.textContent;
+  const field = /** @type {HTMLInputElement} */ (document.querySelector('[data-testid="camera-focal"]'));
+  const before = said();
+  field.value = '84';
+  field.dispatchEvent(new Event('change', { bubbles: true }));
+  return [before, said()];
+}
+
 /** @returns {object} */
 function calibration() {
   const scene = new BlockScene(FLIGHT);
@@ -37,6 +50,7 @@ test('a remembered camera is offered to photos that name it, used by one press, 
   await page.reload();
   await done(page);
   assert.equal(await part(page, 'next').textContent(), 'Use the calibrated camera');
+  assert.match((await part(page, 'camera-source').textContent()) ?? '', ESTIMATED);
   await part(page, 'next').click();
   await again(page);
   await part(page, 'settings').click();
@@ -44,6 +58,16 @@ test('a remembered camera is offered to photos that name it, used by one press, 
   const focal = Number(await part(page, 'camera-focal').inputValue());
   assert.ok(Math.abs(focal - 85) < 1, String(focal));
   assert.ok(await part(page, 'use-calibration').isHidden());
+  assert.match((await part(page, 'camera-source').textContent()) ?? '', ESTIMATED);
+  // What was estimated of a camera is not said of another one.
+  const [before, changed] = await page.evaluate(changeFocal);
+  assert.ok(before && changed && ESTIMATED.test(before) && !ESTIMATED.test(changed), `${before} / ${changed}`);
+  await again(page);
+  assert.match((await part(page, 'camera-source').textContent()) ?? '', ESTIMATED);
+  await part(page, 'clear-camera').click();
+  await again(page);
+  await part(page, 'use-calibration').click();
+  await again(page);
   // Photographs of another camera do not take it over; the camera of these is offered again.
   await part(page, 'file-input').setInputFiles(pngs());
   await says(page, 'status', /The calibrated camera is not that of these photographs/);

@@ -81,3 +81,30 @@ test('the page in one file has all parts in it', { skip: SKIP }, async () => {
   assert.deepEqual(complaints, []);
   await close();
 });
+
+/** A page that is never quiet. It runs in the page. */
+function keepBusy() {
+  window.requestIdleCallback = () => 0;
+}
+
+test('settings are there for who looks for them before the page is quiet', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  await page.addInitScript(keepBusy);
+  const made = () => page.locator('#panel-settings [data-key]').count();
+  const anew = async () => {
+    await page.reload();
+    await says(page, 'status', /^Ready/);
+    assert.equal(await made(), 0);
+  };
+  await anew();
+  await page.keyboard.press('Control+k');
+  await part(page, 'search-text').fill('strategy setting');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.activeElement?.getAttribute('data-key') === 'matching.strategy');
+  await part(page, 'close-settings').click();
+  await anew();
+  await part(page, 'settings').click();
+  assert.ok((await made()) > 20);
+  assert.deepEqual(complaints, []);
+  await close();
+});

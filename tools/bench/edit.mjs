@@ -116,7 +116,7 @@ export async function edit() {
     }
     /** @type {Times[]} */
     const times = await tab.evaluate(() => /** @type {any} */ (window).times);
-    const answers = await Promise.all(tab.workers().map((worker) => worker.evaluate(() => /** @type {any} */ (self).took)));
+    const answers = await Promise.all(tab.workers().map((worker) => worker.evaluate(() => /** @type {any} */ (self).took ?? [])));
     const worker = median(answers.flat());
     const of = (/** @type {(times: Times) => number} */ value) => median(times.map(value)).toFixed(0);
     console.log(`  ${matches?.trim()}; medians of ${EDITS} edits, ms`);

@@ -1,11 +1,11 @@
 /** From a pair of the block to the pair's part of the page, and back. */
-import { photo_camera } from '../../pkg/wasm/tiepoint.js';
 import type { Engine } from '../pair/engine/engine';
 import type { CameraMm } from '../shared/crate';
 import type { Modes } from '../shared/state/mode';
 import { SIDES } from '../pair/state/state';
 import type { GivenImage, Side } from '../pair/state/state';
 import type { Store } from '../pair/state/store';
+import { cameraOfImages } from './state/pair-camera';
 import type { BlockFile } from './state/state';
 import type { BlockStore } from './engine/engine';
 import { say } from '../shared/text/words';
@@ -27,7 +27,7 @@ export async function openPair(block: BlockStore, modes: Modes, store: Store, en
   const images: Record<Side, GivenImage> = { left: given(left), right: given(right) };
   let camera: CameraMm | null;
   try {
-    camera = cameraOf(block, a, b);
+    camera = cameraOfImages(shown.view, a, b);
     await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
   } catch (error) {
     tell(block, say('the-pair-cannot-be-shown', { error: messageOf(error) }));
@@ -56,15 +56,6 @@ function readyFor(store: Store, block: BlockStore, camera: CameraMm | null): voi
     store.dispatch({ type: 'photo', side, photo: { fiducials: [], origin: null } });
     store.dispatch({ type: 'mask', side, mask: null });
   }
-}
-
-/** The camera of both images: as the block calibrated it, or given before that; null where they have two cameras, or nothing is known. */
-function cameraOf(block: BlockStore, a: number, b: number): CameraMm | null {
-  const { images = [], cameras = [] } = block.state.shown?.view ?? {};
-  const [left, right] = [images[a], images[b]];
-  const camera = left !== undefined && left.camera === right?.camera ? cameras[left.camera] : undefined;
-  const known = camera?.calibrated ?? camera?.given ?? null;
-  return known === null ? null : photo_camera(known);
 }
 
 function fileOf(block: BlockStore, name: string | undefined): BlockFile | undefined {

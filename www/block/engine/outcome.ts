@@ -97,7 +97,14 @@ export function viewOf(block: FinishedBlock): BlockView {
     byRays: by_rays.map(({ rays, points: count, rmse_px: rmsePx }) => ({ rays, points: count, rmsePx })),
     oriented,
     verdict: { kind: verdict.kind, text: message('block_verdict', verdict) },
-    orthophoto: onOrthophoto === null ? null : { kind: onOrthophoto.kind, text: message('on_orthophoto', onOrthophoto) },
+    orthophoto:
+      onOrthophoto === null
+        ? null
+        : {
+            kind: onOrthophoto.kind,
+            inCrs: onOrthophoto.kind === 'linked' && onOrthophoto.in_crs === true,
+            text: message('on_orthophoto', onOrthophoto),
+          },
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     checks,

@@ -14,7 +14,8 @@ type Given = Pick<BlockState, 'placing' | 'options' | 'files' | 'shown'>;
 export function blockOnOrthophoto(state: Given): Shown | null {
   const { shown, placing } = state;
   const { orthophoto } = placing;
-  if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial || shown.view.orthophoto?.kind !== 'linked') return null;
+  if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial) return null;
+  if (shown.view.orthophoto?.kind !== 'linked' || shown.view.orthophoto.inCrs) return null;
   return purposeOf(state) !== 'images' && hasPlaceOn(orthophoto, shown.view) ? shown : null;
 }
 

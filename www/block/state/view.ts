@@ -138,8 +138,8 @@ export interface BlockView {
   oriented: number;
   /** What the block is worth, in one sentence; null while it is under way. */
   verdict: { kind: BlockVerdict['kind']; text: string } | null;
-  /** What came of the orthophoto that it was given, in one sentence; null where it was given none. */
-  orthophoto: { kind: OnOrthophoto['kind']; text: string } | null;
+  /** What came of the orthophoto that it was given, in one sentence, and whether positions are not in its system but in its coordinate reference system; null where it was given none. */
+  orthophoto: { kind: OnOrthophoto['kind']; inCrs: boolean; text: string } | null;
   rmsePx: number | null;
   sigma0Px: number | null;
   /** Ground control points and check points of the block. */

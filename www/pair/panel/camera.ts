@@ -2,7 +2,7 @@
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
 import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { calibrationGroup } from './calibration';
-import { comparesGradients, pairCameras } from '../state/keys';
+import { comparesGradients, isCurrent, pairCameras } from '../state/keys';
 import { interiorInUse } from '../state/interior';
 import { pixelMm } from '../state/residuals';
 import type { State } from '../state/state';
@@ -34,12 +34,17 @@ const NUMBERS = [
   { label: 'p2', unit: 'mm⁻¹', testid: 'camera-p2', of: (c) => c.tangential_distortion?.[1], alone: (v) => ({ tangential_distortion: [0, v] }) },
 ] as const satisfies readonly CameraNumber[];
 
-/** A camera of its numbers, in the order of `NUMBERS`; null without a focal length. */
-function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0]: readonly (number | undefined)[]): CameraMm | null {
+/** A camera of its numbers, in the order of `NUMBERS`, as uncertain as the last one; null without a focal length. */
+export function cameraOf(numbers: readonly (number | undefined)[], last: CameraMm | null): CameraMm | null {
+  const [focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0] = numbers;
   if (focal === undefined) return null;
   const lens = { radial_distortion: [k1, k2, k3] as [number, number, number], tangential_distortion: [p1, p2] as [number, number] };
-  return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), ...lens };
+  const uncertain = last?.uncertainty === undefined ? {} : { uncertainty: last.uncertainty };
+  return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), ...lens, ...uncertain };
 }
+
+/** The stages whose results the text about the camera tells. */
+const IN_TEXT = ['openLeft', 'openRight', 'interiorLeft', 'interiorRight', 'match', 'orientation'] as const;
 
 export function mountCamera(host: HTMLElement, store: Store, loadFile: () => void): void {
   const change = () => {
@@ -51,6 +56,7 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
           ? undefined
           : readNumber(field, (value) => allowedOfCamera(number.alone(value)), (last === null ? null : number.of(last)) ?? undefined);
       }),
+      last,
     );
     // A field whose value is not taken goes on showing it.
     const same = NUMBERS.every(({ of }) => (camera === null ? null : (of(camera) ?? null)) === (last === null ? null : (of(last) ?? null)));
@@ -80,7 +86,7 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
     clear.disabled = camera === null;
   });
   store.watch(
-    (s) => [s.camera, s.results.openLeft, s.results.openRight, s.results.match, s.photos, s.truth] as const,
+    (s) => [s.camera, s.photos, s.truth, isCurrent(s, 'orientation'), ...IN_TEXT.map((stage) => s.results[stage])],
     () => fill(source, sourceText(store.state)),
   );
 }
@@ -123,8 +129,9 @@ function sourceText(state: State): string {
   return say('orientation-needs-a-focal-length', { exif });
 }
 
-/** What is known of a camera that is not known without error. */
+/** What is known of a camera that is not known without error; nothing of one that other settings had. */
 function estimatedText(state: State): string {
+  if (!isCurrent(state, 'orientation')) return '';
   const camera = state.results.orientation?.value.cameras?.[0];
   const interior = interiorInUse(state)?.left;
   if (camera == null || interior === undefined) return '';

@@ -6,7 +6,7 @@ import type { Store } from '../state/store';
 import type { Value } from '../../shared/panel/control';
 import { makePresets } from './presets';
 import { fill } from '../../shared/panel/dom';
-import { quiet } from '../../shared/engine/breath';
+import { whenQuiet } from '../../shared/engine/breath';
 import { makeFolded, settingsText } from '../../shared/panel/sections';
 import { withSetting } from '../../shared/panel/settings';
 import { say } from '../../shared/text/words';
@@ -14,7 +14,7 @@ import { say } from '../../shared/text/words';
 /** Fills the settings panel once the crate's catalogue is there; `opener` opens it, and says how many settings were changed. */
 export function mountControls(host: HTMLElement, store: Store, opener: HTMLElement): void {
   store.watch(['catalogue'], ([catalogue]) => {
-    if (catalogue !== null) void quiet().then(() => show(catalogue));
+    if (catalogue !== null) whenQuiet(() => show(catalogue));
   });
   // Some hundred fields: who starts the page waits for none of them.
   function show(catalogue: Catalogue): void {

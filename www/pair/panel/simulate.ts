@@ -1,5 +1,5 @@
 /** A flight to simulate: presets, a control for each of its parameters, and a small picture of the pair that follows every change. */
-import { quiet } from '../../shared/engine/breath';
+import { whenQuiet } from '../../shared/engine/breath';
 import { problemOfFlight } from '../engine/checks';
 import type { Engine } from '../engine/engine';
 import { CallError, Cancelled } from '../../shared/engine/client';
@@ -28,7 +28,7 @@ const PRESETS: Readonly<Record<string, string>> = {
 
 export function mountSimulate(host: HTMLElement, store: Store, engine: Engine, render: (name: string, flight: Flight) => void): void {
   store.watch(['catalogue'], ([catalogue]) => {
-    if (catalogue !== null) void quiet().then(() => new SimulatePanel(host, store, engine, catalogue, render));
+    if (catalogue !== null) whenQuiet(() => new SimulatePanel(host, store, engine, catalogue, render));
   });
 }
 

@@ -1,4 +1,5 @@
 /** All that can be done: found by a word (Ctrl+K), and the list of all keys (?). */
+import { hasten } from '../engine/breath';
 import { declare, declared, keyText } from '../view/commands';
 import { MOVES } from '../view/gestures';
 import { button, fill, h } from './dom';
@@ -120,6 +121,8 @@ class Search {
   }
 
   open(): void {
+    // Settings that are still to be made are found too.
+    hasten();
     this.all = actions();
     this.input.value = '';
     this.dialog.showModal();

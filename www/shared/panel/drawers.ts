@@ -1,4 +1,5 @@
 /** What is opened and closed by a button: the settings, the details of the results, the settings that few need, the tables. It stays as it was left. */
+import { hasten } from '../engine/breath';
 import { button } from './dom';
 import { keepChoice, keptChoice } from '../choices';
 import { say } from '../text/words';
@@ -37,6 +38,7 @@ export function isOpen(drawer: Drawer): boolean {
 
 export function setDrawer(drawer: Drawer, wanted: boolean): void {
   if (isOpen(drawer) === wanted) return;
+  if (wanted && drawer === 'settings') hasten();
   if (wanted) open.add(drawer);
   else open.delete(drawer);
   if (wanted && !ROOM.matches) for (const other of BESIDE[drawer] ?? []) open.delete(other);

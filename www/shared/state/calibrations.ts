@@ -1,5 +1,5 @@
 /** Cameras as blocks calibrated them, remembered by this browser, for photographs that name a camera of the same make, model, focal length and size. */
-import { camera_of_exif } from '../crate';
+import { cameraFrom } from './camera';
 import type { Camera, CameraMm } from '../crate';
 import { keepChoice, keptChoice } from '../choices';
 
@@ -80,6 +80,5 @@ export function forgetCalibration(label: string): void {
 
 /** The camera for a pair, as uncertain as if its files recorded the calibration: another day, another specimen of the model. */
 export function cameraOfPair({ camera }: Calibration): CameraMm {
-  const pixel = camera.pixel_mm ?? null;
-  return camera_of_exif({ make: null, model: null, focal_mm: camera.focal_px * (pixel ?? 1), pixel_mm: pixel, origin: 'xmp_calibration', lens: camera });
+  return cameraFrom(camera, 'xmp_calibration');
 }
