@@ -526,7 +526,8 @@ export interface FixedParameter {
 }
 
 /**
- * A camera that was not calibrated, as its pair tells it: prior information and matches together, in the millimetres of its photo coordinates.
+ * A camera that is not known without error: prior information, and where its pair tells more, matches with it, in the millimetres of its photo
+ * coordinates.
  */
 export interface EstimatedCamera {
     focal_mm: number;
@@ -2942,7 +2943,7 @@ export interface RelativeOrientation extends FiveParameters {
      */
     standard_errors: FiveParameters | null;
     /**
-     * The same with what makes observations depend on each other: the errors of the interior orientations, and what neighbouring matches
+     * The same with what makes observations depend on each other: the errors of cameras and interior orientations, and what matches
      * share. They are no less than the others; absent where neither is known.
      */
     total_standard_errors: FiveParameters | null;
@@ -3022,7 +3023,7 @@ export interface RelativeOrientation extends FiveParameters {
      */
     rejected: number[];
     /**
-     * The left and the right camera where they were not calibrated, in the photo axes of ω φ κ by bz; absent where both were.
+     * The left and the right camera where they are not known without error, in the photo axes of ω φ κ by bz; absent where both are.
      */
     cameras?: [EstimatedCamera, EstimatedCamera];
 }
@@ -4308,7 +4309,7 @@ export interface PairChoice {
 /**
  * Why a block is not in the system of an orthophoto.
  */
-export type NotLinked = { kind: "not_oriented" } | { kind: "other_system"; orthophoto: string | null; crs: string; failure: Failure } | { kind: "few_images"; placed: number; images: number; needed: number } | { kind: "few_points"; points: number; needed: number } | { kind: "disagreement"; rejected: number; points: number } | { kind: "contradiction"; x_m: number; y_m: number; z_m: number } | { kind: "failed"; failure: Failure };
+export type NotLinked = { kind: "not_oriented" } | { kind: "own_system"; crs: string } | { kind: "other_system"; orthophoto: string | null; crs: string; failure: Failure } | { kind: "few_images"; placed: number; images: number; needed: number } | { kind: "few_points"; points: number; needed: number } | { kind: "disagreement"; rejected: number; points: number } | { kind: "contradiction"; x_m: number; y_m: number; z_m: number } | { kind: "failed"; failure: Failure };
 
 /**
  * Why a job of a run, or the reading of a file that it needs, failed.
