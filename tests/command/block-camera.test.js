@@ -18,7 +18,10 @@ test('a pair takes the camera that a block calibrated', () => {
   const [camera] = orientation.cameras;
   const text = tiepoint('match', photo(0), photo(1), '--camera', project);
   assert.doesNotMatch(text.stdout, /EXIF/);
-  assert.ok(camera.focal_px > 0 && !pair.orientation.cameras?.length, JSON.stringify(pair.orientation.cameras));
+  const [own] = pair.orientation.cameras;
+  assert.ok(Math.abs(own.focal_mm / pair.pixel_mm - camera.focal_px) < 1e-6 * camera.focal_px, JSON.stringify([own, pair.pixel_mm, camera]));
+  // It is known as well as cameras that are given.
+  assert.ok(Math.abs(own.focal_standard_error_mm / own.focal_mm - 0.003) < 1e-9);
   // Other photos of the only camera are as good, by whatever name.
   const at = folder();
   for (const [from, to] of [
