@@ -303,7 +303,11 @@ fn placed(block: &BlockRun, reference: &Orthophoto) -> BlockLinks {
 }
 
 fn linked(block: &BlockRun, reference: &Orthophoto) -> BlockRun {
-    let found = placed(block, reference).linked(block, reference, &placing()).unwrap();
+    all_linked(&placed(block, reference), block, reference)
+}
+
+fn all_linked(links: &BlockLinks, block: &BlockRun, reference: &Orthophoto) -> BlockRun {
+    let found = links.linked(block, reference, &placing()).unwrap();
     assert!(matches!(found.orthophoto, Some(OnOrthophoto::Linked { linked: 8, .. })), "{:?}", found.orthophoto);
     found
 }
@@ -329,10 +333,22 @@ fn of_truth() -> Vec<[f64; 3]> {
     flown().scene.truth().images.iter().map(|image| in_utm(image.pose.unwrap().position)).collect()
 }
 
+/// An orthophoto in the system of the block.
+fn in_system() -> &'static Orthophoto {
+    static MADE: OnceLock<Orthophoto> = OnceLock::new();
+    MADE.get_or_init(|| with_code(&orthophoto(UTM, 1.0), 25832))
+}
+
+/// The photos on that orthophoto: where they lie follows from cameras and photos, whatever else is known of the block.
+fn links() -> &'static BlockLinks {
+    static LINKS: OnceLock<BlockLinks> = OnceLock::new();
+    LINKS.get_or_init(|| placed(by_gnss(), in_system()))
+}
+
 /// The block on an orthophoto in its system, beside its GNSS positions.
 fn on_orthophoto() -> &'static BlockRun {
     static LINKED: OnceLock<BlockRun> = OnceLock::new();
-    LINKED.get_or_init(|| linked(by_gnss(), &with_code(&orthophoto(UTM, 1.0), 25832)))
+    LINKED.get_or_init(|| all_linked(links(), by_gnss(), in_system()))
 }
 
 #[test]
@@ -401,15 +417,14 @@ fn an_orthophoto_of_another_zone_is_converted_and_one_without_a_system_is_taken_
 
 #[test]
 fn control_points_take_part_beside_an_orthophoto_in_one_system_or_contradict_it() {
-    let reference = with_code(&orthophoto(UTM, 1.0), 25832);
-    let found = linked(both(), &reference);
+    let found = all_linked(links(), both(), in_system());
     let model = &found.reconstruction.as_ref().unwrap().models[0];
     let control = |begins: &str| model.surveyed.iter().filter(|point| point.name.starts_with(begins)).count();
     assert!(control("G") >= 9 && control("orthophoto_") >= 40, "{} {}", control("G"), control("orthophoto_"));
     let apart = largest(&centres(&found), &of_truth());
     assert!(apart.iter().all(|off| *off < 1.6), "{apart:?}");
     let low = run(UTM, None, Some(control_raised(5.0))).unwrap();
-    let contradicted = placed(&low, &reference).linked(&low, &reference, &placing()).unwrap();
+    let contradicted = links().linked(&low, in_system(), &placing()).unwrap();
     let NotLinked::Contradiction { x_m, y_m, z_m } = not_linked(&contradicted) else { panic!("{}", not_linked(&contradicted)) };
     assert!(x_m.abs() < 0.5 && y_m.abs() < 0.5 && (z_m + 5.0).abs() < 0.5, "{x_m} {y_m} {z_m}");
     assert_eq!(contradicted.model, low.model);
@@ -421,9 +436,7 @@ fn control_raised(by_m: f64) -> ControlTexts {
 
 #[test]
 fn an_orthophoto_that_cannot_be_in_the_system_is_refused_with_both_systems() {
-    let reference = orthophoto(UTM, 1.0);
-    let links = placed(by_gnss(), &with_code(&reference, 25832));
-    let refused = |epsg: u16| links.linked(by_gnss(), &with_code(&reference, epsg), &placing()).unwrap();
+    let refused = |epsg: u16| links().linked(by_gnss(), &with_code(in_system(), epsg), &placing()).unwrap();
     // New Zealand; a code that is none.
     for (epsg, code) in [(2193, "crs-area"), (9999, "unknown-crs")] {
         let found = refused(epsg);
@@ -436,9 +449,9 @@ fn an_orthophoto_that_cannot_be_in_the_system_is_refused_with_both_systems() {
     }
     // No image is placed on it in vain.
     let mut none = BlockLinks::default();
-    let area = SearchArea::new(&reference, &placing()).unwrap();
+    let area = SearchArea::new(in_system(), &placing()).unwrap();
     let grey = decode(&fs::read(&flown().photos[0]).unwrap(), &DecodeLimits::default()).unwrap().grey;
-    assert!(none.place(by_gnss(), 0, grey.view(), &with_code(&reference, 2193), &area, &placing()).unwrap().is_none());
+    assert!(none.place(by_gnss(), 0, grey.view(), &with_code(in_system(), 2193), &area, &placing()).unwrap().is_none());
     // The wrong zone: far from the GNSS positions.
     let found = refused(25833);
     let told = not_linked(&found).to_string();

@@ -70,13 +70,28 @@ fn block() -> &'static BlockRun {
     BLOCK.get_or_init(|| run(None))
 }
 
-fn linked(block: &BlockRun, reference: &Orthophoto) -> BlockRun {
+fn placed(block: &BlockRun, reference: &Orthophoto) -> BlockLinks {
     let area = SearchArea::new(reference, &options()).unwrap();
     let mut links = BlockLinks::default();
     for (index, path) in flown().photos.iter().enumerate() {
         let grey = decode(&fs::read(path).unwrap(), &DecodeLimits::default()).unwrap().grey;
         links.place(block, index, grey.view(), reference, &area, &options()).unwrap();
     }
+    links
+}
+
+/// The orthophoto of the scene, and where its photos lie on it: that follows from cameras and photos, whatever else is known of the block.
+fn own() -> &'static (Orthophoto, BlockLinks) {
+    static OWN: OnceLock<(Orthophoto, BlockLinks)> = OnceLock::new();
+    OWN.get_or_init(|| {
+        let reference = orthophoto(&flown().scene);
+        let links = placed(block(), &reference);
+        (reference, links)
+    })
+}
+
+fn linked(block: &BlockRun) -> BlockRun {
+    let (reference, links) = own();
     links.linked(block, reference, &options()).unwrap()
 }
 
@@ -102,8 +117,8 @@ fn errors(run: &BlockRun, truth: &BlockModel) -> Vec<[(f64, f64); 3]> {
 #[test]
 fn a_block_comes_into_the_system_of_its_orthophoto() {
     let Flown { scene, .. } = flown();
-    let (before, reference) = (block(), orthophoto(scene));
-    let found = linked(before, &reference);
+    let before = block();
+    let found = linked(before);
     let OnOrthophoto::Linked { linked, images, points, checks, .. } = outcome(&found) else { panic!("{}", outcome(&found)) };
     assert!(linked == 8 && images == 8 && points >= 40 && checks >= 8, "{}", outcome(&found));
     assert!(matches!(BlockVerdict::of(&found), BlockVerdict::Oriented { .. }), "{}", BlockVerdict::of(&found));
@@ -132,7 +147,7 @@ fn a_block_comes_into_the_system_of_its_orthophoto() {
 #[test]
 fn an_orthophoto_of_elsewhere_leaves_the_block_as_it_was_and_says_so() {
     let other = orthophoto(&BlockScene::new(&BlockFlight { exposures: 2, ..flight(4) }).unwrap());
-    let found = linked(block(), &other);
+    let found = placed(block(), &other).linked(block(), &other, &options()).unwrap();
     let OnOrthophoto::NotLinked { not_linked } = outcome(&found) else { panic!("{}", outcome(&found)) };
     assert!(matches!(not_linked, NotLinked::FewImages { placed: 0, images: 8, .. }), "{not_linked}");
     assert_eq!(BlockRun { orthophoto: None, ..found.clone() }, *block());
@@ -140,7 +155,6 @@ fn an_orthophoto_of_elsewhere_leaves_the_block_as_it_was_and_says_so() {
     assert!(matches!(overview_warning, OverviewWarning::NotOnOrthophoto { .. }));
 }
 
-/// Where a photo without distortion shows a place, if it does.
 /// Ground control points by the truth, their heights raised.
 fn surveyed(raised_m: f64) -> ControlTexts {
     let places = shown(&flown().scene, &[0, 2, 5, 7], &[[150.0, 120.0], [330.0, 240.0]]);
@@ -155,15 +169,14 @@ fn surveyed(raised_m: f64) -> ControlTexts {
 
 #[test]
 fn ground_control_points_take_part_beside_the_orthophoto_or_contradict_its_heights() {
-    let reference = orthophoto(&flown().scene);
-    let both = linked(&run(Some(surveyed(0.0))), &reference);
+    let both = linked(&run(Some(surveyed(0.0))));
     let OnOrthophoto::Linked { points, .. } = outcome(&both) else { panic!("{}", outcome(&both)) };
     let model = &both.reconstruction.as_ref().unwrap().models[0];
     let control = |begins: &str| model.surveyed.iter().filter(|point| point.name.starts_with(begins)).count();
     assert!(control("G") >= 4 && control("orthophoto_") >= points, "{points}");
     // Heights of the model that are 5 m lower than those that were surveyed.
     let low = run(Some(surveyed(5.0)));
-    let found = linked(&low, &reference);
+    let found = linked(&low);
     let OnOrthophoto::NotLinked { not_linked: NotLinked::Contradiction { x_m, y_m, z_m } } = outcome(&found) else {
         panic!("{}", outcome(&found))
     };

@@ -149,15 +149,13 @@ async function everything(steps, rebuilds) {
   const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', () => ensurePackages().then(() => true)));
   const toolchain = needs('rust', 'wasm', 'build', 'package') ? await steps.prepare('Rust', ensureToolchain) : null;
 
-  // Two lanes for two processors: what cargo does, one call after the other since each locks the folder of the build, and what Node runs on the
-  // tracked module and page. The files of the command's tests, and of the page's, share nothing, and wait for one process or page at a time.
-  const compiled = async () => {
+  // Two lanes for two processors: what cargo does natively, and what Node runs on the tracked module and page. The files of the command's tests,
+  // and of the page's, share nothing, and wait for one process or page at a time. What is compiled to wasm comes last, when the folder of the
+  // build, which a call of cargo locks, has long been free: native tests take longer to run than to compile.
+  const native = async () => {
     if (!toolchain) return;
     await rustLints(steps, toolchain);
     await rustTests(steps, toolchain);
-    const programs = needs('wasm') || rebuilds ? await steps.prepare('wasm-bindgen', () => ensureBindgen(toolchain)) : null;
-    if (programs) await wasmTests(steps, toolchain, programs);
-    if (programs && rebuilds) await rebuiltModule(steps, toolchain, programs);
     await nodeTests(steps, 'package', 'tests, contents of crate and package', { CARGO_TOOLCHAIN: toolchain.name });
   };
   const executed = async () => {
@@ -167,8 +165,11 @@ async function everything(steps, rebuilds) {
     const program = { CHROMIUM: chromium?.path ?? '', NO_CHROMIUM: chromium?.reason ?? '' };
     if (packages) await nodeTests(steps, 'page', 'tests, page in Chromium', program, FILES);
     await nodeTests(steps, 'command', 'tests, command', {}, FILES);
+    const programs = toolchain && (needs('wasm') || rebuilds) ? await steps.prepare('wasm-bindgen', () => ensureBindgen(toolchain)) : null;
+    if (toolchain && programs) await wasmTests(steps, toolchain, programs);
+    if (toolchain && programs && rebuilds) await rebuiltModule(steps, toolchain, programs);
   };
-  await Promise.all([compiled(), executed()]);
+  await Promise.all([native(), executed()]);
 }
 
 async function main() {
