@@ -225,3 +225,22 @@ fn what_no_run_can_be_is_refused_before_anything_is_computed() {
     let error = run_block(&[alone], &[], RunInput::default(), &folder("none"), 1, |_| {}).unwrap_err().to_string();
     assert!(error.starts_with("images of the block: got 0 that could be read, of 1 (none.png: "), "{error}");
 }
+
+#[test]
+fn a_copy_of_an_image_is_left_out_and_named() {
+    let folder = folder("copy");
+    let copy = ("photo_00001 again.pgm".to_string(), photos()["photo_00001.pgm"].clone());
+    let mut paths: Vec<PathBuf> = Vec::new();
+    for (name, bytes) in photos().iter().chain([(&copy.0, &copy.1)]) {
+        let path = folder.join(name);
+        fs::write(&path, bytes).unwrap();
+        paths.push(path);
+    }
+    paths.sort();
+    let run = run_block(&paths, &[], options(), &folder.join("work"), 2, drop).unwrap();
+    let told: Vec<(&str, String)> = run.skipped.iter().map(|image| (image.name.as_str(), image.reason.to_string())).collect();
+    // In the order of names a blank comes before the full stop.
+    assert!(told.len() == 1 && told[0].0 == "photo_00001.pgm" && told[0].1.contains("photo_00001 again.pgm"), "{told:?}");
+    assert_eq!(run.images.len(), photos().len());
+    assert_eq!(run.reconstruction.unwrap().models[0].images.len(), photos().len());
+}

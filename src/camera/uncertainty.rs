@@ -53,8 +53,9 @@ impl CameraUncertainty {
     /// Of a camera that is known without error.
     pub const NONE: Self = Self { focal: 0.0, principal_point: 0.0, k1: 0.0 };
     /// Of a camera that is given for digital photos without what is not known of it. A calibration holds for its day, distance and temperature,
-    /// and has standard errors of its own. Of twelve photographs of a compact camera, with the constants that another program's adjustment gave it,
-    /// orientations of three pairs close to 0.13° in the median, 5 times what matches explain; with these 0.7 times.
+    /// and has standard errors of its own. Of twelve photographs by a compact camera, with the constants that another program's adjustment gave it,
+    /// orientations of three pairs do not close by several times what matches explain, and with these by about as much as they say (part `loops` of
+    /// the bench).
     pub const GIVEN: Self = Self { focal: 0.003, principal_point: 0.002, k1: 0.003 };
     /// Of a camera whose calibration stands in XMP. That of a Phantom 4 RTK has 3659.8 px in x and 3653.2 px in y, of square pixels, which shows
     /// 0.2 % of its errors; 1 % allows for another distance, temperature and shock since. Between the calibration of a Parrot Sequoia and its EXIF are

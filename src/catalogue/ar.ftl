@@ -629,6 +629,7 @@ refusal-unused-patterns = الكاميرات: أُعطي { $patterns }، ولا 
 
 # The model of a block.
 refusal-image-name = صورة الكتلة: أُعطي الاسم { $name } للصورة { $image } (العد من 0)؛ المسموح: اسم بلا محارف تحكم
+refusal-copy-of-image = صورة الكتلة: أُعطي الملف نفسه كما في { $name }؛ المسموح: كل صورة مرة واحدة
 refusal-image-name-again = صورة الكتلة: أُعطي الاسم '{ $name }' للصورتين { $first } و{ $second } (العد من 0)؛ المسموح: كل اسم مرة واحدة
 refusal-camera-of-image = كاميرا صورة: أُعطي الرقم { $camera } للصورة '{ $name }'؛ المسموح: أرقام دون { $cameras }
 refusal-point-numbers = نقطة الكتلة: أُعطي { $position } بمتبقيات قدرها { $rmse_px } بكسل للنقطة { $point } (العد من 0)؛ المسموح: أعداد منتهية

@@ -146,6 +146,7 @@ refusal-unused-patterns = the cameras: got { $patterns }, which fit no image; al
 
 # The model of a block.
 refusal-image-name = image of the block: got the name { $name } of image { $image } (counted from 0); allowed: a name without control characters
+refusal-copy-of-image = image of the block: got the same file as { $name }; allowed: each image once
 refusal-image-name-again = image of the block: got the name '{ $name }' for images { $first } and { $second } (counted from 0); allowed: each name once
 refusal-camera-of-image = camera of an image: got index { $camera } for '{ $name }'; allowed: indices below { $cameras }
 refusal-point-numbers = point of the block: got { $position } with residuals of { $rmse_px } px as point { $point } (counted from 0); allowed: finite numbers

@@ -40,6 +40,7 @@ messages! {
         // The model of a block.
         ImageName { name: String, image: usize },
         ImageNameAgain { name: String, first: usize, second: usize },
+        CopyOfImage { name: String },
         CameraOfImage { camera: usize, name: String, cameras: usize },
         PointNumbers { position: String, rmse_px: String, point: usize },
         Confidence { point: usize },

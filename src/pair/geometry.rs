@@ -33,8 +33,8 @@ impl PairInterior {
         Self { left: self.left.turned(), right: self.right.turned(), focal_mm: self.focal_mm }
     }
 
-    /// The interior orientation and the focal length in mm of either photo, as the orientation has estimated them where the cameras were not
-    /// calibrated.
+    /// The interior orientation and the focal length in mm of either photo, as the orientation has estimated them where the cameras are not
+    /// known without error.
     pub(crate) fn estimated(&self, oriented: &RelativeOrientation) -> [(Interior, f64); 2] {
         let sides = [self.left, self.right];
         let Some(cameras) = &oriented.cameras else { return sides.map(|side| (side, self.focal_mm)) };

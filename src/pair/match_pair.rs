@@ -4,7 +4,7 @@ use super::described::{DescribedImage, describe_image};
 use super::geometry::{PairInterior, pair_interior};
 use super::input::{PairImage, PairInput};
 use super::no_orientation::NoOrientation;
-use super::orienting::orient_matches;
+use super::orienting::{are_of_one_photo, orient_matches};
 use super::rounds::{PairMatching, match_in_rounds};
 use super::settings::PairSettings;
 use super::weakness::judged;
@@ -74,10 +74,13 @@ pub fn match_described_pair(
         (Err(reason), Some(found)) => PairInterior::assumed(found, sizes).ok_or(reason),
         (interior, _) => interior,
     };
-    let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
+    // Of one photo twice its own reason is told, not that the camera only turned.
+    let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation)) && !are_of_one_photo(&matching.matches);
     let orientation = match (&interior, &geometry) {
+        (Err(reason @ NoOrientation::Panorama { .. }), _) => Err(reason.clone()),
+        // No camera helps photos that have no geometry.
+        (_, Some(Err(no_geometry))) => Err(NoOrientation::NoGeometry { no_geometry: *no_geometry }),
         (Err(reason), _) => Err(reason.clone()),
-        (Ok(_), Some(Err(no_geometry))) => Err(NoOrientation::NoGeometry { no_geometry: *no_geometry }),
         _ if is_rotation => Err(NoOrientation::PureRotation),
         (Ok(interior), _) => match orient_matches(&matching.matches, interior, &settings.orientation) {
             Err(error) if error.is_usage() => return Err(error),

@@ -8,7 +8,9 @@ use super::stage::{Request, Stage};
 use super::state::{Read, State};
 use super::task::{FeatureTask, Task};
 use super::{RunImage, SkippedImage};
-use crate::{Error, Failure};
+use crate::{Error, Failure, Refusal};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 enum Found {
     Nothing,
@@ -34,18 +36,30 @@ impl Images {
         Self { next: 0, found: (0..count).map(|_| Found::Nothing).collect(), keeps_coarse }
     }
 
-    /// The images in the order of their names, and those that were skipped.
-    pub fn ended(self) -> (Vec<Read>, Vec<SkippedImage>) {
-        let (mut read, mut skipped) = (Vec::new(), Vec::new());
+    /// The images in the order of their names, those that were skipped, and those that are copies of others: their observations would count twice.
+    pub fn ended(self) -> (Vec<Read>, Vec<SkippedImage>, Vec<SkippedImage>) {
+        let (mut read, mut skipped, mut copies) = (Vec::new(), Vec::new(), Vec::new());
+        let mut by_content = BTreeMap::<String, String>::new();
         for found in self.found {
             match found {
-                Found::Read(image) => read.push(*image),
+                Found::Read(image) => match by_content.entry(image.image.content.clone()) {
+                    Entry::Occupied(earlier) => copies.push(copy_of(earlier.get(), &image.image.name)),
+                    Entry::Vacant(new) => {
+                        new.insert(image.image.name.clone());
+                        read.push(*image);
+                    }
+                },
                 Found::Skipped(image) => skipped.push(image),
                 Found::Nothing | Found::Named { .. } => {}
             }
         }
-        (read, skipped)
+        (read, skipped, copies)
     }
+}
+
+fn copy_of(earlier: &str, name: &str) -> SkippedImage {
+    let refusal = Refusal::CopyOfImage { name: earlier.to_string() };
+    SkippedImage { name: name.to_string(), reason: Failure::from(&refusal.into_error()) }
 }
 
 impl Stage for Images {

@@ -1,6 +1,5 @@
 //! The run of a block as a state machine: it hands out jobs and takes their bytes.
 
-use super::BlockRun;
 use super::images::Images;
 use super::input::RunInput;
 use super::job::{Job, News, Step, Work};
@@ -12,6 +11,7 @@ use super::refinement::Refinement;
 use super::stage::Stage;
 use super::state::State;
 use super::windows::WindowStage;
+use super::{BlockRun, SkippedImage};
 use crate::{Error, Failure, Interruption, PairRule, RefinementMethod, Refusal, SelectOptions, choose_pairs, select_points};
 use std::collections::BTreeMap;
 
@@ -186,7 +186,10 @@ impl Run {
         let state = &mut self.state;
         self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Images(stage) => {
-                let (read, skipped) = stage.ended();
+                let (read, mut skipped, copies) = stage.ended();
+                let told = |image: &SkippedImage| News::Skipped { name: image.name.clone(), reason: image.reason.to_string() };
+                self.news.extend(copies.iter().map(told));
+                skipped.extend(copies);
                 state.take_images(read, skipped)?;
                 let rule = state.input.settings.pairs.rule_of(&state.local_positions());
                 if rule == PairRule::Alike { Phase::Likeness(Likeness::new(state)) } else { chosen_pairs(state, &[])? }

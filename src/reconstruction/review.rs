@@ -34,7 +34,11 @@ pub(super) fn warnings(model: &ReconstructedModel, description: &BlockDescriptio
     let mut found = Vec::new();
     found.extend(match placing {
         Placing::Observed => of_rotation(model),
-        Placing::Levelled { recorded, error_deg } => Some(BlockWarning::Levelled { recorded, error_deg, level_deg: LEVEL_DEG }),
+        Placing::Levelled { recorded, error_deg } => {
+            // What may be off by any angle is not determined.
+            let error_deg = error_deg.filter(|error| *error < UNKNOWN_TURN_DEG);
+            Some(BlockWarning::Levelled { recorded, error_deg, level_deg: LEVEL_DEG })
+        }
         Placing::Free { cause } => Some(BlockWarning::Free { cause }),
     });
     found.extend(of_sigma(model));

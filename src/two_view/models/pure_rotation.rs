@@ -19,12 +19,17 @@ const SAME_MAP: f64 = 1e-9;
 pub fn search(matches: &Matches, inner: &Field, found: &Found<RelativePose>) -> Option<TwoView> {
     let rotations = Rotations { field: inner, limits: matches.limits };
     let turned = consensus(&rotations, None, &matches.search(NEARLY_ALL_SAMPLES))?.model;
-    if matches.explains(&turned, found) {
+    if is_turn(matches, &turned, found) {
         return Some(result(matches, matches.frame, &turned, &turned));
     }
     let (frame, rotation) = near_focal(&matches.points_of(&found.inliers), &matches.frame, &turned, largest_px(matches))?;
     let own = matches.frame.homography_from_px(&frame.homography_px(&rotation));
-    matches.explains(&own, found).then(|| result(matches, frame, &rotation, &own))
+    is_turn(matches, &own, found).then(|| result(matches, frame, &rotation, &own))
+}
+
+/// Whether the map of a rotation explains the matches that agree with a pose: most of them, however many of them may be wrong.
+fn is_turn(matches: &Matches, map: &Matrix3<f64>, found: &Found<RelativePose>) -> bool {
+    2 * matches.off(map, found).count() < found.inliers.len() && matches.explains(map, found)
 }
 
 /// The rotation near one that other matches gave, with its map between the images in px.

@@ -22,8 +22,11 @@ export class Coming {
 
   take(news: News): void {
     if (news.kind === 'image') this.images.set(news.index, news);
-    else if (news.kind === 'skipped') this.leftOut.push({ name: news.name, reason: news.reason });
-    else {
+    else if (news.kind === 'skipped') {
+      this.leftOut.push({ name: news.name, reason: news.reason });
+      // One that was read may turn out to be a copy of another.
+      for (const [index, { name }] of this.images) if (name === news.name) this.images.delete(index);
+    } else {
       this.connections.push(news.connection);
       this.geometries.push(news.geometry);
     }
