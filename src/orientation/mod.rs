@@ -41,4 +41,4 @@ pub use relative::{orient_relative, orient_relative_with};
 pub use result::{ErrorEllipse, EstimatedCamera, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Warning};
 pub(crate) use robust_start::Poses;
 pub use shared::SharedErrors;
-pub(crate) use shared_parallax::{MODES, SHARED_BY_FEATURES, SHARED_BY_FITS, extent, modes};
+pub(crate) use shared_parallax::{Extent, MODES, SHARED_BY_FEATURES, SHARED_BY_FITS};

@@ -5,7 +5,7 @@ use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, Unknowns};
 use super::normals::Matrix5;
 use super::precision::derivatives;
-use super::shared_parallax::{MODES, extent, modes};
+use super::shared_parallax::{Extent, MODES};
 use nalgebra::SMatrix;
 
 /// Covariance of ω φ κ (radians), by bz (mm) that shared errors give the adjusted unknowns, by first-order propagation; `None` without any.
@@ -18,7 +18,7 @@ pub(super) fn covariance_of(
     base_mm: f64,
     focal_mm: f64,
 ) -> Option<Matrix5> {
-    if errors.shared.is_empty() && errors.shared_parallax == 0.0 {
+    if errors.shared.is_empty() && errors.shared_parallax == [0.0; MODES] {
         return None;
     }
     let tangents = adjusted.pose.tangents();
@@ -39,15 +39,17 @@ pub(super) fn covariance_of(
         let covariance = SMatrix::<f64, 3, 3>::from_fn(|i, j| group.covariance[i][j]);
         total += response * covariance * response.transpose();
     }
-    if errors.shared_parallax > 0.0 {
+    if errors.shared_parallax != [0.0; MODES] {
         let mut response = [Unknowns::zeros(); MODES];
-        let extent = extent(rays);
+        let extent = Extent::of(rays);
         for ((line, weight), ray) in lines.iter().zip(weights).zip(rays) {
             let Some(line) = line else { continue };
-            response.iter_mut().zip(modes(ray, extent)).for_each(|(sum, mode)| *sum -= line.by_unknowns * (weight * mode));
+            response.iter_mut().zip(extent.modes(ray)).for_each(|(sum, mode)| *sum -= line.by_unknowns * (weight * mode));
         }
-        let deviation = errors.shared_parallax * adjusted.sigma;
-        total += response.iter().map(|sum| to_parameters * sum * deviation).fold(Matrix5::zeros(), |sum, one| sum + one * one.transpose());
+        for (sum, deviation) in response.iter().zip(&errors.shared_parallax) {
+            let effect = to_parameters * sum * (deviation * adjusted.sigma);
+            total += effect * effect.transpose();
+        }
     }
     Some((total + total.transpose()) * 0.5)
 }

@@ -4,7 +4,7 @@ use super::geometry::PairInterior;
 use super::self_calibration::{self, Measured};
 use super::weakness::NEIGHBOURHOOD_PX;
 use crate::math::median;
-use crate::orientation::{RelativePose, SHARED_BY_FEATURES, SHARED_BY_FITS};
+use crate::orientation::{MODES, RelativePose, SHARED_BY_FEATURES, SHARED_BY_FITS};
 use crate::{
     Cause, Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,
     Warning, orient_relative_with,
@@ -112,7 +112,7 @@ fn weight_without_fit(fits: &[Option<Fit>], weights: &[f64], found: &RelativeOri
 fn orient_calibrated(
     positions: &[[f64; 4]],
     weights: &[f64],
-    shared_parallax: f64,
+    shared_parallax: [f64; MODES],
     interior: &PairInterior,
     earlier: &RelativeOrientation,
     options: &OrientationOptions,
@@ -141,7 +141,7 @@ fn orient_calibrated(
 fn orient_as_given(
     positions: &[[f64; 4]],
     weights: &[f64],
-    shared_parallax: f64,
+    shared_parallax: [f64; MODES],
     interior: &PairInterior,
     options: &OrientationOptions,
 ) -> Result<RelativeOrientation, Error> {
