@@ -2064,6 +2064,14 @@ function remember(compute) {
 		return last.result;
 	};
 }
+function rememberCodes(compute) {
+	let last = new Uint8Array();
+	return remember((...args) => {
+		const codes = compute(...args);
+		if (codes.length !== last.length || codes.some((code, i) => code !== last[i])) last = codes;
+		return last;
+	});
+}
 // www/shared/state/history.ts
 var NO_HISTORY = {
 	edits: [],
@@ -4221,7 +4229,7 @@ var PointGrid = class {
 		return [clamp(centre - radius), clamp(centre + radius)];
 	}
 };
-// node_modules/fflate/esm/browser.js
+// ../main/node_modules/fflate/esm/browser.js
 var u8 = Uint8Array;
 var u16 = Uint16Array;
 var i32 = Int32Array;
@@ -6513,6 +6521,47 @@ var OF_IMAGE = {
 		"descriptorsRight"
 	]
 };
+// www/pair/state/residuals.ts
+function pixelMm(interior) {
+	const [[a, b], [d, e]] = interior.parameters;
+	return Math.sqrt(Math.abs(a * e - b * d));
+}
+function countsOf$1({ residuals_mm: residuals, rejected }) {
+	const all = residuals.length / 4;
+	return {
+		all,
+		used: all - rejected.length
+	};
+}
+function vectorsOf(side) {
+	return remember((match, orientation, interior) => {
+		const [[a, b], [d, e]] = interior.parameters;
+		const determinant = a * e - b * d;
+		const first = side === "left" ? 0 : 2;
+		const residuals = orientation.residuals_mm;
+		const vectors = new Float64Array(residuals.length);
+		for (let i = 0; 4 * i < residuals.length; i++) {
+			const vx = residuals[4 * i + first] ?? NaN;
+			const vy = residuals[4 * i + first + 1] ?? NaN;
+			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
+			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
+			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
+			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
+		}
+		return vectors;
+	});
+}
+var residualVectors = {
+	left: vectorsOf("left"),
+	right: vectorsOf("right")
+};
+var parallaxResiduals = remember((orientation, interior) => {
+	const rejected = new Set(orientation.rejected);
+	const pixel = pixelMm(interior);
+	const residuals = orientation.residuals_mm;
+	const across = (i) => (residuals[4 * i + 3] ?? NaN) - (residuals[4 * i + 1] ?? NaN);
+	return Float64Array.from({ length: countsOf$1(orientation).all }, (_, i) => across(i) / pixel).filter((_, i) => !rejected.has(i));
+});
 // www/pair/state/select.ts
 function shownPair(state) {
 	const found = pointsOfShownImage(state, "left");
@@ -6530,36 +6579,38 @@ function shownPair(state) {
 	};
 }
 var orientationOf = remember((orientation, of, { match, found }) => {
-	if (of === null || of.match === match) return orientation.residuals_mm.length * 5 === match.matches.length ? orientation : null;
+	const count = match.matches.length / 5;
+	if (of === null || of.match === match) return countsOf$1(orientation).all === count ? orientation : null;
 	if (of.found !== found) return null;
-	const rowThen = new Map(Array.from({ length: of.match.indices.length / 2 }, (_, row) => [of.match.indices[2 * row] ?? 4294967295, row]));
-	const unknown = -1;
-	const thenOf = Array.from({ length: match.indices.length / 2 }, (_, row) => {
-		const then = rowThen.get(match.indices[2 * row] ?? 4294967295) ?? unknown;
-		return [
-			0,
-			1,
-			2,
-			3
-		].every((k) => of.match.matches[5 * then + k] === match.matches[5 * row + k]) ? then : unknown;
-	});
-	const rejected = new Set(orientation.rejected);
-	const points = new Float64Array(9 * thenOf.length).fill(NaN);
-	thenOf.forEach((then, row) => {
-		if (then !== unknown) points.set(orientation.points.subarray(9 * then, 9 * then + 9), 9 * row);
+	const then = rowsThen(of.match, match);
+	const wasRejected = new Set(orientation.rejected);
+	const points = new Float64Array(9 * count).fill(NaN);
+	const residuals = new Float64Array(4 * count).fill(NaN);
+	const rejected = [];
+	then.forEach((own, row) => {
+		if (own < 0) return;
+		for (let k = 0; k < 9; k++) points[9 * row + k] = orientation.points[9 * own + k] ?? NaN;
+		for (let k = 0; k < 4; k++) residuals[4 * row + k] = orientation.residuals_mm[4 * own + k] ?? NaN;
+		if (wasRejected.has(own)) rejected.push(row);
 	});
 	return {
 		...orientation,
 		points,
-		residuals_mm: thenOf.map((then) => orientation.residuals_mm[then] ?? [
-			NaN,
-			NaN,
-			NaN,
-			NaN
-		]),
-		rejected: thenOf.flatMap((then, row) => rejected.has(then) ? [row] : [])
+		residuals_mm: residuals,
+		rejected
 	};
 });
+function rowsThen(earlier, now) {
+	const rowOfLeft = rowsOfLefts(earlier);
+	const rows = new Int32Array(now.indices.length / 2).fill(-1);
+	for (let row = 0; row < rows.length; row++) {
+		const then = rowOfLeft[now.indices[2 * row] ?? 4294967295] ?? -1;
+		let same = then >= 0;
+		for (let k = 0; same && k < 4; k++) same = earlier.matches[5 * then + k] === now.matches[5 * row + k];
+		if (same) rows[row] = then;
+	}
+	return rows;
+}
 function pointsOfShownImage(state, side) {
 	const opened = side === "left" ? "openLeft" : "openRight";
 	if (state.results[opened] === void 0 || state.results[opened].key !== wantedKeys(state)[opened]) return null;
@@ -6574,7 +6625,7 @@ function matchIsOf(match, left, right) {
 		return left[3 * l] === match.matches[5 * i] && (r === 4294967295 || 3 * r < right.length);
 	});
 }
-var leftCodes = remember((left, match, orientation) => {
+var leftCodes = rememberCodes((left, match, orientation) => {
 	const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
 	if (match === null) return codes;
 	codes.set(match.rules);
@@ -6582,7 +6633,7 @@ var leftCodes = remember((left, match, orientation) => {
 	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
 	return codes;
 });
-var rightCodes = remember((right, match, orientation) => {
+var rightCodes = rememberCodes((right, match, orientation) => {
 	const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
 	if (match === null) return codes;
 	match.rules.forEach((rule, left) => {
@@ -6592,40 +6643,45 @@ var rightCodes = remember((right, match, orientation) => {
 	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 4294967295] = GROSS_ERROR;
 	return codes;
 });
-var matchCodes = remember((match, orientation) => {
-	const codes = Uint8Array.from({ length: (match?.matches.length ?? 0) / 5 }, (_, row) => match !== null && isManual(match, row) ? MANUAL : MATCHED);
+var matchCodes = rememberCodes((match, orientation) => {
+	const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
+	for (let row = 0; match !== null && row < codes.length; row++) codes[row] = isManual(match, row) ? MANUAL : MATCHED;
 	for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
 	return codes;
 });
 var loosePlaces = remember((match, codes) => {
+	const most = match === null ? 0 : match.rules.length + codes.length;
 	const [points, ofPlaces, lefts] = [
-		[],
-		[],
-		[]
+		new Float64Array(3 * most),
+		new Uint8Array(most),
+		new Uint32Array(most)
 	];
-	const put = (left, code, place) => {
-		points.push(...place);
-		ofPlaces.push(code);
-		lefts.push(left);
+	let count = 0;
+	const put = (left, code, x, y, measure) => {
+		points[3 * count] = x;
+		points[3 * count + 1] = y;
+		points[3 * count + 2] = measure;
+		ofPlaces[count] = code;
+		lefts[count] = left;
+		count += 1;
 	};
 	match?.rules.forEach((rule, left) => {
-		const at = match.places.subarray(2 * left, 2 * left + 2);
-		if (rule === BY_HAND && (match.best[left] ?? -1) < 0 && !Number.isNaN(at[0])) put(left, BY_HAND, [...at, 0]);
+		if (rule !== BY_HAND || (match.best[left] ?? -1) >= 0) return;
+		const [x = NaN, y = NaN] = match.places.subarray(2 * left, 2 * left + 2);
+		if (!Number.isNaN(x)) put(left, BY_HAND, x, y, 0);
 	});
 	codes.forEach((code, row) => {
-		if (match?.indices[2 * row + 1] === 4294967295) put(match.indices[2 * row] ?? 0, code, match.matches.subarray(5 * row + 2, 5 * row + 5));
+		if (match?.indices[2 * row + 1] !== 4294967295) return;
+		const at = (k) => match.matches[5 * row + k] ?? NaN;
+		put(match.indices[2 * row] ?? 0, code, at(2), at(3), at(4));
 	});
 	return {
-		points: Float64Array.from(points),
-		codes: Uint8Array.from(ofPlaces),
-		lefts: Uint32Array.from(lefts)
+		points: points.slice(0, 3 * count),
+		codes: ofPlaces.slice(0, count),
+		lefts: lefts.slice(0, count)
 	};
 });
-var matchOfLeft = remember((match) => {
-	const matches = new Int32Array(match.rules.length).fill(-1);
-	for (let i = 0; i < match.indices.length; i += 2) matches[match.indices[i] ?? 4294967295] = i / 2;
-	return matches;
-});
+var matchOfLeft = remember(rowsOfLefts);
 var RUN_STAGES = [
 	"openLeft",
 	"openRight",
@@ -8117,37 +8173,6 @@ function allowedOfOrigin(col, row) {
 function problemOfFlight(flight) {
 	return refusalOf(() => check_flight(flight));
 }
-// www/pair/state/residuals.ts
-function pixelMm(interior) {
-	const [[a, b], [d, e]] = interior.parameters;
-	return Math.sqrt(Math.abs(a * e - b * d));
-}
-function vectorsOf(side) {
-	return remember((match, orientation, interior) => {
-		const [[a, b], [d, e]] = interior.parameters;
-		const determinant = a * e - b * d;
-		const first = side === "left" ? 0 : 2;
-		const vectors = new Float64Array(4 * orientation.residuals_mm.length);
-		orientation.residuals_mm.forEach((residual, i) => {
-			const [vx, vy] = [residual[first] ?? NaN, residual[first + 1] ?? NaN];
-			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
-			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
-			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
-			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
-		});
-		return vectors;
-	});
-}
-var residualVectors = {
-	left: vectorsOf("left"),
-	right: vectorsOf("right")
-};
-var parallaxResiduals = remember((orientation, interior) => {
-	const rejected = new Set(orientation.rejected);
-	const pixel = pixelMm(interior);
-	const kept = orientation.residuals_mm.filter((_, i) => !rejected.has(i));
-	return Float64Array.from(kept, ([, left, , right]) => (right - left) / pixel);
-});
 // www/pair/panel/camera.ts
 var NUMBERS = [
 	{
@@ -9187,7 +9212,7 @@ function comparison(state) {
 	const now = isCurrent(state, "orientation") ? state.results.orientation?.value ?? null : null;
 	const interior = interiorInUse(state)?.left;
 	const pixel = interior === void 0 ? NaN : pixelMm(interior);
-	const used = ({ residuals_mm, rejected }) => count(residuals_mm.length - rejected.length);
+	const used = (of) => count(countsOf$1(of).used);
 	const sigma = ({ sigma0_mm }) => fixed(sigma0_mm === null ? null : sigma0_mm / pixel, 3);
 	const error = (field) => (of) => fixed((of.total_standard_errors ?? of.standard_errors)?.[field], 4);
 	const line = (name, testid, text) => row(name, h("td", {
@@ -9878,7 +9903,7 @@ function precision(state, result) {
 	const interior = interiorInUse(state)?.left;
 	const pixel = interior === void 0 ? null : pixelMm(interior);
 	const sigma = result.sigma0_mm;
-	const used = result.residuals_mm.length - result.rejected.length;
+	const { all, used } = countsOf$1(result);
 	const test = result.global_test;
 	const printed = hasPaperCamera(state) ? state.catalogue?.paper : void 0;
 	return facts([
@@ -9915,7 +9940,7 @@ function precision(state, result) {
 			testid: "matches-used",
 			value: say("of-7", {
 				used,
-				residuals_mm: result.residuals_mm.length
+				residuals_mm: all
 			}),
 			help: say("data-snooping-rejected-the-others")
 		},
@@ -10050,7 +10075,7 @@ function answered(state, actions) {
 	};
 }
 function figuresOf(state, result) {
-	const used = result.residuals_mm.length - result.rejected.length;
+	const { used } = countsOf$1(result);
 	const interior = interiorInUse(state)?.left;
 	const half = result.half_widths_95?.kappa_deg;
 	return [
@@ -10536,7 +10561,6 @@ function label(side, actions) {
 	};
 }
 // www/pair/state/statistics.ts
-var POINT_STRIDE = 9;
 var POSITION = [{
 	key: "x",
 	label: "x",
@@ -10660,7 +10684,7 @@ var statisticsOf = remember((left, match, orientation, score, pixel) => {
 		const { points } = orientation;
 		ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
 			const scale = inPixels ? pixel ?? NaN : 1;
-			columns.push(figure(column, (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale));
+			columns.push(figure(column, (i) => (points[9 * i + k] ?? NaN) / scale));
 		});
 	}
 	return {
@@ -11176,6 +11200,7 @@ function mountStatistics(host, store, editing, select) {
 	}).observe(table.head);
 	let chosen = new Set();
 	let statistics = null;
+	let found = null;
 	let columns = [];
 	const leftsOf = (rows) => [...rows].flatMap((row) => statistics?.lefts[row] ?? []);
 	const chooseListed = () => {
@@ -11194,12 +11219,13 @@ function mountStatistics(host, store, editing, select) {
 	const follow = () => {
 		const { state } = store;
 		table.scroller.classList.toggle("is-stale", isStale(state, "match") || shownPair(state).orientation !== null && isStale(state, "orientation"));
-		const now = statisticsOfState(state);
+		const now = statistics !== null && isAwaited(state, found) ? statistics : statisticsOfState(state);
 		const lefts = chosenLefts(state);
 		const isOther = lefts.length !== chosen.size || !lefts.every((left) => chosen.has(left));
 		if (isOther) chosen = new Set(lefts);
 		if (now !== statistics || filter.options.length === 0) {
 			statistics = now;
+			found = shownPair(state).edited?.found ?? null;
 			columns = now === null ? [] : columnsOf(now);
 			const { value } = filter;
 			const offered = FILTERS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
@@ -11212,6 +11238,7 @@ function mountStatistics(host, store, editing, select) {
 	store.watch(["selection", "chosen"], seen);
 	store.watch([
 		"results",
+		"running",
 		"history",
 		"images",
 		"settings",
@@ -11251,6 +11278,11 @@ function statisticsOfState(state) {
 	if (match === null || edited?.found.counts.matches === 0) return null;
 	const interior = interiorInUse(state)?.left;
 	return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
+}
+function isAwaited(state, found) {
+	const { edited } = shownPair(state);
+	const { orientation, score } = state.running;
+	return (orientation !== void 0 || score !== void 0) && edited !== null && edited.found === found;
 }
 function selectedMatch(state, statistics) {
 	const { match } = shownPair(state);
@@ -12383,13 +12415,32 @@ function pictureOf(state, side) {
 		overview
 	};
 }
+function marksOf(state) {
+	const { left, right, match, orientation } = shownPair(state);
+	const interior = state.display.vectors === 0 ? null : interiorInUse(state);
+	const vectors = (side) => match === null || orientation === null || interior === null ? null : residualVectors[side](match, orientation, interior[side]);
+	const ofMatches = matchCodes(match, orientation);
+	return {
+		points: {
+			left,
+			right
+		},
+		codes: {
+			left: leftCodes(left, match, orientation),
+			right: rightCodes(right, match, orientation)
+		},
+		match,
+		matchCodes: ofMatches,
+		places: loosePlaces(match, ofMatches),
+		vectors: {
+			left: vectors("left"),
+			right: vectors("right")
+		}
+	};
+}
 function sceneOf(state, width, height) {
 	const rects = panesOf(width, height);
-	const shown = shownPair(state);
-	const codes = {
-		left: leftCodes(shown.left, shown.match, shown.orientation),
-		right: rightCodes(shown.right, shown.match, shown.orientation)
-	};
+	const marks = marksOf(state);
 	const pane = (side) => {
 		const picture = pictureOf(state, side);
 		const own = state.views[side];
@@ -12399,29 +12450,26 @@ function sceneOf(state, width, height) {
 			scale: 1
 		} : fitView(rects[side], picture.width, picture.height);
 		const view = own === null ? whole : inPane(own, rects[side]);
-		const interior = interiorInUse(state)?.[side];
-		const vectors = shown.match !== null && shown.orientation !== null && interior !== void 0 ? residualVectors[side](shown.match, shown.orientation, interior) : null;
 		return {
 			side,
 			rect: rects[side],
 			transform: transformOf(rects[side], view),
 			picture,
-			points: picture === null ? null : shown[side],
+			points: picture === null ? null : marks.points[side],
 			frames: state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.frames ?? null,
-			codes: codes[side],
-			vectors
+			codes: marks.codes[side],
+			vectors: marks.vectors[side]
 		};
 	};
-	const ofMatches = matchCodes(shown.match, shown.orientation);
+	const { match, matchCodes: ofMatches, places } = marks;
 	return {
 		panes: {
 			left: pane("left"),
 			right: pane("right")
 		},
-		match: shown.match,
-		orientation: shown.orientation,
+		match,
 		matchCodes: ofMatches,
-		places: loosePlaces(shown.match, ofMatches)
+		places
 	};
 }
 function paneAt(scene, x, y) {
@@ -13320,15 +13368,23 @@ var View = class {
 			s.results.openLeft,
 			s.results.openRight
 		], () => this.layers.redraw());
-		store.watch((s) => [
-			s.results.pointsLeft,
-			s.results.pointsRight,
-			s.results.match,
-			s.results.orientation,
-			s.history,
-			s.display,
-			s.catalogue
-		], () => this.layers.redraw("marks", "overlay"));
+		store.watch((s) => {
+			const { points, codes, match, matchCodes, places, vectors } = marksOf(s);
+			const { left, right } = vectors;
+			return [
+				points.left,
+				points.right,
+				codes.left,
+				codes.right,
+				match,
+				matchCodes,
+				places,
+				left,
+				right,
+				s.display,
+				s.catalogue
+			];
+		}, () => this.layers.redraw("marks", "overlay"));
 		store.watch((s) => [
 			s.selection,
 			s.chosen,
@@ -13616,7 +13672,7 @@ async function loadCatalogue() {
 	await __wbg_init({ module_or_path: await wasmModule() });
 	return catalogueInLanguage(readCatalogue());
 }
-// node_modules/idb/build/index.js
+// ../main/node_modules/idb/build/index.js
 var instanceOfAny = (object, constructors) => constructors.some((c) => object instanceof c);
 var idbProxyableTypes;
 var cursorAdvanceMethods;

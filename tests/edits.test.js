@@ -223,13 +223,30 @@ test('the orientation of the matches that are left is that of these matches alon
   const { match } = page.edited.editedPair(state);
   // What is shown until the new orientation is there has a row for each match that is left.
   const shown = page.select.shownPair(state);
-  assert.equal(shown.orientation.residuals_mm.length, match.counts.matches);
+  assert.equal(shown.orientation.residuals_mm.length, 4 * match.counts.matches);
+  // These are of the same matches as before.
+  const { indices } = state.results.match.value;
+  const rowThen = new Map(Array.from({ length: indices.length / 2 }, (_, row) => [indices[2 * row], row]));
+  for (const row of [0, 1, match.counts.matches - 1]) {
+    const then = rowThen.get(match.indices[2 * row]) ?? -1;
+    const { residuals_mm: residuals, points } = state.results.orientation.value;
+    assert.deepEqual(shown.orientation.residuals_mm.slice(4 * row, 4 * row + 4), residuals.slice(4 * then, 4 * then + 4));
+    assert.deepEqual(shown.orientation.points.slice(9 * row, 9 * row + 9), points.slice(9 * then, 9 * then + 9));
+  }
   const { interior } = project.output;
   assert.ok(interior);
   const orientation = orient_matches(match.matches, match.fits, interior, project.settings.orientation ?? {}, [1, 1]);
-  assert.equal(orientation.residuals_mm.length, match.counts.matches);
+  assert.equal(orientation.residuals_mm.length, 4 * match.counts.matches);
   const back = page.reducer.reduce(state, { type: 'edit', edit: page.choice.editOfChoice(state, 'restore') });
   assert.equal(page.edited.editedPair(back).match, state.results.match.value);
+});
+
+test('codes are the same array for as long as the same matches are rejected', () => {
+  const { match, orientation } = page.select.shownPair(opened());
+  const codes = page.select.matchCodes(match, orientation);
+  assert.equal(page.select.matchCodes(match, { ...orientation }), codes);
+  const other = page.select.matchCodes(match, { ...orientation, rejected: [...orientation.rejected, orientation.rejected.includes(0) ? 1 : 0] });
+  assert.notEqual(other, codes);
 });
 
 test('exchanged images exchange the edits', () => {

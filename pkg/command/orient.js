@@ -66,6 +66,7 @@ export const UNKNOWNS = /** @type {const} */ ([
 /** The JSON form, without the verdict, which stands beside it.  @param {RelativeOrientation & { verdict?: unknown }} o */
 export const orientationOf = ({ verdict: _verdict, ...o }) => ({
   ...o,
+  residuals_mm: rows(o.residuals_mm, 4),
   points: rows(o.points, 9),
   warnings: o.warnings.map((warning) => withText('warning', warning)),
 });

@@ -49,11 +49,13 @@ pub(super) fn adjust(
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;
     let mut adjusted = rays.to_vec();
+    let mut lines = Vec::with_capacity(rays.len());
     let (mut last_step, mut last_sigma, mut last_cofactors) = (f64::INFINITY, 0.0, Matrix5::identity());
     for iteration in 1..=MAX_ITERATIONS {
         let tangents = pose.tangents();
         let mut normals = Normals::new();
-        let lines: Vec<_> = rays.iter().zip(&adjusted).map(|(observed, at)| pose.linearise(&tangents, observed, at)).collect();
+        lines.clear();
+        lines.extend(rays.iter().zip(&adjusted).map(|(observed, at)| pose.linearise(&tangents, observed, at)));
         for (line, weight) in lines.iter().zip(weights) {
             if let Some(line) = line {
                 normals.add(&line.by_unknowns, line.misclosure, *weight);

@@ -96,47 +96,59 @@ impl RelativePose {
     /// Linearises the condition of a point at its `adjusted` coordinates. `None` where both rays run along the base: such a point says
     /// nothing.
     pub fn linearise(&self, tangents: &[Vector3<f64>; 2], observed: &Ray, adjusted: &Ray) -> Option<Linearised> {
+        let Gradient { by_coordinates, misclosure, gradient, normal, across_left, right_in_model } = self.gradient(observed, adjusted)?;
+        let by_rotation = right_in_model.cross(&across_left);
+        let by_unknowns = Unknowns::new(
+            by_rotation.x / gradient,
+            by_rotation.y / gradient,
+            by_rotation.z / gradient,
+            tangents[0].dot(&normal) / gradient,
+            tangents[1].dot(&normal) / gradient,
+        );
+        Some(Linearised { by_unknowns, by_coordinates, misclosure, gradient })
+    }
+
+    /// The condition of a point and its derivatives by the coordinates, at the `adjusted` ones.
+    ///
+    /// Written out, since it is most of what an orientation takes: of products of matrices and maps of arrays compilers make calls.
+    #[inline(always)]
+    fn gradient(&self, observed: &Ray, adjusted: &Ray) -> Option<Gradient> {
         let (left, right) = directions(adjusted);
         let right_in_model = self.rotation.tr_mul(&right);
         let normal = left.cross(&right_in_model);
         let across_left = self.base.cross(&left);
         let by_left = right_in_model.cross(&self.base);
-        let by_right = self.rotation * across_left;
-        let by_rotation = right_in_model.cross(&across_left);
-        let raw = [by_left.x, by_left.y, by_right.x, by_right.y];
-        let gradient = raw.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let by_right = |row: usize| {
+            let m = &self.rotation;
+            m[(row, 0)] * across_left.x + m[(row, 1)] * across_left.y + m[(row, 2)] * across_left.z
+        };
+        let raw = [by_left.x, by_left.y, by_right(0), by_right(1)];
+        let gradient = (raw[0] * raw[0] + raw[1] * raw[1] + raw[2] * raw[2] + raw[3] * raw[3]).sqrt();
         if gradient.is_nan() || gradient <= 1e-12 {
             return None;
         }
-        let by_coordinates = raw.map(|v| v / gradient);
-        let shift: f64 = (0..4).map(|k| by_coordinates[k] * (observed[k] - adjusted[k])).sum();
-        let by_unknowns = Unknowns::new(by_rotation.x, by_rotation.y, by_rotation.z, tangents[0].dot(&normal), tangents[1].dot(&normal));
-        Some(Linearised {
-            by_unknowns: by_unknowns / gradient,
-            by_coordinates,
-            misclosure: self.base.dot(&normal) / gradient + shift,
-            gradient,
-        })
+        let by_coordinates = [raw[0] / gradient, raw[1] / gradient, raw[2] / gradient, raw[3] / gradient];
+        let shift = |k: usize| by_coordinates[k] * (observed[k] - adjusted[k]);
+        let misclosure = self.base.dot(&normal) / gradient + (shift(0) + shift(1) + shift(2) + shift(3));
+        Some(Gradient { by_coordinates, misclosure, gradient, normal, across_left, right_in_model })
     }
 
     /// The observed coordinates after one step towards those that fulfil the condition: what is left is of the third order of the distance.
     pub fn nearer(&self, observed: &Ray) -> Ray {
-        let line = self.linearise(&[Vector3::zeros(); 2], observed, observed);
-        line.map_or(*observed, |line| line.adjusted(observed, line.misclosure))
+        self.gradient(observed, observed).map_or(*observed, |at| corrected(observed, &at.by_coordinates, at.misclosure))
     }
 
     /// The coordinates nearest to the observed ones that fulfil the condition, and their signed distance.
     pub fn project(&self, observed: &Ray) -> (Ray, f64) {
-        let tangents = [Vector3::zeros(); 2];
         let mut adjusted = *observed;
         let mut distance = 0.0;
         for _ in 0..20 {
-            let Some(line) = self.linearise(&tangents, observed, &adjusted) else {
+            let Some(at) = self.gradient(observed, &adjusted) else {
                 break;
             };
-            let next = line.adjusted(observed, line.misclosure);
+            let next = corrected(observed, &at.by_coordinates, at.misclosure);
             let change = (0..4).map(|k| (next[k] - adjusted[k]).abs()).fold(0.0, f64::max);
-            (adjusted, distance) = (next, line.misclosure);
+            (adjusted, distance) = (next, at.misclosure);
             if change <= 1e-15 {
                 break;
             }
@@ -177,8 +189,24 @@ impl RelativePose {
 impl Linearised {
     /// The observed coordinates, corrected by a distance along the gradient.
     pub fn adjusted(&self, observed: &Ray, distance: f64) -> Ray {
-        std::array::from_fn(|k| observed[k] - self.by_coordinates[k] * distance)
+        corrected(observed, &self.by_coordinates, distance)
     }
+}
+
+/// Observed coordinates, corrected by a distance along the derivatives of the condition.
+fn corrected(observed: &Ray, by_coordinates: &[f64; 4], distance: f64) -> Ray {
+    let along = |k: usize| observed[k] - by_coordinates[k] * distance;
+    [along(0), along(1), along(2), along(3)]
+}
+
+/// The condition of one point and its derivatives by the coordinates, with the vectors that those by the unknowns come from.
+struct Gradient {
+    by_coordinates: [f64; 4],
+    misclosure: f64,
+    gradient: f64,
+    normal: Vector3<f64>,
+    across_left: Vector3<f64>,
+    right_in_model: Vector3<f64>,
 }
 
 /// The rotation by a small vector of angles, exact to second order and orthonormal for any: that of the quaternion (1, a/2).

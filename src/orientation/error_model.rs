@@ -1,6 +1,7 @@
 //! What is known of the errors of observations beside the independent part that their weights describe.
 
 use super::shared::SharedErrors;
+use super::shared_parallax::MODES;
 use crate::catalogue::refuse;
 use crate::error::refuse as refuse_input;
 use crate::{Error, Refusal};
@@ -10,9 +11,9 @@ use crate::{Error, Refusal};
 pub struct ErrorModel {
     /// Errors that all observations share.
     pub shared: Vec<SharedErrors>,
-    /// Standard deviation of each of the modes 1, x, y, xy, x², y² (1 at the largest coordinate of the left photo) of a y-parallax that matches share,
-    /// in standard errors of a coordinate; 0: none.
-    pub shared_parallax: f64,
+    /// Standard deviation of each of the modes 1, x, y, xy, x², y² of a y-parallax that matches share, in standard errors of a coordinate; 0: none.
+    /// x and y count from the middle of the matches in the left photo; 1 is half the longer side of what they cover.
+    pub shared_parallax: [f64; MODES],
     /// Points nearer to each other than this in the left photo, in mm, have errors that depend on each other, as matches whose windows
     /// overlap; 0: none have.
     pub neighbourhood_mm: f64,
@@ -23,9 +24,8 @@ pub struct ErrorModel {
 impl ErrorModel {
     /// Refuses what does not fit the observations.
     pub(super) fn check(&self, observations: usize) -> Result<(), Error> {
-        let values =
-            [("shared_parallax", self.shared_parallax), ("neighbourhood_mm", self.neighbourhood_mm), ("resolution_mm", self.resolution_mm)];
-        for (name, value) in values {
+        let lengths = [("neighbourhood_mm", self.neighbourhood_mm), ("resolution_mm", self.resolution_mm)];
+        for (name, value) in self.shared_parallax.map(|deviation| ("shared_parallax", deviation)).into_iter().chain(lengths) {
             if !(value >= 0.0 && value.is_finite()) {
                 return Err(refuse(name, value, "0 or more"));
             }

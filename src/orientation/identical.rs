@@ -3,10 +3,11 @@
 use super::Observation;
 use std::cmp::Ordering;
 
-/// The different ones of some observations.
+/// The different ones of some observations, in the order of the first copies.
+#[derive(Debug)]
 pub(super) struct Different {
-    /// In the order of the first copies; where copies have different weights, of the largest.
-    pub observations: Vec<Observation>,
+    /// How many there are.
+    pub number: usize,
     /// For each of all observations its place among the different ones.
     pub place: Vec<usize>,
     /// For each of all observations whether it is the first of its copies.
@@ -27,23 +28,28 @@ impl Different {
             }
         }
         let is_first: Vec<bool> = first.iter().enumerate().map(|(k, first)| k == *first).collect();
-        let (mut observations, mut place): (Vec<Observation>, Vec<usize>) = (Vec::new(), vec![0; all.len()]);
-        for (k, observation) in all.iter().enumerate() {
+        let (mut number, mut place) = (0, vec![0; all.len()]);
+        for k in 0..all.len() {
             if is_first[k] {
-                place[k] = observations.len();
-                observations.push(*observation);
+                place[k] = number;
+                number += 1;
             } else {
                 place[k] = place[first[k]];
-                let kept = &mut observations[place[k]];
-                kept.weight = kept.weight.max(observation.weight);
             }
         }
-        Self { observations, place, is_first }
+        Self { number, place, is_first }
     }
 
     /// How many observations are copies of others.
     pub fn copies(&self) -> usize {
-        self.place.len() - self.observations.len()
+        self.place.len() - self.number
+    }
+
+    /// The weights of the different ones by those of all: where copies have different weights, the largest.
+    pub fn weights(&self, all: impl Iterator<Item = f64>) -> Vec<f64> {
+        let mut weights = vec![0.0_f64; self.number];
+        all.zip(&self.place).for_each(|(weight, place)| weights[*place] = weights[*place].max(weight));
+        weights
     }
 
     /// For all observations what the different ones have.
@@ -59,10 +65,11 @@ mod tests {
     #[test]
     fn copies_are_found_wherever_they_stand() {
         let one = |x: f64, weight| Observation { left: [x, 1.0], right: [2.0, 3.0], weight };
-        let different = Different::of(&[one(5.0, 1.0), one(1.0, 1.0), one(5.0, 4.0), one(0.0, 1.0), one(1.0, 0.5)]);
+        let all = [one(5.0, 1.0), one(1.0, 1.0), one(5.0, 4.0), one(0.0, 1.0), one(1.0, 0.5)];
+        let different = Different::of(&all);
         assert_eq!(different.place, [0, 1, 0, 2, 1]);
         assert_eq!(different.is_first, [true, true, false, true, false]);
-        assert_eq!(different.observations.iter().map(|o| o.weight).collect::<Vec<_>>(), [4.0, 1.0, 1.0]);
+        assert_eq!(different.weights(all.iter().map(|o| o.weight)), [4.0, 1.0, 1.0]);
         assert_eq!((different.copies(), different.spread(&["a", "b", "c"])), (2, vec!["a", "b", "a", "c", "b"]));
     }
 }

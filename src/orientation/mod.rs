@@ -3,9 +3,11 @@
 mod adjusted;
 mod adjustment;
 mod agreement;
+mod condition;
 mod coplanarity;
 mod determinant;
 mod error_model;
+mod estimate;
 mod field;
 mod five_point;
 mod focal;
@@ -32,6 +34,7 @@ mod weighting;
 
 pub(crate) use coplanarity::{Ray, RelativePose, condition};
 pub use error_model::ErrorModel;
+pub(crate) use estimate::Estimate;
 pub(crate) use field::{Field, square_distance};
 pub use model_points::{ModelPoint, model_points};
 pub(crate) use normals::Normals;
@@ -41,4 +44,4 @@ pub use relative::{orient_relative, orient_relative_with};
 pub use result::{ErrorEllipse, EstimatedCamera, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Warning};
 pub(crate) use robust_start::Poses;
 pub use shared::SharedErrors;
-pub(crate) use shared_parallax::{MODES, SHARED_BY_FEATURES, SHARED_BY_FITS, extent, modes};
+pub(crate) use shared_parallax::{Extent, MODES, SHARED_BY_FEATURES, SHARED_BY_FITS};

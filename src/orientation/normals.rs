@@ -72,6 +72,18 @@ impl<const N: usize> Normals<N> {
     }
 }
 
+/// A matrix times a vector, written out column by column: of the library's product compilers make calls, several for each observation.
+pub(super) fn times(matrix: &Matrix5, vector: &SVector<f64, 5>) -> SVector<f64, 5> {
+    let mut product = [0.0; 5];
+    for (row, sum) in product.iter_mut().enumerate() {
+        *sum = matrix[(row, 0)] * vector[0];
+        for column in 1..5 {
+            *sum += matrix[(row, column)] * vector[column];
+        }
+    }
+    SVector::from(product)
+}
+
 /// Below this share of its own information, what is left of an unknown is rounding.
 const LEAST_SHARE: f64 = 1e-13;
 

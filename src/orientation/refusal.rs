@@ -44,9 +44,12 @@ pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result
 
 /// Refuses observations that cannot determine five unknowns whatever the pose: too few different ones, all on a line, no parallax.
 pub(super) fn check_geometry(rays: &[Ray]) -> Result<(), Error> {
-    let mut different = rays.to_vec();
-    different.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
-    different.dedup();
+    let mut different: Vec<&Ray> = Vec::new();
+    for ray in rays {
+        if different.len() < 5 && !different.contains(&ray) {
+            different.push(ray);
+        }
+    }
     if different.len() < 5 {
         return Err(Error::TooFew { what: "different observations for the relative orientation", got: different.len(), needed: 5 });
     }

@@ -4,6 +4,7 @@ use super::adjusted::Adjusted;
 use super::adjustment::{NEARLY_SETTLED, SETTLED, adjust};
 use super::agreement::{agreeing, contradicting};
 use super::coplanarity::{Linearised, Ray, RelativePose};
+use super::normals::times;
 use super::observed::{Limits, Weighted};
 use super::robust_start::{Consensus, least_agreement};
 use crate::math::{
@@ -11,6 +12,7 @@ use crate::math::{
     variance_left,
 };
 use crate::{Cause, Error, Unsettled};
+use std::collections::BTreeMap;
 
 /// An adjustment free of gross errors.
 #[derive(Debug, Clone)]
@@ -88,22 +90,24 @@ pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consen
 fn clean_by(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result<Clean, Error> {
     let number = observed.rays.len();
     let mut accepted = vec![true; number];
-    let disagreeing = first_agreement(observed, start, limits).into_iter().filter(|agrees| !*agrees).count();
+    let first = first_agreement(observed, start, limits);
+    let disagreeing = first.iter().filter(|agrees| !**agrees).count();
     if number <= FEW {
         accepted = agreeing(observed, start, limits);
     } else {
         // So few do not hide behind the σ of all.
-        let by_all = (disagreeing * HARDLY_ANY <= number).then(|| by_residuals(observed, accepted.clone(), start.model, limits));
-        if let Some(found) = by_all.and_then(Result::ok).filter(|found| found.beyond() <= limits.most_by_mistake(number)) {
+        let most = limits.most_by_mistake(number);
+        let by_all = (disagreeing * HARDLY_ANY <= number).then(|| by_residuals(observed, accepted.clone(), start.model, limits, most));
+        if let Some(found) = by_all.and_then(Result::ok).filter(|found| found.beyond() <= most) {
             return in_front(observed, found, limits);
         }
         // More than good observations would lose: there are gross errors, and σ is that of those that agree.
-        if let Some(found) = by_rounds(observed, start, limits).ok().filter(|found| found.beyond() > limits.most_by_mistake(number)) {
+        if let Some(found) = by_rounds(observed, start.model, first, limits).ok().filter(|found| found.beyond() > most) {
             return in_front(observed, found, limits);
         }
     }
     let is_all = accepted.iter().all(|kept| *kept);
-    match by_residuals(observed, accepted, start.model, limits) {
+    match by_residuals(observed, accepted, start.model, limits, number) {
         // All together have no orientation, and no part of them agrees well enough to be one.
         Err(Error::NotConverged { .. }) if is_all => Err(weak_support(number - disagreeing, observed)),
         found => {
@@ -118,8 +122,9 @@ fn weak_support(agreeing: usize, observed: Weighted<'_>) -> Error {
     super::refusal::degenerate(Cause::WeakSupport { agreeing, observations: observed.rays.len() })
 }
 
-/// Adjusts those that are accepted, and rejects what exceeds the limit, the largest first.
-fn by_residuals(observed: Weighted<'_>, mut accepted: Vec<bool>, start: RelativePose, limits: Limits) -> Result<Clean, Error> {
+/// Adjusts those that are accepted, and rejects what exceeds the limit, the largest first. It ends too once more than `most` are
+/// rejected, with the adjustment that rejected them: none of them would come back.
+fn by_residuals(observed: Weighted<'_>, mut accepted: Vec<bool>, start: RelativePose, limits: Limits, most: usize) -> Result<Clean, Error> {
     let mut pose = start;
     let at_once = 1.max(observed.rays.len() / 100);
     loop {
@@ -141,7 +146,11 @@ fn by_residuals(observed: Weighted<'_>, mut accepted: Vec<bool>, start: Relative
             return Ok(Clean { adjusted, accepted, behind: 0 });
         }
         beyond.sort_by(|a, b| standardised[*b].size.total_cmp(&standardised[*a].size).then(a.cmp(b)));
-        beyond.iter().take(at_once.min(kept.len() - 5)).for_each(|k| accepted[*k] = false);
+        beyond.truncate(at_once.min(kept.len() - 5));
+        beyond.iter().for_each(|k| accepted[*k] = false);
+        if rejected + beyond.len() > most {
+            return Ok(Clean { adjusted, accepted, behind: 0 });
+        }
     }
 }
 
@@ -174,11 +183,13 @@ fn in_front(observed: Weighted<'_>, mut clean: Clean, limits: Limits) -> Result<
 /// The first rounds take residuals to first order, from adjustments that have nearly settled; what these leave is judged by final ones. For a
 /// rejected observation, q_vv is that of a new one. σ is that of those that agree (within 3 σ), made consistent; each of these is tested
 /// by it as by a σ that it took part in estimating. A least σ that is known holds where the estimated one is smaller.
-fn by_rounds(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result<Clean, Error> {
-    let mut agreeing = first_agreement(observed, start, limits);
+///
+/// `agreeing`: those that agree with the start.
+fn by_rounds(observed: Weighted<'_>, start: RelativePose, mut agreeing: Vec<bool>, limits: Limits) -> Result<Clean, Error> {
     let mut accepted = agreeing.clone();
-    let mut pose = start.model;
+    let mut pose = start;
     let mut last = false;
+    let (mut student, mut tau) = (Remembered::of(student_limit), Remembered::of(tau_limit));
     for round in 0..MAX_ROUNDS {
         let (kept, weights) = observed.kept(&accepted);
         if kept.len() < 5 {
@@ -187,10 +198,10 @@ fn by_rounds(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Resul
         let adjusted = adjust(&kept, &weights, pose, if last { SETTLED } else { NEARLY_SETTLED }, |_| Ok(()))?;
         pose = adjusted.pose;
         let standardised = standardised_residuals(observed, &accepted, &adjusted, last);
-        let sigma = sigma_of_agreeing(&standardised, &mut agreeing, limits.least_sigma());
+        let sigma = sigma_of_agreeing(&standardised, &mut agreeing, limits.least_sigma(), &mut student);
         let redundancy = agreeing.iter().filter(|agrees| **agrees).count().saturating_sub(5);
-        let within = sigma * tau_limit(limits.alpha0, redundancy);
-        let beyond = sigma * student_limit(limits.alpha0, redundancy);
+        let within = sigma * tau.at(limits.alpha0, redundancy);
+        let beyond = sigma * student.at(limits.alpha0, redundancy);
         let free = round < FREE_ROUNDS;
         let tested = standardised.iter().zip(&agreeing).zip(&accepted);
         let next: Vec<bool> = tested.map(|((t, agrees), was)| t.size <= if *agrees { within } else { beyond } && (*was || free)).collect();
@@ -206,6 +217,22 @@ fn by_rounds(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Resul
     Err(super::refusal::diverged(MAX_ROUNDS, Cause::Unsettled { unsettled: Unsettled::GrossErrors, rounds: MAX_ROUNDS }))
 }
 
+/// Limits by a probability and degrees of freedom, of which rounds ask for few again and again.
+struct Remembered {
+    limit: fn(f64, usize) -> f64,
+    found: BTreeMap<(u64, usize), f64>,
+}
+
+impl Remembered {
+    fn of(limit: fn(f64, usize) -> f64) -> Self {
+        Self { limit, found: BTreeMap::new() }
+    }
+
+    fn at(&mut self, probability: f64, freedom: usize) -> f64 {
+        *self.found.entry((probability.to_bits(), freedom)).or_insert_with(|| (self.limit)(probability, freedom))
+    }
+}
+
 /// A standardised residual, in σ: v / √q_vv.
 #[derive(Debug, Clone, Copy)]
 struct Standardised {
@@ -215,7 +242,7 @@ struct Standardised {
 }
 
 /// σ by the residuals that agree, and which these are: where the two fit each other.
-fn sigma_of_agreeing(standardised: &[Standardised], agreeing: &mut [bool], least_sigma: f64) -> f64 {
+fn sigma_of_agreeing(standardised: &[Standardised], agreeing: &mut [bool], least_sigma: f64, student: &mut Remembered) -> f64 {
     let mut sigma = least_sigma;
     let mut cut = f64::INFINITY;
     let agreeing_beyond = normal_outside(AGREEING);
@@ -231,7 +258,7 @@ fn sigma_of_agreeing(standardised: &[Standardised], agreeing: &mut [bool], least
             median(&mut within().map(|t| t.size).collect::<Vec<_>>()).unwrap_or(0.0) / normal_median_within(cut)
         };
         sigma = estimate.max(least_sigma);
-        cut = student_limit(agreeing_beyond, number.saturating_sub(5));
+        cut = student.at(agreeing_beyond, number.saturating_sub(5));
         let reach = sigma * cut;
         let next = standardised.iter().map(|t| t.size <= reach);
         let settled = next.clone().eq(agreeing.iter().copied());
@@ -276,15 +303,5 @@ fn standardised_residuals(observed: Weighted<'_>, accepted: &[bool], adjusted: &
 }
 
 pub(super) fn share_of_unknowns(line: &Linearised, adjusted: &Adjusted) -> f64 {
-    line.by_unknowns.dot(&(adjusted.cofactors * line.by_unknowns))
-}
-
-/// Corrections of the four coordinates of every observation, in units of the focal length.
-pub(super) fn corrections(rays: &[Ray], pose: &RelativePose) -> Vec<[f64; 4]> {
-    rays.iter()
-        .map(|ray| {
-            let (adjusted, _) = pose.project(ray);
-            std::array::from_fn(|k| adjusted[k] - ray[k])
-        })
-        .collect()
+    line.by_unknowns.dot(&times(&adjusted.cofactors, &line.by_unknowns))
 }

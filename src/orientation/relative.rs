@@ -1,25 +1,22 @@
 //! The dependent relative orientation of the right photo: from observations to the result.
 
 use super::adjusted::Adjusted;
-use super::adjustment::{SETTLED, adjust};
-use super::coplanarity::{Ray, RelativePose};
-use super::determinant::{adjust_determinants, implied_weights, with_precision};
+use super::condition::Condition;
+use super::coplanarity::Ray;
+use super::estimate::Estimate;
 use super::focal;
 use super::identical::Different;
 use super::normals::{Matrix5, correlations};
-use super::observed::{Limits, Weighted};
+use super::observed::Weighted;
 use super::plane::PlaneFit;
-use super::precision::{check_describable, parameters, propagated, signed_base, standard_errors};
-use super::refusal::{check_geometry, check_input, check_result, near_vertical};
-use super::rejection::{Clean, adjust_without_gross_errors, corrections};
+use super::precision::{derivatives, parameters, propagated, signed_base, standard_errors};
 use super::reliability::Judgement;
 use super::result::{ErrorEllipse, GlobalTest, PointStatistics, Warning};
-use super::robust_start::{median_parallax, robust_start};
+use super::robust_start::median_parallax;
 use super::warning::{condition, parallax_beside_rotation, spread, warnings};
-use super::weighting::reweight;
 use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared_covariance};
-use crate::math::{chi_square_quantile, normal_quantile, student_limit, variance_left};
-use crate::{Cause, Error};
+use crate::Error;
+use crate::math::{chi_square_quantile, normal_quantile, student_limit};
 
 /// Orients the right photo relative to the left one, which stays fixed: ω φ κ, by and bz for a given b.
 ///
@@ -64,40 +61,33 @@ pub fn orient_relative_with(
     options: &OrientationOptions,
 ) -> Result<RelativeOrientation, Error> {
     errors.check(observations.len())?;
-    options.check()?;
-    check_input(observations, focal_mm)?;
-    let different = Different::of(observations);
-    let rays: Vec<Ray> =
-        different.observations.iter().map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]].map(|v| v / focal_mm)).collect();
-    let weights: Vec<f64> = different.observations.iter().map(|o| o.weight).collect();
-    check_geometry(&rays)?;
-    let observed = Weighted { rays: &rays, weights: &weights };
-    let clean = if options.robust { robust(observed, errors.resolution_mm, focal_mm, options)? } else { plain(observed, options)? };
-    let Clean { mut adjusted, accepted, behind } = clean;
-    let (kept, kept_weights) = observed.kept(&accepted);
-    face_the_points(&mut adjusted, &kept);
-    check_result(&adjusted, &kept)?;
-    check_describable(&adjusted.pose)?;
-    let solved = match options.method {
-        OrientationMethod::Rigorous => weights.clone(),
-        OrientationMethod::Determinant => implied_weights(&adjusted.pose, &rays, &accepted),
-    };
-    let (_, kept_solved) = Weighted { rays: &rays, weights: &solved }.kept(&accepted);
-    let (adjusted, factors) = match options.method {
-        OrientationMethod::Rigorous => {
-            let sigma = options.sigma0_mm.map_or(adjusted.sigma, |sigma0_mm| sigma0_mm / focal_mm);
-            reweight(&kept, &kept_weights, adjusted, sigma, options.weighting)?
-        }
-        OrientationMethod::Determinant => (adjusted, vec![1.0; kept.len()]),
-    };
-    let base_mm = signed_base(&adjusted.pose, options.base_mm.unwrap_or_else(|| focal_mm * default_base(&kept)));
-    let taken: Vec<bool> = different.spread(&accepted).iter().zip(&different.is_first).map(|(kept, first)| *kept && *first).collect();
-    let in_normals: Vec<f64> = kept_solved.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
-    let by_shared = shared_covariance::covariance_of(errors, &adjusted, (&kept, &in_normals, &taken), base_mm, focal_mm);
-    let side = errors.neighbourhood_mm / focal_mm;
-    let by_groups = if side > 0.0 { neighbours::covariance_of(&adjusted, &kept, &kept_solved, &factors, side, base_mm) } else { None };
-    let outcome = Outcome { adjusted, accepted, factors, solved, by_shared, by_groups, behind, base_mm, focal_mm };
-    Ok(for_all(outcome.describe(observed, (&kept, &kept_solved), options), &different))
+    Estimate::of(observations, errors.resolution_mm, focal_mm, options)?.described(errors)
+}
+
+impl Estimate {
+    /// The orientation with its precision and reliability.
+    ///
+    /// # Errors
+    /// Those of an error model that does not fit the observations.
+    pub fn described(self, errors: &ErrorModel) -> Result<RelativeOrientation, Error> {
+        errors.check(self.different.place.len())?;
+        let Self { different, rays, weights, focal_mm, options, adjusted, accepted, behind, solved, factors, .. } = self;
+        let observed = Weighted { rays: &rays, weights: &weights };
+        let (kept, kept_solved) = Weighted { rays: &rays, weights: &solved }.kept(&accepted);
+        let conditions = Condition::all(&adjusted.pose, &rays);
+        let kept_conditions: Vec<Condition> = conditions.iter().zip(&accepted).filter(|(_, kept)| **kept).map(|(one, _)| *one).collect();
+        let base_mm = signed_base(&adjusted.pose, options.base_mm.unwrap_or_else(|| focal_mm * default_base(&kept)));
+        let taken: Vec<bool> = different.spread(&accepted).iter().zip(&different.is_first).map(|(kept, first)| *kept && *first).collect();
+        let in_normals: Vec<f64> = kept_solved.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
+        let by_shared =
+            shared_covariance::covariance_of(errors, &adjusted, (&kept, &kept_conditions, &in_normals, &taken), base_mm, focal_mm);
+        let side = errors.neighbourhood_mm / focal_mm;
+        let by_groups = (side > 0.0)
+            .then(|| neighbours::covariance_of(&adjusted, (&kept, &kept_conditions), &kept_solved, &factors, side, base_mm))
+            .flatten();
+        let outcome = Outcome { adjusted, accepted, factors, solved, by_shared, by_groups, behind, base_mm, focal_mm };
+        Ok(for_all(outcome.describe((observed, &conditions), (&kept, &kept_solved), &options), &different))
+    }
 }
 
 /// Of the different observations, what is said of each is said of all its copies.
@@ -106,66 +96,13 @@ fn for_all(of_different: RelativeOrientation, different: &Different) -> Relative
     if different.copies() == 0 {
         return found;
     }
-    let mut rejected = vec![false; different.observations.len()];
+    let mut rejected = vec![false; different.number];
     found.rejected.iter().for_each(|k| rejected[*k] = true);
     found.rejected = different.spread(&rejected).iter().enumerate().filter(|(_, rejected)| **rejected).map(|(k, _)| k).collect();
     found.residuals_mm = different.spread(&found.residuals_mm);
     found.points = different.spread(&found.points);
     found.warnings.push(Warning::Identical { copies: different.copies() });
     found
-}
-
-fn robust(observed: Weighted<'_>, resolution_mm: f64, focal_mm: f64, options: &OrientationOptions) -> Result<Clean, Error> {
-    let limits = Limits {
-        alpha0: options.alpha0,
-        known_sigma: options.sigma0_mm.map(|sigma0_mm| sigma0_mm / focal_mm),
-        resolution: resolution_mm / focal_mm,
-    };
-    let start = robust_start(observed.rays, options.seed);
-    let mut clean = adjust_without_gross_errors(observed, &start, limits)?;
-    if options.method == OrientationMethod::Determinant {
-        clean.adjusted = by_determinants(observed.rays, &clean.accepted, clean.adjusted.pose, |_| Ok(()))?;
-    }
-    let kept = clean.accepted.iter().filter(|kept| **kept).count();
-    let left = variance_left(kept, kept.saturating_sub(5), clean.beyond(), limits.share_beyond(clean.adjusted.sigma));
-    clean.adjusted.sigma /= left.sqrt();
-    // The estimate itself loses as much: least squares of those within the cut, repeated until it settles, has this much of the variance that
-    // least squares of all of them would have.
-    clean.adjusted.precision /= left;
-    clean.adjusted.sensitivity /= left;
-    Ok(clean)
-}
-
-fn plain(observed: Weighted<'_>, options: &OrientationOptions) -> Result<Clean, Error> {
-    let start = RelativePose::vertical(median_parallax(observed.rays));
-    let accepted = vec![true; observed.rays.len()];
-    let adjusted = match options.method {
-        OrientationMethod::Rigorous => adjust(observed.rays, observed.weights, start, SETTLED, near_vertical)?,
-        OrientationMethod::Determinant => by_determinants(observed.rays, &accepted, start, near_vertical)?,
-    };
-    Ok(Clean { adjusted, accepted, behind: 0 })
-}
-
-/// Adjusts the determinants of the accepted observations, with the precision of what these estimate.
-fn by_determinants(
-    rays: &[Ray],
-    accepted: &[bool],
-    start: RelativePose,
-    bounds: impl Fn(&RelativePose) -> Result<(), Cause>,
-) -> Result<Adjusted, Error> {
-    let kept: Vec<Ray> = rays.iter().zip(accepted).filter(|(_, kept)| **kept).map(|(ray, _)| *ray).collect();
-    let adjusted = adjust_determinants(&kept, start, bounds)?;
-    let weights = implied_weights(&adjusted.pose, &kept, &vec![true; kept.len()]);
-    with_precision(adjusted, &kept, &weights)
-}
-
-/// Coplanarity does not know the direction of the base: it is the one that has the points in front of the cameras.
-fn face_the_points(adjusted: &mut Adjusted, rays: &[Ray]) {
-    let in_front = |pose: &RelativePose| rays.iter().filter(|ray| pose.in_front(ray, 0.0)).count();
-    let reversed = RelativePose { base: -adjusted.pose.base, ..adjusted.pose };
-    if in_front(&reversed) > in_front(&adjusted.pose) {
-        adjusted.reverse_base();
-    }
 }
 
 /// Median x-parallax in units of the focal length; where there is next to none, the length of the median parallax.
@@ -194,7 +131,12 @@ struct Outcome {
 }
 
 impl Outcome {
-    fn describe(&self, observed: Weighted<'_>, (kept, kept_solved): (&[Ray], &[f64]), options: &OrientationOptions) -> RelativeOrientation {
+    fn describe(
+        &self,
+        (observed, conditions): (Weighted<'_>, &[Condition]),
+        (kept, kept_solved): (&[Ray], &[f64]),
+        options: &OrientationOptions,
+    ) -> RelativeOrientation {
         let (adjusted, focal_mm) = (&self.adjusted, self.focal_mm);
         let propagated = propagated(&adjusted.pose, self.base_mm, &adjusted.precision);
         let correlations = correlations(&propagated);
@@ -256,8 +198,8 @@ impl Outcome {
             base_ellipse_mm: ellipse,
             base_ellipse_95_mm: ellipse.map(|ellipse| ellipse.scaled(joint_limit(freedom))),
             noncentrality: Some(noncentrality).filter(|shift| shift.is_finite()),
-            residuals_mm: corrections(observed.rays, &adjusted.pose).into_iter().map(|v| v.map(|v| v * focal_mm)).collect(),
-            points: self.points(observed, sigma.unwrap_or(0.0), &propagated, (noncentrality, options.method)),
+            residuals_mm: observed.rays.iter().zip(conditions).map(|(ray, condition)| correction(ray, condition, focal_mm)).collect(),
+            points: self.points((observed.weights, conditions), sigma.unwrap_or(0.0), &propagated, (noncentrality, options.method)),
             rejected: self.accepted.iter().enumerate().filter(|(_, kept)| !**kept).map(|(index, _)| index).collect(),
             cameras: None,
         }
@@ -274,7 +216,7 @@ impl Outcome {
 
     fn points(
         &self,
-        observed: Weighted<'_>,
+        (weights, conditions): (&[f64], &[Condition]),
         sigma: f64,
         propagated: &Matrix5,
         (noncentrality, method): (f64, OrientationMethod),
@@ -285,6 +227,7 @@ impl Outcome {
             covariance: &adjusted.precision,
             unweighted: method == OrientationMethod::Determinant,
             sigma,
+            derivatives: derivatives(&adjusted.pose, *base_mm),
             propagated,
             base_mm: *base_mm,
             focal_mm: *focal_mm,
@@ -292,9 +235,14 @@ impl Outcome {
         };
         let mut factors = self.factors.iter();
         let mut factor = |accepted: bool| if accepted { *factors.next().unwrap_or(&1.0) } else { 0.0 };
-        let all = observed.rays.iter().zip(observed.weights).zip(&self.accepted).zip(&self.solved);
-        all.map(|(((ray, weight), accepted), solved)| judgement.of(ray, *weight, factor(*accepted), *solved)).collect()
+        let all = conditions.iter().zip(weights).zip(&self.accepted).zip(&self.solved);
+        all.map(|(((condition, weight), accepted), solved)| judgement.of(condition, *weight, factor(*accepted), *solved)).collect()
     }
+}
+
+/// The correction of an observation's coordinates, in mm.
+fn correction(ray: &Ray, condition: &Condition, focal_mm: f64) -> [f64; 4] {
+    std::array::from_fn(|k| (condition.at[k] - ray[k]) * focal_mm)
 }
 
 /// By how much the standard error ellipse grows for both unknowns to lie in it with a probability of 95 %: √(2 F), of which with two degrees of freedom

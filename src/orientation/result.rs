@@ -243,6 +243,7 @@ pub struct RelativeOrientation {
     /// degrees of freedom estimate σ₀, by which none is found.
     pub noncentrality: Option<f64>,
     /// Corrections `[vx_left, vy_left, vx_right, vy_right]` in mm of every observation, the rejected ones included.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Float64Array"))]
     pub residuals_mm: Vec<[f64; 4]>,
     /// One for each observation.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Float64Array"))]

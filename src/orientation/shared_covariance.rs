@@ -2,33 +2,33 @@
 
 use super::ErrorModel;
 use super::adjusted::Adjusted;
+use super::condition::Condition;
 use super::coplanarity::{Ray, Unknowns};
 use super::normals::Matrix5;
 use super::precision::derivatives;
-use super::shared_parallax::{MODES, extent, modes};
+use super::shared_parallax::{Extent, MODES};
 use nalgebra::SMatrix;
 
 /// Covariance of ω φ κ (radians), by bz (mm) that shared errors give the adjusted unknowns, by first-order propagation; `None` without any.
 ///
-/// `rays` and `weights` in the normal equations are those of the accepted observations, `accepted` tells which of all they are.
+/// `rays`, their `conditions` and their `weights` in the normal equations are those of the accepted observations, `accepted` tells which of all they are.
 pub(super) fn covariance_of(
     errors: &ErrorModel,
     adjusted: &Adjusted,
-    (rays, weights, accepted): (&[Ray], &[f64], &[bool]),
+    (rays, conditions, weights, accepted): (&[Ray], &[Condition], &[f64], &[bool]),
     base_mm: f64,
     focal_mm: f64,
 ) -> Option<Matrix5> {
-    if errors.shared.is_empty() && errors.shared_parallax == 0.0 {
+    if errors.shared.is_empty() && errors.shared_parallax == [0.0; MODES] {
         return None;
     }
-    let tangents = adjusted.pose.tangents();
     let to_parameters = derivatives(&adjusted.pose, base_mm) * adjusted.cofactors;
-    let lines: Vec<_> = rays.iter().map(|ray| adjusted.pose.linearise(&tangents, ray, &adjusted.pose.project(ray).0)).collect();
+    let lines = || conditions.iter().map(|condition| condition.line);
     let mut total = Matrix5::zeros();
     for group in &errors.shared {
         let mut response = [Unknowns::zeros(); 3];
         let effects = group.effects.iter().zip(accepted).filter(|(_, kept)| **kept).map(|(effect, _)| effect);
-        for ((line, weight), effect) in lines.iter().zip(weights).zip(effects) {
+        for ((line, weight), effect) in lines().zip(weights).zip(effects) {
             let Some(line) = line else { continue };
             for (sum, change) in response.iter_mut().zip(effect) {
                 let misclosure = (0..4).map(|k| line.by_coordinates[k] * change[k] / focal_mm).sum::<f64>();
@@ -39,15 +39,17 @@ pub(super) fn covariance_of(
         let covariance = SMatrix::<f64, 3, 3>::from_fn(|i, j| group.covariance[i][j]);
         total += response * covariance * response.transpose();
     }
-    if errors.shared_parallax > 0.0 {
+    if errors.shared_parallax != [0.0; MODES] {
         let mut response = [Unknowns::zeros(); MODES];
-        let extent = extent(rays);
-        for ((line, weight), ray) in lines.iter().zip(weights).zip(rays) {
+        let extent = Extent::of(rays);
+        for ((line, weight), ray) in lines().zip(weights).zip(rays) {
             let Some(line) = line else { continue };
-            response.iter_mut().zip(modes(ray, extent)).for_each(|(sum, mode)| *sum -= line.by_unknowns * (weight * mode));
+            response.iter_mut().zip(extent.modes(ray)).for_each(|(sum, mode)| *sum -= line.by_unknowns * (weight * mode));
         }
-        let deviation = errors.shared_parallax * adjusted.sigma;
-        total += response.iter().map(|sum| to_parameters * sum * deviation).fold(Matrix5::zeros(), |sum, one| sum + one * one.transpose());
+        for (sum, deviation) in response.iter().zip(&errors.shared_parallax) {
+            let effect = to_parameters * sum * (deviation * adjusted.sigma);
+            total += effect * effect.transpose();
+        }
     }
     Some((total + total.transpose()) * 0.5)
 }

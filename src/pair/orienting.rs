@@ -4,10 +4,10 @@ use super::geometry::PairInterior;
 use super::self_calibration::{self, Measured};
 use super::weakness::NEIGHBOURHOOD_PX;
 use crate::math::median;
-use crate::orientation::{RelativePose, SHARED_BY_FEATURES, SHARED_BY_FITS};
+use crate::orientation::{Estimate, MODES, RelativePose, SHARED_BY_FEATURES, SHARED_BY_FITS};
 use crate::{
     Cause, Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,
-    Warning, orient_relative_with,
+    Warning,
 };
 
 /// Largest standard error of a photo coordinate that matches of one scene have, in px of the left photo. They reach 0.1 to 0.4 px on the
@@ -74,11 +74,12 @@ fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &Orientat
     let mut weights = match_weights(&fits);
     let with_fit = fits.iter().flatten().count();
     let shared = if 2 * with_fit > fits.len() { SHARED_BY_FITS } else { SHARED_BY_FEATURES };
-    let mut found = orient_as_given(&positions, &weights, shared, interior, options)?;
-    if let Some(weight) = weight_without_fit(&fits, &weights, &found) {
+    let mut estimate = estimated(&positions, &weights, interior, options)?;
+    if let Some(weight) = weight_without_fit(&fits, &weights, &estimate) {
         weights.iter_mut().zip(&fits).filter(|(_, fit)| fit.is_none()).for_each(|(own, _)| *own = weight);
-        found = orient_as_given(&positions, &weights, shared, interior, options)?;
+        estimate = estimate.reweighted(&weights)?;
     }
+    let mut found = described_as_given(estimate, &positions, shared, interior)?;
     if self_calibration::tells_more(interior) {
         // Estimated cameras decide which matches are gross errors, and these the cameras.
         for _ in 0..CALIBRATIONS {
@@ -95,11 +96,15 @@ fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &Orientat
 
 /// The weight of the matches that least squares matching did not confirm, beside those that it did: the ratio of the variances of their
 /// y-parallaxes. `None` where either are too few to tell, or there is nothing to tell apart.
-fn weight_without_fit(fits: &[Option<Fit>], weights: &[f64], found: &RelativeOrientation) -> Option<f64> {
+fn weight_without_fit(fits: &[Option<Fit>], weights: &[f64], found: &Estimate) -> Option<f64> {
+    let with_fit = fits.iter().flatten().count();
+    if with_fit.min(fits.len() - with_fit) < LEAST_OF_A_KIND {
+        return None;
+    }
+    let parallaxes_mm = found.parallaxes_mm();
     let scatter = |with_fit: bool| {
-        let own = fits.iter().zip(weights).zip(&found.points).filter(|((fit, _), _)| fit.is_some() == with_fit);
-        let mut sizes: Vec<f64> =
-            own.filter_map(|((_, weight), point)| point.map(|point| weight.sqrt() * point.parallax_mm.abs())).collect();
+        let own = fits.iter().zip(weights).zip(&parallaxes_mm).filter(|((fit, _), _)| fit.is_some() == with_fit);
+        let mut sizes: Vec<f64> = own.filter_map(|((_, weight), parallax_mm)| parallax_mm.map(|v| weight.sqrt() * v.abs())).collect();
         if sizes.len() < LEAST_OF_A_KIND { None } else { median(&mut sizes) }
     };
     let (refined, coarse) = (scatter(true)?, scatter(false)?);
@@ -112,7 +117,7 @@ fn weight_without_fit(fits: &[Option<Fit>], weights: &[f64], found: &RelativeOri
 fn orient_calibrated(
     positions: &[[f64; 4]],
     weights: &[f64],
-    shared_parallax: f64,
+    shared_parallax: [f64; MODES],
     interior: &PairInterior,
     earlier: &RelativeOrientation,
     options: &OrientationOptions,
@@ -130,7 +135,7 @@ fn orient_calibrated(
         // Cameras and shared y-parallax are estimated together: their errors depend on each other.
         Some(cameras) => {
             let errors = ErrorModel { shared: cameras.shared_errors(positions), ..ErrorModel::default() };
-            let found = orient_with(positions, weights, &cameras.interior, errors, options)?;
+            let found = described(estimated(positions, weights, &cameras.interior, options)?, positions, &cameras.interior, errors)?;
             Ok(RelativeOrientation { cameras: Some(cameras.cameras()), ..found })
         }
         None => orient_as_given(positions, weights, shared_parallax, interior, options),
@@ -141,34 +146,44 @@ fn orient_calibrated(
 fn orient_as_given(
     positions: &[[f64; 4]],
     weights: &[f64],
-    shared_parallax: f64,
+    shared_parallax: [f64; MODES],
     interior: &PairInterior,
     options: &OrientationOptions,
 ) -> Result<RelativeOrientation, Error> {
+    described_as_given(estimated(positions, weights, interior, options)?, positions, shared_parallax, interior)
+}
+
+fn described_as_given(
+    estimate: Estimate,
+    positions: &[[f64; 4]],
+    shared_parallax: [f64; MODES],
+    interior: &PairInterior,
+) -> Result<RelativeOrientation, Error> {
     let shared = self_calibration::errors_as_given(interior, positions);
-    let errors = ErrorModel { shared, shared_parallax, ..ErrorModel::default() };
-    let found = orient_with(positions, weights, interior, errors, options)?;
+    let found = described(estimate, positions, interior, ErrorModel { shared, shared_parallax, ..ErrorModel::default() })?;
     Ok(RelativeOrientation { cameras: self_calibration::cameras_as_given(interior), ..found })
 }
 
-/// The orientation with fixed cameras; `errors`: what is known of theirs, and of those that matches share over the image.
-fn orient_with(
-    positions: &[[f64; 4]],
-    weights: &[f64],
-    interior: &PairInterior,
-    errors: ErrorModel,
-    options: &OrientationOptions,
-) -> Result<RelativeOrientation, Error> {
+/// The orientation with fixed cameras.
+fn estimated(positions: &[[f64; 4]], weights: &[f64], interior: &PairInterior, options: &OrientationOptions) -> Result<Estimate, Error> {
     let mut observed = observations(positions, &interior.left, &interior.right);
     observed.iter_mut().zip(weights).for_each(|(observation, weight)| observation.weight = *weight);
-    let pixel_mm = interior.left.pixel_mm();
-    let errors = ErrorModel {
+    let resolution_mm = if positions.iter().all(are_whole_pixels) { WHOLE_PIXEL_SIGMA * interior.left.pixel_mm() } else { 0.0 };
+    Estimate::of(&observed, resolution_mm, interior.focal_mm, options)
+}
+
+/// `errors`: what is known of those of the cameras, and of those that matches share over the image.
+fn described(
+    estimate: Estimate,
+    positions: &[[f64; 4]],
+    interior: &PairInterior,
+    errors: ErrorModel,
+) -> Result<RelativeOrientation, Error> {
+    estimate.described(&ErrorModel {
         shared: interior_errors(positions, interior).into_iter().chain(errors.shared).collect(),
-        neighbourhood_mm: NEIGHBOURHOOD_PX * pixel_mm,
-        resolution_mm: if positions.iter().all(are_whole_pixels) { WHOLE_PIXEL_SIGMA * pixel_mm } else { 0.0 },
+        neighbourhood_mm: NEIGHBOURHOOD_PX * interior.left.pixel_mm(),
         ..errors
-    };
-    orient_relative_with(&observed, &errors, interior.focal_mm, options)
+    })
 }
 
 /// Refuses an orientation with which the matches agree no better than wrong ones do.

@@ -13,6 +13,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 export interface RelativeOrientation {
+    /** Corrections of x and y in the left and in the right photo in mm, of every observation, the rejected ones included; stride 4. */
+    residuals_mm: Float64Array;
     /**
      * For each observation: residual y-parallax in mm, redundancy number, standardised residual w, minimal detectable displacement of the
      * right point across its epipolar line in mm, external reliability, weight (0 where rejected), model X, Y, Z in mm; stride 9. NaN where absent.
@@ -169,9 +171,9 @@ pub(super) fn pack_oriented(orientation: &RelativeOrientation, verdict: &JsValue
     packed
 }
 
-/// The orientation, with the statistics of its points as one flat array.
+/// The orientation, with the residuals and the statistics of its points as flat arrays.
 pub(super) fn pack_orientation(orientation: &RelativeOrientation) -> JsValue {
-    let packed = pack(&RelativeOrientation { points: Vec::new(), ..orientation.clone() });
+    let packed = pack(&RelativeOrientation { residuals_mm: Vec::new(), points: Vec::new(), ..orientation.clone() });
     let row = |point: &Option<PointStatistics>| match point {
         None => [f64::NAN; 9],
         Some(p) => {
@@ -179,6 +181,7 @@ pub(super) fn pack_orientation(orientation: &RelativeOrientation) -> JsValue {
             [p.parallax_mm, p.redundancy, p.w, p.detectable_mm, p.influence, p.weight, x, y, z]
         }
     };
+    set(&packed, "residuals_mm", &numbers(orientation.residuals_mm.iter().copied().flatten()));
     set(&packed, "points", &numbers(orientation.points.iter().flat_map(row)));
     packed
 }

@@ -160,7 +160,8 @@ fn read_orientation(value: &JsValue) -> JsResult<RelativeOrientation> {
         (!parallax_mm.is_nan()).then_some(PointStatistics { parallax_mm, redundancy, w, detectable_mm, influence, weight, model_mm })
     };
     let points = rows::<9>("points", &points)?.iter().map(statistics).collect();
+    let residuals_mm = rows::<4>("residuals_mm", &floats(value, "residuals_mm"))?.to_vec();
     let plain = Object::assign(&Object::new(), value.unchecked_ref());
-    set(&plain, "points", &Array::new());
-    Ok(RelativeOrientation { points, ..read("orientation", &plain)? })
+    ["residuals_mm", "points"].iter().for_each(|name| set(&plain, name, &Array::new()));
+    Ok(RelativeOrientation { residuals_mm, points, ..read("orientation", &plain)? })
 }

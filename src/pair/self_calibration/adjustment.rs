@@ -3,7 +3,7 @@
 use super::constants::{CAMERA, cameras_of, effects, growth, priors, rays, with_constants};
 use super::measured::Measured;
 use super::result::SelfCalibration;
-use crate::orientation::{MODES, RelativePose, extent, modes};
+use crate::orientation::{Extent, MODES, RelativePose};
 use crate::pair::geometry::PairInterior;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
@@ -60,14 +60,20 @@ struct Adjustment<'a> {
     measured: &'a Measured<'a>,
     cameras: usize,
     priors: DVector<f64>,
-    extent: f64,
+    extent: Extent,
 }
 
 impl<'a> Adjustment<'a> {
     fn new(given: &'a PairInterior, measured: &'a Measured<'a>) -> Self {
         let cameras = cameras_of(given);
-        let extent = extent(&rays(measured.positions, given));
-        Self { given, measured, cameras, priors: priors(given, cameras, measured.shared_parallax * measured.sigma), extent }
+        let extent = Extent::of(&rays(measured.positions, given));
+        Self {
+            given,
+            measured,
+            cameras,
+            priors: priors(given, cameras, measured.shared_parallax.map(|deviation| deviation * measured.sigma)),
+            extent,
+        }
     }
 
     /// What the modes add to the misclosure of a ray.
@@ -81,7 +87,7 @@ impl<'a> Adjustment<'a> {
         let rays = rays(self.measured.positions, &with_constants(self.given, values, self.cameras));
         let of_matches = rays.iter().zip(self.measured.weights).filter_map(|(ray, weight)| {
             let line = pose.linearise(&tangents, ray, &pose.project(ray).0)?;
-            let misclosure = line.misclosure + self.shift(&modes(ray, self.extent), values);
+            let misclosure = line.misclosure + self.shift(&self.extent.modes(ray), values);
             let distance = growth * misclosure.abs() * weight.sqrt() / self.measured.sigma;
             Some(if distance < HUBER { distance * distance } else { HUBER * (2.0 * distance - HUBER) })
         });
@@ -97,7 +103,7 @@ impl<'a> Adjustment<'a> {
         let rays = rays(self.measured.positions, &with_constants(self.given, values, self.cameras));
         for (index, (ray, weight)) in rays.iter().zip(self.measured.weights).enumerate() {
             let Some(line) = pose.linearise(&tangents, ray, &pose.project(ray).0) else { continue };
-            let modes = modes(ray, self.extent);
+            let modes = self.extent.modes(ray);
             let misclosure = line.misclosure + self.shift(&modes, values);
             let mut row = DVector::zeros(unknowns);
             row.rows_mut(0, POSE).copy_from(&line.by_unknowns);

@@ -50,9 +50,8 @@ pub fn priors_of_constants(given: &PairInterior, cameras: usize) -> Vec<f64> {
 }
 
 /// The same, and those of the modes, in focal lengths.
-pub fn priors(given: &PairInterior, cameras: usize, of_mode: f64) -> DVector<f64> {
-    let modes = std::iter::repeat_n(of_mode, MODES);
-    DVector::from_iterator(cameras * CAMERA + MODES, priors_of_constants(given, cameras).into_iter().chain(modes))
+pub fn priors(given: &PairInterior, cameras: usize, of_modes: [f64; MODES]) -> DVector<f64> {
+    DVector::from_iterator(cameras * CAMERA + MODES, priors_of_constants(given, cameras).into_iter().chain(of_modes))
 }
 
 /// The cameras with their constants changed.

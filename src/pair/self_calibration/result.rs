@@ -1,7 +1,7 @@
 //! The cameras of a pair as it calibrates them, and what their errors do to its observations.
 
 use super::constants::{CAMERA, effects, rays};
-use crate::orientation::{MODES, Ray, RelativePose, modes};
+use crate::orientation::{Extent, MODES, Ray, RelativePose};
 use crate::pair::geometry::PairInterior;
 use crate::{EstimatedCamera, SharedErrors};
 use nalgebra::{DMatrix, DVector};
@@ -16,8 +16,8 @@ pub struct SelfCalibration {
     /// Of the values: those of the left and the right camera, once where they are one camera, and of the modes.
     pub covariance: DMatrix<f64>,
     pub cameras: usize,
-    /// Largest coordinate of a ray, by which those of the modes are divided.
-    pub extent: f64,
+    /// Of the matches, for the modes.
+    pub extent: Extent,
 }
 
 impl SelfCalibration {
@@ -43,7 +43,7 @@ impl SelfCalibration {
     /// The change of the coordinates of a ray by each mode, which lies across the epipolar line.
     fn modes_across(&self, ray: &Ray) -> [[f64; 4]; MODES] {
         let across = self.pose.linearise(&self.pose.tangents(), ray, ray).map_or([0.0; 4], |line| line.by_coordinates);
-        modes(ray, self.extent).map(|mode| across.map(|v| mode * v))
+        self.extent.modes(ray).map(|mode| across.map(|v| mode * v))
     }
 
     /// What is known of the left and the right camera now.

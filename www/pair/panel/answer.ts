@@ -7,7 +7,7 @@ import { offeredCalibration } from '../state/calibration';
 import { interiorInUse } from '../state/interior';
 import { isCurrent } from '../state/keys';
 import { whyNone } from '../state/project';
-import { pixelMm } from '../state/residuals';
+import { countsOf, pixelMm } from '../state/residuals';
 import { shownPair } from '../state/select';
 import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
@@ -68,7 +68,7 @@ function answered(state: State, actions: AnswerActions): Answer {
 }
 
 function figuresOf(state: State, result: OrientedPair): Figure[] {
-  const used = result.residuals_mm.length - result.rejected.length;
+  const { used } = countsOf(result);
   const interior = interiorInUse(state)?.left;
   const half = result.half_widths_95?.kappa_deg;
   return [

@@ -16,7 +16,7 @@ import { set, showHistory, showSteps, undoKeys } from '../../shared/panel/histor
 import type { Sorting } from '../state/edits';
 import { interiorInUse } from '../state/interior';
 import { isCurrent } from '../state/keys';
-import { pixelMm } from '../state/residuals';
+import { countsOf, pixelMm } from '../state/residuals';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { UNKNOWNS } from './unknowns';
@@ -85,7 +85,7 @@ function comparison(state: State): HTMLElement[] {
   const now = isCurrent(state, 'orientation') ? (state.results.orientation?.value ?? null) : null;
   const interior = interiorInUse(state)?.left;
   const pixel = interior === undefined ? NaN : pixelMm(interior);
-  const used = ({ residuals_mm, rejected }: OrientedPair) => count(residuals_mm.length - rejected.length);
+  const used = (of: OrientedPair) => count(countsOf(of).used);
   const sigma = ({ sigma0_mm }: OrientedPair) => fixed(sigma0_mm === null ? null : sigma0_mm / pixel, 3);
   const error = (field: (typeof ANGLES)[number]) => (of: OrientedPair) => fixed((of.total_standard_errors ?? of.standard_errors)?.[field], 4);
   const line = (name: string, testid: string, text: (of: OrientedPair) => string) =>

@@ -3,7 +3,7 @@ import type { FiveParameters, Paper, RelativeOrientation } from '../../shared/cr
 import { interiorInUse } from '../state/interior';
 import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
 import { hasPaperCamera } from '../state/paper';
-import { pixelMm } from '../state/residuals';
+import { countsOf, pixelMm } from '../state/residuals';
 import { orientationAt, truthOf } from '../state/truth';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -181,7 +181,7 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
   const interior = interiorInUse(state)?.left;
   const pixel = interior === undefined ? null : pixelMm(interior);
   const sigma = result.sigma0_mm;
-  const used = result.residuals_mm.length - result.rejected.length;
+  const { all, used } = countsOf(result);
   const test = result.global_test;
   const printed = hasPaperCamera(state) ? state.catalogue?.paper : undefined;
   const list: Fact[] = [
@@ -212,7 +212,7 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
     {
       name: say('matches-used'),
       testid: 'matches-used',
-      value: say('of-7', { used, residuals_mm: result.residuals_mm.length }),
+      value: say('of-7', { used, residuals_mm: all }),
       help: say('data-snooping-rejected-the-others'),
     },
     {

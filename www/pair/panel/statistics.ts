@@ -7,6 +7,7 @@ import type { Column } from '../../shared/state/rows';
 import { count } from '../../shared/text/format';
 import { chosenLefts } from '../state/choice';
 import { BY_HAND, GROSS_ERROR, MANUAL } from '../state/codes';
+import type { PairMatches } from '../state/data';
 import type { Editing } from '../state/editing';
 import { interiorInUse } from '../state/interior';
 import { isStale } from '../state/keys';
@@ -54,6 +55,8 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
 
   let chosen: ReadonlySet<number> = new Set();
   let statistics: Statistics | null = null;
+  /** The matches that they are of, without edits. */
+  let found: PairMatches | null = null;
   let columns: readonly Column[] = [];
   const leftsOf = (rows: Iterable<number>) => [...rows].flatMap((row) => statistics?.lefts[row] ?? []);
   const chooseListed = () => {
@@ -69,12 +72,13 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
   const follow = () => {
     const { state } = store;
     table.scroller.classList.toggle('is-stale', isStale(state, 'match') || (shownPair(state).orientation !== null && isStale(state, 'orientation')));
-    const now = statisticsOfState(state);
+    const now = statistics !== null && isAwaited(state, found) ? statistics : statisticsOfState(state);
     const lefts = chosenLefts(state);
     const isOther = lefts.length !== chosen.size || !lefts.every((left) => chosen.has(left));
     if (isOther) chosen = new Set(lefts);
     if (now !== statistics || filter.options.length === 0) {
       statistics = now;
+      found = shownPair(state).edited?.found ?? null;
       columns = now === null ? [] : columnsOf(now);
       const { value } = filter;
       const offered = FILTERS.filter(([kind]) => kind !== 'wrong' || now?.rightness != null);
@@ -86,7 +90,7 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
   const seen = whenInSight(host, follow);
   store.watch(['selection', 'chosen'], seen);
   // The figures of the orientation come first: rows take as long as they do, and change with several of these.
-  store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], afterFrame(seen));
+  store.watch(['results', 'running', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], afterFrame(seen));
 }
 
 function columnsOf({ columns, codes, rightness }: Statistics): Column[] {
@@ -119,6 +123,13 @@ function statisticsOfState(state: State): Statistics | null {
   if (match === null || edited?.found.counts.matches === 0) return null;
   const interior = interiorInUse(state)?.left;
   return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
+}
+
+/** Whether the figures of edited matches are under way: their rows come with these, which rows without them would keep waiting. */
+function isAwaited(state: State, found: PairMatches | null): boolean {
+  const { edited } = shownPair(state);
+  const { orientation, score } = state.running;
+  return (orientation !== undefined || score !== undefined) && edited !== null && edited.found === found;
 }
 
 /** The match of the selected point; -1 where it has none. */

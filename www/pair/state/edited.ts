@@ -277,7 +277,7 @@ export function targetOfLeft({ found, match, appended }: Edited, left: number): 
 }
 
 /** The row of the match of each left point; -1 where it has none. */
-function rowsOfLefts(match: Pick<PairMatches, 'rules' | 'indices'>): Int32Array {
+export function rowsOfLefts(match: Pick<PairMatches, 'rules' | 'indices'>): Int32Array {
   const rows = new Int32Array(match.rules.length).fill(-1);
   for (let i = 0; i < match.indices.length; i += 2) rows[match.indices[i] ?? NO_POINT] = i / 2;
   return rows;

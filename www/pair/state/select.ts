@@ -1,13 +1,14 @@
 /** What the panels and views read from the state. Pure; the costly ones are remembered for the last input. */
 import type { MatchResult, RelativeOrientation } from '../../shared/crate';
-import type { MatchesInUse } from './data';
+import type { MatchesInUse, PairMatches } from './data';
 import type { Side, StageName, State } from './state';
 import { STAGES } from './stages';
 import { BY_HAND, GROSS_ERROR, MANUAL, MATCHED, UNDECIDED } from './codes';
-import { editedPair, isManual, NO_POINT } from './edited';
+import { editedPair, isManual, NO_POINT, rowsOfLefts } from './edited';
 import type { Edited } from './edited';
 import { isStale, wantedKeys } from './keys';
-import { remember } from '../../shared/state/remember';
+import { remember, rememberCodes } from '../../shared/state/remember';
+import { countsOf, POINT_STRIDE, RESIDUAL_STRIDE } from './residuals';
 
 export { NO_POINT };
 
@@ -40,27 +41,35 @@ export function shownPair(state: State): ShownPair {
 
 /** The orientation of the matches as they are now. One that was made before the latest edit is shown of the matches that it knows. */
 const orientationOf = remember((orientation: RelativeOrientation, of: MatchesInUse | null, { match, found }: Edited): RelativeOrientation | null => {
-  if (of === null || of.match === match) return orientation.residuals_mm.length * 5 === match.matches.length ? orientation : null;
+  const count = match.matches.length / 5;
+  if (of === null || of.match === match) return countsOf(orientation).all === count ? orientation : null;
   if (of.found !== found) return null;
-  const rowThen = new Map(Array.from({ length: of.match.indices.length / 2 }, (_, row) => [of.match.indices[2 * row] ?? NO_POINT, row]));
-  const unknown = -1;
-  const thenOf = Array.from({ length: match.indices.length / 2 }, (_, row) => {
-    const then = rowThen.get(match.indices[2 * row] ?? NO_POINT) ?? unknown;
-    const same = [0, 1, 2, 3].every((k) => of.match.matches[5 * then + k] === match.matches[5 * row + k]);
-    return same ? then : unknown;
+  const then = rowsThen(of.match, match);
+  const wasRejected = new Set(orientation.rejected);
+  const points = new Float64Array(POINT_STRIDE * count).fill(NaN);
+  const residuals = new Float64Array(RESIDUAL_STRIDE * count).fill(NaN);
+  const rejected: number[] = [];
+  then.forEach((own, row) => {
+    if (own < 0) return;
+    for (let k = 0; k < POINT_STRIDE; k++) points[POINT_STRIDE * row + k] = orientation.points[POINT_STRIDE * own + k] ?? NaN;
+    for (let k = 0; k < RESIDUAL_STRIDE; k++) residuals[RESIDUAL_STRIDE * row + k] = orientation.residuals_mm[RESIDUAL_STRIDE * own + k] ?? NaN;
+    if (wasRejected.has(own)) rejected.push(row);
   });
-  const rejected = new Set(orientation.rejected);
-  const points = new Float64Array(9 * thenOf.length).fill(NaN);
-  thenOf.forEach((then, row) => {
-    if (then !== unknown) points.set(orientation.points.subarray(9 * then, 9 * then + 9), 9 * row);
-  });
-  return {
-    ...orientation,
-    points,
-    residuals_mm: thenOf.map((then) => orientation.residuals_mm[then] ?? [NaN, NaN, NaN, NaN]),
-    rejected: thenOf.flatMap((then, row) => (rejected.has(then) ? [row] : [])),
-  };
+  return { ...orientation, points, residuals_mm: residuals, rejected };
 });
+
+/** The row that each match had among earlier ones; -1 where none of them was the same. */
+function rowsThen(earlier: PairMatches, now: PairMatches): Int32Array {
+  const rowOfLeft = rowsOfLefts(earlier);
+  const rows = new Int32Array(now.indices.length / 2).fill(-1);
+  for (let row = 0; row < rows.length; row++) {
+    const then = rowOfLeft[now.indices[2 * row] ?? NO_POINT] ?? -1;
+    let same = then >= 0;
+    for (let k = 0; same && k < 4; k++) same = earlier.matches[5 * then + k] === now.matches[5 * row + k];
+    if (same) rows[row] = then;
+  }
+  return rows;
+}
 
 function pointsOfShownImage(state: State, side: Side): Float64Array | null {
   const opened = side === 'left' ? 'openLeft' : 'openRight';
@@ -80,7 +89,7 @@ function matchIsOf(match: MatchResult, left: Float64Array, right: Float64Array):
 }
 
 /** The code of each left point: the rule that decided, or that the adjustment rejected its match. */
-export const leftCodes = remember((left: Float64Array | null, match: MatchResult | null, orientation: RelativeOrientation | null) => {
+export const leftCodes = rememberCodes((left: Float64Array | null, match: MatchResult | null, orientation: RelativeOrientation | null) => {
   const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
   if (match === null) return codes;
   codes.set(match.rules);
@@ -90,7 +99,7 @@ export const leftCodes = remember((left: Float64Array | null, match: MatchResult
 });
 
 /** The code of each right point: matched, rejected by hand or by the adjustment, or unused. */
-export const rightCodes = remember((right: Float64Array | null, match: MatchResult | null, orientation: RelativeOrientation | null) => {
+export const rightCodes = rememberCodes((right: Float64Array | null, match: MatchResult | null, orientation: RelativeOrientation | null) => {
   const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
   if (match === null) return codes;
   match.rules.forEach((rule, left) => {
@@ -103,8 +112,9 @@ export const rightCodes = remember((right: Float64Array | null, match: MatchResu
 });
 
 /** The code of each match: `MATCHED`, `MANUAL` or `GROSS_ERROR`. */
-export const matchCodes = remember((match: MatchResult | null, orientation: RelativeOrientation | null) => {
-  const codes = Uint8Array.from({ length: (match?.matches.length ?? 0) / 5 }, (_, row) => (match !== null && isManual(match, row) ? MANUAL : MATCHED));
+export const matchCodes = rememberCodes((match: MatchResult | null, orientation: RelativeOrientation | null) => {
+  const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
+  for (let row = 0; match !== null && row < codes.length; row++) codes[row] = isManual(match, row) ? MANUAL : MATCHED;
   for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
   return codes;
 });
@@ -117,28 +127,32 @@ export interface Places {
 }
 
 export const loosePlaces = remember((match: MatchResult | null, codes: Uint8Array): Places => {
-  const [points, ofPlaces, lefts]: [number[], number[], number[]] = [[], [], []];
-  const put = (left: number, code: number, place: Iterable<number>) => {
-    points.push(...place);
-    ofPlaces.push(code);
-    lefts.push(left);
+  const most = match === null ? 0 : match.rules.length + codes.length;
+  const [points, ofPlaces, lefts] = [new Float64Array(3 * most), new Uint8Array(most), new Uint32Array(most)];
+  let count = 0;
+  const put = (left: number, code: number, x: number, y: number, measure: number) => {
+    points[3 * count] = x;
+    points[3 * count + 1] = y;
+    points[3 * count + 2] = measure;
+    ofPlaces[count] = code;
+    lefts[count] = left;
+    count += 1;
   };
   match?.rules.forEach((rule, left) => {
-    const at = match.places.subarray(2 * left, 2 * left + 2);
-    if (rule === BY_HAND && (match.best[left] ?? -1) < 0 && !Number.isNaN(at[0])) put(left, BY_HAND, [...at, 0]);
+    if (rule !== BY_HAND || (match.best[left] ?? -1) >= 0) return;
+    const [x = NaN, y = NaN] = match.places.subarray(2 * left, 2 * left + 2);
+    if (!Number.isNaN(x)) put(left, BY_HAND, x, y, 0);
   });
   codes.forEach((code, row) => {
-    if (match?.indices[2 * row + 1] === NO_POINT) put(match.indices[2 * row] ?? 0, code, match.matches.subarray(5 * row + 2, 5 * row + 5));
+    if (match?.indices[2 * row + 1] !== NO_POINT) return;
+    const at = (k: number) => match.matches[5 * row + k] ?? NaN;
+    put(match.indices[2 * row] ?? 0, code, at(2), at(3), at(4));
   });
-  return { points: Float64Array.from(points), codes: Uint8Array.from(ofPlaces), lefts: Uint32Array.from(lefts) };
+  return { points: points.slice(0, 3 * count), codes: ofPlaces.slice(0, count), lefts: lefts.slice(0, count) };
 });
 
 /** The match of each left point; -1 where it has none. */
-export const matchOfLeft = remember((match: MatchResult): Int32Array => {
-  const matches = new Int32Array(match.rules.length).fill(-1);
-  for (let i = 0; i < match.indices.length; i += 2) matches[match.indices[i] ?? NO_POINT] = i / 2;
-  return matches;
-});
+export const matchOfLeft = remember(rowsOfLefts);
 
 /** Stages that are part of the run itself; looking at a point is not. */
 const RUN_STAGES: readonly StageName[] = [

@@ -2,14 +2,12 @@
 import type { MatchResult, MatchScore, RelativeOrientation } from '../../shared/crate';
 import { BY_HAND, GROSS_ERROR, MANUAL, MATCHED } from './codes';
 import { MANUAL_MEASURE } from './edited';
+import { POINT_STRIDE } from './residuals';
 import { matchCodes } from './select';
 import { remember } from '../../shared/state/remember';
 import type { Column } from '../../shared/state/rows';
 import { fixed } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
-
-/** Values a match has in `RelativeOrientation.points`. */
-const POINT_STRIDE = 9;
 
 /** A column of numbers. */
 export interface Figure extends Column {

@@ -1,5 +1,5 @@
 /** What the view shows, gathered from the state once a drawing. */
-import type { MatchResult, RelativeOrientation } from '../../shared/crate';
+import type { MatchResult } from '../../shared/crate';
 import { interiorInUse } from '../state/interior';
 import { residualVectors } from '../state/residuals';
 import { leftCodes, loosePlaces, matchCodes, rightCodes, shownPair } from '../state/select';
@@ -26,13 +26,20 @@ export interface Pane {
   vectors: Float64Array | null;
 }
 
-export interface Scene {
-  panes: Record<Side, Pane>;
+/** What the marks over the pictures are made of. Each part is the same object for as long as it holds the same. */
+interface Marks {
+  points: Record<Side, Float64Array | null>;
+  codes: Record<Side, Uint8Array>;
   match: MatchResult | null;
-  orientation: RelativeOrientation | null;
   matchCodes: Uint8Array;
   /** Matched places of the right image that are no interest points. */
   places: Places;
+  /** Residuals, where they are shown. */
+  vectors: Record<Side, Float64Array | null>;
+}
+
+export interface Scene extends Pick<Marks, 'match' | 'matchCodes' | 'places'> {
+  panes: Record<Side, Pane>;
 }
 
 function pictureOf(state: State, side: Side): Picture | null {
@@ -44,41 +51,44 @@ function pictureOf(state: State, side: Side): Picture | null {
   return { imageId: image.id, width: info.width, height: info.height, overview };
 }
 
+export function marksOf(state: State): Marks {
+  const { left, right, match, orientation } = shownPair(state);
+  const interior = state.display.vectors === 0 ? null : interiorInUse(state);
+  const vectors = (side: Side) =>
+    match === null || orientation === null || interior === null ? null : residualVectors[side](match, orientation, interior[side]);
+  const ofMatches = matchCodes(match, orientation);
+  return {
+    points: { left, right },
+    codes: { left: leftCodes(left, match, orientation), right: rightCodes(right, match, orientation) },
+    match,
+    matchCodes: ofMatches,
+    places: loosePlaces(match, ofMatches),
+    vectors: { left: vectors('left'), right: vectors('right') },
+  };
+}
+
 /** The scene on a canvas of `width` x `height` CSS px. A pane without a view shows its whole image. */
 export function sceneOf(state: State, width: number, height: number): Scene {
   const rects = panesOf(width, height);
-  const shown = shownPair(state);
-  const codes = {
-    left: leftCodes(shown.left, shown.match, shown.orientation),
-    right: rightCodes(shown.right, shown.match, shown.orientation),
-  };
+  const marks = marksOf(state);
   const pane = (side: Side): Pane => {
     const picture = pictureOf(state, side);
     const own = state.views[side];
     const whole = picture === null ? { x: 0, y: 0, scale: 1 } : fitView(rects[side], picture.width, picture.height);
     const view = own === null ? whole : inPane(own, rects[side]);
-    const interior = interiorInUse(state)?.[side];
-    const vectors =
-      shown.match !== null && shown.orientation !== null && interior !== undefined ? residualVectors[side](shown.match, shown.orientation, interior) : null;
     return {
       side,
       rect: rects[side],
       transform: transformOf(rects[side], view),
       picture,
-      points: picture === null ? null : shown[side],
+      points: picture === null ? null : marks.points[side],
       frames: state.results[side === 'left' ? 'pointsLeft' : 'pointsRight']?.value.frames ?? null,
-      codes: codes[side],
-      vectors,
+      codes: marks.codes[side],
+      vectors: marks.vectors[side],
     };
   };
-  const ofMatches = matchCodes(shown.match, shown.orientation);
-  return {
-    panes: { left: pane('left'), right: pane('right') },
-    match: shown.match,
-    orientation: shown.orientation,
-    matchCodes: ofMatches,
-    places: loosePlaces(shown.match, ofMatches),
-  };
+  const { match, matchCodes: ofMatches, places } = marks;
+  return { panes: { left: pane('left'), right: pane('right') }, match, matchCodes: ofMatches, places };
 }
 
 /** The pane at a canvas position. */

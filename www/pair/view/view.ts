@@ -17,7 +17,7 @@ import { drawMarks } from './marks';
 import { drawOutline } from './outline';
 import { drawLens, drawSelection } from './overlay';
 import { paintMask, paintPicture } from './picture';
-import { paneAt, sceneOf } from './scene';
+import { marksOf, paneAt, sceneOf } from './scene';
 import type { Pane, Scene } from './scene';
 import { TileCache } from './tilecache';
 
@@ -58,8 +58,13 @@ export class View {
       (s) => [s.views, s.images, s.masks, s.results.openLeft, s.results.openRight] as const,
       () => this.layers.redraw(),
     );
+    // A new orientation that rejects the same matches leaves them as they are.
     store.watch(
-      (s) => [s.results.pointsLeft, s.results.pointsRight, s.results.match, s.results.orientation, s.history, s.display, s.catalogue] as const,
+      (s) => {
+        const { points, codes, match, matchCodes, places, vectors } = marksOf(s);
+        const { left, right } = vectors;
+        return [points.left, points.right, codes.left, codes.right, match, matchCodes, places, left, right, s.display, s.catalogue] as const;
+      },
       () => this.layers.redraw('marks', 'overlay'),
     );
     store.watch(

@@ -6,3 +6,13 @@ export function remember<A extends readonly unknown[], R>(compute: (...args: A) 
     return last.result;
   };
 }
+
+/** As `remember`; while the codes are the same, so is their array, so that nothing is drawn anew for them. */
+export function rememberCodes<A extends readonly unknown[]>(compute: (...args: A) => Uint8Array): (...args: A) => Uint8Array {
+  let last: Uint8Array = new Uint8Array();
+  return remember((...args: A) => {
+    const codes = compute(...args);
+    if (codes.length !== last.length || codes.some((code, i) => code !== last[i])) last = codes;
+    return last;
+  });
+}
