@@ -2435,11 +2435,13 @@
 		}
 		take(news) {
 			if (news.kind === "image") this.images.set(news.index, news);
-			else if (news.kind === "skipped") this.leftOut.push({
-				name: news.name,
-				reason: news.reason
-			});
-			else {
+			else if (news.kind === "skipped") {
+				this.leftOut.push({
+					name: news.name,
+					reason: news.reason
+				});
+				for (const [index, { name }] of this.images) if (name === news.name) this.images.delete(index);
+			} else {
 				this.connections.push(news.connection);
 				this.geometries.push(news.geometry);
 			}
@@ -2540,7 +2542,7 @@
 			...recorded
 		])).subarray(3);
 	}
-	// ../main/node_modules/fflate/esm/browser.js
+	// node_modules/fflate/esm/browser.js
 	var u8 = Uint8Array;
 	var u16 = Uint16Array;
 	var i32 = Int32Array;

@@ -355,6 +355,8 @@ export type MatchGuide = { fundamental: Float64Array | number[] } | { homography
 
 
 export interface RelativeOrientation {
+    /** Corrections of x and y in the left and in the right photo in mm, of every observation, the rejected ones included; stride 4. */
+    residuals_mm: Float64Array;
     /**
      * For each observation: residual y-parallax in mm, redundancy number, standardised residual w, minimal detectable displacement of the
      * right point across its epipolar line in mm, external reliability, weight (0 where rejected), model X, Y, Z in mm; stride 9. NaN where absent.
@@ -3013,7 +3015,7 @@ export interface RelativeOrientation extends FiveParameters {
     /**
      * Corrections `[vx_left, vy_left, vx_right, vy_right]` in mm of every observation, the rejected ones included.
      */
-    residuals_mm: [number, number, number, number][];
+    residuals_mm: Float64Array;
     /**
      * One for each observation.
      */
