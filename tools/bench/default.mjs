@@ -18,8 +18,8 @@ import { errorsOf, inRegion, isOff, isWrong, overOf } from './verdict/judge.mjs'
 /**
  * @typedef {import('../../pkg/node.js').PairSettings} PairSettings
  * @typedef {import('./default/cases.mjs').Case} Case
- * @typedef {{ verdict: 'oriented' | 'weak' | 'not_oriented' | null, hasPose: boolean, share: number, rotation: number, direction: number, isOff: boolean, isWrong: boolean, inErrors: number, isCovered: boolean | null }} Outcome
- *   verdict: null of OpenCV, which gives none; errors: NaN where there is no pose or none is known; isCovered: by the region of 95 %, null where there is none
+ * @typedef {{ verdict: 'oriented' | 'weak' | 'not_oriented' | null, hasPose: boolean, share: number, rotation: number, direction: number, isOff: boolean, isWrong: boolean, inErrors: number, isCovered: boolean | null, isExact: boolean }} Outcome
+ *   verdict: null of OpenCV, which gives none; errors: NaN where there is no pose or none is known; isCovered: by the region of 95 %, null where there is none; isExact: the truth is no reconstruction itself
  */
 
 /** @type {[string, import('../../pkg/node.js').Given<PairSettings>][]} */
@@ -29,7 +29,7 @@ const WAYS = [
   ['moments', { matching: { strategy: 'moments' } }],
 ];
 const OUTSIDE_REGION = 0.05;
-const UNJUDGED = { rotation: NaN, direction: NaN, isOff: false, isWrong: false, inErrors: NaN, isCovered: null };
+const UNJUDGED = { rotation: NaN, direction: NaN, isOff: false, isWrong: false, inErrors: NaN, isCovered: null, isExact: false };
 
 export async function byDefault() {
   console.log('Two photographs, nothing set (share of right matches; rotation and base direction error; rotation error by its total standard error; verdict)');
@@ -89,6 +89,7 @@ function judged(orientation, truth) {
     isWrong: isWrong(errors),
     inErrors: errors.rotation_deg / Math.hypot(omega_deg, phi_deg, kappa_deg),
     isCovered: orientation.half_widths_95 ? inRegion(orientation, truth, OUTSIDE_REGION) <= 1 : null,
+    isExact: truth.uncertain === undefined,
   };
 }
 
@@ -156,13 +157,17 @@ function counts(outcomes, judgeable) {
 /** Of those with a pose, but for the share of those that have matches.  @param {Outcome[]} outcomes @param {Outcome[]} judgeable */
 function medians(outcomes, judgeable) {
   const median = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? NaN;
-  const covered = judgeable.map((o) => o.isCovered).filter((is) => is !== null);
-  const errors =
-    covered.length === 0
-      ? ''
-      : `, rotation error by its standard error ${median(judgeable.map((o) => o.inErrors)).toFixed(2)}; the region of 95 % holds ${covered.filter(Boolean).length} of ${covered.length} (${((100 * covered.filter(Boolean).length) / covered.length).toFixed(0)} %)`;
+  const errors = judgeable.every((o) => o.isCovered === null)
+    ? ''
+    : `, rotation error by its standard error ${median(judgeable.map((o) => o.inErrors)).toFixed(2)}; the region of 95 % holds ${held(judgeable)}, where the truth is exact ${held(judgeable.filter((o) => o.isExact))}`;
   return (
     `medians: share ${median(outcomes.filter((o) => o.hasPose).map((o) => o.share)).toFixed(3)}, rotation ${median(judgeable.map((o) => o.rotation)).toFixed(3)} deg, ` +
     `base direction ${median(judgeable.map((o) => o.direction)).toFixed(2)} deg${errors}`
   );
+}
+
+/** How many regions hold the truth.  @param {Outcome[]} outcomes */
+function held(outcomes) {
+  const stated = outcomes.filter((o) => o.isCovered !== null);
+  return `${stated.filter((o) => o.isCovered).length} of ${stated.length}`;
 }
