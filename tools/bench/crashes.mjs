@@ -119,8 +119,8 @@ async function restored(page, isThere) {
     await page.evaluate(() => /** @type {HTMLElement | null} */ (document.querySelector('[data-testid="keeping-open"]'))?.click());
     if (await isThere()) return;
   }
-  const [keeping, pairs, block] = await Promise.all(['keeping', 'status', 'block-status'].map((id) => part(page, id).textContent()));
-  throw new Error(`what was kept is not on the page again: ${keeping} | ${pairs} | ${block}`);
+  const said = await page.evaluate(() => document.body.innerText.slice(0, 500));
+  throw new Error(`what was kept is not on the page again: ${said}`);
 }
 
 /** How many edits the history lists.  @param {Page} page @param {string} of */
@@ -228,7 +228,9 @@ async function running(fresh, url, wanted, uniform) {
       page = await context.newPage();
       await page.goto(url);
       const opened = page;
-      await restored(opened, async () => /Restored from this browser/.test((await part(opened, 'block-status').textContent()) ?? ''));
+      await restored(opened, () =>
+        opened.evaluate(() => /Restored from this browser/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? '')),
+      );
       if ((await partsNamed(page, 'block/record/')) < kept) throw new Error('the work of a run was lost that had been kept');
     }
     const stage = (await part(page, 'stage-images').textContent()) ?? '';
