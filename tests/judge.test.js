@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { errorsOf, isWrong, student, unknownsOf } from '../tools/bench/verdict/judge.mjs';
+import { errorsOf, inRegion, isWrong, student, unknownsOf } from '../tools/bench/verdict/judge.mjs';
 import { poseOf } from '../tools/score.mjs';
 
 const UNKNOWNS = { omega_deg: 3, phi_deg: -7, kappa_deg: 130, by_mm: 12, bz_mm: -4 };
@@ -40,4 +40,13 @@ test('a pose is wrong beyond 1° where its region does not hold the truth', () =
   const byReference = (/** @type {number} */ deg) =>
     isWrong(errorsOf(orientation({ omega_deg: 3 + deg, half_widths_95: half(0.1), degrees_of_freedom: 1000, sigma0_a_priori_mm: null }), reference));
   assert.deepEqual([byReference(1.4), byReference(1.6)], [false, true]);
+});
+
+test('the region of 95 % is that of five intervals that hold jointly', () => {
+  const width = { omega_deg: 0.1, phi_deg: 0.1, kappa_deg: 0.1, by_mm: 0.1, bz_mm: 0.1 };
+  const of = (/** @type {number} */ deg) => orientation({ omega_deg: 3 + deg, half_widths_95: width, degrees_of_freedom: 1000, sigma0_a_priori_mm: 0.01 });
+  const truth = poseOf(orientation({}));
+  // Of 1 % outside the limit is 2.576 standard errors, of 5 % 1.96.
+  assert.ok(Math.abs(inRegion(of(0.1), truth, 0.05) - 1.96 / 2.576) < 0.002);
+  assert.ok(inRegion(of(0.13), truth, 0.05) < 1 && inRegion(of(0.14), truth, 0.05) > 1);
 });

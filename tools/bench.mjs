@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default loops totals presets verdict accuracy speed features geometry rivals refinement sizes workers map edit lighthouse page blocks orthophoto orthophoto-reference large-orthophoto geotiffs components rendered memory former kills`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default loops totals presets verdict accuracy speed features geometry rivals refinement sizes workers map edit lighthouse page blocks orthophoto orthophoto-reference large-orthophoto geotiffs components rendered memory former kills crashes`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
@@ -33,6 +33,7 @@ const PARTS = {
   memory: async () => (await import('./bench/memory.mjs')).memory(),
   former: async () => (await import('./bench/former.mjs')).former(),
   kills: async () => (await import('./bench/kills.mjs')).kills(),
+  crashes: async () => (await import('./bench/crashes.mjs')).crashes(),
 };
 
 const named = process.argv.slice(2).filter((part) => !part.startsWith('--'));

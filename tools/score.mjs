@@ -5,30 +5,32 @@
  * All positions in px, the centre of the top-left pixel at (0.5, 0.5); matches flat, stride 5 (x_left, y_left, x_right, y_right, measure).
  */
 
-const LIMIT_PX = 1.5;
+/** So far from the truth a match may be. */
+export const LIMIT_PX = 1.5;
 
 /** @typedef {{ right: number, share: number }} Score how many are right, and their share */
-/** @typedef {{ f: number, cx: number, cy: number, k1: number, k2: number }} Pinhole in px; the principal point as positions are */
+/** @typedef {{ f: number, fy?: number, cx: number, cy: number, k1: number, k2: number }} Pinhole in px; the principal point as positions are; fy: where pixels are not square */
+/** @typedef {{ width: number, height: number, at: (col: number, row: number) => [number, number] | null }} DenseMap where the centre of a left pixel is seen in the right image; null where it is hidden */
 /** @typedef {number[][]} Matrix rows of a 3 x 3 matrix */
 
-/**
- * @param {Float64Array} matches
- * @param {{ width: number, height: number, at: (col: number, row: number) => [number, number] | null }} map where the centre of a left
- *   pixel is seen in the right image; null where it is hidden
- * @returns {Score}
- */
+/** @param {Float64Array} matches @param {DenseMap} map @returns {Score} */
 export function edgePrecision(matches, map) {
-  return share(matches, (xl, yl, xr, yr) => {
-    const [col, row] = [roundHalfEven(xl - 0.5), roundHalfEven(yl - 0.5)];
-    const [dx, dy] = [xl - 0.5 - col, yl - 0.5 - row];
-    for (let dr = -1; dr <= 1; dr++) {
-      for (let dc = -1; dc <= 1; dc++) {
-        const seen = map.at(clamp(col + dc, map.width), clamp(row + dr, map.height));
-        if (seen && Math.hypot(seen[0] + dx - xr, seen[1] + dy - yr) <= LIMIT_PX) return true;
-      }
+  return share(matches, (xl, yl, xr, yr) => placesOf(map, xl, yl).some(([x, y]) => Math.hypot(x - xr, y - yr) <= LIMIT_PX));
+}
+
+/** Where the surface at a left position and at the 8 pixels around it is seen in the right image.  @param {DenseMap} map @param {number} xl @param {number} yl */
+export function placesOf(map, xl, yl) {
+  const [col, row] = [roundHalfEven(xl - 0.5), roundHalfEven(yl - 0.5)];
+  const [dx, dy] = [xl - 0.5 - col, yl - 0.5 - row];
+  /** @type {[number, number][]} */
+  const places = [];
+  for (let dr = -1; dr <= 1; dr++) {
+    for (let dc = -1; dc <= 1; dc++) {
+      const seen = map.at(clamp(col + dc, map.width), clamp(row + dr, map.height));
+      if (seen) places.push([seen[0] + dx, seen[1] + dy]);
     }
-    return false;
-  });
+  }
+  return places;
 }
 
 /**
@@ -81,7 +83,7 @@ export function directionError(a, b) {
 }
 
 /** @param {Float64Array} matches @param {(xl: number, yl: number, xr: number, yr: number) => boolean} isRight @returns {Score} */
-function share(matches, isRight) {
+export function share(matches, isRight) {
   let right = 0;
   for (let i = 0; i < matches.length; i += 5) {
     const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = matches.subarray(i, i + 4);
@@ -91,8 +93,8 @@ function share(matches, isRight) {
 }
 
 /** The undistorted direction of a pixel.  @param {number} x @param {number} y @param {Pinhole} camera @returns {number[]} */
-function ray(x, y, { f, cx, cy, k1, k2 }) {
-  const [xd, yd] = [(x - cx) / f, (y - cy) / f];
+function ray(x, y, { f, fy = f, cx, cy, k1, k2 }) {
+  const [xd, yd] = [(x - cx) / f, (y - cy) / fy];
   let [xu, yu] = [xd, yd];
   for (let i = 0; i < 10; i++) {
     const r2 = xu * xu + yu * yu;

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
 import { block, photoFolder, photos, status } from './blocks.js';
-import { done, hosted, number, open, part, pngs, SKIP, until, upload } from './page.js';
+import { done, hosted, number, open, part, partsNamed, pngs, SKIP, until, upload } from './page.js';
 
 hosted('/kept-block/');
 
@@ -13,26 +13,9 @@ hosted('/kept-block/');
 /** How the status line of a block begins that a run ended with. */
 const FINISHED = /^(Oriented|Weak orientation|Not oriented|The block was)/;
 
-/** How many parts of these names the browser keeps.  @param {Page} page @param {string} name */
-const partsNamed = (page, name) =>
-  page.evaluate(
-    (start) =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('tiepoint');
-        opening.onsuccess = () => {
-          const reading = opening.result.transaction('parts').objectStore('parts').getAllKeys();
-          reading.onsuccess = () => {
-            opening.result.close();
-            resolve(reading.result.filter((key) => String(/** @type {any} */ (key)[1]).startsWith(start)).length);
-          };
-        };
-      }),
-    name,
-  );
-
 /** Waits until so many parts of a name are kept.  @param {Page} page @param {string} name @param {number} least */
 async function kept(page, name, least = 1) {
-  await until(page, `${name} is kept`, async () => /** @type {number} */ (await partsNamed(page, name)) >= least);
+  await until(page, `${name} is kept`, async () => (await partsNamed(page, name)) >= least);
 }
 
 /** All that the panels of a block show.  @param {Page} page */

@@ -249,3 +249,20 @@ export async function keptEdits(page, name, edits, held) {
     return kept.edits.length === edits && kept.done === held ? kept : null;
   });
 }
+
+/** How many parts of these names the browser keeps.  @param {import('playwright-core').Page} page @param {string} name @returns {Promise<number>} */
+export const partsNamed = (page, name) =>
+  page.evaluate(
+    (start) =>
+      new Promise((resolve) => {
+        const opening = indexedDB.open('tiepoint');
+        opening.onsuccess = () => {
+          const reading = opening.result.transaction('parts').objectStore('parts').getAllKeys();
+          reading.onsuccess = () => {
+            opening.result.close();
+            resolve(reading.result.filter((key) => String(/** @type {any} */ (key)[1]).startsWith(start)).length);
+          };
+        };
+      }),
+    name,
+  );

@@ -50,7 +50,7 @@ export function simulated() {
   };
 }
 
-/** @param {string} name @returns {Parameters<typeof import('../score.mjs').edgePrecision>[1]} */
+/** @param {string} name @returns {import('../score.mjs').DenseMap} */
 function denseMap(name) {
   const visible = photoOf(name, 'visible.png');
   const { width, height } = visible;
@@ -92,9 +92,9 @@ export function posed(name, a, b) {
 export function pinhole(truth, file) {
   const image = truth.images.find((/** @type {{ file: string }} */ i) => i.file === file);
   const {
-    K: [f, , cx, cy],
+    K: [f, fy, cx, cy],
     k1 = 0,
     k2 = 0,
   } = image.reference ?? image;
-  return { f, cx: cx + 0.5, cy: cy + 0.5, k1, k2 };
+  return { f, fy, cx: cx + 0.5, cy: cy + 0.5, k1, k2 };
 }

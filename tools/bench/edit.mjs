@@ -1,11 +1,14 @@
-/** One match of the sample pair is rejected by hand: from the key press to the frame that shows the new σ₀, and what of it the worker takes. */
+/** One match of the sample pair is rejected by hand: from the key press to the frame that shows the new σ₀, and what of it the worker takes; then the same of a block. */
 
 import { chromium } from 'playwright-core';
 import { findChromium } from '../lib/setup.mjs';
 import { servePage } from '../lib/page-server.mjs';
+import { editBlock } from './edit-block.mjs';
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const EDITS = 15;
+/** A block takes this long on a busy machine. */
+const PATIENCE_MS = 600_000;
 
 /** What a key press came to, in ms after it. @typedef {{ orientation: number, shown: number, painted: number }} Times */
 
@@ -123,6 +126,11 @@ export async function edit() {
     console.log(`  from the key press to the frame that shows the new σ₀: ${of(({ painted }) => painted)}`);
     console.log(`  of these the worker's: ${worker.toFixed(0)}; the page's and the messages': ${of(({ painted }) => painted - worker)}`);
     console.log(`  figures are there after ${of(({ shown }) => shown)}, the worker's answer ${of(({ orientation }) => orientation)} after it was asked`);
+    await context.close();
+    const other = await (await browser.newContext({ viewport: { width: 1440, height: 900 } })).newPage();
+    other.setDefaultTimeout(PATIENCE_MS);
+    await other.goto(server.url);
+    await editBlock(other);
   } finally {
     await browser.close();
     await server.close();

@@ -102,7 +102,7 @@ function times() {
 }
 
 /** The place of a point in the other image by a homography for pixel centres at whole numbers.  @param {number[][]} h @param {number} x @param {number} y */
-function projected(h, x, y) {
+export function projected(h, x, y) {
   const [a = 0, b = 0, w = 1] = h.map(([p = 0, q = 0, r = 0]) => p * (x - 0.5) + q * (y - 0.5) + r);
   return [a / w + 0.5, b / w + 0.5];
 }

@@ -11,6 +11,7 @@ import { figures } from './verdict/figures.mjs';
 import { errorsOf } from './verdict/judge.mjs';
 import { allPairs } from './verdict/pairs.mjs';
 import { photoOf } from './verdict/photographs.mjs';
+import { inputOf } from './verdict/views.mjs';
 
 /**
  * @typedef {import('./verdict/pairs.mjs').Given} Given
@@ -60,19 +61,16 @@ function chosen(pairs, every) {
 
 /** @param {Given} given */
 function judged(given) {
-  const { left, right, camera, pose } = given.make();
+  const pair = given.make();
+  const { left, right, pose } = pair;
   const photos = [left, right].map(({ picture }) => photoOf(picture));
   const [first, second] = photos;
   if (!first || !second) throw new Error('a pair has two images');
-  const side = (/** @type {typeof left} */ { fiducials, isWhole }) => ({
-    fiducials,
-    ...(fiducials.length > 0 && !isWhole ? { origin: /** @type {[number, number]} */ ([0, 0]) } : {}),
-  });
   const start = performance.now();
   let output = null;
   let refused = null;
   try {
-    output = match_pair(first, second, { camera, left: side(left), right: side(right) }, SETTINGS);
+    output = match_pair(first, second, inputOf(pair), SETTINGS);
   } catch (error) {
     // Input that contradicts itself is refused, which is a verdict.
     if (!(error instanceof Error && error.name === 'TiepointError')) throw error;

@@ -8,7 +8,8 @@ import { DATA, TARGET, readJson } from '../../lib/paths.mjs';
 /** @typedef {import('./ours.mjs').Entry} Entry */
 /** @typedef {{ case: string, a: string, b: string, matches: number, right: number | null, share: number | null, rotation_error_deg?: number, direction_error_deg?: number }} Score */
 
-const PEERS = process.env.TIEPOINT_PEERS ?? join(dirname(DATA), 'peers', 'peers.py');
+/** The rivals' script. */
+export const PEERS = process.env.TIEPOINT_PEERS ?? join(dirname(DATA), 'peers', 'peers.py');
 /** What is measured once and kept. */
 const CACHES = join(TARGET, 'bench');
 

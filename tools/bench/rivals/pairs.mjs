@@ -51,23 +51,3 @@ function scanned(truth) {
   };
   return [camera('left'), camera('right')];
 }
-
-/**
- * Positions as a camera without distortion, with square pixels and the principal point at the origin, would have them.
- * @param {Float64Array} positions x, y in px, stride 2 @param {Camera} camera @param {number} focal of that camera in px
- */
-export function ideal(positions, { focal: [fx, fy], centre: [cx, cy], radial: [k1, k2] }, focal) {
-  const result = new Float64Array(positions.length);
-  for (let i = 0; i < positions.length; i += 2) {
-    const [x, y] = [((positions[i] ?? NaN) - cx) / fx, ((positions[i + 1] ?? NaN) - cy) / fy];
-    let [u, v] = [x, y];
-    for (let step = 0; step < 10; step++) {
-      const r2 = u * u + v * v;
-      const factor = 1 + k1 * r2 + k2 * r2 * r2;
-      [u, v] = [x / factor, y / factor];
-    }
-    result[i] = focal * u;
-    result[i + 1] = focal * v;
-  }
-  return result;
-}

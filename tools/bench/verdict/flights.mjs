@@ -19,7 +19,9 @@ export function flight(preset, seed, changes = {}) {
     const [x, y] = made[`${side}_origin`];
     return { picture: made[side], fiducials: made[`${side}_fiducials`].map((mark) => ({ ...mark, col: mark.col - x, row: mark.row - y })) };
   };
-  const pair = { left: view('left'), right: view('right'), camera: made.camera, pose: poseOf({ ...made.truth, base_mm: made.base_mm }) };
+  const [left, right] = [view('left'), view('right')];
+  const seen = { left, right, right_position: made.right_position };
+  const pair = { left, right, camera: made.camera, pose: poseOf({ ...made.truth, base_mm: made.base_mm }), seen };
   flown.set(key, pair);
   return pair;
 }

@@ -27,9 +27,12 @@ export function errorsOf(orientation, truth) {
   const pose = poseOf(orientation);
   const rotation_deg = rotationError(pose.rotation, truth.rotation);
   const direction_deg = directionError(pose.direction, truth.direction);
-  const { uncertain = { rotation_deg: 0, direction_deg: 0 } } = truth;
-  const over_deg = Math.max(rotation_deg - uncertain.rotation_deg, direction_deg - uncertain.direction_deg) - MOST_DEG;
-  return { rotation_deg, direction_deg, over_deg, inRegion: inRegion(orientation, truth) };
+  return { rotation_deg, direction_deg, over_deg: overOf(rotation_deg, direction_deg, truth), inRegion: inRegion(orientation, truth) };
+}
+
+/** By how much the larger error exceeds what is allowed.  @param {number} rotation_deg @param {number} direction_deg @param {Pose} truth */
+export function overOf(rotation_deg, direction_deg, { uncertain = { rotation_deg: 0, direction_deg: 0 } }) {
+  return Math.max(rotation_deg - uncertain.rotation_deg, direction_deg - uncertain.direction_deg) - MOST_DEG;
 }
 
 /** @param {Errors} errors */
@@ -41,13 +44,13 @@ export const isOutside = ({ inRegion }) => !(inRegion <= 1);
 /** @param {Errors | null} errors of a pair that has a pose */
 export const isWrong = (errors) => errors === null || (isOff(errors) && isOutside(errors));
 
-/** @param {RelativeOrientation} orientation @param {Pose} truth */
-function inRegion(orientation, truth) {
+/** The largest error of ω φ κ by bz by its half-width in a joint region; at most 1 where the region holds the truth.  @param {RelativeOrientation} orientation @param {Pose} truth @param {number} [outside] probability that it does not */
+export function inRegion(orientation, truth, outside = OUTSIDE_REGION) {
   const { half_widths_95, degrees_of_freedom, sigma0_a_priori_mm } = orientation;
   const unknowns = unknownsOf(truth, orientation);
   if (!half_widths_95 || !unknowns) return Infinity;
   const freedom = sigma0_a_priori_mm === null ? degrees_of_freedom : Infinity;
-  const wider = student(OUTSIDE_REGION / UNKNOWNS.length, freedom) / student(0.05, freedom);
+  const wider = student(outside / UNKNOWNS.length, freedom) / student(0.05, freedom);
   return Math.max(...UNKNOWNS.map((name) => Math.abs(difference(name, orientation[name], unknowns[name])) / (wider * half_widths_95[name])));
 }
 

@@ -2,6 +2,7 @@
 
 import { grey_png, Photo, read_exif } from '../../../pkg/node.js';
 import { cameraOf } from '../accuracy.mjs';
+import { corners } from '../calibrated.mjs';
 import { bytesOf, pinhole } from '../data.mjs';
 
 /**
@@ -54,19 +55,13 @@ export function calibrated({ folder, a, b, truth, pose }) {
   const camera = cameraOf(first, left.picture.width, left.picture.height);
   if (first.cx === second.cx && first.cy === second.cy) return { left, right, camera, pose };
   // Principal points of one camera at different places of its images: the corners say where.
-  const marked = (/** @type {View} */ view, /** @type {Pinhole} */ of) => ({ ...view, fiducials: corners(view, of, camera.pixel_mm) });
+  const marked = (/** @type {View} */ view, /** @type {Pinhole} */ of) => ({ ...view, fiducials: corners(view.picture, of, camera.focal_mm) });
   return { left: marked(left, first), right: marked(right, second), camera: { ...camera, principal_point_mm: [0, 0] }, pose };
 }
 
 /** @param {Pinhole} camera @param {View | undefined} view @param {any} truth @param {string} file @returns {Pinhole} */
-function inReduced({ f, cx, cy, ...distortion }, view, truth, file) {
+function inReduced({ f, fy = f, cx, cy, ...distortion }, view, truth, file) {
   const { width } = truth.images.find((/** @type {{ file: string }} */ image) => image.file === file);
   const by = (view?.picture.width ?? NaN) / width;
-  return { f: f * by, cx: cx * by, cy: cy * by, ...distortion };
-}
-
-/** @param {View} view @param {Pinhole} camera @param {number} pixel_mm @returns {import('./views.mjs').Fiducial[]} */
-function corners({ picture: { width, height } }, { cx, cy }, pixel_mm) {
-  const at = (/** @type {number} */ col, /** @type {number} */ row) => ({ col, row, x_mm: (col - cx) * pixel_mm, y_mm: (cy - row) * pixel_mm });
-  return [at(0, 0), at(width, 0), at(width, height), at(0, height)];
+  return { f: f * by, fy: fy * by, cx: cx * by, cy: cy * by, ...distortion };
 }

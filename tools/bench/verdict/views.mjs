@@ -9,7 +9,9 @@ import * as pictures from './pictures.mjs';
  *   isWhole: said to be no part of a larger scan, so that they may not
  * @typedef {import('../data.mjs').TruePose} Pose
  * @typedef {import('../../../pkg/node.js').CameraMm} CameraMm
- * @typedef {{ left: View, right: View, camera: import('../../../pkg/node.js').Given<CameraMm> | null, pose: Pose | null }} Pair
+ * @typedef {{ left: View, right: View, right_position: Float32Array, isExchanged?: boolean }} Seen the views as they were simulated, and where each left pixel's surface is seen;
+ *   isExchanged: the pair has left and right exchanged since
+ * @typedef {{ left: View, right: View, camera: import('../../../pkg/node.js').Given<CameraMm> | null, pose: Pose | null, seen?: Seen }} Pair
  */
 
 /** @param {View} view @param {(position: [number, number]) => [number, number]} to @returns {Fiducial[]} */
@@ -39,11 +41,21 @@ export const reduced = (view, by) => ({ picture: pictures.reduced(view.picture, 
 export const withPicture = (view, change) => ({ ...view, picture: change(view.picture) });
 
 /** Left and right exchanged: the base is negative.  @param {Pair} pair @returns {Pair} */
-export function exchanged({ left, right, camera, pose }) {
-  if (!pose) return { left: right, right: left, camera, pose };
+export function exchanged({ left, right, camera, pose, seen }) {
+  const sides = { left: right, right: left, camera, ...(seen && { seen: { ...seen, isExchanged: !seen.isExchanged } }) };
+  if (!pose) return { ...sides, pose };
   const rotation = pictures.transposed(pose.rotation);
-  return { left: right, right: left, camera, pose: { ...pose, rotation, direction: rotation.map((row) => -dot(row, pose.direction)) } };
+  return { ...sides, pose: { ...pose, rotation, direction: rotation.map((row) => -dot(row, pose.direction)) } };
 }
 
 /** @param {number[]} a @param {number[]} b */
 export const dot = (a, b) => a.reduce((sum, v, k) => sum + v * (b[k] ?? 0), 0);
+
+/** What a pair is matched with.  @param {Pair} pair @returns {import('../../../pkg/node.js').Given<import('../../../pkg/node.js').PairInput>} */
+export function inputOf({ left, right, camera }) {
+  const side = (/** @type {View} */ { fiducials, isWhole }) => ({
+    fiducials,
+    ...(fiducials.length > 0 && !isWhole ? { origin: /** @type {[number, number]} */ ([0, 0]) } : {}),
+  });
+  return { camera, left: side(left), right: side(right) };
+}

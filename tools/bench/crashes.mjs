@@ -1,0 +1,246 @@
+/**
+ * The page crashed at random moments while matches and a block are edited and while a block is run, and opened again each time: no edit that was kept
+ * is lost, none comes in another order, and a run goes on to what it gives where nothing breaks it off.
+ */
+
+import { chromium } from 'playwright-core';
+import { servePage } from '../lib/page-server.mjs';
+import { findChromium } from '../lib/setup.mjs';
+import { blockPhotos } from '../../tests/page/rendered.js';
+import { done, enabled, journal, openDrawers, pair, part, partsNamed, saved, until, upload } from '../../tests/page/page.js';
+import { FLIGHT, status } from '../../tests/page/blocks.js';
+import { dice } from './dice.mjs';
+import { numberOption } from './options.mjs';
+
+/** @typedef {import('playwright-core').Page} Page @typedef {import('playwright-core').BrowserContext} Context */
+/** @typedef {{ edits: number, at: number }} Shown how many edits the page showed, and when */
+
+const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const PATIENCE_MS = 60_000;
+/** An edit that has been on the screen for as long is kept, the page promises. */
+const KEPT_AFTER_MS = 1000;
+/** Edits go on for this long at most before a crash. */
+const EDITING_MS = 6000;
+const FINISHED = /^(Oriented|Weak orientation|Not oriented|The block was)/;
+
+export async function crashes() {
+  const executablePath = findChromium();
+  if (!executablePath) return console.log('Crashes of the page: skipped: no Chromium (install it or name it in CHROMIUM)');
+  const wanted = numberOption('crashes', 20);
+  const uniform = dice(numberOption('seed', 1));
+  const server = await servePage();
+  const browser = await chromium.launch({ executablePath, args: FLAGS });
+  try {
+    const context = async () => {
+      const made = await browser.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers: 'block' });
+      made.setDefaultTimeout(PATIENCE_MS);
+      await made.addInitScript(openDrawers);
+      return made;
+    };
+    const share = Math.max(1, Math.floor(wanted / 3));
+    await editing(PAIR, await context(), server.url, share, uniform);
+    await editing(BLOCK, await context(), server.url, share, uniform);
+    await running(context, server.url, Math.max(1, wanted - 2 * share), uniform);
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+/** What is edited: how it is opened, found again, and edited once. @typedef {{ what: string, journal: string, history: string, open: (page: Page) => Promise<void>, again: (page: Page) => Promise<void>, edit: (page: Page) => Promise<void> }} Edited */
+
+/** @type {Edited} */
+const PAIR = {
+  what: 'matches are rejected',
+  journal: 'pair/edits',
+  history: 'history',
+  open: async (page) => {
+    await pair(page);
+    await part(page, 'tab-matches').click();
+  },
+  again: async (page) => {
+    await restored(page, async () => (await listed(page, 'history')) > 0);
+    await done(page);
+    await part(page, 'tab-matches').click();
+  },
+  edit: async (page) => {
+    const rows = page.locator('[data-testid="statistics-row"]');
+    await rows.nth((await rows.count()) >> 1).click();
+    await enabled(page, 'reject');
+    await part(page, 'view').focus();
+    await page.keyboard.press('Delete');
+  },
+};
+
+/** @type {Edited} */
+const BLOCK = {
+  what: 'observations of a block are rejected',
+  journal: 'block/edits',
+  history: 'block-history',
+  open: async (page) => {
+    await blockOf(page);
+    await part(page, 'block-run').click();
+    await status(page, FINISHED);
+    await part(page, 'block-show-images').click();
+  },
+  again: async (page) => {
+    await restored(page, async () => (await listed(page, 'block-history')) > 0);
+    await status(page, FINISHED);
+    await part(page, 'block-show-images').click();
+  },
+  edit: async (page) => {
+    await part(page, 'block-panes').focus();
+    for (let step = 0; step < 3; step += 1) await page.keyboard.press('n');
+    await page.waitForFunction(() => {
+      const button = document.querySelector('[data-testid="block-reject"]');
+      return button?.hasAttribute('disabled') === false && button.checkVisibility();
+    });
+    await page.keyboard.press('Delete');
+  },
+};
+
+/** Gives the page the photos of a block.  @param {Page} page */
+async function blockOf(page) {
+  await part(page, 'mode-block').click();
+  await enabled(page, 'block-simulate');
+  await part(page, 'block-files-input').setInputFiles(blockPhotos(FLIGHT).map(({ name, bytes }) => upload(name, bytes, 'image/png')));
+  await status(page, /Press Run/);
+}
+
+/** The tab breaks off, and another one is opened at its address.  @param {Page} page */
+async function crash(page) {
+  const session = await page.context().newCDPSession(page);
+  await Promise.race([session.send('Page.crash').catch(() => undefined), page.waitForEvent('crash')]);
+}
+
+/** Waits until what was kept is on the page again; where it broke off twice in a row, the page asks before it opens it.  @param {Page} page @param {() => Promise<boolean>} isThere */
+async function restored(page, isThere) {
+  for (const end = Date.now() + PATIENCE_MS; Date.now() < end; await page.waitForTimeout(100)) {
+    await page.evaluate(() => /** @type {HTMLElement | null} */ (document.querySelector('[data-testid="keeping-open"]'))?.click());
+    if (await isThere()) return;
+  }
+  const said = await page.evaluate(() => document.body.innerText.slice(0, 500));
+  throw new Error(`what was kept is not on the page again: ${said}`);
+}
+
+/** How many edits the history lists.  @param {Page} page @param {string} of */
+const listed = async (page, of) => Math.max(0, (await page.locator(`[data-testid="${of}"] li`).count()) - 1);
+
+/** @param {Edited} edited @param {Context} context @param {string} url @param {number} wanted @param {() => number} uniform */
+async function editing(edited, context, url, wanted, uniform) {
+  let page = await context.newPage();
+  await page.goto(url);
+  await edited.open(page);
+  /** @type {string[]} */
+  let before = [];
+  let [made, acknowledged, lost] = [0, 0, 0];
+  // What was found is kept before it is edited.
+  await edited.edit(page);
+  await until(page, 'an edit is kept', async () => (await journal(page, edited.journal)).edits.length > 0);
+  for (let k = 0; k < wanted; k += 1) {
+    const present = page;
+    /** @type {Shown[]} */
+    const shown = [];
+    let [inStorage, isOver] = [0, false];
+    const moment = uniform() * EDITING_MS;
+    const breaking = new Promise((resolve) => setTimeout(resolve, moment)).then(async () => {
+      isOver = true;
+      const at = performance.now();
+      await crash(present);
+      return at;
+    });
+    const working = (async () => {
+      for (;;) {
+        await edited.edit(present);
+        shown.push({ edits: await listed(present, edited.history), at: performance.now() });
+        inStorage = Math.max(inStorage, (await journal(present, edited.journal)).edits.length);
+      }
+    })().catch((error) => {
+      // What is asked of a page that has crashed is never answered.
+      if (!isOver) throw error;
+    });
+    const at = await breaking;
+    await Promise.race([working, new Promise((resolve) => setTimeout(resolve, 2000))]);
+    await present.close().catch(() => undefined);
+    page = await context.newPage();
+    await page.goto(url);
+    await edited.again(page);
+    const { edits, done: held } = await journal(page, edited.journal);
+    const now = edits.map((edit) => JSON.stringify(edit));
+    const least = Math.max(before.length, inStorage, ...shown.filter((one) => at - one.at > KEPT_AFTER_MS).map((one) => one.edits));
+    made = Math.max(made, ...shown.map((one) => one.edits));
+    acknowledged = Math.max(acknowledged, least);
+    const isWhole = held === now.length && before.every((edit, i) => now[i] === edit) && (await listed(page, edited.history)) === now.length;
+    if (now.length < least || !isWhole) {
+      lost += 1;
+      console.log(`  ${edited.what}: ${now.length} edits of ${least} that were kept, after ${(moment / 1000).toFixed(1)} s`);
+    }
+    before = now;
+  }
+  console.log(
+    `The page crashed ${wanted} times at random moments while ${edited.what}: ${acknowledged} edits were kept, ${made} shown, ${before.length} are there; edits were lost in ${lost} crashes`,
+  );
+  await context.close();
+  if (lost > 0) throw new Error('an edit was lost that had been kept');
+}
+
+/** The block as a project file.  @param {Page} page */
+async function project(page) {
+  await part(page, 'block-export-kind').selectOption('project');
+  return saved(page, 'block-export');
+}
+
+/** @param {() => Promise<Context>} fresh @param {string} url @param {number} wanted @param {() => number} uniform */
+async function running(fresh, url, wanted, uniform) {
+  const begun = async () => {
+    const page = await (await fresh()).newPage();
+    await page.goto(url);
+    await blockOf(page);
+    // Files that are not kept yet when the tab breaks off have to be given again.
+    await until(page, 'the photographs are kept', async () => (await partsNamed(page, 'block/file/')) >= FLIGHT.strips * FLIGHT.exposures);
+    return page;
+  };
+  const whole = await begun();
+  const began = performance.now();
+  await part(whole, 'block-run').click();
+  const line = await status(whole, FINISHED);
+  const took = performance.now() - began;
+  const expected = await project(whole);
+  await whole.context().close();
+  let [crashed, blocks, wrong, resumed] = [0, 0, 0, 0];
+  while (crashed < wanted) {
+    let page = await begun();
+    let kept = 0;
+    for (;;) {
+      await part(page, 'block-run').click();
+      const ended = status(page, FINISHED).then(
+        () => true,
+        () => false,
+      );
+      const moment = uniform() * took;
+      const first = crashed < wanted ? await Promise.race([ended, new Promise((resolve) => setTimeout(resolve, moment, null))]) : await ended;
+      if (first !== null) break;
+      kept = await partsNamed(page, 'block/record/').catch(() => kept);
+      await crash(page);
+      crashed += 1;
+      const context = page.context();
+      await page.close().catch(() => undefined);
+      page = await context.newPage();
+      await page.goto(url);
+      const opened = page;
+      await restored(opened, () =>
+        opened.evaluate(() => /Restored from this browser/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? '')),
+      );
+      if ((await partsNamed(page, 'block/record/')) < kept) throw new Error('the work of a run was lost that had been kept');
+    }
+    const stage = (await part(page, 'stage-images').textContent()) ?? '';
+    if (/from an earlier run/.test(stage)) resumed += 1;
+    if (!(await project(page)).equals(expected)) wrong += 1;
+    blocks += 1;
+    await page.context().close();
+  }
+  console.log(
+    `The page crashed ${crashed} times at random moments within a run of ${(took / 1000).toFixed(1)} s, which was started again each time: ${blocks - wrong} of ${blocks} blocks ended with the bytes of an uninterrupted run, ${resumed} went on with images of an earlier one (${line})`,
+  );
+  if (wrong > 0) throw new Error('a run that was broken off and started again gave another block');
+}
