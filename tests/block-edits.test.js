@@ -22,6 +22,7 @@ before(async () => {
       'block/state/state',
       'block/files/edit',
       'shared/files/journal',
+      'shared/state/history',
     ]),
   );
 });
@@ -46,6 +47,15 @@ function after(...actions) {
 }
 
 const reject = { kind: 'reject_points', points: [{ tie_point: 11 }] };
+
+test('of thousands of edits those about the present state are listed, and more on demand', () => {
+  const { inSight } = page.history;
+  const edits = Array.from({ length: 10_000 }, (_, i) => i);
+  assert.deepEqual(inSight({ edits, done: 10_000 }, 50), { from: 9950, to: 10_000 });
+  assert.deepEqual(inSight({ edits, done: 5000 }, 50), { from: 4950, to: 5050 });
+  assert.deepEqual(inSight({ edits, done: 0 }, 50), { from: 0, to: 50 });
+  assert.deepEqual(inSight({ edits, done: 5000 }, 10_000), { from: 0, to: 10_000 });
+});
 
 test('edits are named by what they did', () => {
   const { nameOfEdit } = page.naming;

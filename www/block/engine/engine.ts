@@ -14,6 +14,7 @@ import type { ViewGround } from '../state/ground';
 import type { BlockFile, BlockOptions, BlockState } from '../state/state';
 import { calibrationsOf } from '../state/calibrated';
 import { firstProblem } from '../state/given';
+import { givenToRun } from '../state/marks';
 import type { BlockAction } from '../state/reducer';
 import { isBusy, wantedKey } from '../state/state';
 import type { BlockView } from '../state/view';
@@ -70,7 +71,7 @@ export class BlockEngine {
     try {
       const input = {
         files,
-        options: runOptions(state.options, settings),
+        options: runOptions({ ...state.options, ...givenToRun(state) }, settings),
         masks: state.options.masks,
         truth,
         workers: this.pool.size,

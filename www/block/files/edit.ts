@@ -3,6 +3,7 @@ import { likeOf, listOf, objectOf } from '../../shared/files/keepable';
 import type { BlockEdit, HandMeasurement, PointImage, PointSource } from '../../../pkg/wasm/tiepoint.js';
 
 import type { EditStep } from '../state/edits';
+import type { MarkStep } from '../state/marks';
 import { say } from '../../shared/text/words';
 
 /** About what a point, an image or a place takes in an edit, in bytes. */
@@ -15,6 +16,28 @@ export function bytesOfStep(step: EditStep): number {
 function bytesOf(edit: BlockEdit): number {
   const list = 'observations' in edit ? edit.observations : 'points' in edit ? edit.points : 'images' in edit ? edit.images : [edit];
   return OF_ONE * Math.max(1, list.length);
+}
+
+export function bytesOfMarks({ marks }: MarkStep): number {
+  return OF_ONE * Math.max(1, marks.length);
+}
+
+/** @throws Error naming the field that is damaged */
+export function markStepFrom(value: unknown, name: string): MarkStep {
+  const { kind, marks, after } = objectOf(value, name);
+  return {
+    kind: kind === 'remove' ? kind : 'measure',
+    marks: listOf(marks, `${name}.marks`, (one, at) => {
+      const { image, point, x_px, y_px } = objectOf(one, at);
+      return {
+        image: likeOf(image, '', `${at}.image`),
+        point: likeOf(point, '', `${at}.point`),
+        x_px: likeOf(x_px, 0, `${at}.x_px`),
+        y_px: likeOf(y_px, 0, `${at}.y_px`),
+      };
+    }),
+    after: likeOf(after, 0, `${name}.after`),
+  };
 }
 
 /** @throws Error naming the field that is damaged */

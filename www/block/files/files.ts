@@ -1,6 +1,7 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import type { FoundFile } from '../../shared/files/drop';
 import { Cancelled } from '../../shared/engine/client';
+import { parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
 import { keepChoice, keptChoice } from '../../shared/choices';
 import { sentence } from '../../shared/text/format';
@@ -13,6 +14,8 @@ import { editsInForce } from '../state/editing';
 import { namesOf, withoutPlaces } from '../state/naming';
 import type { Purpose } from '../state/placing';
 import { PARTNER_MISSING, problemsOf } from '../state/given';
+import { waitsForMarks } from '../state/marks';
+import { controlText } from '../state/words';
 import type { GivenText } from '../state/given';
 import { GroundFiles } from './ground';
 import { newId } from './ids';
@@ -23,6 +26,7 @@ import { messageOf } from '../../shared/text/messages';
 
 const IMAGE = /\.(?:jpe?g|png|tiff?|bmp|webp|p[gpn]m)$/iu;
 const PROJECT = /\.tiepoint$/iu;
+const TABLE = /\.(?:csv|txt)$/iu;
 const CAMERAS = /\.json$/iu;
 
 const TEXTS: Readonly<Record<GivenText, string>> = { cameras: say('cameras'), control: say('ground-control-points'), marks: say('image-measurements') };
@@ -73,7 +77,9 @@ export class BlockFiles {
     const photos = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.openProject(project.file);
     if (cameras !== undefined) await this.takeText('cameras', cameras.file);
-    const aside = found.length - photos.length - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
+    const tables = alone.filter(({ file }) => TABLE.test(file.name));
+    for (const { file } of tables) await this.takeText(await this.tableKind(file), file);
+    const aside = found.length - photos.length - tables.length - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '));
     else await this.said(said);
   }
@@ -162,7 +168,8 @@ export class BlockFiles {
         return false;
       }
       // A block with edits would lend them to the images of the next one, which have the same names; its orthophoto shows other ground.
-      if (this.store.state.history.edits.length > 0 || this.store.state.placing.orthophoto !== null) this.store.dispatch({ type: 'clear' });
+      if (this.store.state.history.edits.length + this.store.state.marks.edits.length > 0 || this.store.state.placing.orthophoto !== null)
+        this.store.dispatch({ type: 'clear' });
       this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: newId() })), truth });
       return true;
     } catch (error) {
@@ -171,11 +178,23 @@ export class BlockFiles {
     }
   }
 
+  /** Whether a table says where images show points, or where points lie: the former names images. */
+  private async tableKind(file: File): Promise<GivenText> {
+    try {
+      const names = new Set(this.store.state.files.map(({ name }) => name));
+      const marks = parse_image_measurements(await file.text());
+      return marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE.test(image)) ? 'marks' : 'control';
+    } catch {
+      return 'control';
+    }
+  }
+
   /** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
   async takeText(given: GivenText, file: File): Promise<void> {
     this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text: await file.text() } } });
     const problem = problemsOf(this.store.state)[given];
-    if (problem === undefined) this.tell('info', say('from', { texts: TEXTS[given], name: file.name }));
+    const said = say('from', { texts: TEXTS[given], name: file.name });
+    if (problem === undefined) this.tell('info', given !== 'cameras' && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
     else if (problem === PARTNER_MISSING[given]) this.tell('info', say('from-2', { texts: TEXTS[given], name: file.name, problem }));
     else this.tell('problem', say('the-block-cannot-be-run', { problem: sentence(problem) }));
   }
@@ -244,8 +263,8 @@ export class BlockFiles {
 
   /** Before the block is gone: one with edits, and what was placed on an orthophoto, stay in the list of projects, which is true then. Null where it cannot, and the user keeps it. */
   private async leave(step: string): Promise<boolean | null> {
-    const { history, placing } = this.store.state;
-    const { length } = history.edits;
+    const { history, marks, placing } = this.store.state;
+    const length = history.edits.length + marks.edits.length;
     if (length === 0 && placing.placed.size === 0) return false;
     if (await this.putAside(true)) return true;
     const edits = length === 0 ? say('what-was-placed-on-the') : length === 1 ? say('the-edit-by-hand-of') : say('the-edits-by-hand-of', { length });

@@ -13,7 +13,7 @@ import type { KeptBlock, KeptFile, KeptShown } from '../state/kept';
 import type { BlockCatalogue, BlockFile, BlockState, Shown, TextFile } from '../state/state';
 import type { EditStep } from '../state/edits';
 import type { OnGround } from '../state/placing';
-import { bytesOfStep, stepFrom } from './edit';
+import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
 import { passIds } from './ids';
 import { keptPlacing, placingFrom, rastersOf, sizeOfPlaced } from './keep-placing';
 import { say } from '../../shared/text/words';
@@ -31,6 +31,7 @@ export class KeptBlocks implements Keepable {
   /** The finished block on the screen as it is kept; null until its file is written. */
   private made: { found: Shown['found']; kept: KeptShown } | null = null;
   private readonly journal = new Journal('block/edits', stepFrom, bytesOfStep);
+  private readonly marks = new Journal('block/marks', markStepFrom, bytesOfMarks);
   private making: Promise<void> | null = null;
   private changed: () => void = () => undefined;
 
@@ -43,7 +44,7 @@ export class KeptBlocks implements Keepable {
   watch(changed: () => void): void {
     this.changed = changed;
     this.engine.watchRecords(changed);
-    this.store.watch(['files', 'options', 'flight', 'truth', 'shown', 'opened', 'running', 'history', 'placing'], () => {
+    this.store.watch(['files', 'options', 'flight', 'truth', 'shown', 'opened', 'running', 'history', 'marks', 'placing'], () => {
       changed();
       void this.settled();
     });
@@ -83,6 +84,7 @@ export class KeptBlocks implements Keepable {
       parts.set(FILE + nameOf(file), { value: file, bytes: file.size, alone: true });
     const { made } = this;
     for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
+    for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
     if (made !== null && made.found === shown?.found)
       parts.set(SHOWN, { value: made.kept, bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0) });
     // Of images that were all removed nothing is left to go on with.
@@ -100,6 +102,7 @@ export class KeptBlocks implements Keepable {
     const placed = new Map([...parts].flatMap(([part, value]) => (part.startsWith(PLACED) ? [[Number(part.slice(PLACED.length)), value] as const] : [])));
     const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
     const history = this.journal.read(parts);
+    const marks = this.marks.read(parts);
     const finished = await this.finished(parts, history);
     const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
     const records = new Map(
@@ -116,7 +119,7 @@ export class KeptBlocks implements Keepable {
       this.engine.keepSpare(finished?.kept.project ?? null);
       this.store.dispatch({
         type: 'restored',
-        restored: { files, options: { ...kept.options, masks }, flight: kept.flight, truth, shown, opened, history, placing },
+        restored: { files, options: { ...kept.options, masks }, flight: kept.flight, truth, shown, opened, history, marks, placing },
       });
       const names = this.images();
       if (names.length === 0) return;

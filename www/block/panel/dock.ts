@@ -67,7 +67,9 @@ export function makeDock(store: BlockStore, looking: Looking, facts: Facts, othe
       tabs.forEach((tab, i) => {
         const view = own[i - sources.length];
         tab.hidden =
-          view === undefined ? isOwn || (sources[i]?.subject === 'surveyed' && (shown?.view.surveyed.length ?? 0) === 0) : !isOwn || view !== onStage;
+          view === undefined
+            ? isOwn || (sources[i]?.subject === 'surveyed' && (shown?.view.surveyed.length ?? 0) + (shown?.view.given?.length ?? 0) === 0)
+            : !isOwn || view !== onStage;
       });
       // The tables of another view are not what is looked at.
       if (tabs.some((tab) => tab.hidden && tab.getAttribute('aria-selected') === 'true')) tabs.find((tab) => !tab.hidden)?.click();

@@ -9,12 +9,14 @@ import { set, showHistory, showSteps, undoKeys } from '../../shared/panel/histor
 import { count, fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
-import { editsOfDraft } from '../state/draft';
+import { isGiven, stepOfDraft } from '../state/draft';
 import { figuresOf } from '../state/edited';
 import type { Figures } from '../state/edited';
 import { isEditable } from '../state/editing';
 import { editOfChoice, standingOf } from '../state/edits';
-import { nameOfEdit, nameOfStep, namesOf, NO_NAMES } from '../state/naming';
+import { marksByHand, nextAgain, nextBack } from '../state/marks';
+import { nameOfEdit, nameOfMarks, nameOfStep, namesOf, NO_NAMES } from '../state/naming';
+import type { History } from '../../shared/state/history';
 import type { BlockEdit, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import type { Standing } from '../state/edits';
 import type { Names } from '../state/naming';
@@ -70,11 +72,28 @@ function splitOf({ selection, shown, panes }: BlockState, facts: Facts): readonl
 
 /** A point that is being measured is given up first. */
 function step(store: BlockStore, by: 1 | -1): void {
-  if (store.state.draft !== null) {
+  const { draft, history, marks } = store.state;
+  if (draft !== null) {
     store.dispatch({ type: 'draft', draft: null });
     return;
   }
-  store.dispatch({ type: 'goto', done: store.state.history.done + by });
+  const next = by < 0 ? nextBack(history, marks) : nextAgain(history, marks);
+  if (next === 'edit') store.dispatch({ type: 'goto', done: history.done + by });
+  if (next === 'mark') store.dispatch({ type: 'gotoMark', done: marks.done + by });
+}
+
+/** What undo and redo would do: edits of the block and measurements of control points in the order in which they were made. */
+function stepsOf({ history, marks }: BlockState, names: Names): History<string> {
+  const nameIn = <E>({ edits }: History<E>, place: number, nameOf: (edit: E) => string): string[] => {
+    const edit = edits[place];
+    return edit === undefined ? [] : [nameOf(edit)];
+  };
+  const named = (kind: 'edit' | 'mark' | null, back: 0 | 1): string[] => {
+    if (kind === 'mark') return nameIn(marks, marks.done - back, nameOfMarks);
+    return kind === 'edit' ? nameIn(history, history.done - back, (one) => nameOfStep(one, names)) : [];
+  };
+  const before = named(nextBack(history, marks), 1);
+  return { edits: [...before, ...named(nextAgain(history, marks), 0)], done: before.length };
 }
 
 /** Of the block as it was found. */
@@ -95,7 +114,15 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
   const reject = button(say('reject'), 'block-reject', () => make(store, editOf(store.state, 'reject')), say('take-what-is-chosen-out'));
   const whole = button(say('reject-point'), 'block-reject-point', () => make(store, editOf(store.state, 'reject', true)), say('take-the-point-with-all'));
   const restore = button(say('restore'), 'block-restore', () => make(store, editOf(store.state, 'restore')), say('use-what-is-chosen-again'));
-  const measure = button(say('measure-it'), 'block-measure', () => measures()?.toggle(false), say('measure-the-chosen-point-in'));
+  const measure = button(
+    say('measure-it'),
+    'block-measure',
+    () => {
+      if (store.state.onStage !== 'images') store.dispatch({ type: 'stage', view: 'images' });
+      measures()?.toggle(false);
+    },
+    say('measure-the-chosen-point-in'),
+  );
   const add = button(say('add-point'), 'block-add-point', () => measures()?.toggle(true), say('measure-a-new-tie-point'));
   const join = button(say('join'), 'block-join', () => makeStep(store, joinedOf(store.state, facts)), say('the-chosen-points-are-one'));
   const apart = button(say('split'), 'block-split', () => makeStep(store, splitOf(store.state, facts)), say('the-point-is-two-one'));
@@ -126,7 +153,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     const { chosen } = state.selection;
     bar.hidden = !isEditable(state);
     const names = namesIn(state);
-    showSteps(undo, redo, state.history, (step) => nameOfStep(step, names));
+    showSteps(undo, redo, stepsOf(state, names), (name) => name);
     const [off, point, on] = [editOf(state, 'reject'), editOf(state, 'reject', true), editOf(state, 'restore')];
     const drafting = state.draft !== null;
     set(reject, titleOf(off, say('reject'), NO_NAMES), off === null);
@@ -135,15 +162,17 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     restore.hidden = drafting || on === null;
     whole.hidden = drafting || chosen?.kind !== 'observation' || point === null;
     const inImages = state.onStage === 'images';
-    measure.hidden = drafting || !inImages;
+    // A point that no image shows yet is measured in the images, whatever view it was chosen in.
+    const given = chosen?.kind === 'given';
+    measure.hidden = drafting || !(inImages || given);
     const { taking = 0 } = state.shown?.view.points ?? {};
-    measure.disabled = (chosen?.kind !== 'point' && chosen?.kind !== 'observation') || chosen.point >= taking;
+    measure.disabled = chosen?.kind !== 'given' && ((chosen?.kind !== 'point' && chosen?.kind !== 'observation') || chosen.point >= taking);
     add.hidden = drafting || !inImages;
     join.hidden = drafting || joinedOf(state, facts) === null;
     apart.hidden = drafting || !inImages || splitOf(state, facts) === null;
-    match.hidden = !inImages || (measure.disabled && !drafting);
+    match.hidden = !inImages || ((measure.disabled || given) && !drafting);
     accept.hidden = !drafting;
-    accept.disabled = state.draft === null || editsOfDraft(state.draft) === null;
+    accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done) === null;
     leave.hidden = !drafting;
     const said = textOf(state);
     if (text.textContent !== said) text.textContent = said;
@@ -153,7 +182,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     // What is pressed to take the last press back comes first.
     passFocus(held, [...(counterparts.get(held) ?? []), measure, add, undo, redo, byId('block-view')]);
   };
-  store.watch(['history', 'selection', 'shown', 'running', 'adjusting', 'before', 'draft', 'onStage', 'panes'], show);
+  store.watch(['history', 'marks', 'selection', 'shown', 'running', 'adjusting', 'before', 'draft', 'onStage', 'panes'], show);
   facts.watch(show);
   return bar;
 }
@@ -174,7 +203,7 @@ function surveyedChoice({ selection }: BlockState, facts: Facts): { point: numbe
 function textOf({ draft, adjusting, before, shown }: BlockState): string {
   if (draft !== null) {
     const placed = draft.places.size;
-    const what = draft.of === null ? say('new-point') : say('point');
+    const what = draft.of === null ? say('new-point') : isGiven(draft.of) ? draft.of.given : say('point');
     const more = draft.of === null && placed < 2 ? say('two-images-or-more-are') : '';
     return say('placed-in-press-its-place', { what, placed, more });
   }
@@ -199,7 +228,7 @@ export function mountBlockEditKeys(store: BlockStore, hosts: readonly HTMLElemen
   // Links of images that were placed by themselves have keys of their own.
   const isBlockSeen = () => store.state.onStage !== 'orthophoto' || blockOnOrthophoto(store.state) !== null;
   undoKeys(
-    () => byId('block-view').offsetParent !== null && store.state.history.edits.length > 0 && isBlockSeen(),
+    () => byId('block-view').offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(),
     (by) => step(store, by),
   );
   const idle = () => store.state.draft === null && isBlockSeen();
@@ -221,8 +250,10 @@ export function mountEditPanel(host: HTMLElement, store: BlockStore): void {
   const compared = h('div', { testid: 'block-compared' });
   const rejected = h('ul', { class: 'rejected', testid: 'block-rejected' });
   const history = h('ol', { class: 'history', testid: 'block-history' });
+  const marked = h('div', { testid: 'block-marked' });
   const hint = h('p', { class: 'note' }, say('choose-an-image-a-tie'));
-  host.append(h('div', { class: 'edits' }, hint, compared, h('h3', {}, say('rejected-by-hand')), rejected, h('h3', {}, say('history')), history));
+  host.append(h('div', { class: 'edits' }, hint, compared, marked, h('h3', {}, say('rejected-by-hand')), rejected, h('h3', {}, say('history')), history));
+  mountMarks(marked, store, history);
   store.watch(['history', 'shown', 'before', 'adjusting'], ([edits, shown, before, adjusting]) => {
     const names = namesIn(store.state);
     showHistory(
@@ -243,6 +274,31 @@ export function mountEditPanel(host: HTMLElement, store: BlockStore): void {
     );
     const buttons = rejected.querySelectorAll('button');
     passFocus(held, [buttons[at], buttons[at - 1], history.querySelector<HTMLElement>('[aria-current]')]);
+  });
+}
+
+/** The measurements of control and check points by hand, each of which can be taken away. `after`: has the keyboard where none is left. */
+function mountMarks(host: HTMLElement, store: BlockStore, after: HTMLElement): void {
+  const list = h('ul', { class: 'rejected', testid: 'block-marks-list' });
+  store.watch(['marks'], ([marks]) => {
+    const at = [...list.querySelectorAll('button')].indexOf(document.activeElement as HTMLButtonElement);
+    const held = at < 0 ? null : document.activeElement;
+    const byHand = marksByHand(marks);
+    fill(
+      list,
+      ...byHand.map((mark) => {
+        const name = say('mark-of', { point: mark.point, image: mark.image });
+        const remove = button(say('remove'), `remove-mark-${mark.point}-${mark.image}`, () =>
+          store.dispatch({ type: 'mark', step: { kind: 'remove', marks: [mark], after: store.state.history.done } }),
+        );
+        remove.className = 'link';
+        remove.setAttribute('aria-label', say('remove-2', { title: name }));
+        return h('li', {}, `${name}: ${fixed(mark.x_px, 1)} ${fixed(mark.y_px, 1)} `, remove);
+      }),
+    );
+    fill(host, ...(byHand.length === 0 ? [] : [h('h3', {}, say('marks-by-hand')), list]));
+    const buttons = list.querySelectorAll('button');
+    passFocus(held, [buttons[at], buttons[at - 1], after.querySelector<HTMLElement>('[aria-current]')]);
   });
 }
 

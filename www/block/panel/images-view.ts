@@ -49,7 +49,13 @@ export function imagesView(engine: BlockEngine, facts: Facts, addImages: () => v
       const view = new ImagesView(host, store, looking, facts, engine);
       mountFrames(host, view, store, addImages);
       ready({
-        toggle: (anew) => view.measuring.toggle(anew),
+        toggle: (anew) => {
+          view.measuring.toggle(anew);
+          if (view.measuring.draft === null) return;
+          view.opening.showDraft();
+          // What is measured is placed by keys too.
+          host.focus();
+        },
         match: () => view.match(),
         accept: () => view.measuring.accept(),
         leave: () => view.measuring.leave(),
@@ -115,7 +121,7 @@ function frameOf(image: number, view: ImagesView, store: BlockStore, addImages: 
       close.setAttribute('aria-label', say('close', { own }));
       close.hidden = shown === null || shownImages(panes, shown.view).length < 2;
       element.classList.toggle('is-active', panes.active === image);
-      const figure = figuresOf(view.seen.chosen()?.detail ?? null, image);
+      const figure = view.measuring.marks().has(image) ? say('measured') : figuresOf(view.seen.chosen()?.detail ?? null, image);
       setText(figures, figure);
       head.title = figure === '' ? own : `${own}: ${figure}`;
       const why = pane.file === null ? say('the-file-of-this-image') : view.hasFailed(pane) ? say('this-image-cannot-be-decoded') : '';

@@ -10,6 +10,8 @@ import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
 import { problemsOf } from '../state/given';
 import type { Given, GivenText } from '../state/given';
+import { waitsForMarks } from '../state/marks';
+import { controlText } from '../state/words';
 import { say } from '../../shared/text/words';
 
 /** `opener` opens the settings, and says how many were changed. */
@@ -97,8 +99,8 @@ const MASKS = say('none-images-of-the-same');
 /** What is wrong with what was given, beside where it is given. */
 function problemOf(store: BlockStore, given: Given): HTMLElement {
   const line = h('p', { class: 'field-problem', testid: `block-${given}-problem` });
-  store.watch(['files', 'options'], () => {
-    const text = problemsOf(store.state)[given] ?? '';
+  store.watch(['files', 'options', 'marks'], () => {
+    const text = problemsOf(store.state)[given] ?? (given === 'control' && waitsForMarks(store.state) ? controlText(store.state) : '');
     if (line.textContent !== text) line.textContent = text;
   });
   return line;

@@ -8,6 +8,8 @@ import type { BlockStore } from '../engine/engine';
 import { heightsText, placingAnswer, placingRuns } from './placing-answer';
 import { duration, runText } from './progress';
 import { orthophotoText } from '../files/ground';
+import { collectedOf, waitsForMarks } from '../state/marks';
+import { controlText } from '../state/words';
 import { unplacedFiles } from '../state/placed';
 import type { Purpose } from '../state/placing';
 import { asksPurpose, isOffGround, lacksPlaceAlone, purposeOf } from '../state/purpose';
@@ -134,13 +136,28 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   }
   if (shown !== null && !shown.view.partial && !isOutdated(state)) {
     if (isOffGround(state)) return { ...line('idle', say('the-block-is-not-on')), more: heightsText(state), next: placeBlock(actions) };
-    return answered(state, shown, actions);
+    const answer = answered(state, shown, actions);
+    return waitsForMarks(state) ? { ...answer, more: `${answer.more ?? ''} ${controlText(state)}`.trimStart() } : answer;
+  }
+  if (shown !== null && !shown.view.partial && takesMarks(state)) {
+    const text = say('control-can-be-taken', { twice: collectedOf(state).twice });
+    return { ...line('idle', text), more: say('taking-the-control', { kept: state.history.done > 0 ? 'edits' : 'none' }), next: takeControl(actions) };
   }
   if (files.length >= 2) {
     const why = shown === null || shown.view.partial ? say('press-run') : say('images-or-settings-have-changed');
     return line('idle', `${say('block-images', { images: files.length })} ${why}`);
   }
   return line('idle', say('open-the-images-of-a'));
+}
+
+/** Whether measurements of control points by hand are what the block would be run anew for. */
+function takesMarks(state: BlockState): boolean {
+  const { run, asGiven } = collectedOf(state);
+  return run !== null && !asGiven && state.files.length >= 2;
+}
+
+function takeControl({ run }: BlockAnswerActions): Next {
+  return { text: say('take-the-control'), act: run };
 }
 
 function answered(state: BlockState, shown: Shown, actions: BlockAnswerActions): Answer {

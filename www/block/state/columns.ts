@@ -7,7 +7,7 @@ import { imagesOf, isSame, pointsOf } from './selection';
 import type { ViewObservations } from './facts';
 import type { Choice, Selection, Subject } from './selection';
 import type { BlockView } from './view';
-import { geometryText, matchesOf } from './words';
+import { geometryText, givenUse, matchesOf } from './words';
 import { say } from '../../shared/text/words';
 
 /** Tables whose rows are known as soon as the block is. */
@@ -120,15 +120,24 @@ function pointRows({ points }: BlockView): Rows {
   };
 }
 
-function surveyedRows({ surveyed }: BlockView): Rows {
+function surveyedRows({ surveyed, given = [] }: BlockView): Rows {
   const axes = ['X', 'Y', 'Z'];
+  // What was given and is not in the block comes last.
+  const beside = (row: number) => given[row - surveyed.length];
+  const useText = (row: number) => {
+    const own = beside(row);
+    if (own !== undefined) return givenUse(own);
+    return surveyed[row]?.isUsed === false ? say('not-used') : roleText(surveyed[row]?.role);
+  };
   return {
-    count: surveyed.length,
+    count: surveyed.length + given.length,
     columns: [
-      words('surveyed', say('point'), (i) => surveyed[i]?.name ?? '', say('name-of-the-surveyed-point')),
-      words('use', say('use'), (i) => (surveyed[i]?.isUsed === false ? say('not-used') : roleText(surveyed[i]?.role)), say('control-points-place-the-block')),
+      words('surveyed', say('point'), (i) => surveyed[i]?.name ?? beside(i)?.name ?? '', say('name-of-the-surveyed-point')),
+      words('use', say('use'), useText, say('control-points-place-the-block')),
       numbers('surveyed-rays', say('rays-2'), '', 0, (i) => surveyed[i]?.rays ?? NaN, say('image-measurements-that-took-part'), { total: 'sum' }),
-      ...axes.map((axis, k) => numbers(`surveyed-${axis}`, axis, 'm', 3, (i) => surveyed[i]?.position[k] ?? NaN, say('surveyed-in-the-system-of', { axis }))),
+      ...axes.map((axis, k) =>
+        numbers(`surveyed-${axis}`, axis, 'm', 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.position[k] ?? NaN, say('surveyed-in-the-system-of', { axis })),
+      ),
       ...axes.map((axis, k) =>
         numbers(`difference-${axis}`, `Δ${axis}`, 'm', 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say('adjusted-minus-surveyed', { axis }), {
           total: 'rms',
@@ -208,7 +217,11 @@ export function rowsOf(subject: Tabled, view: BlockView): Rows {
 export function choiceOfRow(subject: Subject, view: BlockView, row: number): Choice | null {
   if (subject === 'images') return row < view.images.length ? { kind: 'image', image: row } : null;
   if (subject === 'points') return { kind: 'point', point: row };
-  if (subject === 'surveyed') return (view.surveyed[row]?.point ?? -1) < 0 ? null : { kind: 'point', point: view.surveyed[row]?.point ?? -1 };
+  if (subject === 'surveyed') {
+    const given = view.given?.[row - view.surveyed.length];
+    if (given !== undefined) return { kind: 'given', name: given.name };
+    return (view.surveyed[row]?.point ?? -1) < 0 ? null : { kind: 'point', point: view.surveyed[row]?.point ?? -1 };
+  }
   const images = subject === 'pairs' ? view.connections[row]?.images : undefined;
   return images === undefined ? null : { kind: 'pair', images };
 }
@@ -217,6 +230,8 @@ export function choiceOfRow(subject: Subject, view: BlockView, row: number): Cho
 export function rowsOfChoice(subject: Subject, view: BlockView, choice: Choice | null): Uint32Array {
   if (subject === 'points') return pointsOf(choice);
   if (subject === 'surveyed') {
+    if (choice?.kind === 'given')
+      return Uint32Array.from((view.given ?? []).flatMap(({ name }, i) => (name === choice.name ? [view.surveyed.length + i] : [])));
     const points = new Set(pointsOf(choice));
     return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => (points.has(point) ? [row] : [])));
   }

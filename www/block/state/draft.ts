@@ -1,11 +1,12 @@
 /** A point that is measured by hand, before it is accepted. */
 import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
-import type { Draft, Placed } from './edited';
-import type { BlockEdit, HandMeasurement, PointSource } from '../../../pkg/wasm/tiepoint.js';
+import type { Draft, GivenPoint, Placed } from './edited';
+import type { MarkStep } from './marks';
+import type { BlockEdit, HandMeasurement } from '../../../pkg/wasm/tiepoint.js';
 
 /** A draft without places yet: of a point that is there, or of a new one. */
-export function begun(of: PointSource | null): Draft {
+export function begun(of: Draft['of']): Draft {
   return { of, places: new Map() };
 }
 
@@ -15,8 +16,31 @@ export function placed(draft: Draft, image: number, [x, y]: Position, { width, h
   return { ...draft, places: new Map([...draft.places, [image, { at, by }]]) };
 }
 
-/** What the draft becomes; null while too little of it is placed. */
+export function isGiven(of: Draft['of']): of is GivenPoint {
+  return of !== null && 'given' in of;
+}
+
+/** What the draft becomes, which is done at once; null while too little of it is placed. `names`: of the images; `after`: so many edits hold. */
+export function stepOfDraft(
+  draft: Draft,
+  names: readonly string[],
+  after: number,
+): { type: 'edit'; edits: BlockEdit[] } | { type: 'mark'; step: MarkStep } | null {
+  const { of, places } = draft;
+  if (!isGiven(of)) {
+    const edits = editsOfDraft(draft);
+    return edits === null ? null : { type: 'edit', edits };
+  }
+  const marks = [...places].flatMap(([image, { at }]) => {
+    const name = names[image];
+    return name === undefined ? [] : [{ image: name, point: of.given, x_px: at[0], y_px: at[1] }];
+  });
+  return marks.length === 0 ? null : { type: 'mark', step: { kind: 'measure', marks, after } };
+}
+
+/** The edits that the draft of a point of the block becomes; null while too little of it is placed. */
 export function editsOfDraft({ of, places }: Draft): BlockEdit[] | null {
+  if (isGiven(of)) return null;
   const observations = [...places].map(([image, { at, by }]): HandMeasurement => ({ image, x_px: at[0], y_px: at[1], by }));
   if (of !== null) return observations.length === 0 ? null : observations.map((one) => ({ kind: 'measure', point: of, ...one }));
   return observations.length < 2 ? null : [{ kind: 'add_point', observations }];

@@ -23,10 +23,15 @@ export interface Placed {
   by: MeasuredBy;
 }
 
+/** A control or check point that was given and is not in the block, by its name. */
+export interface GivenPoint {
+  given: string;
+}
+
 /** A point that is measured by hand and not accepted yet. */
 export interface Draft {
   /** The point whose observations are measured; null for a new one. */
-  of: PointSource | null;
+  of: PointSource | GivenPoint | null;
   /** By image; the first one placed comes first. */
   places: ReadonlyMap<number, Placed>;
 }

@@ -10,6 +10,7 @@ import type { Choice } from './selection';
 import { figuresOf, UNEDITED } from './edited';
 import type { Draft, Edits } from './edited';
 import type { BlockEdit } from '../../../pkg/wasm/tiepoint.js';
+import type { MarkStep } from './marks';
 import type { BlockState, Shown } from './state';
 import type { BlockView } from './view';
 import { say } from '../../shared/text/words';
@@ -23,7 +24,11 @@ export type EditsAction =
   | { type: 'edited'; view: BlockView; edits: readonly BlockEdit[] }
   /** The block cannot be with all edits: those that it has stay. */
   | { type: 'editRefused'; reason: string }
-  | { type: 'draft'; draft: Draft | null };
+  | { type: 'draft'; draft: Draft | null }
+  /** Measurements of control points are taken, or taken away. */
+  | { type: 'mark'; step: MarkStep }
+  /** So many of these steps hold. */
+  | { type: 'gotoMark'; done: number };
 
 /** Whether the block on the screen can be edited. */
 export function isEditable({ shown, running }: Pick<BlockState, 'shown' | 'running'>): boolean {
@@ -67,6 +72,11 @@ export function reduceEdits(state: BlockState, action: EditsAction): BlockState 
       const notice = { kind: 'problem', text: say('the-edit-was-not-made', { reason: action.reason }) } as const;
       return { ...state, history: withoutRefused(state.history, state.shown?.edits ?? []), notice };
     }
+    case 'mark':
+      if (action.step.kind === 'measure' && !isEditable(state)) return state;
+      return { ...state, marks: recorded(state.marks, action.step), draft: null, notice: afterEdit(state) };
+    case 'gotoMark':
+      return { ...state, marks: wentTo(state.marks, action.done), draft: null, notice: afterEdit(state) };
     case 'draft':
       // What was said of the draft goes with it.
       return { ...state, draft: isEditable(state) ? action.draft : null, notice: action.draft === null && state.notice?.beside === true ? null : state.notice };

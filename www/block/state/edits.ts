@@ -40,7 +40,7 @@ export function indexOfSource({ points }: BlockView, source: PointSource): numbe
 
 /** What is chosen, in the same block after other edits: points by what they are. */
 export function choiceAfterEdit(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
-  if (choice === null || choice.kind === 'image' || choice.kind === 'pair') return choice;
+  if (choice === null || choice.kind === 'image' || choice.kind === 'pair' || choice.kind === 'given') return choice;
   const moved = [...pointsOf(choice)].flatMap((point) => {
     const source = sourceOf(before, point);
     const index = source === null ? -1 : indexOfSource(after, source);

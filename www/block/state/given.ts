@@ -2,6 +2,7 @@
 import { check_cameras, check_control, check_masks, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
 import type { GeoreferencingOptions } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
+import { collectedOf } from './marks';
 import type { BlockOptions, BlockState } from './state';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
@@ -14,18 +15,19 @@ export type GivenText = Exclude<Given, 'masks'>;
 
 export type Problems = Readonly<Partial<Record<Given, string>>>;
 
-/** Control points and their marks are of use together. */
+/** Marks are of use with their points; points without marks wait for them. */
 export const PARTNER_MISSING: Readonly<Partial<Record<Given, string>>> = {
-  control: say('ground-control-points-need-their'),
   marks: say('image-measurements-need-their-ground'),
 };
 
-export function problemsOf({ files, options }: Pick<BlockState, 'files' | 'options'>): Problems {
-  return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks);
+type WithGiven = Pick<BlockState, 'files' | 'options' | 'marks'>;
+
+export function problemsOf({ files, options, marks }: WithGiven): Problems {
+  return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, marks);
 }
 
 /** The first of them; null where there is none. */
-export function firstProblem(state: Pick<BlockState, 'files' | 'options'>): string | null {
+export function firstProblem(state: WithGiven): string | null {
   return Object.values(problemsOf(state))[0] ?? null;
 }
 
@@ -37,6 +39,7 @@ const problems = remember(
     control: BlockOptions['control'],
     marks: BlockOptions['marks'],
     masks: BlockOptions['masks'],
+    byHand: BlockState['marks'],
   ): Problems => {
     // Nothing is given before the crate is there to read it.
     if (placing === null) return {};
@@ -53,9 +56,9 @@ const problems = remember(
     };
     if (cameras !== null) look('cameras', cameras.name, () => check_cameras(cameras.text, names));
     const pointsRead = control !== null && look('control', control.name, () => parse_ground_control_points(control.text));
-    const marksRead = marks !== null && look('marks', marks.name, () => parse_image_measurements(marks.text));
-    if (pointsRead && marksRead) look('marks', marks.name, () => check_control(control.text, marks.text, names, placing));
-    if (control !== null && marks === null) found.control ??= PARTNER_MISSING.control ?? '';
+    const marksRead = marks === null || look('marks', marks.name, () => parse_image_measurements(marks.text));
+    const { run } = collectedOf({ files, options: { control, marks }, marks: byHand });
+    if (pointsRead && marksRead && run !== null) look('marks', marks?.name ?? '', () => check_control(run.points, run.marks, names, placing));
     if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
     look('masks', '', () =>
       check_masks(

@@ -1,6 +1,7 @@
 /** What edits of a block by hand are called, as in "Undo: reject 14 observations". */
 import type { BlockEdit } from '../../../pkg/wasm/tiepoint.js';
 import type { EditStep } from './edits';
+import type { MarkStep } from './marks';
 import type { BlockView } from './view';
 import { say } from '../../shared/text/words';
 
@@ -40,6 +41,14 @@ export function nameOfStep(step: EditStep, names: Names = NO_NAMES): string {
     if (first.points.length === 1) return say('step-split', { added });
   }
   return say('step-edits', { edits: step.length });
+}
+
+/** What was done to measurements of control points. */
+export function nameOfMarks({ kind, marks }: MarkStep): string {
+  const [first] = marks;
+  if (first === undefined) return say('nothing');
+  const images = marks.length === 1 ? first.image : say('so-many-images', { images: marks.length });
+  return kind === 'measure' ? say('step-measure-in', { verb: 'measure', what: first.point, images }) : say('step-unmark', { what: first.point, images });
 }
 
 type Measure = Extract<BlockEdit, { kind: 'measure' }>;

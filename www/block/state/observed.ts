@@ -72,6 +72,15 @@ export const groundAt = remember((of: ImagePoints, { positions }: ViewPoints, x:
   return plan === null || height === null ? null : [...plan, height[0]];
 });
 
+/** Where an image shows the ground at x, y of the block, by the points around it; null where they are too few. */
+export function placeOfGround(of: ImagePoints, { positions }: ViewPoints, at: Position): Position | null {
+  const known = [...of.points].flatMap((point, i): Twice[] => {
+    const twice: Twice = [positions[3 * point] ?? NaN, positions[3 * point + 1] ?? NaN, of.places[2 * i] ?? NaN, of.places[2 * i + 1] ?? NaN];
+    return of.parts[i] === 0 && !Number.isNaN(twice[0]) ? [twice] : [];
+  });
+  return affine(nearest(known, at), at);
+}
+
 /** Photo coordinates in mm, x right, y up, from the principal point; null where the side of a pixel is not known. */
 export function photoMm({ calibrated, given }: ViewCamera, [x, y]: Position): Position | null {
   const camera = calibrated ?? given;

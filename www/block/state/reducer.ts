@@ -1,12 +1,14 @@
 /** How the state of the block changes. Pure: the same state and action give the same state. */
 import type { Step } from '../../../pkg/block/index.js';
 import type { BlockEdit, BlockFlight, BlockModel } from '../../../pkg/wasm/tiepoint.js';
+import { NO_HISTORY } from '../../shared/state/history';
 import type { Notice } from '../../shared/state/notice';
 import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Shown, ViewName } from './state';
 import { BLOCK_INITIAL } from './state';
 import { UNEDITED } from './edited';
 import { carried, carriedToGround, reduceEdits } from './editing';
 import type { EditsAction } from './editing';
+import { withGiven } from './marks';
 import { panesInOtherView, reducePanes } from './panes';
 import type { PanesAction } from './panes';
 import type { RestoredBlock } from './kept';
@@ -49,8 +51,15 @@ export type BlockAction =
   | { type: 'notice'; notice: Notice | null };
 
 export function reduceBlock(state: BlockState, action: BlockAction): BlockState {
-  const after = reduced(state, action);
+  const after = withGivenPoints(reduced(state, action));
   return action.type === 'choose' || action.type === 'choosePlaced' ? together(state, after) : after;
+}
+
+/** Tables list the points that were given, whether they are in the block or not. */
+function withGivenPoints(state: BlockState): BlockState {
+  if (state.shown === null) return state;
+  const view = withGiven(state.shown.view, state);
+  return view === state.shown.view ? state : { ...state, shown: { ...state.shown, view } };
 }
 
 function reduced(state: BlockState, action: BlockAction): BlockState {
@@ -99,6 +108,8 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'edited':
     case 'editRefused':
     case 'draft':
+    case 'mark':
+    case 'gotoMark':
       return reduceEdits(state, action);
     case 'orthophoto':
     case 'heights':
@@ -131,6 +142,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
         panes: panesInOtherView(state.panes, null, action.view),
         ...UNEDITED,
         history: { edits: action.edits.map((edit) => [edit]), done: action.edits.length },
+        marks: NO_HISTORY,
         // The truth is that of the photos that were simulated, not of this block.
         truth: null,
         running: { kind: 'no' },

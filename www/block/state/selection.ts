@@ -10,7 +10,9 @@ export type Choice =
   /** A tie point as one image shows it. */
   | { kind: 'observation'; point: number; image: number }
   /** Two or more tie points, in ascending order. */
-  | { kind: 'points'; points: Uint32Array };
+  | { kind: 'points'; points: Uint32Array }
+  /** A control or check point that was given and is not in the block. */
+  | { kind: 'given'; name: string };
 
 /** What rows of a table are. */
 export type Subject = 'images' | 'pairs' | 'points' | 'observations' | 'surveyed';
@@ -92,6 +94,7 @@ export function pointsOf(choice: Choice | null): Uint32Array {
 export function isSame(a: Choice | null, b: Choice | null): boolean {
   if (a === b) return true;
   if (a === null || b === null || a.kind !== b.kind) return false;
+  if (a.kind === 'given' && b.kind === 'given') return a.name === b.name;
   const [images, others] = [imagesOf(a), imagesOf(b)];
   const [points, others_] = [pointsOf(a), pointsOf(b)];
   return images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
@@ -104,6 +107,7 @@ export function inOtherView(selection: Selection, before: BlockView | null, afte
 }
 
 function moved(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
+  if (choice?.kind === 'given') return after.given?.some(({ name }) => name === choice.name) === true ? choice : null;
   if (choice?.kind !== 'image' && choice?.kind !== 'pair') return null;
   const place = (image: number) => after.images.findIndex(({ name }) => name === before.images[image]?.name);
   if (choice.kind === 'image') return place(choice.image) < 0 ? null : { kind: 'image', image: place(choice.image) };

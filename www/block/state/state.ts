@@ -9,6 +9,10 @@ import type { BlockFile, TextFile } from './file';
 import { NO_PANES } from './panes';
 import type { Panes } from './panes';
 import { NO_PLACING } from './placing';
+import { givenToRun } from './marks';
+import type { MarkStep } from './marks';
+import { NO_HISTORY } from '../../shared/state/history';
+import type { History } from '../../shared/state/history';
 import type { OnGround, Placing } from './placing';
 import { NOTHING_SELECTED } from './selection';
 import type { Selection } from './selection';
@@ -34,7 +38,7 @@ export interface BlockOptions {
   gps: 'use' | 'ignore';
   /** In place of what EXIF tells. */
   cameras: TextFile | null;
-  /** Surveyed points, and where the images show them: of use together. */
+  /** Surveyed points, and where the images show them; what is measured by hand is beside these. */
   control: TextFile | null;
   marks: TextFile | null;
   masks: readonly BlockFile[];
@@ -81,6 +85,8 @@ export interface BlockState extends Edits {
   /** The block on the screen. */
   shown: Shown | null;
   selection: Selection;
+  /** Image measurements of control and check points by hand. */
+  marks: History<MarkStep>;
   /** What the images view shows. */
   panes: Panes;
   /** Images on an orthophoto. */
@@ -102,6 +108,7 @@ export const BLOCK_INITIAL: BlockState = {
   running: { kind: 'no' },
   shown: null,
   selection: NOTHING_SELECTED,
+  marks: NO_HISTORY,
   panes: NO_PANES,
   placing: NO_PLACING,
   ...UNEDITED,
@@ -111,8 +118,8 @@ export const BLOCK_INITIAL: BlockState = {
 };
 
 /** Names what a run of the present files and options would be made from. */
-export function wantedKey({ files, options }: Pick<BlockState, 'files' | 'options'>): string {
-  return JSON.stringify([files.map(({ id }) => id), options]);
+export function wantedKey(state: Pick<BlockState, 'files' | 'options' | 'marks'>): string {
+  return JSON.stringify([state.files.map(({ id }) => id), { ...state.options, ...givenToRun(state) }]);
 }
 
 /** Whether other files or options made the block on the screen. */

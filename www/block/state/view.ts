@@ -113,6 +113,17 @@ export interface ViewSurveyed extends SurveyedPoint {
   isUsed: boolean;
 }
 
+/** A control or check point that was given and is not in the block: too few image measurements say where it is. */
+export interface ViewGiven {
+  name: string;
+  /** In the unit and the system of its file. */
+  position: readonly [number, number, number];
+  /** Null of one that is not to be used. */
+  role: 'control' | 'check' | null;
+  /** In so many images it is measured. */
+  images: number;
+}
+
 export interface BlockView {
   /** Of a run that goes on or was ended: images and pairs as far as they were done. */
   partial: boolean;
@@ -144,6 +155,8 @@ export interface BlockView {
   sigma0Px: number | null;
   /** Ground control points and check points of the block. */
   surveyed: readonly ViewSurveyed[];
+  /** Those that were given beside these; absent: none. */
+  given?: readonly ViewGiven[];
   /** What check points say of the block; null without any. */
   checks: CheckSummary | null;
   /** How near a simulated block is to its truth. */

@@ -1,7 +1,9 @@
 /** What the page says of an image or a pair of a block. */
 import { count, fixed } from '../../shared/text/format';
+import { collectedOf, LEAST_POINTS } from './marks';
+import type { WithMarks } from './marks';
 import type { Choice } from './selection';
-import type { BlockView, ViewConnection, ViewGeometry } from './view';
+import type { BlockView, ViewConnection, ViewGeometry, ViewGiven } from './view';
 import { message } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 
@@ -46,6 +48,8 @@ export function describe(view: BlockView, choice: Choice): string {
       return `${view.images[choice.image]?.name ?? ''}, ${describePoint(view, choice.point)}`;
     case 'points':
       return describePoints(view, choice.points);
+    case 'given':
+      return describeGiven(view, choice.name);
   }
 }
 
@@ -105,6 +109,24 @@ function describePoint({ points, surveyed }: BlockView, point: number): string {
     point < points.taking ? '' : say('rejected-by-hand-2'),
   ];
   return `${parts.filter((part) => part !== '').join('; ')}.`;
+}
+
+/** A point that was given and is not in the block. */
+function describeGiven({ given = [] }: BlockView, name: string): string {
+  const point = given.find((own) => own.name === name);
+  if (point === undefined) return name;
+  const place = point.position.map((value) => fixed(value, 3)).join(' ');
+  return say('given-point', { name, place, use: givenUse(point) });
+}
+
+/** Why control points take no part, and what they lack. */
+export function controlText(state: WithMarks): string {
+  return say('control-waits', { twice: collectedOf(state).twice, needed: LEAST_POINTS });
+}
+
+/** What a given point is for, and how far it is. */
+export function givenUse({ role, images }: ViewGiven): string {
+  return say('given-use', { role: role ?? 'none', images });
 }
 
 function describePoints({ points }: BlockView, chosen: Uint32Array): string {

@@ -1,5 +1,5 @@
 /** Edits by hand: undo and redo by their names and keys, and the list of all of them. */
-import { steps } from '../state/history';
+import { inSight, steps } from '../state/history';
 import type { History } from '../state/history';
 import { declare } from '../view/commands';
 import { button, fill, h } from './dom';
@@ -26,15 +26,24 @@ export function showSteps<E>(undo: HTMLButtonElement, redo: HTMLButtonElement, h
   redo.disabled = names.redo === null;
 }
 
+/** So many edits before and after the present state are listed at first: a list of all would be made anew by each edit. */
+const LISTED = 50;
+
+/** How many are listed, where more were asked for. */
+const reaches = new WeakMap<HTMLElement, number>();
+
 /** Every state can be gone to by a press; `first` is the name of the one before all edits, `prefix` that of test ids. */
 export function showHistory<E>(
   host: HTMLElement,
   prefix: string,
   first: string,
-  { edits, done }: History<E>,
+  history: History<E>,
   nameOf: (edit: E) => string,
   go: (done: number) => void,
 ): void {
+  const { edits, done } = history;
+  const reach = reaches.get(host) ?? LISTED;
+  const { from, to } = inSight(history, reach);
   const focused = host.contains(document.activeElement);
   const entry = (place: number, name: string) => {
     const press = button(name, `${prefix}history-${String(place)}`, () => go(place));
@@ -42,7 +51,18 @@ export function showHistory<E>(
     if (place === done) press.setAttribute('aria-current', 'step');
     return h('li', { class: place > done ? 'undone' : '' }, press);
   };
-  fill(host, entry(0, first), ...edits.map((edit, i) => entry(i + 1, nameOf(edit))));
+  const more = (testid: string, text: string) => {
+    const press = button(text, `${prefix}history-${testid}`, () => {
+      reaches.set(host, 4 * reach);
+      showHistory(host, prefix, first, history, nameOf, go);
+    });
+    press.className = 'link';
+    return h('li', {}, press);
+  };
+  const listed = edits.slice(from, to).map((edit, i) => entry(from + i + 1, nameOf(edit)));
+  const earlier = from > 0 ? [more('earlier', say('history-earlier', { edits: from }))] : [];
+  const later = to < edits.length ? [more('later', say('history-later', { edits: edits.length - to }))] : [];
+  fill(host, entry(0, first), ...earlier, ...listed, ...later);
   if (focused) host.querySelector<HTMLElement>('[aria-current]')?.focus({ preventScroll: true });
 }
 

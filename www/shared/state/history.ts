@@ -23,3 +23,8 @@ export function steps<E>({ edits, done }: History<E>, nameOf: (edit: E) => strin
   const [last, next] = [edits[done - 1], edits[done]];
   return { undo: last === undefined ? null : nameOf(last), redo: next === undefined ? null : nameOf(next) };
 }
+
+/** The edits listed about the present state: so many before it and after it. From the first up to and without the last. */
+export function inSight({ edits, done }: History<unknown>, reach: number): { from: number; to: number } {
+  return { from: Math.max(0, done - reach), to: Math.min(edits.length, done + reach) };
+}

@@ -5,12 +5,15 @@ import { Cancelled } from '../../../shared/engine/client';
 import type { BlockEngine, BlockStore } from '../../engine/engine';
 import type { Facts } from '../../engine/facts';
 import type { Turn } from '../../engine/match';
-import { begun, editsOfDraft, placed } from '../../state/draft';
+import { begun, isGiven, placed, stepOfDraft } from '../../state/draft';
 import type { Draft } from '../../state/edited';
 import { isEditable } from '../../state/editing';
 import { indexOfSource, sourceOf } from '../../state/edits';
-import { inOtherImage } from '../../state/observed';
+import { toBlock } from '../../state/in-common';
+import { placesOfGiven } from '../../state/marks';
+import { inOtherImage, placeOfGround } from '../../state/observed';
 import { pointsOf } from '../../state/selection';
+import { isOn } from './scene';
 import type { Pane } from './scene';
 import { say } from '../../../shared/text/words';
 import { messageOf } from '../../../shared/text/messages';
@@ -21,6 +24,7 @@ const STEP = 20;
 const MOST_LINES = 2;
 /** Images that are named one by one. */
 const MOST_NAMES = 3;
+const NOWHERE: ReadonlyMap<number, Position> = new Map();
 const STRAIGHT: Turn = [1, 0, 0, 1];
 
 export class Measuring {
@@ -44,7 +48,12 @@ export class Measuring {
       this.set(null);
       return;
     }
-    const [point, ...more] = pointsOf(state.selection.chosen);
+    const { chosen } = state.selection;
+    if (!anew && chosen?.kind === 'given') {
+      this.set(begun({ given: chosen.name }));
+      return;
+    }
+    const [point, ...more] = pointsOf(chosen);
     // What was rejected is restored first.
     if (!anew && point !== undefined && point >= state.shown.view.points.taking) return;
     const of = anew || point === undefined || more.length > 0 ? null : sourceOf(state.shown.view, point);
@@ -64,24 +73,53 @@ export class Measuring {
   expected(pane: Pane): Position | null {
     const { draft } = this;
     if (draft === null || draft.places.has(pane.image)) return null;
+    if (isGiven(draft.of) && this.known().has(pane.image)) return null;
     const elsewhere = this.detail()?.elsewhere.find(({ image }) => image === pane.image);
     if (elsewhere !== undefined) return [elsewhere.x_px, elsewhere.y_px];
-    const [first] = draft.places;
-    const from = first === undefined ? undefined : this.panes().find(({ image }) => image === first[0]);
-    if (draft.of !== null || first === undefined || from?.points == null || pane.points === null) return null;
+    if (draft.of !== null && !isGiven(draft.of)) return null;
     // Two places say where the point is, whatever the ground around it is like.
     const [one, other] = this.sources(pane.image).map(({ image, at }) => this.facts.line(image, at, pane.image));
     const both = one == null || other == null ? null : crossing(one, other);
     if (both !== null) return both;
-    const near = inOtherImage(from.points, pane.points, first[1].at);
-    const line = this.facts.line(first[0], first[1].at, pane.image);
+    const [first] = this.known();
+    const from = first === undefined ? undefined : this.panes().find(({ image }) => image === first[0]);
+    const near =
+      this.ofGround(pane) ?? (first === undefined || from?.points == null || pane.points === null ? null : inOtherImage(from.points, pane.points, first[1]));
+    if (first === undefined) return near;
+    const line = this.facts.line(first[0], first[1], pane.image);
     return near === null || line === null ? near : onLine(line, near);
+  }
+
+  /** Where an image shows a control or check point that is chosen and not in the block, by its coordinates; null where these say nothing in the block. */
+  ofGround(pane: Pane): Position | null {
+    const { shown, selection, options } = this.store.state;
+    const { chosen } = selection;
+    if (shown === null || chosen?.kind !== 'given' || pane.points === null) return null;
+    const point = shown.view.given?.find(({ name }) => name === chosen.name);
+    const ground = toBlock(shown.view, options.control);
+    if (point === undefined || ground === null) return null;
+    const at = placeOfGround(pane.points, shown.view.points, ground([point.position[0], point.position[1]]));
+    return at !== null && isOn(pane, at) ? at : null;
+  }
+
+  /** Where images show a given point by its measurements that hold, the first one first. */
+  marks(): ReadonlyMap<number, Position> {
+    const { shown, selection, options, marks } = this.store.state;
+    return shown === null || selection.chosen?.kind !== 'given' ? NOWHERE : placesOfGiven(selection.chosen.name, shown.view, options.marks, marks);
+  }
+
+  /** The places of the draft, beside what was measured of a given point before. */
+  private known(): ReadonlyMap<number, Position> {
+    const { draft } = this;
+    if (draft === null) return NOWHERE;
+    const own = [...draft.places].map(([image, { at }]): [number, Position] => [image, at]);
+    return new Map([...(isGiven(draft.of) ? this.marks() : []), ...own]);
   }
 
   /** Places whose epipolar lines say where the point may lie in an image. */
   sources(image: number): { image: number; at: Position }[] {
-    const others = [...(this.draft?.places ?? [])].filter(([other]) => other !== image);
-    return others.slice(-MOST_LINES).map(([other, { at }]) => ({ image: other, at }));
+    const others = [...this.known()].filter(([other]) => other !== image);
+    return others.slice(-MOST_LINES).map(([other, at]) => ({ image: other, at }));
   }
 
   place(pane: Pane, at: Position): void {
@@ -102,8 +140,10 @@ export class Measuring {
   }
 
   accept(): void {
-    const edits = this.draft === null ? null : editsOfDraft(this.draft);
-    if (edits !== null) this.store.dispatch({ type: 'edit', edits });
+    const { draft, shown, history } = this.store.state;
+    const names = shown?.view.images.map(({ name }) => name) ?? [];
+    const step = draft === null ? null : stepOfDraft(draft, names, history.done);
+    if (step !== null) this.store.dispatch(step);
   }
 
   /** Gives the measured point up; false where none is measured. */
@@ -152,7 +192,8 @@ export class Measuring {
   private take(from: Pane, at: Position, found: readonly { pane: Pane; place: Position | null }[], names: ReadonlyMap<number, string>): void {
     if (this.draft === null) return;
     // Of a new point the place that the others are matched to is one of its own.
-    const own = this.draft.of === null ? placed(this.draft, from.image, at, from) : this.draft;
+    const isNew = this.draft.of === null || (isGiven(this.draft.of) && this.measured(from.image) === null);
+    const own = isNew ? placed(this.draft, from.image, at, from) : this.draft;
     this.set(found.reduce((draft, { pane, place }) => (place === null ? draft : placed(draft, pane.image, place, pane, 'least_squares')), own));
     const lost = found.filter(({ place }) => place === null).map(({ pane }) => names.get(pane.image) ?? '');
     const count = found.length - lost.length;
@@ -163,13 +204,14 @@ export class Measuring {
 
   /** Where the point was measured before, in an image. */
   private measured(image: number): Position | null {
+    if (isGiven(this.draft?.of ?? null)) return this.marks().get(image) ?? null;
     const own = this.detail()?.observations.find((one) => one.image === image);
     return own === undefined ? null : [own.x_px, own.y_px];
   }
 
   private detail() {
     const { draft, shown } = this.store.state;
-    if (draft?.of == null || shown === null) return null;
+    if (draft?.of == null || isGiven(draft.of) || shown === null) return null;
     const point = indexOfSource(shown.view, draft.of);
     return point < 0 ? null : this.facts.point(point);
   }

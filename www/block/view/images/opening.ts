@@ -2,6 +2,8 @@
 import type { PointDetail } from '../../../../pkg/wasm/tiepoint.js';
 import type { PaneView, Position } from '../../../shared/state/pane';
 import { contains, toCanvas } from '../../../shared/view/transform';
+import { toBlock } from '../../state/in-common';
+import { footprintsAt } from '../../state/footprints';
 import { codeOfSource } from '../../state/edits';
 import { MOST_PANES, shownImages } from '../../state/panes';
 import { imagesOf, pointsOf } from '../../state/selection';
@@ -19,6 +21,8 @@ export class Opening {
   private openedAt: { found: BlockView; source: number; unmeasured: boolean } | null = null;
   /** The choice whose images were shown. */
   private shownFor: Choice | null = null;
+  /** Images of a given point that are still to be moved to where it is expected: what says so is on its way. */
+  private pending: ReadonlySet<number> = new Set();
   /** The block as it was shown last. */
   private last: { found: BlockView; view: BlockView } | null = null;
 
@@ -42,6 +46,10 @@ export class Opening {
     const chosen = this.seen.chosen();
     if (chosen === null) {
       if (selection.chosen === null) this.openedAt = null;
+      if (selection.chosen?.kind === 'given') {
+        this.showGiven(selection.chosen, view);
+        return;
+      }
       if (selection.chosen !== this.shownFor) this.showChosenImages(selection.chosen, view);
       return;
     }
@@ -79,6 +87,47 @@ export class Opening {
   /** A block that is not oriented does not say what its points are; it is not edited either. */
   private sourceOf({ points }: BlockView, point: number): number {
     return points.sources[point] ?? codeOfSource({ tie_point: point });
+  }
+
+  /** Shows a given point where it is measured, and else where its coordinates say; where these say nothing, in any images. */
+  private showGiven(chosen: Extract<Choice, { kind: 'given' }>, view: BlockView): void {
+    const { store } = this.seen;
+    if (chosen !== this.shownFor) {
+      const images = this.imagesOfGiven(chosen.name, view);
+      if (images === null) return;
+      this.shownFor = chosen;
+      this.openedAt = null;
+      store.dispatch({ type: 'showImages', images });
+      this.pending = new Set(images);
+    }
+    if (this.pending.size === 0) return;
+    const marks = this.measuring.marks();
+    const panes = this.seen.panes().filter(({ image }) => this.pending.has(image));
+    const full = Math.max(LEAST_SCALE, ...panes.map((pane) => fillScale(pane.rect, pane)));
+    const views = panes.flatMap((pane): [number, PaneView][] => {
+      const at = marks.get(pane.image) ?? this.measuring.ofGround(pane);
+      return at === null ? [] : [[pane.image, viewAt(at, full)]];
+    });
+    // Where the points of an image are there and say nothing, it stays as it is.
+    const moved = new Set(views.map(([image]) => image));
+    const done = new Set(panes.filter(({ image, points }) => moved.has(image) || points !== null).map(({ image }) => image));
+    if (done.size > 0) this.pending = new Set([...this.pending].filter((image) => !done.has(image)));
+    if (views.length > 0) store.dispatch({ type: 'moveViews', views: new Map(views) });
+  }
+
+  /** The images that may show a given point, those with a measurement first; null while it is not known which. */
+  private imagesOfGiven(name: string, view: BlockView): readonly number[] | null {
+    const { options, panes } = this.seen.store.state;
+    const measured = [...this.measuring.marks().keys()];
+    const point = view.given?.find((own) => own.name === name);
+    const ground = toBlock(view, options.control);
+    const within = ground === null ? null : this.seen.facts.ground();
+    if (ground !== null && within === null) return null;
+    const all = view.images.map((_, image) => image);
+    const at = point === undefined || ground === null ? null : ground([point.position[0], point.position[1]]);
+    const likely = at === null || within === null ? [] : footprintsAt(within.footprints, at);
+    const others = likely.length > 0 ? likely : [...shownImages(panes, view), ...all];
+    return [...new Set([...measured, ...others])].slice(0, MOST_PANES);
   }
 
   /** Shows the images that were chosen. */

@@ -64,6 +64,7 @@ export function paintOverlay(
   pointed: At | null,
 ): void {
   paintChosen(context, seen, panes);
+  paintGiven(context, measuring, panes);
   paintLines(context, seen, measuring, panes, pointed);
   paintDraft(context, seen, measuring, panes);
   for (const { pane, rect, transform } of lenses) {
@@ -95,6 +96,19 @@ function paintChosen(context: CanvasRenderingContext2D, seen: Seen, panes: reado
       if (predicted != null) paintPredicted(context, pane, predicted);
       const elsewhere = alone?.detail.elsewhere.find(({ image }) => image === pane.image);
       if (elsewhere !== undefined) drawExpected(context, pane, [elsewhere.x_px, elsewhere.y_px]);
+    });
+  }
+}
+
+/** A control or check point that is chosen and not in the block: where it is measured, else where its coordinates say. */
+function paintGiven(context: CanvasRenderingContext2D, measuring: Measuring, panes: readonly Pane[]): void {
+  const marks = measuring.marks();
+  for (const pane of panes) {
+    within(context, pane.rect, () => {
+      const place = marks.get(pane.image);
+      const expected = place === undefined && measuring.draft === null ? measuring.ofGround(pane) : null;
+      if (place !== undefined) ring(context, pane, place, 9, SELECTED, 2.5);
+      if (expected !== null) drawExpected(context, pane, expected);
     });
   }
 }

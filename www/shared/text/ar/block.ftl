@@ -512,7 +512,7 @@ they-choose-near-pairs-and = تختار الأزواج المتقاربة وتُ
 wait-for-run = انتظار «تشغيل»
 images-that-are-given-wait = تنتظر الصور المعطاة حتى يُضغط «تشغيل»، فتسبقها الإعدادات والملفات. وإلا شُغّلت حالًا.
 from-exif-a-json-file = من EXIF. يغلبها ملف JSON: { $example }، مع principal_point_px وradial وtangential وfixed حيث تُعرف.
-none-two-files-georeference-the = لا شيء. ملفان يُسندان الكتلة جغرافيًا: نقاط الضبط الأرضي (الاسم، x، y، z، واختيارًا خطآن معياريان) وقياساتها الصورية (الصورة، النقطة، العمود، الصف)، واحد في كل سطر.
+none-two-files-georeference-the = لا شيء. تُسند نقاط الضبط الأرضي (الاسم، x، y، z، واختيارًا خطآن معياريان) الكتلة جغرافيًا مع قياساتها الصورية (الصورة، النقطة، العمود، الصف)، واحد في كل سطر. من دون ملف للقياسات، قِس النقاط في الصور.
 none-images-of-the-same = لا شيء. صور بالحجم نفسه، سوداء حيث لا تُكشف سمات؛ IMG_1.png أو IMG_1_mask.png أو IMG_1.jpg.png هو قناع IMG_1.jpg.
 masks = الأقنعة
 masks-2 = الأقنعة: { $given }: { $names }{ $what }
@@ -615,8 +615,7 @@ length-of-the-residual = طول المتبقي.
 observations-of-the-point-rejected = أرصاد النقطة، والمرفوضة منها أيضًا.
 whether-the-adjustment-accepted-the = هل قبل الضبط الرصدة، وإلا فمن رفضها.
 the-edit-was-not-made = لم يتم التعديل: { $reason } لم تتغير الكتلة.
-ground-control-points-need-their = تحتاج نقاط الضبط الأرضي إلى قياساتها الصورية: أعط الملفين كليهما، أو لا تعط أيًا منهما
-image-measurements-need-their-ground = تحتاج القياسات الصورية إلى نقاط ضبطها الأرضي: أعط الملفين كليهما، أو لا تعط أيًا منهما
+image-measurements-need-their-ground = تحتاج القياسات الصورية إلى نقاط ضبطها الأرضي: أعط ملفها أيضًا
 placed-2 = موضوعة
 link-use = { $use ->
         [used] مستعمل
@@ -890,3 +889,36 @@ chooses-the-next-link-of = يختار رابط الصورة التالي
 point-of-number = النقطة { COUNT($number) }
 within-m = ± { $half_width_m } م
 projection-centres-95 = مراكز الإسقاط (95 %)
+
+given-use = { $role ->
+    [control] ضبط
+    [check] تحقق
+   *[none] غير مستعملة
+  } · { $images ->
+    [zero] لم تُقَس
+    [one] مقيسة في صورة واحدة
+    [two] مقيسة في صورتين
+    [few] مقيسة في { $images } صور
+   *[other] مقيسة في { $images } صورة
+  }
+given-point = { $name }: X Y Z { $place }؛ { $use }.
+measured = مقيسة
+marks-by-hand = القياسات الصورية اليدوية
+mark-of = { $point } في { $image }
+step-unmark = إزالة قياس { $what } في { $images }
+control-waits = لا تشارك نقاط الضبط بعد: { $twice ->
+    [zero] لم تُقَس أي منها
+    [one] قيست نقطة واحدة
+    [two] قيست نقطتان
+    [few] قيست { $twice } نقاط
+   *[other] قيست { $twice } نقطة
+  } في صورتين أو أكثر، والمطلوب { $needed }. اخترها في جدول نقاط الضبط والتحقق واضغط «قياس».
+control-can-be-taken = { $twice ->
+    [few] { $twice } نقاط ضبط مقيسة
+   *[other] { $twice } نقطة ضبط مقيسة
+  } في صورتين أو أكثر.
+taking-the-control = تُضبط الكتلة معها من جديد مما تمت مطابقته، ويستغرق ذلك ثواني.{ $kept ->
+    [edits] { " " }تبقى التعديلات اليدوية، ما عدا تعديلات نقاط ربطها.
+   *[none] { "" }
+  }
+take-the-control = إدخالها في الكتلة

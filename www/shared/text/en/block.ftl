@@ -571,7 +571,7 @@ they-choose-near-pairs-and = They choose near pairs and georeference the block.
 wait-for-run = Wait for Run
 images-that-are-given-wait = Images that are given wait until Run is pressed, so that settings and files come first. Otherwise they run at once.
 from-exif-a-json-file = From EXIF. A JSON file overrides it: { $example }, with principal_point_px, radial, tangential, fixed where known.
-none-two-files-georeference-the = None. Two files georeference the block: ground control points (name, x, y, z, optionally two standard errors) and their image measurements (image, point, column, row), one per line.
+none-two-files-georeference-the = None. Ground control points (name, x, y, z, optionally two standard errors) georeference the block with their image measurements (image, point, column, row), one per line. Without a file of these, measure the points in the images.
 none-images-of-the-same = None. Images of the same size, black where no features are detected; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.
 masks = Masks
 masks-2 = { $given } masks: { $names }{ $what }
@@ -682,8 +682,7 @@ the-edit-was-not-made = The edit was not made: { $reason } The block is unchange
 
 ## state/given
 
-ground-control-points-need-their = Ground control points need their image measurements: give both files, or neither
-image-measurements-need-their-ground = Image measurements need their ground control points: give both files, or neither
+image-measurements-need-their-ground = Image measurements need their ground control points: give that file too
 
 placed-2 = placed
 link-use = { $use ->
@@ -960,3 +959,29 @@ chooses-the-next-link-of = chooses the next link of the image
 point-of-number = point { COUNT($number) }
 within-m = ± { $half_width_m } m
 projection-centres-95 = projection centres (95 %)
+
+given-use = { $role ->
+    [control] control
+    [check] check
+   *[none] not used
+  } · { $images ->
+    [0] not measured
+    [one] measured in 1 image
+   *[other] measured in { $images } images
+  }
+given-point = { $name }: X Y Z { $place }; { $use }.
+measured = measured
+marks-by-hand = Image measurements by hand
+mark-of = { $point } in { $image }
+step-unmark = remove { $what } in { $images }
+control-waits = The control points take no part yet: { $twice ->
+    [0] none is
+    [one] 1 is
+   *[other] { $twice } are
+  } measured in two images or more, { $needed } are needed. Choose them in the table of control and check points, and press Measure.
+control-can-be-taken = { $twice } control points are measured in two images or more.
+taking-the-control = The block is adjusted again with them from what was matched, which takes seconds.{ $kept ->
+    [edits] { " " }Edits by hand stay, but for those of its tie points.
+   *[none] { "" }
+  }
+take-the-control = Take them into the block

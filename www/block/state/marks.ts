@@ -1,0 +1,159 @@
+/** Image measurements of control and check points that are collected by hand, beside those of a file: which hold, and whether they take the points into a run. Pure. */
+import { parse_ground_control_points, parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
+import type { GroundControlRow, ImageMeasurementRow } from '../../../pkg/wasm/tiepoint.js';
+import type { History } from '../../shared/state/history';
+import type { Position } from '../../shared/state/pane';
+import { remember } from '../../shared/state/remember';
+import type { TextFile } from './file';
+import type { BlockView, ViewGiven } from './view';
+
+/** So many control points place a block, each measured in so many images. */
+export const LEAST_POINTS = 3;
+const LEAST_IMAGES = 2;
+
+/** What is done and undone at once: measurements of a point that are taken, or taken away. Images and points by their names. */
+export interface MarkStep {
+  kind: 'measure' | 'remove';
+  marks: readonly ImageMeasurementRow[];
+  /** So many edits of the block held then: what was done last is undone first. */
+  after: number;
+}
+
+interface Named {
+  name: string;
+}
+
+interface Given {
+  control: TextFile | null;
+  marks: TextFile | null;
+}
+
+/** The points of a file; none of one that cannot be read, which is said where it is given. */
+export const pointsOfFile = remember((control: TextFile | null): readonly GroundControlRow[] => readOr(control, parse_ground_control_points));
+
+const marksOfFile = remember((marks: TextFile | null): readonly ImageMeasurementRow[] => readOr(marks, parse_image_measurements));
+
+function readOr<T>(file: TextFile | null, read: (text: string) => T[]): readonly T[] {
+  try {
+    return file === null ? [] : read(file.text);
+  } catch {
+    return [];
+  }
+}
+
+const keyOf = ({ image, point }: ImageMeasurementRow): string => JSON.stringify([image, point]);
+
+/** The measurements by hand that hold. */
+export const marksByHand = remember(({ edits, done }: History<MarkStep>): readonly ImageMeasurementRow[] => {
+  const held = new Map<string, ImageMeasurementRow>();
+  for (const { kind, marks } of edits.slice(0, done)) {
+    for (const mark of marks) {
+      held.delete(keyOf(mark));
+      if (kind === 'measure') held.set(keyOf(mark), mark);
+    }
+  }
+  return [...held.values()];
+});
+
+/** All measurements, those by hand in place of those of the file. */
+const allMarks = remember((file: TextFile | null, history: History<MarkStep>): readonly ImageMeasurementRow[] => {
+  const all = [...marksOfFile(file), ...marksByHand(history)];
+  return [...new Map(all.map((mark) => [keyOf(mark), mark])).values()];
+});
+
+interface Collected {
+  /** Of control points, those that are measured in two images or more. */
+  twice: number;
+  /** The texts of a run; null where the points take no part in it. */
+  run: { points: string; marks: string } | null;
+  /** Nothing was measured by hand: files are taken as they are, and refused where they cannot be. */
+  asGiven: boolean;
+}
+
+const collected = remember((control: TextFile | null, file: TextFile | null, history: History<MarkStep>, files: readonly Named[]): Collected => {
+  const byHand = marksByHand(history);
+  if (control === null) return { twice: 0, run: null, asGiven: true };
+  if (file !== null && byHand.length === 0) return { twice: 0, run: { points: control.text, marks: file.text }, asGiven: true };
+  const points = pointsOfFile(control);
+  const [names, images] = [new Set(points.map(({ name }) => name)), new Set(files.map(({ name }) => name))];
+  // What is of points or images that are there no longer waits for them; a file says so by itself.
+  const ofHand = new Set(byHand);
+  const marks = allMarks(file, history).filter((mark) => !ofHand.has(mark) || (names.has(mark.point) && images.has(mark.image)));
+  const seen = new Map<string, number>();
+  for (const { point, image } of marks) if (images.has(image)) seen.set(point, (seen.get(point) ?? 0) + 1);
+  const twice = points.filter(({ name, role }) => role === 'control' && (seen.get(name) ?? 0) >= LEAST_IMAGES).length;
+  return { twice, run: twice < LEAST_POINTS ? null : { points: control.text, marks: tableOf(marks) }, asGiven: false };
+});
+
+/** What of control points a state has. */
+export interface WithMarks {
+  files: readonly Named[];
+  options: Given;
+  marks: History<MarkStep>;
+}
+
+/** How far the measurements are. */
+export function collectedOf({ files, options, marks }: WithMarks): Collected {
+  return collected(options.control, options.marks, marks, files);
+}
+
+/** Whether control points are given that take no part in a run yet. */
+export function waitsForMarks(state: WithMarks): boolean {
+  return state.options.control !== null && collectedOf(state).run === null;
+}
+
+/** The files of control points and measurements as a run has them. */
+export function givenToRun(state: WithMarks): Given {
+  const { control, marks } = state.options;
+  const { run, asGiven } = collectedOf(state);
+  if (control === null || (asGiven && run !== null)) return { control, marks };
+  return run === null ? { control: null, marks: null } : { control, marks: { name: marks?.name ?? '', text: run.marks } };
+}
+
+/** A table that reads back as it is. */
+function tableOf(marks: readonly ImageMeasurementRow[]): string {
+  const quoted = (text: string) => `"${text.replaceAll('"', '""')}"`;
+  return `image,point,x_px,y_px\n${marks.map(({ image, point, x_px, y_px }) => `${quoted(image)},${quoted(point)},${String(x_px)},${String(y_px)}\n`).join('')}`;
+}
+
+const NONE: readonly ViewGiven[] = [];
+
+const givenBeside = remember(
+  (control: TextFile | null, file: TextFile | null, history: History<MarkStep>, surveyed: BlockView['surveyed']): readonly ViewGiven[] => {
+    const known = new Set(surveyed.map(({ name }) => name));
+    const images = new Map<string, number>();
+    for (const { point } of allMarks(file, history)) images.set(point, (images.get(point) ?? 0) + 1);
+    const rows = pointsOfFile(control).filter(({ name }) => !known.has(name));
+    return rows.length === 0 ? NONE : rows.map(({ name, position, role }) => ({ name, position, role: role ?? null, images: images.get(name) ?? 0 }));
+  },
+);
+
+/** A view with the points that were given and are not in its block; the same one where there are none. */
+export function withGiven(view: BlockView, { options, marks }: Pick<WithMarks, 'options' | 'marks'>): BlockView {
+  const given = view.partial || options.control === null ? NONE : givenBeside(options.control, options.marks, marks, view.surveyed);
+  return given === (view.given ?? NONE) ? view : { ...view, given };
+}
+
+/** Where images show a given point, by their indices in the view. */
+export const placesOfGiven = remember((name: string, view: BlockView, file: TextFile | null, history: History<MarkStep>): ReadonlyMap<number, Position> => {
+  const index = new Map(view.images.map((image, i) => [image.name, i]));
+  return new Map(
+    allMarks(file, history).flatMap(({ point, image, x_px, y_px }): [number, Position][] => {
+      const at = index.get(image);
+      return point === name && at !== undefined ? [[at, [x_px, y_px]]] : [];
+    }),
+  );
+});
+
+/** What undo takes back, or redo makes again: an edit of the block, or a measurement of a control point. */
+export function nextBack(history: History<unknown>, marks: History<MarkStep>): 'edit' | 'mark' | null {
+  const mark = marks.edits[marks.done - 1];
+  if (mark !== undefined && mark.after >= history.done) return 'mark';
+  return history.done > 0 ? 'edit' : mark === undefined ? null : 'mark';
+}
+
+export function nextAgain(history: History<unknown>, marks: History<MarkStep>): 'edit' | 'mark' | null {
+  const mark = marks.edits[marks.done];
+  if (mark !== undefined && mark.after <= history.done) return 'mark';
+  return history.done < history.edits.length ? 'edit' : mark === undefined ? null : 'mark';
+}
