@@ -129,7 +129,7 @@ impl Sums {
         let control: Vec<_> = of_role(ControlRole::Control).collect();
         let (point, axis) = (control[seed as usize % control.len()], seed as usize / control.len() % 3);
         let Some(detectable) = point.detectable_m[axis] else { return Ok(()) };
-        let sign = if seed % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if seed.is_multiple_of(2) { 1.0 } else { -1.0 };
         for (errors, size) in self.errors.iter_mut().zip([detectable, 5.0 * SURVEYED_M[axis], 5.0 * detectable]) {
             let Some(model) = scene.adjusted(Some((&point.name, axis, sign * size)))? else { continue };
             let found = refused(&model);
