@@ -2,7 +2,7 @@
 //! others are judged, so that a wrong point accuses none of its neighbours.
 //!
 //! A wrong coordinate shows in the test of its residual. One that is far off does not: the image measurements of its point are rejected as gross
-//! errors before. So a point is tried without its coordinates, too, where most of its image measurements were rejected, and from the start where it
+//! errors before. So a point is tried without its coordinates, too, where image measurements of it were rejected, and from the start where it
 //! lies far from the similarity on which most positions agree. Where the other observations then have it within chance, it takes part again.
 //!
 //! # Source
@@ -25,6 +25,8 @@ const MANY_WRONG: f64 = 0.15;
 const MEDIAN_ERROR: f64 = 1.166;
 /// Standard errors that are stated too small make no point wrong: by so many of its standard errors the median of the tests is too large then.
 const BEYOND: f64 = 2.0;
+/// Image measurements of a point that tell a wrong one among them from wrong coordinates.
+const LEAST_MARKS: usize = 3;
 /// Below this redundancy nothing checks a coordinate.
 const LEAST_REDUNDANCY: f64 = 1e-6;
 
@@ -135,6 +137,8 @@ struct Course<'a> {
     is_settled: Vec<bool>,
     /// The one that was left out last since its own test was the largest: it does not take part again before another one is found wrong.
     last: Option<usize>,
+    /// Of one that is tried without its coordinates: the largest test of its image measurements that were rejected beside them, of which the most fitted.
+    rivals: Vec<f64>,
 }
 
 /// The tests of all control points, absent where nothing checks them; and what they are compared with.
@@ -146,7 +150,8 @@ struct Tests {
 impl<'a> Course<'a> {
     fn new(block: &'a Block, known: &'a Known<'a>, datum: Datum) -> Self {
         let number = block.control.len();
-        let mut course = Self { block, known, is_refused: vec![false; number], is_settled: vec![false; number], last: None };
+        let mut course =
+            Self { block, known, is_refused: vec![false; number], is_settled: vec![false; number], last: None, rivals: vec![0.0; number] };
         let far = far_control(block, datum);
         let images = block.images.iter().filter(|image| image.gnss.is_some() && datum.uses_gnss()).count();
         if far.len() <= course.most() && number - far.len() + images >= LEAST_LEFT {
@@ -210,7 +215,8 @@ impl<'a> Course<'a> {
 
     fn next(&mut self, adjusted: &AdjustmentResult) -> Next {
         let tests = self.tests(adjusted);
-        let fits = |control: &usize| tests.of[*control].is_none_or(|test| test.size() <= tests.limit);
+        // Of a wrong coordinate and a wrong image measurement that explain each other, the one with the larger test is wrong.
+        let fits = |control: &usize| tests.of[*control].is_none_or(|test| test.size() <= tests.limit.max(self.rivals[*control]));
         let may_return = |control: &usize| self.is_refused[*control] && self.last != Some(*control);
         let back: Vec<usize> = (0..self.is_refused.len()).filter(may_return).filter(fits).collect();
         if !back.is_empty() {
@@ -220,8 +226,8 @@ impl<'a> Course<'a> {
         let gnss = adjusted.images.iter().filter(|image| image.gnss.is_some_and(|gnss| gnss.accepted)).count();
         let taking = self.is_refused.len() - self.refused();
         let may_go = taking + gnss > LEAST_LEFT;
-        if let Some(control) = self.unmeasured(adjusted).filter(|_| self.refused() < self.most() && may_go) {
-            self.is_refused[control] = true;
+        if let Some((control, rival)) = self.unmeasured(adjusted).filter(|_| self.refused() < self.most() && may_go) {
+            (self.is_refused[control], self.rivals[control]) = (true, rival);
             return Next::Again;
         }
         let open = self.beyond(&tests).filter(|(control, _)| !self.is_settled[*control]);
@@ -246,17 +252,26 @@ impl<'a> Course<'a> {
         ControlTests { refused: (0..self.is_refused.len()).filter_map(refused).collect(), contradicting: None }
     }
 
-    /// The first control point that takes part and most of whose image measurements were rejected, where it was not tried without its coordinates.
-    fn unmeasured(&self, adjusted: &AdjustmentResult) -> Option<usize> {
+    /// The first control point that takes part and whose image measurements were rejected, most of them or one of three and more, where it was not
+    /// tried without its coordinates; with the largest test of those where the others fitted.
+    fn unmeasured(&self, adjusted: &AdjustmentResult) -> Option<(usize, f64)> {
         let mut counts = vec![[0_usize; 2]; adjusted.block.points.len()];
+        let mut largest = vec![0.0_f64; adjusted.block.points.len()];
         for (ray, statistics) in adjusted.block.rays.iter().zip(&adjusted.rays) {
             let is_rejected = statistics.verdict != ObservationVerdict::Accepted;
             counts[ray.point][usize::from(is_rejected)] += 1;
+            if is_rejected {
+                let size = statistics.w.map_or(0.0, |w| w[0].abs().max(w[1].abs()));
+                largest[ray.point] = largest[ray.point].max(size);
+            }
         }
         let is_open = |control: &usize| !self.is_refused[*control] && !self.is_settled[*control];
-        (0..self.is_refused.len()).filter(is_open).find(|control| {
-            let [accepted, rejected] = counts[self.block.control[*control].point];
-            accepted + rejected >= 2 && rejected > accepted
+        (0..self.is_refused.len()).filter(is_open).find_map(|control| {
+            let point = self.block.control[control].point;
+            let [accepted, rejected] = counts[point];
+            let is_most = rejected > accepted;
+            let is_doubtful = accepted + rejected >= if is_most { 2 } else { LEAST_MARKS } && rejected > 0;
+            is_doubtful.then(|| (control, if is_most { 0.0 } else { largest[point] }))
         })
     }
 }
