@@ -116,9 +116,9 @@ pub use points::{
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use reconstruction::{
-    BlockWarning, LengthUnit, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction, ReconstructionOptions,
-    RejectedObservation, RejectedPosition, SupportingPoint, SupportingRay, SurveyedPoint, UnorientedImage, UnorientedReason,
-    reconstruct_block,
+    Axis, BlockWarning, LengthUnit, Mistake, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction,
+    ReconstructionOptions, RefusedControl, RejectedObservation, RejectedPosition, SupportingPoint, SupportingRay, SurveyedPoint,
+    UnorientedImage, UnorientedReason, reconstruct_block,
 };
 pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportImage, ReportTruth};
 pub use simulate::{

@@ -7,9 +7,10 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
-    BlockEdit, BlockFlight, BlockLinks, BlockRun, BlockScene, BlockSettings, ControlRole, ControlTexts, Datum, DecodeLimits, Error,
-    Failure, Georeference, HeightModel, Heights, MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, PlacingOptions, PointSource,
-    Remark, RunInput, SearchArea, block_files, decode, geographic_from_local, run_block,
+    Axis, BlockEdit, BlockFlight, BlockLinks, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning, ControlRole, ControlTexts,
+    Datum, DecodeLimits, Error, Failure, Georeference, HeightModel, Heights, Mistake, MultiscaleOptions, NotLinked, OnOrthophoto,
+    Orthophoto, OverviewWarning, PlacingOptions, PointSource, Remark, RunInput, SearchArea, block_files, decode, geographic_from_local,
+    run_block,
 };
 
 /// West of the central meridian of its zone.
@@ -238,7 +239,7 @@ fn results_without_control_points_are_in_the_system_too() {
 fn control_points_that_cannot_be_in_the_system_are_refused_with_figures() {
     let told = |crs: &str, write: fn([f64; 3]) -> [f64; 3]| run(crs, None, Some(control(write))).unwrap_err().to_string();
     let wrong_zone = told("EPSG:25833", |place| place);
-    assert!(wrong_zone.contains("km from the GNSS positions") && wrong_zone.contains("Is the zone right"), "{wrong_zone}");
+    assert!(wrong_zone.contains("km from the GNSS positions") && wrong_zone.contains("In zone 32 it lies near them"), "{wrong_zone}");
     let exchanged = told(UTM, |[x, y, z]| [y, x, z]);
     assert!(
         exchanged.contains("exchanged") || exchanged.contains("outside") || exchanged.contains("order of the coordinates"),
@@ -250,6 +251,32 @@ fn control_points_that_cannot_be_in_the_system_are_refused_with_figures() {
     assert!(metres.contains("longitude as x"), "{metres}");
     let lambert = told("EPSG:2154", |place| place);
     assert!(lambert.contains("RGF93") || lambert.contains("EPSG:2154"), "{lambert}");
+}
+
+#[test]
+fn a_mistyped_control_point_is_explained_by_the_numbers_that_were_written() {
+    let mut texts = control(|place| place);
+    let row = texts.points.lines().find(|line| line.starts_with("G4,")).unwrap().to_string();
+    let written = row.split(',').nth(1).unwrap();
+    let right: f64 = written.parse().unwrap();
+    let step = if (right / 10.0).floor() % 10.0 < 5.0 { 30.0 } else { -30.0 };
+    texts.points = texts.points.replace(&format!("G4,{written},"), &format!("G4,{},", right + step));
+    let run = run(UTM, None, Some(texts)).unwrap();
+    let model = &run.reconstruction.as_ref().unwrap().models[0];
+    let told: Vec<&BlockWarning> = model.warnings.iter().filter(|w| matches!(w, BlockWarning::ControlRefused { .. })).collect();
+    let [BlockWarning::ControlRefused { point, axis: Axis::X, difference_m, used: false, mistake: Some(mistake), .. }] = told[..] else {
+        panic!("{:?}", model.warnings)
+    };
+    let Mistake::Digit { axis: Axis::X, likely, .. } = mistake else { panic!("{mistake:?}") };
+    assert!(point == "G4" && (difference_m + step).abs() < 1.0 && (likely.parse::<f64>().unwrap() - right).abs() < 1e-3, "{told:?}");
+    let BlockVerdict::Weak { overview_warning: OverviewWarning::Model { block_warning }, .. } = BlockVerdict::of(&run) else {
+        panic!("{}", BlockVerdict::of(&run))
+    };
+    assert_eq!(&block_warning, told[0]);
+    let files = files(&run);
+    let state = |name: &str| files["surveyed.csv"].lines().find(|line| line.starts_with(name)).unwrap().rsplit(',').next().unwrap();
+    assert_eq!([state("G4,"), state("G1,"), state("G3,")], ["refused", "used", "check"]);
+    assert!(files["summary.json"].contains("control_refused") && files["report.html"].contains("<td>refused</td>"));
 }
 
 /// The block without control points, in UTM by its GNSS positions.

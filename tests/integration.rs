@@ -14,6 +14,8 @@ mod normal;
 mod shown;
 #[path = "scene/stated.rs"]
 mod stated;
+#[path = "scene/surveyed.rs"]
+mod surveyed;
 
 #[path = "adjustment.rs"]
 mod adjustment;
@@ -25,6 +27,8 @@ mod block_report;
 mod build_digest;
 #[path = "catalogue.rs"]
 mod catalogue;
+#[path = "control_errors.rs"]
+mod control_errors;
 #[path = "coordinate_system.rs"]
 mod coordinate_system;
 #[path = "decode.rs"]

@@ -122,6 +122,30 @@ test('a row is what it says, and a choice finds its row in each table', () => {
   assert.deepEqual([...rowsOfChoice('points', VIEW, { kind: 'points', points: Uint32Array.of(4, 9) })], [4, 9]);
 });
 
+test('a control point says where it would be without itself, a check point does not', () => {
+  const none = [null, null, null];
+  const left_out = { difference: [0.01, -0.02, 0.03], standard_errors: [0.004, 0.005, 0.006] };
+  const shared = { rays: 4, position: [1, 2, 3], isUsed: true, standard_errors_m: [0.01, 0.01, 0.02], detectable_m: none };
+  const surveyed = [
+    { ...shared, name: 'G1', role: 'control', difference_m: [0.001, 0.002, 0.003], left_out },
+    { ...shared, name: 'G2', role: 'check', difference_m: [0.1, 0.2, 0.3] },
+  ];
+  const { columns } = page.columns.rowsOf('surveyed', { ...VIEW, surveyed });
+  /** @type {[string, string, string, (row: number) => string][]} */
+  const own = columns
+    .filter((/** @type {{ key: string }} */ { key }) => key.startsWith('left-out'))
+    .map((/** @type {any} */ { label, unit, help, text: said }) => [label, unit, help, said]);
+  assert.deepEqual(
+    own.map(([label, unit]) => [label, unit]),
+    ['ΔX left out', 'ΔY left out', 'ΔZ left out', 'σ ΔX left out', 'σ ΔY left out', 'σ ΔZ left out'].map((label) => [label, 'm']),
+  );
+  assert.deepEqual(
+    own.map(([, , , said]) => said(0)),
+    ['0.010', '−0.020', '0.030', '0.004', '0.005', '0.006'],
+  );
+  assert.ok(own.every(([, , help, said]) => said(1) === '–' && help !== ''));
+});
+
 test('an image that a filter leaves out takes its pairs with it', () => {
   const { keptBy } = page.columns;
   const filters = { images: { name: { kind: 'contains', text: 'C.JPG' } } };

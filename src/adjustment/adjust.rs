@@ -18,7 +18,6 @@ use super::systematic::SystematicErrors;
 use super::systematic_result::SystematicResult;
 use super::weighted::observed;
 use crate::Error;
-use crate::math::detectable_shift;
 
 /// Adjusts all images, cameras and points of a block at once.
 ///
@@ -48,9 +47,6 @@ pub fn adjust_block(block: &Block, options: &AdjustmentOptions) -> Result<Adjust
     let settled = settle(block, options)?;
     Ok(Description::new(block, options, settled).result())
 }
-
-/// The probability with which an error that is called detectable is detected.
-const POWER: f64 = 0.8;
 
 /// A settled adjustment with what its description needs.
 struct Description<'a> {
@@ -83,7 +79,7 @@ impl<'a> Description<'a> {
         let cut = error_left(&settled.verdicts, settled.redundancy, options.alpha0);
         let estimated = (settled.redundancy > 0).then_some(settled.adjusted.sigma / cut);
         let sigma = options.sigma0_px.or(estimated).unwrap_or(0.0);
-        let shift = detectable_shift(options.alpha0, POWER, options.sigma0_px.is_none().then_some(settled.redundancy));
+        let shift = options.detectable_shift(settled.redundancy);
         let state = &settled.adjusted.state;
         let residual = |ray: &BlockObservation| {
             let camera = settled.block.images[ray.image].camera;

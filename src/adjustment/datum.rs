@@ -30,10 +30,6 @@ pub(super) fn moved_to_observed(
     systematic: &SystematicErrors,
 ) -> Result<(State, Vec<bool>), Error> {
     let (gnss, control) = observed(block, datum, 1.0);
-    let pair = |from: [f64; 3], prior: &Option<Weighted>| {
-        let prior = prior.as_ref()?;
-        Some(Pair { from, to: prior.position, sigma: prior.length_error()? })
-    };
     let of_images: Vec<Option<Pair>> = gnss.iter().zip(&state.images).map(|(prior, pose)| pair(pose.position, prior)).collect();
     let seen = |point: usize| network.of_point(point).len() >= 2;
     let of_points = control.iter().enumerate().filter(|(point, _)| seen(*point));
@@ -59,6 +55,26 @@ pub(super) fn moved_to_observed(
     }
     let moved = similarity.state(state);
     Ok((if is_levelled { turned_to_axes(block, moved) } else { moved }, agrees))
+}
+
+fn pair(from: [f64; 3], prior: &Option<Weighted>) -> Option<Pair> {
+    let prior = prior.as_ref()?;
+    Some(Pair { from, to: prior.position, sigma: prior.length_error()? })
+}
+
+/// The control points (by their indices in the block) that lie far from the similarity on which most observed positions agree, before anything is
+/// adjusted: not those that fewer than two rays show. Empty where nothing tells which.
+pub(crate) fn far_control(block: &Block, datum: Datum) -> Vec<usize> {
+    let mut rays = vec![0_usize; block.points.len()];
+    block.rays.iter().for_each(|ray| rays[ray.point] += 1);
+    let (gnss, control) = observed(block, datum, 1.0);
+    let of_control = block.control.iter().enumerate().filter(|(_, control)| rays[control.point] >= 2);
+    let of_control: Vec<(usize, Pair)> =
+        of_control.filter_map(|(index, c)| Some((index, pair(block.points[c.point], &control[c.point])?))).collect();
+    let of_images = block.images.iter().zip(&gnss).filter_map(|(image, prior)| pair(image.pose.position, prior));
+    let pairs: Vec<Pair> = of_control.iter().map(|(_, pair)| *pair).chain(of_images).collect();
+    let Some((_, agree)) = robust_similarity(&pairs) else { return Vec::new() };
+    of_control.iter().zip(agree).filter(|(_, agrees)| !agrees).map(|((index, _), _)| *index).collect()
 }
 
 /// Two images that hold a free network while it is solved: the one with the most rays, and the one farthest from it.

@@ -48,6 +48,7 @@ pub use adjust::adjust_block;
 pub use block::{AxisPrior, Block, BlockImage, BlockObservation, CameraPrior, ControlPoint, PositionPrior};
 pub(crate) use collinearity::{linearise, project};
 pub(crate) use covariance::{Part, PartCovariances, Unknown};
+pub(crate) use datum::far_control;
 pub use left_out::LeftOut;
 pub use options::{AdjustmentOptions, Datum, Loss};
 pub(crate) use precision::image_errors;
@@ -56,6 +57,7 @@ pub use result::{
     ObservationStatistics, ObservationVerdict, PriorStatistics, RayCountRmse, VarianceComponent,
 };
 pub use similarity::Similarity;
+pub(crate) use similarity::relative_width;
 pub(crate) use start::{Start, adjust_start};
 pub use strips::Strip;
 pub use systematic_result::{SystematicError, SystematicResult, SystematicStatistics, SystematicVerdict};

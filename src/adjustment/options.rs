@@ -2,7 +2,7 @@
 
 use crate::GnssErrors;
 use crate::catalogue::{choices, options};
-use crate::math::normal_quantile;
+use crate::math::{detectable_shift, normal_quantile};
 
 choices! {
     /// What says where the block lies in object space.
@@ -79,10 +79,18 @@ options! {
     }
 }
 
+/// The probability with which an error that is called detectable is found.
+const POWER: f64 = 0.8;
+
 impl AdjustmentOptions {
     /// The standardised residual beyond which a coordinate is a gross error.
-    pub(super) fn limit(&self) -> f64 {
+    pub(crate) fn limit(&self) -> f64 {
         normal_quantile(1.0 - 0.5 * self.alpha0)
+    }
+
+    /// The error that a test finds with a probability of 0.80, in standard errors of a residual: what is called detectable.
+    pub(crate) fn detectable_shift(&self, degrees_of_freedom: usize) -> f64 {
+        detectable_shift(self.alpha0, POWER, self.sigma0_px.is_none().then_some(degrees_of_freedom))
     }
 }
 

@@ -79,7 +79,7 @@ fn turned(rotation: &[[f64; 3]; 3], vector: &[f64; 3]) -> [f64; 3] {
 }
 
 /// Width of the observed positions across their longest axis by the length along it.
-pub(super) fn relative_width(positions: &[[f64; 3]]) -> f64 {
+pub(crate) fn relative_width(positions: &[[f64; 3]]) -> f64 {
     let centre = middle(positions.iter().copied());
     let scatter = scatter(positions.iter().copied(), &centre);
     let mut values: Vec<f64> = scatter.symmetric_eigenvalues().iter().copied().collect();

@@ -406,6 +406,33 @@ block-warning-position-errors-undetermined =
        *[other] { $errors } من الأخطاء المنتظمة لمواضع GNSS غير محددة فعُدّت صفرًا
     }: تحدد نقاط الضبط الأرضي الإزاحات، وتحدد الصور الملتقطة في عدة اتجاهات طيران أذرع الهوائي.
 block-warning-position-errors-relative = إزاحات مواضع GNSS وانجرافاتها نسبية بعضها إلى بعض: نقاط الضبط الأرضي أقل من أن تحدد { $motions } من المعاملات السبعة التي تضع الكتلة كلها وتدورها وتقيسها.
+block-warning-control-refused =
+    رُفض { $axis } لنقطة الضبط الأرضي { $point }: تضعه الأرصاد الأخرى على بعد { FIXED($difference_m, digits: 3) } م ± { FIXED($error_m, digits: 3) } م مما مُسح{ $detectable_m ->
+        [none] {""}
+       *[other] {" "}(تُكشف الأخطاء من { FIXED($detectable_m, digits: 3) } م فأكثر باحتمال 80 %)
+    }. { $used ->
+        [true] تبقى مستعملة، لأن ما بقي من نقاط الضبط الأرضي أقل من أن يبيّن أيها خاطئ.
+       *[false] لا تشارك النقطة.
+    }{ $mistake ->
+        [none] {""}
+       *[other] {" "}{ $mistake }
+    }
+block-warning-control-contradicts = يناقض { $refused } من { $points } من نقاط الضبط الأرضي الأرصادَ الأخرى، وهي أكثر من أن يُعرف أيها خاطئ: تبقى كلها مستعملة. تحقق من نظامها ووحداتها ومن مواضع GNSS.
+block-warning-few-control =
+    { $points ->
+        [one] نقطة ضبط أرضي واحدة فقط
+        [two] نقطتا ضبط أرضي فقط
+       *[other] { $points } من نقاط الضبط الأرضي فقط
+    } دون مواضع GNSS تضع الكتلة: { $detectable_m ->
+        [none] لا شيء يتحقق من بعض الإحداثيات، ولا يظهر خطأ فيها.
+       *[other] لا تكاد تتحقق إحداها من الأخرى، وقد يبلغ خطأ إحداثي { FIXED($detectable_m, digits: 2) } م قبل أن يُكشف باحتمال 80 %.
+    }
+block-warning-control-span = تغطي نقاط الضبط الأرضي، وعددها { $points }، { FIXED($span_percent, digits: 0) } % من أرض الكتلة: تكبر الأخطاء خارجها مع المسافة.
+block-warning-control-on-line =
+    تقع نقاط الضبط الأرضي، وعددها { $points }، على خط تقريبًا، عرضها { FIXED($width_percent, digits: 1) } % من طولها: لا تكاد تحدد الدوران حوله{ $error_deg ->
+        [none] .
+       *[other] ، وزوايا جميع الصور غير مؤكدة بمقدار ± { SIGNIFICANT($error_deg, digits: 2) }° أو أكثر.
+    }
 block-warning-scale =
     تجعل نقاط الضبط الأرضي الكتلة أكبر { SIGNIFICANT($ratio, digits: 2) } مرة مما تجعلها مواضع GNSS: { $unit ->
         [none] المطلوب أمتار.
@@ -448,6 +475,17 @@ block-warning-many-rejected = لا يوافق { $rejected } من { $observations
 observed-positions = مواضع GNSS
 observed-points = نقاط الضبط الأرضي
 observed-both = مواضع GNSS ونقاط الضبط الأرضي
+
+axis-x = x
+axis-y = y
+axis-z = z
+
+mistake-exchanged = يبدو أن x وy لها مبدَّلان.
+mistake-sign = تبدو إشارة { $axis } لها خاطئة: { $given }.
+mistake-decimal-point = تبدو الفاصلة العشرية في { $axis } لها في غير موضعها: { $given } والموافق { $likely }.
+mistake-feet = يبدو ارتفاعها بالقدم: { $given } قدم تساوي { $likely } م.
+mistake-digit = يبدو أن رقمًا في { $axis } لها كُتب خطأ: { $given } والموافق { $likely }.
+mistake-zone = تبدو إحداثياتها من المنطقة { $zone }.
 
 unit-millimetres = المليمتر
 unit-centimetres = السنتيمتر
@@ -758,7 +796,10 @@ refusal-control-degrees = نقطة الضبط الأرضي { $point }: أُعط�
 refusal-control-elsewhere =
     نقطة الضبط الأرضي { $point }: أُعطي موضع يبعد { FIXED($distance_km, digits: 0) } كم عن مواضع GNSS للصور كما يضعه { $crs }؛ المسموح: حتى { $most_km } كم. { $swapped ->
         [true] إذا تبادل x وy فهو قريب منها: x هو الشرق أو خط الطول
-       *[false] هل المنطقة صحيحة، أم مواضع GNSS خاطئة؟ دونها تشارك النقطة كما هي
+       *[false] { $zone ->
+            [none] هل المنطقة صحيحة، أم مواضع GNSS خاطئة؟ دونها تشارك النقطة كما هي
+           *[other] هو قريب منها في المنطقة { $zone }
+        }
     }
 refusal-geoid-of-ellipsoid = ارتفاع الجيوئيد: أُعطي { $geoid_m } م مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: 0، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
 

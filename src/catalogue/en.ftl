@@ -277,7 +277,10 @@ refusal-control-degrees = ground control point { $point }: got ({ $x }, { $y }),
 refusal-control-elsewhere =
     ground control point { $point }: got a place { FIXED($distance_km, digits: 0) } km from the GNSS positions of the images, as { $crs } has it; allowed: up to { $most_km } km. { $swapped ->
         [true] With x and y exchanged it lies near them: x is the easting or longitude
-       *[false] Is the zone right, or are the GNSS positions wrong? Without these it takes part as it is
+       *[false] { $zone ->
+            [none] Is the zone right, or are the GNSS positions wrong? Without these it takes part as it is
+           *[other] In zone { $zone } it lies near them
+        }
     }
 refusal-geoid-of-ellipsoid = height of the geoid: got { $geoid_m } m beside { $crs }, whose heights are ellipsoidal; allowed: 0, or a system of the plane, or one with heights above sea level
 
@@ -770,6 +773,32 @@ block-warning-position-errors-undetermined =
        *[other] { $errors } systematic errors of GNSS positions are not determined and taken as zero
     }: ground control points determine offsets, and images flown in several directions lever arms.
 block-warning-position-errors-relative = Offsets and drifts of GNSS positions are relative to each other: there are too few ground control points to determine { $motions } of the 7 parameters that position, rotate and scale the whole block.
+block-warning-control-refused =
+    The { $axis } of the GCP { $point } is refused: the other observations have it { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m from where it was surveyed{ $detectable_m ->
+        [none] {""}
+       *[other] {" "}(errors from { FIXED($detectable_m, digits: 3) } m on are found with a probability of 80 %)
+    }. { $used ->
+        [true] It stays used, since too few GCPs are left to tell which one is wrong.
+       *[false] The point takes no part.
+    }{ $mistake ->
+        [none] {""}
+       *[other] {" "}{ $mistake }
+    }
+block-warning-control-contradicts = { $refused } of { $points } GCPs contradict the other observations, too many to tell which are wrong: all stay used. Check their system and units, and the GNSS positions.
+block-warning-few-control =
+    { $points ->
+        [one] Only 1 GCP
+       *[other] Only { $points } GCPs
+    } and no GNSS positions place the block: { $detectable_m ->
+        [none] nothing checks some of the coordinates, and an error in them does not show.
+       *[other] they hardly check each other, and an error of a coordinate may reach { FIXED($detectable_m, digits: 2) } m before it is found with a probability of 80 %.
+    }
+block-warning-control-span = The { $points } GCPs span { FIXED($span_percent, digits: 0) } % of the ground of the block: beyond them errors grow with the distance.
+block-warning-control-on-line =
+    The { $points } GCPs lie almost on a line, { FIXED($width_percent, digits: 1) } % as wide as long: they hardly determine the rotation about it{ $error_deg ->
+        [none] .
+       *[other] , and the angles of all images are uncertain by ± { SIGNIFICANT($error_deg, digits: 2) }° or more.
+    }
 block-warning-scale =
     The GCPs make the block { SIGNIFICANT($ratio, digits: 2) } times as large as the GNSS positions: { $unit ->
         [none] metres are needed.
@@ -809,6 +838,17 @@ block-warning-many-rejected = { $rejected } of { $observations } observations do
 observed-positions = GNSS positions
 observed-points = GCPs
 observed-both = GNSS positions and GCPs
+
+axis-x = x
+axis-y = y
+axis-z = z
+
+mistake-exchanged = Its x and y seem to be exchanged.
+mistake-sign = The sign of its { $axis } seems to be wrong: { $given }.
+mistake-decimal-point = The decimal point of its { $axis } seems to be misplaced: { $given } where { $likely } would fit.
+mistake-feet = Its height seems to be in feet: { $given } ft are { $likely } m.
+mistake-digit = A digit of its { $axis } seems to be mistyped: { $given } where { $likely } would fit.
+mistake-zone = Its coordinates seem to be those of zone { $zone }.
 
 unit-millimetres = millimetres
 unit-centimetres = centimetres

@@ -159,7 +159,7 @@ messages! {
         CrsPlace { #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String, degrees: bool },
         ControlPlace { point: String, #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String, degrees: bool },
         ControlDegrees { point: String, #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String },
-        ControlElsewhere { point: String, #[serde(with = "number")] distance_km: f64, crs: String, #[serde(with = "number")] most_km: f64, swapped: bool },
+        ControlElsewhere { point: String, #[serde(with = "number")] distance_km: f64, crs: String, #[serde(with = "number")] most_km: f64, swapped: bool, zone: Option<u32> },
         GeoidOfEllipsoid { crs: String, #[serde(with = "number")] geoid_m: f64 },
 
         // The run of a block.

@@ -3,10 +3,10 @@
 use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::{
-    BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Element, Error, Failure,
-    FileFault, ImageFault, ImageReason, Input, Interruption, LengthUnit, Location, NamedCamera, NoGeometry, NoOrientation, NotLinked,
-    NotPlaced, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlacingVerdict, PlacingWeakness,
-    PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
+    Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Element, Error,
+    Failure, FileFault, ImageFault, ImageReason, Input, Interruption, LengthUnit, Location, Mistake, NamedCamera, NoGeometry,
+    NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict,
+    PlacingVerdict, PlacingWeakness, PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -40,7 +40,9 @@ fn family<M: Message>() -> Family {
 
 fn families() -> Vec<Family> {
     vec![
+        family::<Axis>(),
         family::<BlockWarning>(),
+        family::<Mistake>(),
         family::<Refusal>(),
         family::<Input>(),
         family::<Location>(),

@@ -10,7 +10,8 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 33] = [
+pub(super) const NESTED: [&str; 35] = [
+    "axis",
     "block_warning",
     "camera",
     "camera_caution",
@@ -27,6 +28,7 @@ pub(super) const NESTED: [&str; 33] = [
     "input",
     "interruption",
     "location",
+    "mistake",
     "no_geometry",
     "no_orientation",
     "not_linked",

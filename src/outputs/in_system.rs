@@ -75,14 +75,16 @@ impl<'a> InSystem<'a> {
         let axes = self.axes(point.position);
         let errors = |sigma: [f64; 3]| turned_errors(&axes, sigma, [0.0; 3]);
         let known = |errors: [Option<f64>; 3]| Some([errors[0]?, errors[1]?, errors[2]?]);
+        let left_out = point
+            .left_out
+            .map(|left| LeftOut { difference: turned(&axes, left.difference), standard_errors: errors(left.standard_errors) });
         SurveyedPoint {
             position: self.place(point.position),
             difference_m: turned(&axes, point.difference_m),
             // One that is absent is part of no other.
             standard_errors_m: known(point.standard_errors_m).map_or(point.standard_errors_m, |sigma| errors(sigma).map(Some)),
-            left_out: point
-                .left_out
-                .map(|left| LeftOut { difference: turned(&axes, left.difference), standard_errors: errors(left.standard_errors) }),
+            left_out,
+            detectable_m: known(point.detectable_m).map_or(point.detectable_m, |detectable| errors(detectable).map(Some)),
             ..point.clone()
         }
     }

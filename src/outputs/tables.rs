@@ -27,7 +27,7 @@ const OF_IMAGES: [&str; 14] = [
 const OF_POINTS: [&str; 3] = ["sigma_x", "sigma_y", "sigma_z"];
 const OF_RAYS: [&str; 3] = ["refinement", "standard_error_px", "correlation"];
 const EDITED: [&str; 1] = ["by_hand"];
-const CONTROL: [&str; 18] = [
+const CONTROL: [&str; 22] = [
     "name",
     "use",
     "rays",
@@ -46,6 +46,10 @@ const CONTROL: [&str; 18] = [
     "sigma_left_out_dx",
     "sigma_left_out_dy",
     "sigma_left_out_dz",
+    "detectable_dx",
+    "detectable_dy",
+    "detectable_dz",
+    "state",
 ];
 const PAIRS: [&str; 13] = [
     "first",
@@ -143,7 +147,8 @@ pub(super) fn control(points: &[SurveyedPoint]) -> String {
         let row = point.position.iter().chain(&point.difference_m).fold(row, |row, value| row.number(value));
         let row = point.standard_errors_m.iter().fold(row, |row, error| row.known(*error));
         let left_out = [point.left_out.map(|left| left.difference), point.left_out.map(|left| left.standard_errors)];
-        left_out.iter().fold(row, |row, values| (0..3).fold(row, |row, k| row.known(values.map(|values| values[k]))))
+        let row = left_out.iter().fold(row, |row, values| (0..3).fold(row, |row, k| row.known(values.map(|values| values[k]))));
+        point.detectable_m.iter().fold(row, |row, error| row.known(*error)).number(point.state())
     });
     table(&CONTROL, rows)
 }

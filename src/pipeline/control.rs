@@ -103,6 +103,11 @@ impl ControlTables {
         self.points.iter().filter_map(|point| Some((point, point.role?)))
     }
 
+    /// The coordinates of a point as they were written.
+    pub(super) fn coordinates(&self, point: &str) -> Option<[f64; 3]> {
+        self.points.iter().find(|row| row.name == point).map(|row| row.position)
+    }
+
     /// Refuses degrees where the coordinate system has metres.
     fn check_metres(&self, placing: &GeoreferencingOptions) -> Result<(), Error> {
         let Some(definition) = placing.definition()?.filter(|definition| !definition.is_geographic()) else { return Ok(()) };

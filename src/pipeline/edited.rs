@@ -1,11 +1,12 @@
 //! A finished block with edits by hand: the block as it was found, and a new adjustment by what the edits leave.
 
+use super::mistakes::explain_control;
 use super::points::reconstruction_options;
 use super::state::describe;
-use super::{BlockRun, EditedRun, Remark};
+use super::{BlockRun, EditedRun, OnOrthophoto, Remark};
 use crate::editing::{BlockEdit, edited_model};
 use crate::error::refuse;
-use crate::{Error, PointSource, Reconstruction, Refusal};
+use crate::{Error, PointSource, Reconstruction, ReconstructionOptions, Refusal};
 use std::collections::BTreeMap;
 
 impl BlockRun {
@@ -40,9 +41,13 @@ impl BlockRun {
         let is_unsupported = model.lacks_support();
         let input = found.input.clone().checked()?;
         let (description, _) = describe(&input, &found.images, &found.cameras)?;
-        let (model, gone) = edited_model(model, edits, &description, &reconstruction_options(&input.settings))?;
+        // Places of an orthophoto were judged when the block was linked to it.
+        let tests_control = !matches!(found.orthophoto, Some(OnOrthophoto::Linked { .. }));
+        let options = ReconstructionOptions { tests_control, ..reconstruction_options(&input.settings) };
+        let (mut model, gone) = edited_model(model, edits, &description, &options)?;
         let confidence = confidences(&found);
         let before = found.reconstruction.clone().unwrap_or_default();
+        explain_control(&mut model, before.origin, &input, options.adjustment.limit());
         let mut assembly = before.clone();
         assembly.models[0] = model;
         assembly.unoriented.extend(gone);

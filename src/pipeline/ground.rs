@@ -11,7 +11,7 @@ use crate::math::{dot3, median};
 use crate::reconstruction::{origin_of, with_further_control};
 use crate::{
     BlockDescription, ControlRole, Error, Failure, GroundControlRow, ImageMeasurementRow, ObservationVerdict, PointSource,
-    ReconstructedModel, Refusal, parse_ground_control_points, parse_image_measurements,
+    ReconstructedModel, ReconstructionOptions, Refusal, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -168,7 +168,9 @@ impl<'a> Ground<'a> {
             Err(error) if has_crs(&input) => return Ok(Err(NotLinked::Failed { failure: Failure::from(&error) })),
             Err(error) => return Err(error),
         };
-        Ok(match with_further_control(model, &description, &reconstruction_options(&settings)) {
+        // Points of an orthophoto are judged below, many at a time.
+        let options = ReconstructionOptions { tests_control: false, ..reconstruction_options(&settings) };
+        Ok(match with_further_control(model, &description, &options) {
             Ok(model) if model.in_system => Ok(Attempt { input, description, model }),
             Ok(_) => Err(NotLinked::Disagreement { rejected: self.added.len(), points: self.added.len() }),
             Err(error) if error.is_usage() => return Err(error),

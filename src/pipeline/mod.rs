@@ -19,6 +19,7 @@ mod input;
 mod job;
 mod likeness;
 mod masks;
+mod mistakes;
 mod on_orthophoto;
 mod pairs;
 mod points;

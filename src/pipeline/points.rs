@@ -2,6 +2,7 @@
 
 use super::JoinedPoints;
 use super::job::{Done, StageName, Work};
+use super::mistakes::explain_control;
 use super::stage::{Request, Stage};
 use super::state::State;
 use crate::{
@@ -107,7 +108,11 @@ pub(super) fn reconstruction_options(settings: &BlockSettings) -> Reconstruction
 fn orient(state: &mut State) -> Result<(), Error> {
     let options = reconstruction_options(&state.input.settings);
     let features = state.features();
-    let found = reconstruct_block(&state.description, &state.points, &features, &options).and_then(|reconstruction| {
+    let found = reconstruct_block(&state.description, &state.points, &features, &options).and_then(|mut reconstruction| {
+        let origin = reconstruction.origin;
+        for model in &mut reconstruction.models {
+            explain_control(model, origin, &state.input, options.adjustment.limit());
+        }
         let model = reconstruction.models.first().map(|_| reconstruction.block_model(0, &state.description, &state.points)).transpose()?;
         Ok((reconstruction, model))
     });

@@ -1,9 +1,11 @@
 //! A block before its adjustment, with what its parts are; and the adjustment in the best datum.
 
+use super::control_tests::{ControlTests, tested_control};
 use super::level::{Level, is_open, uncertainty_deg};
 use super::material::Known;
+use super::placing::Placing;
 use super::result::{ObservationSource, PointSource, ReconstructedModel, RejectedObservation};
-use super::review::{Placing, warnings};
+use super::review::warnings;
 use super::surveyed::surveyed_points;
 use crate::adjustment::{AdjustmentOptions, AdjustmentResult, Block, BlockImage, ControlPoint, Datum, adjust_block};
 use crate::camera::{Camera, Pose};
@@ -51,7 +53,13 @@ impl Draft {
 
     /// Adjusts in the datum that was asked for, or in the best that the observed positions allow, levelled where they leave the rotation of
     /// the whole block open; tells how it is placed.
-    pub fn adjust(&self, known: &Known<'_>) -> Result<(AdjustmentResult, Placing), Error> {
+    /// Control points that contradict the other observations take no part.
+    pub fn adjust(&self, known: &Known<'_>) -> Result<(AdjustmentResult, Placing, ControlTests), Error> {
+        tested_control(&self.block, known, |block| self.adjust_by(block, known))
+    }
+
+    /// Adjusts by some of the control points.
+    fn adjust_by(&self, own: &Block, known: &Known<'_>) -> Result<(AdjustmentResult, Placing), Error> {
         let options = known.options;
         let with = |block: &Block, datum: Datum| adjust_block(block, &AdjustmentOptions { datum, ..options.adjustment.clone() });
         // Errors that positions share turn the block and leave no residuals: what these say of their precision does not say that it is level.
@@ -61,10 +69,10 @@ impl Draft {
         };
         if let Some(datum) = options.datum {
             let placing = if datum == Datum::Free { Placing::Free { cause: None } } else { Placing::Observed };
-            return with(&self.block, datum).map(|adjusted| (adjusted, placing));
+            return with(own, datum).map(|adjusted| (adjusted, placing));
         }
-        let gnss = self.block.images.iter().filter(|image| image.gnss.is_some()).count();
-        let control = self.block.control.len();
+        let gnss = own.images.iter().filter(|image| image.gnss.is_some()).count();
+        let control = own.control.len();
         let datum = match (gnss >= 3, control >= 3) {
             (true, _) if control > 0 => Datum::GnssAndControl,
             (true, _) => Datum::Gnss,
@@ -73,12 +81,12 @@ impl Draft {
         };
         let level = || {
             let views: Vec<_> = self.images.iter().map(|image| known.frame.views[*image]).collect();
-            Level::of(&self.block, &views).filter(|_| datum == Datum::Gnss)
+            Level::of(own, &views).filter(|_| datum == Datum::Gnss)
         };
-        match with(&self.block, datum) {
+        match with(own, datum) {
             Ok(found) if datum == Datum::Gnss => {
                 let is_weighted = found.components.iter().any(|component| component.applied);
-                let stated = if is_weighted { as_stated(&self.block).ok() } else { None };
+                let stated = if is_weighted { as_stated(own).ok() } else { None };
                 let plain = stated.as_ref().unwrap_or(&found);
                 if !is_open(plain) {
                     return Ok((found, Placing::Observed));
@@ -101,14 +109,14 @@ impl Draft {
                     let adjusted = with(&level.block, datum).ok().filter(|adjusted| level.is_kept(adjusted))?;
                     Some((adjusted, Placing::Levelled { recorded: level.recorded, error_deg: None }))
                 });
-                levelled.map_or_else(|| with(&self.block, Datum::Free).map(|adjusted| (adjusted, Placing::Free { cause: Some(cause) })), Ok)
+                levelled.map_or_else(|| with(own, Datum::Free).map(|adjusted| (adjusted, Placing::Free { cause: Some(cause) })), Ok)
             }
             Err(error) => Err(error),
         }
     }
 
     /// The model of its adjustment.
-    pub fn model(self, known: &Known<'_>, adjusted: AdjustmentResult, placing: Placing) -> ReconstructedModel {
+    pub fn model(self, known: &Known<'_>, (adjusted, placing, tests): (AdjustmentResult, Placing, ControlTests)) -> ReconstructedModel {
         let guessed = |camera: &usize| known.description.cameras[*camera].focal_px.is_none();
         let mut model = ReconstructedModel {
             guessed_focal: self.cameras.iter().copied().filter(guessed).collect(),
@@ -123,8 +131,8 @@ impl Draft {
             in_system: !matches!(placing, Placing::Free { .. }),
             warnings: Vec::new(),
         };
-        model.surveyed = surveyed_points(&model, known.description, known.frame);
-        model.warnings = warnings(&model, known.description, known.frame, placing);
+        model.surveyed = surveyed_points(&model, known, &tests);
+        model.warnings = warnings(&model, known, placing, &tests);
         model
     }
 }

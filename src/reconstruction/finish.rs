@@ -52,7 +52,7 @@ fn adjusted(material: &Material<'_>, net: &mut Net<'_>, lost: &mut [Option<Unori
         drop_images(net, LEAST_RAYS, lost);
         let draft = draft(material, net)?;
         match draft.adjust(&material.known) {
-            Ok((adjusted, placing)) => return given(material, draft.model(&material.known, adjusted, placing)),
+            Ok(adjusted) => return given(material, draft.model(&material.known, adjusted)),
             // What an image hangs by may fall in data snooping.
             Err(error @ (Error::Degenerate { .. } | Error::UndeterminedImage { .. })) if attempt < WITHOUT && net.oriented() > 2 => {
                 attempt += 1;

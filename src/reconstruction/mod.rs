@@ -6,6 +6,8 @@
 
 mod adjusting;
 mod choosing;
+mod control_spread;
+mod control_tests;
 mod draft;
 mod finish;
 mod frame;
@@ -13,10 +15,12 @@ mod growth;
 mod intersection;
 mod level;
 mod material;
+mod mistake;
 mod model;
 mod net;
 mod options;
 mod p3p;
+mod placing;
 mod rays;
 mod readjust;
 mod reconstruct;
@@ -31,12 +35,14 @@ mod units;
 mod warning;
 
 pub(crate) use frame::origin_of;
+pub(crate) use mistake::Doubted;
+pub use mistake::{Axis, Mistake};
 pub use options::ReconstructionOptions;
 pub(crate) use readjust::{Changed, ObservedPoint, ObservedRay, RayPart, RayWeight, readjust, with_further_control};
 pub use reconstruct::reconstruct_block;
 pub use result::{
-    ObservationSource, PointSource, ReconstructedModel, Reconstruction, RejectedObservation, SupportingPoint, SupportingRay, SurveyedPoint,
-    UnorientedImage,
+    ObservationSource, PointSource, ReconstructedModel, Reconstruction, RefusedControl, RejectedObservation, SupportingPoint,
+    SupportingRay, SurveyedPoint, UnorientedImage,
 };
 pub(crate) use single::resect_image;
 pub use warning::{BlockWarning, LengthUnit, Observed, RejectedPosition, UnorientedReason};

@@ -41,6 +41,9 @@ options! {
 
         beside;
 
+        /// Whether control points that contradict the other observations are refused and named.
+        tests_control: bool = true;
+
         /// The points that are given of the adjusted block; absent: all are adjusted and given.
         selection: Option<SelectOptions> = None;
         /// By default as [`AdjustmentOptions`] is, but that camera parameters are fixed beyond 20 px.

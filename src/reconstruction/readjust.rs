@@ -147,7 +147,7 @@ pub(crate) fn readjust(
             point.rays.iter().for_each(|ray| add_ray(&mut draft, index, ray, mark_sigma_px));
         }
         match draft.adjust(&known) {
-            Ok((adjusted, placing)) => return Ok((draft.model(&known, adjusted, placing).with_points(&given), lost)),
+            Ok(adjusted) => return Ok((draft.model(&known, adjusted).with_points(&given), lost)),
             Err(Error::UndeterminedImage { image, .. }) if attempt < WITHOUT && images.len() > 2 && image < images.len() => {
                 attempt += 1;
                 let rays = seen(&images, points)[image];

@@ -1,5 +1,6 @@
 //! What the reconstruction of a block gives.
 
+use super::mistake::Axis;
 use super::warning::{BlockWarning, UnorientedReason};
 use crate::adjustment::{AdjustmentResult, LeftOut};
 use crate::model::{ControlRole, GeographicOrigin};
@@ -87,6 +88,34 @@ pub struct SurveyedPoint {
     /// observations do not determine it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub left_out: Option<LeftOut>,
+    /// Of a control point: the error of each coordinate in m that its test finds with a probability of 0.80; absent where nothing checks it.
+    #[serde(default)]
+    pub detectable_m: [Option<f64>; 3],
+    /// Of a control point whose coordinates contradict the other observations.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub refused: Option<RefusedControl>,
+}
+
+impl SurveyedPoint {
+    /// What became of it, in one word, or two.
+    pub(crate) fn state(&self) -> &'static str {
+        match (self.role, self.refused) {
+            (ControlRole::Check, _) => "check",
+            (ControlRole::Control, None) => "used",
+            (ControlRole::Control, Some(RefusedControl { is_used: true, .. })) => "doubtful",
+            (ControlRole::Control, Some(_)) => "refused",
+        }
+    }
+}
+
+/// What became of a control point that a test refuses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RefusedControl {
+    /// The coordinate whose test is largest.
+    pub axis: Axis,
+    /// Whether it takes part all the same, since too few points are left to tell which of them is wrong.
+    pub is_used: bool,
 }
 
 /// What a point of an adjusted block is.

@@ -1,11 +1,15 @@
 //! What of a model deserves a warning.
 
+use super::control_spread::of_spread;
+use super::control_tests::{ControlTests, Refused};
 use super::frame::Frame;
 use super::level::{LEVEL_DEG, UNCERTAIN_TURN_DEG, uncertainty_deg};
+use super::material::Known;
+use super::mistake::Doubted;
+use super::placing::Placing;
 use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
-use crate::Cause;
 use crate::adjustment::{ObservationVerdict, SystematicError, SystematicVerdict};
 use crate::model::BlockDescription;
 use crate::pair::LARGEST_SIGMA0_PX;
@@ -16,21 +20,13 @@ const FEW_RAYS: usize = 20;
 const MANY_TWO_RAYS: f64 = 0.8;
 /// A model is weak where this share of its rays was rejected.
 const MANY_REJECTED: f64 = 0.2;
-/// How a model came to lie where it does.
-pub(super) enum Placing {
-    /// By what was observed.
-    Observed,
-    /// By that and a level; `error_deg`: how uncertain its rotation was without, where it could be adjusted so.
-    Levelled { recorded: bool, error_deg: Option<f64> },
-    /// By nothing; `cause`: why what was observed does not.
-    Free { cause: Option<Cause> },
-}
 
 /// Views that are this far off the vertical are no vertical photographs.
 const OBLIQUE_DEG: f64 = 10.0;
 
 /// `placing`: how the model came to lie where it does.
-pub(super) fn warnings(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame, placing: Placing) -> Vec<BlockWarning> {
+pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: Placing, tests: &ControlTests) -> Vec<BlockWarning> {
+    let Known { description, frame, .. } = *known;
     let mut found = Vec::new();
     found.extend(match placing {
         Placing::Observed => of_rotation(model),
@@ -46,6 +42,8 @@ pub(super) fn warnings(model: &ReconstructedModel, description: &BlockDescriptio
     found.extend(of_positions(model, description, frame));
     found.extend(of_position_errors(model));
     found.extend(of_units(model, description, frame));
+    found.extend(of_control(model, known, tests));
+    found.extend(of_spread(model));
     found.extend(of_measurements(model, description));
     found.extend(of_cameras(model, description));
     found.extend(of_images(model, description));
@@ -112,6 +110,36 @@ fn of_position_errors(model: &ReconstructedModel) -> Vec<BlockWarning> {
     let motions = systematic.constraints;
     let relative = (is_kept && motions > 0).then_some(BlockWarning::PositionErrorsRelative { motions });
     undetermined.into_iter().chain(relative).collect()
+}
+
+/// GCPs whose coordinates contradict the other observations, each by its name.
+fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTests) -> Vec<BlockWarning> {
+    let of_point = |refused: &Refused| {
+        let PointSource::GroundControl(control) = model.points[refused.point] else { return None };
+        let (test, axis) = (&refused.test, refused.test.axis());
+        let k = axis.index();
+        let surveyed = model.surveyed.iter().find(|point| point.name == known.description.control[control].name);
+        // Coordinates on the earth were written in a system that is not known here.
+        let mistake = surveyed.filter(|_| known.frame.origin.is_none()).and_then(|point| {
+            let [difference, errors] =
+                point.left_out.map_or([test.difference, test.errors], |left| [left.difference, left.standard_errors]);
+            let limit = known.options.adjustment.limit();
+            let likely = [0, 1, 2].map(|k| point.position[k] + difference[k]);
+            Doubted { given: point.position, likely, within: errors.map(|error| limit * error) }.mistake()
+        });
+        Some(BlockWarning::ControlRefused {
+            point: known.description.control[control].name.clone(),
+            axis,
+            difference_m: test.difference[k],
+            error_m: test.errors[k],
+            detectable_m: test.detectable[k],
+            used: refused.is_used,
+            mistake,
+        })
+    };
+    let points = model.adjusted.block.control.len();
+    let contradicting = tests.contradicting.map(|refused| BlockWarning::ControlContradicts { refused, points });
+    tests.refused.iter().filter_map(of_point).chain(contradicting).collect()
 }
 
 /// GCPs whose image measurements do not fit, each by its name.

@@ -1,12 +1,13 @@
 //! What a finished model says of surveyed points: of those that place it, and of check points, whose coordinates took no part.
 
-use super::frame::Frame;
-use super::result::{PointSource, ReconstructedModel, SurveyedPoint};
-use crate::adjustment::ObservationVerdict;
-use crate::model::BlockDescription;
+use super::control_tests::ControlTests;
+use super::material::Known;
+use super::result::{PointSource, ReconstructedModel, RefusedControl, SurveyedPoint};
+use crate::adjustment::{LeftOut, ObservationVerdict};
 
 /// The surveyed points of a model that lies in their system, in the order of its points.
-pub(super) fn surveyed_points(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<SurveyedPoint> {
+pub(super) fn surveyed_points(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTests) -> Vec<SurveyedPoint> {
+    let Known { description, frame, .. } = known;
     if !model.in_system || !model.adjusted.datum.uses_control() {
         return Vec::new();
     }
@@ -29,14 +30,27 @@ pub(super) fn surveyed_points(model: &ReconstructedModel, description: &BlockDes
                 (redundancy > 0.0).then(|| sigma[k] * redundancy.sqrt())
             }
         });
+        let difference_m = [0, 1, 2].map(|k| adjusted.block.points[place][k] - position[k]);
+        let refused = tests.refused.iter().find(|refused| refused.point == place);
+        // One that takes no part is where the others have it.
+        let without = || {
+            let [x, y, z] = standard_errors_m;
+            refused.map(|_| Some(LeftOut { difference: difference_m, standard_errors: [x?, y?, z?] }))?
+        };
+        let statistics = control.and_then(|control| adjusted.control[control].as_ref());
         Some(SurveyedPoint {
             name: known.name.clone(),
             role: known.role,
             rays: rays[place],
             position,
-            difference_m: [0, 1, 2].map(|k| adjusted.block.points[place][k] - position[k]),
+            difference_m,
             standard_errors_m,
-            left_out: control.and_then(|control| adjusted.control[control]?.left_out),
+            left_out: if control.is_some() { statistics.and_then(|statistics| statistics.left_out) } else { without() },
+            detectable_m: match refused {
+                Some(refused) => refused.test.detectable,
+                None => statistics.map_or([None; 3], |statistics| statistics.detectable),
+            },
+            refused: refused.map(|refused| RefusedControl { axis: refused.test.axis(), is_used: refused.is_used }),
         })
     };
     model.points.iter().enumerate().filter_map(of_point).collect()

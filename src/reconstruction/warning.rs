@@ -1,5 +1,6 @@
 //! Warnings about an adjusted block, and why images are not in it.
 
+use super::mistake::{Axis, Mistake};
 use crate::message::messages;
 use crate::{CameraParameter, Cause, NamedCamera};
 use serde::{Deserialize, Serialize};
@@ -32,6 +33,26 @@ messages! {
         PositionErrorsUndetermined { errors: usize },
         /// Those that are estimated are relative to each other: so many motions of the whole block are told from them by nothing.
         PositionErrorsRelative { motions: usize },
+        /// A coordinate of a GCP that its test refuses. `difference_m`: where the other observations have it minus surveyed, with its standard error;
+        /// `used`: whether the point takes part all the same, since too few are left to tell which of them is wrong.
+        ControlRefused {
+            point: String,
+            axis: Axis,
+            difference_m: f64,
+            error_m: f64,
+            detectable_m: Option<f64>,
+            used: bool,
+            mistake: Option<Mistake>,
+        },
+        /// So many of the GCPs contradict the rest of the block that nothing tells which of them are wrong: all take part.
+        ControlContradicts { refused: usize, points: usize },
+        /// So few GCPs that they hardly check each other. `detectable_m`: the error of a coordinate that its test finds, of that where it is largest;
+        /// absent where one is not checked at all.
+        FewControl { points: usize, detectable_m: Option<f64> },
+        /// GCPs that span little of the ground of the block.
+        ControlSpan { points: usize, span_percent: f64 },
+        /// GCPs almost on a line: so wide across it as a share of how long they are along it. `error_deg`: the angles of no image are known better.
+        ControlOnLine { points: usize, width_percent: f64, error_deg: Option<f64> },
         /// The GCPs make the block another number of times as large as the GNSS positions.
         Scale { ratio: f64, unit: Option<LengthUnit> },
         /// The GCPs seem to be in degrees.
@@ -68,6 +89,8 @@ impl BlockWarning {
             Self::UnknownRotation { .. }
             | Self::UncertainRotation { .. }
             | Self::Imprecise { .. }
+            | Self::ControlRefused { .. }
+            | Self::ControlContradicts { .. }
             | Self::Scale { .. }
             | Self::Degrees
             | Self::FocalUndetermined { .. }
@@ -77,6 +100,9 @@ impl BlockWarning {
             | Self::WeightsNotConverged { .. }
             | Self::PositionErrorsUndetermined { .. }
             | Self::PositionErrorsRelative { .. }
+            | Self::FewControl { .. }
+            | Self::ControlSpan { .. }
+            | Self::ControlOnLine { .. }
             | Self::PointRejected { .. }
             | Self::MeasurementsRejected { .. }
             | Self::FocalEstimated { .. }

@@ -157,6 +157,8 @@ async function pageOf() {
 async function examples(seeds) {
   console.log('Simulated blocks beside their truth (native, one thread)');
   await example('block_truth', seeds);
+  console.log('Wrong control points of simulated blocks (native, one thread)');
+  await example('control_detection', seeds);
   console.log('Large simulated blocks (native, one thread): joining and orientation');
   await example('reconstruction_scale', '1000', '5000');
 }

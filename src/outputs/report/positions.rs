@@ -76,13 +76,16 @@ pub(super) fn control(subject: &Subject<'_>, model: &ReconstructedModel) -> Mark
                     @for (point, prior) in worst(of(ControlRole::Control), NAMED, |(point, _)| Some(size(point))) {
                         tr {
                             th { (shorten(&point.name)) } td { (point.rays) }
-                            @if let Some(prior) = prior { (judged(prior)) td { "used" } }
-                            @else { @for k in 0..3 { td { (significant(-point.difference_m[k])) } } @for _ in 0..9 { td { "–" } } td {} }
+                            @if let Some(prior) = prior { (judged(prior)) } @else { (without(point)) }
+                            td { (point.state()) }
                         }
                     }
                 }
             }
-            p.note { "Residual: surveyed minus adjusted. Points beyond " (NAMED) " are in surveyed.csv." }
+            p.note {
+                "Residual: surveyed minus adjusted; w is that of a new observation where a point was refused, since the other observations contradict it. A point that is doubtful contradicts them, too, and is used since too few are left to tell which is wrong. Points beyond "
+                (NAMED) " are in surveyed.csv."
+            }
             @if !alone.is_empty() {
                 h3 { "The same points without themselves" }
                 (differences(alone.into_iter()))
@@ -263,6 +266,16 @@ fn judged(prior: &PriorStatistics) -> Markup {
         @for k in 0..3 { td { (fixed(prior.w.filter(|_| observed(prior, k)).map(|w| w[k]), 2)) } }
         @for k in 0..3 { td { (fixed(prior.redundancy.filter(|_| observed(prior, k)).map(|r| r[k]), 3)) } }
         @for k in 0..3 { td { (significant(prior.detectable[k])) } }
+    }
+}
+
+/// A control point that takes no part, as [`judged`] gives one that does.
+fn without(point: &SurveyedPoint) -> Markup {
+    html! {
+        @for difference in point.difference_m { td { (significant(-difference)) } }
+        @for k in 0..3 { td { (fixed(point.standard_errors_m[k].map(|error| -point.difference_m[k] / error), 2)) } }
+        @for _ in 0..3 { td { "–" } }
+        @for detectable in point.detectable_m { td { (significant(detectable)) } }
     }
 }
 

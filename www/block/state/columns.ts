@@ -148,6 +148,28 @@ function surveyedRows({ surveyed, given = [] }: BlockView): Rows {
           total: 'rms',
         }),
       ),
+      ...axes.map((axis, k) =>
+        numbers(
+          `left-out-${axis}`,
+          say('difference-left-out', { axis }),
+          'm',
+          3,
+          (i) => known(surveyed[i]?.left_out?.difference[k]),
+          say('where-the-other-observations-have', { axis }),
+          { total: 'rms' },
+        ),
+      ),
+      ...axes.map((axis, k) =>
+        numbers(
+          `left-out-sigma-${axis}`,
+          say('standard-error-left-out', { axis }),
+          'm',
+          3,
+          (i) => known(surveyed[i]?.left_out?.standard_errors[k]),
+          say('standard-error-of-where-the', { axis }),
+          { total: 'rms' },
+        ),
+      ),
     ],
   };
 }

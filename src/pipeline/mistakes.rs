@@ -1,0 +1,39 @@
+//! What explains wrong control points of a block in a coordinate reference system: the numbers that were written are those of the system, not those
+//! of the adjustment, which is Cartesian.
+
+use super::input::Checked;
+use super::system::{in_other_zone, system_of};
+use crate::reconstruction::Doubted;
+use crate::{BlockWarning, GeographicOrigin, Mistake, ReconstructedModel, geographic_from_local};
+
+/// Names the coordinate of the system in warnings of wrong control points, and what explains it. `limit`: of a test.
+pub(super) fn explain_control(model: &mut ReconstructedModel, origin: Option<GeographicOrigin>, input: &Checked, limit: f64) {
+    let placing = &input.settings.placing;
+    let (Some(origin), Some(control)) = (origin, &input.control) else { return };
+    let Ok(Some(system)) = system_of(placing, control.middle(), &[]) else { return };
+    // Degrees are no lengths.
+    let Some(unit_m) = system.definition().unit_m() else { return };
+    let units = [unit_m, unit_m, system.definition().height_unit_m()];
+    let origin = [origin.longitude_deg, origin.latitude_deg, origin.height_m];
+    let ReconstructedModel { warnings, surveyed, .. } = model;
+    for warning in warnings {
+        let BlockWarning::ControlRefused { point, axis, difference_m, error_m, detectable_m, mistake, .. } = warning else { continue };
+        let Some(surveyed) = surveyed.iter_mut().find(|surveyed| surveyed.name == *point) else { continue };
+        let (Some(left), Some(given)) = (surveyed.left_out, control.coordinates(point)) else { continue };
+        let place = [0, 1, 2].map(|k| surveyed.position[k] + left.difference[k]);
+        let Some(likely) = system.coordinates(geographic_from_local(place, origin)) else { continue };
+        let across = left.standard_errors[0].max(left.standard_errors[1]);
+        let errors = [across, across, left.standard_errors[2]];
+        let apart = [0, 1, 2].map(|k| (likely[k] - given[k]) * units[k]);
+        let doubted = Doubted { given, likely, within: [0, 1, 2].map(|k| limit * errors[k] / units[k]) };
+        let zone = in_other_zone(&system, given, |place| doubted.explains(place));
+        *mistake = zone.map(|zone| Mistake::Zone { zone }).or_else(|| doubted.mistake());
+        *axis = doubted.axis();
+        *difference_m = apart[axis.index()];
+        *detectable_m = detectable_m.map(|detectable| detectable / *error_m * errors[axis.index()]);
+        *error_m = errors[axis.index()];
+        if let Some(refused) = &mut surveyed.refused {
+            refused.axis = *axis;
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! Which control points contradict the other observations of a block: found one after the other, the largest test first, each left out before the
+//! others are judged, so that a wrong point accuses none of its neighbours.
+//!
+//! A wrong coordinate shows in the test of its residual. One that is far off does not: the image measurements of its point are rejected as gross
+//! errors before. So a point is tried without its coordinates, too, where image measurements of it were rejected, and from the start where it
+//! lies far from the similarity on which most positions agree. Where the other observations then have it within chance, it takes part again.
+//!
+//! # Source
+//! Baarda 1968, A testing procedure for use in geodetic networks.
+
+use super::material::Known;
+use super::mistake::Axis;
+use super::placing::Placing;
+use crate::Error;
+use crate::adjustment::{AdjustmentResult, Block, Datum, ObservationVerdict, PriorStatistics, far_control};
+use crate::math::{median, normal_median_within};
+use std::borrow::Cow;
+
+/// Positions, of images or control points, that have to be left: fewer do not tell which of them is wrong.
+const LEAST_LEFT: usize = 4;
+/// So many of few control points may be wrong, of many this share: more contradict the block as a whole.
+const FEW_WRONG: usize = 3;
+const MANY_WRONG: f64 = 0.15;
+/// Standard error of the median size of a normal number, by the root of how many there are, as a share of it.
+const MEDIAN_ERROR: f64 = 1.166;
+/// Standard errors that are stated too small make no point wrong: by so many of its standard errors the median of the tests is too large then.
+const BEYOND: f64 = 2.0;
+/// Image measurements of a point that tell a wrong one among them from wrong coordinates.
+const LEAST_MARKS: usize = 3;
+/// Below this redundancy nothing checks a coordinate.
+const LEAST_REDUNDANCY: f64 = 1e-6;
+
+/// What the other observations say of the coordinates of a control point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ControlTest {
+    /// Where they have the point minus surveyed, coordinate by coordinate, in m: where it takes part, each with the other two as surveyed.
+    pub difference: [f64; 3],
+    /// Standard errors of that; infinite where nothing checks a coordinate.
+    pub errors: [f64; 3],
+    /// Errors that the tests find with a probability of 0.80.
+    pub detectable: [Option<f64>; 3],
+}
+
+impl ControlTest {
+    fn new(difference: [f64; 3], errors: [f64; 3], shift: f64) -> Self {
+        let detectable = errors.map(|error| Some(shift * error).filter(|error| error.is_finite()));
+        Self { difference, errors, detectable }
+    }
+
+    fn values(&self) -> [f64; 3] {
+        [0, 1, 2].map(|k| (self.difference[k] / self.errors[k]).abs())
+    }
+
+    /// The coordinate whose test is largest.
+    pub fn axis(&self) -> Axis {
+        let values = self.values();
+        Axis::ALL.into_iter().max_by(|a, b| values[a.index()].total_cmp(&values[b.index()])).unwrap_or(Axis::X)
+    }
+
+    fn size(&self) -> f64 {
+        self.values().into_iter().fold(0.0, f64::max)
+    }
+}
+
+/// A control point that contradicts the other observations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Refused {
+    /// Index of its point in the adjusted block.
+    pub point: usize,
+    pub test: ControlTest,
+    /// Whether it takes part all the same.
+    pub is_used: bool,
+}
+
+/// What became of the control points of a block.
+#[derive(Debug, Default)]
+pub(super) struct ControlTests {
+    /// In the order of the block's control points.
+    pub refused: Vec<Refused>,
+    /// How many contradict the rest of the block where nothing tells which are wrong.
+    pub contradicting: Option<usize>,
+}
+
+type Adjusted = (AdjustmentResult, Placing);
+
+/// Adjusts a block without the control points that contradict the other observations. `adjust` adjusts it with those that it is given.
+///
+/// # Errors
+/// Those of `adjust`.
+pub(super) fn tested_control(
+    block: &Block,
+    known: &Known<'_>,
+    adjust: impl Fn(&Block) -> Result<Adjusted, Error>,
+) -> Result<(AdjustmentResult, Placing, ControlTests), Error> {
+    let whole = |tests: ControlTests| adjust(block).map(|(adjusted, placing)| (adjusted, placing, tests));
+    let options = known.options;
+    let datum = options.datum.unwrap_or(Datum::GnssAndControl);
+    let is_tested = options.tests_control && options.adjustment.snooping && options.adjustment.statistics;
+    if !is_tested || block.control.is_empty() || !datum.uses_control() {
+        return whole(ControlTests::default());
+    }
+    let mut course = Course::new(block, known, datum);
+    loop {
+        let (adjusted, placing) = match adjust(&course.taking()) {
+            Ok(found) if found.0.datum.uses_control() && !matches!(found.1, Placing::Free { .. }) => found,
+            Ok((adjusted, placing)) if !course.is_refused.contains(&true) => return Ok((adjusted, placing, ControlTests::default())),
+            Err(error) if !course.is_refused.contains(&true) => return Err(error),
+            Ok(_) | Err(_) => return whole(ControlTests::default()),
+        };
+        match course.next(&adjusted) {
+            Next::Again => {}
+            Next::Done(tests) => return Ok((adjusted, placing, tests)),
+            Next::Contradiction => {
+                let (adjusted, placing) = adjust(block)?;
+                course.is_refused.fill(false);
+                let contradicting = course.beyond(&course.tests(&adjusted)).count();
+                return Ok((adjusted, placing, ControlTests { refused: Vec::new(), contradicting: Some(contradicting) }));
+            }
+        }
+    }
+}
+
+enum Next {
+    /// Other control points take part now.
+    Again,
+    Done(ControlTests),
+    /// Too many would have to be left out.
+    Contradiction,
+}
+
+/// What changes from one adjustment to the next; control points by their indices in the block.
+struct Course<'a> {
+    block: &'a Block,
+    known: &'a Known<'a>,
+    is_refused: Vec<bool>,
+    /// What was tried takes part to the end.
+    is_settled: Vec<bool>,
+    /// The one that was left out last since its own test was the largest: it does not take part again before another one is found wrong.
+    last: Option<usize>,
+    /// Of one that is tried without its coordinates: the largest test of its image measurements that were rejected beside them, of which the most fitted.
+    rivals: Vec<f64>,
+}
+
+/// The tests of all control points, absent where nothing checks them; and what they are compared with.
+struct Tests {
+    of: Vec<Option<ControlTest>>,
+    limit: f64,
+}
+
+impl<'a> Course<'a> {
+    fn new(block: &'a Block, known: &'a Known<'a>, datum: Datum) -> Self {
+        let number = block.control.len();
+        let mut course =
+            Self { block, known, is_refused: vec![false; number], is_settled: vec![false; number], last: None, rivals: vec![0.0; number] };
+        let far = far_control(block, datum);
+        let images = block.images.iter().filter(|image| image.gnss.is_some() && datum.uses_gnss()).count();
+        if far.len() <= course.most() && number - far.len() + images >= LEAST_LEFT {
+            far.into_iter().for_each(|control| course.is_refused[control] = true);
+        }
+        course
+    }
+
+    /// The block with the control points that take part.
+    fn taking(&self) -> Cow<'a, Block> {
+        if !self.is_refused.contains(&true) {
+            return Cow::Borrowed(self.block);
+        }
+        let mut block = self.block.clone();
+        let mut refused = self.is_refused.iter();
+        block.control.retain(|_| refused.next() == Some(&false));
+        Cow::Owned(block)
+    }
+
+    /// How many may be refused.
+    fn most(&self) -> usize {
+        let number = self.is_refused.len();
+        (number.saturating_sub(1) / 2).min(FEW_WRONG).max((MANY_WRONG * number as f64) as usize)
+    }
+
+    fn refused(&self) -> usize {
+        self.is_refused.iter().filter(|refused| **refused).count()
+    }
+
+    fn tests(&self, adjusted: &AdjustmentResult) -> Tests {
+        let of: Vec<Option<ControlTest>> = (0..self.is_refused.len()).map(|control| self.test(adjusted, control)).collect();
+        let taking = of.iter().zip(&self.is_refused).filter(|(_, refused)| !**refused).filter_map(|(test, _)| test.as_ref());
+        let mut sizes: Vec<f64> = taking.flat_map(ControlTest::values).filter(|value| *value > 0.0).collect();
+        let limit = self.known.options.adjustment.limit();
+        let certain = 1.0 + BEYOND * MEDIAN_ERROR / (sizes.len().max(1) as f64).sqrt();
+        let scale = median(&mut sizes).map(|middle| middle / normal_median_within(limit)).filter(|scale| *scale > certain);
+        Tests { of, limit: limit * scale.unwrap_or(1.0) }
+    }
+
+    fn test(&self, adjusted: &AdjustmentResult, control: usize) -> Option<ControlTest> {
+        let given = &self.block.control[control];
+        let shift = self.known.options.adjustment.detectable_shift(adjusted.degrees_of_freedom);
+        let factors = adjusted.factors_of_control();
+        let sigma = [0, 1, 2].map(|k| given.sigma[k] * factors[k]);
+        let point = adjusted.points[given.point]?;
+        let errors = point.errors?;
+        if self.is_refused[control] {
+            let difference = [0, 1, 2].map(|k| adjusted.block.points[given.point][k] - given.position[k]);
+            let of_difference = [0, 1, 2].map(|k| (errors[k] * errors[k] + sigma[k] * sigma[k]).sqrt());
+            return (point.rays >= 2).then(|| ControlTest::new(difference, of_difference, shift));
+        }
+        let place = adjusted.block.control.iter().position(|control| control.point == given.point)?;
+        of_residuals(adjusted, adjusted.control[place].as_ref()?, sigma, errors, shift)
+    }
+
+    /// Those that take part beyond the limit.
+    fn beyond<'t>(&'t self, tests: &'t Tests) -> impl Iterator<Item = (usize, &'t ControlTest)> {
+        let all = tests.of.iter().enumerate().filter(|(control, _)| !self.is_refused[*control]);
+        all.filter_map(|(control, test)| Some((control, test.as_ref()?))).filter(|(_, test)| test.size() > tests.limit)
+    }
+
+    fn next(&mut self, adjusted: &AdjustmentResult) -> Next {
+        let tests = self.tests(adjusted);
+        // Of a wrong coordinate and a wrong image measurement that explain each other, the one with the larger test is wrong.
+        let fits = |control: &usize| tests.of[*control].is_none_or(|test| test.size() <= tests.limit.max(self.rivals[*control]));
+        let may_return = |control: &usize| self.is_refused[*control] && self.last != Some(*control);
+        let back: Vec<usize> = (0..self.is_refused.len()).filter(may_return).filter(fits).collect();
+        if !back.is_empty() {
+            back.into_iter().for_each(|control| (self.is_refused[control], self.is_settled[control]) = (false, true));
+            return Next::Again;
+        }
+        let gnss = adjusted.images.iter().filter(|image| image.gnss.is_some_and(|gnss| gnss.accepted)).count();
+        let taking = self.is_refused.len() - self.refused();
+        let may_go = taking + gnss > LEAST_LEFT;
+        if let Some((control, rival)) = self.unmeasured(adjusted).filter(|_| self.refused() < self.most() && may_go) {
+            (self.is_refused[control], self.rivals[control]) = (true, rival);
+            return Next::Again;
+        }
+        let open = self.beyond(&tests).filter(|(control, _)| !self.is_settled[*control]);
+        let worst = open.max_by(|(_, a), (_, b)| a.size().total_cmp(&b.size()));
+        match worst.filter(|_| may_go) {
+            Some((control, _)) if self.refused() < self.most() => {
+                (self.is_refused[control], self.last) = (true, Some(control));
+                Next::Again
+            }
+            Some(_) if self.most() > 0 => Next::Contradiction,
+            _ => Next::Done(self.done(&tests)),
+        }
+    }
+
+    fn done(&self, tests: &Tests) -> ControlTests {
+        let beyond: Vec<usize> = self.beyond(tests).map(|(control, _)| control).collect();
+        let refused = |control: usize| {
+            let (point, is_used) = (self.block.control[control].point, !self.is_refused[control]);
+            let is_named = !is_used || beyond.binary_search(&control).is_ok();
+            tests.of[control].filter(|_| is_named).map(|test| Refused { point, test, is_used })
+        };
+        ControlTests { refused: (0..self.is_refused.len()).filter_map(refused).collect(), contradicting: None }
+    }
+
+    /// The first control point that takes part and whose image measurements were rejected, most of them or one of three and more, where it was not
+    /// tried without its coordinates; with the largest test of those where the others fitted.
+    fn unmeasured(&self, adjusted: &AdjustmentResult) -> Option<(usize, f64)> {
+        let mut counts = vec![[0_usize; 2]; adjusted.block.points.len()];
+        let mut largest = vec![0.0_f64; adjusted.block.points.len()];
+        for (ray, statistics) in adjusted.block.rays.iter().zip(&adjusted.rays) {
+            let is_rejected = statistics.verdict != ObservationVerdict::Accepted;
+            counts[ray.point][usize::from(is_rejected)] += 1;
+            if is_rejected {
+                let size = statistics.w.map_or(0.0, |w| w[0].abs().max(w[1].abs()));
+                largest[ray.point] = largest[ray.point].max(size);
+            }
+        }
+        let is_open = |control: &usize| !self.is_refused[*control] && !self.is_settled[*control];
+        (0..self.is_refused.len()).filter(is_open).find_map(|control| {
+            let point = self.block.control[control].point;
+            let [accepted, rejected] = counts[point];
+            let is_most = rejected > accepted;
+            let is_doubtful = accepted + rejected >= if is_most { 2 } else { LEAST_MARKS } && rejected > 0;
+            is_doubtful.then(|| (control, if is_most { 0.0 } else { largest[point] }))
+        })
+    }
+}
+
+/// Of a control point that took part with these standard errors; `errors` are those of its adjusted place, which hold what the observations of an
+/// image share.
+fn of_residuals(
+    adjusted: &AdjustmentResult,
+    statistics: &PriorStatistics,
+    sigma: [f64; 3],
+    errors: [f64; 3],
+    shift: f64,
+) -> Option<ControlTest> {
+    let (redundancy, unit, by) = (statistics.redundancy?, adjusted.unit_error_px?, adjusted.weighted_by_px?);
+    let of_tests = adjusted.sigma0_a_priori_px.or(adjusted.sigma0_px)?;
+    let of = |k: usize| {
+        let r = redundancy[k];
+        if r < LEAST_REDUNDANCY {
+            return (0.0, f64::INFINITY);
+        }
+        let of_residual = r * (sigma[k] * of_tests / by) * (sigma[k] * of_tests / by);
+        let independent = (1.0 - r) * (sigma[k] * unit / by) * (sigma[k] * unit / by);
+        let shared = if adjusted.shared_errors > 0.0 { (errors[k] * errors[k] - independent).max(0.0) } else { 0.0 };
+        (-statistics.residual[k] / r, (of_residual + shared).sqrt() / r)
+    };
+    let of = [0, 1, 2].map(of);
+    Some(ControlTest::new(of.map(|(difference, _)| difference), of.map(|(_, error)| error), shift))
+}

@@ -1,0 +1,237 @@
+//! Wrong coordinates of ground control points: which are refused, what is said of them, and that good ones are left alone.
+
+use crate::normal::Normal;
+use crate::scene::{Scene, scene, selected};
+use crate::surveyed::{MARK_PX, surveyed};
+use tiepoint::{
+    Axis, BlockFlight, BlockWarning, ControlRole, GroundControlPoint, Mistake, ObservedPosition, ReconstructedModel, ReconstructionOptions,
+};
+
+/// Of GNSS positions in m.
+const GNSS_SIGMA_M: f64 = 0.3;
+
+/// A block with so many control points, and with GNSS positions or without.
+fn flown(control: usize, has_gnss: bool, seed: u32) -> Scene {
+    let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 800, seed, ..BlockFlight::default() }, 1.0);
+    let mut normal = Normal(u64::from(seed) << 32);
+    for (image, exposure) in scene.description.images.iter_mut().zip(&scene.block.exposures).filter(|_| has_gnss) {
+        let position = exposure.centre.map(|value| value + GNSS_SIGMA_M * normal.next());
+        image.position = Some(ObservedPosition::Local { position, sigma: [GNSS_SIGMA_M; 3] });
+    }
+    scene.description.control = surveyed(&scene.block, control, 4, &mut normal);
+    for point in &mut scene.description.control {
+        // As a table has them: to a millimetre.
+        place(point).iter_mut().for_each(|value| *value = (*value * 1000.0).round() / 1000.0);
+    }
+    scene
+}
+
+fn place(point: &mut GroundControlPoint) -> &mut [f64; 3] {
+    let ObservedPosition::Local { position, .. } = &mut point.position else { unreachable!("{}", point.name) };
+    position
+}
+
+/// The control points by their indices in the description.
+fn control(scene: &Scene) -> Vec<usize> {
+    (0..scene.description.control.len()).filter(|k| scene.description.control[*k].role == ControlRole::Control).collect()
+}
+
+fn adjusted(scene: &Scene) -> ReconstructedModel {
+    let options = ReconstructionOptions { mark_sigma_px: MARK_PX, ..selected() };
+    let model = scene.reconstruct(&options).models.swap_remove(0);
+    println!("{:?}", model.warnings);
+    model
+}
+
+/// What is said of wrong coordinates: the point, the coordinate, whether it stays used, and what explains it.
+fn refused(model: &ReconstructedModel) -> Vec<(&str, Axis, bool, Option<&Mistake>)> {
+    let of = |warning| match warning {
+        &BlockWarning::ControlRefused { ref point, axis, used, ref mistake, .. } => Some((point.as_str(), axis, used, mistake.as_ref())),
+        _ => None,
+    };
+    model.warnings.iter().filter_map(of).collect()
+}
+
+fn contradicts(model: &ReconstructedModel) -> bool {
+    model.warnings.iter().any(|warning| matches!(warning, BlockWarning::ControlContradicts { .. }))
+}
+
+#[test]
+fn clean_blocks_refuse_no_control_point_but_by_chance() {
+    let mut by_chance = 0;
+    for (has_gnss, seed) in [(true, 1), (true, 2), (false, 3), (true, 12)] {
+        let scene = flown(6, has_gnss, seed);
+        let model = adjusted(&scene);
+        assert!(!contradicts(&model), "{seed}: {:?}", model.warnings);
+        // Of 72 coordinates one exceeds the limit of 0.001 with a probability of 0.07.
+        by_chance += refused(&model).len();
+        let of_control = || model.surveyed.iter().filter(|point| point.role == ControlRole::Control);
+        assert_eq!(of_control().filter(|point| point.refused.is_some()).count(), refused(&model).len());
+        assert!(of_control().all(|point| point.detectable_m.iter().all(|error| error.is_some_and(|error| error > 0.0))));
+        assert!(model.surveyed.iter().all(|point| point.role == ControlRole::Control || point.detectable_m == [None; 3]));
+    }
+    assert!(by_chance <= 1, "{by_chance}");
+}
+
+/// The error of a coordinate that the test of a control point finds, in a block without wrong points.
+fn detectable(clean: &ReconstructedModel, name: &str, axis: usize) -> f64 {
+    clean.surveyed.iter().find(|point| point.name == name).unwrap().detectable_m[axis].unwrap()
+}
+
+#[test]
+fn a_mistyped_digit_is_refused_named_and_explained_and_moves_nothing() {
+    let mut scene = flown(6, true, 4);
+    let wrong = control(&scene)[2];
+    let given = *place(&mut scene.description.control[wrong]);
+    // Another digit of the tens.
+    let tens = (given[0].abs() / 10.0).floor() % 10.0;
+    place(&mut scene.description.control[wrong])[0] += given[0].signum() * if tens < 5.0 { 30.0 } else { -30.0 };
+    let typed = *place(&mut scene.description.control[wrong]);
+    assert!(typed[0] != given[0]);
+    let model = adjusted(&scene);
+    let name = scene.description.control[wrong].name.clone();
+    let found = refused(&model);
+    assert_eq!(found.len(), 1, "{:?}", model.warnings);
+    let (point, axis, used, mistake) = found[0];
+    assert!(point == name && axis == Axis::X && !used, "{found:?}");
+    let Some(Mistake::Digit { axis: Axis::X, given: written, likely }) = mistake else { panic!("{found:?}") };
+    assert!((written.parse::<f64>().unwrap() - typed[0]).abs() < 1e-9 && (likely.parse::<f64>().unwrap() - given[0]).abs() < 1e-9);
+    let text = model.warnings.iter().map(ToString::to_string).find(|text| text.contains("is refused")).unwrap();
+    assert!(
+        text.contains(&format!("The x of the GCP {name} is refused")) && text.contains(likely) && text.contains("takes no part"),
+        "{text}"
+    );
+    // It is where a check point would be, and the block lies as if it were one.
+    let own = model.surveyed.iter().find(|point| point.name == name).unwrap();
+    let left = own.left_out.unwrap();
+    assert!((left.difference[0] - (given[0] - typed[0])).abs() < 5.0 * left.standard_errors[0] && own.refused.unwrap().axis == Axis::X);
+    scene.description.control[wrong].role = ControlRole::Check;
+    let checked = adjusted(&scene);
+    assert_eq!(checked.adjusted.block.images, model.adjusted.block.images);
+    assert!(refused(&checked).is_empty());
+}
+
+#[test]
+fn exchanged_axes_feet_and_a_decimal_point_of_one_point_are_told_apart() {
+    type Slip = (fn([f64; 3]) -> [f64; 3], fn(&Mistake) -> bool);
+    let slips: [Slip; 3] = [
+        (|[x, y, z]| [y, x, z], |mistake| *mistake == Mistake::Exchanged),
+        (|[x, y, z]| [x, y, z / 0.3048], |mistake| matches!(mistake, Mistake::Feet { .. })),
+        (|[x, y, z]| [x * 10.0, y, z], |mistake| matches!(mistake, Mistake::DecimalPoint { axis: Axis::X, .. })),
+    ];
+    for (has_gnss, (slip, is_it)) in [true, false, true].into_iter().zip(slips) {
+        let mut scene = flown(6, has_gnss, 5);
+        // In a map's system, whose origin is far off.
+        for point in &mut scene.description.control {
+            let at = place(point);
+            *at = [at[0] + 3000.0, at[1] + 5000.0, at[2] + 400.0];
+        }
+        for image in &mut scene.description.images {
+            let Some(ObservedPosition::Local { position, .. }) = &mut image.position else { continue };
+            *position = [position[0] + 3000.0, position[1] + 5000.0, position[2] + 400.0];
+        }
+        let wrong = control(&scene)[3];
+        let at = place(&mut scene.description.control[wrong]);
+        *at = slip(*at);
+        let model = adjusted(&scene);
+        let name = &scene.description.control[wrong].name;
+        let found = refused(&model);
+        assert!(found.len() == 1 && found[0].0 == name && !found[0].2 && found[0].3.is_some_and(is_it), "{:?}", model.warnings);
+        assert_eq!(model.adjusted.block.control.len(), 5);
+    }
+}
+
+#[test]
+fn one_error_after_the_other_accuses_no_neighbour() {
+    let mut scene = flown(8, true, 6);
+    let points = control(&scene);
+    let clean = adjusted(&scene);
+    for (point, axis) in [(points[1], 2), (points[6], 1)] {
+        let error = 3.0 * detectable(&clean, &scene.description.control[point].name, axis);
+        place(&mut scene.description.control[point])[axis] += error;
+    }
+    let model = adjusted(&scene);
+    let mut found: Vec<(&str, Axis, bool)> = refused(&model).into_iter().map(|(point, axis, used, _)| (point, axis, used)).collect();
+    found.sort_by(|a, b| a.0.cmp(b.0));
+    let name = |k: usize| scene.description.control[points[k]].name.as_str();
+    let mut wanted = [(name(1), Axis::Z, false), (name(6), Axis::Y, false)];
+    wanted.sort_by(|a, b| a.0.cmp(b.0));
+    assert_eq!(found, wanted, "{:?}", model.warnings);
+}
+
+#[test]
+fn too_few_points_all_stay_used_and_are_warned_of() {
+    let mut scene = flown(4, false, 7);
+    let wrong = control(&scene)[1];
+    let error = 4.0 * detectable(&adjusted(&scene), &scene.description.control[wrong].name, 0);
+    place(&mut scene.description.control[wrong])[0] += error;
+    let model = adjusted(&scene);
+    // Which of four is wrong nothing tells for sure: none is left out, and something is said of them.
+    assert_eq!(model.adjusted.block.control.len(), 4);
+    assert!(refused(&model).iter().all(|(.., used, _)| *used));
+    let is_said =
+        |warning: &BlockWarning| matches!(warning, BlockWarning::ControlRefused { .. } | BlockWarning::MeasurementsRejected { .. });
+    assert!(model.warnings.iter().any(is_said), "{:?}", model.warnings);
+}
+
+#[test]
+fn control_points_that_all_contradict_the_positions_stay_used() {
+    let mut scene = flown(8, true, 8);
+    for point in control(&scene) {
+        place(&mut scene.description.control[point])[2] += 8.0;
+    }
+    let model = adjusted(&scene);
+    assert_eq!(model.adjusted.block.control.len(), 8);
+    assert!(refused(&model).len() < 2, "{:?}", model.warnings);
+}
+
+#[test]
+fn standard_errors_that_are_stated_too_small_make_no_point_wrong() {
+    let mut scene = flown(8, false, 9);
+    for point in &mut scene.description.control {
+        let ObservedPosition::Local { sigma, .. } = &mut point.position else { unreachable!() };
+        *sigma = sigma.map(|sigma| 0.1 * sigma);
+        point.sigma_px = Some(0.05);
+    }
+    let model = adjusted(&scene);
+    assert!(refused(&model).is_empty(), "{:?}", model.warnings);
+}
+
+#[test]
+fn few_or_badly_spread_control_points_are_said_with_figures() {
+    let three = flown(3, false, 10);
+    let model = adjusted(&three);
+    let few = model.warnings.iter().find_map(|warning| match warning {
+        BlockWarning::FewControl { points, detectable_m } => Some((*points, *detectable_m)),
+        _ => None,
+    });
+    let (points, detectable_m) = few.unwrap();
+    // What checks three points is their distances: an error shows late or not at all.
+    assert!(points == 3 && detectable_m.is_none_or(|error| error > 0.3), "{detectable_m:?}");
+
+    let spread = |keep: &dyn Fn([f64; 3], [f64; 2]) -> bool, seed| {
+        let mut scene = flown(24, false, seed);
+        let middle = [0, 1].map(|k| scene.block.ground.iter().map(|place| place[k]).sum::<f64>() / scene.block.ground.len() as f64);
+        for point in &mut scene.description.control {
+            let at = *place(point);
+            if !keep(at, middle) {
+                point.role = ControlRole::Check;
+            }
+        }
+        assert!(control(&scene).len() >= 4, "{}", control(&scene).len());
+        adjusted(&scene)
+    };
+    let span = |model: &ReconstructedModel| {
+        model.warnings.iter().find_map(|warning| match warning {
+            BlockWarning::ControlSpan { span_percent, .. } => Some(*span_percent),
+            _ => None,
+        })
+    };
+    let all = spread(&|_, _| true, 11);
+    assert!(
+        span(&all).is_none()
+            && !all.warnings.iter().any(|w| matches!(w, BlockWarning::ControlOnLine { .. } | BlockWarning::FewControl { .. }))
+    );
+    let corner = spread(&|[x, y, _], [a, b]| x < a && y < b, 11);
+    assert!(span(&corner).is_some_and(|percent| (2.0..25.0).contains(&percent)), "{:?}", corner.warnings);
+}
