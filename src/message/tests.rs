@@ -5,8 +5,8 @@ use super::{Message, Texts};
 use crate::{
     BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Element, Error, Failure,
     FileFault, ImageFault, ImageReason, Input, Interruption, LengthUnit, Location, NamedCamera, NoGeometry, NoOrientation, NotLinked,
-    NotPlaced, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlacingVerdict, PlacingWeakness,
-    PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
+    NotPlaced, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlaceSearch, PlacingVerdict,
+    PlacingWeakness, PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -70,6 +70,7 @@ fn families() -> Vec<Family> {
         family::<NotLinked>(),
         family::<NotPlaced>(),
         family::<OnOrthophoto>(),
+        family::<PlaceSearch>(),
         family::<PlacingVerdict>(),
         family::<PlacingWeakness>(),
         family::<Observed>(),
