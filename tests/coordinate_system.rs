@@ -596,7 +596,7 @@ fn an_image_is_sought_about_its_gnss_position_first_and_then_anywhere() {
     };
     assert_eq!(place(in_system(), Some(&recorded), &options), Some(PlaceSearch::Gnss { within_m: 300.0 }));
     // More than a kilometre east, and on the orthophoto, where another photo was taken.
-    let east = ExifPosition { longitude_deg: recorded.longitude_deg + 0.02, ..recorded.clone() };
+    let east = ExifPosition { longitude_deg: recorded.longitude_deg + 0.02, ..recorded };
     let other = ExifImage::read(&fs::read(&flown().photos[7]).unwrap(), 480, 360).position.unwrap();
     let little = PlacingOptions { within_m: 60.0, ..placing() };
     for (wrong, options) in [(east, &options), (other, &little)] {

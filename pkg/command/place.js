@@ -132,7 +132,9 @@ function describe({ images }) {
     return [[name, ...place, ...angles_deg.map((v) => fixed(v, 3)), fixed(placement.gsd_m, 3)]];
   });
   return [
-    ...images.map(({ name, verdict, search }) => `${name}: ${[message('placing_verdict', verdict), ...(search ? [message('place_search', search)] : [])].join(' ')}`),
+    ...images.map(
+      ({ name, verdict, search }) => `${name}: ${[message('placing_verdict', verdict), ...(search ? [message('place_search', search)] : [])].join(' ')}`,
+    ),
     ...(rows.length > 0 ? ['', table([['image', 'X', 'Y', 'Z', 'ω °', 'φ °', 'κ °', 'pixel on the ground'], ...rows])] : []),
   ];
 }

@@ -24,7 +24,7 @@ pub struct HeightModel {
     /// The unit of the heights in m, where the file says it.
     unit_m: Option<f64>,
     /// What the file says of its system.
-    said: SaidSystem,
+    said: Arc<SaidSystem>,
 }
 
 /// What is known of the height of the ground.
@@ -123,7 +123,7 @@ impl HeightModel {
             let [low, high] = range;
             return refuse(Refusal::HeightRange { low, high });
         }
-        let (georeference, said) = (georeference.checked()?, SaidSystem::default());
+        let (georeference, said) = (georeference.checked()?, Arc::default());
         Ok(Self { georeference, width, height, values: Arc::new(values), range, factor: 1.0, unit_m: None, said })
     }
 
@@ -186,7 +186,7 @@ impl HeightModel {
         };
         let hole = tags.no_data.map(|v| v as f32);
         let values = values.into_iter().map(|v| if Some(v) == hole { f32::NAN } else { v }).collect();
-        Ok(Self { unit_m: tags.system.height_unit_m, said: tags.system, ..Self::new(width, height, values, georeference)? })
+        Ok(Self { unit_m: tags.system.height_unit_m, said: Arc::new(tags.system), ..Self::new(width, height, values, georeference)? })
     }
 
     /// # Source

@@ -6,7 +6,7 @@ use super::finished::FinishedBlock;
 use crate::{
     BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, GivenLink, HeightModel, Heights, Mosaic, Orthophoto, PlacedImage,
     Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, ground_positions, image_positions, links_table, place_by_links,
-    place_image, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::wasm_bindgen;
