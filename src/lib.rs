@@ -87,9 +87,9 @@ pub use orientation::{
 };
 pub use orthophoto::{
     BlockLinks, Georeference, GivenLink, GivenUse, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced, Orthophoto,
-    PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, SearchArea, ground_positions,
-    heights_of_points, image_positions, links_table, place_by_links, place_image, placed_table, rectify, rectify_placed, write_geotiff,
-    write_heights,
+    PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, SearchArea,
+    ground_positions, heights_of_points, image_positions, links_table, place_by_links, place_image, place_recorded, placed_table, rectify,
+    rectify_placed, write_geotiff, write_heights,
 };
 pub use outputs::{
     AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,

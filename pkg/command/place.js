@@ -29,8 +29,8 @@ export const place = {
     ...OPTIONS,
   ],
   details:
-    'Points of the image are found on the orthophoto, the image is oriented by them, resampled to the ground and matched again, then adjusted; a part of the links takes no part and checks the result. Lengths are those of the ' +
-    'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, images [{name, verdict, placement or null}, …] with camera, pose, standard errors, footprint, links. ' +
+    'Points of the image are found on the orthophoto, first about its GNSS position where it records one and the orthophoto says its system, the image is oriented by them, resampled to the ground and matched again, then adjusted; a part of the links takes no part and checks the result. Lengths are those of the ' +
+    'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, images [{name, verdict, placement or null, search}, …] with camera, pose, standard errors, footprint, links. ' +
     'The exit code is that of the worst verdict: 0 placed, 3 weak, 4 not placed.',
   run,
 };
@@ -132,7 +132,9 @@ function describe({ images }) {
     return [[name, ...place, ...angles_deg.map((v) => fixed(v, 3)), fixed(placement.gsd_m, 3)]];
   });
   return [
-    ...images.map(({ name, verdict }) => `${name}: ${message('placing_verdict', verdict)}`),
+    ...images.map(
+      ({ name, verdict, search }) => `${name}: ${[message('placing_verdict', verdict), ...(search ? [message('place_search', search)] : [])].join(' ')}`,
+    ),
     ...(rows.length > 0 ? ['', table([['image', 'X', 'Y', 'Z', 'ω °', 'φ °', 'κ °', 'pixel on the ground'], ...rows])] : []),
   ];
 }

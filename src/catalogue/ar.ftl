@@ -633,7 +633,12 @@ placing-weakness-checks = تناقض { $beyond } من { $checks } من النق�
 placing-weakness-height = لا يُعرف الارتفاع فوق الأرض، وهو { FIXED($height_m, digits: 0) } م، إلا بحدود ± { SIGNIFICANT($half_width_m, digits: 2) } م (95 %): أعط الكاميرا.
 placing-weakness-rejected = رُفض { $rejected } من { $links } من النقاط: تحقق من الارتفاعات والكاميرا.
 placing-weakness-plan = لا يُعرف موضع مركز الإسقاط إلا بحدود ± { SIGNIFICANT($half_width_m, digits: 2) } م (95 %)، على { FIXED($height_m, digits: 0) } م فوق الأرض: تحقق من الارتفاعات والكاميرا.
+placing-weakness-camera = تطلب النقاط { $camera_parameter } بمقدار { FIXED($estimated_px, digits: 1) } بكسل، والمعروف { FIXED($prior_px, digits: 1) } بكسل، والفرق { FIXED($apart, digits: 1) } انحرافًا معياريًا منه: تحقق من الكاميرا والارتفاعات.
 placing-weakness-noise = الجذر التربيعي لمتوسط مربعات المتبقيات { FIXED($rmse_px, digits: 2) } بكسل، وتبلغ الصور الجيدة { FIXED($usual_px, digits: 2) } بكسل: تحقق من الارتفاعات ومن عمر الصورة المصححة.
+
+# How an image with a GNSS position was sought on an orthophoto.
+place-search-gnss = عُثر عليها ضمن { NUMBER($within_m) } م من موقعها في GNSS.
+place-search-beyond-gnss = لم يُعثر عليها ضمن { NUMBER($within_m) } م من موقعها في GNSS؛ وبُحث في الصورة المصححة كلها.
 
 # What the place of an image is worth.
 placing-verdict-placed = وُضعت بعدد { $links } من النقاط، σ0 { FIXED($sigma0_px, digits: 2) } بكسل؛ مركز الإسقاط ± { SIGNIFICANT($half_width_m, digits: 2) } م (95 %).
@@ -869,6 +874,9 @@ refusal-mosaic-pixel = ضلع بكسل الموزاييك: أُعطي { $gsd }؛
 refusal-mosaic-image = صورة موزاييك: أُعطي الرقم { $image }؛ المسموح: رقم صورة من النموذج
 refusal-mosaic-image-size = صورة موزاييك: أُعطي { $width } × { $height } بكسل؛ المسموح: { $width_px } × { $height_px } بكسل، كما في كاميرتها
 refusal-empty-mosaic = الموزاييك: ليس فيه شيء تُظهره صورة؛ المسموح: ارتفاعات تحت الصور وأدنى منها، وبكسل أصغر كثيرًا من الصورة
+refusal-map-in-degrees = النظام الإحداثي المرجعي للكتلة: أُعطي { $crs } بالدرجات؛ المسموح لصورة للأرض: نظام مسقط، كنظام منطقتها في UTM: شغّل الكتلة بخيار `--crs` آخر
+refusal-outside-map = موقع الكتلة: أُعطي موقع خارج { $crs }؛ المسموح: داخل هذا النظام الإحداثي المرجعي
+refusal-heights-system = نظام نموذج الارتفاعات: أُعطي { $heights }؛ المسموح: { $ground }، وهو نظام الصورة المصححة أو الكتلة: حوّل الارتفاعات أولًا، بالأمر gdalwarp -t_srs مثلًا
 refusal-no-heights-there = ارتفاعات نموذج الارتفاعات: لا ارتفاع تحت الصورة المصححة؛ المسموح: نموذج للأرض نفسها في النظام نفسه
 refusal-one-coordinate = مكان قريب من صورة: أُعطي إحداثي واحد؛ المسموح: near_x وnear_y معًا، أو لا واحد منهما
 refusal-near-place = مكان قريب من صورة: أُعطي { $place }؛ المسموح: ضمن { $within_m } م من الصورة المصححة التي ركناها عند { $first } و{ $last }

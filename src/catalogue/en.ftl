@@ -342,6 +342,9 @@ refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { F
 refusal-mosaic-image = image of a mosaic: got index { $image }; allowed: one of the model
 refusal-mosaic-image-size = image of a mosaic: got { $width } x { $height } px; allowed: { $width_px } x { $height_px } px, as its camera
 refusal-empty-mosaic = mosaic: got nothing that an image shows; allowed: heights under the images, below them, and a pixel much smaller than an image
+refusal-map-in-degrees = coordinate reference system of the block: got { $crs }, in degrees; allowed for a picture of the ground: a projected system, as that of its UTM zone: run the block with another `--crs`
+refusal-outside-map = place of the block: got one outside { $crs }; allowed: within that coordinate reference system
+refusal-heights-system = system of the height model: got { $heights }; allowed: { $ground }, that of the orthophoto or block: convert the heights first, with gdalwarp -t_srs say
 refusal-no-heights-there = heights of a height model: got none under the orthophoto; allowed: a model of the same ground in the same system
 refusal-one-coordinate = place near an image: got one coordinate; allowed: near_x and near_y, or neither
 refusal-near-place = place near an image: got { $place }; allowed: within { $within_m } m of the orthophoto, whose corners are at { $first } and { $last }
@@ -995,7 +998,12 @@ placing-weakness-checks = { $beyond } of { $checks } points that took no part co
 placing-weakness-height = The height above ground, { FIXED($height_m, digits: 0) } m, is known to ± { SIGNIFICANT($half_width_m, digits: 2) } m only (95 %): give the camera.
 placing-weakness-rejected = { $rejected } of { $links } points were rejected: check the heights and the camera.
 placing-weakness-plan = The place of the projection centre is known to ± { SIGNIFICANT($half_width_m, digits: 2) } m only (95 %), { FIXED($height_m, digits: 0) } m above ground: check the heights and the camera.
+placing-weakness-camera = The points ask for { $camera_parameter } of { FIXED($estimated_px, digits: 1) } px where { FIXED($prior_px, digits: 1) } px was known, { FIXED($apart, digits: 1) } standard deviations of that apart: check the camera and the heights.
 placing-weakness-noise = Residuals are { FIXED($rmse_px, digits: 2) } px in the root mean square, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
+
+# How an image with a GNSS position was sought on an orthophoto.
+place-search-gnss = Found within { NUMBER($within_m) } m of its GNSS position.
+place-search-beyond-gnss = Not found within { NUMBER($within_m) } m of its GNSS position; all of the orthophoto was searched.
 
 # What the place of an image is worth.
 placing-verdict-placed = Placed by { $links } points, σ0 { FIXED($sigma0_px, digits: 2) } px; projection centre ± { SIGNIFICANT($half_width_m, digits: 2) } m (95 %).

@@ -116,6 +116,12 @@ impl Definition {
         }
     }
 
+    /// The EPSG code of its plane coordinates, where it has one.
+    pub fn plane_epsg(&self) -> Option<u16> {
+        let code = self.crs.horizontal_crs()?.epsg();
+        u16::try_from(code).ok().filter(|code| *code != 0)
+    }
+
     /// Whether coordinates are longitude and latitude in degrees.
     pub fn is_geographic(&self) -> bool {
         self.crs.is_geographic()

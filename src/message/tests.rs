@@ -6,7 +6,8 @@ use crate::{
     Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Element, Error,
     Failure, FileFault, ImageFault, ImageReason, Input, Interruption, LengthUnit, Location, Mistake, NamedCamera, NoGeometry,
     NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict,
-    PlacingVerdict, PlacingWeakness, PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
+    PlaceSearch, PlacingVerdict, PlacingWeakness, PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported,
+    Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -72,6 +73,7 @@ fn families() -> Vec<Family> {
         family::<NotLinked>(),
         family::<NotPlaced>(),
         family::<OnOrthophoto>(),
+        family::<PlaceSearch>(),
         family::<PlacingVerdict>(),
         family::<PlacingWeakness>(),
         family::<Observed>(),

@@ -129,8 +129,8 @@ impl BlockLinks {
         }
         let points = self.points(&in_metres(into.as_ref(), reference), options);
         match into.map(|into| into.taken(points.clone(), reference)).transpose() {
-            Ok(None) => run.on_ground(&points, &[]),
-            Ok(Some((points, remarks))) => run.on_ground(&points, &remarks),
+            Ok(None) => run.on_ground(&points, reference.epsg, &[]),
+            Ok(Some((points, remarks))) => run.on_ground(&points, reference.epsg, &remarks),
             Err(not_linked) => Ok(run.not_linked(not_linked)),
         }
     }

@@ -131,12 +131,12 @@ pub fn place_by_links(
     let placement = moved(placement, first);
     // What somebody rejected contradicts nothing.
     let judged = placement.links.iter().zip(&parts).filter(|(_, part)| **part != Part::Rejected).map(|(link, _)| *link).collect();
-    let verdict = verdict(&Placement { links: judged, ..placement.clone() });
-    Ok(PlacedImage { verdict, placement: Some(placement) })
+    let verdict = verdict(&Placement { links: judged, ..placement.clone() }, known);
+    Ok(PlacedImage { verdict, placement: Some(placement), search: None })
 }
 
 fn not_placed(not_placed: NotPlaced) -> PlacedImage {
-    PlacedImage { verdict: PlacingVerdict::NotPlaced { not_placed }, placement: None }
+    PlacedImage { verdict: PlacingVerdict::NotPlaced { not_placed }, placement: None, search: None }
 }
 
 fn refused<T>(number: usize, place: [f64; 2]) -> Result<T, Error> {

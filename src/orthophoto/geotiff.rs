@@ -1,9 +1,10 @@
 //! The tags of GeoTIFF: where a TIFF lies, in which system and units, and which value stands for nothing.
 
 use super::georeference::Georeference;
-use crate::crs::{Described, Projection};
+use crate::crs::{Definition, Described, Projection};
 use crate::error::refuse;
 use crate::image::{Directory, checked_directory};
+use crate::text::shorten;
 use crate::{Error, FileSource, Refusal};
 
 pub(super) const PIXEL_SCALE: u64 = 33550;
@@ -70,6 +71,36 @@ pub(super) struct SaidSystem {
     pub unit_m: Option<f64>,
     /// The unit of heights in m.
     pub height_unit_m: Option<f64>,
+}
+
+impl SaidSystem {
+    /// Its code, or the name of a system without one.
+    pub fn name(&self) -> Option<String> {
+        let described = || self.described.as_deref().filter(|name| !name.is_empty()).map(shorten);
+        self.epsg.map(name_of).or_else(described)
+    }
+
+    /// Whether what two files say names two systems of the plane: another projection, or another datum. One that says nothing contradicts none.
+    pub fn contradicts(&self, other: &Self) -> bool {
+        match (self.definition(), other.definition()) {
+            (Some(own), Some(others)) => !own.has_plane_of(&others),
+            // Codes that are not known here.
+            _ => self.epsg.zip(other.epsg).is_some_and(|(own, others)| own != others),
+        }
+    }
+
+    /// Absent for a code that is unknown here, and for a system of which not all is said.
+    pub fn definition(&self) -> Option<Definition> {
+        match self.epsg {
+            Some(code) => Definition::read(&name_of(code)).ok(),
+            None => self.parameters.as_ref().and_then(Described::definition),
+        }
+    }
+}
+
+/// As systems are named by their code.
+pub(super) fn name_of(code: u16) -> String {
+    format!("EPSG:{code}")
 }
 
 impl GeoTags {

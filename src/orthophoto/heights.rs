@@ -1,7 +1,7 @@
 //! The height of the ground: one for all, or a grid.
 
 use super::georeference::Georeference;
-use super::geotiff::GeoTags;
+use super::geotiff::{GeoTags, SaidSystem};
 use crate::error::refuse;
 use crate::image::{checked_directory, tiff_error, with_rows_of_image};
 use crate::{Error, Refusal};
@@ -23,6 +23,8 @@ pub struct HeightModel {
     factor: f64,
     /// The unit of the heights in m, where the file says it.
     unit_m: Option<f64>,
+    /// What the file says of its system.
+    said: Arc<SaidSystem>,
 }
 
 /// What is known of the height of the ground.
@@ -47,6 +49,20 @@ impl Heights {
         match self {
             Self::Level(height) => [*height; 2],
             Self::Model(model) => model.range,
+        }
+    }
+
+    /// These heights for ground in a system: that of their file is none other.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for heights of a system with another projection or datum, which names both.
+    pub(super) fn in_system(self, ground: &SaidSystem) -> Result<Self, Error> {
+        match &self {
+            Self::Model(HeightModel { said, .. }) if said.contradicts(ground) => {
+                let name = |said: &SaidSystem| said.name().unwrap_or_default();
+                refuse(Refusal::HeightsSystem { heights: name(said), ground: name(ground) })
+            }
+            _ => Ok(self),
         }
     }
 
@@ -107,7 +123,8 @@ impl HeightModel {
             let [low, high] = range;
             return refuse(Refusal::HeightRange { low, high });
         }
-        Ok(Self { georeference: georeference.checked()?, width, height, values: Arc::new(values), range, factor: 1.0, unit_m: None })
+        let (georeference, said) = (georeference.checked()?, Arc::default());
+        Ok(Self { georeference, width, height, values: Arc::new(values), range, factor: 1.0, unit_m: None, said })
     }
 
     /// Reads a GeoTIFF of whole or floating-point numbers, or an ESRI ASCII grid. `world_file`: where a TIFF lies that does not say so.
@@ -122,6 +139,11 @@ impl HeightModel {
             Ok(text) => Self::read_ascii(text),
             Err(_) => refuse(Refusal::NoHeightModel),
         }
+    }
+
+    /// The EPSG code of its system, where its file tells one.
+    pub fn epsg(&self) -> Option<u16> {
+        self.said.epsg
     }
 
     /// Width and height, and the heights row by row, as they were given.
@@ -164,7 +186,7 @@ impl HeightModel {
         };
         let hole = tags.no_data.map(|v| v as f32);
         let values = values.into_iter().map(|v| if Some(v) == hole { f32::NAN } else { v }).collect();
-        Ok(Self { unit_m: tags.system.height_unit_m, ..Self::new(width, height, values, georeference)? })
+        Ok(Self { unit_m: tags.system.height_unit_m, said: Arc::new(tags.system), ..Self::new(width, height, values, georeference)? })
     }
 
     /// # Source

@@ -1,13 +1,13 @@
 //! The way from an orthophoto into the coordinate reference system of a block.
 
-use super::geotiff::SaidSystem;
+use super::geotiff::{SaidSystem, name_of};
 use super::reference::Orthophoto;
 use crate::crs::{CoordinateSystem, Definition, Described};
 use crate::error::refuse;
 use crate::math::median;
 use crate::pipeline::GroundPoint;
 use crate::text::shorten;
-use crate::{BlockRun, Error, Failure, NotLinked, Refusal, Remark};
+use crate::{BlockRun, Error, ExifPosition, Failure, NotLinked, Refusal, Remark};
 
 /// Parts of width and height of an orthophoto by which it is tried whether anything leads from it to another system: the middle first.
 const TRIED: [[f64; 2]; 5] = [[0.5, 0.5], [0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9]];
@@ -33,11 +33,8 @@ impl IntoSystem {
     pub fn of(run: &BlockRun, orthophoto: &Orthophoto) -> Result<Option<Self>, NotLinked> {
         let Some(crs) = &run.input.settings.placing.crs else { return Ok(None) };
         let said = orthophoto.said();
-        let not_linked = |error: &Error| NotLinked::OtherSystem {
-            orthophoto: said.epsg.map(name_of).or_else(|| named(&said)),
-            crs: shorten(crs),
-            failure: Failure::from(error),
-        };
+        let not_linked =
+            |error: &Error| NotLinked::OtherSystem { orthophoto: said.name(), crs: shorten(crs), failure: Failure::from(error) };
         let into = Self::between(&said, crs).map_err(|error| not_linked(&error))?;
         // The block is somewhere on it: one of these places will do.
         let [width, height] = orthophoto.size().map(|side| side as f64);
@@ -57,7 +54,7 @@ impl IntoSystem {
             (None, None) if !block.is_geographic() => block.clone(),
             (None, _) => match said.parameters.as_ref().and_then(Described::definition) {
                 Some(described) => described,
-                None => return refuse(Refusal::OrthophotoSystem { described: named(said) }),
+                None => return refuse(Refusal::OrthophotoSystem { described: said.name() }),
             },
         };
         let unit_m = said.unit_m.or(orthophoto.unit_m()).unwrap_or(1.0);
@@ -123,19 +120,29 @@ impl IntoSystem {
     }
 }
 
+/// A GNSS position on an orthophoto.
+pub(super) struct RecordedPlace {
+    pub place: [f64; 2],
+    /// The unit of the orthophoto in m.
+    pub unit_m: f64,
+}
+
+/// Where an orthophoto has the position of an image; absent where it does not say its system, and where the position lies outside that.
+pub(super) fn recorded_place(position: &ExifPosition, orthophoto: &Orthophoto) -> Option<RecordedPlace> {
+    let said = orthophoto.said();
+    let definition = said.definition()?;
+    let own_m = definition.unit_m()?;
+    let unit_m = said.unit_m.unwrap_or(own_m);
+    let ExifPosition { longitude_deg, latitude_deg, height_m, .. } = *position;
+    let system = CoordinateSystem::new(definition, None, [longitude_deg, latitude_deg]).ok()?;
+    let [x, y, _] = system.coordinates([longitude_deg, latitude_deg, height_m.unwrap_or(0.0)])?;
+    Some(RecordedPlace { place: [x, y].map(|v| v * own_m / unit_m), unit_m })
+}
+
 /// The way from one system to another by WGS 84.
 struct Conversion {
     from: CoordinateSystem,
     to: CoordinateSystem,
-}
-
-/// The name of a system without a code.
-fn named(said: &SaidSystem) -> Option<String> {
-    said.described.as_deref().filter(|name| !name.is_empty()).map(shorten)
-}
-
-fn name_of(code: u16) -> String {
-    format!("EPSG:{code}")
 }
 
 fn on_earth(system: &CoordinateSystem, position: [f64; 3]) -> Result<[f64; 3], Error> {

@@ -7,10 +7,11 @@
 //! A block: `block_links` (images placed by themselves or near where the others of the block have them) → places of the ground that several images
 //! show → in the coordinate reference system of the block, where it has one (`into_system`) → [`BlockRun`](crate::BlockRun) adjusted by them.
 //!
-//! The other way round: an oriented block → `mosaic` → a picture of the ground, which `write` makes a GeoTIFF.
+//! The other way round: an oriented block → its map (`block_map`, `map_nodes`) → `mosaic` → a picture of the ground, which `write` makes a GeoTIFF.
 
 mod adjusting;
 mod block_links;
+mod block_map;
 mod by_hand;
 mod camera;
 mod emptiness;
@@ -21,6 +22,7 @@ mod geotiff;
 mod heights;
 mod into_system;
 mod links;
+mod map_nodes;
 mod mosaic;
 mod options;
 mod outcome;
@@ -38,14 +40,16 @@ mod write;
 
 pub use adjusting::PlacingCamera;
 pub use block_links::BlockLinks;
+pub(crate) use block_map::{BlockMap, epsg_of};
 pub use by_hand::{GivenLink, GivenUse, ground_positions, image_positions, place_by_links};
 pub use georeference::Georeference;
 pub use heights::{HeightModel, Heights};
+pub(crate) use mosaic::heights_on_map;
 pub use mosaic::{Mosaic, heights_of_points};
 pub use options::PlacingOptions;
-pub use outcome::{Link, LinkChecks, LinkUse, NotPlaced, PlacedImage, Placement, PlacingVerdict, PlacingWeakness};
+pub use outcome::{Link, LinkChecks, LinkUse, NotPlaced, PlaceSearch, PlacedImage, Placement, PlacingVerdict, PlacingWeakness};
 pub use own::rectify_placed;
-pub use place::{SearchArea, place_image};
+pub use place::{SearchArea, place_image, place_recorded};
 pub(crate) use rectify::Seen;
 pub use rectify::{Rectified, rectify};
 pub use reference::Orthophoto;

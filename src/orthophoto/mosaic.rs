@@ -1,14 +1,17 @@
 //! A quick orthomosaic of an oriented block: each place is taken from the image whose projection centre is nearest in plan.
 
+use super::block_map::{BlockMap, borders, epsg_of};
 use super::footprint::Footprint;
 use super::georeference::Georeference;
+use super::geotiff::SaidSystem;
 use super::heights::{HeightModel, Heights};
 use super::links::reduced;
-use super::rectify::{Rectified, rectify};
+use super::map_nodes::MapNodes;
+use super::rectify::{Rectified, rectify_from};
 use crate::camera::Camera;
 use crate::error::refuse;
 use crate::math::median;
-use crate::{BlockModel, Error, GreyImage, GreyView, Pose, Refusal, halve};
+use crate::{BlockModel, BlockRun, Error, GreyImage, GreyView, ModelImage, Pose, Refusal, halve};
 
 /// Larger mosaics are made of larger pixels.
 const MOST_PIXELS: f64 = 1e8;
@@ -16,6 +19,8 @@ const MOST_PIXELS: f64 = 1e8;
 const LEAST_SIDE: usize = 16;
 /// Points in a cell of the heights that the tie points give, on average.
 const POINTS_IN_CELL: f64 = 4.0;
+/// What an image shows of a map may reach so many px farther than its border on coarse ground.
+const MARGIN_PX: f64 = 8.0;
 /// Longest side of that grid.
 const MOST_CELLS: f64 = 2000.0;
 
@@ -24,7 +29,35 @@ const MOST_CELLS: f64 = 2000.0;
 /// # Errors
 /// [`Error::TooFew`] below ten intersected points.
 pub fn heights_of_points(model: &BlockModel) -> Result<HeightModel, Error> {
-    let points: Vec<[f64; 3]> = model.points.iter().filter_map(|point| point.position).collect();
+    let points = positions(model);
+    let shown = borders(model, &middle_of(&points));
+    heights_of(&points, &shown)
+}
+
+/// The same on the map of the block, where it has one.
+///
+/// # Errors
+/// As [`heights_of_points`], of points within the system.
+pub(crate) fn heights_on_map(model: &BlockModel, map: Option<&BlockMap>) -> Result<HeightModel, Error> {
+    let Some(map) = map else { return heights_of_points(model) };
+    let points = positions(model);
+    let middle = middle_of(&points);
+    let [level, _] = middle.range();
+    let shown = borders(model, &middle).into_iter().filter_map(|[x, y]| map.to_map([x, y, level])).map(|[x, y, _]| [x, y]);
+    heights_of(&points.iter().filter_map(|point| map.to_map(*point)).collect::<Vec<_>>(), &shown.collect::<Vec<_>>())
+}
+
+fn positions(model: &BlockModel) -> Vec<[f64; 3]> {
+    model.points.iter().filter_map(|point| point.position).collect()
+}
+
+/// Level ground at their median height.
+fn middle_of(points: &[[f64; 3]]) -> Heights {
+    Heights::Level(median(&mut points.iter().map(|p| p[2]).collect::<Vec<_>>()).unwrap_or(0.0))
+}
+
+/// The medians of these points in the cells of a grid over what images show.
+fn heights_of(points: &[[f64; 3]], shown: &[[f64; 2]]) -> Result<HeightModel, Error> {
     if points.len() < 10 {
         return Err(Error::TooFew { what: "intersected points, for the heights of the ground", got: points.len(), needed: 10 });
     }
@@ -35,9 +68,6 @@ pub fn heights_of_points(model: &BlockModel) -> Result<HeightModel, Error> {
         let cut = values.len() / 50;
         [values[cut], values[values.len() - 1 - cut]]
     };
-    let middle = Heights::Level(median(&mut points.iter().map(|p| p[2]).collect::<Vec<_>>()).unwrap_or(0.0));
-    let oriented = model.images.iter().filter_map(|image| Some((&model.cameras[image.camera], image.pose.as_ref()?)));
-    let shown: Vec<[f64; 2]> = oriented.flat_map(|(camera, pose)| Footprint { camera, pose, heights: &middle }.border()).collect();
     let reached = |axis: usize| {
         let values = shown.iter().map(|place| place[axis]);
         let [low, high] = within(axis);
@@ -50,7 +80,7 @@ pub fn heights_of_points(model: &BlockModel) -> Result<HeightModel, Error> {
     let [columns, rows] = [wide, high].map(|length| (length / cell).ceil().max(2.0) as usize);
     let georeference = Georeference::north_up([x0, y0 + rows as f64 * cell], cell);
     let mut held: Vec<Vec<f64>> = vec![Vec::new(); columns * rows];
-    for [x, y, z] in points {
+    for &[x, y, z] in points {
         let [column, row] = georeference.pixel([x, y]);
         if column >= 0.0 && row >= 0.0 && column < columns as f64 && row < rows as f64 {
             held[row as usize * columns + column as usize].push(z);
@@ -81,8 +111,12 @@ fn fill(heights: &mut [Option<f64>], columns: usize, rows: usize) {
 
 /// A mosaic that takes one image after the other; memory is that of the mosaic and of one image.
 pub struct Mosaic {
-    images: Vec<Option<(Camera, Pose)>>,
+    /// Of each image of the model; absent for one that is not oriented.
+    images: Vec<Option<Laid>>,
     heights: Heights,
+    /// The way into the system in which images are oriented, where the map is another one.
+    nodes: Option<MapNodes>,
+    epsg: Option<u16>,
     georeference: Georeference,
     size: [usize; 2],
     grey: Vec<u8>,
@@ -90,25 +124,88 @@ pub struct Mosaic {
     distance: Vec<f32>,
 }
 
+/// An oriented image, and where it lies on the map.
+struct Laid {
+    camera: Camera,
+    pose: Pose,
+    /// Its projection centre in plan, and the border of what it shows.
+    centre: [f64; 2],
+    border: Vec<[f64; 2]>,
+    /// Side of its pixels on the map.
+    gsd: f64,
+}
+
+/// What images of a block show of the ground in the system of their orientation.
+fn laid_by(model: &BlockModel, heights: &Heights) -> Vec<Option<Laid>> {
+    let laid = |image: &ModelImage| {
+        let (camera, pose) = (model.cameras[image.camera], image.pose?);
+        let footprint = Footprint { camera: &camera, pose: &pose, heights };
+        let is_above = footprint.above_ground() > 0.0;
+        let (border, gsd) = if is_above { (footprint.border(), footprint.gsd()) } else { (Vec::new(), 0.0) };
+        Some(Laid { camera, pose, centre: [pose.position[0], pose.position[1]], border, gsd })
+    };
+    model.images.iter().map(laid).collect()
+}
+
+impl Laid {
+    /// The same on a map; absent where its projection centre lies outside the system.
+    fn on(self, map: &BlockMap, coarse: &Heights) -> Option<Self> {
+        let [x, y, _] = map.to_map(self.pose.position)?;
+        let [low, high] = coarse.range();
+        let place = |[x, y]: [f64; 2]| map.to_map([x, y, coarse.at([x, y]).unwrap_or(0.5 * (low + high))]).map(|[x, y, _]| [x, y]);
+        Some(Self { centre: [x, y], border: self.border.iter().copied().filter_map(place).collect(), gsd: self.gsd / map.unit_m, ..self })
+    }
+}
+
 impl Mosaic {
-    /// Lays out the picture of all ground that the oriented images show. `gsd`: the side of a pixel; absent: that of the images, or what makes
-    /// 100 MP.
+    /// Lays out the picture of all ground that the oriented images show, in the system of the model. `gsd`: the side of a pixel; absent: that of the
+    /// images, or what makes 100 MP.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] where no image is oriented, and for a side of a pixel that is none or makes more than 100 MP.
     pub fn new(model: &BlockModel, heights: Heights, gsd: Option<f64>) -> Result<Self, Error> {
-        let images: Vec<Option<(Camera, Pose)>> =
-            model.images.iter().map(|image| Some((model.cameras[image.camera], image.pose?))).collect();
-        let seen: Vec<(Vec<[f64; 2]>, f64)> = (images.iter().flatten())
-            .map(|(camera, pose)| Footprint { camera, pose, heights: &heights })
-            .filter(|footprint| footprint.above_ground() > 0.0)
-            .map(|footprint| (footprint.border(), footprint.gsd()))
-            .collect();
-        let Some(own) = median(&mut seen.iter().map(|(_, gsd)| *gsd).filter(|gsd| *gsd > 0.0).collect::<Vec<_>>()) else {
+        let images = laid_by(model, &heights);
+        Self::of(images, heights, gsd)
+    }
+
+    /// The same of a block, in the system of its results: its coordinate reference system, where it has one. Heights count as the coordinates there do;
+    /// absent: those of the tie points.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new) and [`heights_of_points`]; [`Error::InvalidInput`] for a coordinate reference system in degrees, and for heights of another
+    /// system than that of the block.
+    pub fn of_block(run: &BlockRun, heights: Option<Heights>, gsd: Option<f64>) -> Result<Self, Error> {
+        let map = BlockMap::of(run)?;
+        let epsg = epsg_of(run, map.as_ref());
+        let heights = match heights {
+            Some(heights) => heights.in_system(&SaidSystem { epsg, ..SaidSystem::default() })?,
+            None => Heights::Model(heights_on_map(&run.model, map.as_ref())?),
+        };
+        let Some(map) = map else { return Ok(Self { epsg, ..Self::new(&run.model, heights, gsd)? }) };
+        let Some(coarse) = map.coarse(&heights, &run.model) else { return refuse(Refusal::OutsideMap { crs: map.name() }) };
+        let images = laid_by(&run.model, &coarse).into_iter().map(|image| image?.on(&map, &coarse)).collect();
+        let mosaic = Self::of(images, heights, gsd)?;
+        let nodes = MapNodes::new(&map, mosaic.georeference, mosaic.size, mosaic.heights.range());
+        Ok(Self { nodes: Some(nodes), epsg, ..mosaic })
+    }
+
+    /// The same of a block in the system of its adjustment.
+    ///
+    /// # Errors
+    /// As [`of_block`](Self::of_block).
+    pub fn in_adjustment(run: &BlockRun, heights: Option<Heights>, gsd: Option<f64>) -> Result<Self, Error> {
+        let heights = heights.map_or_else(|| heights_of_points(&run.model).map(Heights::Model), Ok)?;
+        let epsg = if run.system().is_some() { None } else { epsg_of(run, None) };
+        Ok(Self { epsg, ..Self::new(&run.model, heights, gsd)? })
+    }
+
+    fn of(images: Vec<Option<Laid>>, heights: Heights, gsd: Option<f64>) -> Result<Self, Error> {
+        let mut sides: Vec<f64> = images.iter().flatten().map(|image| image.gsd).filter(|gsd| *gsd > 0.0).collect();
+        let Some(own) = median(&mut sides) else {
             return refuse(Refusal::NothingAboveGround);
         };
         let extent = |axis: usize| {
-            let values = seen.iter().flat_map(|(corners, _)| corners).map(|corner| corner[axis]);
+            let values = images.iter().flatten().flat_map(|image| &image.border).map(|place| place[axis]);
             [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
         };
         let [[x0, x1], [y0, y1]] = [extent(0), extent(1)];
@@ -120,7 +217,13 @@ impl Mosaic {
         let size = [x1 - x0, y1 - y0].map(|length| ((length / gsd).ceil() as usize).max(1));
         let pixels = size[0] * size[1];
         let georeference = Georeference::north_up([x0, y1], gsd);
-        Ok(Self { images, heights, georeference, size, grey: vec![0; pixels], distance: vec![f32::INFINITY; pixels] })
+        let (grey, distance) = (vec![0; pixels], vec![f32::INFINITY; pixels]);
+        Ok(Self { images, heights, nodes: None, epsg: None, georeference, size, grey, distance })
+    }
+
+    /// The EPSG code of its system, where that is known.
+    pub fn epsg(&self) -> Option<u16> {
+        self.epsg
     }
 
     /// The heights on which it lies.
@@ -136,17 +239,18 @@ impl Mosaic {
         let Some(known) = self.images.get(index) else {
             return refuse(Refusal::MosaicImage { image: index });
         };
-        let Some((camera, pose)) = known else { return Ok(()) };
+        let Some(Laid { camera, pose, centre, border, gsd }) = known else { return Ok(()) };
         if [image.width(), image.height()] != [camera.width_px, camera.height_px].map(|side| side as usize) {
             let Camera { width_px, height_px, .. } = *camera;
             return refuse(Refusal::MosaicImageSize { width: image.width(), height: image.height(), width_px, height_px });
         }
-        let footprint = Footprint { camera, pose, heights: &self.heights };
-        let corners: Vec<[f64; 2]> = footprint.border().into_iter().map(|place| self.georeference.pixel(place)).collect();
+        let corners: Vec<[f64; 2]> = border.iter().map(|place| self.georeference.pixel(*place)).collect();
+        // Borders on a map are taken on coarse ground.
+        let margin = if self.nodes.is_some() { MARGIN_PX } else { 0.0 };
         let range = |axis: usize| {
             let values = corners.iter().map(|corner| corner[axis]);
-            let low = values.clone().fold(f64::INFINITY, f64::min).max(0.0);
-            let high = values.fold(f64::NEG_INFINITY, f64::max).ceil().min(self.size[axis] as f64);
+            let low = (values.clone().fold(f64::INFINITY, f64::min) - margin).max(0.0);
+            let high = (values.fold(f64::NEG_INFINITY, f64::max) + margin).ceil().min(self.size[axis] as f64);
             (low as usize, high.max(low) as usize)
         };
         let [(left, right), (top, bottom)] = [range(0), range(1)];
@@ -155,20 +259,25 @@ impl Mosaic {
         }
         let mut own = image.to_image();
         let mut halvings = 0;
-        let mut doubled = 2.0 * footprint.gsd();
+        let mut doubled = 2.0 * gsd;
         while doubled <= self.georeference.gsd() && own.width().min(own.height()) >= 2 * LEAST_SIDE {
             (own, halvings, doubled) = (halve(own.view()), halvings + 1, 2.0 * doubled);
         }
         let camera = reduced(camera, halvings, &own);
         let part = self.georeference.from(left, top);
-        let Rectified { grey, mask, .. } = rectify(own.view(), &camera, pose, &self.heights, &part, [right - left, bottom - top])?;
+        let to_image = |place: [f64; 3]| match &self.nodes {
+            Some(nodes) => nodes.at(place),
+            None => Some(place),
+        };
+        let size = [right - left, bottom - top];
+        let Rectified { grey, mask, .. } = rectify_from(own.view(), &camera, pose, &self.heights, &part, size, to_image)?;
         for (row, line) in (top..bottom).enumerate() {
             for (column, at) in (left..right).enumerate() {
                 if mask.view().at(column, row) == 0 {
                     continue;
                 }
                 let [x, y] = self.georeference.ground([at as f64 + 0.5, line as f64 + 0.5]);
-                let [dx, dy] = [x - pose.position[0], y - pose.position[1]];
+                let [dx, dy] = [x - centre[0], y - centre[1]];
                 let (distance, pixel) = ((dx * dx + dy * dy) as f32, line * self.size[0] + at);
                 if distance < self.distance[pixel] {
                     (self.distance[pixel], self.grey[pixel]) = (distance, grey.view().at(column, row));

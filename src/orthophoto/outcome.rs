@@ -1,7 +1,7 @@
 //! What comes of placing an image: its orientation in the system of the orthophoto, and what that is worth.
 
 use crate::message::messages;
-use crate::{Camera, Failure, Pose};
+use crate::{Camera, CameraParameter, Failure, Pose};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -38,6 +38,8 @@ messages! {
         Height { height_m: f64, half_width_m: f64 },
         /// The place of the projection centre in plan is hardly known beside its height above ground.
         Plan { height_m: f64, half_width_m: f64 },
+        /// The camera that the links ask for is not the one that was known: so many standard deviations of what was known apart.
+        Camera { camera_parameter: CameraParameter, estimated_px: f64, prior_px: f64, apart: f64 },
         /// Links disagree far more than those of good pictures do.
         Noise { rmse_px: f64, usual_px: f64 },
     }
@@ -53,6 +55,19 @@ messages! {
         Placed { links: usize, sigma0_px: f64, half_width_m: f64 },
         Weak { links: usize, placing_weakness: PlacingWeakness },
         NotPlaced { not_placed: NotPlaced },
+    }
+}
+
+messages! {
+    /// How an image with a GNSS position was sought on an orthophoto whose system is known.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum PlaceSearch as "place_search" {
+        /// It was found about its position.
+        Gnss { within_m: f64 },
+        /// It was not: all that may be searched was.
+        BeyondGnss { within_m: f64 },
     }
 }
 
@@ -135,4 +150,7 @@ pub struct PlacedImage {
     pub verdict: PlacingVerdict,
     /// Absent where there is none.
     pub placement: Option<Placement>,
+    /// Absent where it was not sought by a GNSS position.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub search: Option<PlaceSearch>,
 }

@@ -3,9 +3,10 @@
 use super::adjusting::{PlaceErrors, PlacingCamera, adjusted};
 use super::first_place::first_place;
 use super::heights::Heights;
+use super::into_system::{RecordedPlace, recorded_place};
 use super::links::{Found, Over, Search, halvings};
 use super::options::PlacingOptions;
-use super::outcome::{Link, LinkChecks, LinkUse, NotPlaced, PlacedImage, Placement, PlacingVerdict};
+use super::outcome::{Link, LinkChecks, LinkUse, NotPlaced, PlaceSearch, PlacedImage, Placement, PlacingVerdict};
 use super::precision::{TotalErrors, total_errors};
 use super::rectify::Seen;
 use super::reference::{Orthophoto, enlarge};
@@ -14,8 +15,8 @@ use crate::error::refuse;
 use crate::reconstruction::resect_image;
 use crate::two_view::Support;
 use crate::{
-    AdjustmentResult, Camera, CameraUncertainty, Error, Failure, Feature, FeatureOptions, GreyView, Location, MultiscaleOptions,
-    ObservationVerdict, Pose, Refusal, features, reduce_to,
+    AdjustmentResult, Camera, CameraUncertainty, Error, ExifPosition, Failure, Feature, FeatureOptions, GreyView, Location,
+    MultiscaleOptions, ObservationVerdict, Pose, Refusal, features, reduce_to,
 };
 
 /// Longest side of the pictures in which a first place is sought, in px.
@@ -51,6 +52,8 @@ const GROSS: f64 = 3.29;
 pub struct SearchArea {
     features: Vec<Feature>,
     area_px2: f64,
+    /// Whether a smaller part of the orthophoto would have more of them: from a finer picture, or as many on less ground.
+    is_sparse: bool,
 }
 
 impl SearchArea {
@@ -73,9 +76,22 @@ impl SearchArea {
         while size[0].max(size[1]) >> down > SEARCHED_PX {
             down += 1;
         }
-        let options = of_number(POINTS_OF_GROUND * options.points);
-        let features = reference.features(first, size, down, &options)?;
-        Ok(Self { features, area_px2: size[0] as f64 * size[1] as f64 })
+        let most = POINTS_OF_GROUND * options.points;
+        let features = reference.features(first, size, down, &of_number(most))?;
+        let is_sparse = down > 0 || features.len() >= most;
+        Ok(Self { features, area_px2: size[0] as f64 * size[1] as f64, is_sparse })
+    }
+
+    /// Those within a distance of a place, both in the unit of the orthophoto; absent where they are all.
+    fn within(&self, reference: &Orthophoto, place: [f64; 2], within: f64) -> Option<Self> {
+        let reach = within / reference.georeference.gsd();
+        let at = reference.georeference.pixel(place);
+        let is_near = |feature: &&Feature| (feature.point.x - at[0]).abs() <= reach && (feature.point.y - at[1]).abs() <= reach;
+        let features: Vec<Feature> = self.features.iter().filter(is_near).cloned().collect();
+        let size = reference.size().map(|side| side as f64);
+        let side = |k: usize| ((at[k] + reach).min(size[k]) - (at[k] - reach).max(0.0)).max(0.0);
+        let area_px2 = (side(0) * side(1)).min(self.area_px2);
+        (features.len() < self.features.len()).then_some(Self { features, area_px2, is_sparse: self.is_sparse })
     }
 
     /// How many there are.
@@ -125,7 +141,49 @@ pub fn place_image(
     options: &PlacingOptions,
 ) -> Result<PlacedImage, Error> {
     check(image, known, options)?;
-    placed(image, known, reference, area, options).map(judged)
+    placed(image, known, reference, area, options).map(|placed| judged(placed, known))
+}
+
+/// Places an image that records a GNSS position: about that first, within `within_m`, where the orthophoto says its system and no other place is
+/// given by the options, then anywhere. The result says which.
+///
+/// # Errors
+/// As [`place_image`].
+pub fn place_recorded(
+    image: GreyView<'_>,
+    known: &PlacingCamera,
+    position: Option<&ExifPosition>,
+    reference: &Orthophoto,
+    area: &SearchArea,
+    options: &PlacingOptions,
+) -> Result<PlacedImage, Error> {
+    let is_free = options.near_x.is_none() && options.near_y.is_none();
+    let Some(on_map) = position.filter(|_| is_free).and_then(|position| recorded_place(position, reference)) else {
+        return place_image(image, known, reference, area, options);
+    };
+    let RecordedPlace { place, unit_m } = on_map;
+    let within_m = options.within_m;
+    let within = within_m / unit_m;
+    let found = |placed: &PlacedImage| placed.placement.is_some();
+    let near = area.within(reference, place, within);
+    // Where its surroundings are all of the orthophoto, the search is one.
+    if near.as_ref().is_none_or(|near| !near.features.is_empty()) {
+        let placed = place_image(image, known, reference, near.as_ref().unwrap_or(area), options)?;
+        if found(&placed) || (near.is_none() && !area.is_sparse) {
+            let search = if found(&placed) { PlaceSearch::Gnss { within_m } } else { PlaceSearch::BeyondGnss { within_m } };
+            return Ok(PlacedImage { search: Some(search), ..placed });
+        }
+    }
+    let about = PlacingOptions { near_x: Some(place[0]), near_y: Some(place[1]), within_m: within, ..options.clone() };
+    // A position beside the orthophoto has no surroundings on it.
+    if let Some(dense) = area.is_sparse.then(|| SearchArea::new(reference, &about).ok()).flatten() {
+        let placed = place_image(image, known, reference, &dense, options)?;
+        if found(&placed) {
+            return Ok(PlacedImage { search: Some(PlaceSearch::Gnss { within_m }), ..placed });
+        }
+    }
+    let placed = place_image(image, known, reference, area, options)?;
+    Ok(PlacedImage { search: Some(PlaceSearch::BeyondGnss { within_m }), ..placed })
 }
 
 /// Places an image near where another source has it: within some px of the picture, each pixel as large as of those 1200 on its longer side.
@@ -143,7 +201,7 @@ pub(super) fn place_near(
     let first = [0, 1].map(|k| pose.position[k].round());
     let [x, y, z] = pose.position;
     let start = Pose { position: [x - first[0], y - first[1], z], ..*pose };
-    confirmed(image, known, reference, first, (known.camera, start), options).map(judged)
+    confirmed(image, known, reference, first, (known.camera, start), options).map(|placed| judged(placed, known))
 }
 
 fn check(image: GreyView<'_>, known: &PlacingCamera, options: &PlacingOptions) -> Result<(), Error> {
@@ -161,10 +219,10 @@ fn check(image: GreyView<'_>, known: &PlacingCamera, options: &PlacingOptions) -
     Ok(())
 }
 
-fn judged(placed: Result<Placement, NotPlaced>) -> PlacedImage {
+fn judged(placed: Result<Placement, NotPlaced>, known: &PlacingCamera) -> PlacedImage {
     match placed {
-        Ok(placement) => PlacedImage { verdict: verdict(&placement), placement: Some(placement) },
-        Err(not_placed) => PlacedImage { verdict: PlacingVerdict::NotPlaced { not_placed }, placement: None },
+        Ok(placement) => PlacedImage { verdict: verdict(&placement, known), placement: Some(placement), search: None },
+        Err(not_placed) => PlacedImage { verdict: PlacingVerdict::NotPlaced { not_placed }, placement: None, search: None },
     }
 }
 
@@ -183,7 +241,7 @@ fn placed(
     if every > 1 {
         let some: Vec<Feature> = own.iter().step_by(every).cloned().collect();
         let found = placed_by(&some, image, known, reference, area, options)?;
-        if found.as_ref().is_ok_and(|placement| matches!(verdict(placement), PlacingVerdict::Placed { .. })) {
+        if found.as_ref().is_ok_and(|placement| matches!(verdict(placement, known), PlacingVerdict::Placed { .. })) {
             return Ok(found);
         }
     }

@@ -28,14 +28,27 @@ pub fn rectify(
     pose: &Pose,
     heights: &Heights,
     georeference: &Georeference,
+    size: [usize; 2],
+) -> Result<Rectified, Error> {
+    rectify_from(image, camera, pose, heights, georeference, size, Some)
+}
+
+/// As [`rectify`], of an image that is oriented in another system than that of the ground: `to_image` leads there.
+pub(super) fn rectify_from(
+    image: GreyView<'_>,
+    camera: &Camera,
+    pose: &Pose,
+    heights: &Heights,
+    georeference: &Georeference,
     [width, height]: [usize; 2],
+    to_image: impl Fn([f64; 3]) -> Option<[f64; 3]>,
 ) -> Result<Rectified, Error> {
     let view = Seen::new(camera, pose);
     let mut grey = vec![0; width.saturating_mul(height)];
     let mut mask = vec![0; grey.len()];
     for (k, (grey, mask)) in grey.iter_mut().zip(&mut mask).enumerate() {
         let place = georeference.ground([(k % width) as f64 + 0.5, (k / width) as f64 + 0.5]);
-        let seen = heights.at(place).and_then(|z| view.at(&[place[0], place[1], z]));
+        let seen = heights.at(place).and_then(|z| view.at(&to_image([place[0], place[1], z])?));
         if let Some(at) = seen {
             (*grey, *mask) = (bicubic(image, at), 255);
         }

@@ -61,7 +61,7 @@ impl Orthophoto {
     /// Nothing is shown where alpha is 0; without alpha where all colours have the value that the file names for no data, or else grey is 0.
     ///
     /// # Errors
-    /// As [`decode`]; [`Error::InvalidInput`] for a file that does not say where it lies, or says it in degrees.
+    /// As [`decode`]; [`Error::InvalidInput`] for a file that does not say where it lies, or says it in degrees, and for heights of another system.
     pub fn open(file: Arc<dyn FileSource>, world_file: Option<&str>, heights: Heights, limits: &DecodeLimits) -> Result<Self, Error> {
         let mut tags = GeoTags::default();
         let mut raster = None;
@@ -87,7 +87,26 @@ impl Orthophoto {
         if georeference.is_in_degrees(picture.size()) {
             return refuse_degrees();
         }
+        let heights = heights.in_system(&tags.system)?;
         Ok(Self { picture, georeference: georeference.checked()?, heights, epsg: tags.system.epsg, said: tags.system })
+    }
+
+    /// Gives its ground other heights.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for a model of another system, and one that has no height under the orthophoto.
+    pub fn set_heights(&mut self, heights: Heights) -> Result<(), Error> {
+        let heights = heights.in_system(&self.said())?;
+        let earlier = std::mem::replace(&mut self.heights, heights);
+        if self.heights_share() == 0.0 {
+            self.heights = earlier;
+            return Err(Error::InvalidArgument {
+                what: "heights of a height model",
+                got: "none under the orthophoto".into(),
+                allowed: "a model of the same ground in the same system".into(),
+            });
+        }
+        Ok(())
     }
 
     /// Width and height in px.
@@ -265,5 +284,35 @@ mod tests {
         let read = |world: Option<&str>| Orthophoto::read(&file, world, Heights::Level(0.0), &DecodeLimits::default());
         assert!(read(None).unwrap_err().to_string().contains("does not say where it lies"));
         assert_eq!(read(Some("2 0 0 -2 101 199")).unwrap().georeference, Georeference::north_up([100.0, 200.0], 2.0));
+    }
+
+    #[test]
+    fn heights_of_another_system_are_refused_with_both_and_those_without_one_are_taken() {
+        let at = Georeference::north_up([500_000.0, 5_000_000.0], 1.0);
+        let grey = || GreyImage::from_fn(40, 40, |c, _| 100 + c as u8).unwrap();
+        let picture = Rectified { grey: grey(), mask: GreyImage::from_fn(40, 40, |_, _| 255).unwrap(), georeference: at };
+        let read = |epsg: Option<u16>, heights: Heights| {
+            Orthophoto::read(&write_geotiff(&picture, epsg).unwrap(), None, heights, &DecodeLimits::default())
+        };
+        let model = HeightModel::new(40, 40, vec![7.0; 1600], at).unwrap();
+        let of = |epsg: Option<u16>| Heights::Model(HeightModel::read(&write_heights(&model, epsg).unwrap(), None).unwrap());
+        let mut orthophoto = read(Some(25_832), Heights::Level(0.0)).unwrap();
+        // Another zone, and another datum; a code that is unknown here.
+        for other in [25_833, 31_467, 32_632, 1234] {
+            let told = orthophoto.set_heights(of(Some(other))).unwrap_err().to_string();
+            assert!(told.contains(&format!("EPSG:{other}")) && told.contains("EPSG:25832"), "{told}");
+            assert_eq!((orthophoto.heights.clone(), read(Some(25_832), of(Some(other))).is_err()), (Heights::Level(0.0), true));
+        }
+        // The same plane; with heights of its own (ETRS89 / UTM 32N + DHHN92); heights that say nothing, as an ESRI ASCII grid; an orthophoto that does not.
+        let grid = "ncols 2\nnrows 2\nxllcorner 500000\nyllcorner 4999960\ncellsize 20\n1 2\n3 4\n";
+        let grid = Heights::Model(HeightModel::read(grid.as_bytes(), None).unwrap());
+        for heights in [of(Some(25_832)), of(Some(5555)), of(None), grid] {
+            orthophoto.set_heights(heights.clone()).unwrap();
+            assert_eq!(orthophoto.heights, heights);
+        }
+        assert!(read(None, of(Some(25_833))).is_ok());
+        // Elsewhere.
+        let beside = HeightModel::new(40, 40, vec![7.0; 1600], Georeference::north_up([0.0, 0.0], 1.0)).unwrap();
+        assert!(orthophoto.set_heights(Heights::Model(beside)).unwrap_err().to_string().contains("none under the orthophoto"));
     }
 }

@@ -1,6 +1,9 @@
 //! What the place of an image is worth, by its figures.
 
+use super::adjusting::PlacingCamera;
 use super::outcome::{LinkUse, Placement, PlacingVerdict, PlacingWeakness};
+use crate::CameraParameter;
+use crate::camera::CameraUncertainty;
 use crate::math::student_limit;
 
 /// Links below which an orientation is weak.
@@ -15,9 +18,15 @@ const MOST_WIDTH: f64 = 0.05;
 /// Root mean square length of the residuals above which links are no good ones, in px.
 const USUAL_RMSE_PX: f64 = 3.0;
 
-pub(super) fn verdict(placement: &Placement) -> PlacingVerdict {
+/// A parameter of the camera contradicts what was known of it where it is more than so many of its standard deviations off, which chance brings in one of
+/// twenty, and so large a share of the focal length: what is known to a tenth of that is not worth a doubt.
+const MOST_APART: f64 = 2.0;
+const LEAST_APART: f64 = 0.02;
+
+/// `known`: the camera before the image was placed.
+pub(super) fn verdict(placement: &Placement, known: &PlacingCamera) -> PlacingVerdict {
     let links = placement.links.iter().filter(|link| link.role == LinkUse::Used).count();
-    match weakness(placement, links) {
+    match weakness(placement, known, links) {
         Some(placing_weakness) => PlacingVerdict::Weak { links, placing_weakness },
         None => {
             let half_width_m = half_widths(placement).into_iter().fold(0.0, f64::max);
@@ -32,7 +41,7 @@ fn half_widths(placement: &Placement) -> [f64; 3] {
     placement.position_errors_m.map_or([f64::INFINITY; 3], |errors| errors.map(|error| limit * error))
 }
 
-fn weakness(placement: &Placement, links: usize) -> Option<PlacingWeakness> {
+fn weakness(placement: &Placement, known: &PlacingCamera, links: usize) -> Option<PlacingWeakness> {
     if links < LEAST_LINKS {
         return Some(PlacingWeakness::FewLinks { links, needed: LEAST_LINKS });
     }
@@ -53,6 +62,89 @@ fn weakness(placement: &Placement, links: usize) -> Option<PlacingWeakness> {
     if !(x.max(y) <= MOST_WIDTH * height_m) {
         return Some(PlacingWeakness::Plan { height_m, half_width_m: x.max(y) });
     }
+    if let Some(contradiction) = contradiction(placement, known) {
+        return Some(contradiction);
+    }
     let rmse_px = placement.rmse_px;
     (rmse_px > USUAL_RMSE_PX).then_some(PlacingWeakness::Noise { rmse_px, usual_px: USUAL_RMSE_PX })
+}
+
+/// What of the focal length and the principal point contradicts most what was known. What nobody knew contradicts nothing.
+fn contradiction(placement: &Placement, known: &PlacingCamera) -> Option<PlacingWeakness> {
+    if known.uncertainty.focal >= CameraUncertainty::ASSUMED.focal {
+        return None;
+    }
+    let prior = known.prior();
+    let values = placement.camera.values();
+    let estimated = (0..CameraParameter::ALL.len())
+        .filter(|k| matches!(CameraParameter::ALL[*k], CameraParameter::Focal | CameraParameter::PrincipalX | CameraParameter::PrincipalY));
+    let apart = estimated.filter_map(|k| {
+        let (off, sigma) = ((values[k] - prior.values[k]).abs(), prior.sigma[k]?);
+        let is_apart = off > MOST_APART * sigma && off > LEAST_APART * known.camera.focal_px;
+        is_apart.then(|| (off / sigma, k))
+    });
+    apart.max_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(apart, k)| PlacingWeakness::Camera {
+        camera_parameter: CameraParameter::ALL[k],
+        estimated_px: values[k],
+        prior_px: prior.values[k],
+        apart,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::orthophoto::{Link, LinkUse};
+    use crate::{Camera, Pose};
+
+    fn placement(camera: Camera) -> Placement {
+        let link = |k: usize| Link {
+            at: [8.0 * (k % 100) as f64, 6.0 * k as f64],
+            place: [0.0; 3],
+            residual_px: Some([0.1, 0.1]),
+            role: LinkUse::Used,
+            by_hand: false,
+        };
+        Placement {
+            camera,
+            camera_errors: [None; 8],
+            pose: Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position: [0.0, 0.0, 500.0] },
+            angles_deg: [0.0; 3],
+            angle_errors_deg: Some([0.01; 3]),
+            position_errors_m: Some([0.1; 3]),
+            above_ground_m: 500.0,
+            gsd_m: 0.5,
+            footprint: Vec::new(),
+            sigma0_px: Some(0.2),
+            rmse_px: 0.2,
+            degrees_of_freedom: 190,
+            coverage: 1.0,
+            links: (0..100).map(link).collect(),
+            checks: None,
+        }
+    }
+
+    #[test]
+    fn a_camera_that_contradicts_what_was_known_of_it_is_doubted_with_figures() {
+        let camera = Camera::without_distortion(800, 600, 1000.0);
+        let of = |estimated: Camera, uncertainty: CameraUncertainty| verdict(&placement(estimated), &PlacingCamera { camera, uncertainty });
+        let longer = Camera { focal_px: 1120.0, ..camera };
+        let PlacingVerdict::Weak { placing_weakness, .. } = of(longer, CameraUncertainty::EXIF) else { panic!("not doubted") };
+        let PlacingWeakness::Camera { camera_parameter, estimated_px, prior_px, apart } = placing_weakness else {
+            panic!("{placing_weakness}")
+        };
+        assert_eq!((camera_parameter, estimated_px, prior_px), (CameraParameter::Focal, 1120.0, 1000.0));
+        assert!((apart - 0.12 / CameraUncertainty::EXIF.focal).abs() < 1e-9, "{apart}");
+        // Of a principal point, which is farther off by its standard deviation.
+        let off = 3.0 * CameraUncertainty::EXIF.principal_point * 1000.0;
+        let shifted = Camera { principal_point_px: [400.0, 300.0 - off], ..longer };
+        let said = of(shifted, CameraUncertainty::EXIF).to_string();
+        assert!(said.contains("300.0 px") && said.contains("3.0 standard deviations"), "{said}");
+        // Within what is known; of a camera that nobody knew; of one that is held; of one so well known that its difference does not matter.
+        let placed =
+            |estimated: Camera, uncertainty: CameraUncertainty| matches!(of(estimated, uncertainty), PlacingVerdict::Placed { .. });
+        assert!(placed(Camera { focal_px: 1090.0, ..camera }, CameraUncertainty::EXIF));
+        assert!(placed(longer, CameraUncertainty::ASSUMED) && placed(camera, CameraUncertainty::NONE));
+        assert!(placed(Camera { focal_px: 1015.0, ..camera }, CameraUncertainty::GIVEN));
+    }
 }

@@ -36,12 +36,12 @@ pub fn write_heights(model: &HeightModel, epsg: Option<u16>) -> Result<Vec<u8>, 
     encoded::<Gray32Float>(size, values, &model.georeference, epsg, "nan")
 }
 
-/// Writes numbers of a grid on the ground as GeoTIFF of floating-point numbers, Deflate; NaN stands for nothing.
+/// Writes numbers of a grid on the ground as GeoTIFF of floating-point numbers, Deflate; NaN stands for nothing. `epsg`: the code of its system.
 ///
 /// # Errors
 /// As [`write_geotiff`].
-pub(crate) fn write_floats(size: [usize; 2], values: &[f32], georeference: &Georeference) -> Result<Vec<u8>, Error> {
-    encoded::<Gray32Float>(size, values, georeference, None, "nan")
+pub(crate) fn write_floats(size: [usize; 2], values: &[f32], georeference: &Georeference, epsg: Option<u16>) -> Result<Vec<u8>, Error> {
+    encoded::<Gray32Float>(size, values, georeference, epsg, "nan")
 }
 
 fn encoded<C: ColorType>(

@@ -8,9 +8,9 @@ use crate::adjustment::{Part, PartCovariances, Unknown};
 use crate::camera::rotation_from_angles;
 use crate::error::refuse;
 use crate::math::median;
-use crate::orthophoto::{Seen, write_floats};
+use crate::orthophoto::{BlockMap, Seen, epsg_of, heights_on_map, write_floats};
 use crate::text::{Row, table};
-use crate::{BlockRun, Camera, CameraParameter, Error, Georeference, Heights, Pose, Refusal, heights_of_points};
+use crate::{BlockRun, Camera, CameraParameter, Error, Georeference, Heights, Pose, Refusal};
 use nalgebra::{DMatrix, DVector, Matrix3};
 use std::collections::BTreeMap;
 
@@ -28,10 +28,13 @@ const LENGTH_STEP: f64 = 1e-6;
 const PX_STEP: f64 = 1e-3;
 const TERM_STEP: f64 = 1e-6;
 
-/// Expected standard errors over the ground of a block, in the system and unit of its adjustment.
+/// Expected standard errors over the ground of a block, in the system of its results: its coordinate reference system, where it has one. Standard errors are
+/// lengths on the ground, without the scale of a projection.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AccuracyMap {
     pub georeference: Georeference,
+    /// The code of its system, where that is known.
+    pub epsg: Option<u16>,
     pub width: usize,
     pub height: usize,
     /// Standard error of an image coordinate of the points that would be measured, in px.
@@ -76,7 +79,7 @@ pub struct AccuracySummary {
 ///
 /// # Errors
 /// [`Error::InvalidInput`] for a block that is not oriented, or whose project does not keep all of its adjustment, for more than 300 images, and for a
-/// cell or standard error out of range; [`Error::TooFew`] for less than ten points, and without redundancy; [`Error::Degenerate`] where the normal
+/// cell or standard error out of range, and for a coordinate reference system in degrees; [`Error::TooFew`] for less than ten points, and without redundancy; [`Error::Degenerate`] where the normal
 /// equations are singular.
 pub fn accuracy_map(run: &BlockRun, cell: Option<f64>, sigma_px: Option<f64>) -> Result<AccuracyMap, Error> {
     let Some(model) = written(run) else { return refuse(Refusal::CovariancesNotOriented) };
@@ -91,7 +94,8 @@ pub fn accuracy_map(run: &BlockRun, cell: Option<f64>, sigma_px: Option<f64>) ->
     if !(sigma_px > 0.0 && sigma_px <= 1e3) {
         return refuse(Refusal::AccuracySigma { sigma_px });
     }
-    let ground = Heights::Model(heights_of_points(&run.model)?);
+    let map = BlockMap::of(run)?;
+    let ground = Heights::Model(heights_on_map(&run.model, map.as_ref())?);
     let (georeference, [width, height]) = grid(&ground, cell)?;
     let parts: Vec<Part> = (0..adjusted.images.len()).map(Part::Image).chain((0..adjusted.cameras.len()).map(Part::Camera)).collect();
     let (block, accepted) = model.with_support();
@@ -103,12 +107,14 @@ pub fn accuracy_map(run: &BlockRun, cell: Option<f64>, sigma_px: Option<f64>) ->
         .collect();
     let cells = (0..width * height).map(|k| {
         let place = georeference.ground([(k % width) as f64 + 0.5, (k / width) as f64 + 0.5]);
-        match ground.at(place) {
-            Some(z) => expected(&views, &covariances, [place[0], place[1], z], sigma_px),
+        let on_map = ground.at(place).map(|z| [place[0], place[1], z]);
+        let adjusted = on_map.and_then(|place| map.as_ref().map_or(Some(place), |map| map.to_adjustment(place)));
+        match on_map.zip(adjusted) {
+            Some(([.., ground], point)) => Expected { ground, ..expected(&views, &covariances, point, sigma_px) },
             None => Expected { ground: f64::NAN, images: 0, plan: f64::NAN, height: f64::NAN },
         }
     });
-    Ok(AccuracyMap { georeference, width, height, sigma_px, cells: cells.collect() })
+    Ok(AccuracyMap { georeference, epsg: epsg_of(run, map.as_ref()), width, height, sigma_px, cells: cells.collect() })
 }
 
 impl AccuracyMap {
@@ -119,7 +125,7 @@ impl AccuracyMap {
     pub fn rasters(&self) -> Result<[Vec<u8>; 3], Error> {
         let raster = |value: fn(&Expected) -> f64| {
             let values: Vec<f32> = self.cells.iter().map(|cell| value(cell) as f32).collect();
-            write_floats([self.width, self.height], &values, &self.georeference)
+            write_floats([self.width, self.height], &values, &self.georeference, self.epsg)
         };
         Ok([raster(|cell| cell.plan)?, raster(|cell| cell.height)?, raster(|cell| cell.images as f64)?])
     }

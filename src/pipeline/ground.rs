@@ -43,16 +43,16 @@ pub(crate) struct GroundPoint {
 
 impl BlockRun {
     /// The block as it was found, adjusted anew in the system of these points, beside ground control points that were given, and GNSS positions
-    /// where this is its coordinate reference system; edits by hand are not kept. `remarks`: what is to be said of the orthophoto. Points that contradict the others are rejected and stay in its table of ground control points. Where most do, or where the
+    /// where this is its coordinate reference system; edits by hand are not kept. `epsg`: the code of the orthophoto's system. `remarks`: what is to be said of it. Points that contradict the others are rejected and stay in its table of ground control points. Where most do, or where the
     /// ground control points contradict them, the block is not changed.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for ground control points of the same names.
-    pub(crate) fn on_ground(&self, points: &[GroundPoint], remarks: &[Remark]) -> Result<Self, Error> {
+    pub(crate) fn on_ground(&self, points: &[GroundPoint], epsg: Option<u16>, remarks: &[Remark]) -> Result<Self, Error> {
         let mut found = self.found();
         found.remarks.retain(|remark| !remark.is_of_orthophoto());
         found.remarks.extend_from_slice(remarks);
-        match Ground::new(&found, points)?.adjusted()? {
+        match Ground::new(&found, points, epsg)?.adjusted()? {
             Ok(run) => Ok(run),
             Err(not_linked) => Ok(found.not_linked(not_linked)),
         }
@@ -73,6 +73,8 @@ struct Ground<'a> {
     /// Those of the orthophoto; one that was rejected has no role.
     added: Vec<GroundControlRow>,
     measurements: Vec<ImageMeasurementRow>,
+    /// The code of the orthophoto's system.
+    epsg: Option<u16>,
 }
 
 /// An adjustment by them.
@@ -83,7 +85,7 @@ struct Attempt {
 }
 
 impl<'a> Ground<'a> {
-    fn new(found: &'a BlockRun, points: &[GroundPoint]) -> Result<Self, Error> {
+    fn new(found: &'a BlockRun, points: &[GroundPoint], epsg: Option<u16>) -> Result<Self, Error> {
         let given = found.input.control.as_ref();
         let own = given.map(|texts| parse_ground_control_points(&texts.points)).transpose()?.unwrap_or_default();
         let mut measurements = given.map(|texts| parse_image_measurements(&texts.marks)).transpose()?.unwrap_or_default();
@@ -108,7 +110,7 @@ impl<'a> Ground<'a> {
                 sigma_px: Some(point.sigma_px),
             });
         }
-        Ok(Self { found, own, added, measurements })
+        Ok(Self { found, own, added, measurements, epsg })
     }
 
     fn used(&self, role: ControlRole) -> usize {
@@ -222,6 +224,7 @@ impl<'a> Ground<'a> {
             checks: self.used(ControlRole::Check),
             rejected: role(None).count(),
             in_crs: has_crs(&input),
+            epsg: self.epsg,
         };
         let confidence = confidences(found);
         let mut reconstruction = found.reconstruction.clone().unwrap_or_default();

@@ -20,6 +20,9 @@ messages! {
             rejected: usize,
             #[serde(default, skip_serializing_if = "std::ops::Not::not")]
             in_crs: bool,
+            /// The EPSG code of the system of the orthophoto, where that is known.
+            #[serde(default, skip_serializing_if = "Option::is_none")]
+            epsg: Option<u16>,
         },
         /// The block is as it was without it.
         NotLinked { not_linked: NotLinked },
@@ -60,5 +63,10 @@ mod tests {
         let read: OnOrthophoto =
             serde_json::from_str(r#"{"kind":"not_linked","not_linked":{"kind":"own_system","crs":"EPSG:25832"}}"#).unwrap();
         assert_eq!(read, OnOrthophoto::NotLinked { not_linked: NotLinked::OwnSystem { crs: "EPSG:25832".into() } });
+        // Before they kept the code of the orthophoto.
+        let text = r#"{"kind":"linked","linked":8,"images":8,"points":40,"checks":9,"rejected":0}"#;
+        let read: OnOrthophoto = serde_json::from_str(text).unwrap();
+        assert!(matches!(read, OnOrthophoto::Linked { epsg: None, in_crs: false, .. }));
+        assert_eq!(serde_json::to_string(&read).unwrap(), text);
     }
 }

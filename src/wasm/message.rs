@@ -31,6 +31,7 @@ export interface Messages {
     error: { kind: string };
     overview_warning: OverviewWarning;
     placing_verdict: PlacingVerdict;
+    place_search: PlaceSearch;
     image_reason: ImageReason;
     on_orthophoto: OnOrthophoto;
 }

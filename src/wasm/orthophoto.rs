@@ -5,8 +5,8 @@ use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::{
     BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, GivenLink, HeightModel, Heights, Mosaic, Orthophoto, PlacedImage,
-    Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, ground_positions, heights_of_points, image_positions,
-    links_table, place_by_links, place_image, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, ground_positions, image_positions, links_table, place_by_links,
+    place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -66,16 +66,7 @@ impl OrthophotoReference {
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array")] heights: &JsValue,
         world_file: Option<String>,
     ) -> JsResult<()> {
-        let earlier = std::mem::replace(&mut self.orthophoto.heights, read_heights(heights, world_file.as_deref())?);
-        if self.orthophoto.heights_share() == 0.0 {
-            self.orthophoto.heights = earlier;
-            let got = "none under the orthophoto".to_string();
-            return Err(thrown(Error::InvalidArgument {
-                what: "heights of a height model",
-                got,
-                allowed: "a model of the same ground in the same system".into(),
-            }));
-        }
+        self.orthophoto.set_heights(read_heights(heights, world_file.as_deref())?).map_err(thrown)?;
         self.area = None;
         Ok(())
     }
@@ -106,7 +97,8 @@ impl OrthophotoReference {
     }
 
     /// Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
-    /// of its EXIF and XMP, or a usual one.
+    /// of its EXIF and XMP, or a usual one. Where it records a GNSS position and the system of the orthophoto is known, it is sought there first, within
+    /// `within_m`, then on all of the orthophoto.
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
     pub fn place(&mut self, name: &str, file: &[u8], cameras: Option<String>) -> JsResult<JsValue> {
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
@@ -114,7 +106,7 @@ impl OrthophotoReference {
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
         let camera = PlacingCamera::of(&rules, name, [image.width() as u32, image.height() as u32], &exif);
         let area = self.taken_area()?;
-        let placed = place_image(image.view(), &camera, &self.orthophoto, &area, &self.options);
+        let placed = place_recorded(image.view(), &camera, exif.position.as_ref(), &self.orthophoto, &area, &self.options);
         self.area = Some(area);
         placed.map(|placed| pack(&placed)).map_err(thrown)
     }
@@ -281,23 +273,23 @@ pub struct OrthoMosaic {
 #[wasm_bindgen]
 impl OrthoMosaic {
     /// Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
-    /// pixel; absent: that of the images.
+    /// pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
+    /// adjustment, as the map of the page is.
     pub fn open(
         project: &[u8],
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array | null")] heights: &JsValue,
         heights_world_file: Option<String>,
         gsd: Option<f64>,
+        in_adjustment: Option<bool>,
     ) -> JsResult<OrthoMosaic> {
         let Project::Block(run) = read_project(project).map_err(thrown)? else {
             return Err(thrown(Error::UnreadableFile { what: "project", place: String::new(), file_fault: FileFault::HoldsPair }));
         };
-        let model = &run.model;
-        let heights = match heights.is_null() {
-            true => Heights::Model(heights_of_points(model).map_err(thrown)?),
-            false => read_heights(heights, heights_world_file.as_deref())?,
-        };
-        let mosaic = Mosaic::new(model, heights, gsd).map_err(thrown)?;
-        Ok(Self { mosaic, names: model.images.iter().map(|image| image.name.clone()).collect() })
+        let given = || read_heights(heights, heights_world_file.as_deref());
+        let heights = (!heights.is_null()).then(given).transpose()?;
+        let lay_out = if in_adjustment.unwrap_or(false) { Mosaic::in_adjustment } else { Mosaic::of_block };
+        let mosaic = lay_out(&run, heights, gsd).map_err(thrown)?;
+        Ok(Self { mosaic, names: run.model.images.iter().map(|image| image.name.clone()).collect() })
     }
 
     /// The names of the block's images.
@@ -315,13 +307,14 @@ impl OrthoMosaic {
     /// The heights on which it lies, as GeoTIFF; absent where these are one for all.
     pub fn heights(&self) -> JsResult<Option<Vec<u8>>> {
         match self.mosaic.heights() {
-            Heights::Model(model) => write_heights(model, None).map(Some).map_err(thrown),
+            Heights::Model(model) => write_heights(model, self.mosaic.epsg()).map(Some).map_err(thrown),
             Heights::Level(_) => Ok(None),
         }
     }
 
     /// The mosaic, grey, as GeoTIFF.
     pub fn finish(self) -> JsResult<Vec<u8>> {
-        self.mosaic.finish().and_then(|mosaic| write_geotiff(&mosaic, None)).map_err(thrown)
+        let epsg = self.mosaic.epsg();
+        self.mosaic.finish().and_then(|mosaic| write_geotiff(&mosaic, epsg)).map_err(thrown)
     }
 }

@@ -1,6 +1,6 @@
 """OpenCV on a large orthophoto: python3 orthophoto.py ORTHOPHOTO HEIGHTS PHOTO TRUTH
 
-SIFT of the overview and of the photograph, ratio test, then resection by consensus (USAC, MAGSAC) with the true focal length, which it cannot estimate.
+SIFT of the overview and of the photograph, ratio test, then resection by consensus (`solvePnPRansac`, SQPnP) with the true focal length, which it cannot estimate.
 Prints one line. Needs opencv-python-headless and rasterio.
 """
 

@@ -4,7 +4,7 @@ import type { BlockEdit, BlockFlight, BlockModel, ExportFormat, OrthophotoInfo, 
 import type { Position } from '../../shared/state/pane';
 import type { LinksInput } from './block-links';
 import type { Turn, Window } from './match';
-import type { AdjustInput, Ground, LaidInput, LaidPicture, PlaceInput, PredictInput, TileInput } from './orthophoto';
+import type { AdjustInput, Ground, LaidInput, LaidPicture, MosaicInput, PlaceInput, PredictInput, TileInput } from './orthophoto';
 import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { LinkedImage } from '../state/links';
 import type { BlockFile } from '../state/state';
@@ -101,7 +101,7 @@ export interface BlockCalls {
   linksOpen: { input: LinksInput; output: (string | null)[] };
   linksPlace: { input: { index: number; file: Blob }; output: PlacingVerdict | null };
   linksFinish: { input: null; output: Uint8Array };
-  mosaicOpen: { input: { project: Blob; heights: Ground['heights'] | null }; output: string[] };
+  mosaicOpen: { input: MosaicInput; output: string[] };
   mosaicAdd: { input: { index: number; file: Blob }; output: null };
   mosaicFinish: { input: null; output: Uint8Array };
   sceneOrthophoto: { input: { flight: BlockFlight; gsd: number }; output: { picture: Uint8Array<ArrayBuffer>; heights: Uint8Array<ArrayBuffer> } };

@@ -30,6 +30,13 @@ export interface PlaceInput {
   cameras: string | null;
 }
 
+export interface MosaicInput {
+  project: Blob;
+  heights: Ground['heights'] | null;
+  /** In the system of the block's adjustment, though it has a coordinate reference system. */
+  inAdjustment: boolean;
+}
+
 export interface AdjustInput extends PlaceInput {
   links: readonly GivenLink[];
   /** Where it was placed; null: nowhere yet. */
@@ -193,12 +200,12 @@ export async function orthoLaid({ ground, file, placement, side }: LaidInput): P
 let mosaic: OrthoMosaic | null = null;
 
 /** Lays out the orthomosaic of a project file; gives the names of its images. */
-export async function mosaicOpen({ project, heights }: { project: Blob; heights: Ground['heights'] | null }): Promise<string[]> {
+export async function mosaicOpen({ project, heights, inAdjustment }: MosaicInput): Promise<string[]> {
   mosaic?.free();
   mosaic = null;
   const model = typeof heights === 'object' && heights !== null ? await bytesOf(heights.file) : heights;
   const world = typeof heights === 'object' && heights !== null ? heights.world : null;
-  mosaic = OrthoMosaic.open(await bytesOf(project), model, world);
+  mosaic = OrthoMosaic.open(await bytesOf(project), model, world, undefined, inAdjustment);
   return mosaic.names;
 }
 

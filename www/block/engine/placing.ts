@@ -173,13 +173,16 @@ export class PlacingEngine {
     return this.shower.call('orthoLaid', { ground, file: file.file, placement: { ...placement, links: [] }, side });
   }
 
-  /** The orthomosaic of the block of a project file, as GeoTIFF; null where it was cancelled. `heights`: those of the tie points where null. */
-  async mosaic(project: Blob, files: readonly BlockFile[]): Promise<Uint8Array<ArrayBuffer> | null> {
+  /**
+   * The orthomosaic of the block of a project file on the heights of its tie points, as GeoTIFF; null where it was cancelled. In the coordinate reference system
+   * of the block where it has one, or, `inAdjustment`, in the system of its adjustment.
+   */
+  async mosaic(project: Blob, files: readonly BlockFile[], inAdjustment: boolean): Promise<Uint8Array<ArrayBuffer> | null> {
     this.stopped = false;
     const tell = (done: number, total: number, text: string) => this.store.dispatch({ type: 'placing', running: { done, total, text } });
     tell(0, files.length, say('laying-out-the-orthomosaic'));
     try {
-      const names = await this.maker.call('mosaicOpen', { project, heights: null });
+      const names = await this.maker.call('mosaicOpen', { project, heights: null, inAdjustment });
       for (const [done, { name, file }] of files.entries()) {
         tell(done, files.length, say('orthomosaic', { name }));
         const index = names.indexOf(name);

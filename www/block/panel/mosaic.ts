@@ -11,7 +11,7 @@ import { messageOf } from '../../shared/text/messages';
 const NAME = 'orthomosaic.tif';
 
 export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine): Promise<void> {
-  const mosaic = await made(store, engine, placing);
+  const mosaic = await made(store, engine, placing, false);
   if (mosaic === null) return;
   save(mosaic, NAME);
   tell(store, 'info', say('was-saved-2', { name: NAME, store: missingText(store) }));
@@ -20,7 +20,8 @@ export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing
 /** Takes it as the orthophoto of the project. */
 export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine): Promise<void> {
   const key = store.state.shown?.key ?? '';
-  const mosaic = await made(store, engine, placing);
+  // The map is in the system of the adjustment.
+  const mosaic = await made(store, engine, placing, true);
   if (mosaic === null) return;
   tell(store, 'busy', say('laying-the-orthomosaic-under-the'));
   try {
@@ -33,14 +34,14 @@ export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing
 }
 
 /** Null where it was cancelled or could not be made, which is said. */
-async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngine): Promise<Blob | null> {
+async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, inAdjustment: boolean): Promise<Blob | null> {
   const files = imagesOfBlock(store.state);
   if (files.length === 0) {
     tell(store, 'problem', say('an-orthomosaic-is-made-of'));
     return null;
   }
   try {
-    const bytes = await placing.mosaic(await engine.project(), files);
+    const bytes = await placing.mosaic(await engine.project(), files, inAdjustment);
     if (bytes !== null) return new Blob([bytes], { type: 'image/tiff' });
     tell(store, 'info', say('cancelled-no-orthomosaic-was-made'));
   } catch (error) {

@@ -4,7 +4,9 @@ import type { PlacedFile } from '../state/placed';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
 
-/** What the place of an image is worth, in a sentence. */
+/** What the place of an image is worth, and how it was sought by its GNSS position. */
 export function verdictText({ result, problem }: Pick<PlacedFile, 'result' | 'problem'>): string {
-  return result === null ? say('not-read', { problem: sentence(problem) }) : message('placing_verdict', result.verdict);
+  if (result === null) return say('not-read', { problem: sentence(problem) });
+  const verdict = message('placing_verdict', result.verdict);
+  return result.search === undefined ? verdict : `${verdict} ${message('place_search', result.search)}`;
 }
