@@ -174,7 +174,7 @@ export const pair = (name, placeholder, help) => ({
   },
 });
 
-/** Threads that are used unless told. */
+/** Threads that are used unless another number is given. */
 export const DEFAULT_WORKERS = Math.min(availableParallelism(), 16);
 
 /** @param {string} same what does not depend on it, with its verb @returns {Option} */

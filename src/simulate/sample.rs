@@ -45,7 +45,7 @@ pub fn sample_pair(seed: u32) -> Result<Sample, Error> {
     simulate(&Flight { seed, ..Flight::default() })
 }
 
-/// Flies over a made town, takes two photos, scans them and cuts patches of the same ground.
+/// Flies over a synthetic scene, takes two photos, scans them and cuts patches of the same ground.
 ///
 /// The same flight gives the same bytes natively and as WebAssembly.
 ///
