@@ -1,6 +1,7 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
+import { IMAGE_FILE } from '../block/image-files.js';
 import { runBlock } from '../block/index.js';
 import {
   block_parameters,
@@ -26,9 +27,6 @@ import { Progress } from './progress.js';
  */
 
 const OPTIONS = optionsOf(block_parameters(), block_settings({}), BLOCK_NAMES);
-
-/** What files an image may have in a folder. */
-const IMAGE = /\.(jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/i;
 
 /** @type {import('./args.js').Command} */
 export const block = {
@@ -175,7 +173,7 @@ const sourceOf = (file) => ({
 
 /** @param {string} folder @returns {string[]} */
 function imagesIn(folder) {
-  const names = filesIn(folder).filter((name) => IMAGE.test(name));
+  const names = filesIn(folder).filter((name) => IMAGE_FILE.test(name));
   if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
   return names.map((name) => join(folder, name));
 }
