@@ -5,25 +5,126 @@
 
 ## Errors. They follow `error: ` or stand in a sentence: no capital, no full stop.
 
-error-invalid-option = { $field } is { $got }; allowed: { $allowed }
-error-invalid-json = { $what }: { $reason }
-error-invalid-argument = { $what }: got { $got }; allowed: { $allowed }
+error-invalid-option =
+    { $field } is { $got ->
+        [none] absent
+       *[other] { $got }
+    }; allowed: { $allowed }
+error-invalid-json = { $document }: { $json_fault }
+error-invalid-argument = { $what }: got { $got }; allowed: { $wanted }
 error-invalid-input = { $refusal }
 error-unreadable-image = the image cannot be read: { $image_fault }
 error-unsupported-image = { $unsupported }
 error-too-many-pixels = the image declares { $width } x { $height } px = { FIXED($megapixels, digits: 1) } MP; allowed: up to { FIXED($max_megapixels, digits: 1) } MP
 error-too-much-memory = decoding { $width } x { $height } px needs about { $needed_mb } MB; allowed: up to { $max_mb } MB
-error-image-too-small = the image has { $width } x { $height } px; { $operation } needs at least { $min_side } px a side
+error-image-too-small = the image has { $width } x { $height } px; { $image_operation } needs at least { $min_side } px a side
 error-window-outside = the window of { $side } x { $side } px at column { $col }, row { $row } leaves the image of { $width } x { $height } px
 error-constant-window = the window of { $side } x { $side } px at column { $col }, row { $row } is constant: it has no moments
-error-too-few = { $what }: { $got } given; at least { $needed } are needed
+error-too-few = { $few }: { $got } given; at least { $needed } are needed
 error-degenerate = the observations do not determine { $computation }: { $cause }
 error-undetermined-image = { $computation } does not determine image { $image } (counted from 0): { $cause }
 error-not-converged = { $computation } does not converge in { $iterations } iterations: { $cause }
-error-not-exportable = these images cannot be exported as { $formats } ({ $reason }): rename them, or do not export what cannot hold their names
+error-not-exportable = these images cannot be exported as { $formats } ({ $error }): rename them, or do not export what cannot hold their names
 error-interrupted = the run cannot go on: { $interruption }
-error-unreadable-file = { $what } cannot be read: { $place }: { $file_fault }
-error-not-written = { $what } cannot be written: the output takes no more text
+error-unreadable-file =
+    { $document } cannot be read: { $file_place ->
+        [none] {""}
+       *[other] { $file_place }:{" "}
+    }{ $file_fault }
+error-not-written = { $document } cannot be written: the output takes no more text
+
+json-fault-field =
+    { $field }: { $words }{ $line ->
+        [none] {""}
+       *[other] {" "}at line { $line } column { $column }
+    }
+json-fault-text =
+    { $words }{ $line ->
+        [none] {""}
+       *[other] {" "}at line { $line } column { $column }
+    }
+
+# What an option allows. It follows `allowed: `, and stands in the help of the command.
+allowed-integer =
+    { $odd ->
+        [true] odd whole numbers
+       *[false] whole numbers
+    } from { $min } to { $max }
+allowed-real = { $min } to { $max }
+allowed-flag = yes or no
+allowed-text = text
+allowed-words = { $words }
+allowed-two-numbers =
+    { $px ->
+        [true] two numbers of px
+       *[false] two numbers
+    } from { $min } to { $max }
+allowed-above-up-to = above { $above }, up to { $max }
+allowed-at-least = { $min } or more
+allowed-but-zero = { $min } to { $max }, but not 0
+allowed-finite =
+    { $numbers ->
+        [2] two finite numbers
+        [3] three finite numbers
+       *[other] { $numbers } finite numbers
+    }
+allowed-one-of-two = { $first } or { $second }, not both
+allowed-odd-for-forstner = odd sides for the Förstner operator
+allowed-without-fiducials = { $min } to { $max } where there are no fiducials
+allowed-for-photo-coordinates = { $min } to { $max } in formats with photo coordinates
+allowed-photo-rows = up to { FIXED($most, digits: 0) } with this width, so that a photo has at most 100 MP
+allowed-photo-relief = 0 to { $most_m } for photos, a tenth of the flying height
+allowed-height-above-buildings = { $least_m } or more, or no buildings
+allowed-small-images-of-tilted = so large that all rays of the tilted cameras fall at 24 degrees or steeper: smaller images
+allowed-small-pixels = so small that all rays fall at 24 degrees or steeper
+allowed-long-focal-length = long enough that, with these tilts, all rays fall at 24 degrees or steeper
+allowed-orthophoto-pixel = above { FIXED($above, digits: 3) }, so that it has at most 100 MP
+allowed-height-over-ground =
+    up to { FIXED($most_m, digits: 0) } m, so that the { $block ->
+        [true] block
+       *[false] patch
+    } shows at most { $longest_m } m of ground
+
+few-agreeing-observations = observations that agree on a relative orientation
+few-different-observations = different observations for the relative orientation
+few-different-matches = different matches for the geometry of two views
+few-matches-for-fundamental-matrix = matches for the fundamental matrix
+few-matches-for-homography = matches for the homography
+few-fiducial-marks = fiducial marks
+few-images-of-block = images of a block
+few-observations-of-point = observations of a point
+few-observed-coordinates = observed coordinates
+few-positions-for-datum = GNSS positions or control points with two observations, for the datum
+few-control-points-for-datum = control points, for the datum
+few-degrees-of-freedom = degrees of freedom, for covariances
+few-intersected-points = intersected points, for the heights of the ground
+few-links = links that take part
+
+document-named = { $name }
+document-block = the block
+document-camera = the camera
+document-cameras = the cameras
+document-export = the export
+document-file = a file
+document-folder = the folder
+document-geo-tiff = the GeoTIFF
+document-kept-record = a kept record
+document-orthophoto = the orthophoto
+document-project = the project file
+document-task = the task of a job
+
+file-place-path = { $path }
+file-place-line = line { $line }
+file-place-byte = byte { $byte }
+file-place-length = length
+file-place-checksum = checksum
+file-place-content = content
+
+image-operation-forstner-window = the Förstner operator's window
+image-operation-ground-operator = the ground operator
+image-operation-moravec-window = the Moravec operator's window
+image-operation-placing-on-orthophoto = placing on an orthophoto
+image-operation-pyramid-of-scales = the pyramid of scales
 
 image-fault-empty = the file is empty
 image-fault-damaged = { $format }: { $damage }
@@ -86,7 +187,7 @@ unsupported-tiff-bands = TIFF of { $bands } bands with a predictor is not suppor
 
 file-fault-system = { $message }
 file-fault-not-text = it is not text (UTF-8)
-file-fault-content = { $message }
+file-fault-content = { $json_fault }
 file-fault-no-number = { $field } is '{ $word }', not a finite number
 file-fault-no-whole-number = { $field } is '{ $word }', not a whole number of its range
 file-fault-short-line = it ends before { $field }
@@ -101,7 +202,7 @@ file-fault-zero-quaternion = the quaternion is zero
 file-fault-after-name = '{ $word }' after the name
 file-fault-no-features = the line of its points is missing
 file-fault-no-project = '{ $line }' is not the first line of a project, or the only one
-file-fault-no-header = '{ $line }' is not the first line of a project ({ $message })
+file-fault-no-header = '{ $line }' is not the first line of a project ({ $json_fault })
 file-fault-other-format = its format is '{ $format }', not '{ $wanted }'
 file-fault-other-version = it is of version { $version }; this program reads versions 1 to { $newest }
 file-fault-other-length = { $bytes } bytes follow the first line, which declares { $declared }: the file is cut off or was changed

@@ -10,7 +10,8 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 33] = [
+pub(super) const NESTED: [&str; 39] = [
+    "allowed",
     "block_warning",
     "camera",
     "camera_caution",
@@ -19,13 +20,18 @@ pub(super) const NESTED: [&str; 33] = [
     "computation",
     "damage",
     "described",
+    "document",
     "element",
     "error",
     "failure",
+    "few",
     "file_fault",
+    "file_place",
     "image_fault",
+    "image_operation",
     "input",
     "interruption",
+    "json_fault",
     "location",
     "no_geometry",
     "no_orientation",

@@ -8,7 +8,7 @@ use super::rectify::{Rectified, rectify};
 use crate::camera::Camera;
 use crate::error::refuse;
 use crate::math::median;
-use crate::{BlockModel, Error, GreyImage, GreyView, Pose, Refusal, halve};
+use crate::{BlockModel, Error, Few, GreyImage, GreyView, Pose, Refusal, halve};
 
 /// Larger mosaics are made of larger pixels.
 const MOST_PIXELS: f64 = 1e8;
@@ -26,7 +26,7 @@ const MOST_CELLS: f64 = 2000.0;
 pub fn heights_of_points(model: &BlockModel) -> Result<HeightModel, Error> {
     let points: Vec<[f64; 3]> = model.points.iter().filter_map(|point| point.position).collect();
     if points.len() < 10 {
-        return Err(Error::TooFew { what: "intersected points, for the heights of the ground", got: points.len(), needed: 10 });
+        return Err(Error::TooFew { few: Few::IntersectedPoints, got: points.len(), needed: 10 });
     }
     // One in fifty at each end may lie far off.
     let within = |axis: usize| {

@@ -1,6 +1,6 @@
 //! Images placed on an orthophoto.
 
-use super::convert::{JsResult, object, pack, read, read_options, thrown};
+use super::convert::{JsResult, object, pack, read, read_options, thrown, wrong_project};
 use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::{
@@ -73,7 +73,7 @@ impl OrthophotoReference {
             return Err(thrown(Error::InvalidArgument {
                 what: "heights of a height model",
                 got,
-                allowed: "a model of the same ground in the same system".into(),
+                wanted: "a model of the same ground in the same system".into(),
             }));
         }
         self.area = None;
@@ -226,7 +226,7 @@ impl BlockOnOrthophoto {
 fn pairs<'a>(what: &'static str, numbers: &'a [f64]) -> JsResult<&'a [[f64; 2]]> {
     match numbers.as_chunks::<2>() {
         (pairs, []) => Ok(pairs),
-        _ => Err(thrown(Error::InvalidArgument { what, got: format!("{} numbers", numbers.len()), allowed: "two for each".into() })),
+        _ => Err(thrown(Error::InvalidArgument { what, got: format!("{} numbers", numbers.len()), wanted: "two for each".into() })),
     }
 }
 
@@ -289,7 +289,7 @@ impl OrthoMosaic {
         gsd: Option<f64>,
     ) -> JsResult<OrthoMosaic> {
         let Project::Block(run) = read_project(project).map_err(thrown)? else {
-            return Err(thrown(Error::UnreadableFile { what: "project", place: String::new(), file_fault: FileFault::HoldsPair }));
+            return Err(thrown(wrong_project(FileFault::HoldsPair)));
         };
         let model = &run.model;
         let heights = match heights.is_null() {
