@@ -19,7 +19,7 @@ fn main() -> Result<(), Error> {
             let path = Path::new(&folder).join(&name).join(path);
             let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
             files += 1;
-            made.and_then(|()| std::fs::write(&path, text)).map_err(|_| Error::NotWritten { what: "the export" })
+            made.and_then(|()| std::fs::write(&path, text)).map_err(|_| Error::NotWritten { document: tiepoint::Document::Export })
         })?;
         println!("{name}: {files} files");
     }

@@ -2,24 +2,52 @@
 //!
 //! All goes through one reader of texts: for each other one the module would hold the code of every type once more.
 
+use crate::message::messages;
 use serde::de::{DeserializeOwned, Error};
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 use serde_path_to_error::Track;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
+messages! {
+    /// Why a JSON text is refused, in the words of its reader.
+    #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+    pub enum JsonFault as "json_fault" {
+        /// A field by its path; line and column count from 1, and are absent where there is no text to look them up in.
+        Field { field: String, words: String, line: Option<usize>, column: Option<usize> },
+        /// The whole.
+        Text { words: String, line: Option<usize>, column: Option<usize> },
+    }
+}
+
+impl std::error::Error for JsonFault {}
+
+impl From<serde_json::Error> for JsonFault {
+    fn from(error: serde_json::Error) -> Self {
+        let (words, place) = words(&error);
+        Self::Text { words, line: place.map(|place| place[0]), column: place.map(|place| place[1]) }
+    }
+}
+
 /// Reads a JSON text; or says which field is wrong, and why.
-pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, String> {
-    read(text).map_err(in_words)
+pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, JsonFault> {
+    read(text).map_err(|error| match error.path().iter().next() {
+        None => error.into_inner().into(),
+        Some(_) => {
+            let (words, place) = words(error.inner());
+            let field = error.path().to_string();
+            JsonFault::Field { field, words, line: place.map(|place| place[0]), column: place.map(|place| place[1]) }
+        }
+    })
 }
 
 /// Reads a JSON value that stands in no text: nobody could look up the place of what is refused.
-pub(crate) fn from_value<T: DeserializeOwned>(value: &Value) -> Result<T, String> {
-    read(&value.to_string()).map_err(|error| {
-        let place = format!(" at line {} column {}", error.inner().line(), error.inner().column());
-        let reason = in_words(error);
-        reason.strip_suffix(&place).map_or(reason.clone(), str::to_string)
+pub(crate) fn from_value<T: DeserializeOwned>(value: &Value) -> Result<T, JsonFault> {
+    from_text(&value.to_string()).map_err(|fault| match fault {
+        JsonFault::Field { field, words, .. } => JsonFault::Field { field, words, line: None, column: None },
+        JsonFault::Text { words, .. } => JsonFault::Text { words, line: None, column: None },
     })
 }
 
@@ -30,10 +58,12 @@ fn read<T: DeserializeOwned>(text: &str) -> Result<T, serde_path_to_error::Error
     read.and_then(|read| deserializer.end().map(|()| read)).map_err(|error| serde_path_to_error::Error::new(track.path(), error))
 }
 
-fn in_words(error: serde_path_to_error::Error<serde_json::Error>) -> String {
-    match error.path().iter().next() {
-        Some(_) => error.to_string(),
-        None => error.into_inner().to_string(),
+/// What the reader says, and the line and column that it appends to that where it read a text: it gives its words in no other way.
+fn words(error: &serde_json::Error) -> (String, Option<[usize; 2]>) {
+    let (said, [line, column]) = (error.to_string(), [error.line(), error.column()]);
+    match said.strip_suffix(&format!(" at line {line} column {column}")) {
+        Some(words) => (words.into(), Some([line, column])),
+        None => (said, None),
     }
 }
 
@@ -121,10 +151,10 @@ mod tests {
             (whole, "", "EOF while parsing a value at line 1 column "),
             ("}]}", "}]} 3", "trailing characters"),
         ] {
-            let reason = from_text::<File>(&whole.replacen(from, to, 1)).unwrap_err();
+            let reason = from_text::<File>(&whole.replacen(from, to, 1)).unwrap_err().to_string();
             assert!(reason.starts_with(told), "{told}: {reason}");
         }
         let reason = from_value::<File>(&serde_json::json!({"cameras": [{"name": "a", "place": [1, null], "reach": 3}]})).unwrap_err();
-        assert_eq!(reason, "cameras[0].place[1]: invalid type: null, expected f64");
+        assert_eq!(reason.to_string(), "cameras[0].place[1]: invalid type: null, expected f64");
     }
 }

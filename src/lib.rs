@@ -59,8 +59,8 @@ pub use descriptors::{
 pub use editing::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
 pub use epipolar_images::{EpipolarGeometry, EpipolarImages, Parallaxes, StereoPair, StereoView, write_anaglyph};
 pub use error::{
-    CameraParameter, Cause, Computation, Damage, DescribedBy, Element, Error, Failure, FileFault, ImageFault, Input, Interruption,
-    Location, PointName, Refusal, Side, Unsettled, Unsupported,
+    Allowed, CameraParameter, Cause, Computation, Damage, DescribedBy, Document, Element, Error, Failure, Few, FileFault, FilePlace,
+    ImageFault, ImageOperation, Input, Interruption, Location, PointName, Refusal, Side, Unsettled, Unsupported,
 };
 pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
@@ -69,6 +69,7 @@ pub use formats::{
 pub use image::{
     DecodeLimits, Decoded, DiskFile, FileSource, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to, write_png,
 };
+pub use json::JsonFault;
 pub use matching::{
     Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, Descriptors, EpipolarLines, Expectation, Fit, Guide,
     GuidedOptions, Located, Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField,

@@ -3,7 +3,7 @@
 use crate::error::refuse;
 use crate::json;
 use crate::text::{Row, records, shorten, table};
-use crate::{CameraMm, Error, Fiducial, Input, ModelPoint, Observation, Refusal};
+use crate::{CameraMm, Document, Error, Fiducial, Input, ModelPoint, Observation, Refusal};
 use csv::StringRecord;
 
 /// Reads fiducial marks: columns `col`, `row` (px, the centre of the top-left pixel at (0.5, 0.5)), `x_mm`, `y_mm`.
@@ -34,7 +34,7 @@ pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
 /// [`Error::InvalidJson`] with the place; [`Error::InvalidOption`] for a value outside its range.
 pub fn parse_camera(json: &str) -> Result<CameraMm, Error> {
     let text = json.trim_start_matches('\u{feff}');
-    let camera: CameraMm = json::from_text(text).map_err(|reason| Error::InvalidJson { what: "the camera", reason })?;
+    let camera: CameraMm = json::from_text(text).map_err(|json_fault| Error::InvalidJson { document: Document::Camera, json_fault })?;
     camera.check().map(|()| camera)
 }
 

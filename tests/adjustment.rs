@@ -417,13 +417,13 @@ fn wrong_blocks_are_refused_by_what_is_wrong() {
         (error.code(), error.to_string())
     };
     let (code, text) = refused(&|b| b.rays[7].image = 99);
-    assert!(code == "invalid-input" && text.contains("99") && text.contains("ray 7"), "{text}");
+    assert!(code == "invalid-input" && text.contains("99") && text.contains("observation 7"), "{text}");
     let (code, text) = refused(&|b| b.rays[3].x_px = f64::NAN);
-    assert!(code == "invalid-input" && text.contains("ray 3"), "{text}");
+    assert!(code == "invalid-input" && text.contains("observation 3"), "{text}");
     let (code, text) = refused(&|b| b.images[2].pose.rotation[0] = [0.0; 3]);
     assert!(code == "invalid-input" && text.contains("image 2"), "{text}");
     let (code, text) = refused(&|b| b.rays.push(b.rays[0]));
-    assert!(code == "invalid-input" && text.contains("two rays"), "{text}");
+    assert!(code == "invalid-input" && text.contains("got two of image"), "{text}");
     let (code, text) = refused(&|b| b.rays.retain(|ray| ray.image != 4));
     assert!(code == "degenerate" && text.contains("image 4"), "{text}");
     let (code, _) = refused(&|b| b.images.truncate(1));

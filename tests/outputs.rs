@@ -384,9 +384,9 @@ fn edits_of_what_is_not_there_are_refused_by_name() {
     of(refused(BlockEdit::RejectImages { images: vec![77] }), &["index 77"]);
     of(refused(measure(point, seen.image, [480.5, 10.0])), &["outside the image", "480 x 360"]);
     of(refused(measure(point, seen.image, [f64::NAN, 10.0])), &["outside the image"]);
-    of(refused(measure(PointSource::GroundControl(0), seen.image, [1.0, 1.0])), &["surveyed point 0"]);
+    of(refused(measure(PointSource::GroundControl(0), seen.image, [1.0, 1.0])), &["ground control or check point 0"]);
     of(refused(BlockEdit::AddPoint { observations: Vec::new() }), &["images of a new point"]);
-    of(refused(BlockEdit::SetUse { point: 0, role: None }), &["surveyed point", "index 0"]);
+    of(refused(BlockEdit::SetUse { point: 0, role: None }), &["ground control or check point", "index 0"]);
     let all: Vec<PointSource> = point_ids(run);
     assert!(run.with_edits(&[BlockEdit::RejectImages { images: vec![1, 2, 3] }]).is_err());
     // The support holds the block without any of the points that are given.

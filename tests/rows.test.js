@@ -78,6 +78,35 @@ test('a file holds what is shown: units in the heads, figures that programs read
   assert.equal(tabbedOf(COLUMNS, [3], asItIs), 'Number [px]\tWord\n10.0\tphoto 1\n');
 });
 
+test('no cell of a file that the page writes runs as a formula', () => {
+  const { csvOf, tabbedOf } = page.rows;
+  // The texts of `no_cell_of_a_table_runs_as_a_formula` in `src/text.rs`, which reads such cells back, and a name that a file can have.
+  const texts = ['=1+1', '+1', '-1', '@SUM(1)', '\tx', '\rx', "'=1", "''-1", "'a", 'a=1', '=a, "b"', 'the "a"', '7', '=HYPERLINK("http:x").jpg'];
+  const figures = ['-0.5', '−1.5', '+2', '-1e-7', '–', '-', '=1', '−1\u202f000.5', '7', '8', '9', '10', '11', '12'];
+  const words = { ...COLUMNS[0], unit: '', label: '=text', words: true, text: (/** @type {number} */ i) => texts[i] };
+  const figure = { ...COLUMNS[0], unit: '', label: '-figure', text: (/** @type {number} */ i) => figures[i] };
+  const asItIs = (/** @type {string} */ said) => said;
+  const cells = [
+    ["'=text", "'-figure"],
+    ["'=1+1", '-0.5'],
+    ["'+1", '-1.5'],
+    ["'-1", '+2'],
+    ["'@SUM(1)", '-1e-7'],
+    ["'\tx", ''],
+    ['"\'\rx"', "'-"],
+    ["''=1", "'=1"],
+    ["'''-1", '-1000.5'],
+    ["'a", '7'],
+    ['a=1', '8'],
+    ['"\'=a, ""b"""', '9'],
+    ['"the ""a"""', '10'],
+    ['7', '11'],
+    ['"\'=HYPERLINK(""http:x"").jpg"', '12'],
+  ];
+  assert.equal(csvOf([words, figure], texts.keys(), asItIs), cells.map((row) => `${row.join(',')}\n`).join(''));
+  assert.equal(tabbedOf([words, figure], [0, 4, 10], asItIs), "'=text\t'-figure\n'=1+1\t-0.5\n' x\t\n'=a, \"b\"\t9\n");
+});
+
 test('100,000 rows are sorted and kept in less than a second', () => {
   const { ordered, keeping } = page.rows;
   const values = Float64Array.from({ length: 100_000 }, (_, i) => (i * 7919) % 100_003);

@@ -4,12 +4,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Messages that errors are made of.
-const FAMILIES: [&str; 11] = [
+const FAMILIES: [&str; 17] = [
+    "Allowed",
     "Damage",
     "DescribedBy",
+    "Document",
+    "Error",
+    "Few",
     "FileFault",
+    "FilePlace",
     "ImageFault",
     "Interruption",
+    "JsonFault",
     "Location",
     "NoOrientation",
     "PointName",
@@ -28,10 +34,10 @@ fn errors_hold_no_sentences() {
     for file in files(&source) {
         let text = fs::read_to_string(&file).unwrap();
         let shipped = text.split("#[cfg(test)]\nmod tests").next().unwrap();
-        let messages = messages(shipped);
+        let is_boundary = file.strip_prefix(&source).is_ok_and(|path| path.starts_with("wasm") || path.starts_with("error"));
+        let messages: Vec<&str> = messages(shipped).into_iter().filter(|m| !(is_boundary && m.starts_with(WORDED))).collect();
         made += messages.len();
         wrong.extend(messages.into_iter().filter(|m| !literals(m).iter().all(|literal| is_figure(literal))).map(|m| at(&file, m)));
-        let is_boundary = file.strip_prefix(&source).is_ok_and(|path| path.starts_with("wasm") || path.starts_with("error"));
         if !is_boundary && shipped.contains(WORDED) {
             wrong.push(at(&file, WORDED));
         }

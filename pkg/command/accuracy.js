@@ -17,7 +17,7 @@ export const accuracy = {
   ],
   details:
     'PROJECT is the project.tiepoint of a block of up to 300 images. In the middle of each cell, on the ground of the tie points, a point is intersected from all images that show it: its standard errors follow from those of its observations and ' +
-    'from the covariances of orientations and cameras. Written are plan.tif, height.tif and images.tif, GeoTIFF of floating-point numbers, and accuracy.csv. They hold with respect to the datum of the block.',
+    'from the covariances of orientations and cameras. It writes plan.tif, height.tif and images.tif, GeoTIFF of floating-point numbers, and accuracy.csv. All are with respect to the datum of the block.',
   run({ positionals: [project = ''], values }) {
     const [out, cell, sigma] = [values.get('out'), values.get('cell'), values.get('point-sigma-px')];
     if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder for what is written');

@@ -50,9 +50,9 @@ export class BlockFolder {
   /** Prints what came of the block.  @param {Summary} summary @param {boolean} json @returns {import('./errors.js').ExitCode} */
   tell(summary, json) {
     const { images, remarks } = summary;
-    for (const { name, reason } of images.left_out) note(`${name} is left out: ${reason.text}`);
+    for (const { name, reason } of images.left_out) note(`${name} is skipped: ${reason.text}`);
     for (const name of images.stray_masks) note(`the mask ${name} belongs to none of the images`);
-    for (const name of images.stray_marks) note(`the marks name ${name}, which is none of the images`);
+    for (const name of images.stray_marks) note(`the image measurements name ${name}, which is none of the images`);
     for (const { text } of remarks) note(text);
     if (json) printJson(summary);
     else print(...describe(this.#out, summary));

@@ -17,7 +17,7 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
     '',
     table([
       ['images', images.read],
-      ['left out', images.left_out.length],
+      ['skipped', images.left_out.length],
       ...(images.masked > 0 ? [['with a mask', images.masked]] : []),
       ['cameras', cameras.length],
       ['features', images.features ?? '–'],
@@ -27,14 +27,14 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
       ['verified matches', pairs.matches],
       ...(points
         ? [
-            ['multi-ray points', points.found],
-            ['rays of multi-ray points', points.rays],
+            ['tie points', points.found],
+            ['observations of tie points', points.rays],
           ]
         : []),
       ['points chosen', selection.points],
-      ['rays of points chosen', selection.rays],
-      ['fewest chosen rays of an image', selection.least_rays_of_an_image],
-      ...(refinement ? [['rays refined', `${refinement.refined} of ${refinement.rays - refinement.references}`]] : []),
+      ['observations of points chosen', selection.rays],
+      ['minimum of chosen observations per image', selection.least_rays_of_an_image],
+      ...(refinement ? [['observations refined', `${refinement.refined} of ${refinement.rays - refinement.references}`]] : []),
       ['images oriented', `${orientation.oriented} of ${images.read}`],
       ...(models.length > 1 ? [['models', models.length]] : []),
       ...(first

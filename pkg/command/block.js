@@ -1,6 +1,7 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
+import { IMAGE_FILE } from '../block/image-files.js';
 import { runBlock } from '../block/index.js';
 import {
   block_parameters,
@@ -27,29 +28,26 @@ import { Progress } from './progress.js';
 
 const OPTIONS = optionsOf(block_parameters(), block_settings({}), BLOCK_NAMES);
 
-/** What files an image may have in a folder. */
-const IMAGE = /\.(jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/i;
-
 /** @type {import('./args.js').Command} */
 export const block = {
   name: 'block',
-  summary: 'Matches and orients a block of images: pairs, multi-ray points, the best of them, adjustment, files for other programs.',
+  summary: 'Matches and orients a block of images: pairs, tie points and their selection, bundle block adjustment, files for other programs.',
   positionals: [],
   rest: 'FOLDER|IMAGE…',
   options: [
-    path('out', 'DIR', 'Folder that receives the files; required. What is done stands in its folder work/: started again, the command goes on from there.'),
+    path('out', 'DIR', 'Folder that receives the files; required. Its folder work/ keeps intermediate results, from which a repeated call continues.'),
     path(
       'cameras',
       'cameras.json',
       'Cameras in place of those of EXIF: {"cameras": [{"images": "DJI_*.JPG", "focal_px", "principal_point_px": [x, y], "radial": [k1, k2, k3], "tangential": [p1, p2], "pixel_mm", "fixed"}]}, all but focal_px optional.',
     ),
-    word('gps', ['use', 'ignore'], 'Whether positions that the images record choose near images and place the block.', 'use'),
+    word('gps', ['use', 'ignore'], 'Whether the GNSS positions of the images choose near images and georeference the block.', 'use'),
     path(
       'control',
       'points.csv',
-      'Surveyed points that place the block, in place of recorded positions, or beside them with --crs: name,x,y,z and perhaps standard errors, in m; a column use has control, check or off; needs --marks.',
+      'Ground control points that georeference the block, in place of GNSS positions or, with --crs, beside them: name,x,y,z and perhaps standard errors, in m; a column use makes each control, check or off; needs --marks.',
     ),
-    path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
+    path('marks', 'marks.csv', 'Image measurements of the ground control and check points: image,point,x,y in px.'),
     path(
       'masks',
       'DIR',
@@ -63,10 +61,10 @@ export const block = {
     ...OPTIONS,
   ],
   details:
-    'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, surveyed.csv (surveyed points beside their adjusted places), rays.csv, orientation.json (the adjustment in full), report.html (a page with figures and drawings), summary.json. Images of one make, model, focal length and size share a ' +
-    'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. ' +
+    'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, surveyed.csv (ground control and check points with their discrepancies), rays.csv, orientation.json (the adjustment in full), report.html (a page with figures and drawings), summary.json. Images of one make, model, focal length and size share a ' +
+    'camera. Images that cannot be read are skipped and listed. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. ' +
     'A file that would be written over and that no run wrote, or that was changed since, is refused before anything is computed. The exit code is that of the verdict: 0 oriented, 3 weak, 4 where no image could be oriented; the files are written in any case. ' +
-    'Models count from 1; what other programs read holds the first of them. JSON: what summary.json holds.',
+    'Models count from 1; files for other programs hold the first of them. JSON: what summary.json holds.',
   run,
 };
 
@@ -175,7 +173,7 @@ const sourceOf = (file) => ({
 
 /** @param {string} folder @returns {string[]} */
 function imagesIn(folder) {
-  const names = filesIn(folder).filter((name) => IMAGE.test(name));
+  const names = filesIn(folder).filter((name) => IMAGE_FILE.test(name));
   if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
   return names.map((name) => join(folder, name));
 }

@@ -12,12 +12,16 @@ export const covariances = {
   summary: 'Writes the covariances of chosen images, points and cameras of an oriented block, and between all of them.',
   positionals: ['PROJECT'],
   options: [
-    path('of', 'NAMES', 'Images and surveyed points by their names, point:N as in points.csv, camera:N as in images.csv, with commas between; required.'),
+    path(
+      'of',
+      'NAMES',
+      'Images, ground control points and check points by their names, point:N as in points.csv, camera:N as in images.csv, with commas between; required.',
+    ),
     path('out', 'FILE.csv', 'The table that is written; required.'),
   ],
   details:
     'PROJECT is the project.tiepoint of a block. Each row is an unknown with its unit, adjusted value and standard error, then its covariances with all others, whose unit is the product of both units. ' +
-    'They hold what the printed standard errors hold, with respect to the same datum. A matrix has at most 1,000 unknowns: six of an image, three of a point.',
+    'They account for all that the printed standard errors account for, with respect to the same datum. A matrix has at most 1,000 unknowns: six per image, three per point.',
   run({ positionals: [project = ''], values }) {
     const [of, out] = [values.get('of'), values.get('out')];
     if (typeof of !== 'string') throw new UsageError('--of is missing: name images, points or cameras, with commas between');

@@ -18,7 +18,7 @@ export const epipolar = {
     path('right', 'NAME', 'The right image; with --left.'),
   ],
   details:
-    'PROJECT is the project.tiepoint of a pair or a block, FOLDER that of its images. Of a block the two images with most points in common are taken, unless two are named; points whose rays are nearly parallel count less. Written are left.png and right.png, grey, ' +
+    'PROJECT is the project.tiepoint of a pair or a block, FOLDER that of its images. Of a block the two images with most points in common are taken, unless two are named; points whose rays are nearly parallel count less. It writes left.png and right.png, grey, ' +
     'without distortion, of one size and focal length; anaglyph.png, both in one for red-cyan glasses; and epipolar.json, how they lie, with the residual y-parallax of the points that both show.',
   run,
 };

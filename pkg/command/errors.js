@@ -1,10 +1,10 @@
 // @ts-check
-/** The exit codes, and the two ways a command fails, each told in one line. */
+/** The exit codes, and the two ways a command fails, each reported in one line. */
 
 import { breakdownOf } from '../block/index.js';
 
 /**
- * 0 done, 1 bad data, 2 a bad call, 3 done with a weak orientation, 4 done without one.
+ * 0 done, 1 bad data, 2 a usage error, 3 done with a weak orientation, 4 done without one.
  * @typedef {0 | 1 | 2 | 3 | 4} ExitCode
  */
 
@@ -14,7 +14,7 @@ import { breakdownOf } from '../block/index.js';
  */
 export const VERDICT_CODES = { oriented: 0, placed: 0, weak: 3, not_oriented: 4, not_placed: 4 };
 
-/** A bad call: exit code 2. */
+/** A usage error: exit code 2. */
 export class UsageError extends Error {}
 
 /** Bad data: exit code 1. */

@@ -13,12 +13,12 @@ export function overview(commands) {
   return [
     `tiepoint ${version()}: from overlapping photographs to oriented tie points`,
     '',
-    'tiepoint COMMAND …; tiepoint COMMAND --help tells the options of one.',
+    'tiepoint COMMAND …; tiepoint COMMAND --help lists the options of one.',
     '',
-    ...commands.map((c) => `  ${c.name.padEnd(10)}${c.summary}`),
+    ...commands.map((c) => `  ${c.name.padEnd(13)}${c.summary}`),
     '',
     wrap('With --json a command prints one JSON object in full precision. Pixels: the centre of the top-left pixel is at (0.5, 0.5).', WIDTH),
-    'Exit codes: 0 done, 1 bad data, 2 a bad call; of match also 3 done with a weak orientation, 4 done without one.',
+    'Exit codes: 0 done, 1 bad data, 2 usage error; of match also 3 done with a weak orientation, 4 done without one.',
   ].join('\n');
 }
 

@@ -20,7 +20,7 @@ export const interior = {
   positionals: ['FIDUCIALS.csv'],
   options: [MODEL, JSON_FLAG],
   details:
-    'FIDUCIALS.csv: columns col,row,x_mm,y_mm, a line a mark. x_mm = a col + b row + tx, y_mm = d col + e row + ty. ' +
+    'FIDUCIALS.csv: columns col,row,x_mm,y_mm, one line per mark. x_mm = a col + b row + tx, y_mm = d col + e row + ty. ' +
     'JSON: parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors (null without redundancy), degrees_of_freedom.',
   run({ positionals: [file = ''], values }) {
     const text = readText(file);

@@ -59,7 +59,7 @@ function general(name, rest) {
   if (name === '--version' || name === '-V') print(version());
   else if (name === 'help' && rest[0] !== undefined) print(helpOf(COMMANDS.find((c) => c.name === rest[0]) ?? unknown(rest[0])));
   else if (name === 'help' || name === '--help' || name === '-h') print(overview(COMMANDS));
-  else if (name === undefined) throw new UsageError(`name a command: ${COMMANDS.map((c) => c.name).join(', ')}; tiepoint help tells more`);
+  else if (name === undefined) throw new UsageError(`name a command: ${COMMANDS.map((c) => c.name).join(', ')}; tiepoint help lists what they do`);
   else unknown(name);
 }
 

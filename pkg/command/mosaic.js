@@ -19,8 +19,8 @@ export const mosaic = {
     ...GROUND_OPTIONS,
   ],
   details:
-    'PROJECT is the project.tiepoint of a block, FOLDER that of its images. Without heights the ground is that of the tie points. The mosaic is grey, of at most 100 MP, north up in the system of the block; no seams are ' +
-    'balanced, and what leans stands twice beside walls: it is the picture by which an orientation is checked, and a reference for `tiepoint place`.',
+    'PROJECT is the project.tiepoint of a block, FOLDER that of its images. Without heights the ground is that of the tie points. The mosaic is grey, of at most 100 MP, north up in the system of the block; seams are not ' +
+    'balanced, and walls may show twice: the mosaic is for checking an orientation, and a reference for `tiepoint place`.',
   run,
 };
 

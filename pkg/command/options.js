@@ -2,7 +2,7 @@
 /** The options of all commands. Those that stand for a setting come from the crate: name, kind, range, help and default. */
 
 import { availableParallelism } from 'node:os';
-import { defaults, parameters } from '../node.js';
+import { defaults, message, parameters } from '../node.js';
 import { nearest } from './args.js';
 import { UsageError } from './errors.js';
 
@@ -33,16 +33,8 @@ const isText = ({ kind }) => kind === 'text';
 
 /** What a parameter allows, in words.  @param {Parameter} p @returns {string} */
 function allowed(p) {
-  switch (p.kind) {
-    case 'integer':
-      return `${p.odd ? 'odd ' : ''}whole numbers from ${p.min} to ${p.max}`;
-    case 'real':
-      return `${p.min} to ${p.max}`;
-    case 'choice':
-      return p.values.join(', ');
-    default:
-      return isText(p) ? 'text' : '';
-  }
+  if (p.kind === 'flag') return '';
+  return p.kind === 'choice' ? p.values.join(', ') : message('allowed', p);
 }
 
 /** @param {string} name @param {readonly string[]} words @param {string} text */
@@ -81,7 +73,19 @@ function parameterOption(p, standard, called) {
   const placeholder = { choice: 'NAME', text: 'TEXT' }[/** @type {string} */ (p.kind)] ?? PLACEHOLDERS[p.unit];
   const help = placeholder ? p.help : `${p.help} Its unit is ${p.unit}.`;
   const fallback = typeof standard === 'number' || typeof standard === 'string' ? standard : p.absent;
-  return { name, placeholder: placeholder ?? 'N', key, section, range: allowed(p), fallback, help, read: (text) => read(name, p, text) };
+  return {
+    name,
+    placeholder: placeholder ?? 'N',
+    key,
+    section,
+    // Written where it is asked for: a command that is called well needs no text of the crate.
+    get range() {
+      return allowed(p);
+    },
+    fallback,
+    help,
+    read: (text) => read(name, p, text),
+  };
 }
 
 /** The group of a key in settings; those of features lie a step deeper in a block's.  @param {object} settings @param {string} key @returns {[Record<string, unknown>, string]} */
@@ -174,7 +178,7 @@ export const pair = (name, placeholder, help) => ({
   },
 });
 
-/** Threads that are used unless told. */
+/** Threads that are used unless another number is given. */
 export const DEFAULT_WORKERS = Math.min(availableParallelism(), 16);
 
 /** @param {string} same what does not depend on it, with its verb @returns {Option} */

@@ -18,7 +18,7 @@ const OPTIONS = optionsOf(block_flight_parameters(), DEFAULTS);
 /** @type {import('./args.js').Command} */
 export const simulateBlock = {
   name: 'simulate --block',
-  summary: 'Flies over a made town in strips and writes a block of photos with recorded positions, and the truth to compare with.',
+  summary: 'Flies over a synthetic scene in strips and writes a block of photos with GNSS positions, and the truth to compare with.',
   positionals: [],
   options: [
     flag('block', 'A block of photos, not a pair.'),
@@ -35,7 +35,7 @@ export const simulateBlock = {
     ...OPTIONS,
   ],
   details:
-    'Files: photos/photo_00000.png and so on, grey, with camera and recorded position as EXIF; truth.json with the flight, the cameras and the exterior orientations: photo = M (X - X0), ' +
+    'Files: photos/photo_00000.png and so on, grey, with camera and GNSS position as EXIF; truth.json with the flight, the cameras and the exterior orientations: photo = M (X - X0), ' +
     'photo x right, y up; X east, north, up of the origin in m. JSON: photos, truth, and block, the command to try next as a list of words.',
   run,
 };

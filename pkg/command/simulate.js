@@ -23,11 +23,11 @@ const SEED = OPTIONS.filter(({ name }) => name === 'seed');
 /** @type {Command} */
 export const simulate = {
   name: 'simulate',
-  summary: 'Flies over a made town and writes the pair of photos with its camera, its fiducial marks and the truth to compare with.',
+  summary: 'Flies over a synthetic scene and writes the pair of photos with its camera, its fiducial marks and the truth to compare with.',
   variant: simulateBlock,
   positionals: [],
   options: [
-    flag('block', 'A block of photos in place of a pair; simulate --block --help tells its options.'),
+    flag('block', 'A block of photos in place of a pair; simulate --block --help lists its options.'),
     OUT,
     word('preset', flight_presets(), 'The flight that the other options change; their defaults are those of the sample.', 'sample'),
     JSON_FLAG,

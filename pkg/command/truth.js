@@ -4,6 +4,7 @@
 import { createHash } from 'node:crypto';
 import { dirname, join } from 'node:path';
 import { score_matches } from '../node.js';
+import { atBase } from '../pair/at-base.js';
 import { DataError } from './errors.js';
 import { isFolder, readBytes, readText } from './files.js';
 
@@ -120,18 +121,9 @@ export function matchScoreOf(output, truth, right) {
 export function scoreOf(output, truth, score) {
   const { rightness, ...counts } = score;
   const o = output.orientation;
-  const known = o && atBase(truth, o.base_mm);
+  const known = o && atBase(truth.orientation, truth.base_mm, o.base_mm);
   const errors = o && known && Object.fromEntries(NAMES.map((name) => [name, o[name] - known[name]]));
   return { ...counts, strict_share: share(score.strict, score.matches), right_share: share(score.right, score.matches), errors, rightness: [...rightness] };
-}
-
-/**
- * The true orientation with by and bz at the scale of another base; NaN where the true base is 0, which has no scale.
- * @param {Pick<Truth, 'orientation' | 'base_mm'>} truth @param {number} baseMm @returns {FiveParameters}
- */
-function atBase({ orientation, base_mm }, baseMm) {
-  const scale = base_mm === 0 ? NaN : baseMm / base_mm;
-  return { ...orientation, by_mm: scale * orientation.by_mm, bz_mm: scale * orientation.bz_mm };
 }
 
 /** @param {number} part @param {number} whole @returns {number | null} */

@@ -7,7 +7,7 @@ use crate::camera::is_rotation;
 use crate::catalogue::check_values;
 use crate::error::refuse;
 use crate::math::dot3;
-use crate::{Cause, Computation, Element, Error, Input, Location, Refusal};
+use crate::{Cause, Computation, Element, Error, Few, Input, Location, Refusal};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
 const LEAST_RAYS: usize = 4;
@@ -20,7 +20,7 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
     // Control alone orients a single image.
     let needed = if datum.uses_control() { 1 } else { 2 };
     if block.images.len() < needed {
-        return Err(Error::TooFew { what: "images of a block", got: block.images.len(), needed });
+        return Err(Error::TooFew { few: Few::ImagesOfBlock, got: block.images.len(), needed });
     }
     block.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| Location::Camera { camera: index }))?;
     for (index, image) in block.images.iter().enumerate() {
@@ -70,7 +70,7 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
     check_control(block)?;
     check_once(block)?;
     if datum.uses_control() && block.control.is_empty() && !datum.uses_gnss() {
-        return Err(Error::TooFew { what: "control points, for the datum", got: 0, needed: 3 });
+        return Err(Error::TooFew { few: Few::ControlPointsForDatum, got: 0, needed: 3 });
     }
     Ok(())
 }

@@ -20,7 +20,7 @@ use super::systematic::SystematicErrors;
 use super::systematic_result::{SystematicStatistics, SystematicVerdict};
 use super::weighted::observed;
 use crate::error::refuse;
-use crate::{CameraParameter, Error, Refusal};
+use crate::{CameraParameter, Error, Few, Refusal};
 
 /// What covariances are wanted of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,7 +63,7 @@ impl AdjustmentResult {
             return refuse(Refusal::CovariancesUnsupported);
         };
         if unit_error <= 0.0 {
-            return Err(Error::TooFew { what: "degrees of freedom, for covariances", got: self.degrees_of_freedom, needed: 1 });
+            return Err(Error::TooFew { few: Few::DegreesOfFreedom, got: self.degrees_of_freedom, needed: 1 });
         }
         let block = &self.as_weighted(block);
         let systematic = SystematicErrors::of_result(block, self.systematic.as_ref());

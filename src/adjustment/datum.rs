@@ -15,7 +15,7 @@ use super::systematic::SystematicErrors;
 use super::weighted::{Weighted, observed};
 use crate::camera::{Pose, turn_of};
 use crate::math::{dot3, minus};
-use crate::{Cause, Computation, Error};
+use crate::{Cause, Computation, Error, Few};
 
 /// The approximate values in the system of the observed positions on which most agree, and for each image whether its position does.
 /// Positions with a coordinate that was not observed tell nothing here.
@@ -36,7 +36,7 @@ pub(super) fn moved_to_observed(
     let of_points = of_points.filter_map(|(point, prior)| pair(state.points[point], prior));
     let pairs: Vec<Pair> = of_images.iter().flatten().copied().chain(of_points).collect();
     if pairs.len() < 3 {
-        return Err(Error::TooFew { what: "GNSS positions or control points with two rays, for the datum", got: pairs.len(), needed: 3 });
+        return Err(Error::TooFew { few: Few::PositionsForDatum, got: pairs.len(), needed: 3 });
     }
     let undetermined = || Error::Degenerate { computation: Computation::Datum, cause: Cause::NoExtent };
     let (similarity, agree) = robust_similarity(&pairs).ok_or_else(undetermined)?;

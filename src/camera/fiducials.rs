@@ -3,7 +3,7 @@
 use crate::error::refuse;
 use std::collections::BTreeMap;
 
-use crate::{Cause, Computation, Error, Refusal};
+use crate::{Cause, Computation, Error, Few, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// A fiducial mark: where it was measured and where the calibration has it.
@@ -185,7 +185,7 @@ impl Centred {
 
 fn check_marks(fiducials: &[Fiducial], needed: usize) -> Result<(), Error> {
     if fiducials.len() < needed {
-        return Err(Error::TooFew { what: "fiducial marks", got: fiducials.len(), needed });
+        return Err(Error::TooFew { few: Few::FiducialMarks, got: fiducials.len(), needed });
     }
     for (index, f) in fiducials.iter().enumerate() {
         for (name, value, limit) in [("col", f.col, 1e7), ("row", f.row, 1e7), ("x_mm", f.x_mm, 1e5), ("y_mm", f.y_mm, 1e5)] {
@@ -292,7 +292,7 @@ mod tests {
     fn marks_that_cannot_serve_are_named() {
         let affine = |marks: &[Fiducial]| orient_fiducials(marks, FiducialModel::Affine).unwrap_err();
         let good = exact(TRUE_PARAMETERS, &corners());
-        assert_eq!(affine(&good[..2]), Error::TooFew { what: "fiducial marks", got: 2, needed: 3 });
+        assert_eq!(affine(&good[..2]), Error::TooFew { few: Few::FiducialMarks, got: 2, needed: 3 });
         let on_a_line = exact(TRUE_PARAMETERS, &[[0.5, 0.5], [100.5, 100.5], [200.5, 200.5], [300.5, 300.6]]);
         assert!(matches!(affine(&on_a_line), Error::Degenerate { .. }));
         let mut twice = good.clone();

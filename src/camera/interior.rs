@@ -2,8 +2,8 @@
 
 use super::distortion::{radial_factor, tangential_shift};
 use super::{CameraMm, CameraUncertainty, FiducialOrientation};
-use crate::Error;
-use crate::catalogue::refuse;
+use crate::catalogue::{refuse, refuse_absent};
+use crate::{Allowed, Error};
 use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
 
@@ -44,7 +44,7 @@ impl Interior {
     pub fn from_fiducials(camera: &CameraMm, marks: &FiducialOrientation, origin: [f64; 2]) -> Result<Self, Error> {
         camera.check()?;
         if !origin.iter().all(|v| v.abs() <= 1e7) {
-            return Err(refuse("origin", format!("{origin:?}"), "two numbers of px from -10000000 to 10000000"));
+            return Err(refuse("origin", format!("{origin:?}"), Allowed::TwoNumbers { min: -1e7, max: 1e7, px: true }));
         }
         let parameters = marks.parameters.map(|[by_col, by_row, shift]| [by_col, by_row, shift + by_col * origin[0] + by_row * origin[1]]);
         let covariance = marks.covariance.map(|covariance| moved_to(&covariance, origin));
@@ -59,7 +59,7 @@ impl Interior {
     /// [`Error::InvalidOption`] for the camera, also where it has no `pixel_mm`.
     pub fn from_pixel_size(camera: &CameraMm, width: usize, height: usize) -> Result<Self, Error> {
         camera.check()?;
-        let pixel = camera.pixel_mm.ok_or_else(|| refuse("camera.pixel_mm", "absent", "0.000001 to 10 where there are no fiducials"))?;
+        let pixel = camera.pixel_mm.ok_or_else(|| refuse_absent("camera.pixel_mm", Allowed::WithoutFiducials { min: 1e-6, max: 10.0 }))?;
         let (half_width, half_height) = (0.5 * width as f64, 0.5 * height as f64);
         let parameters = [[pixel, 0.0, -half_width * pixel], [0.0, -pixel, half_height * pixel]];
         Ok(Self { uncertainty: Some(camera.uncertainty.unwrap_or(CameraUncertainty::GIVEN)), ..Self::new(camera, parameters, None) })

@@ -3,7 +3,7 @@
 use super::distortion::{MOST_STEPS, fitted_terms, radial_factor, tangential_shift, undistorted};
 use super::{Camera, CameraUncertainty, ExifCamera};
 use crate::catalogue::refuse;
-use crate::{Cause, Computation, Error, Refusal};
+use crate::{Allowed, Cause, Computation, Error, Refusal};
 use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
@@ -67,21 +67,29 @@ impl CameraMm {
     /// [`Error::InvalidOption`], naming the field and its range.
     pub fn check(&self) -> Result<(), Error> {
         if !(self.focal_mm > 0.0 && self.focal_mm <= 1e5) {
-            return Err(refuse("camera.focal_mm", self.focal_mm, "above 0, up to 100000"));
+            return Err(refuse("camera.focal_mm", self.focal_mm, Allowed::AboveUpTo { above: 0.0, max: 1e5 }));
         }
         if !self.principal_point_mm.iter().all(|v| v.abs() <= 1e4) {
-            return Err(refuse("camera.principal_point_mm", format!("{:?}", self.principal_point_mm), "two numbers from -10000 to 10000"));
+            return Err(refuse(
+                "camera.principal_point_mm",
+                format!("{:?}", self.principal_point_mm),
+                Allowed::TwoNumbers { min: -1e4, max: 1e4, px: false },
+            ));
         }
         if let Some(pixel) = self.pixel_mm
             && !(1e-6..=10.0).contains(&pixel)
         {
-            return Err(refuse("camera.pixel_mm", pixel, "0.000001 to 10"));
+            return Err(refuse("camera.pixel_mm", pixel, Allowed::Real { min: 1e-6, max: 10.0 }));
         }
         if !self.radial_distortion.iter().all(|k| k.is_finite()) {
-            return Err(refuse("camera.radial_distortion", format!("{:?}", self.radial_distortion), "three finite numbers"));
+            return Err(refuse("camera.radial_distortion", format!("{:?}", self.radial_distortion), Allowed::Finite { numbers: 3 }));
         }
         if !self.tangential_distortion.iter().all(|p| p.is_finite()) {
-            return Err(refuse("camera.tangential_distortion", format!("{:?}", self.tangential_distortion), "two finite numbers"));
+            return Err(refuse(
+                "camera.tangential_distortion",
+                format!("{:?}", self.tangential_distortion),
+                Allowed::Finite { numbers: 2 },
+            ));
         }
         if let Some(uncertainty) = self.uncertainty {
             uncertainty.check()?;

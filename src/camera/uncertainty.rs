@@ -1,8 +1,8 @@
 //! What is not known of a camera.
 
 use super::origin::CameraOrigin;
-use crate::Error;
 use crate::catalogue::refuse;
+use crate::{Allowed, Error};
 use serde::{Deserialize, Serialize};
 
 /// Standard deviations of the constants of a camera before its images are measured. They enter the adjustment of a pair as prior
@@ -28,7 +28,7 @@ impl CameraUncertainty {
             ("camera.uncertainty.k1", self.k1),
         ] {
             if !(0.0..=1.0).contains(&value) {
-                return Err(refuse(name, value, "0 to 1"));
+                return Err(refuse(name, value, Allowed::Real { min: 0.0, max: 1.0 }));
             }
         }
         Ok(())

@@ -2,24 +2,124 @@
 
 ## Errors. They follow `error: ` or stand in a sentence.
 
-error-invalid-option = قيمة { $field } هي { $got }؛ المسموح: { $allowed }
-error-invalid-json = { $what }: { $reason }
+error-invalid-option =
+    { $got ->
+        [none] ‏{ $field } غير معطى
+       *[other] قيمة { $field } هي { $got }
+    }؛ المسموح: { $allowed }
+error-invalid-json = { $document }: { $json_fault }
 error-invalid-input = { $refusal }
 error-unreadable-image = تعذرت قراءة الصورة: { $image_fault }
 error-unsupported-image = { $unsupported }
 error-too-many-pixels = تعلن الصورة عن { $width } × { $height } بكسل = { FIXED($megapixels, digits: 1) } ميغابكسل؛ المسموح: حتى { FIXED($max_megapixels, digits: 1) } ميغابكسل
 error-too-much-memory = يحتاج فك ترميز { $width } × { $height } بكسل إلى نحو { $needed_mb } ميغابايت؛ المسموح: حتى { $max_mb } ميغابايت
-error-image-too-small = أبعاد الصورة { $width } × { $height } بكسل؛ تحتاج { $operation } إلى { $min_side } بكسل على الأقل في كل ضلع
+error-image-too-small = أبعاد الصورة { $width } × { $height } بكسل؛ يحتاج { $image_operation } إلى { $min_side } بكسل على الأقل في كل ضلع
 error-window-outside = النافذة ذات { $side } × { $side } بكسل عند العمود { $col } والصف { $row } تخرج عن الصورة ذات { $width } × { $height } بكسل
 error-constant-window = النافذة ذات { $side } × { $side } بكسل عند العمود { $col } والصف { $row } ثابتة القيم: لا عزوم لها
-error-too-few = { $what }: أُعطي { $got }؛ المطلوب { $needed } على الأقل
+error-too-few = { $few }: أُعطي { $got }؛ المطلوب { $needed } على الأقل
 error-degenerate = الأرصاد لا تحدد { $computation }: { $cause }
 error-undetermined-image = { $computation } لا يحدد الصورة { $image } (العد من 0): { $cause }
 error-not-converged = { $computation } لا يتقارب في { $iterations } من التكرارات: { $cause }
-error-not-exportable = لا يمكن تصدير هذه الصور بصيغة { $formats } ({ $reason }): أعد تسميتها، أو اترك الصيغة التي لا تتسع لأسمائها
+error-not-exportable = لا يمكن تصدير هذه الصور بصيغة { $formats } ({ $error }): أعد تسميتها، أو اترك الصيغة التي لا تتسع لأسمائها
 error-interrupted = لا يمكن متابعة التشغيل: { $interruption }
-error-unreadable-file = تعذرت قراءة { $what }: { $place }: { $file_fault }
-error-not-written = تعذرت كتابة { $what }: لا يقبل المخرج نصًا آخر
+error-unreadable-file =
+    تعذرت قراءة { $document }: { $file_place ->
+        [none] {""}
+       *[other] { $file_place }:{" "}
+    }{ $file_fault }
+error-not-written = تعذرت كتابة { $document }: لا يقبل المخرج نصًا آخر
+
+json-fault-field =
+    { $field }: { $words }{ $line ->
+        [none] {""}
+       *[other] {" "}في السطر { $line } والعمود { $column }
+    }
+json-fault-text =
+    { $words }{ $line ->
+        [none] {""}
+       *[other] {" "}في السطر { $line } والعمود { $column }
+    }
+
+allowed-integer =
+    { $odd ->
+        [true] أعداد صحيحة فردية
+       *[false] أعداد صحيحة
+    } من { $min } إلى { $max }
+allowed-real = من { $min } إلى { $max }
+allowed-flag = نعم أو لا
+allowed-text = نص
+allowed-words = { $words }
+allowed-two-numbers =
+    { $px ->
+        [true] عددان بالبكسل
+       *[false] عددان
+    } من { $min } إلى { $max }
+allowed-above-up-to = أكبر من { $above } وحتى { $max }
+allowed-at-least = { $min } أو أكثر
+allowed-but-zero = من { $min } إلى { $max }، ما عدا 0
+allowed-finite =
+    { $numbers ->
+        [2] عددان منتهيان
+        [3] ثلاثة أعداد منتهية
+       *[other] { $numbers } من الأعداد المنتهية
+    }
+allowed-one-of-two = { $first } أو { $second }، لا كلاهما
+allowed-odd-for-forstner = أضلاع فردية لمؤثر Förstner
+allowed-without-fiducials = من { $min } إلى { $max } حيث لا توجد علامات إطارية
+allowed-for-photo-coordinates = من { $min } إلى { $max } في الصيغ ذات الإحداثيات الصورية
+allowed-photo-rows = حتى { FIXED($most, digits: 0) } بهذا العرض، حتى لا تتجاوز الصورة 100 ميغابكسل
+allowed-photo-relief = من 0 إلى { $most_m } للصور، أي عُشر ارتفاع الطيران
+allowed-height-above-buildings = { $least_m } أو أكثر، أو دون مبانٍ
+allowed-small-images-of-tilted = قيمة تكفي كي تسقط كل أشعة الكاميرات المائلة بزاوية 24 درجة أو أشد انحدارًا: صور أصغر
+allowed-small-pixels = قيمة صغيرة تكفي كي تسقط كل الأشعة بزاوية 24 درجة أو أشد انحدارًا
+allowed-long-focal-length = قيمة كبيرة تكفي كي تسقط كل الأشعة، مع هذه الميول، بزاوية 24 درجة أو أشد انحدارًا
+allowed-orthophoto-pixel = أكبر من { FIXED($above, digits: 3) }، حتى لا تتجاوز 100 ميغابكسل
+allowed-height-over-ground =
+    حتى { FIXED($most_m, digits: 0) } م، كي { $block ->
+        [true] لا تُظهر الكتلة
+       *[false] لا يُظهر المقطع
+    } أكثر من { $longest_m } م من الأرض
+
+few-agreeing-observations = أرصاد تتفق على توجيه نسبي
+few-different-observations = أرصاد مختلفة للتوجيه النسبي
+few-different-matches = مطابقات مختلفة لهندسة الصورتين
+few-matches-for-fundamental-matrix = مطابقات للمصفوفة الأساسية
+few-matches-for-homography = مطابقات للتحويل الإسقاطي
+few-fiducial-marks = العلامات الإطارية
+few-images-of-block = صور الكتلة
+few-observations-of-point = أرصاد نقطة
+few-observed-coordinates = الإحداثيات المرصودة
+few-positions-for-datum = مواضع GNSS أو نقاط ضبط أرضي برصدتين، للمرجع
+few-control-points-for-datum = نقاط الضبط الأرضي، للمرجع
+few-degrees-of-freedom = درجات الحرية، للتباينات المشتركة
+few-intersected-points = نقاط متقاطعة، لارتفاعات الأرض
+few-links = النقاط المشاركة التي تربط بالصورة المصححة
+
+document-named = { $name }
+document-block = الكتلة
+document-camera = الكاميرا
+document-cameras = الكاميرات
+document-export = ملف التصدير
+document-file = ملف
+document-folder = المجلد
+document-geo-tiff = ‏GeoTIFF
+document-kept-record = سجل محفوظ
+document-orthophoto = الصورة المصححة
+document-project = ملف المشروع
+document-task = مهمة التشغيل
+
+file-place-path = { $path }
+file-place-line = السطر { $line }
+file-place-byte = البايت { $byte }
+file-place-length = الطول
+file-place-checksum = المجموع الاختباري
+file-place-content = المحتوى
+
+image-operation-forstner-window = مؤثر Förstner بنافذته
+image-operation-ground-operator = مؤثر Ground
+image-operation-moravec-window = مؤثر Moravec بنافذته
+image-operation-placing-on-orthophoto = الوضع على صورة مصححة
+image-operation-pyramid-of-scales = هرم المقاييس
 
 image-fault-empty = الملف فارغ
 image-fault-damaged = { $format }: { $damage }
@@ -82,7 +182,7 @@ unsupported-tiff-bands = ‏TIFF من { $bands } نطاقات مع متنبئ غ
 
 file-fault-system = { $message }
 file-fault-not-text = ليس نصًا (UTF-8)
-file-fault-content = { $message }
+file-fault-content = { $json_fault }
 file-fault-no-number = ‏{ $field } هو '{ $word }'، وليس عددًا منتهيًا
 file-fault-no-whole-number = ‏{ $field } هو '{ $word }'، وليس عددًا صحيحًا من مجاله
 file-fault-short-line = ينتهي قبل { $field }
@@ -97,7 +197,7 @@ file-fault-zero-quaternion = الرباعي صفر
 file-fault-after-name = ‏'{ $word }' بعد الاسم
 file-fault-no-features = سطر نقاطه ناقص
 file-fault-no-project = ‏'{ $line }' ليس السطر الأول من مشروع، أو هو السطر الوحيد
-file-fault-no-header = ‏'{ $line }' ليس السطر الأول من مشروع ({ $message })
+file-fault-no-header = ‏'{ $line }' ليس السطر الأول من مشروع ({ $json_fault })
 file-fault-other-format = صيغته '{ $format }' وليست '{ $wanted }'
 file-fault-other-version = هو من الإصدار { $version }؛ يقرأ هذا البرنامج الإصدارات من 1 إلى { $newest }
 file-fault-other-length = يلي السطر الأول { $bytes } بايت، وهو يعلن عن { $declared }: الملف مبتور أو غُيّر
@@ -645,7 +745,7 @@ placing-verdict-placed = وُضعت بعدد { $links } من النقاط، σ0 
 placing-verdict-weak = وُضعت مع شك بعدد { $links } من النقاط. { $placing_weakness }
 placing-verdict-not-placed = لم توضع: { $not_placed }.
 
-error-invalid-argument = { $what }: القيمة المعطاة { $got }؛ المسموح: { $allowed }
+error-invalid-argument = { $what }: القيمة المعطاة { $got }؛ المسموح: { $wanted }
 refusal-value = { $input }: أُعطي { $value } في { $location }؛ المسموح: من { $low } إلى { $high }
 refusal-parameter = { $input }: أُعطي { $value } في { $field } من { $location }؛ المسموح: من { $low } إلى { $high }
 refusal-index = { $input }: أُعطي الرقم { $index }؛ المسموح: أرقام دون { $count }

@@ -1,15 +1,20 @@
 //! The errors of values outside their ranges.
 
 use crate::error::refuse as refuse_input;
-use crate::{Error, Input, Location, Refusal};
+use crate::{Allowed, Error, Input, Location, Refusal};
 use std::ops::RangeInclusive;
 
 /// Focal lengths of cameras in px.
 pub(crate) const FOCAL_PX: RangeInclusive<f64> = 1.0..=1e7;
 
 /// The error of an option outside its range.
-pub(crate) fn refuse(field: &'static str, got: impl ToString, allowed: impl Into<String>) -> Error {
-    Error::InvalidOption { field, got: got.to_string(), allowed: allowed.into() }
+pub(crate) fn refuse(field: &'static str, got: impl ToString, allowed: Allowed) -> Error {
+    Error::InvalidOption { field, got: Some(got.to_string()), allowed }
+}
+
+/// The error of an option that is absent where it is needed.
+pub(crate) fn refuse_absent(field: &'static str, allowed: Allowed) -> Error {
+    Error::InvalidOption { field, got: None, allowed }
 }
 
 /// Rejects values outside a range; `place` says where they stand.

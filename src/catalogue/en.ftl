@@ -5,25 +5,126 @@
 
 ## Errors. They follow `error: ` or stand in a sentence: no capital, no full stop.
 
-error-invalid-option = { $field } is { $got }; allowed: { $allowed }
-error-invalid-json = { $what }: { $reason }
-error-invalid-argument = { $what }: got { $got }; allowed: { $allowed }
+error-invalid-option =
+    { $field } is { $got ->
+        [none] absent
+       *[other] { $got }
+    }; allowed: { $allowed }
+error-invalid-json = { $document }: { $json_fault }
+error-invalid-argument = { $what }: got { $got }; allowed: { $wanted }
 error-invalid-input = { $refusal }
 error-unreadable-image = the image cannot be read: { $image_fault }
 error-unsupported-image = { $unsupported }
 error-too-many-pixels = the image declares { $width } x { $height } px = { FIXED($megapixels, digits: 1) } MP; allowed: up to { FIXED($max_megapixels, digits: 1) } MP
 error-too-much-memory = decoding { $width } x { $height } px needs about { $needed_mb } MB; allowed: up to { $max_mb } MB
-error-image-too-small = the image has { $width } x { $height } px; { $operation } needs at least { $min_side } px a side
+error-image-too-small = the image has { $width } x { $height } px; { $image_operation } needs at least { $min_side } px a side
 error-window-outside = the window of { $side } x { $side } px at column { $col }, row { $row } leaves the image of { $width } x { $height } px
 error-constant-window = the window of { $side } x { $side } px at column { $col }, row { $row } is constant: it has no moments
-error-too-few = { $what }: { $got } given; at least { $needed } are needed
+error-too-few = { $few }: { $got } given; at least { $needed } are needed
 error-degenerate = the observations do not determine { $computation }: { $cause }
 error-undetermined-image = { $computation } does not determine image { $image } (counted from 0): { $cause }
 error-not-converged = { $computation } does not converge in { $iterations } iterations: { $cause }
-error-not-exportable = these images cannot be exported as { $formats } ({ $reason }): rename them, or leave out what cannot hold their names
+error-not-exportable = these images cannot be exported as { $formats } ({ $error }): rename them, or do not export what cannot hold their names
 error-interrupted = the run cannot go on: { $interruption }
-error-unreadable-file = { $what } cannot be read: { $place }: { $file_fault }
-error-not-written = { $what } cannot be written: the output takes no more text
+error-unreadable-file =
+    { $document } cannot be read: { $file_place ->
+        [none] {""}
+       *[other] { $file_place }:{" "}
+    }{ $file_fault }
+error-not-written = { $document } cannot be written: the output takes no more text
+
+json-fault-field =
+    { $field }: { $words }{ $line ->
+        [none] {""}
+       *[other] {" "}at line { $line } column { $column }
+    }
+json-fault-text =
+    { $words }{ $line ->
+        [none] {""}
+       *[other] {" "}at line { $line } column { $column }
+    }
+
+# What an option allows. It follows `allowed: `, and stands in the help of the command.
+allowed-integer =
+    { $odd ->
+        [true] odd whole numbers
+       *[false] whole numbers
+    } from { $min } to { $max }
+allowed-real = { $min } to { $max }
+allowed-flag = yes or no
+allowed-text = text
+allowed-words = { $words }
+allowed-two-numbers =
+    { $px ->
+        [true] two numbers of px
+       *[false] two numbers
+    } from { $min } to { $max }
+allowed-above-up-to = above { $above }, up to { $max }
+allowed-at-least = { $min } or more
+allowed-but-zero = { $min } to { $max }, but not 0
+allowed-finite =
+    { $numbers ->
+        [2] two finite numbers
+        [3] three finite numbers
+       *[other] { $numbers } finite numbers
+    }
+allowed-one-of-two = { $first } or { $second }, not both
+allowed-odd-for-forstner = odd sides for the Förstner operator
+allowed-without-fiducials = { $min } to { $max } where there are no fiducials
+allowed-for-photo-coordinates = { $min } to { $max } in formats with photo coordinates
+allowed-photo-rows = up to { FIXED($most, digits: 0) } with this width, so that a photo has at most 100 MP
+allowed-photo-relief = 0 to { $most_m } for photos, a tenth of the flying height
+allowed-height-above-buildings = { $least_m } or more, or no buildings
+allowed-small-images-of-tilted = so large that all rays of the tilted cameras fall at 24 degrees or steeper: smaller images
+allowed-small-pixels = so small that all rays fall at 24 degrees or steeper
+allowed-long-focal-length = long enough that, with these tilts, all rays fall at 24 degrees or steeper
+allowed-orthophoto-pixel = above { FIXED($above, digits: 3) }, so that it has at most 100 MP
+allowed-height-over-ground =
+    up to { FIXED($most_m, digits: 0) } m, so that the { $block ->
+        [true] block
+       *[false] patch
+    } shows at most { $longest_m } m of ground
+
+few-agreeing-observations = observations that agree on a relative orientation
+few-different-observations = different observations for the relative orientation
+few-different-matches = different matches for the geometry of two views
+few-matches-for-fundamental-matrix = matches for the fundamental matrix
+few-matches-for-homography = matches for the homography
+few-fiducial-marks = fiducial marks
+few-images-of-block = images of a block
+few-observations-of-point = observations of a point
+few-observed-coordinates = observed coordinates
+few-positions-for-datum = GNSS positions or control points with two observations, for the datum
+few-control-points-for-datum = control points, for the datum
+few-degrees-of-freedom = degrees of freedom, for covariances
+few-intersected-points = intersected points, for the heights of the ground
+few-links = links that take part
+
+document-named = { $name }
+document-block = the block
+document-camera = the camera
+document-cameras = the cameras
+document-export = the export
+document-file = a file
+document-folder = the folder
+document-geo-tiff = the GeoTIFF
+document-kept-record = a kept record
+document-orthophoto = the orthophoto
+document-project = the project file
+document-task = the task of a job
+
+file-place-path = { $path }
+file-place-line = line { $line }
+file-place-byte = byte { $byte }
+file-place-length = length
+file-place-checksum = checksum
+file-place-content = content
+
+image-operation-forstner-window = the Förstner operator's window
+image-operation-ground-operator = the ground operator
+image-operation-moravec-window = the Moravec operator's window
+image-operation-placing-on-orthophoto = placing on an orthophoto
+image-operation-pyramid-of-scales = the pyramid of scales
 
 image-fault-empty = the file is empty
 image-fault-damaged = { $format }: { $damage }
@@ -86,7 +187,7 @@ unsupported-tiff-bands = TIFF of { $bands } bands with a predictor is not suppor
 
 file-fault-system = { $message }
 file-fault-not-text = it is not text (UTF-8)
-file-fault-content = { $message }
+file-fault-content = { $json_fault }
 file-fault-no-number = { $field } is '{ $word }', not a finite number
 file-fault-no-whole-number = { $field } is '{ $word }', not a whole number of its range
 file-fault-short-line = it ends before { $field }
@@ -101,7 +202,7 @@ file-fault-zero-quaternion = the quaternion is zero
 file-fault-after-name = '{ $word }' after the name
 file-fault-no-features = the line of its points is missing
 file-fault-no-project = '{ $line }' is not the first line of a project, or the only one
-file-fault-no-header = '{ $line }' is not the first line of a project ({ $message })
+file-fault-no-header = '{ $line }' is not the first line of a project ({ $json_fault })
 file-fault-other-format = its format is '{ $format }', not '{ $wanted }'
 file-fault-other-version = it is of version { $version }; this program reads versions 1 to { $newest }
 file-fault-other-length = { $bytes } bytes follow the first line, which declares { $declared }: the file is cut off or was changed
@@ -152,8 +253,8 @@ refusal-camera-of-image = camera of an image: got index { $camera } for '{ $name
 refusal-point-numbers = point of the block: got { $position } with residuals of { $rmse_px } px as point { $point } (counted from 0); allowed: finite numbers
 refusal-confidence = point of the block: got a confidence of point { $point } (counted from 0) outside 0 to 1; allowed: 0 to 1
 refusal-image-of-point = point of the block: got image { $image } of point { $point } (counted from 0); allowed: indices below { $images }
-refusal-ray-outside = point of the block: got the ray of point { $point } (counted from 0) at ({ $x_px }, { $y_px }) in '{ $name }'; allowed: places within { $width_px } x { $height_px } px
-refusal-two-rays = point of the block: got two rays of point { $point } (counted from 0) in '{ $name }'; allowed: one ray in an image
+refusal-ray-outside = point of the block: got the observation of point { $point } (counted from 0) at ({ $x_px }, { $y_px }) in '{ $name }'; allowed: positions within { $width_px } x { $height_px } px
+refusal-two-rays = point of the block: got two observations of point { $point } (counted from 0) in '{ $name }'; allowed: one observation per image
 refusal-rotation = image of the block: got { $rotation } as rotation of '{ $name }'; allowed: a rotation matrix
 refusal-image-position = image of the block: got { $position } as position of '{ $name }'; allowed: finite numbers
 refusal-origin = origin of the block: got longitude { $longitude_deg }°, latitude { $latitude_deg }°, height { $height_m } m; allowed: a longitude, a latitude and a height up to 1000 km
@@ -165,7 +266,7 @@ refusal-measured-twice = image measurement of a GCP: got two for { $point } in {
 
 # Points and their descriptors.
 refusal-mask-size = mask: got { $width } x { $height } px; allowed: the image's { $image_width } x { $image_height } px
-refusal-raster-order = points for suppression: got an order or a repetition that is not raster order; allowed: at most one point a pixel, by row, then column
+refusal-raster-order = points for suppression: got an order or a repetition that is not raster order; allowed: at most one point per pixel, by row, then column
 refusal-described-point = point to describe: got ({ $x }, { $y }) with a scale of { $scale_px } px; allowed: positions within the image of { $width } x { $height } px and scales above 0, up to its longer side
 refusal-no-moments = descriptors: got { $described } for { $points } points; allowed: moments of each point
 refusal-no-gradients = descriptors: got { $described } for { $points } points; allowed: a gradient descriptor of each point
@@ -204,20 +305,20 @@ refusal-features-of-images = { $input }: got features of { $images } images; all
 refusal-no-feature = points of the block: got feature { $feature } of image { $image }; allowed: features that exist
 refusal-no-tie-point = points of the block: got point { $point }; allowed: points below { $points }
 refusal-feature-outside = features of the images: got { $position } in image { $image } of { $width_px } x { $height_px } px; allowed: positions inside their image
-refusal-lost-feature = features of the images: got none for feature { $feature } of image { $image }; allowed: a position for each ray of the points
-refusal-ray-numbers = ray: got position { $position } with scale { $scale_px }; allowed: finite numbers, a scale above 0 px
-refusal-ray-direction = direction of a ray: got { $direction_rad }; allowed: finite numbers
-refusal-ray-place = ray: got position { $position }; allowed: places inside the image of { $width } x { $height } px
-refusal-window-values = windows of rays: got { $values } grey values for { $windows } windows; allowed: { $side } x { $side } values each
-refusal-window-halvings = windows of rays: got { $halvings } halvings; allowed: 0 to { $most }
-refusal-window-order = windows of rays: got another order; allowed: windows ordered by ray and halvings, each once
+refusal-lost-feature = features of the images: got none for feature { $feature } of image { $image }; allowed: a position for each observation of the points
+refusal-ray-numbers = observation: got position { $position } with scale { $scale_px }; allowed: finite numbers, a scale above 0 px
+refusal-ray-direction = direction of an observation: got { $direction_rad }; allowed: finite numbers
+refusal-ray-place = observation: got position { $position }; allowed: positions inside the image of { $width } x { $height } px
+refusal-window-values = windows of observations: got { $values } grey values for { $windows } windows; allowed: { $side } x { $side } values each
+refusal-window-halvings = windows of observations: got { $halvings } halvings; allowed: 0 to { $most }
+refusal-window-order = windows of observations: got another order; allowed: windows ordered by observation and halvings, each once
 
 # Adjustment and reconstruction.
 refusal-rotation-as = rotation of an image: got { $rotation } as { $location }; allowed: rows at right angles, of length 1, right-handed
 refusal-axis-direction = direction of an axis: got { $direction } as { $location }; allowed: a vector of length 1
 refusal-prior-again = priors of cameras: got camera { $camera } (counted from 0) twice; allowed: each camera once
 refusal-control-again = control points: got point { $point } (counted from 0) twice; allowed: each point once
-refusal-ray-again = rays: got two rays of image { $image } to point { $point } (counted from 0); allowed: at most one ray for each image and point
+refusal-ray-again = observations: got two of image { $image } of point { $point } (counted from 0); allowed: at most one for each image and point
 refusal-mixed-positions = observed positions: got { $geographic } geographic and { $local } local ones; allowed: either all local or all geographic, or those of images alone and those of { $placing } or more GCPs
 refusal-no-model = model of the reconstruction: got { $model }; allowed: models below { $models }
 refusal-no-intersection = observations of a point: got { $rays } of { $point_name } that do not meet, or at too small an angle; allowed: rays that meet within { $largest_px } px, at { $least_angle_deg } deg or more
@@ -252,9 +353,9 @@ refusal-control-name = the table of control points: got the name '{ $name }' in 
 refusal-control-errors = the table of control points: got standard errors { $errors } in line { $line }, which are not above 0; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-reserved-name = name of a ground control point: got { $name }; allowed: names that do not begin with { $begins }, as those of places of an orthophoto do
 refusal-control-use = the table of control points: got '{ $word }' as use in line { $line }; it is control, check or off; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
-refusal-measured-numbers = the table of image marks: got '{ $x }', '{ $y }' as place in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
-refusal-measured-names = the table of image marks: got no name of image or point in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
-refusal-measured-again = the table of image marks: got point '{ $point }' in image '{ $image }' again in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
+refusal-measured-numbers = the table of image measurements: got '{ $x }', '{ $y }' as place in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
+refusal-measured-names = the table of image measurements: got no name of image or point in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
+refusal-measured-again = the table of image measurements: got point '{ $point }' in image '{ $image }' again in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
 
 # Coordinate reference systems.
 refusal-unknown-crs = coordinate reference system: got { $crs }, a code that is unknown here, or of a projection or a kind that is not supported; allowed: EPSG codes of geographic and projected systems, or PROJ text
@@ -316,16 +417,16 @@ refusal-chosen-feature = observations: got feature { $feature }; allowed: featur
 # The ground: orthophotos, heights, mosaics.
 refusal-link-position = position of a link: got { $position }, of link { $link }; allowed: within the image of { $width_px } x { $height_px } px
 refusal-link-place = place of a link: got { $place }, of link { $link }; allowed: where the ground of the orthophoto has a height
-refusal-world-file = world file: got { $text }; allowed: six numbers, one a line: A, D, B, E of the pixel, X and Y of the centre of the top-left pixel
+refusal-world-file = world file: got { $text }; allowed: six numbers, one per line: A, D, B, E of the pixel, X and Y of the centre of the top-left pixel
 refusal-georeference = georeference: got { $numbers }; allowed: finite coordinates and pixels with an extent
 refusal-degrees = coordinates of a picture of the ground: got longitude and latitude in degrees; allowed: a projected system in metres or feet: reproject it, with gdalwarp -t_srs say
-refusal-height-count = height model: got { $heights } heights for { $width } x { $height }; allowed: 2 x 2 heights or more, one a place
+refusal-height-count = height model: got { $heights } heights for { $width } x { $height }; allowed: 2 x 2 heights or more, one per node
 refusal-height-range = heights of a height model: got { $low } to { $high }; allowed: -1000 to 20000, with at least one; what stands for 'no height' must be declared
 refusal-no-height-model = height model: got neither a TIFF nor text; allowed: a GeoTIFF or an ESRI ASCII grid
 refusal-heights-without-place = height model: got a TIFF that does not say where it lies; allowed: a GeoTIFF, or a world file beside it
 refusal-truncated-heights = height model: got { $width } x { $height } heights in { $bytes } bytes: it is truncated; allowed: a whole file
 refusal-many-heights = height model: got { $width } x { $height } heights; allowed: up to 100 million
-refusal-height-samples = height model: got a TIFF of samples of another kind; allowed: one sample a pixel: whole numbers or floating point
+refusal-height-samples = height model: got a TIFF of samples of another kind; allowed: one sample per pixel: whole numbers or floating point
 refusal-grid-word = ESRI ASCII grid: got { $name } without a number; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
 refusal-grid-lacks = ESRI ASCII grid: got no { $name }; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
 refusal-grid-size = ESRI ASCII grid: got { $columns } columns, { $rows } rows of { $cell }; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
@@ -372,12 +473,12 @@ refusal-truth-size = truth: got { $positions } positions for { $width } x { $hei
 # Covariances of a finished block.
 refusal-covariances-not-oriented = covariances: got a block that is not oriented; allowed: an oriented block
 refusal-covariances-unsupported = covariances: got a project of a former version, without all points of its adjustment; allowed: projects that keep all points of their adjustment
-refusal-covariance-unknowns = covariances: got { $unknowns } unknowns; allowed: 1 to { $most } unknowns: six of an image, three of a point
+refusal-covariance-unknowns = covariances: got { $unknowns } unknowns; allowed: 1 to { $most } unknowns: six per image, three per point
 refusal-covariance-again = name of a covariance: got { $name } twice; allowed: each name once
 refusal-accuracy-images = map of the expected accuracy: got a block with { $images } images; allowed: up to { $most }
 refusal-accuracy-sigma = standard error of an image coordinate: got { $sigma_px } px; allowed: above 0, up to 1000 px
 refusal-accuracy-cell = side of a cell of the map: got { $cell }; allowed: { FIXED($least, digits: 4) } to { FIXED($most, digits: 4) }, in units of the block
-refusal-covariance-name = name of a covariance: got { $name }; allowed: names of oriented images and of adjusted surveyed points, point:N as in points.csv, camera:N as in images.csv
+refusal-covariance-name = name of a covariance: got { $name }; allowed: names of oriented images and of adjusted ground control and check points, point:N as in points.csv, camera:N as in images.csv
 
 # Projects.
 refusal-pair-match = match of the pair: got { $left } and { $right }; allowed: points below { $points } and { $others }
@@ -409,7 +510,7 @@ input-free-radial = free radial coefficients
 input-height = height
 input-image = image
 input-image-coordinates = image coordinates
-input-image-of-ray = image of a ray
+input-image-of-ray = image of an observation
 input-image-size = size of the images
 input-geometries-of-project = geometries of the project
 input-images-of-project = images of the project
@@ -433,23 +534,23 @@ input-left-descriptors = left descriptors
 input-left-features = left features
 input-left-points = left points
 input-longitude = longitude
-input-mark-table = the table of image marks
+input-mark-table = the table of image measurements
 input-observation-table = the table of observations
 input-photo-of-block = photo of the block
 input-pixel-side = side of a pixel
 input-point = point
 input-point-of-control = point of a control point
-input-point-of-ray = point of a ray
+input-point-of-ray = point of an observation
 input-points-of-block = points of the block
 input-position = position
 input-position-sigma = sigma of a position
 input-mark-sigma = sigma of an image measurement
-input-ray-sigma = sigma of a ray
+input-ray-sigma = sigma of an observation
 input-right-descriptors = right descriptors
 input-right-features = right features
 input-right-points = right points
-input-surveyed-point = surveyed point
-input-surveyed-point-of-block = surveyed point of the block
+input-surveyed-point = ground control or check point
+input-surveyed-point-of-block = ground control or check point of the block
 input-text = the text
 input-weight = weight
 
@@ -464,7 +565,7 @@ location-camera-of-prior = camera of a prior
 location-control = GCP { $name }
 location-element-of-control = { $element } of control point { $control } (counted from 0)
 location-element-of-image = { $element } of image { $image } (counted from 0)
-location-element-of-ray = { $element } of ray { $ray } (counted from 0)
+location-element-of-ray = { $element } of observation { $ray } (counted from 0)
 location-geometry = geometry.{ $side }
 location-image = { $name }
 location-image-index = index { $image }
@@ -486,7 +587,7 @@ element-sigma = sigma
 element-weight = weight
 
 point-name-control = { $name }
-point-name-control-index = surveyed point { $point }
+point-name-control-index = ground control or check point { $point }
 point-name-manual = manual point { $point }
 point-name-tie-point = tie point { $point }
 
@@ -635,7 +736,7 @@ warning-behind =
     { $points ->
         [one] 1 point is
        *[other] { $points } points are
-    } left out: the rays meet behind a camera, as those of wrong matches and of mirrored coordinates do.
+    } rejected: the rays meet behind a camera, as those of wrong matches and of mirrored coordinates do.
 warning-sigma = The residuals contradict the given σ0: it is { SIGNIFICANT($estimated_um, digits: 3) } µm, not { SIGNIFICANT($given_um, digits: 3) } µm. Standard errors and tests use the estimated one.
 warning-few-places = The matches lie in { $places ->
         [one] 1 place
@@ -893,7 +994,7 @@ remark-result-system =
         [none] {""}
        *[other] . Its heights count from a level of their own: heights of GNSS positions took no part. They are { FIXED($gnss_above_m, digits: 2) } m higher than those of the block, about the height of the geoid (--geoid-m) where they are above the ellipsoid
     }
-remark-no-result-system = the results are not in { $crs }: the block has no place on the earth, which GNSS positions or control points would give it
+remark-no-result-system = the results are not in { $crs }: the block is not georeferenced, which GNSS positions or control points would do
 remark-orthophoto-system-assumed = the orthophoto does not say its coordinate reference system: it is taken to be in { $crs }
 remark-orthophoto-converted =
     places of the orthophoto were converted from { $orthophoto } to { $crs }{ $accuracy_m ->

@@ -1,6 +1,6 @@
 //! Settings of which some are given: the others take their defaults.
 
-use crate::json;
+use crate::json::{self, JsonFault};
 use serde::de::{DeserializeOwned, Error};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
@@ -10,11 +10,11 @@ use serde_json::Value;
 /// A struct inside may have other defaults than it has alone, as the number of points in a block: these hold.
 ///
 /// # Errors
-/// Those of `serde_json` for unknown fields and values of another type.
-pub fn with_defaults<T: DeserializeOwned + Serialize + Default>(given: Value) -> serde_json::Result<T> {
-    let mut settings = serde_json::to_value(T::default())?;
+/// [`JsonFault`] for unknown fields and values of another type.
+pub fn with_defaults<T: DeserializeOwned + Serialize + Default>(given: Value) -> Result<T, JsonFault> {
+    let mut settings = serde_json::to_value(T::default()).map_err(JsonFault::from)?;
     overlay(&mut settings, given);
-    json::from_value(&settings).map_err(serde_json::Error::custom)
+    json::from_value(&settings)
 }
 
 /// Reads options inside a file: those that it was written without take their defaults.

@@ -13,7 +13,7 @@ pub use acting::acting;
 pub use given::with_defaults;
 pub use parameter::{Parameter, ParameterKind};
 
-pub(crate) use check::{FOCAL_PX, check_values, refuse};
+pub(crate) use check::{FOCAL_PX, check_values, refuse, refuse_absent};
 pub(crate) use declare::{choices, options};
 pub(crate) use given::read_options;
 pub(crate) use parameter::check;

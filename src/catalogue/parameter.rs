@@ -1,7 +1,7 @@
 //! What is known of an option beside its value.
 
 use super::check::refuse;
-use crate::Error;
+use crate::{Allowed, Error};
 use serde::Serialize;
 
 /// What values a parameter takes.
@@ -44,14 +44,14 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// What it allows, in words.
-    pub fn allowed(&self) -> String {
+    /// What it allows.
+    pub fn allowed(&self) -> Allowed {
         match self.kind {
-            ParameterKind::Integer { min, max, odd } => format!("{}whole numbers from {min} to {max}", if odd { "odd " } else { "" }),
-            ParameterKind::Real { min, max } => format!("{min} to {max}"),
-            ParameterKind::Choice { values, .. } => values.join(", "),
-            ParameterKind::Flag => "yes or no".into(),
-            ParameterKind::Text => "text".into(),
+            ParameterKind::Integer { min, max, odd } => Allowed::Integer { min, max, odd },
+            ParameterKind::Real { min, max } => Allowed::Real { min, max },
+            ParameterKind::Choice { values, .. } => Allowed::Words { words: values.join(", ") },
+            ParameterKind::Flag => Allowed::Flag,
+            ParameterKind::Text => Allowed::Text,
         }
     }
 
@@ -71,4 +71,32 @@ impl Parameter {
 /// Rejects a number outside the range of the parameter of that key.
 pub(crate) fn check(parameters: &'static [Parameter], key: &'static str, value: f64) -> Result<(), Error> {
     parameters.iter().filter(|p| p.key == key).try_for_each(|p| p.check(value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{PairSettings, Texts};
+
+    /// The command and the page write a range from the parameter itself, as `allowed` is written.
+    #[test]
+    fn a_parameter_is_written_as_what_it_allows() {
+        let mut kinds = [0; 3];
+        for parameter in PairSettings::parameters() {
+            let k = match parameter.kind {
+                ParameterKind::Integer { odd: true, .. } => 0,
+                ParameterKind::Integer { .. } => 1,
+                ParameterKind::Real { .. } => 2,
+                _ => continue,
+            };
+            kinds[k] += 1;
+            let written = Texts::english().text_of("allowed", &serde_json::to_value(parameter).unwrap(), None);
+            assert_eq!(written, parameter.allowed().to_string(), "{}", parameter.key);
+        }
+        assert!(kinds.iter().all(|count| *count > 2), "{kinds:?}");
+        let text = |key: &str| PairSettings::parameters().find(|p| p.key == key).map(|p| p.allowed().to_string());
+        assert_eq!(text("matching.search").as_deref(), Some("odd whole numbers from 1 to 1023"));
+        assert_eq!(text("orientation.sigma0_mm").as_deref(), Some("0.0000001 to 100"));
+        assert_eq!(text("orientation.seed").as_deref(), Some("whole numbers from 0 to 4294967295"));
+    }
 }

@@ -1,18 +1,22 @@
 //! The one error type: what was wrong, what was got, what is allowed.
 
+mod allowed;
 mod damage;
 mod failure;
 mod input;
 mod refusal;
+mod subject;
 
-use crate::json::{Constant, constant};
+use crate::json::{Constant, JsonFault, constant};
 use crate::message::messages;
 use serde::{Deserialize, Serialize};
 
+pub use allowed::Allowed;
 pub use damage::{Damage, Unsupported};
 pub use failure::Failure;
 pub use input::{DescribedBy, Element, Input, Location, PointName, Side};
 pub use refusal::Refusal;
+pub use subject::{Document, Few, FilePlace, ImageOperation};
 
 messages! {
     /// Why a call fails. The message says what to change; [`Error::code`] is stable for programs.
@@ -20,14 +24,14 @@ messages! {
     #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
     #[non_exhaustive]
     pub enum Error as "error" {
-        /// An option outside its range.
-        InvalidOption { #[serde(deserialize_with = "constant")] field: Constant, got: String, allowed: String },
+        /// An option outside its range; `got`: none where it is absent.
+        InvalidOption { #[serde(deserialize_with = "constant")] field: Constant, got: Option<String>, allowed: Allowed },
         /// Options or a camera that are not the JSON object they should be.
-        InvalidJson { #[serde(deserialize_with = "constant")] what: Constant, reason: String },
+        InvalidJson { document: Document, json_fault: JsonFault },
         /// Array lengths or coordinates that do not fit together.
         InvalidInput { refusal: Refusal },
         /// Values from JavaScript that are not the arrays and objects that a function of the module takes, in words.
-        InvalidArgument { #[serde(deserialize_with = "constant")] what: Constant, got: String, allowed: String },
+        InvalidArgument { #[serde(deserialize_with = "constant")] what: Constant, got: String, #[serde(alias = "allowed")] wanted: String },
         /// A file that is no image of a known format, or a damaged one.
         UnreadableImage { image_fault: ImageFault },
         /// A format or a pixel type that is not decoded.
@@ -37,13 +41,13 @@ messages! {
         /// More memory than the limit, found in the header.
         TooMuchMemory { width: u64, height: u64, needed_mb: u64, max_mb: u64 },
         /// Fewer pixels a side than an operation needs.
-        ImageTooSmall { width: usize, height: usize, #[serde(deserialize_with = "constant")] operation: Constant, min_side: usize },
+        ImageTooSmall { width: usize, height: usize, image_operation: ImageOperation, min_side: usize },
         /// A window that leaves the image.
         WindowOutside { side: usize, col: usize, row: usize, width: usize, height: usize },
         /// A window in which all grey values are equal: it has no moments.
         ConstantWindow { side: usize, col: usize, row: usize },
         /// Too few observations for the unknowns.
-        TooFew { #[serde(deserialize_with = "constant")] what: Constant, got: usize, needed: usize },
+        TooFew { few: Few, got: usize, needed: usize },
         /// Observations whose geometry does not determine the unknowns.
         Degenerate { computation: Computation, cause: Cause },
         /// An image of a block whose orientation its observations do not determine; images count from 0.
@@ -51,13 +55,13 @@ messages! {
         /// An adjustment that did not converge.
         NotConverged { computation: Computation, iterations: usize, cause: Cause },
         /// A file that is not what it should be, is damaged, or is of a newer version.
-        UnreadableFile { #[serde(deserialize_with = "constant")] what: Constant, place: String, file_fault: FileFault },
-        /// Images whose names formats cannot hold.
-        NotExportable { formats: String, reason: String },
+        UnreadableFile { document: Document, file_place: Option<FilePlace>, file_fault: FileFault },
+        /// Images whose names formats cannot hold; the error of the first format.
+        NotExportable { formats: String, error: Box<Error> },
         /// A run of a block that no image and no pair stops, but what goes on around it.
         Interrupted { interruption: Interruption },
         /// A sink that takes no more text.
-        NotWritten { #[serde(deserialize_with = "constant")] what: Constant },
+        NotWritten { document: Document },
     }
 }
 
@@ -131,8 +135,8 @@ messages! {
         System { message: String },
         /// It is not UTF-8.
         NotText,
-        /// A field is not as it should be, in the words of the reader.
-        Content { message: String },
+        /// A field is not as it should be.
+        Content { json_fault: JsonFault },
         /// A field of a line.
         NoNumber { field: String, word: String },
         NoWholeNumber { field: String, word: String },
@@ -153,8 +157,8 @@ messages! {
         NoFeatures,
         /// Its first line is not that of a project.
         NoProject { line: String },
-        /// The same; `message`: why, in the words of the reader.
-        NoHeader { line: String, message: String },
+        /// The same, and why.
+        NoHeader { line: String, json_fault: JsonFault },
         OtherFormat { format: String, wanted: String },
         OtherVersion { version: u32, newest: u32 },
         /// So many bytes follow the first line, and so many it declares.

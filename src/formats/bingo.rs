@@ -2,8 +2,8 @@
 
 use super::sight::Sights;
 use super::text::{not_written, one_word};
-use crate::catalogue::refuse;
-use crate::{BlockModel, Error};
+use crate::catalogue::refuse_absent;
+use crate::{Allowed, BlockModel, Error};
 use std::fmt::Write;
 
 /// For each image a line of its name and its camera's number, then lines of point, x, y, and an empty line. Coordinates are in mm from the
@@ -29,5 +29,5 @@ pub(super) fn write_image_coordinates(model: &BlockModel, sights: &Sights) -> Re
 
 /// The side of a pixel, without which there are no photo coordinates.
 pub(super) fn pixel_mm(pixel_mm: Option<f64>) -> Result<f64, Error> {
-    pixel_mm.ok_or_else(|| refuse("camera.pixel_mm", "absent", "0.000001 to 10 in formats with photo coordinates"))
+    pixel_mm.ok_or_else(|| refuse_absent("camera.pixel_mm", Allowed::ForPhotoCoordinates { min: 1e-6, max: 10.0 }))
 }

@@ -2,7 +2,7 @@
 
 use crate::error::refuse;
 use crate::json;
-use crate::{Camera, Error, Location, Refusal};
+use crate::{Camera, Document, Error, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// A camera, and the images that it took.
@@ -67,7 +67,7 @@ pub fn parse_camera_rules(json: &str) -> Result<Vec<CameraRule>, Error> {
         cameras: Vec<CameraRule>,
     }
     let text = json.trim_start_matches('\u{feff}');
-    let file: File = json::from_text(text).map_err(|reason| Error::InvalidJson { what: "the cameras", reason })?;
+    let file: File = json::from_text(text).map_err(|json_fault| Error::InvalidJson { document: Document::Cameras, json_fault })?;
     if file.cameras.is_empty() {
         return refuse(Refusal::NoCameras);
     }

@@ -4,7 +4,7 @@ use super::colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 use super::sight::Sights;
 use super::text::{file_name, one_word};
 use super::{agisoft, bingo, bundler, colmap_write, csv_tables, geojson, isat, micmac, nvm, opensfm, patb};
-use crate::{BlockModel, Error};
+use crate::{BlockModel, Document, Error};
 use serde::{Deserialize, Serialize};
 
 /// A format that blocks are written in.
@@ -122,6 +122,6 @@ fn export_colmap(model: &BlockModel, sights: &Sights, emit: &mut dyn FnMut(&str,
 }
 
 fn json(model: &BlockModel) -> Result<String, Error> {
-    let text = serde_json::to_string(model).map_err(|e| Error::InvalidJson { what: "the block", reason: e.to_string() })?;
+    let text = serde_json::to_string(model).map_err(|e| Error::InvalidJson { document: Document::Block, json_fault: e.into() })?;
     Ok(text + "\n")
 }

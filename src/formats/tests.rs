@@ -196,7 +196,7 @@ fn what_a_format_cannot_hold_is_refused_by_name() {
 #[test]
 fn the_error_of_the_one_who_takes_the_files_comes_through() {
     for format in ExportFormat::ALL {
-        let full = Error::NotWritten { what: "the disk" };
+        let full = Error::NotWritten { document: crate::Document::File };
         assert_eq!(export_block(&tiny_block(), format, &mut |_, _| Err(full.clone())), Err(full));
     }
 }

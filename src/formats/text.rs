@@ -2,12 +2,12 @@
 
 use crate::error::refuse;
 use crate::text::shorten;
-use crate::{Error, FileFault, Refusal};
+use crate::{Document, Error, FileFault, FilePlace, Refusal};
 use std::fmt;
 
 /// The error of a sink that takes no more text.
 pub(super) fn not_written(_: fmt::Error) -> Error {
-    Error::NotWritten { what: "the export" }
+    Error::NotWritten { document: Document::Export }
 }
 
 /// A name that a format separates from others by blanks.
@@ -44,7 +44,11 @@ pub(super) struct Line<'a> {
 
 impl<'a> Line<'a> {
     pub(super) fn refused(&self, file_fault: FileFault) -> Error {
-        Error::UnreadableFile { what: self.what, place: format!("line {}", self.number), file_fault }
+        Error::UnreadableFile {
+            document: Document::Named { name: self.what.into() },
+            file_place: Some(FilePlace::Line { line: self.number }),
+            file_fault,
+        }
     }
 
     pub(super) fn words(&self) -> std::str::SplitAsciiWhitespace<'a> {

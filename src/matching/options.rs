@@ -85,7 +85,7 @@ options! {
         refine: Option<Refinement> = None, "Refinement", absent "where-possible for auto, none otherwise",
             acts "matching.strategy is not least-squares";
 
-        /// Points without a match are matched by least squares from where the matches around them foretell them, if they lie near their
+        /// Points without a match are matched by least squares from where the matches around them predict them, if they lie near their
         /// epipolar lines.
         fill_in: bool = true, "Fill in", acts "matching.strategy is auto, gradient and matching.refine is least-squares, where-possible";
 

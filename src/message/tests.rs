@@ -2,12 +2,13 @@
 
 use super::texts::NESTED;
 use super::{Message, Texts};
+use crate::json::JsonFault;
 use crate::{
-    Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Element, Error,
-    Failure, FileFault, ImageFault, ImageReason, Input, Interruption, LengthUnit, Location, Mistake, NamedCamera, NoGeometry,
-    NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict,
-    PlaceSearch, PlacingVerdict, PlacingWeakness, PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported,
-    Warning,
+    Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Document,
+    Element, Error, Failure, Few, FileFault, FilePlace, ImageFault, ImageOperation, ImageReason, Input, Interruption, LengthUnit, Location,
+    Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome,
+    PairRule, PairVerdict, PlaceSearch, PlacingVerdict, PlacingWeakness, PointName, Refusal, Remark, Rule, Side, UnorientedReason,
+    Unsettled, Unsupported, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -41,6 +42,7 @@ fn family<M: Message>() -> Family {
 
 fn families() -> Vec<Family> {
     vec![
+        family::<Allowed>(),
         family::<Axis>(),
         family::<BlockWarning>(),
         family::<Mistake>(),
@@ -58,9 +60,14 @@ fn families() -> Vec<Family> {
         family::<Damage>(),
         family::<Degeneracy>(),
         family::<Error>(),
+        family::<Document>(),
         family::<Failure>(),
+        family::<Few>(),
         family::<FileFault>(),
+        family::<FilePlace>(),
         family::<ImageFault>(),
+        family::<ImageOperation>(),
+        family::<JsonFault>(),
         family::<ImageReason>(),
         family::<Interruption>(),
         family::<LengthUnit>(),

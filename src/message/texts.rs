@@ -10,7 +10,8 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 35] = [
+pub(super) const NESTED: [&str; 41] = [
+    "allowed",
     "axis",
     "block_warning",
     "camera",
@@ -20,13 +21,18 @@ pub(super) const NESTED: [&str; 35] = [
     "computation",
     "damage",
     "described",
+    "document",
     "element",
     "error",
     "failure",
+    "few",
     "file_fault",
+    "file_place",
     "image_fault",
+    "image_operation",
     "input",
     "interruption",
+    "json_fault",
     "location",
     "mistake",
     "no_geometry",

@@ -104,7 +104,7 @@ mod tests {
         refused(&|m| m.points[1].rays[0].x_px = -0.1, "within 400 x 300");
         refused(&|m| m.points[1].rays[0].y_px = f64::NAN, "within 400 x 300");
         refused(&|m| m.points[1].rays[0].confidence = 1.5, "confidence");
-        refused(&|m| m.points[0].rays[1].image = m.points[0].rays[0].image, "two rays of point 0");
+        refused(&|m| m.points[0].rays[1].image = m.points[0].rays[0].image, "two observations of point 0");
         refused(&|m| m.origin.as_mut().unwrap().latitude_deg = 91.0, "latitude");
     }
 }

@@ -6,7 +6,7 @@ use crate::camera::{Camera, FreeParameters};
 use crate::catalogue::check_values;
 use crate::error::refuse;
 use crate::message::{Message, written};
-use crate::{Error, Input, Location, Refusal};
+use crate::{Error, Few, Input, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// A focal length that is not known is taken for this many times the longer side of the image, as those of most cameras nearly are.
@@ -31,7 +31,7 @@ impl BlockDescription {
     /// surveyed points that are outside their image or twice in it.
     pub fn check(&self) -> Result<(), Error> {
         if self.images.len() < 2 {
-            return Err(Error::TooFew { what: "images of a block", got: self.images.len(), needed: 2 });
+            return Err(Error::TooFew { few: Few::ImagesOfBlock, got: self.images.len(), needed: 2 });
         }
         let named = |index| {
             move || {

@@ -4,7 +4,7 @@ use super::shared::SharedErrors;
 use super::shared_parallax::MODES;
 use crate::catalogue::refuse;
 use crate::error::refuse as refuse_input;
-use crate::{Error, Refusal};
+use crate::{Allowed, Error, Refusal};
 
 /// How the errors of observations depend on each other, and how small they can be.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -27,7 +27,7 @@ impl ErrorModel {
         let lengths = [("neighbourhood_mm", self.neighbourhood_mm), ("resolution_mm", self.resolution_mm)];
         for (name, value) in self.shared_parallax.map(|deviation| ("shared_parallax", deviation)).into_iter().chain(lengths) {
             if !(value >= 0.0 && value.is_finite()) {
-                return Err(refuse(name, value, "0 or more"));
+                return Err(refuse(name, value, Allowed::AtLeast { min: 0.0 }));
             }
         }
         match self.shared.iter().find(|group| group.effects.len() != observations) {

@@ -1,8 +1,8 @@
 //! What the user chooses of the relative orientation.
 
-use crate::Error;
 use crate::catalogue::{choices, options, refuse};
 use crate::math::detectable_shift;
+use crate::{Allowed, Error};
 
 choices! {
     /// What is minimised.
@@ -63,7 +63,7 @@ impl OrientationOptions {
     /// Refuses values outside their ranges.
     pub(crate) fn check(&self) -> Result<(), Error> {
         match self.base_mm {
-            Some(base_mm) if base_mm == 0.0 => Err(refuse("orientation.base_mm", base_mm, "-1000000 to 1000000, but not 0")),
+            Some(base_mm) if base_mm == 0.0 => Err(refuse("orientation.base_mm", base_mm, Allowed::ButZero { min: -1e6, max: 1e6 })),
             _ => self.check_ranges(),
         }
     }

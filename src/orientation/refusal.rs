@@ -8,7 +8,7 @@ use super::warning::{LARGEST_CONDITION, condition};
 use crate::catalogue::refuse;
 use crate::error::refuse as refuse_input;
 use crate::math::median;
-use crate::{Cause, Computation, Error, Refusal, Side};
+use crate::{Allowed, Cause, Computation, Error, Few, Refusal, Side};
 
 /// Largest photo coordinate in focal lengths: 89.4° off the axis. Coordinates beyond it are pixels taken for mm, or worse.
 const LARGEST_COORDINATE: f64 = 100.0;
@@ -26,7 +26,7 @@ const LARGEST_ERROR: f64 = 0.35;
 /// Refuses a focal length and observations that are none.
 pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result<(), Error> {
     if !((1e-3..=1e5).contains(&focal_mm)) {
-        return Err(refuse("focal_mm", focal_mm, "0.001 to 100000"));
+        return Err(refuse("focal_mm", focal_mm, Allowed::Real { min: 0.001, max: 1e5 }));
     }
     let largest = LARGEST_COORDINATE * focal_mm;
     for (index, observation) in observations.iter().enumerate() {
@@ -51,7 +51,7 @@ pub(super) fn check_geometry(rays: &[Ray]) -> Result<(), Error> {
         }
     }
     if different.len() < 5 {
-        return Err(Error::TooFew { what: "different observations for the relative orientation", got: different.len(), needed: 5 });
+        return Err(Error::TooFew { few: Few::DifferentObservations, got: different.len(), needed: 5 });
     }
     for (side, first) in [(Side::Left, 0), (Side::Right, 2)] {
         let width = relative_width(rays, first);

@@ -11,7 +11,7 @@ use crate::math::{
     chi_square_quantile, median, normal_median_within, normal_outside, normal_spread_within, smallest, student_limit, tau_limit,
     variance_left,
 };
-use crate::{Cause, Error, Unsettled};
+use crate::{Cause, Error, Few, Unsettled};
 use std::collections::BTreeMap;
 
 /// An adjustment free of gross errors.
@@ -193,7 +193,7 @@ fn by_rounds(observed: Weighted<'_>, start: RelativePose, mut agreeing: Vec<bool
     for round in 0..MAX_ROUNDS {
         let (kept, weights) = observed.kept(&accepted);
         if kept.len() < 5 {
-            return Err(Error::TooFew { what: "observations that agree on a relative orientation", got: kept.len(), needed: 5 });
+            return Err(Error::TooFew { few: Few::AgreeingObservations, got: kept.len(), needed: 5 });
         }
         let adjusted = adjust(&kept, &weights, pose, if last { SETTLED } else { NEARLY_SETTLED }, |_| Ok(()))?;
         pose = adjusted.pose;

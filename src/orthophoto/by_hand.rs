@@ -12,7 +12,7 @@ use super::rectify::Seen;
 use super::reference::Orthophoto;
 use super::verdict::verdict;
 use crate::error::refuse;
-use crate::{Camera, Error, Failure, Location, Refusal};
+use crate::{Camera, Error, Failure, Few, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// What a given link is for.
@@ -65,7 +65,7 @@ pub fn place_by_links(
     known.camera.check(|| Location::CameraOfImage)?;
     let used = links.iter().filter(|link| link.part == GivenUse::Used).count();
     if used < LEAST_LINKS {
-        return Err(Error::TooFew { what: "links that take part", got: used, needed: LEAST_LINKS });
+        return Err(Error::TooFew { few: Few::Links, got: used, needed: LEAST_LINKS });
     }
     // Coordinates of maps are large: everything is computed about a place near the image.
     let first = links[0].place.map(f64::round);

@@ -11,7 +11,7 @@ use super::rectify::{Rectified, rectify_from};
 use crate::camera::Camera;
 use crate::error::refuse;
 use crate::math::median;
-use crate::{BlockModel, BlockRun, Error, GreyImage, GreyView, ModelImage, Pose, Refusal, halve};
+use crate::{BlockModel, BlockRun, Error, Few, GreyImage, GreyView, ModelImage, Pose, Refusal, halve};
 
 /// Larger mosaics are made of larger pixels.
 const MOST_PIXELS: f64 = 1e8;
@@ -59,7 +59,7 @@ fn middle_of(points: &[[f64; 3]]) -> Heights {
 /// The medians of these points in the cells of a grid over what images show.
 fn heights_of(points: &[[f64; 3]], shown: &[[f64; 2]]) -> Result<HeightModel, Error> {
     if points.len() < 10 {
-        return Err(Error::TooFew { what: "intersected points, for the heights of the ground", got: points.len(), needed: 10 });
+        return Err(Error::TooFew { few: Few::IntersectedPoints, got: points.len(), needed: 10 });
     }
     // One in fifty at each end may lie far off.
     let within = |axis: usize| {

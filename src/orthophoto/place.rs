@@ -15,7 +15,7 @@ use crate::error::refuse;
 use crate::reconstruction::resect_image;
 use crate::two_view::Support;
 use crate::{
-    AdjustmentResult, Camera, CameraUncertainty, Error, ExifPosition, Failure, Feature, FeatureOptions, GreyView, Location,
+    AdjustmentResult, Camera, CameraUncertainty, Error, ExifPosition, Failure, Feature, FeatureOptions, GreyView, ImageOperation, Location,
     MultiscaleOptions, ObservationVerdict, Pose, Refusal, features, reduce_to,
 };
 
@@ -208,7 +208,7 @@ fn check(image: GreyView<'_>, known: &PlacingCamera, options: &PlacingOptions) -
     options.check_ranges()?;
     if image.width().min(image.height()) < LEAST_IMAGE_PX {
         let [width, height] = [image.width(), image.height()];
-        return Err(Error::ImageTooSmall { width, height, operation: "placing on an orthophoto", min_side: LEAST_IMAGE_PX });
+        return Err(Error::ImageTooSmall { width, height, image_operation: ImageOperation::PlacingOnOrthophoto, min_side: LEAST_IMAGE_PX });
     }
     known.camera.check(|| Location::CameraOfImage)?;
     let size = [known.camera.width_px, known.camera.height_px].map(|side| side as usize);

@@ -9,7 +9,9 @@ use super::rectify::Rectified;
 use super::write::{write_geotiff, write_heights};
 use crate::error::refuse;
 use crate::image::{TiffRaster, is_tiff, read_all};
-use crate::{DecodeLimits, Error, Feature, FeatureOptions, FileFault, FileSource, GreyImage, Refusal, ScalePoint, decode, features};
+use crate::{
+    DecodeLimits, Document, Error, Feature, FeatureOptions, FileFault, FileSource, GreyImage, Refusal, ScalePoint, decode, features,
+};
 use std::sync::Arc;
 
 /// An orthophoto with the heights of its ground.
@@ -103,7 +105,7 @@ impl Orthophoto {
             return Err(Error::InvalidArgument {
                 what: "heights of a height model",
                 got: "none under the orthophoto".into(),
-                allowed: "a model of the same ground in the same system".into(),
+                wanted: "a model of the same ground in the same system".into(),
             });
         }
         Ok(())
@@ -232,7 +234,7 @@ impl Orthophoto {
 
 /// The error for a file that the host does not give.
 fn unread(error: &std::io::Error) -> Error {
-    Error::UnreadableFile { what: "orthophoto", place: String::new(), file_fault: FileFault::System { message: error.to_string() } }
+    Error::UnreadableFile { document: Document::Orthophoto, file_place: None, file_fault: FileFault::System { message: error.to_string() } }
 }
 
 /// A picture of a TIFF: whole where it is small.

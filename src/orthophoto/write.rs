@@ -4,7 +4,7 @@ use super::georeference::Georeference;
 use super::geotiff::{KEYS, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, TIE_POINTS, TRANSFORMATION};
 use super::heights::HeightModel;
 use super::rectify::Rectified;
-use crate::Error;
+use crate::{Document, Error};
 use std::io::Cursor;
 use tiff::TiffResult;
 use tiff::encoder::colortype::{ColorType, Gray8, Gray32Float};
@@ -56,7 +56,7 @@ where
 {
     let mut file = Cursor::new(Vec::new());
     let written = write::<C>(&mut file, size, values, georeference, epsg, no_data);
-    written.map(|()| file.into_inner()).map_err(|_| Error::NotWritten { what: "GeoTIFF" })
+    written.map(|()| file.into_inner()).map_err(|_| Error::NotWritten { document: Document::GeoTiff })
 }
 
 fn write<C: ColorType>(

@@ -8,7 +8,8 @@ use super::summary::{ExportOutcome, Summary, summary};
 use super::tables::word;
 use super::{tables, write_block_project};
 use crate::{
-    BlockModel, BlockRun, BlockScore, Camera, Error, ExportFormat, GeographicOrigin, ModelImage, Pose, Reconstruction, export_block,
+    BlockModel, BlockRun, BlockScore, Camera, Document, Error, ExportFormat, GeographicOrigin, ModelImage, Pose, Reconstruction,
+    export_block,
 };
 use serde::Serialize;
 
@@ -113,7 +114,7 @@ fn write_format(run: &BlockRun, format: ExportFormat, emit: Emit<'_>) -> Result<
 
 fn json(value: &impl Serialize, indented: bool) -> Result<String, Error> {
     let text = if indented { serde_json::to_string_pretty(value) } else { serde_json::to_string(value) };
-    text.map_err(|error| Error::InvalidJson { what: "the block", reason: error.to_string() })
+    text.map_err(|error| Error::InvalidJson { document: Document::Block, json_fault: error.into() })
 }
 
 /// The files that a block of images with these names is written to, but for those of which there is one for each two images: found before
@@ -123,7 +124,7 @@ fn json(value: &impl Serialize, indented: bool) -> Result<String, Error> {
 /// [`Error::NotExportable`] where formats cannot hold the names.
 pub fn planned_files(names: &[String], formats: &[ExportFormat]) -> Result<Vec<String>, Error> {
     let mut paths: Vec<String> = FIXED.iter().map(ToString::to_string).collect();
-    let mut refused: Vec<(String, String)> = Vec::new();
+    let mut refused: Vec<(String, Error)> = Vec::new();
     let model = bare(names);
     for format in formats {
         let folder = word(format);
@@ -132,12 +133,12 @@ pub fn planned_files(names: &[String], formats: &[ExportFormat]) -> Result<Vec<S
             Ok(())
         });
         if let Err(error) = written {
-            refused.push((folder, error.to_string()));
+            refused.push((folder, error));
         }
     }
-    let Some((_, reason)) = refused.first() else { return Ok(paths) };
+    let Some((_, error)) = refused.first() else { return Ok(paths) };
     let formats: Vec<&str> = refused.iter().map(|(format, _)| &format[..]).collect();
-    Err(Error::NotExportable { formats: formats.join(", "), reason: reason.clone() })
+    Err(Error::NotExportable { formats: formats.join(", "), error: Box::new(error.clone()) })
 }
 
 /// A block of these images that has no points.

@@ -31,11 +31,18 @@ messages! {
     }
 }
 
-/// An error as projects keep it: those of former versions hold refusals of input in words.
+/// An error as projects keep it: those of former versions hold refusals in words.
 fn of_any_version<'de, D: Deserializer<'de>>(kept: D) -> Result<Error, D::Error> {
     let mut error = Value::deserialize(kept)?;
     if error["kind"] == "invalid-input" && error.get("what").is_some() {
         error["kind"] = "invalid-argument".into();
+    }
+    if let Some(what) = error.get("what").filter(|_| error["kind"] == "too-few").cloned() {
+        error["few"] = what;
+        error.as_object_mut().and_then(|fields| fields.remove("what"));
+    }
+    if error["kind"] == "invalid-option" && error["allowed"].is_string() {
+        error["allowed"] = serde_json::json!({ "kind": "words", "words": error["allowed"] });
     }
     Error::deserialize(error).map_err(D::Error::custom)
 }
@@ -46,10 +53,25 @@ mod tests {
 
     #[test]
     fn a_refusal_that_a_former_version_kept_is_read() {
-        let kept = r#"{"kind":"refused","error":{"kind":"invalid-input","what":"weight","got":"-1","allowed":"above 0"}}"#;
-        let read: NoOrientation = serde_json::from_str(kept).unwrap();
-        assert!(read.to_string().ends_with("weight: got -1; allowed: above 0"), "{read}");
-        let again: NoOrientation = serde_json::from_str(&serde_json::to_string(&read).unwrap()).unwrap();
-        assert_eq!(again, read);
+        for (kept, text) in [
+            (r#"{"kind":"invalid-input","what":"weight","got":"-1","allowed":"above 0"}"#, "weight: got -1; allowed: above 0"),
+            (
+                r#"{"kind":"invalid-option","field":"focal_mm","got":"0","allowed":"0.001 to 100000"}"#,
+                "focal_mm is 0; allowed: 0.001 to 100000",
+            ),
+            (
+                r#"{"kind":"too-few","what":"different observations for the relative orientation","got":3,"needed":5}"#,
+                "different observations for the relative orientation: 3 given; at least 5 are needed",
+            ),
+            (
+                r#"{"kind":"too-few","what":"observations that agree on a relative orientation","got":4,"needed":5}"#,
+                "observations that agree on a relative orientation: 4 given; at least 5 are needed",
+            ),
+        ] {
+            let read: NoOrientation = serde_json::from_str(&format!(r#"{{"kind":"refused","error":{kept}}}"#)).unwrap();
+            assert!(read.to_string().ends_with(text), "{read}");
+            let again: NoOrientation = serde_json::from_str(&serde_json::to_string(&read).unwrap()).unwrap();
+            assert_eq!(again, read);
+        }
     }
 }

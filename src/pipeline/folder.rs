@@ -1,7 +1,7 @@
 //! The folder of a block on a disk: its lock, and files that are written whole or not at all. The command does both in the same way, so that
 //! neither works on a folder that the other works on.
 
-use crate::{Error, FileFault};
+use crate::{Document, Error, FileFault, FilePlace};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{ErrorKind, Write};
@@ -42,8 +42,8 @@ impl FolderLock {
             let left = owner(&other).is_some_and(|(pid, of)| of == host && !lock.runs(pid));
             if !left || !lock.removed(&other) || !taken()? {
                 let owner = fs::read_to_string(&lock.path).unwrap_or(other).trim().to_string();
-                let place = folder.display().to_string();
-                return Err(Error::UnreadableFile { what: "the folder", place, file_fault: FileFault::InUse { owner } });
+                let file_place = Some(FilePlace::Path { path: folder.display().to_string() });
+                return Err(Error::UnreadableFile { document: Document::Folder, file_place, file_fault: FileFault::InUse { owner } });
             }
         }
         held().insert(lock.path.clone());
@@ -105,7 +105,8 @@ fn held() -> std::sync::MutexGuard<'static, BTreeSet<PathBuf>> {
 
 fn system(path: &Path, error: &std::io::Error) -> Error {
     let file_fault = FileFault::System { message: error.to_string() };
-    Error::UnreadableFile { what: "the folder", place: path.display().to_string(), file_fault }
+    let file_place = Some(FilePlace::Path { path: path.display().to_string() });
+    Error::UnreadableFile { document: Document::Folder, file_place, file_fault }
 }
 
 fn owner(content: &str) -> Option<(u32, &str)> {
@@ -133,7 +134,7 @@ fn is_running(pid: u32) -> bool {
 /// # Errors
 /// [`Error::NotWritten`].
 pub fn replace_file(path: &Path, content: &[u8]) -> Result<(), Error> {
-    replace(path, content, true).map_err(|_| Error::NotWritten { what: "a file" })
+    replace(path, content, true).map_err(|_| Error::NotWritten { document: Document::File })
 }
 
 /// Under another name first. `flushed`: waits for the disk; what holds a checksum need not, since a torn file is noticed.
@@ -217,7 +218,7 @@ mod tests {
         }
         assert_eq!(fs::read_dir(at.join("csv")).unwrap().count(), 1);
         fs::create_dir(at.join("folder")).unwrap();
-        assert_eq!(replace_file(&at.join("folder"), b"in the way"), Err(Error::NotWritten { what: "a file" }));
+        assert_eq!(replace_file(&at.join("folder"), b"in the way"), Err(Error::NotWritten { document: Document::File }));
         assert_eq!(fs::read_dir(&at).unwrap().count(), 2);
         fs::remove_dir_all(&at).unwrap();
     }

@@ -4,7 +4,7 @@ use super::folder::{FolderLock, replace};
 use super::records::digest;
 use super::{BlockRun, FileNeeded, Job, News, Run, RunInput, execute};
 use crate::text::by_numbers;
-use crate::{Error, Failure, FileFault};
+use crate::{Document, Error, Failure, FileFault, FilePlace};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Condvar, Mutex};
@@ -17,7 +17,7 @@ const ENDINGS: [&str; 10] = ["jpg", "jpeg", "png", "tif", "tiff", "bmp", "webp",
 /// # Errors
 /// [`Error::UnreadableFile`] for a folder that cannot be read.
 pub fn images_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    let unreadable = |error: std::io::Error| unreadable("the folder", folder, &error);
+    let unreadable = |error: std::io::Error| unreadable(Document::Folder, folder, &error);
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
@@ -61,8 +61,9 @@ fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-fn unreadable(what: &'static str, path: &Path, error: &std::io::Error) -> Error {
-    Error::UnreadableFile { what, place: path.display().to_string(), file_fault: FileFault::System { message: error.to_string() } }
+fn unreadable(document: Document, path: &Path, error: &std::io::Error) -> Error {
+    let file_place = Some(FilePlace::Path { path: path.display().to_string() });
+    Error::UnreadableFile { document, file_place, file_fault: FileFault::System { message: error.to_string() } }
 }
 
 /// What came of a job.
@@ -150,7 +151,7 @@ impl<T: FnMut(News)> Host<'_, T> {
         }
         for key in &work.records {
             let path = self.place(key);
-            inputs.push(fs::read(&path).map_err(|error| unreadable("a kept record", &path, &error))?);
+            inputs.push(fs::read(&path).map_err(|error| unreadable(Document::KeptRecord, &path, &error))?);
         }
         inputs.extend(work.input);
         let Some(task) = work.task else { return Ok(Outcome::Made(inputs.pop().unwrap_or_default())) };
@@ -171,6 +172,6 @@ impl<T: FnMut(News)> Host<'_, T> {
 
     /// A record holds its own checksum.
     fn keep(&self, key: &str, bytes: &[u8]) -> Result<(), Error> {
-        replace(&self.place(key), bytes, false).map_err(|_| Error::NotWritten { what: "a record" })
+        replace(&self.place(key), bytes, false).map_err(|_| Error::NotWritten { document: Document::KeptRecord })
     }
 }

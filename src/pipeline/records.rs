@@ -3,7 +3,7 @@
 //! A record is little-endian: the letters TPRC; 32 bits of version; 32 bits each of the length of its head and of its number of rows;
 //! SHA-256 of all that follows; the head, JSON of the key and what the kind has; its columns, one after the other.
 
-use crate::{Error, FileFault, json};
+use crate::{Document, Error, FileFault, FilePlace, json};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
@@ -95,7 +95,10 @@ pub(super) fn read_record<'a, H: DeserializeOwned>(
 
 /// A record that the run itself has made or found, and that must read.
 pub(super) fn kept<T>(key: &str, read: Option<T>) -> Result<T, Error> {
-    read.ok_or_else(|| Error::UnreadableFile { what: "a kept record", place: key.into(), file_fault: FileFault::RecordChanged })
+    read.ok_or_else(|| {
+        let file_place = Some(FilePlace::Path { path: key.into() });
+        Error::UnreadableFile { document: Document::KeptRecord, file_place, file_fault: FileFault::RecordChanged }
+    })
 }
 
 /// Numbers as a column.

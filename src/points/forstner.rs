@@ -4,7 +4,7 @@ use super::box_sums::ColumnSums;
 use super::threshold::threshold_of_values;
 use super::{Candidates, InterestPoint, PointOptions, Selection};
 use crate::catalogue::check;
-use crate::{Error, GreyView};
+use crate::{Allowed, Error, GreyView, ImageOperation};
 
 /// Finds distinct points: corners and circle centres.
 ///
@@ -23,11 +23,11 @@ pub fn forstner(image: GreyView<'_>, selection: Selection, side: usize, roundnes
     check(PointOptions::PARAMETERS, "points.operator_window", side as f64)?;
     check(PointOptions::PARAMETERS, "points.roundness", roundness)?;
     if side.is_multiple_of(2) {
-        return Err(crate::catalogue::refuse("points.operator_window", side, "odd sides for the Förstner operator"));
+        return Err(crate::catalogue::refuse("points.operator_window", side, Allowed::OddForForstner));
     }
     let (width, height) = (image.width(), image.height());
     if width.min(height) < side {
-        return Err(Error::ImageTooSmall { width, height, operation: "the Förstner operator's window", min_side: side });
+        return Err(Error::ImageTooSmall { width, height, image_operation: ImageOperation::ForstnerWindow, min_side: side });
     }
     let mut sum = 0.0;
     for_each_window(image, side, |_, _, window| sum += window.weight());

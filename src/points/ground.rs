@@ -3,7 +3,7 @@
 use super::threshold::threshold_of_histogram;
 use super::{Candidates, InterestPoint, PointOptions, Selection};
 use crate::catalogue::check;
-use crate::{Error, GreyView};
+use crate::{Error, GreyView, ImageOperation};
 
 /// Version 1: of the pixels that differ from at least two of their four neighbours by more than the threshold, the interest is the
 /// sum of the absolute grey differences to all eight neighbours.
@@ -41,7 +41,7 @@ fn ground(
     selection.check()?;
     let (width, height) = (image.width(), image.height());
     if width.min(height) < 3 {
-        return Err(Error::ImageTooSmall { width, height, operation: "the ground operator", min_side: 3 });
+        return Err(Error::ImageTooSmall { width, height, image_operation: ImageOperation::GroundOperator, min_side: 3 });
     }
     let threshold = selection.resolve(|fraction| threshold_of_histogram(&contrast_histogram(image), width * height, fraction));
     let mut found = Candidates { threshold, ..Candidates::default() };

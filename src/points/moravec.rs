@@ -4,7 +4,7 @@ use super::box_sums::ColumnSums;
 use super::threshold::threshold_of_values;
 use super::{Candidates, InterestPoint, PointOptions, Selection};
 use crate::catalogue::check;
-use crate::{Error, GreyView};
+use crate::{Error, GreyView, ImageOperation};
 
 /// Finds windows whose grey values vary in every direction.
 ///
@@ -22,7 +22,7 @@ pub fn moravec(image: GreyView<'_>, selection: Selection, side: usize, tiled: bo
     check(PointOptions::PARAMETERS, "points.operator_window", side as f64)?;
     let (width, height) = (image.width(), image.height());
     if width.min(height) < side {
-        return Err(Error::ImageTooSmall { width, height, operation: "the Moravec operator's window", min_side: side });
+        return Err(Error::ImageTooSmall { width, height, image_operation: ImageOperation::MoravecWindow, min_side: side });
     }
     let step = if tiled { side } else { 1 };
     let threshold = selection.resolve(|fraction| {

@@ -17,7 +17,7 @@ pub use options::{MultiscaleOptions, PointPosition};
 pub(crate) use level::Level;
 
 use super::mask::Mask;
-use crate::{Error, GreyView};
+use crate::{Error, GreyView, ImageOperation};
 use distribution::well_distributed;
 use extrema::Extremum;
 use octave::{Source, level_of, sigma_of};
@@ -101,7 +101,7 @@ pub fn multiscale_points(
     options.check_ranges()?;
     let (width, height) = (image.width(), image.height());
     if width.min(height) < LEAST_SIDE {
-        return Err(Error::ImageTooSmall { width, height, operation: "the pyramid of scales", min_side: LEAST_SIDE });
+        return Err(Error::ImageTooSmall { width, height, image_operation: ImageOperation::PyramidOfScales, min_side: LEAST_SIDE });
     }
     let mask = Mask::new(mask, image)?;
     let mut extrema = Vec::new();

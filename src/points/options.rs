@@ -1,8 +1,8 @@
 //! What the user chooses of an interest operator.
 
 use super::Selection;
-use crate::Error;
 use crate::catalogue::{check, choices, options, refuse};
+use crate::{Allowed, Error};
 
 choices! {
     /// The published interest operators, and points of many scales.
@@ -85,7 +85,10 @@ impl PointOptions {
     /// The threshold or the fraction: as given, or the operator's default threshold, adapted to the image.
     pub(super) fn selection(&self) -> Result<Selection, Error> {
         match (self.threshold, self.fraction) {
-            (Some(_), Some(_)) => Err(refuse("points.fraction", "given beside points.threshold", "one of the two")),
+            (Some(_), Some(fraction)) => {
+                let [first, second] = ["points.threshold", "points.fraction"].map(String::from);
+                Err(refuse("points.fraction", fraction, Allowed::OneOfTwo { first, second }))
+            }
             (None, Some(fraction)) => Ok(Selection::Fraction(fraction)),
             (Some(threshold), None) => Ok(Selection::Threshold(threshold)),
             (None, None) => Ok(Selection::Adaptive(self.operator().default_threshold())),

@@ -21,23 +21,23 @@ const RADIAL: f64 = 0.05;
 
 /// What is known of the cameras beforehand.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct CameraPrior {
+pub(super) struct KnownParameters {
     /// Values with their standard errors; 0 fixes one.
     pub known: [(f64, f64); CAMERA_PARAMETERS],
 }
 
 /// What is known of a camera: of a given focal length within some percent, of a guessed one hardly anything.
-pub(super) fn camera_prior(camera: &Camera, is_guessed: bool) -> CameraPrior {
+pub(super) fn known_parameters(camera: &Camera, is_guessed: bool) -> KnownParameters {
     let (values, free) = (camera.values(), camera.free.flags());
     let focal = camera.focal_px * if is_guessed { GUESSED_FOCAL_SHARE } else { KNOWN_FOCAL_SHARE };
     // The principal point waits for the adjustment of the finished block.
     let sigmas = [focal, 0.0, 0.0, RADIAL, RADIAL, 0.0, 0.0, 0.0];
     let known = std::array::from_fn(|k| (values[k], if free[k] { sigmas[k] } else { 0.0 }));
-    CameraPrior { known }
+    KnownParameters { known }
 }
 
 /// Adjusts some images with the points they see; the other images that see these keep their orientation.
-pub(super) fn adjust(net: &mut Net<'_>, priors: &[CameraPrior], free: &[usize]) {
+pub(super) fn adjust(net: &mut Net<'_>, priors: &[KnownParameters], free: &[usize]) {
     let rays = net.rays;
     let mut is_free = vec![false; net.poses.len()];
     free.iter().for_each(|image| is_free[*image] = net.poses[*image].is_some());
@@ -86,7 +86,7 @@ pub(super) fn adjust(net: &mut Net<'_>, priors: &[CameraPrior], free: &[usize]) 
 }
 
 /// What is known of the cameras in an adjustment of some images. Cameras that enough images have calibrated are left alone in a part.
-fn known_cameras(net: &Net<'_>, priors: &[CameraPrior], images: &[usize], is_part: bool) -> Vec<[(f64, f64); CAMERA_PARAMETERS]> {
+fn known_cameras(net: &Net<'_>, priors: &[KnownParameters], images: &[usize], is_part: bool) -> Vec<[(f64, f64); CAMERA_PARAMETERS]> {
     let mut used = vec![0; net.cameras.len()];
     images.iter().for_each(|image| used[net.camera_of[*image]] += 1);
     let mut of_all = vec![0; net.cameras.len()];

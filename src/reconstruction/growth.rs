@@ -1,6 +1,6 @@
 //! A model grows: images are oriented by its points, points intersected by its images, and the whole adjusted now and then.
 
-use super::adjusting::{CALIBRATED, CameraPrior, MANY, adjust};
+use super::adjusting::{CALIBRATED, KnownParameters, MANY, adjust};
 use super::net::Net;
 use super::options::ReconstructionOptions;
 use super::resection::resect;
@@ -28,7 +28,7 @@ const UNCALIBRATED: f64 = 4.0;
 pub(super) struct Growth<'a> {
     pub net: Net<'a>,
     pub options: &'a ReconstructionOptions,
-    pub priors: &'a [CameraPrior],
+    pub priors: &'a [KnownParameters],
     /// Images of other models.
     pub is_open: Vec<bool>,
     /// Why an image was not oriented, with the points it had then.
@@ -39,7 +39,7 @@ pub(super) struct Growth<'a> {
 }
 
 impl<'a> Growth<'a> {
-    pub fn new(net: Net<'a>, options: &'a ReconstructionOptions, priors: &'a [CameraPrior], is_open: Vec<bool>) -> Self {
+    pub fn new(net: Net<'a>, options: &'a ReconstructionOptions, priors: &'a [KnownParameters], is_open: Vec<bool>) -> Self {
         let images = net.rays.images();
         Self { net, options, priors, is_open, refused: vec![None; images], tries: vec![0; images], adjusted: 0 }
     }

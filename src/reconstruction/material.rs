@@ -1,6 +1,6 @@
 //! What models are finished with.
 
-use super::adjusting::CameraPrior;
+use super::adjusting::KnownParameters;
 use super::frame::Frame;
 use super::options::ReconstructionOptions;
 use super::rays::Rays;
@@ -34,7 +34,7 @@ pub(super) struct Material<'a> {
     pub features: &'a [ImageFeatures<'a>],
     pub camera_of: &'a [usize],
     pub longer_side_px: &'a [f64],
-    pub priors: &'a [CameraPrior],
+    pub priors: &'a [KnownParameters],
     /// The rays of all points, the surveyed ones last; made with the first model.
     pub all: Option<Rays>,
 }

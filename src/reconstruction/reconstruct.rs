@@ -1,6 +1,6 @@
 //! The reconstruction as it is called: one model after another, until no images are left that make one.
 
-use super::adjusting::{CameraPrior, camera_prior};
+use super::adjusting::{KnownParameters, known_parameters};
 use super::finish::{Finished, finish};
 use super::frame::Frame;
 use super::growth::Growth;
@@ -46,8 +46,8 @@ pub fn reconstruct_block(
     check(description, points, features)?;
     let frame = Frame::new(description)?;
     let cameras: Vec<Camera> = description.cameras.iter().map(KnownCamera::approximate).collect();
-    let priors: Vec<CameraPrior> =
-        cameras.iter().zip(&description.cameras).map(|(camera, given)| camera_prior(camera, given.focal_px.is_none())).collect();
+    let priors: Vec<KnownParameters> =
+        cameras.iter().zip(&description.cameras).map(|(camera, given)| known_parameters(camera, given.focal_px.is_none())).collect();
     let camera_of: Vec<usize> = description.images.iter().map(|image| image.camera).collect();
     let longer_side = |camera: &KnownCamera| f64::from(camera.width_px.max(camera.height_px));
     let longer_side_px: Vec<f64> = description.cameras.iter().map(longer_side).collect();

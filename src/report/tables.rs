@@ -228,7 +228,7 @@ fn difference_of_pairs(truth: Option<&ReportTruth>) -> Markup {
     html! {
         "The pair. The photographs of the paper are not published. "
         @if truth.is_some() {
-            "This pair is simulated: a made town seen by a camera of known position. Its texture and contrast are not those of the "
+            "This pair is simulated: a synthetic scene seen by a camera of known position. Its texture and contrast are not those of the "
             "paper's scene, and with them the counts of Table 1 differ; the paper does not give its base, for which 60 % overlap is taken."
         } @else {
             "This is another pair: every figure depends on its scene, its scale and its scan; only their kind can be compared."

@@ -2,9 +2,9 @@
 
 use super::limits::check_length;
 use super::random::SAMPLE_SEED;
-use crate::Error;
 use crate::catalogue::{options, refuse};
 use crate::orientation::FiveParameters;
+use crate::{Allowed, Error};
 use serde::{Deserialize, Serialize};
 
 options! {
@@ -221,13 +221,13 @@ impl Flight {
         within("flight.width_px", self.width_px as f64, 16.0, fits(FRAME_MM - self.base_mm))?;
         within("flight.height_px", self.height_px as f64, 16.0, fits(FRAME_MM))?;
         let longest_m = self.width_px.max(self.height_px) as f64 * self.pixel_mm * self.scale_m_per_mm();
-        check_length("flight.flying_height_m", "patch", self.flying_height_m, longest_m)
+        check_length("flight.flying_height_m", false, self.flying_height_m, longest_m)
     }
 }
 
 /// Refuses a value outside `low..=high`.
 fn within(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
-    if value >= low && value <= high { Ok(()) } else { Err(refuse(field, value, format!("{low} to {high}"))) }
+    if value >= low && value <= high { Ok(()) } else { Err(refuse(field, value, Allowed::Real { min: low, max: high })) }
 }
 
 #[cfg(test)]

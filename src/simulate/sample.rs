@@ -13,7 +13,7 @@ use super::view::View;
 use crate::camera::{CameraMm, Fiducial};
 use crate::catalogue::refuse;
 use crate::orientation::FiveParameters;
-use crate::{Error, GreyImage};
+use crate::{Allowed, Error, GreyImage};
 
 /// A simulated pair and its truth.
 #[derive(Debug, Clone)]
@@ -45,7 +45,7 @@ pub fn sample_pair(seed: u32) -> Result<Sample, Error> {
     simulate(&Flight { seed, ..Flight::default() })
 }
 
-/// Flies over a made town, takes two photos, scans them and cuts patches of the same ground.
+/// Flies over a synthetic scene, takes two photos, scans them and cuts patches of the same ground.
 ///
 /// The same flight gives the same bytes natively and as WebAssembly.
 ///
@@ -119,8 +119,7 @@ impl Placed {
         let photos = photos(flight, scans, cut_px(&mut Random::new(flight.seed, Stream::Cut)));
         let size = [flight.width_px as f64, flight.height_px as f64];
         let Some(seen) = seen_ground(photos.iter().map(Photo::rays), size, flight.relief_m) else {
-            let allowed = "long enough that, with these tilts, all rays fall at 24 degrees or steeper";
-            return Err(refuse("flight.focal_mm", flight.focal_mm, allowed));
+            return Err(refuse("flight.focal_mm", flight.focal_mm, Allowed::LongFocalLength));
         };
         let area = with_surroundings(seen, flight.highest_building_m);
         Ok(Self { photos, scan_random, area })

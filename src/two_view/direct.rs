@@ -4,7 +4,7 @@ use super::frame::{Frame, rows};
 use super::fundamental::{eight_point, seven_point};
 use super::homography::direct_linear;
 use crate::error::refuse;
-use crate::{Cause, Computation, Error, Refusal};
+use crate::{Cause, Computation, Error, Few, Refusal};
 
 /// The fundamental matrix of eight or more matches `[x left, y left, x right, y right]` in px, all of them good: qᵀ F p = 0, of norm 1. The
 /// coordinates are normalised within.
@@ -15,7 +15,7 @@ use crate::{Cause, Computation, Error, Refusal};
 /// # Source
 /// Hartley 1997, In defense of the eight-point algorithm, IEEE PAMI 19(6).
 pub fn fundamental_eight_point(points: &[[f64; 4]]) -> Result<[[f64; 3]; 3], Error> {
-    let frame = frame_of("the fundamental matrix", points, 8)?;
+    let frame = frame_of(Few::MatchesForFundamentalMatrix, points, 8)?;
     let matrix = eight_point(&frame.rays(points))
         .ok_or(Error::Degenerate { computation: Computation::FundamentalMatrix, cause: Cause::SeveralMatrices })?;
     Ok(rows(&frame.fundamental_px(&matrix)))
@@ -29,7 +29,7 @@ pub fn fundamental_eight_point(points: &[[f64; 4]]) -> Result<[[f64; 3]; 3], Err
 /// # Source
 /// Hartley 1994, Projective reconstruction and invariants from multiple images, IEEE PAMI 16(10).
 pub fn fundamental_seven_point(points: &[[f64; 4]; 7]) -> Result<Vec<[[f64; 3]; 3]>, Error> {
-    let frame = frame_of("the fundamental matrix", points, 7)?;
+    let frame = frame_of(Few::MatchesForFundamentalMatrix, points, 7)?;
     let rays = frame.rays(points);
     let found = seven_point(&std::array::from_fn(|k| rays[k]));
     Ok(found.iter().map(|matrix| rows(&frame.fundamental_px(matrix))).collect())
@@ -43,15 +43,15 @@ pub fn fundamental_seven_point(points: &[[f64; 4]; 7]) -> Result<Vec<[[f64; 3]; 
 /// # Source
 /// Hartley & Zisserman 2004, Multiple View Geometry, 2nd ed., section 4.1.
 pub fn homography_direct(points: &[[f64; 4]]) -> Result<[[f64; 3]; 3], Error> {
-    let frame = frame_of("the homography", points, 4)?;
+    let frame = frame_of(Few::MatchesForHomography, points, 4)?;
     let matrix = direct_linear(&frame.rays(points))
         .ok_or(Error::Degenerate { computation: Computation::Homography, cause: Cause::TooManyOnLine })?;
     Ok(rows(&frame.homography_px(&matrix)))
 }
 
-fn frame_of(what: &'static str, points: &[[f64; 4]], needed: usize) -> Result<Frame, Error> {
+fn frame_of(few: Few, points: &[[f64; 4]], needed: usize) -> Result<Frame, Error> {
     if points.len() < needed {
-        return Err(Error::TooFew { what, got: points.len(), needed });
+        return Err(Error::TooFew { few, got: points.len(), needed });
     }
     check_points(points)?;
     Ok(Frame::normalising(points))

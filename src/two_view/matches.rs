@@ -11,7 +11,7 @@ use super::support::Tolerance;
 use super::transfer::square_transfer;
 use crate::math::{Candidate, Problem, Search, consensus};
 use crate::orientation::{Field, Ray};
-use crate::{Cause, Computation, Error};
+use crate::{Cause, Computation, Error, Few};
 use nalgebra::Matrix3;
 
 /// Of a thousand pairs without overlap, one may be told to have a geometry.
@@ -49,7 +49,7 @@ impl<'a> Matches<'a> {
         different.dedup();
         let needed = <Homographies as Problem>::SAMPLE + LEAST_REDUNDANCY;
         if different.len() < needed {
-            return Err(Error::TooFew { what: "different matches for the geometry of two views", got: different.len(), needed });
+            return Err(Error::TooFew { few: Few::DifferentMatches, got: different.len(), needed });
         }
         let extent = Frame::normalising(points).px() / frame.px();
         Ok(Self { points, options, frame, rays: frame.rays(points), limits: options.limits(frame.px()), extent, tolerance })

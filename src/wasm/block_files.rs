@@ -60,7 +60,7 @@ pub fn connected_groups(images: u32, #[wasm_bindgen(unchecked_param_type = "Conn
     // What is no number of images, as -1, arrives as a number beyond all memory.
     if images > MOST_IMAGES {
         let (got, allowed) = (images.to_string(), format!("0 to {MOST_IMAGES}"));
-        return Err(thrown(Error::InvalidArgument { what: "number of images", got, allowed }));
+        return Err(thrown(Error::InvalidArgument { what: "number of images", got, wanted: allowed }));
     }
     let mut graph = ConnectionGraph::new(images);
     for connection in &connections {

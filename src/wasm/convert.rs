@@ -1,7 +1,7 @@
 //! Between JavaScript values and plain data.
 
-use crate::json;
-use crate::{Error, InterestPoint, with_defaults};
+use crate::json::{self, JsonFault};
+use crate::{Document, Error, FileFault, FilePlace, InterestPoint, with_defaults};
 use js_sys::{Float64Array, Function, JSON, Object, Reflect};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -23,28 +23,33 @@ pub fn thrown(error: Error) -> JsValue {
 
 /// Reads a value. It goes through text, so that unknown fields are refused.
 pub fn read<T: DeserializeOwned>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    parsed(value).map_err(|e| e.to_string()).and_then(|value| json::from_value(&value)).map_err(|reason| refused(what, reason))
+    parsed(value).and_then(|value| json::from_value(&value)).map_err(|fault| refused(what, fault))
 }
 
 /// Reads options: the fields that are given, the others from the defaults.
 pub fn read_options<T: DeserializeOwned + Serialize + Default>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    parsed(value).and_then(with_defaults).map_err(|error| refused(what, error.to_string()))
+    parsed(value).and_then(with_defaults).map_err(|fault| refused(what, fault))
 }
 
 /// The JSON form of a value: null where it has none, as `undefined`. A number that is none (NaN, ±Infinity), which would become null and
 /// so read as absent, becomes its name and is refused.
-fn parsed(value: &JsValue) -> serde_json::Result<Value> {
+fn parsed(value: &JsValue) -> Result<Value, JsonFault> {
     let named = Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(|_key, value: JsValue| match value.as_f64() {
         Some(number) if !number.is_finite() => number.to_string().into(),
         _ => value,
     });
     let text = JSON::stringify_with_replacer(value, named.as_ref()).ok().and_then(|text| text.as_string());
-    serde_json::from_str(text.as_deref().unwrap_or("null"))
+    serde_json::from_str(text.as_deref().unwrap_or("null")).map_err(JsonFault::from)
 }
 
-/// The reason has no place, which would be that in a text that nobody wrote.
-fn refused(what: &'static str, reason: String) -> JsValue {
-    thrown(Error::InvalidJson { what, reason })
+/// The fault has no place, which would be that in a text that nobody wrote.
+fn refused(what: &'static str, json_fault: JsonFault) -> JsValue {
+    thrown(Error::InvalidJson { document: Document::Named { name: what.into() }, json_fault })
+}
+
+/// The error of a project that holds something else than is wanted.
+pub fn wrong_project(file_fault: FileFault) -> Error {
+    Error::UnreadableFile { document: Document::Project, file_place: Some(FilePlace::Content), file_fault }
 }
 
 /// Writes files through a function of the caller, who gets back what that throws as it is.
@@ -56,7 +61,7 @@ pub fn emitting<T>(
     let written = write(&mut |path, text| {
         emit.call2(&JsValue::NULL, &path.into(), &text.into()).map(|_| ()).map_err(|error| {
             threw = Some(error);
-            Error::NotWritten { what: "a file" }
+            Error::NotWritten { document: Document::File }
         })
     });
     written.map_err(|error| threw.take().unwrap_or_else(|| thrown(error)))
@@ -91,7 +96,7 @@ pub fn rows<'a, const N: usize>(what: &'static str, flat: &'a [f64]) -> JsResult
     if rest.is_empty() {
         return Ok(rows);
     }
-    Err(thrown(Error::InvalidArgument { what, got: format!("{} numbers", flat.len()), allowed: format!("a multiple of {N} numbers") }))
+    Err(thrown(Error::InvalidArgument { what, got: format!("{} numbers", flat.len()), wanted: format!("a multiple of {N} numbers") }))
 }
 
 /// Points of a flat array of x, y, value.

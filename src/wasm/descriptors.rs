@@ -81,7 +81,7 @@ fn read_piece(piece: &JsValue) -> JsResult<NearestTable> {
         thrown(Error::InvalidArgument {
             what: "a piece of nearest neighbours",
             got: "no whole number as first".into(),
-            allowed: "one".into(),
+            wanted: "one".into(),
         })
     })?;
     NearestTable::from_numbers(first as usize, &numbers("left"), &numbers("right")).map_err(thrown)

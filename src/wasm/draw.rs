@@ -33,7 +33,7 @@ impl View {
             _ => Err(Error::InvalidArgument {
                 what,
                 got: format!("{view:?}"),
-                allowed: "scale > 0, shift x, shift y, left, top, right, bottom, all finite".into(),
+                wanted: "scale > 0, shift x, shift y, left, top, right, bottom, all finite".into(),
             }),
         }
     }
@@ -91,7 +91,7 @@ impl Shape {
         ALL.into_iter().enumerate().find(|(index, _)| *index as f64 == code).map(|(_, shape)| shape).ok_or_else(|| Error::InvalidArgument {
             what: "shape of a point style",
             got: code.to_string(),
-            allowed: "0 dot, 1 circle, 2 plus, 3 cross, 4 square, 5 and 6 triangle up and down, 7 diamond".into(),
+            wanted: "0 dot, 1 circle, 2 plus, 3 cross, 4 square, 5 and 6 triangle up and down, 7 diamond".into(),
         })
     }
 
@@ -146,7 +146,7 @@ fn check_rows(what: &'static str, values: &[f64], stride: usize, codes: &[u8]) -
     Err(Error::InvalidArgument {
         what,
         got: format!("{} numbers for {} codes", values.len(), codes.len()),
-        allowed: format!("{stride} numbers a code"),
+        wanted: format!("{stride} numbers a code"),
     })
 }
 

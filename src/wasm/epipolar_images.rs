@@ -35,7 +35,7 @@ impl EpipolarPair {
     pub fn open(project: &[u8], names: Option<Vec<String>>) -> JsResult<EpipolarPair> {
         let names = names.map(<[String; 2]>::try_from).transpose().map_err(|names| {
             let got = format!("{} names", names.len());
-            thrown(Error::InvalidArgument { what: "images of epipolar images", got, allowed: "two names".into() })
+            thrown(Error::InvalidArgument { what: "images of epipolar images", got, wanted: "two names".into() })
         })?;
         let project = read_project(project).map_err(thrown)?;
         let pair = StereoPair::of_project(&project, names.as_ref()).map_err(thrown)?;

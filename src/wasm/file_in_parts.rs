@@ -103,7 +103,7 @@ pub fn file_source(file: &JsValue) -> JsResult<Arc<dyn FileSource>> {
     let length = if file.is_object() { file.size() } else { f64::NAN };
     if !(length >= 0.0 && length.fract() == 0.0 && length < 9e15) {
         let allowed = "Uint8Array, or an object with size and read".to_string();
-        return Err(thrown(Error::InvalidArgument { what: "file", got: format!("a size of {length}"), allowed }));
+        return Err(thrown(Error::InvalidArgument { what: "file", got: format!("a size of {length}"), wanted: allowed }));
     }
     Ok(Arc::new(HostFile { file, length: length as u64, blocks: Mutex::default() }))
 }

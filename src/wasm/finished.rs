@@ -1,8 +1,8 @@
 //! A finished block in wasm memory: what it writes and shows.
 
-use super::convert::{JsResult, emitting, numbers, object, pack, read, set, thrown};
+use super::convert::{JsResult, emitting, numbers, object, pack, read, set, thrown, wrong_project};
 use crate::{
-    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, Error, ExportFormat, FileFault, ObservationPart, PointColumns,
+    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, ExportFormat, FileFault, ObservationPart, PointColumns,
     Project, accuracy_map, block_covariances, block_epipolar_line, check_truth, covariance_table, export_block, image_points,
     planned_files as plan, point_detail, point_ids, read_project, score_block, write_block_project,
 };
@@ -79,9 +79,7 @@ impl FinishedBlock {
     pub fn open(bytes: &[u8]) -> JsResult<FinishedBlock> {
         match read_project(bytes).map_err(thrown)? {
             Project::Block(run) => Ok(Self::of(*run)),
-            Project::Pair(_) => {
-                Err(thrown(Error::UnreadableFile { what: "the project file", place: "content".into(), file_fault: FileFault::HoldsPair }))
-            }
+            Project::Pair(_) => Err(thrown(wrong_project(FileFault::HoldsPair))),
         }
     }
 

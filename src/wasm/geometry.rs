@@ -47,8 +47,7 @@ fn read_guide(value: &JsValue) -> JsResult<Guide> {
     let field = |name: &str| Reflect::get(value, &name.into()).ok().filter(|found| !found.is_undefined() && !found.is_null());
     let matrix = |found: JsValue| {
         let entries: Vec<f64> = js_sys::Array::from(&found).iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect();
-        let allowed =
-            || thrown(Error::InvalidArgument { what: "guide", got: format!("{} numbers", entries.len()), allowed: "nine".into() });
+        let allowed = || thrown(Error::InvalidArgument { what: "guide", got: format!("{} numbers", entries.len()), wanted: "nine".into() });
         let entries: [f64; 9] = entries.as_slice().try_into().map_err(|_| allowed())?;
         Ok(std::array::from_fn(|i| std::array::from_fn(|j| entries[3 * i + j])))
     };
@@ -57,7 +56,7 @@ fn read_guide(value: &JsValue) -> JsResult<Guide> {
         (None, Some(found)) => matrix(found).map(Guide::Places),
         _ => {
             let got = "neither or both of them".into();
-            Err(thrown(Error::InvalidArgument { what: "guide", got, allowed: "fundamental or homography".into() }))
+            Err(thrown(Error::InvalidArgument { what: "guide", got, wanted: "fundamental or homography".into() }))
         }
     }
 }

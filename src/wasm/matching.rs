@@ -337,7 +337,7 @@ fn read_offset(value: &JsValue) -> JsResult<OffsetField> {
 fn read_reduced(value: &JsValue) -> JsResult<Reduced> {
     let refuse = |got: &str| {
         let allowed = "an object {width, height, halvings, grey} as Photo.reduced gives it".to_string();
-        thrown(Error::InvalidArgument { what: "reduced image", got: got.to_string(), allowed })
+        thrown(Error::InvalidArgument { what: "reduced image", got: got.to_string(), wanted: allowed })
     };
     let field = |name: &str| Reflect::get(value, &name.into()).map_err(|_| refuse("no object"));
     let whole = |name: &str| {

@@ -29,6 +29,7 @@ export interface Messages {
     camera_origin: CameraOrigin;
     camera_parameter: CameraParameter;
     error: { kind: string };
+    allowed: { kind: string };
     overview_warning: OverviewWarning;
     placing_verdict: PlacingVerdict;
     place_search: PlaceSearch;

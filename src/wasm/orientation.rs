@@ -99,7 +99,7 @@ pub fn orient_matches(
     let (rows, fits) = (rows::<5>("matches", matches)?, rows::<5>("fits", fits)?);
     if !fits.is_empty() && fits.len() != rows.len() {
         let got = format!("{} fits for {} matches", fits.len(), rows.len());
-        return Err(thrown(Error::InvalidArgument { what: "fits", got, allowed: "one for each match, or none".into() }));
+        return Err(thrown(Error::InvalidArgument { what: "fits", got, wanted: "one for each match, or none".into() }));
     }
     let fit = |[correlation, xx, xy, yy, iterations]: &[f64; 5]| {
         correlation.is_finite().then_some(Fit { correlation: *correlation, covariance: [*xx, *xy, *yy], iterations: *iterations as usize })
@@ -157,7 +157,7 @@ fn weighted(observations: &[f64], weights: Option<&[f64]>) -> JsResult<Vec<Obser
     let rows = rows::<4>("observations", observations)?;
     if let Some(weights) = weights.filter(|weights| weights.len() != rows.len()) {
         let got = format!("{} weights for {} observations", weights.len(), rows.len());
-        return Err(thrown(Error::InvalidArgument { what: "weights", got, allowed: "one weight for each observation".into() }));
+        return Err(thrown(Error::InvalidArgument { what: "weights", got, wanted: "one weight for each observation".into() }));
     }
     let weight = |k: usize| weights.map_or(1.0, |weights| weights[k]);
     let of = |(k, [xl, yl, xr, yr]): (usize, &[f64; 4])| Observation { left: [*xl, *yl], right: [*xr, *yr], weight: weight(k) };

@@ -1,6 +1,6 @@
 //! Images placed on an orthophoto.
 
-use super::convert::{JsResult, object, pack, read, read_options, thrown};
+use super::convert::{JsResult, object, pack, read, read_options, thrown, wrong_project};
 use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::{
@@ -218,7 +218,7 @@ impl BlockOnOrthophoto {
 fn pairs<'a>(what: &'static str, numbers: &'a [f64]) -> JsResult<&'a [[f64; 2]]> {
     match numbers.as_chunks::<2>() {
         (pairs, []) => Ok(pairs),
-        _ => Err(thrown(Error::InvalidArgument { what, got: format!("{} numbers", numbers.len()), allowed: "two for each".into() })),
+        _ => Err(thrown(Error::InvalidArgument { what, got: format!("{} numbers", numbers.len()), wanted: "two for each".into() })),
     }
 }
 
@@ -283,7 +283,7 @@ impl OrthoMosaic {
         in_adjustment: Option<bool>,
     ) -> JsResult<OrthoMosaic> {
         let Project::Block(run) = read_project(project).map_err(thrown)? else {
-            return Err(thrown(Error::UnreadableFile { what: "project", place: String::new(), file_fault: FileFault::HoldsPair }));
+            return Err(thrown(wrong_project(FileFault::HoldsPair)));
         };
         let given = || read_heights(heights, heights_world_file.as_deref());
         let heights = (!heights.is_null()).then(given).transpose()?;

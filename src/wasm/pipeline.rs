@@ -2,7 +2,9 @@
 
 use super::convert::{JsResult, object, pack, read, read_options, thrown};
 use super::finished::FinishedBlock;
-use crate::{CameraRules, ControlTables, Error, Failure, GeoreferencingOptions, Run as Pipeline, RunInput, Task, execute, json, masks_of};
+use crate::{
+    CameraRules, ControlTables, Document, Error, Failure, GeoreferencingOptions, Run as Pipeline, RunInput, Task, execute, json, masks_of,
+};
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -87,7 +89,7 @@ impl Run {
 /// Does the task of a job: the same bytes give the same bytes, on every machine.
 #[wasm_bindgen]
 pub fn execute_job(task: &str, #[wasm_bindgen(unchecked_param_type = "readonly Uint8Array[]")] inputs: &Array) -> JsResult<Vec<u8>> {
-    let unreadable = |reason| thrown(Error::InvalidJson { what: "the task of a job", reason });
+    let unreadable = |json_fault| thrown(Error::InvalidJson { document: Document::Task, json_fault });
     let task: Task = json::from_text(task).map_err(unreadable)?;
     let inputs: Vec<Vec<u8>> = inputs.iter().map(|bytes| bytes.unchecked_into::<Uint8Array>().to_vec()).collect();
     execute(&task, &inputs.iter().map(Vec::as_slice).collect::<Vec<_>>()).map_err(thrown)

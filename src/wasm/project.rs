@@ -1,6 +1,6 @@
 //! The project file of a pair, which is plain data on either side; that of a block is written and opened by `FinishedBlock`.
 
-use super::convert::{JsResult, object, pack, read, read_options, rows, set, thrown};
+use super::convert::{JsResult, object, pack, read, read_options, rows, set, thrown, wrong_project};
 use super::matching::{pack_pair, read_points};
 use super::simulate::{pack_score, read_score};
 use crate::{
@@ -59,9 +59,7 @@ pub fn open_pair_project(bytes: &[u8]) -> JsResult<JsValue> {
             ("output", pack_pair(&run.result)),
             ("truth", run.truth.as_ref().map_or(JsValue::NULL, pack_truth)),
         ])),
-        Project::Block(_) => {
-            Err(thrown(Error::UnreadableFile { what: "the project file", place: "content".into(), file_fault: FileFault::HoldsBlock }))
-        }
+        Project::Block(_) => Err(thrown(wrong_project(FileFault::HoldsBlock))),
     }
 }
 
@@ -130,7 +128,7 @@ fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
     let of_points = [best.len(), places.len(), measures.len()].iter().all(|length| *length == rules.len());
     if !of_matches || !of_points {
         let allowed = "three arrays of as many matches and four of as many points".into();
-        return Err(thrown(Error::InvalidArgument { what: "matches", got: "arrays of other lengths".into(), allowed }));
+        return Err(thrown(Error::InvalidArgument { what: "matches", got: "arrays of other lengths".into(), wanted: allowed }));
     }
     let fit = |[correlation, xx, xy, yy, iterations]: [f64; 5]| {
         (!correlation.is_nan()).then_some(Fit { correlation, covariance: [xx, xy, yy], iterations: iterations as usize })

@@ -70,7 +70,7 @@ fn read_truth(value: &JsValue) -> JsResult<Option<ReportTruth>> {
     }
     let refused = |got: &str| {
         let allowed = "an object {orientation, base_mm, right_position} as simulate gives them".to_string();
-        thrown(Error::InvalidArgument { what: "truth", got: got.to_string(), allowed })
+        thrown(Error::InvalidArgument { what: "truth", got: got.to_string(), wanted: allowed })
     };
     let field = |name: &str| Reflect::get(value, &name.into()).map_err(|_| refused("no object"));
     let orientation: FiveParameters = read("truth", &field("orientation")?)?;

@@ -172,7 +172,7 @@ test('names that a format cannot hold and a truth of other images are refused be
   assert.deepEqual([blank.code, records(out, 'features')], [1, 0]);
   assert.match(
     blank.stderr,
-    /^tiepoint: these images cannot be exported as colmap, nvm \(.*'a photo\.png'; allowed: names without blanks\): rename them, or leave out what cannot hold their names\n$/,
+    /^tiepoint: these images cannot be exported as colmap, nvm \(.*'a photo\.png'; allowed: names without blanks\): rename them, or do not export what cannot hold their names\n$/,
   );
   const truth = structuredClone(BLOCK.truth);
   for (const one of truth.block.images) one.name = `other_${one.name}`;

@@ -53,7 +53,7 @@ test('all files and the text give the same numbers of points and rays', () => {
     .map((line) => line.split('  ')[0])
     .filter((label) => label !== '');
   assert.deepEqual(labels, [...new Set(labels)]);
-  assert.match(stdout, new RegExp(`^points chosen +${points.length}\nrays of points chosen +${rays.length}$`, 'm'));
+  assert.match(stdout, new RegExp(`^points chosen +${points.length}\nobservations of points chosen +${rays.length}$`, 'm'));
   // Steps are not told as points.
   assert.match(stderr, /^tie points in/m);
   assert.match(stderr, /^orientation in/m);
@@ -117,7 +117,7 @@ test('images of which no two are connected make no block', () => {
   assert.doesNotMatch(stderr, /tiepoint:/);
   assert.match(stdout, /^Not oriented: no two of the images could be connected\.$/m);
   assert.match(stdout, /^images oriented +0 of 3$/m);
-  assert.doesNotMatch(stdout, /multi-ray points\./);
+  assert.doesNotMatch(stdout, /tie points\./);
   for (const { reason } of rows(out, 'pairs.csv')) assert.match(reason ?? '', /^"?not connected: .*(on one geometry|different matches)/);
   assert.ok(existsSync(join(out, 'pairs.csv')) && FinishedBlock.open(readFileSync(join(out, 'project.tiepoint'))).model().images.length === 3);
 });

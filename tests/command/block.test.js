@@ -139,7 +139,7 @@ test('other settings and other images are computed again, a renamed image is not
   assert.equal(records(out, 'pairs'), 3 * PAIRS);
 });
 
-test('an image that cannot be read is told and left out', () => {
+test('an image that cannot be read is skipped and listed', () => {
   const mixed = folder();
   for (const name of readdirSync(BLOCK.photos)) copyFileSync(join(BLOCK.photos, name), join(mixed, name));
   const names = readdirSync(mixed);
@@ -155,8 +155,8 @@ test('an image that cannot be read is told and left out', () => {
     summary.images.left_out.map((/** @type {any} */ image) => image.name),
     ['a_text.jpg', names[2]],
   );
-  assert.match(stderr, /a_text\.jpg is left out: /);
-  assert.match(stderr, new RegExp(`${names[2]} is left out: the image cannot be read`));
+  assert.match(stderr, /a_text\.jpg is skipped: /);
+  assert.match(stderr, new RegExp(`${names[2]} is skipped: the image cannot be read`));
   const alone = tiepoint('block', join(mixed, 'a_text.jpg'), join(mixed, names[0] ?? ''), '--out', folder());
   assert.equal(alone.code, 1);
   assert.match(alone.stderr, /images of the block: got 1 that could be read, of 2 \(a_text\.jpg: /);

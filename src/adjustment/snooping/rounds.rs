@@ -13,7 +13,7 @@ use crate::adjustment::result::{FixedParameter, GroupWeighting, ObservationVerdi
 use crate::adjustment::shared::{SharedCofactors, shared_cofactors};
 use crate::adjustment::statistics::{Statistics, statistics};
 use crate::adjustment::systematic_result::SystematicResult;
-use crate::{Cause, Computation, Error, Unsettled};
+use crate::{Cause, Computation, Error, Few, Unsettled};
 
 /// Rounds with the robust loss, and in all from one weighting of groups to the next, but for those that fix camera parameters.
 const ROBUST_ROUNDS: usize = 10;
@@ -212,7 +212,7 @@ impl<'a> Course<'a> {
         let redundancy = problem.redundancy();
         if redundancy < 0 {
             let needed = problem.unknowns();
-            return Err(Error::TooFew { what: "observed coordinates", got: (needed as i64 + redundancy) as usize, needed });
+            return Err(Error::TooFew { few: Few::ObservedCoordinates, got: (needed as i64 + redundancy) as usize, needed });
         }
         let demand = Demand {
             loss,

@@ -6,8 +6,8 @@ use crate::error::refuse;
 use crate::json;
 use crate::text::shorten;
 use crate::{
-    BlockModel, BlockRun, Error, FileFault, Input, ObservationVerdict, PairRun, ReconstructedModel, Reconstruction, Refusal,
-    SystematicError, SystematicResult,
+    BlockModel, BlockRun, Document, Error, FileFault, FilePlace, Input, ObservationVerdict, PairRun, ReconstructedModel, Reconstruction,
+    Refusal, SystematicError, SystematicResult,
 };
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,6 @@ use serde::{Deserialize, Serialize};
 pub const PROJECT_VERSION: u32 = 2;
 
 const FORMAT: &str = "tiepoint-project";
-const WHAT: &str = "the project file";
 
 /// All that is known of what was oriented, what was given for it included: it is shown as it was before it was saved.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -78,29 +77,31 @@ pub fn write_pair_project(run: &PairRun) -> Result<String, Error> {
 /// [`Error::UnreadableFile`] for another kind of file, a newer version, a damaged or shortened file, and what does not belong there; as
 /// [`write_block_project`].
 pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
-    let refused = |place: &str, file_fault: FileFault| Err(Error::UnreadableFile { what: WHAT, place: place.into(), file_fault });
+    let refused = |place: FilePlace, file_fault: FileFault| {
+        Err(Error::UnreadableFile { document: Document::Project, file_place: Some(place), file_fault })
+    };
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => text,
-        Err(error) => return refused(&format!("byte {}", error.valid_up_to()), FileFault::NotText),
+        Err(error) => return refused(FilePlace::Byte { byte: error.valid_up_to() }, FileFault::NotText),
     };
     let Some((line, body)) = text.split_once('\n') else {
-        return refused("line 1", FileFault::NoProject { line: shorten(text) });
+        return refused(FilePlace::Line { line: 1 }, FileFault::NoProject { line: shorten(text) });
     };
     let header: Header = match json::from_text(line) {
         Ok(header) => header,
-        Err(message) => return refused("line 1", FileFault::NoHeader { line: shorten(line), message }),
+        Err(json_fault) => return refused(FilePlace::Line { line: 1 }, FileFault::NoHeader { line: shorten(line), json_fault }),
     };
     if header.format != FORMAT {
-        return refused("line 1", FileFault::OtherFormat { format: shorten(&header.format), wanted: FORMAT.into() });
+        return refused(FilePlace::Line { line: 1 }, FileFault::OtherFormat { format: shorten(&header.format), wanted: FORMAT.into() });
     }
     if !(1..=PROJECT_VERSION).contains(&header.version) {
-        return refused("line 1", FileFault::OtherVersion { version: header.version, newest: PROJECT_VERSION });
+        return refused(FilePlace::Line { line: 1 }, FileFault::OtherVersion { version: header.version, newest: PROJECT_VERSION });
     }
     if header.bytes != body.len() {
-        return refused("length", FileFault::OtherLength { bytes: body.len(), declared: header.bytes });
+        return refused(FilePlace::Length, FileFault::OtherLength { bytes: body.len(), declared: header.bytes });
     }
     if header_line(header.version, body)?.trim_end() != line {
-        return refused("checksum", FileFault::OtherChecksum);
+        return refused(FilePlace::Checksum, FileFault::OtherChecksum);
     }
     // With the end of the first line, so that places count as in the file.
     let rest = &text[line.len()..];
@@ -111,19 +112,20 @@ pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
     match read {
         Ok(Project::Block(run)) => check(&run).map(|()| Project::Block(run)),
         Ok(Project::Pair(run)) => run.in_order().map(|run| Project::Pair(Box::new(run))),
-        Err(message) => refused("content", FileFault::Content { message }),
+        Err(json_fault) => refused(FilePlace::Content, FileFault::Content { json_fault }),
     }
 }
 
 fn written(kind: &str, content: &impl Serialize) -> Result<String, Error> {
-    let content = serde_json::to_string(content).map_err(|error| Error::InvalidJson { what: WHAT, reason: error.to_string() })?;
+    let content =
+        serde_json::to_string(content).map_err(|error| Error::InvalidJson { document: Document::Project, json_fault: error.into() })?;
     let body = format!("{{\"{kind}\":{content}}}\n");
     Ok(header_line(PROJECT_VERSION, &body)? + &body)
 }
 
 fn header_line(version: u32, body: &str) -> Result<String, Error> {
     let header = Header { format: FORMAT.into(), version, bytes: body.len(), crc32: format!("{:08x}", crc32fast::hash(body.as_bytes())) };
-    Ok(serde_json::to_string(&header).map_err(|e| Error::InvalidJson { what: WHAT, reason: e.to_string() })? + "\n")
+    Ok(serde_json::to_string(&header).map_err(|e| Error::InvalidJson { document: Document::Project, json_fault: e.into() })? + "\n")
 }
 
 /// Refuses a block whose parts do not fit together.

@@ -8,7 +8,7 @@ use crate::simulate::render::render;
 use crate::simulate::scene::Moment;
 use crate::simulate::sensor::Sensor;
 use crate::simulate::view::View;
-use crate::{Error, Georeference, HeightModel, Heights, Orthophoto};
+use crate::{Allowed, Error, Georeference, HeightModel, Heights, Orthophoto};
 use nalgebra::{Matrix3, Vector3};
 
 /// From so high rays are parallel: they lean by less than a millimetre in 100 m of height and a kilometre of ground.
@@ -28,7 +28,7 @@ impl BlockScene {
         let [x0, y0, x1, y1] = self.seen;
         let size = [(x1 - x0) / gsd_m, (y1 - y0) / gsd_m];
         if !(gsd_m > 0.0 && size[0] * size[1] <= MOST_PIXELS && size.iter().all(|side| *side >= 16.0)) {
-            let allowed = format!("above {:.3}, so that it has at most 100 MP", ((x1 - x0) * (y1 - y0) / MOST_PIXELS).sqrt());
+            let allowed = Allowed::OrthophotoPixel { above: ((x1 - x0) * (y1 - y0) / MOST_PIXELS).sqrt() };
             return Err(refuse("gsd_m", gsd_m, allowed));
         }
         let [width, height] = size.map(|side| side as usize);

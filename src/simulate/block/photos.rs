@@ -16,7 +16,8 @@ use crate::simulate::scene::{Moment, Scene};
 use crate::simulate::sensor::Sensor;
 use crate::simulate::view::View;
 use crate::{
-    BlockModel, Error, ExifCamera, ExifImage, ExifPosition, GeographicOrigin, GreyImage, Input, Refusal, geographic_from_local, write_png,
+    Allowed, BlockModel, Error, ExifCamera, ExifImage, ExifPosition, GeographicOrigin, GreyImage, Input, Refusal, geographic_from_local,
+    write_png,
 };
 
 /// The scene below a block, ready to be photographed.
@@ -47,8 +48,7 @@ impl BlockScene {
         flight.check_ranges()?;
         let pixels = f64::from(flight.width_px) * f64::from(flight.height_px);
         if pixels > MOST_PIXELS {
-            let allowed =
-                format!("up to {:.0} with this width, so that a photo has at most 100 MP", MOST_PIXELS / f64::from(flight.width_px));
+            let allowed = Allowed::PhotoRows { most: MOST_PIXELS / f64::from(flight.width_px) };
             return Err(refuse("block_flight.height_px", f64::from(flight.height_px), allowed));
         }
         let exposures = exposures(flight);
@@ -163,10 +163,10 @@ fn town(flight: &BlockFlight, area: Rectangle) -> Result<Flight, Error> {
     let sample = Flight::default();
     let tenth = 0.1 * flight.flying_height_m;
     if flight.relief_m > tenth {
-        return Err(refuse("block_flight.relief_m", flight.relief_m, format!("0 to {tenth} for photos, a tenth of the flying height")));
+        return Err(refuse("block_flight.relief_m", flight.relief_m, Allowed::PhotoRelief { most_m: tenth }));
     }
     if sample.lowest_building_m > tenth && flight.buildings > 0.0 {
-        let allowed = format!("{} or more, or no buildings", 10.0 * sample.lowest_building_m);
+        let allowed = Allowed::HeightAboveBuildings { least_m: 10.0 * sample.lowest_building_m };
         return Err(refuse("block_flight.flying_height_m", flight.flying_height_m, allowed));
     }
     let km2 = (area[2] - area[0]) * (area[3] - area[1]) * 1e-6;
@@ -185,13 +185,13 @@ fn ground_area(flight: &BlockFlight, exposures: &[Exposure]) -> Result<Rectangle
     let rays = exposures.iter().map(|exposure| camera(flight, exposure).rays());
     let Some(seen) = seen_ground(rays, [flight.width_px, flight.height_px].map(f64::from), flight.relief_m) else {
         let allowed = match flight.view {
-            BlockView::Oblique => "so large that all rays of the tilted cameras fall at 24 degrees or steeper: smaller images",
-            BlockView::Nadir | BlockView::TwoHeights => "so small that all rays fall at 24 degrees or steeper",
+            BlockView::Oblique => Allowed::SmallImagesOfTilted,
+            BlockView::Nadir | BlockView::TwoHeights => Allowed::SmallPixels,
         };
         return Err(refuse("block_flight.pixel_mm", flight.pixel_mm, allowed));
     };
     let longest = (seen[2] - seen[0]).max(seen[3] - seen[1]);
-    check_length("block_flight.flying_height_m", "block", flight.flying_height_m, longest)?;
+    check_length("block_flight.flying_height_m", true, flight.flying_height_m, longest)?;
     Ok(seen)
 }
 

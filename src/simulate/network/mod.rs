@@ -13,7 +13,7 @@ mod rays;
 use super::block::BlockFlight;
 use super::random::{Random, Stream};
 use crate::catalogue::refuse;
-use crate::{Block, Error};
+use crate::{Allowed, Block, Error};
 use approximations::{add_control, approximate};
 use orientations::{cameras, images};
 use rays::{observe, points};
@@ -51,12 +51,12 @@ fn check(flight: &BlockFlight) -> Result<(), Error> {
     {
         let most = most * flight.flying_height_m;
         if !(value <= most) {
-            return Err(refuse(field, value, format!("0 to {most}")));
+            return Err(refuse(field, value, Allowed::Real { min: 0.0, max: most }));
         }
     }
     let mut lens = flight.radial.iter().chain(&flight.tangential);
     match lens.find(|k| !(k.abs() <= 1.0)) {
-        Some(wrong) => Err(refuse("block_flight.radial, block_flight.tangential", wrong, "numbers from -1 to 1")),
+        Some(wrong) => Err(refuse("block_flight.radial, block_flight.tangential", wrong, Allowed::Real { min: -1.0, max: 1.0 })),
         None => Ok(()),
     }
 }

@@ -4,8 +4,8 @@ use super::RefinementOptions;
 use super::outcome::{ObservationRefinement, RefinedPoint, RefinementOutcome};
 use super::reference::references;
 use super::windows::WindowedObservation;
-use crate::Error;
 use crate::matching::{LeastSquares, LeastSquaresOptions, WindowFit};
+use crate::{Error, Few};
 
 /// Rays that are tried as reference, as long as rays are left that are not refined.
 const MOST_REFERENCES: usize = 3;
@@ -55,7 +55,7 @@ impl PointRefiner {
     /// Grün 1985, Adaptive least squares correlation, South African Journal of Photogrammetry, Remote Sensing and Cartography 14 (3).
     pub fn refine(&mut self, rays: &[WindowedObservation<'_>]) -> Result<RefinedPoint, Error> {
         if rays.len() < 2 {
-            return Err(Error::TooFew { what: "rays of a point", got: rays.len(), needed: 2 });
+            return Err(Error::TooFew { few: Few::ObservationsOfPoint, got: rays.len(), needed: 2 });
         }
         rays.iter().try_for_each(WindowedObservation::check)?;
         let mut best: Option<(usize, RefinedPoint)> = None;

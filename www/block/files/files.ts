@@ -13,6 +13,7 @@ import { carriedOver } from '../state/carrying';
 import { editsInForce } from '../state/editing';
 import { namesOf, withoutPlaces } from '../state/naming';
 import type { Purpose } from '../state/placing';
+import { IMAGE_FILE } from '../../../pkg/block/image-files.js';
 import { PARTNER_MISSING, problemsOf } from '../state/given';
 import { waitsForMarks } from '../state/marks';
 import { controlText } from '../state/words';
@@ -24,7 +25,6 @@ import type { BlockRuns } from './runs';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
-const IMAGE = /\.(?:jpe?g|png|tiff?|bmp|webp|p[gpn]m)$/iu;
 const PROJECT = /\.tiepoint$/iu;
 const TABLE = /\.(?:csv|txt)$/iu;
 const CAMERAS = /\.json$/iu;
@@ -74,7 +74,7 @@ export class BlockFiles {
     const alone = found.filter(({ path }) => path === '');
     const project = alone.find(({ file }) => PROJECT.test(file.name));
     const cameras = alone.find(({ file }) => CAMERAS.test(file.name));
-    const photos = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith('image/'));
+    const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.openProject(project.file);
     if (cameras !== undefined) await this.takeText('cameras', cameras.file);
     const tables = alone.filter(({ file }) => TABLE.test(file.name));

@@ -4,7 +4,8 @@ import { interiorInUse } from '../state/interior';
 import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
 import { hasPaperCamera } from '../state/paper';
 import { countsOf, pixelMm } from '../state/residuals';
-import { orientationAt, truthOf } from '../state/truth';
+import { atBase } from '../../../pkg/pair/at-base.js';
+import { truthOf } from '../state/truth';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, row, section } from '../../shared/panel/dom';
@@ -95,7 +96,7 @@ export function whyNotOriented(state: State): string | null {
 /** The true orientation at the scale of a result's base; null where it is not known. */
 function truthFor(state: State, { base_mm: base }: RelativeOrientation): FiveParameters | null {
   const truth = truthOf(state);
-  return truth === null ? null : orientationAt(truth, base);
+  return truth === null ? null : atBase(truth.orientation, truth.baseMm, base);
 }
 
 function valueTable(state: State, result: RelativeOrientation): HTMLElement {

@@ -105,10 +105,10 @@ class SimulatePanel {
     if (this.rendering || flight === null || flight === this.shown || this.host.offsetParent === null) return;
     this.shown = flight;
     const problem = problemOfFlight(flight);
-    this.tell(problem);
+    this.tell(problem?.text ?? null);
     if (problem !== null) {
       // The preview's own problems would be those of its coarser pixels.
-      this.sections.controls.find(({ parameter }) => problem.startsWith(`${parameter.key} is `))?.refuse(`${readable(this.catalogue, problem)}.`);
+      this.sections.controls.find(({ parameter }) => parameter.key === problem.field)?.refuse(`${readable(this.catalogue, problem.text)}.`);
       return;
     }
     this.rendering = true;

@@ -1,7 +1,6 @@
 /** One worker as the page sees it: typed calls that are answered, refused, or ended with the worker. */
 import type { RequestMessage, ResponseMessage, StartMessage, Table, WireFailure } from './messages';
 import { spawnWorker, wasmModule } from './platform';
-import { ownWords } from '../text/allowed';
 import { say } from '../text/words';
 import { messageOf } from '../text/messages';
 
@@ -12,7 +11,7 @@ export class CallError extends Error {
     readonly failure: WireFailure,
     readonly ended: boolean,
   ) {
-    super(ownWords(failure.error) ?? failure.message);
+    super(failure.message);
   }
 }
 

@@ -1,6 +1,7 @@
 /** A control for a parameter that the crate names: label, unit, range and help come from there. */
 import type { Parameter } from '../crate';
 import { button, h } from './dom';
+import { message } from '../text/messages';
 import { say } from '../text/words';
 
 export type Value = number | string | boolean | null;
@@ -161,11 +162,6 @@ function stepOf(parameter: NumberParameter): number | null {
   return parameter.odd ? 2 : 1;
 }
 
-function rangeText(parameter: NumberParameter): string {
-  const what = { 2: say('an-odd-number'), 1: say('a-whole-number'), any: say('a-number') }[stepOf(parameter) ?? 'any'];
-  return say('from-to', { what: what ?? say('a-number'), min: parameter.min, max: parameter.max });
-}
-
 function numberField(parameter: NumberParameter, id: string, { set, standard, whenEmpty }: Binding): Field {
   const step = stepOf(parameter);
   const input = h('input', { id, type: 'number', key: parameter.key, aria: { describedby: `${id}-help ${id}-problem` } });
@@ -183,7 +179,7 @@ function numberField(parameter: NumberParameter, id: string, { set, standard, wh
     }
     if (!input.validity.valid || input.value === '') {
       input.setAttribute('aria-invalid', 'true');
-      tell(say('allowed-the-last-valid-value', { parameter: rangeText(parameter), what: optional() ? say('or-empty') : '' }));
+      tell(say('allowed-the-last-valid-value', { parameter: message('allowed', parameter), what: optional() ? say('or-empty') : '' }));
       return;
     }
     set(input.valueAsNumber);

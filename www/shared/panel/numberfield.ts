@@ -58,7 +58,7 @@ export function showNumber({ input, problem }: Pick<NumberField, 'input' | 'prob
 /** The number of a field, `last` where it is not allowed; `allowed` says what is instead of a value. */
 export function readNumber({ input, problem }: NumberField, allowed: (value: number) => string | null, last: number | undefined): number | undefined {
   const value = typed(input);
-  const instead = value === undefined ? null : Number.isNaN(value) ? 'a number' : allowed(value);
+  const instead = value === undefined ? null : Number.isNaN(value) ? say('a-number') : allowed(value);
   mark(input, instead !== null);
   problem.textContent = instead === null ? '' : say('allowed-or-empty', { instead, stays: STAYS });
   return instead === null ? value : last;

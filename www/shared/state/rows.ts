@@ -134,10 +134,20 @@ function headText({ label, unit }: Column, inEnglish: InEnglish): string {
   return unit === '' ? name : `${name} [${unit}]`;
 }
 
-/** A figure as programs read it: without groups of digits, signs of typography and dashes. */
+/**
+ * A text as a cell or a head of a file holds it: with an apostrophe in front where a spreadsheet would run it as a formula. The crate writes its
+ * tables so, and takes the apostrophe away when it reads them (`guarded` in `src/text.rs`).
+ */
+function guarded(text: string): string {
+  return /^'*[=+\-@\t\r]/u.test(text) ? `'${text}` : text;
+}
+
+/** A figure as programs read it: without groups of digits, signs of typography and dashes. What is no number is a text. */
 function plain(column: Column, row: number, inEnglish: InEnglish): string {
   const text = column.text(row);
-  return column.words === true ? inEnglish(text) : text.replaceAll('\u202f', '').replaceAll('−', '-').replace(/^–$/u, '');
+  if (column.words === true) return guarded(inEnglish(text));
+  const figure = text.replaceAll('\u202f', '').replaceAll('−', '-').replace(/^–$/u, '');
+  return Number.isNaN(Number(figure)) ? guarded(figure) : figure;
 }
 
 /** The rows as lines of comma-separated values (RFC 4180), under their heads. */
@@ -152,7 +162,7 @@ export function tabbedOf(columns: readonly Column[], rows: Iterable<number>, inE
 }
 
 function linesOf(columns: readonly Column[], rows: Iterable<number>, field: (text: string) => string, between: string, inEnglish: InEnglish): string {
-  const lines = [columns.map((column) => field(headText(column, inEnglish))).join(between)];
+  const lines = [columns.map((column) => field(guarded(headText(column, inEnglish)))).join(between)];
   for (const row of rows) lines.push(columns.map((column) => field(plain(column, row, inEnglish))).join(between));
   return `${lines.join('\n')}\n`;
 }

@@ -111,10 +111,7 @@ default = الافتراضي
 default-2 = { $label }: الافتراضي
 help = شرح: { $label }
 default-3 = الافتراضي: { $meant }
-an-odd-number = عدد فردي
-a-whole-number = عدد صحيح
 a-number = عدد
-from-to = { $what } من { $min } إلى { $max }
 or-empty = ، أو فارغ
 allowed-the-last-valid-value = المسموح: { $parameter }{ $what }. تبقى آخر قيمة صالحة مستعملة.
 empty = فارغ: { $absent }
@@ -319,14 +316,6 @@ a-part-of-the-page = تعذر تحميل جزء من الصفحة.
 try-again = أعد المحاولة
 not-saved = لم يُحفظ
 opening-kept-work = يجري فتح «{ $title }» الذي حفظه هذا المتصفح …
-allowed-between = من { $from } إلى { $to }
-allowed-whole = أعداد صحيحة من { $from } إلى { $to }
-allowed-odd = أعداد صحيحة فردية من { $from } إلى { $to }
-allowed-two = عددان من { $from } إلى { $to }
-allowed-two-px = عددان بالبكسل من { $from } إلى { $to }
-allowed-above-up-to = أكبر من { $from } وحتى { $to }
-allowed-above = أكبر من { $from }
-
 history-earlier = { $edits ->
     [one] تعديل سابق واحد …
     [two] تعديلان سابقان …

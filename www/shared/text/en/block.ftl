@@ -220,7 +220,7 @@ was-not-written = { $names } was not written: { $reason }.
 ## panel/flight
 
 photograph-this-block = Photograph this block
-a-flight-in-strips-over = A flight in strips over a made town. Larger photos take longer: 12 million pixels some seconds each.
+a-flight-in-strips-over = A flight in strips over a synthetic scene. Larger photos take longer: 12 million pixels some seconds each.
 
 ## panel/images-view
 
@@ -287,7 +287,7 @@ small-photos-where-they-have = Small photos where they have room
 footprints = Footprints
 what-each-image-covers-of = What each image covers of level ground at the height of its points
 offsets = Offsets
-gnss-positions-and-differences-of = GNSS positions and differences of surveyed points, drawn longer than they are
+gnss-positions-and-differences-of = GNSS positions and differences of ground control and check points, drawn longer than they are
 the-orthophoto-that-is-given = The orthophoto that is given, under all else
 lasso = Lasso
 shift-and-a-drag-chooses = Shift and a drag chooses tie points within a free outline, in place of a rectangle
@@ -307,7 +307,7 @@ and-rejected-by-hand = {" "}and { COUNT($gone) } rejected by hand
 tie-points-from-to = { COUNT($taking) } tie points{ $what }; { $title } from { $from } to { $to } { $unit }
 ground-sample-distance = ground sample distance { $reduce }
 gnss-positions-differ-by-up = GNSS positions differ by up to { $gnss }
-surveyed-points-differ-by-up = { COUNT($surveyed) } surveyed points differ by up to { $surveyed_2 }
+surveyed-points-differ-by-up = { COUNT($surveyed) } ground control and check points differ by up to { $surveyed_2 }
 the-images-lie-within-by = The images lie within { $length_text } by { $length_text_2 }
 length-in-units-of-the-block = { $length } units
 
@@ -521,7 +521,7 @@ verified-matches-of-all-connected = Verified matches of all connected pairs.
 check-points-rmse = Check points, RMSE
 predicted = , { FIXED($ratio, digits: 2) } predicted
 m-points = { $join } m, { COUNT($points) } points{ $what }
-root-mean-square-difference-of = Root mean square difference of x, y, z between adjusted and surveyed check points, whose coordinates took no part; then the same in predicted standard errors, about 1 where these hold.
+root-mean-square-difference-of = Root mean square difference of x, y, z between adjusted and given coordinates of the check points, which took no part; then the same in predicted standard errors, about 1 where these hold.
 images-oriented-3 = Images oriented
 of-4 = { COUNT($oriented) } of { COUNT($images) }
 images-with-an-exterior-orientation = Images with an exterior orientation: position and attitude in object space.
@@ -658,7 +658,7 @@ probability = Probability
 probability-that-all-its-observations = Probability that all its observations show one point, from the matches alone.
 part = Part
 whether-the-point-takes-part = Whether the point takes part in the adjustment.
-name-of-the-surveyed-point = Name of the surveyed point. Press a row to choose it in all views.
+name-of-the-surveyed-point = Name of the ground control or check point. Press a row to choose it in all views.
 use = Use
 control-points-place-the-block = Control points place the block; check points judge it, and take no part.
 image-measurements-that-took-part = Image measurements that took part.
@@ -822,7 +822,7 @@ step-use = { $use ->
         [control] use { $name } as control point
        *[check] use { $name } as check point
     }
-one-surveyed-point = 1 surveyed point
+one-surveyed-point = 1 ground control or check point
 in-image = {" "}in { $name }
 
 ## state/steps

@@ -120,10 +120,7 @@ default = Default
 default-2 = { $label }: default
 help = Help: { $label }
 default-3 = default: { $meant }
-an-odd-number = an odd number
-a-whole-number = a whole number
 a-number = a number
-from-to = { $what } from { $min } to { $max }
 or-empty = , or empty
 allowed-the-last-valid-value = Allowed: { $parameter }{ $what }. The last valid value stays in use.
 empty = Empty: { $absent }
@@ -358,14 +355,6 @@ a-part-of-the-page = A part of the page could not be loaded.
 try-again = Try again
 not-saved = Not saved
 opening-kept-work = Opening “{ $title }”, which this browser kept …
-allowed-between = { $from } to { $to }
-allowed-whole = whole numbers from { $from } to { $to }
-allowed-odd = odd whole numbers from { $from } to { $to }
-allowed-two = two numbers from { $from } to { $to }
-allowed-two-px = two numbers of px from { $from } to { $to }
-allowed-above-up-to = above { $from }, up to { $to }
-allowed-above = above { $from }
-
 history-earlier = { $edits ->
     [one] 1 earlier edit …
    *[other] { $edits } earlier edits …
