@@ -230,7 +230,7 @@ fn a_strip_of_few_rows_is_not_taken_for_a_film_border() {
         along(row) * (1.0 - v) + along(row + 1) * v
     };
     let strip =
-        |from: usize| GreyImage::from_fn(6_000, 60, |x, y| (0.6 * smooth(x + from, y, 5) + 0.4 * smooth(x + from, y, 13)) as u8).unwrap();
+        |from: usize| GreyImage::from_fn(40_000, 60, |x, y| (0.6 * smooth(x + from, y, 5) + 0.4 * smooth(x + from, y, 13)) as u8).unwrap();
     let result = matched(&strip(0), &strip(20), &PairInput::default(), &settings());
     let matches = &result.matching.matches;
     assert!(matches.len() > 300, "{:?}, {:?}", result.matching.counts, result.geometry.map(|found| found.map(|found| found.inliers.len())));

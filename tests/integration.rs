@@ -65,6 +65,8 @@ mod reconstruction_faults;
 mod report;
 #[path = "sample.rs"]
 mod sample;
+#[path = "scaled_pair.rs"]
+mod scaled_pair;
 #[path = "simulate.rs"]
 mod simulate;
 #[path = "tracks.rs"]

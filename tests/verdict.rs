@@ -1,7 +1,10 @@
 //! What a pair is worth, as it is told to whoever sets nothing.
 
 use crate::known::input;
-use tiepoint::{GreyImage, PairImage, PairInput, PairResult, PairSettings, PairVerdict, SAMPLE_SEED, Warning, match_pair, sample_pair};
+use tiepoint::{
+    CameraMm, Error, GreyImage, PairImage, PairInput, PairInterior, PairResult, PairSettings, PairVerdict, Refusal, SAMPLE_SEED, Side,
+    Warning, judged, match_pair, sample_pair,
+};
 
 fn matched(left: &GreyImage, right: &GreyImage, mask: Option<&GreyImage>, input: &PairInput) -> PairResult {
     let image = |grey, mask| PairImage { grey, exif: None, mask };
@@ -39,4 +42,123 @@ fn photos_of_different_towns_and_one_photo_twice_are_not_oriented() {
         assert!(matches!(result.verdict(), PairVerdict::NotOriented { .. }), "{}", result.verdict());
         assert!(result.verdict().to_string().starts_with("Not oriented: "), "{}", result.verdict());
     }
+}
+
+#[test]
+fn a_doubted_camera_makes_a_good_pair_weak() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let result = matched(&sample.left, &sample.right, None, &input(&sample));
+    let (orientation, interior) = (result.orientation.unwrap(), result.interior.unwrap());
+    let points = Some([result.left.points.len(), result.right.points.len()]);
+    let doubt = Warning::ContradictedFocal { side: Side::Right, given_px: 604.0, file_px: 1208.0 };
+    let verdict = |doubt: Option<Warning>| {
+        let interior = PairInterior { doubt, ..interior };
+        let found = judged(orientation.clone(), &result.matching.matches, &interior, points);
+        PairVerdict::of(&found, interior.left.pixel_mm())
+    };
+    assert!(matches!(verdict(None), PairVerdict::Oriented { .. }), "{}", verdict(None));
+    assert!(matches!(verdict(Some(doubt)), PairVerdict::Weak { warning, .. } if warning == doubt), "{}", verdict(Some(doubt)));
+}
+
+/// A photo of a facade of equal windows, every other row of which stands out by some px; `view` gives where it lies on the facade. Windows
+/// differ by some grey values: those of another seed are of another facade.
+fn facade(seed: u32, variation: f64, parallax_px: f64, view: impl Fn([f64; 2]) -> [f64; 2]) -> GreyImage {
+    let random = |a: i64, b: i64, seed: u32| {
+        let mixed = (a as u32).wrapping_mul(2_654_435_761) ^ (b as u32).wrapping_mul(2_246_822_519) ^ seed.wrapping_mul(3_266_489_917);
+        let mixed = (mixed ^ (mixed >> 15)).wrapping_mul(2_654_435_761);
+        f64::from((mixed ^ (mixed >> 13)) & 0xffff) / 65_535.0 - 0.5
+    };
+    GreyImage::from_fn(640, 480, |col, row| {
+        let [u, v] = view([col as f64 + 0.5, row as f64 + 0.5]);
+        let j = (v / 48.0).floor();
+        let u = if j as i64 % 2 == 0 { u + parallax_px } else { u };
+        let i = (u / 40.0).floor();
+        let (a, b) = (u - 40.0 * i, v - 48.0 * j);
+        let cell = variation * random(i as i64, j as i64, seed);
+        let is_window = (9.0..31.0).contains(&a) && (10.0..38.0).contains(&b);
+        let is_frame = is_window && ((a - 20.0).abs() > 8.5 || (b - 24.0).abs() > 11.5 || (a - 20.0).abs() < 1.2);
+        let is_sill = (38.0..42.0).contains(&b) && (6.0..34.0).contains(&a);
+        let grey = match (is_frame, is_window, is_sill) {
+            (true, ..) => 205.0,
+            (_, true, _) => 60.0 + cell,
+            (.., true) => 90.0,
+            _ => 150.0 + 0.3 * cell,
+        };
+        (grey + 6.0 * random(col as i64, row as i64, seed + 77)).clamp(0.0, 255.0) as u8
+    })
+    .unwrap()
+}
+
+#[test]
+fn equal_facades_that_face_each_other_are_not_oriented() {
+    let camera = CameraMm::without_distortion(6.0, Some(0.01));
+    let input = PairInput { camera: Some(camera), ..PairInput::default() };
+    let (mut most, mut all) = (0, 0);
+    for (k, variation) in [0.0, 8.0, 25.0].into_iter().enumerate() {
+        let seed = 10 * k as u32;
+        let left = facade(seed + 1, variation, 0.0, |[x, y]| [x + 0.02 * y, y - 0.01 * x + 500.0]);
+        // Shifted by periods along another facade, and seen in perspective from the other side.
+        let shifted = facade(seed + 2, variation, 5.0, |[x, y]| [x + 120.0 + 13.0, y + 500.0 + 96.0]);
+        let opposite = facade(seed + 3, variation, 6.0, |[x, y]| {
+            let depth = 1.0 + 2.5e-4 * (x - 320.0);
+            [320.0 + (x - 320.0) / depth, 740.0 + (y - 240.0) / depth]
+        });
+        for right in [&shifted, &opposite] {
+            let result = matched(&left, right, None, &input);
+            assert!(!matches!(result.verdict(), PairVerdict::Oriented { .. }), "variation {variation}: {}", result.verdict());
+            println!("{variation}: {} matches, {}", result.matching.matches.len(), result.verdict());
+            most = most.max(result.matching.verdicts.iter().filter(|v| v.best.is_some()).count());
+            all += 1;
+        }
+    }
+    assert!(all == 6 && most > 200, "no facade resembles the other: the test shows nothing");
+}
+
+#[test]
+fn a_mirrored_photo_is_not_oriented() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let (view, width, height) = (sample.right.view(), sample.right.width(), sample.right.height());
+    let columns = GreyImage::from_fn(width, height, |col, row| view.at(width - 1 - col, row)).unwrap();
+    let rows = GreyImage::from_fn(width, height, |col, row| view.at(col, height - 1 - row)).unwrap();
+    for right in [columns, rows] {
+        let result = matched(&sample.left, &right, None, &input(&sample));
+        assert!(!matches!(result.verdict(), PairVerdict::Oriented { .. }), "{}", result.verdict());
+    }
+}
+
+#[test]
+fn marks_that_were_exchanged_are_refused_with_their_sigma0() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let mut exchanged = input(&sample);
+    let marks = &mut exchanged.right.fiducials;
+    let [first, second] = [0, 1].map(|k| (marks[k].col, marks[k].row));
+    (marks[0].col, marks[0].row) = second;
+    (marks[1].col, marks[1].row) = first;
+    let [left, right] = [&sample.left, &sample.right].map(|grey| PairImage { grey: grey.view(), exif: None, mask: None });
+    let refused = match_pair(left, right, &exchanged, &PairSettings::default()).unwrap_err();
+    let Error::InvalidInput { refusal: Refusal::MarksSigma0 { sigma0_mm, most_mm } } = refused else { panic!("{refused}") };
+    assert!(sigma0_mm > 10.0 && most_mm == 1.0, "{refused}");
+}
+
+#[test]
+fn without_a_camera_a_pair_is_oriented_only_where_it_determines_the_focal_length() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    // What is known of the camera is a guess; the photos are nearly vertical over a flat town, which leaves it open.
+    let guess = tiepoint::CameraUncertainty::ASSUMED;
+    let mut assumed = input(&sample);
+    assumed.camera = assumed.camera.map(|camera| CameraMm { uncertainty: Some(guess), ..camera });
+    let result = matched(&sample.left, &sample.right, None, &assumed);
+    let orientation = result.orientation.as_ref().unwrap();
+    let error = orientation.cameras.unwrap().map(|camera| camera.focal_standard_error_mm / camera.focal_mm);
+    let is_unknown = orientation.warnings.contains(&Warning::UnknownCamera);
+    assert!(error[0] > 0.02 && is_unknown, "{error:?}, {:?}", orientation.warnings);
+    // The same orientation, of cameras that it determined.
+    let mut determined = orientation.clone();
+    determined.warnings.clear();
+    for camera in determined.cameras.iter_mut().flatten() {
+        camera.focal_standard_error_mm = 0.01 * camera.focal_mm;
+    }
+    let points = Some([result.left.points.len(), result.right.points.len()]);
+    let found = judged(determined, &result.matching.matches, result.interior.as_ref().unwrap(), points);
+    assert!(!found.warnings.contains(&Warning::UnknownCamera), "{:?}", found.warnings);
 }

@@ -368,6 +368,8 @@ warning-few-agree = لا يتفق مع التوجيه إلا { $accepted } من 
 warning-mirrored = تُظهر الصورة اليمنى الأرض معكوسة كما في المرآة.
 warning-mirrored-marks = تقع العلامات الإطارية معكوسة في الصورة { $side }: هل المسح الضوئي معكوس، أم إحداثياتها؟
 warning-unknown-camera = لا يكاد البعد البؤري يُعرف، وقد قُدّر من المطابقات: أعط الكاميرا.
+warning-contradicted-focal = البعد البؤري المعطى { FIXED($given_px, digits: 0) } بكسل، لكن ملف الصورة { $side } يذكر { FIXED($file_px, digits: 0) } بكسل: هل الكاميرا لصور من قياس آخر أو عدسة أخرى أو تقريب آخر؟
+warning-doubtful-focal = البعد البؤري للصورة { $side } يساوي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }: تحقق من البعد البؤري ومن قياس البكسل.
 warning-exact = ‏σ0 تبلغ { SIGNIFICANT($sigma0_px, digits: 1) } بكسل، كما في أجزاء من صورة واحدة؛ ولا تتفق صورتان بأدق من { $least_px } بكسل.
 warning-wide-angle = تبتعد النقاط عن المحور كثيرًا بالنسبة إلى بعدها البؤري (الجذر التربيعي لمتوسط مربعات بعدها عن وسطها { FIXED($coverage, digits: 2) } من البعد البؤري؛ المعتاد حتى { $most }): هل البعد البؤري أقصر من الصحيح؟
 warning-uncertain = يُعرف الدوران بحدود ±{ SIGNIFICANT($half_width_deg, digits: 2) }° فقط (95 %)؛ السليم حتى ±{ $most_deg }°.
@@ -647,6 +649,11 @@ remark-doubtful-focal =
     البعد البؤري لـ{ $label } هو { $focal_px } بكسل، أي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }{ $in_mm ->
         [true] : هل هو بالمليمتر؟
        *[false] {""}
+    }
+remark-contradicted-focal =
+    البعد البؤري المعطى لـ{ $label } هو { SIGNIFICANT($focal_px, digits: 4) } بكسل، بينما تذكر ملفات هذه الصور { SIGNIFICANT($file_px, digits: 4) } بكسل: { $images }{ $images_more ->
+        [0] {""}
+       *[other] {" "}و{ $images_more } أخرى
     }
 remark-cautioned-cameras =
     { $camera_caution }: { $images }{ $images_more ->

@@ -747,6 +747,8 @@ warning-few-agree = Only { $accepted } of { $matches } matches agree with the or
 warning-mirrored = The right photo shows the ground mirrored.
 warning-mirrored-marks = The fiducial marks lie mirrored in the { $side } image: is the scan mirrored, or are their coordinates?
 warning-unknown-camera = The focal length is hardly known and was estimated from the matches: give the camera.
+warning-contradicted-focal = The given focal length is { FIXED($given_px, digits: 0) } px, but the file of the { $side } image says { FIXED($file_px, digits: 0) } px: is the camera that of another photo size, lens or zoom?
+warning-doubtful-focal = The focal length of the { $side } photo is { SIGNIFICANT($sides, digits: 2) } times the longer side of its image, where { $least } to { $most } times are usual: check the focal length and the pixel size.
 warning-exact = σ0 is { SIGNIFICANT($sigma0_px, digits: 1) } px, as of parts of one image; two photographs do not agree to better than { $least_px } px.
 warning-wide-angle = The points reach far from the axis for their focal length (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; up to { $most } is common): is the focal length too short?
 warning-uncertain = The rotation is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
@@ -1013,6 +1015,11 @@ remark-doubtful-focal =
     the focal length of { $label } is { $focal_px } px, { SIGNIFICANT($sides, digits: 2) } of the longer side of the image, where { $least } to { $most } are usual{ $in_mm ->
         [true] : is it in mm?
        *[false] {""}
+    }
+remark-contradicted-focal =
+    the focal length of { $label } is given as { SIGNIFICANT($focal_px, digits: 4) } px, where the files of these images say { SIGNIFICANT($file_px, digits: 4) } px: { $images }{ $images_more ->
+        [0] {""}
+       *[other] {" "}and { $images_more } more
     }
 remark-cautioned-cameras =
     { $camera_caution }: { $images }{ $images_more ->

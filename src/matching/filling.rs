@@ -1,11 +1,12 @@
 //! Least squares matching of points that found no match, from where the matches around them foretell them.
 
-use super::area::{limits, located};
+use super::area::limits;
 use super::index::PositionIndex;
-use super::least_squares::{LeastSquares, LeastSquaresOptions};
+use super::least_squares::LeastSquaresOptions;
 use super::local_map::LocalMap;
 use super::neighbours::Neighbours;
 use super::rules::set_of;
+use super::scaled::{Halvings, ScaledMatching};
 use super::{MatchImage, MatchOptions, MatchSet, Rule, Verdict};
 
 /// Rounds: the matches of the first foretell points beside them.
@@ -44,7 +45,7 @@ pub(crate) fn filled_in(
     let least_correlation = options.min_correlation.max(LEAST_CORRELATION);
     let limits =
         LeastSquaresOptions { least_correlation, convergence_px: CONVERGENCE_PX, least_promising: LEAST_PROMISING, ..limits(options) };
-    let mut matching = LeastSquares::new(options.template);
+    let mut matching = ScaledMatching::new(options.template, [left.grey, right.grey]);
     let positions: Vec<[f64; 2]> = left.points.iter().map(|p| [p.x, p.y]).collect();
     let earlier = set.verdicts;
     let mut verdicts = earlier.clone();
@@ -66,16 +67,19 @@ pub(crate) fn filled_in(
             let around = near.iter().filter_map(|n| Some((of_matched[*n], places[matched[*n]]?)));
             let Some(map) = LocalMap::about(*position, around) else { continue };
             let start = places[k].unwrap_or(map.place);
-            let farthest_px = (REACH * map.scatter_px).clamp(REACH_PX[0], REACH_PX[1]);
-            if off_px(k, start) > farthest_px {
+            let halvings = Halvings::of(map.affine);
+            // Of the right image as it is compared.
+            let px = f64::from(1u32 << halvings.0[1]);
+            let farthest_px = (REACH * map.scatter_px / px).clamp(REACH_PX[0], REACH_PX[1]);
+            if off_px(k, start) > farthest_px * px {
                 continue;
             }
             if tried[k].is_some_and(|earlier| libm::hypot(start[0] - earlier[0], start[1] - earlier[1]) < MOVED_PX) {
                 continue;
             }
             tried[k] = Some(start);
-            let fit = matching.fit((left.grey, *position), (right.grey, start), map.affine, &LeastSquaresOptions { farthest_px, ..limits });
-            let found = located(fit, options);
+            let limits = LeastSquaresOptions { farthest_px, ..limits };
+            let found = matching.verdict(*position, (start, map.affine), halvings, &limits, options);
             let Some(place) = found.matched().filter(|place| off_px(k, *place) <= threshold_px) else { continue };
             if places[k].is_some() {
                 // The features that were matched stay what they are, and so does how they resemble each other.

@@ -20,7 +20,7 @@ const JUDGED_FROM: usize = SHIFTS + 3;
 const LEFT_OVER: f64 = 2.0;
 /// Variance in grey² below which the right window is constant: that of rounding to whole numbers.
 const LEAST_VARIANCE: f64 = 1.0 / 12.0;
-/// Least and largest change of area by the deformation.
+/// Least and largest change of area from that of the start: what is larger ran away.
 const AREA: [f64; 2] = [0.25, 4.0];
 
 /// Limits of the iteration.
@@ -142,6 +142,10 @@ impl LeastSquares {
         }
         self.right.clear();
         let mut warp = Warp { centre: start, matrix: start_affine };
+        let area = warp.area();
+        if !(area > 0.0 && area.is_finite()) {
+            return Err(Refusal::NotConverged);
+        }
         let mut with_affine = false;
         let mut longest_before = f64::INFINITY;
         for iteration in 1..=options.most_iterations {
@@ -158,7 +162,7 @@ impl LeastSquares {
             if shift > LONGEST_STEP {
                 change *= LONGEST_STEP / shift;
             }
-            warp = warp.changed(&change).ok_or(Refusal::NotConverged)?;
+            warp = warp.changed(&change).filter(|warp| (AREA[0]..=AREA[1]).contains(&(warp.area() / area))).ok_or(Refusal::NotConverged)?;
             let moved = [0, 1].map(|axis| warp.centre[axis] - start[axis]);
             if !(moved[0] * moved[0] + moved[1] * moved[1] <= options.farthest_px * options.farthest_px) {
                 return Err(Refusal::MovedTooFar);
@@ -268,7 +272,13 @@ fn length_of_shift(change: &Vector6<f64>) -> f64 {
 }
 
 impl Warp {
-    /// This warp after the inverse of a change of the left window; `None` where that turns it over or changes its area too much.
+    /// Px² of the right image by px² of the left one.
+    fn area(&self) -> f64 {
+        let [[a, b], [c, d]] = self.matrix;
+        a * d - b * c
+    }
+
+    /// This warp after the inverse of a change of the left window; `None` where that turns it over.
     fn changed(&self, change: &Vector6<f64>) -> Option<Self> {
         let [[a, b], [c, d]] = [[1.0 + change[2], change[3]], [change[4], 1.0 + change[5]]];
         let determinant = a * d - b * c;
@@ -278,8 +288,7 @@ impl Warp {
         let inverse = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]];
         let matrix = self.matrix.map(|row| [0, 1].map(|k| row[0] * inverse[0][k] + row[1] * inverse[1][k]));
         let centre = [0, 1].map(|axis| self.centre[axis] - (matrix[axis][0] * change[0] + matrix[axis][1] * change[1]));
-        let area = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
-        (AREA[0]..=AREA[1]).contains(&area).then_some(Self { centre, matrix })
+        Some(Self { centre, matrix })
     }
 }
 

@@ -24,6 +24,7 @@ mod quad;
 mod refine;
 mod region;
 mod rules;
+mod scaled;
 mod search;
 mod spline;
 mod strategy;

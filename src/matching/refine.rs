@@ -1,10 +1,11 @@
 //! Refinement of matches: least squares matching from where they are.
 
-use super::area::{limits, located};
-use super::least_squares::LeastSquares;
+use super::area::limits;
 use super::rules::set_of;
-use super::{MatchImage, MatchOptions, MatchSet, Refinement, Rule};
+use super::scaled::{Halvings, ScaledMatching};
+use super::{MatchImage, MatchOptions, MatchSet, Refinement, Rule, Verdict};
 use crate::LocalFrame;
+use crate::math::median;
 
 const UNDEFORMED: [[f64; 2]; 2] = [[1.0, 0.0], [0.0, 1.0]];
 
@@ -19,14 +20,17 @@ pub(crate) fn refine(set: MatchSet, left: MatchImage<'_>, right: MatchImage<'_>,
     if refinement == Refinement::None {
         return set;
     }
-    let mut matching = LeastSquares::new(options.template);
+    let mut matching = ScaledMatching::new(options.template, [left.grey, right.grey]);
     let limits = limits(options);
     let mut verdicts = set.verdicts;
+    let frames = |k: usize, verdict: &Verdict| left.frames.get(k).zip(verdict.best.and_then(|best| right.frames.get(best)));
+    let of_pair = halvings_of_pair(verdicts.iter().enumerate().filter(|(_, v)| v.rule == Rule::Matched).filter_map(|(k, v)| frames(k, v)));
     for (k, (point, verdict)) in left.points.iter().zip(&mut verdicts).enumerate() {
         let Some(start) = verdict.matched().filter(|_| verdict.fit.is_none()) else { continue };
-        let frames = left.frames.get(k).zip(verdict.best.and_then(|best| right.frames.get(best)));
-        let affine = frames.map_or(UNDEFORMED, |(left, right)| between(left, right));
-        let refined = located(matching.fit((left.grey, [point.x, point.y]), (right.grey, start), affine, &limits), options);
+        let affine = frames(k, verdict).map_or(UNDEFORMED, |(left, right)| between(left, right));
+        // The scales of single features scatter: images of one scale are compared as they are.
+        let halvings = Halvings::of(affine).min(of_pair);
+        let refined = matching.verdict([point.x, point.y], (start, affine), halvings, &limits, options);
         if refinement == Refinement::LeastSquares {
             verdict.rule = refined.rule;
         }
@@ -35,6 +39,12 @@ pub(crate) fn refine(set: MatchSet, left: MatchImage<'_>, right: MatchImage<'_>,
         }
     }
     set_of(left.points, verdicts)
+}
+
+/// What the median enlargement of the matched points asks for.
+fn halvings_of_pair<'a>(frames: impl Iterator<Item = (&'a LocalFrame, &'a LocalFrame)>) -> Halvings {
+    let growth = median(&mut frames.map(|(left, right)| right.scale_px / left.scale_px).collect::<Vec<f64>>()).unwrap_or(1.0);
+    Halvings::of([[growth, 0.0], [0.0, growth]])
 }
 
 /// The rotation and enlargement that take the left frame to the right one.

@@ -146,8 +146,12 @@ messages! {
         Mirrored,
         /// The fiducial marks lie mirrored in the scan.
         MirroredMarks { side: Side },
-        /// The focal length is hardly known: it was estimated with the orientation.
+        /// The focal length is hardly known: it was estimated with the orientation, which determines it poorly.
         UnknownCamera,
+        /// The focal length that was given for a photo is another than what its file says.
+        ContradictedFocal { side: Side, given_px: f64, file_px: f64 },
+        /// The focal length of a photo is hardly one of its camera: in longer sides of the image, of which `least` to `most` are usual.
+        DoubtfulFocal { side: Side, sides: f64, least: f64, most: f64 },
         /// The matches agree better than those of two photographs ever do.
         Exact { sigma0_px: f64, least_px: f64 },
         /// The points reach farther from the axis than those of perspective cameras do: their root mean square distance from their middle, in
@@ -178,6 +182,8 @@ impl Warning {
             | Self::Mirrored
             | Self::MirroredMarks { .. }
             | Self::UnknownCamera
+            | Self::ContradictedFocal { .. }
+            | Self::DoubtfulFocal { .. }
             | Self::Exact { .. }
             | Self::WideAngle { .. }
             | Self::UncertainBase { .. }

@@ -2,10 +2,11 @@
 
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
+use crate::camera::{USUAL_FOCAL, contradict};
 use crate::error::refuse;
 use crate::{
     CameraMm, CameraUncertainty, Error, EstimatedCamera, Fiducial, Interior, Refusal, RelativeOrientation, Side, TwoView, TwoViewModel,
-    orient_fiducials,
+    Warning, orient_fiducials,
 };
 use serde::{Deserialize, Serialize};
 
@@ -25,12 +26,15 @@ pub struct PairInterior {
     pub left: Interior,
     pub right: Interior,
     pub focal_mm: f64,
+    /// What speaks against the focal lengths before anything is matched.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub doubt: Option<Warning>,
 }
 
 impl PairInterior {
     /// The same in photo axes turned by 90° anticlockwise.
     pub(super) fn turned(&self) -> Self {
-        Self { left: self.left.turned(), right: self.right.turned(), focal_mm: self.focal_mm }
+        Self { left: self.left.turned(), right: self.right.turned(), ..*self }
     }
 
     /// The interior orientation and the focal length in mm of either photo, as the orientation has estimated them where the cameras are not
@@ -60,7 +64,7 @@ impl PairInterior {
         let uncertainty = Some(CameraUncertainty::ASSUMED);
         let camera = CameraMm { uncertainty, ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
         let of = |(width, height)| Interior::from_pixel_size(&camera, width, height).ok();
-        Some(Self { left: of(left)?, right: of(right)?, focal_mm })
+        Some(Self { left: of(left)?, right: of(right)?, focal_mm, doubt: None })
     }
 }
 
@@ -83,15 +87,32 @@ pub(super) fn pair_interior(
         if photo.fiducials.is_empty() && camera.pixel_mm.is_none() {
             return Ok(Err(NoOrientation::NoPixelSize { side }));
         }
-        Ok(Ok((photo_interior(&camera, image.grey.width(), image.grey.height(), photo)?, camera.focal_mm)))
+        let (width, height) = (image.grey.width(), image.grey.height());
+        let own = photo_interior(&camera, width, height, photo)?;
+        // The focal length of a scan is that of its camera, whatever a scanner wrote.
+        let is_digital = photo.fiducials.is_empty();
+        let file = image.exif.filter(|exif| is_digital && input.camera.is_some() && !exif.is_panorama());
+        let file_px = file.and_then(|exif| Some(exif.focal_mm / exif.pixel_mm?));
+        let doubt = doubt_of(side, camera.focal_mm / own.pixel_mm(), file_px, is_digital.then_some(width.max(height)));
+        Ok(Ok((own, camera.focal_mm, doubt)))
     };
     Ok(match (of(Side::Left, left, &input.left)?, of(Side::Right, right, &input.right)?) {
-        (Ok((left, focal_mm)), Ok((right, right_focal))) => {
+        (Ok((left, focal_mm, left_doubt)), Ok((right, right_focal, right_doubt))) => {
             // Only directions matter: the right photo is taken to the focal length of the left one.
-            Ok(PairInterior { left, right: right.scaled(focal_mm / right_focal), focal_mm })
+            Ok(PairInterior { left, right: right.scaled(focal_mm / right_focal), focal_mm, doubt: left_doubt.or(right_doubt) })
         }
         (Err(reason), _) | (_, Err(reason)) => Err(reason),
     })
+}
+
+/// What speaks against the focal length of a photo in px: what its file says, or the longer side of its image in px where that is whole.
+fn doubt_of(side: Side, focal_px: f64, file_px: Option<f64>, longer_px: Option<usize>) -> Option<Warning> {
+    if let Some(file_px) = file_px.filter(|file_px| contradict(focal_px, *file_px)) {
+        return Some(Warning::ContradictedFocal { side, given_px: focal_px, file_px });
+    }
+    let [least, most] = USUAL_FOCAL;
+    let sides = focal_px / longer_px? as f64;
+    (!(least..=most).contains(&sides)).then_some(Warning::DoubtfulFocal { side, sides, least, most })
 }
 
 /// Refuses marks that cannot have been measured in the image.
@@ -121,5 +142,46 @@ pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &Ph
     match photo.origin {
         Some(origin) => refuse(Refusal::LoneOrigin { origin: format!("{origin:?}") }),
         None => Interior::from_pixel_size(camera, width, height),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{CameraOrigin, ExifCamera, GreyImage};
+
+    /// What speaks against a camera of this focal length in px, given for photos of 640 x 480 px whose files say 600 px.
+    fn doubt(focal_px: f64, exif: Option<&ExifCamera>, marks: bool) -> Option<Warning> {
+        let grey = GreyImage::from_fn(640, 480, |_, _| 0).unwrap();
+        let image = |exif| PairImage { grey: grey.view(), exif, mask: None };
+        let mark = |col: f64, row: f64| Fiducial { col, row, x_mm: 0.01 * col, y_mm: -0.01 * row };
+        let fiducials = if marks { vec![mark(0.0, 0.0), mark(640.0, 0.0), mark(0.0, 480.0), mark(640.0, 480.0)] } else { Vec::new() };
+        let photo = PhotoInput { fiducials, ..PhotoInput::default() };
+        let camera = Some(CameraMm::without_distortion(0.01 * focal_px, Some(0.01)));
+        let input = PairInput { camera, left: photo.clone(), right: photo, offset: None };
+        pair_interior(image(None), image(exif), &input).unwrap().unwrap().doubt
+    }
+
+    #[test]
+    fn a_given_focal_length_is_compared_with_what_the_file_says() {
+        let file = ExifCamera { focal_mm: 6.0, pixel_mm: Some(0.01), origin: CameraOrigin::ExifFocalPlane, ..ExifCamera::default() };
+        let contradicted = |given_px| Some(Warning::ContradictedFocal { side: Side::Right, given_px, file_px: 600.0 });
+        for (given_px, expected) in
+            [(600.0, None), (690.0, None), (520.0, None), (1200.0, contradicted(1200.0)), (300.0, contradicted(300.0))]
+        {
+            assert_eq!(doubt(given_px, Some(&file), false), expected, "{given_px}");
+        }
+        // A scan is of a camera that its file does not know; what names no pixel, or a panorama, says nothing.
+        assert_eq!(doubt(1200.0, Some(&file), true), None);
+        assert_eq!(doubt(1200.0, Some(&ExifCamera { pixel_mm: None, ..file.clone() }), false), None);
+        assert_eq!(doubt(1200.0, Some(&ExifCamera { origin: CameraOrigin::Panorama, ..file }), false), None);
+        assert_eq!(doubt(1200.0, None, false), None);
+    }
+
+    #[test]
+    fn a_focal_length_of_no_camera_is_doubted() {
+        let doubtful = |sides| Some(Warning::DoubtfulFocal { side: Side::Left, sides, least: 0.3, most: 20.0 });
+        assert_eq!((doubt(160.0, None, false), doubt(16_000.0, None, false)), (doubtful(0.25), doubtful(25.0)));
+        assert_eq!((doubt(256.0, None, false), doubt(6400.0, None, false)), (None, None));
     }
 }

@@ -1,10 +1,11 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
 use super::Remark;
-use crate::camera::camera_label;
+use crate::camera::{USUAL_FOCAL, camera_label, contradict, is_near};
 use crate::error::refuse;
 use crate::{Camera, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, Refusal, parse_camera_rules};
 use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
 
 /// A camera before its calibration.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -46,9 +47,6 @@ pub struct CameraRules(Vec<CameraRule>);
 /// Names of images that a refusal shows.
 const SHOWN: usize = 2;
 
-/// Focal lengths in longer sides of the image, between which those of cameras are.
-const USUAL_FOCAL: [f64; 2] = [0.3, 20.0];
-
 impl CameraRules {
     /// Reads a file of cameras; without one there are none.
     ///
@@ -84,19 +82,73 @@ impl CameraRules {
     }
 
     /// The cameras of images with these names, sizes in px and EXIF, and the index of each image's own. Images of one make, model, focal
-    /// length, size and recorded lens are of one camera, and so are those of one rule and size.
+    /// length, size and recorded lens are of one camera, and so are those of one rule and size. Constants count as one to within what
+    /// rounding in files changes. The order of the images decides the order of the cameras and nothing else.
     pub fn group<'a>(&self, images: impl Iterator<Item = (&'a str, [u32; 2], &'a ExifImage)>) -> (Vec<InitialCamera>, Vec<usize>) {
-        let mut found: Vec<(Option<usize>, InitialCamera)> = Vec::new();
-        let mut of = Vec::new();
-        for (name, size, exif) in images {
-            let own = self.camera_of(name, size, exif);
-            let index = found.iter().position(|other| *other == own).unwrap_or(found.len());
-            if index == found.len() {
-                found.push(own);
+        let own: Vec<OwnCamera> = images.map(|(name, size, exif)| OwnCamera::new(self.camera_of(name, size, exif), exif)).collect();
+        let mut order: Vec<usize> = (0..own.len()).collect();
+        order.sort_by(|a, b| own[*a].order(&own[*b]));
+        // Each is compared with the first of a camera, so that no chain of small steps joins cameras.
+        let (mut firsts, mut first_of): (Vec<usize>, Vec<usize>) = (Vec::new(), vec![0; own.len()]);
+        for k in order {
+            let first = firsts.iter().copied().find(|first| own[*first].is_same(&own[k])).unwrap_or(k);
+            if first == k {
+                firsts.push(k);
             }
-            of.push(index);
+            first_of[k] = first;
         }
-        (found.into_iter().map(|(_, camera)| camera).collect(), of)
+        let mut met: Vec<usize> = Vec::new();
+        let of = first_of.iter().map(|first| {
+            met.iter().position(|known| known == first).unwrap_or_else(|| {
+                met.push(*first);
+                met.len() - 1
+            })
+        });
+        let of: Vec<usize> = of.collect();
+        (met.into_iter().map(|first| own[first].camera.clone()).collect(), of)
+    }
+}
+
+/// The camera of one image, with what tells it from others.
+struct OwnCamera {
+    camera: InitialCamera,
+    rule: Option<usize>,
+    /// Make, model and size; without the focal length, which a label rounds.
+    name: String,
+    /// Focal length in px and mm and side of a pixel, below 0 where they are unknown; principal point in px, radial and tangential distortion.
+    constants: [f64; 10],
+}
+
+impl OwnCamera {
+    fn new((rule, camera): (Option<usize>, InitialCamera), exif: &ExifImage) -> Self {
+        const UNKNOWN: f64 = -1.0;
+        let size = [camera.width_px, camera.height_px];
+        let focal_mm = exif.camera.as_ref().filter(|camera| rule.is_none() && !camera.is_panorama()).map(|camera| camera.focal_mm);
+        let [focal_px, focal_mm, pixel_mm] = [camera.focal_px, focal_mm, camera.pixel_mm].map(|known| known.unwrap_or(UNKNOWN));
+        let ([x, y], [k1, k2, k3], [p1, p2]) = (camera.principal_point_px, camera.radial, camera.tangential);
+        let name = match rule {
+            Some(_) => String::new(),
+            None => camera_label(exif.make.as_deref(), exif.model.as_deref(), None, size),
+        };
+        Self { rule, name, constants: [focal_px, focal_mm, pixel_mm, x, y, k1, k2, k3, p1, p2], camera }
+    }
+
+    /// What must be equal.
+    fn kind(&self) -> (Option<usize>, &str, [u32; 2], bool) {
+        (self.rule, &self.name, [self.camera.width_px, self.camera.height_px], self.camera.fixed)
+    }
+
+    fn order(&self, other: &Self) -> Ordering {
+        let constants = self.constants.iter().zip(&other.constants).map(|(a, b)| a.total_cmp(b));
+        self.kind().cmp(&other.kind()).then_with(|| constants.fold(Ordering::Equal, Ordering::then))
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        let side = f64::from(self.camera.width_px.max(self.camera.height_px));
+        let [focal_px, focal_mm, pixel_mm, ..] = self.constants;
+        let units = [focal_px, focal_mm, pixel_mm, side, side, 1.0, 1.0, 1.0, 1.0, 1.0];
+        let constants = self.constants.iter().zip(&other.constants).zip(units);
+        self.kind() == other.kind() && constants.into_iter().all(|((a, b), unit)| is_near(*a, *b, unit))
     }
 }
 
@@ -152,6 +204,23 @@ pub(super) fn doubtful(cameras: &[InitialCamera]) -> impl Iterator<Item = Remark
     })
 }
 
+/// Given cameras whose focal length is another than what the files of their images say, each once, with these images.
+pub(super) fn contradicted<'a>(
+    rules: &CameraRules,
+    images: impl Iterator<Item = (&'a str, [u32; 2], &'a ExifImage)>,
+) -> impl Iterator<Item = Remark> {
+    let mut found: Vec<(String, [f64; 2], Vec<String>)> = Vec::new();
+    for (name, size, exif) in images.filter(|(name, ..)| rules.fits(name)) {
+        let InitialCamera { label, focal_px, .. } = rules.camera_of(name, size, exif).1;
+        let Some(both) = focal_px.zip(of_exif(size, exif).focal_px).filter(|(given, file)| contradict(*given, *file)) else { continue };
+        match found.iter_mut().find(|(known, ..)| *known == label) {
+            Some((.., images)) => images.push(name.to_string()),
+            None => found.push((label, both.into(), vec![name.to_string()])),
+        }
+    }
+    found.into_iter().map(|(label, [focal_px, file_px], images)| Remark::ContradictedFocal { label, focal_px, file_px, images })
+}
+
 /// A camera as the matching of a pair takes it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct PairCamera {
@@ -192,6 +261,56 @@ mod tests {
         let labels: Vec<&str> = cameras.iter().map(|camera| camera.label.as_str()).collect();
         assert_eq!(labels, ["DJI FC220, 4.5 mm, 400 x 300 px", "DJI FC220, 4.5 mm, 300 x 400 px", "Canon EOS, 35 mm, 400 x 300 px"]);
         assert_eq!(cameras[0].focal_px, Some(900.0));
+    }
+
+    #[test]
+    fn an_image_that_was_saved_again_shares_the_camera_of_the_others() {
+        let size = [400, 300];
+        let focal = |focal_mm: f64| exif("DJI", "FC220", focal_mm);
+        // 4.4995 mm is where labels round to another thousandth.
+        let images = [focal(4.4995), focal(4.4995 * (1.0 - 5e-9)), focal(4.6), focal(4.4995 * (1.0 + 5e-9))];
+        let grouped = |order: &[usize]| {
+            let (cameras, of) = CameraRules::default().group(order.iter().map(|k| ("a", size, &images[*k])));
+            // The camera of each image, whatever the order.
+            let mut focal = vec![0.0; images.len()];
+            order.iter().zip(of).for_each(|(k, camera)| focal[*k] = cameras[camera].focal_px.unwrap());
+            (cameras.len(), focal)
+        };
+        let (count, focal_px) = grouped(&[0, 1, 2, 3]);
+        assert_eq!((count, focal_px[0] == focal_px[1], focal_px[0] == focal_px[3]), (2, true, true));
+        for order in [[3, 2, 1, 0], [1, 3, 0, 2], [2, 0, 3, 1]] {
+            assert_eq!(grouped(&order), (count, focal_px.clone()), "{order:?}");
+        }
+    }
+
+    #[test]
+    fn a_given_focal_length_that_the_files_contradict_is_told() {
+        // 4.5 mm of 0.005 mm pixels are 900 px.
+        let told = |focal_px: f64| -> Vec<String> {
+            let rules = format!(r#"{{"cameras": [{{"images": "DJI*", "focal_px": {focal_px}}}]}}"#);
+            let (own, none) = (exif("DJI", "FC220", 4.5), ExifImage::default());
+            let images =
+                [("DJI_1", [1200, 900], &own), ("DJI_2", [1200, 900], &none), ("DJI_3", [1200, 900], &own), ("x", [1200, 900], &own)];
+            contradicted(&CameraRules::read(Some(&rules)).unwrap(), images.into_iter()).map(|remark| remark.to_string()).collect()
+        };
+        assert_eq!(
+            told(450.0),
+            ["the focal length of DJI*, 1200 x 900 px is given as 450.0 px, where the files of these images say 900.0 px: DJI_1, DJI_3"]
+        );
+        assert_eq!((told(800.0), told(1000.0)), (vec![], vec![]));
+    }
+
+    #[test]
+    fn small_steps_do_not_join_cameras_and_real_differences_part_them() {
+        let chain: Vec<ExifImage> = (0..40).map(|k| exif("DJI", "FC220", 4.5 * (1.0 + 5e-6 * f64::from(k)))).collect();
+        let (cameras, of) = CameraRules::default().group(chain.iter().map(|exif| ("a", [400, 300], exif)));
+        assert!((10..=20).contains(&cameras.len()), "{}", cameras.len());
+        assert!(of[0] == of[1] && of[0] != of[39]);
+        let mut unknown = exif("DJI", "FC220", 4.5);
+        unknown.camera.as_mut().unwrap().pixel_mm = None;
+        let apart = [exif("DJI", "FC220", 4.5), exif("DJI", "FC220", 4.501), unknown, exif("DJI", "FC221", 4.5)];
+        let (cameras, _) = CameraRules::default().group(apart.iter().map(|exif| ("a", [400, 300], exif)));
+        assert_eq!(cameras.len(), 4);
     }
 
     #[test]

@@ -15,6 +15,8 @@ messages! {
         /// A focal length that hardly is one in px. `label`: of the camera; `sides`: the focal length in longer sides of the image, of which
         /// `least` to `most` are usual; `in_mm`: whether it is small enough to be one in mm.
         DoubtfulFocal { label: String, focal_px: f64, sides: f64, least: f64, most: f64, in_mm: bool },
+        /// The given focal length of a camera is another than what the files of these images say.
+        ContradictedFocal { label: String, focal_px: f64, file_px: f64, images: Vec<String> },
         /// What speaks against the camera that files name.
         CautionedCameras { camera_caution: CameraCaution, images: Vec<String> },
         /// GNSS positions, or their heights, that cannot be.

@@ -1,6 +1,6 @@
 //! What a run knows, from stage to stage.
 
-use super::cameras::doubtful;
+use super::cameras::{contradicted, doubtful};
 use super::control::gnss_observation;
 use super::input::{Checked, RunInput};
 use super::system::{check_near, system_of};
@@ -105,6 +105,8 @@ impl State {
         let unknown = self.input.control.iter_mut().map(|control| std::mem::take(&mut control.unknown_columns));
         self.remarks.extend(unknown.filter(|columns| !columns.is_empty()).map(|columns| Remark::UnknownColumns { columns }));
         self.remarks.extend(doubtful(&self.cameras));
+        let known = self.images.iter().map(|image| (image.name.as_str(), [image.width_px, image.height_px], &image.exif));
+        self.remarks.extend(contradicted(&self.input.rules, known));
         self.remarks.extend(self.cautioned_cameras());
         self.remarks.extend(self.impossible_positions());
         self.describe()

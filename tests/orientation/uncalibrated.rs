@@ -46,7 +46,7 @@ fn check(uncertainty: CameraUncertainty, least: f64, beside: f64) {
         let seen_by = Interior::from_pixel_size(&true_camera, SIZE_PX, SIZE_PX).unwrap();
         let known = |camera: &CameraMm| {
             let side = Interior::from_pixel_size(camera, SIZE_PX, SIZE_PX).unwrap();
-            PairInterior { left: side, right: side, focal_mm: FOCAL_MM }
+            PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None }
         };
         let scale = focal_mm / FOCAL_MM;
         let seen = NADIR.observe(600, 0.02, 80_000 + set);

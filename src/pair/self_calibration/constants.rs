@@ -1,6 +1,6 @@
 //! The constants of the cameras: what is known of them before, and what they do to the rays.
 
-use crate::camera::{CameraUncertainty, Interior};
+use crate::camera::{CameraUncertainty, Interior, is_near};
 use crate::orientation::{MODES, Ray};
 use crate::pair::geometry::PairInterior;
 use nalgebra::DVector;
@@ -34,11 +34,20 @@ pub fn cameras_of(given: &PairInterior) -> usize {
     if is_one_camera(given) { 1 } else { 2 }
 }
 
-/// Whether both photos are of one camera, as far as is known.
-fn is_one_camera(PairInterior { left, right, .. }: &PairInterior) -> bool {
-    let known =
-        |side: &Interior| (side.parameters, side.principal_point_mm, side.radial_distortion, side.tangential_distortion, side.uncertainty);
-    known(left) == known(right)
+/// Whether both photos are of one camera, as far as is known: to within what rounding in their files changes.
+fn is_one_camera(PairInterior { left, right, focal_mm, .. }: &PairInterior) -> bool {
+    let near = |a: &[f64], b: &[f64], unit: f64| a.iter().zip(b).all(|(a, b)| is_near(*a, *b, unit));
+    // Pixels in units of their side, all else in focal lengths.
+    let rows = || left.parameters.iter().zip(&right.parameters);
+    let pixels = rows().all(|(a, b)| near(&a[..2], &b[..2], left.pixel_mm()) && near(&a[2..], &b[2..], *focal_mm));
+    let (f, f2) = (*focal_mm, focal_mm * focal_mm);
+    let radial = [1.0 / f2, 1.0 / (f2 * f2), 1.0 / (f2 * f2 * f2)];
+    let terms = left.radial_distortion.iter().zip(&right.radial_distortion).zip(radial);
+    pixels
+        && near(&left.principal_point_mm, &right.principal_point_mm, f)
+        && terms.into_iter().all(|((a, b), unit)| is_near(*a, *b, unit))
+        && near(&left.tangential_distortion, &right.tangential_distortion, 1.0 / f)
+        && left.uncertainty == right.uncertainty
 }
 
 /// Prior standard deviations of the constants, those of the left camera first. A camera that is known without error beside one that is not has none that
@@ -70,6 +79,7 @@ pub fn with_constants(given: &PairInterior, values: &DVector<f64>, cameras: usiz
         // Both photos are taken to the focal length of the left one.
         right: changed(&given.right, right).scaled(libm::exp(values[0] - values[right])),
         focal_mm: given.focal_mm * libm::exp(values[0]),
+        ..*given
     }
 }
 
@@ -100,4 +110,39 @@ pub fn effects(positions: &[[f64; 4]], given: &PairInterior, values: &DVector<f6
         at(1.0).iter().zip(&at(-1.0)).map(difference).collect()
     };
     (0..cameras * CAMERA).map(by_constant).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::CameraMm;
+
+    /// A photo of 1200 x 800 px by a camera of this focal length, at that of the left one.
+    fn photo(focal_mm: f64, principal_x_mm: f64, k1: f64, uncertainty: CameraUncertainty) -> Interior {
+        let camera = CameraMm {
+            principal_point_mm: [principal_x_mm, 0.0],
+            radial_distortion: [k1, 0.0, 0.0],
+            uncertainty: Some(uncertainty),
+            ..CameraMm::without_distortion(focal_mm, Some(0.004))
+        };
+        Interior::from_pixel_size(&camera, 1200, 800).unwrap().scaled(4.5 / focal_mm)
+    }
+
+    #[test]
+    fn an_image_that_was_saved_again_is_of_one_camera_with_the_others() {
+        let known = CameraUncertainty::EXIF;
+        let left = photo(4.5, 0.01, 1e-3, known);
+        let cameras = |right: Interior| cameras_of(&PairInterior { left, right, focal_mm: 4.5, doubt: None });
+        assert_eq!(cameras(left), 1);
+        assert_eq!(cameras(photo(4.5 * (1.0 + 5e-9), 0.01 + 1e-9, 1e-3 + 1e-10, known)), 1);
+        assert_eq!(cameras(photo(4.5 * (1.0 - 2e-6), 0.01, 1e-3, known)), 1);
+        for other in [
+            photo(4.5 * 1.0001, 0.01, 1e-3, known),
+            photo(4.5, 0.0105, 1e-3, known),
+            photo(4.5, 0.01, 1.01e-3, known),
+            photo(4.5, 0.01, 1e-3, CameraUncertainty::GIVEN),
+        ] {
+            assert_eq!(cameras(other), 2, "{other:?}");
+        }
+    }
 }

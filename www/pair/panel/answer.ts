@@ -93,7 +93,7 @@ function figuresWithout(state: State): Figure[] {
 
 /** Warnings that another camera would answer. */
 function asksForCamera({ kind }: Warning): boolean {
-  return kind === 'unknown_camera' || kind === 'focal_length' || kind === 'wide_angle';
+  return ['unknown_camera', 'focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal'].includes(kind);
 }
 
 function nextWithout(state: State, actions: AnswerActions): Next {
