@@ -25,6 +25,8 @@ mod block_report;
 mod build_digest;
 #[path = "catalogue.rs"]
 mod catalogue;
+#[path = "confidence.rs"]
+mod confidence;
 #[path = "coordinate_system.rs"]
 mod coordinate_system;
 #[path = "decode.rs"]
