@@ -42,9 +42,9 @@ mod wasm;
 
 pub use adjustment::{
     AdjustmentOptions, AdjustmentResult, AxisPrior, Block, BlockImage, BlockObservation, CameraPrior, CameraStatistics, ControlPoint,
-    Datum, FixedParameter, GroupWeighting, ImageStatistics, LeftOut, Loss, ObjectPointStatistics, ObservationGroup, ObservationStatistics,
-    ObservationVerdict, PositionPrior, PriorStatistics, RayCountRmse, Similarity, Strip, SystematicError, SystematicResult,
-    SystematicStatistics, SystematicVerdict, VarianceComponent, adjust_block,
+    Datum, Factors95, FixedParameter, GroupWeighting, ImageStatistics, LeftOut, Loss, ObjectPointStatistics, ObservationGroup,
+    ObservationStatistics, ObservationVerdict, PositionPrior, PriorStatistics, RayCountRmse, Similarity, Strip, SystematicError,
+    SystematicResult, SystematicStatistics, SystematicVerdict, VarianceComponent, adjust_block, ellipsoid_semi_axes,
 };
 pub use camera::{
     Attitude, Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, DroneRecord, ExifCamera, ExifImage, ExifPosition, Fiducial,

@@ -135,6 +135,21 @@ fn a_report_has_the_figures_of_the_other_files() {
     let camera = &adjusted.cameras[0];
     assert_eq!(camera.correlations.len(), camera.standard_errors.iter().flatten().count());
     assert_eq!(html.contains("Correlations of the estimated parameters"), camera.correlations.len() > 1);
+    // Intervals by Student's distribution, ellipses and ellipsoids by F.
+    let factors = adjusted.factors_95().unwrap();
+    assert!(
+        html.contains(&format!("{} and {} times the standard ones", number(factors.ellipse, 2), number(factors.ellipsoid, 2))),
+        "{html}"
+    );
+    assert!(html.contains(&format!("95 % of cases, {} times the standard error ellipses", number(factors.ellipse, 2))));
+    let precision = row(html, "Standard errors of projection centres", "X₀");
+    let half_width = html[html.find("Standard errors of projection centres").unwrap()..].split("± ").nth(2).unwrap().split('<').next();
+    let errors: Vec<f64> = precision.iter().map(|cell| cell.trim().parse().unwrap()).collect();
+    let ratio = half_width.unwrap().parse::<f64>().unwrap() / errors[0];
+    assert!((ratio / factors.interval - 1.0).abs() < 0.01, "{ratio} {factors:?}");
+    for part in ["Longest semi-axes of the 95 % ellipsoids", "The points with the longest 95 % ellipsoids", "The largest influences"] {
+        assert!(html.contains(part), "no {part}");
+    }
     for part in ["it has no tie points", "broken.pgm", "Mean residuals over the image", "redundancy number r"] {
         assert!(html.contains(part), "no {part}");
     }
@@ -158,7 +173,9 @@ fn a_report_shows_what_control_and_check_points_say() {
     let index = model.adjusted.block.control.iter().position(|control| control.point == place).unwrap();
     let statistics = model.adjusted.control[index].unwrap();
     let (w, r) = (number(statistics.w.unwrap()[2], 2), number(statistics.redundancy.unwrap()[2], 3));
-    assert_eq!((cells.len(), cells[0], cells[6], cells[9]), (14, worst.rays.to_string().as_str(), w.as_str(), r.as_str()));
+    assert_eq!((cells.len(), cells[0], cells[6], cells[9]), (18, worst.rays.to_string().as_str(), w.as_str(), r.as_str()));
+    let moves = cells[13].parse::<f64>().unwrap() / statistics.moves[0].unwrap();
+    assert!((moves - 1.0).abs() < 0.006, "{cells:?} {moves}");
     let alone = model.surveyed.iter().filter_map(|point| point.left_out);
     let alone =
         alone.max_by(|a, b| a.difference.map(|d| d * d).iter().sum::<f64>().total_cmp(&b.difference.map(|d| d * d).iter().sum())).unwrap();

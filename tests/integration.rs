@@ -27,6 +27,8 @@ mod block_report;
 mod build_digest;
 #[path = "catalogue.rs"]
 mod catalogue;
+#[path = "confidence.rs"]
+mod confidence;
 #[path = "control_errors.rs"]
 mod control_errors;
 #[path = "coordinate_system.rs"]

@@ -3,9 +3,9 @@
 use super::block::{Block, BlockObservation};
 use super::check::check_block;
 use super::left_out::{Known, left_out};
-use super::options::AdjustmentOptions;
+use super::options::{AdjustmentOptions, Datum};
 use super::precision::{Matrix3, image_errors};
-use super::reliability::{Scale, of_position};
+use super::reliability::{Judged, Scale, of_position};
 use super::result::{
     AdjustmentResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PriorStatistics,
 };
@@ -13,7 +13,7 @@ use super::scale::error_left;
 use super::snooping::{Settled, settle};
 use super::sparse::Block6;
 use super::squares::{Squares, Sums};
-use super::statistics::{Statistics, correlation, correlations_of_position};
+use super::statistics::{Statistics, correlation, correlations_of_point, correlations_of_position};
 use super::systematic::SystematicErrors;
 use super::systematic_result::SystematicResult;
 use super::weighted::observed;
@@ -204,20 +204,28 @@ impl<'a> Description<'a> {
 
     fn point(&self, point: usize, squares: Squares) -> Option<ObjectPointStatistics> {
         let q = self.total.as_ref().and_then(|total| total.points[point]);
-        let errors = q.map(|q| [0, 1, 2].map(|k| self.unit_error * q[k][k].max(0.0).sqrt()));
-        (squares.rays > 0).then(|| ObjectPointStatistics { rays: squares.rays, rmse_px: squares.rmse(), errors })
+        (squares.rays > 0).then(|| ObjectPointStatistics {
+            rays: squares.rays,
+            rmse_px: squares.rmse(),
+            errors: q.map(|q| [0, 1, 2].map(|k| self.unit_error * q[k][k].max(0.0).sqrt())),
+            correlations: q.as_ref().map(correlations_of_point),
+        })
     }
 
     fn ray(&self, ray: usize) -> ObservationStatistics {
         let judged = self.settled.statistics.as_ref().and_then(|s| s.rays[ray]);
         let w = |standardised: f64| if self.sigma > 0.0 { standardised / self.sigma } else { 0.0 };
+        let weight = self.settled.block.rays[ray].weight;
+        let of_both = |of: &dyn Fn(&Judged) -> Option<f64>| judged.as_ref().map_or([None; 2], |[column, row]| [of(column), of(row)]);
+        let moves = |one: &Judged| Some(one.moves * self.scale().detectable(weight, one.redundancy)?).filter(|moves| moves.is_finite());
         ObservationStatistics {
             verdict: self.settled.verdicts[ray],
             residual_px: self.residuals[ray],
             redundancy: judged.map(|j| j.map(|j| j.redundancy)),
             w: judged.map(|j| j.map(|j| w(j.standardised))),
-            detectable_px: judged
-                .map_or([None; 2], |j| j.map(|j| self.scale().detectable(self.settled.block.rays[ray].weight, j.redundancy))),
+            detectable_px: of_both(&|one| self.scale().detectable(weight, one.redundancy)),
+            influence: of_both(&|one| self.scale().influence(one.redundancy)),
+            moves_point: if self.options.datum == Datum::Free { [None; 2] } else { of_both(&moves) },
         }
     }
 }

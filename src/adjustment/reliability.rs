@@ -5,7 +5,7 @@
 
 use super::collinearity::{Linearised, linearise};
 use super::precision::{Cofactors, Matrix3, PointCofactors};
-use super::reduced::forward3;
+use super::reduced::{backward3, forward3};
 use super::result::PriorStatistics;
 use super::sparse::{Block6, N};
 use super::state::State;
@@ -20,6 +20,8 @@ pub(super) struct Judged {
     pub redundancy: f64,
     /// Residual by √q_vv, in px of weight 1: w times σ.
     pub standardised: f64,
+    /// How far its object point moves by an error of the coordinate, in units of the block by px; not a number where that is not known.
+    pub moves: f64,
 }
 
 impl Judged {
@@ -29,7 +31,26 @@ impl Judged {
         let spread = 1.0 + weight * cofactor * (1.0 - 2.0 * factor);
         let redundancy = if factor > 0.0 { 1.0 - weight * factor * cofactor } else { 1.0 / (1.0 + weight * cofactor) };
         let standardised = if spread > LEAST_REDUNDANCY { residual * (weight / spread).sqrt() } else { 0.0 };
-        Self { redundancy: redundancy.clamp(0.0, 1.0), standardised }
+        Self { redundancy: redundancy.clamp(0.0, 1.0), standardised, moves: f64::NAN }
+    }
+}
+
+/// What a computed coordinate has in common with what is estimated.
+struct Computed {
+    /// Its own cofactor.
+    cofactor: f64,
+    /// Its cofactors with X, Y, Z of its point; absent where they are not known.
+    with_point: Option<[f64; 3]>,
+}
+
+impl Computed {
+    /// Of an observed coordinate of a residual and a weight, which took part with a factor of it or, with 0, did not.
+    fn judged(&self, residual: f64, weight: f64, factor: f64) -> Judged {
+        let judged = Judged::new(residual, weight, factor, self.cofactor);
+        // An error of what took no part would move the point by as much as if it had.
+        let gain = if factor > 0.0 { weight * factor } else { weight * judged.redundancy };
+        let length = |q: [f64; 3]| q.iter().map(|q| q * q).sum::<f64>().sqrt();
+        Judged { moves: self.with_point.map_or(f64::NAN, |q| gain * length(q)), ..judged }
     }
 }
 
@@ -50,8 +71,8 @@ impl Judgement<'_> {
         let judge = |(k, sight): (usize, &super::network::Sight)| {
             let (camera, image) = (sight.camera as usize, sight.image as usize);
             let line = self.line(camera, image, point);
-            let cofactors = self.of_computed(&line, camera, image, point, common, Some(&common.of_sights[k]));
-            [0, 1].map(|row| Judged::new(sight.at[row] - line.at[row], sight.weight, factors[k], cofactors[row]))
+            let computed = self.of_computed(&line, camera, image, point, common, Some(&common.of_sights[k]));
+            [0, 1].map(|row| computed[row].judged(sight.at[row] - line.at[row], sight.weight, factors[k]))
         };
         network.of_point(point).iter().enumerate().map(judge).collect()
     }
@@ -60,12 +81,12 @@ impl Judgement<'_> {
     pub fn of_outsider(&self, ray: &super::block::BlockObservation, camera: usize, common: &PointCofactors) -> [Judged; 2] {
         let line = self.line(camera, ray.image, ray.point);
         let with_point = self.cofactors.of_outsider(ray.point, ray.image);
-        let cofactors = self.of_computed(&line, camera, ray.image, ray.point, common, with_point.as_ref());
+        let computed = self.of_computed(&line, camera, ray.image, ray.point, common, with_point.as_ref());
         let at = [ray.x_px, ray.y_px];
-        [0, 1].map(|row| Judged::new(at[row] - line.at[row], ray.weight, 0.0, cofactors[row]))
+        [0, 1].map(|row| computed[row].judged(at[row] - line.at[row], ray.weight, 0.0))
     }
 
-    /// Cofactors of a computed column and row. `with_point` is what the image has in common with the images of the point: point and image
+    /// A computed column and row. `with_point` is what the image has in common with the images of the point: point and image
     /// carry the datum alike, so that without it only the point's own share can be told, as if orientations were known.
     fn of_computed(
         &self,
@@ -75,22 +96,26 @@ impl Judgement<'_> {
         point: usize,
         common: &PointCofactors,
         with_point: Option<&[f64; 18]>,
-    ) -> [f64; 2] {
+    ) -> [Computed; 2] {
         let factor = &self.cofactors.reduced.points[point].factor;
         let f = [0, 1].map(|row| forward3(factor, line.by_point[row]));
-        let Some(with_point) = with_point else { return f.map(|f| f.iter().map(|v| v * v).sum()) };
+        let Some(with_point) = with_point else {
+            return f.map(|f| Computed { cofactor: f.iter().map(|v| v * v).sum(), with_point: None });
+        };
         let own = self.cofactors.of_images(image, image);
         let columns = &self.cofactors.problem.columns.of_camera[camera];
         [0, 1].map(|row| {
             let mut h = form3(&f[row], &common.middle) + self.of_orientation(line, row, image, columns, &own);
             // The point moves with images and cameras: twice the product of both.
-            for c in 0..3 {
+            let with_orientation = [0, 1, 2].map(|c| {
                 let t = &with_point[c * N..][..N];
                 let with_image: f64 = t.iter().zip(&line.by_image[row]).map(|(t, a)| t * a).sum();
                 let with_camera: f64 = columns.iter().map(|(p, column)| line.by_camera[row][*p] * common.of_columns[*column][c]).sum();
-                h -= 2.0 * f[row][c] * (with_image + with_camera);
-            }
-            h
+                with_image + with_camera
+            });
+            (0..3).for_each(|c| h -= 2.0 * f[row][c] * with_orientation[c]);
+            let halfway = [0, 1, 2].map(|c| (0..3).map(|k| common.middle[c][k] * f[row][k]).sum::<f64>() - with_orientation[c]);
+            Computed { cofactor: h, with_point: Some(backward3(factor, halfway)) }
         })
     }
 
@@ -128,6 +153,13 @@ impl Scale {
         let shift = self.shift * self.sigma / (weight * redundancy).sqrt();
         (redundancy > LEAST_REDUNDANCY && shift.is_finite()).then_some(shift)
     }
+
+    /// External reliability: no function of the unknowns changes by more than so many of its standard errors by the error of an observation that its test
+    /// just detects; `None` where nothing checks it.
+    pub fn influence(&self, redundancy: f64) -> Option<f64> {
+        let influence = self.shift * ((1.0 - redundancy) / redundancy).sqrt();
+        (redundancy > LEAST_REDUNDANCY && influence.is_finite()).then_some(influence)
+    }
 }
 
 /// Of an observed position with the cofactors of its adjusted coordinates, which took part or not.
@@ -138,14 +170,17 @@ pub(super) fn of_position(prior: &Weighted, at: &[f64; 3], cofactors: Option<[f6
     let factor = if accepted { 1.0 } else { 0.0 };
     let judge = |k: usize, q: f64| if is_observed[k] { Judged::new(residual[k], prior.weight[k], factor, q) } else { Judged::default() };
     let judged = cofactors.map(|q| [0, 1, 2].map(|k| judge(k, q[k])));
+    let observed = |of: &dyn Fn(usize, f64) -> Option<f64>| {
+        judged.map_or([None; 3], |j| [0, 1, 2].map(|k| if is_observed[k] { of(k, j[k].redundancy) } else { None }))
+    };
     PriorStatistics {
         accepted,
         residual,
         redundancy: judged.map(|j| j.map(|j| j.redundancy)),
         w: judged.map(|j| j.map(|j| if sigma > 0.0 { j.standardised / sigma } else { 0.0 })),
-        detectable: judged.map_or([None; 3], |j| {
-            [0, 1, 2].map(|k| if is_observed[k] { scale.detectable(prior.weight[k], j[k].redundancy) } else { None })
-        }),
+        detectable: observed(&|k, r| scale.detectable(prior.weight[k], r)),
+        influence: observed(&|_, r| scale.influence(r)),
+        moves: observed(&|k, r| Some((1.0 - r) * scale.detectable(prior.weight[k], r)?)),
         left_out: None,
     }
 }

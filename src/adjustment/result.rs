@@ -189,6 +189,12 @@ pub struct PriorStatistics {
     /// The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
     #[serde(default)]
     pub detectable: [Option<f64>; 3],
+    /// External reliability: no function of the unknowns changes by more than so many of its standard errors by an undetected error of that size.
+    #[serde(default)]
+    pub influence: [Option<f64>; 3],
+    /// How far an undetected error of that size moves the adjusted coordinate.
+    #[serde(default)]
+    pub moves: [Option<f64>; 3],
     /// Of a control point: its place by all other observations; absent where these do not determine it, and without statistics.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub left_out: Option<LeftOut>,
@@ -204,6 +210,9 @@ pub struct ObjectPointStatistics {
     pub rmse_px: f64,
     /// Standard errors of X, Y, Z; absent without statistics.
     pub errors: Option<[f64; 3]>,
+    /// Correlations of X with Y, of X with Z, of Y with Z; absent without statistics.
+    #[serde(default)]
+    pub correlations: Option<[f64; 3]>,
 }
 
 /// Why a ray takes part, or does not.
@@ -234,6 +243,12 @@ pub struct ObservationStatistics {
     /// The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
     #[serde(default)]
     pub detectable_px: [Option<f64>; 2],
+    /// External reliability: no function of the unknowns changes by more than so many of its standard errors by an undetected error of that size.
+    #[serde(default)]
+    pub influence: [Option<f64>; 2],
+    /// How far an undetected error of that size moves its object point; absent in a free network, where that depends on the inner constraints.
+    #[serde(default)]
+    pub moves_point: [Option<f64>; 2],
 }
 
 /// Residuals of the points of one number of rays.

@@ -41,7 +41,7 @@ mod tests {
     use super::*;
 
     fn judged(standardised: f64, redundancy: f64) -> Option<[Judged; 2]> {
-        Some([Judged { redundancy: 1e-8, standardised: 1e-4 }, Judged { redundancy, standardised }])
+        Some([Judged { redundancy: 1e-8, standardised: 1e-4, moves: 0.0 }, Judged { redundancy, standardised, moves: 0.0 }])
     }
 
     #[test]

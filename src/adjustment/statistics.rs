@@ -127,6 +127,11 @@ pub(super) fn correlations_of_position(cofactors: &Block6) -> [f64; 3] {
     [(3, 4), (3, 5), (4, 5)].map(|(row, column)| correlation(q(row, column), q(row, row), q(column, column)))
 }
 
+/// The same of an object point.
+pub(super) fn correlations_of_point(cofactors: &Matrix3) -> [f64; 3] {
+    [(0, 1), (0, 2), (1, 2)].map(|(row, column)| correlation(cofactors[row][column], cofactors[row][row], cofactors[column][column]))
+}
+
 /// Of two unknowns by their cofactors; 0 where one has no variance.
 pub(super) fn correlation(common: f64, first: f64, second: f64) -> f64 {
     let product = first * second;

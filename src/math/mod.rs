@@ -22,6 +22,6 @@ pub(crate) use null_space::null_space;
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
 pub(crate) use statistics::{MEDIAN_LENGTH, median, smallest, weighted_median};
-pub(crate) use student::{detectable_shift, f_limit, ln_choices, ln_f_above, student_limit, tau_limit, variance_left};
+pub(crate) use student::{detectable_shift, f_limit, joint_limit, ln_choices, ln_f_above, student_limit, tau_limit, variance_left};
 pub(crate) use vector::{cross, dot3, minus};
 pub(crate) use whole::Whole;

@@ -51,10 +51,26 @@ pub(crate) fn ln_f_above(ratio: f64, numerator: f64, denominator: f64) -> f64 {
 pub(crate) fn f_limit(above: f64, numerator: usize, denominator: Option<usize>) -> f64 {
     let numerator = numerator.max(1) as f64;
     let wanted = libm::log(above);
+    if numerator == 2.0 {
+        // ν (above^(-2/ν) - 1) / 2.
+        return denominator.map_or(-wanted, |denominator| {
+            let half = 0.5 * denominator.max(1) as f64;
+            half * libm::expm1(-wanted / half)
+        });
+    }
     denominator.map_or_else(
         || chi_square_quantile(1.0 - above, numerator) / numerator,
         |denominator| bisect(0.0, 1e12, |x| ln_f_above(x, numerator, denominator.max(1) as f64) > wanted),
     )
+}
+
+/// By how much the standard error ellipsoid of `unknowns` grows (a standard error for one, an ellipse for two) for all of them to lie in it with
+/// the probability 1 - `outside`: √(u F). `freedom`: degrees of freedom of the σ by which standard errors are; `None` where it is known.
+///
+/// # Source
+/// Scheffé 1959, The analysis of variance, 2.3.
+pub(crate) fn joint_limit(outside: f64, unknowns: usize, freedom: Option<usize>) -> f64 {
+    (unknowns as f64 * f_limit(outside, unknowns, freedom)).sqrt()
 }
 
 /// The natural logarithm of the number of choices of `k` out of `n`.
@@ -221,6 +237,33 @@ mod tests {
             assert!((got / wanted - 1.0).abs() < 1e-4, "{above} {numerator} {denominator:?}: {got}");
         }
         assert!((f_limit(0.001, 3, Some(1_000_000)) / f_limit(0.001, 3, None) - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn joint_limits_are_those_of_the_tables() {
+        // Student's two-sided limits; √(2 F) and √(3 F) of the F tables; √χ² where σ is known.
+        let table = [
+            (1, Some(1), 12.7062),
+            (1, Some(5), 2.570_582),
+            (1, None, 1.959_964),
+            (2, Some(1), (2.0_f64 * 199.5).sqrt()),
+            (2, Some(5), (2.0_f64 * 5.786_14).sqrt()),
+            (2, Some(120), (2.0_f64 * 3.071_8).sqrt()),
+            (2, None, 5.991_465_f64.sqrt()),
+            (3, Some(1), (3.0_f64 * 215.7073).sqrt()),
+            (3, Some(5), (3.0_f64 * 5.409_45).sqrt()),
+            (3, None, 7.814_728_f64.sqrt()),
+        ];
+        for (unknowns, freedom, wanted) in table {
+            let got = joint_limit(0.05, unknowns, freedom);
+            assert!((got / wanted - 1.0).abs() < 2e-5, "{unknowns} {freedom:?}: {got} {wanted}");
+        }
+        for freedom in [1, 7, 400] {
+            assert!((joint_limit(0.01, 1, Some(freedom)) / student_limit(0.01, freedom) - 1.0).abs() < 1e-9, "{freedom}");
+            // Two numerator degrees of freedom in closed form, as the incomplete beta function has them.
+            let ratio = f_limit(0.05, 2, Some(freedom));
+            assert!((libm::exp(ln_f_above(ratio, 2.0, freedom as f64)) / 0.05 - 1.0).abs() < 1e-9, "{freedom}");
+        }
     }
 
     #[test]

@@ -16,7 +16,7 @@ use super::robust_start::median_parallax;
 use super::warning::{condition, parallax_beside_rotation, spread, warnings};
 use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared_covariance};
 use crate::Error;
-use crate::math::{chi_square_quantile, normal_quantile, student_limit};
+use crate::math::{chi_square_quantile, joint_limit, normal_quantile, student_limit};
 
 /// Orients the right photo relative to the left one, which stays fixed: ω φ κ, by and bz for a given b.
 ///
@@ -196,7 +196,7 @@ impl Outcome {
             parallax_beside_rotation_mm: beside_rotation * focal_mm,
             warnings,
             base_ellipse_mm: ellipse,
-            base_ellipse_95_mm: ellipse.map(|ellipse| ellipse.scaled(joint_limit(freedom))),
+            base_ellipse_95_mm: ellipse.map(|ellipse| ellipse.scaled(joint_limit(0.05, 2, freedom))),
             noncentrality: Some(noncentrality).filter(|shift| shift.is_finite()),
             residuals_mm: observed.rays.iter().zip(conditions).map(|(ray, condition)| correction(ray, condition, focal_mm)).collect(),
             points: self.points((observed.weights, conditions), sigma.unwrap_or(0.0), &propagated, (noncentrality, options.method)),
@@ -243,19 +243,6 @@ impl Outcome {
 /// The correction of an observation's coordinates, in mm.
 fn correction(ray: &Ray, condition: &Condition, focal_mm: f64) -> [f64; 4] {
     std::array::from_fn(|k| (condition.at[k] - ray[k]) * focal_mm)
-}
-
-/// By how much the standard error ellipse grows for both unknowns to lie in it with a probability of 95 %: √(2 F), of which with two degrees of freedom
-/// in the numerator the quantile is ν (0.05^(-2/ν) - 1) / 2, and √(-2 ln 0.05) of a known σ.
-fn joint_limit(freedom: Option<usize>) -> f64 {
-    let ln_outside = libm::log(0.05);
-    match freedom {
-        None => (-2.0 * ln_outside).sqrt(),
-        Some(freedom) => {
-            let freedom = freedom as f64;
-            (freedom * libm::expm1(-2.0 * ln_outside / freedom)).sqrt()
-        }
-    }
 }
 
 /// The two-sided test of σ₀ by σ₀ a priori at 5 %.

@@ -8,7 +8,7 @@ use super::summary::{ExportOutcome, Summary, summary};
 use super::tables::word;
 use super::{tables, write_block_project};
 use crate::{
-    BlockModel, BlockRun, BlockScore, Camera, Document, Error, ExportFormat, GeographicOrigin, ModelImage, Pose, Reconstruction,
+    BlockModel, BlockRun, BlockScore, Camera, Document, Error, ExportFormat, Factors95, GeographicOrigin, ModelImage, Pose, Reconstruction,
     export_block,
 };
 use serde::Serialize;
@@ -82,6 +82,8 @@ pub fn block_files(run: &BlockRun, formats: &[ExportFormat], score: Option<Block
 struct Orientation<'a> {
     #[serde(flatten)]
     assembly: &'a Reconstruction,
+    /// Of each model: by what its standard errors grow for intervals, ellipses and ellipsoids of 95 %.
+    factors_95: Vec<Option<Factors95>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     crs: Option<ResultSystem>,
 }
@@ -92,7 +94,9 @@ fn write_tables(run: &BlockRun, emit: Emit<'_>) -> Result<(), Error> {
     emit("points.csv", &tables::points(&shown))?;
     emit("rays.csv", &tables::rays(run))?;
     if let Ok(assembly) = &run.reconstruction {
-        emit("orientation.json", &(json(&Orientation { assembly, crs: shown.system() }, false)? + "\n"))?;
+        let factors_95 = assembly.models.iter().map(|model| model.adjusted.factors_95()).collect();
+        let orientation = Orientation { assembly, factors_95, crs: shown.system() };
+        emit("orientation.json", &(json(&orientation, false)? + "\n"))?;
     }
     if !shown.surveyed().is_empty() {
         emit("surveyed.csv", &tables::control(&shown.surveyed()))?;

@@ -41,28 +41,28 @@ impl<'a> InSystem<'a> {
         Cow::Owned(model)
     }
 
-    /// Of each image of the block; those of angles are about the axes of the adjustment.
+    /// Of each image of the block; those of angles are about the axes of the adjustment, and so are the correlations of positions.
     pub fn image_errors(&self) -> Vec<ImageErrors> {
         let mut errors = image_errors(self.run);
         if self.chosen.is_some() {
             for (image, errors) in self.run.model.images.iter().zip(&mut errors) {
-                let Some((pose, sigma)) = image.pose.zip(errors.position) else { continue };
-                errors.position = Some(turned_errors(&self.axes(pose.position), sigma, errors.correlations.unwrap_or_default()));
+                let Some((pose, position)) = image.pose.zip(errors.position.as_mut()) else { continue };
+                position.errors = turned_errors(&self.axes(pose.position), position.errors, position.correlations.unwrap_or_default());
             }
         }
         errors
     }
 
-    /// Of each point of the model that is written; without the correlations between the coordinates of a point, which the adjustment does not keep.
+    /// Standard errors of each point of the model that is written; older projects lack correlations.
     pub fn point_errors(&self) -> Vec<Option<[f64; 3]>> {
         let mut errors = point_errors(self.run);
         if self.chosen.is_some() {
             for (point, errors) in self.run.model.points.iter().zip(&mut errors) {
-                let Some((place, sigma)) = point.position.zip(*errors) else { continue };
-                *errors = Some(turned_errors(&self.axes(place), sigma, [0.0; 3]));
+                let Some((place, known)) = point.position.zip(errors.as_mut()) else { continue };
+                known.errors = turned_errors(&self.axes(place), known.errors, known.correlations.unwrap_or_default());
             }
         }
-        errors
+        errors.into_iter().map(|known| known.map(|known| known.errors)).collect()
     }
 
     /// The surveyed points of the model that is written.

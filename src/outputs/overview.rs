@@ -146,7 +146,7 @@ impl PointColumns {
             rays: points.iter().map(|point| point.rays.len() as u16).collect(),
             rmse_px: points.iter().map(|point| point.rmse_px.unwrap_or(f64::NAN)).collect(),
             positions: points.iter().map(|point| point.position.unwrap_or(none)).collect(),
-            errors: point_errors(run).into_iter().map(|errors| errors.unwrap_or(none)).collect(),
+            errors: point_errors(run).into_iter().map(|errors| errors.map_or(none, |known| known.errors)).collect(),
             confidence: points.iter().map(|point| point.confidence).collect(),
         }
     }

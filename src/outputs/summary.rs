@@ -6,9 +6,10 @@ use super::pairs::PairRow;
 use super::verdict::BlockVerdict;
 use super::with_text::WithText;
 use crate::{
-    BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, ControlRole, Datum, ExportFormat, Failure, GeographicOrigin, InitialCamera,
-    JoinCounts, ObservationVerdict, OnOrthophoto, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome,
-    RefinementTable, Remark, SkippedImage, SurveyedPoint, SystematicError, SystematicStatistics, UnorientedReason, VarianceComponent,
+    BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, ControlRole, Datum, ExportFormat, Factors95, Failure, GeographicOrigin,
+    InitialCamera, JoinCounts, ObservationVerdict, OnOrthophoto, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod,
+    RefinementOutcome, RefinementTable, Remark, SkippedImage, SurveyedPoint, SystematicError, SystematicStatistics, UnorientedReason,
+    VarianceComponent,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -174,6 +175,8 @@ pub struct ModelSummary {
     pub rmse_px: f64,
     pub rmse_by_rays: Vec<RayCountRmse>,
     pub degrees_of_freedom: usize,
+    /// By what standard errors grow for intervals, ellipses and ellipsoids of 95 %; absent without standard errors.
+    pub factors_95: Option<Factors95>,
     pub rays_rejected: usize,
     /// Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
     pub position_rmse_m: Option<[f64; 3]>,
@@ -399,6 +402,7 @@ fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> 
         rmse_px: adjusted.rmse_px,
         rmse_by_rays: adjusted.rmse_by_rays.clone(),
         degrees_of_freedom: adjusted.degrees_of_freedom,
+        factors_95: adjusted.factors_95(),
         rays_rejected: model.rejected.len() + adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count(),
         position_rmse_m: (!residuals.is_empty()).then(|| [0, 1, 2].map(root_mean_square)),
         components: adjusted

@@ -77,7 +77,7 @@ pub(super) fn images(shown: &InSystem<'_>, rows: &[ImageRow]) -> String {
         let position = image.gnss.as_ref();
         let row =
             row.known(position.map(|p| p.longitude_deg)).known(position.map(|p| p.latitude_deg)).known(position.and_then(|p| p.height_m));
-        row.numbers(errors[index].position).numbers(errors[index].angles_deg)
+        row.numbers(errors[index].position.map(|position| position.errors)).numbers(errors[index].angles_deg)
     })
 }
 

@@ -86,6 +86,8 @@ mod tests {
             redundancy: None,
             w: Some([w, -0.7, 0.6]),
             detectable: [None; 3],
+            influence: [None; 3],
+            moves: [None; 3],
             left_out: None,
         })
     }
@@ -112,6 +114,8 @@ mod tests {
                     redundancy: None,
                     w: Some([3.0, -4.0, 2.0 + f64::from(k)]),
                     detectable: [None; 3],
+                    influence: [None; 3],
+                    moves: [None; 3],
                     left_out: None,
                 })
             })

@@ -28,12 +28,13 @@ fn one(subject: &Subject<'_>, model: &ReconstructedModel, camera: usize, images:
     let calibrated = values(&model.adjusted.block.cameras[camera]);
     let given = initial.known().map(|camera| values(&camera));
     let statistics = &model.adjusted.cameras[camera];
+    let factors = subject.factors_95();
     let estimated: Vec<&str> =
         PARAMETERS.iter().zip(&statistics.standard_errors).filter_map(|((symbol, _), error)| error.map(|_| *symbol)).collect();
     html! {
         h3 { "Camera " (place + 1) ": " (shorten(&initial.label)) ", " (count(images)) " images of " (initial.width_px) " × " (initial.height_px) " px" }
         table tabindex="0" {
-            thead { tr { td {} th { "given" } th { "calibrated" } th { "standard error" } th { "state" } } }
+            thead { tr { td {} th { "given" } th { "calibrated" } th { "standard error" } th { "95 %: ±" } th { "state" } } }
             tbody {
                 @for (k, (symbol, unit)) in PARAMETERS.into_iter().enumerate() {
                     @let error = statistics.standard_errors[k];
@@ -42,6 +43,7 @@ fn one(subject: &Subject<'_>, model: &ReconstructedModel, camera: usize, images:
                         td { (given.map_or_else(|| "–".into(), |given| with_error(given[k], None))) }
                         td { (with_error(calibrated[k], error)) }
                         td { (significant(error)) }
+                        td { (significant(error.zip(factors).map(|(error, factors)| factors.interval * error))) }
                         td.words { (state(statistics, k)) }
                     }
                 }

@@ -4,6 +4,7 @@ mod cameras;
 mod field;
 mod head;
 mod images;
+mod interval;
 mod observations;
 mod plan;
 mod plane;

@@ -26,6 +26,10 @@ fn largest_w(statistics: &ObservationStatistics) -> Option<f64> {
     statistics.w.map(|[x, y]| x.abs().max(y.abs()))
 }
 
+fn largest(both: [Option<f64>; 2]) -> Option<f64> {
+    both.into_iter().flatten().reduce(f64::max)
+}
+
 /// Residuals as a histogram, and by the number of rays of their points.
 pub(super) fn residuals(model: &ReconstructedModel) -> Markup {
     let adjusted = &model.adjusted;
@@ -59,6 +63,8 @@ pub(super) fn reliability(subject: &Subject<'_>, model: &ReconstructedModel) -> 
     let rows = [
         ("redundancy number r", both(&|statistics, k| Some(statistics.redundancy?[k]))),
         ("detectable error, px", both(&|statistics, k| statistics.detectable_px[k])),
+        ("influence", both(&|statistics, k| statistics.influence[k])),
+        ("undetected, it moves its point by, m", both(&|statistics, k| statistics.moves_point[k])),
         ("|w|", both(&|statistics, k| Some(statistics.w?[k].abs()))),
     ];
     if rows.iter().all(|(_, range)| range.is_none()) {
@@ -68,13 +74,14 @@ pub(super) fn reliability(subject: &Subject<'_>, model: &ReconstructedModel) -> 
         h2 { "Reliability" }
         (ranges("Columns and rows of all accepted observations", &rows))
         p.note {
-            "r is the share of an error that shows in the residual. An error of the detectable size is found with a probability of 0.80."
+            "r is the share of an error that shows in the residual. An error of the detectable size is found with a probability of 0.80. Undetected, it moves no unknown by more than the influence, in standard errors."
             @if unchecked > 0 { " " (count(unchecked)) " observations have a coordinate that nothing checks." }
         }
         (listed(subject, model, "The largest standardised residuals w", worst(accepted(model), WORST, |(_, statistics)| largest_w(statistics))))
         (listed(subject, model, "The largest detectable errors", worst(accepted(model), WORST, |(_, statistics)| {
-            statistics.detectable_px.iter().flatten().copied().reduce(f64::max)
+            largest(statistics.detectable_px)
         })))
+        (listed(subject, model, "The largest influences", worst(accepted(model), WORST, |(_, statistics)| largest(statistics.influence))))
     }
 }
 
@@ -116,7 +123,7 @@ fn listed(subject: &Subject<'_>, model: &ReconstructedModel, caption: &str, rows
             thead {
                 tr {
                     th { "Image" } th { "point" } th { "x px" } th { "y px" } th { "residual x px" } th { "y px" } th { "w x" } th { "w y" } th { "r x" } th { "r y" }
-                    th { "∇ x px" } th { "∇ y px" }
+                    th { "∇ x px" } th { "∇ y px" } th { "influence" } @if model.in_system { th { "moves its point by m" } }
                 }
             }
             tbody {
@@ -129,6 +136,7 @@ fn listed(subject: &Subject<'_>, model: &ReconstructedModel, caption: &str, rows
                         @for k in 0..2 { td { (fixed(statistics.w.map(|w| w[k]), 2)) } }
                         @for k in 0..2 { td { (fixed(statistics.redundancy.map(|r| r[k]), 3)) } }
                         @for k in 0..2 { td { (significant(statistics.detectable_px[k])) } }
+                        td { (significant(largest(statistics.influence))) } @if model.in_system { td { (significant(largest(statistics.moves_point))) } }
                     }
                 }
             }

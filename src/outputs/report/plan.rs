@@ -3,8 +3,8 @@
 use super::plane::Plane;
 use super::range::{range, worst};
 use super::subject::Subject;
-use crate::html::{count, dots, round_below, rounded, strokes};
-use crate::outputs::precision::image_errors;
+use crate::html::{count, dots, round_below, rounded, significant, strokes};
+use crate::outputs::precision::{CoordinateErrors, image_errors};
 use crate::{ControlRole, ErrorEllipse};
 use maud::{Markup, PreEscaped, html};
 
@@ -60,7 +60,7 @@ pub(super) fn plan(subject: &Subject<'_>) -> Option<Markup> {
         return None;
     }
     let map = Map::of(&all);
-    let (ellipses, factor) = ellipses(subject, &plane, &map, &centres);
+    let (ellipses, factor, grown) = ellipses(subject, &plane, &map, &centres);
     let without = centres.iter().zip(&ellipses).filter_map(|(centre, ellipse)| centre.filter(|_| ellipse.is_none()));
     let with = centres.iter().zip(&ellipses).filter_map(|(centre, ellipse)| centre.filter(|_| ellipse.is_some()));
     let links = links(subject, &map, &centres);
@@ -91,7 +91,11 @@ pub(super) fn plan(subject: &Subject<'_>) -> Option<Markup> {
             }
             figcaption {
                 @if drawn > 0 {
-                    "Standard error ellipses at " (rounded(factor)) " times the scale of the plan (95 %: 2.45 times as large)"
+                    @match grown {
+                        Some(grown) => { "Ellipses that hold the projection centres in 95 % of cases, " (significant(grown)) " times the standard error ellipses, at " }
+                        None => { "Standard error ellipses, at " }
+                    }
+                    (rounded(factor)) " times the scale of the plan"
                     @if step > 1 { "; one of " (step) " is drawn" }
                     ". "
                 } @else { "There are no standard errors. " }
@@ -103,15 +107,21 @@ pub(super) fn plan(subject: &Subject<'_>) -> Option<Markup> {
     })
 }
 
-/// The ellipse of each centre that has standard errors, and by how much they are enlarged.
-fn ellipses(subject: &Subject<'_>, plane: &Plane, map: &Map, centres: &[Option<[f64; 2]>]) -> (Vec<Option<ErrorEllipse>>, f64) {
-    let ellipses: Vec<Option<ErrorEllipse>> = image_errors(subject.run)
-        .iter()
-        .zip(centres)
-        .map(|(errors, centre)| centre.and_then(|_| Some(plane.ellipse(errors.position?, errors.correlations.unwrap_or_default()))))
-        .collect();
+/// The ellipse of each centre that has standard errors, by how much they are enlarged in the drawing, and by how much they are larger than the standard
+/// error ellipses.
+fn ellipses(
+    subject: &Subject<'_>,
+    plane: &Plane,
+    map: &Map,
+    centres: &[Option<[f64; 2]>],
+) -> (Vec<Option<ErrorEllipse>>, f64, Option<f64>) {
+    let grown = subject.factors_95().map(|factors| factors.ellipse);
+    let ellipse =
+        |position: CoordinateErrors| plane.ellipse(position.errors, position.correlations.unwrap_or_default()).scaled(grown.unwrap_or(1.0));
+    let ellipses: Vec<Option<ErrorEllipse>> =
+        image_errors(subject.run).iter().zip(centres).map(|(errors, centre)| centre.and_then(|_| errors.position.map(ellipse))).collect();
     let median = range(ellipses.iter().flatten().map(|ellipse| ellipse.semi_major)).map_or(0.0, |[_, median, _]| median);
-    (ellipses, round_below(MEDIAN_ELLIPSE / (median * map.scale)))
+    (ellipses, round_below(MEDIAN_ELLIPSE / (median * map.scale)), grown)
 }
 
 /// Connections in four classes of strength.

@@ -1,11 +1,14 @@
 //! Observed positions: GNSS positions of images, ground control and check points.
 
+use super::interval::with_interval;
 use super::range::{range, ranges, worst};
 use super::subject::{NAMED, Subject, WORST};
 use crate::html::{count, fixed, significant};
 use crate::outputs::inspection::surveyed;
 use crate::text::shorten;
-use crate::{ControlRole, ObservationVerdict, PointSource, PriorStatistics, ReconstructedModel, SurveyedPoint, VarianceComponent};
+use crate::{
+    ControlRole, Factors95, ObservationVerdict, PointSource, PriorStatistics, ReconstructedModel, SurveyedPoint, VarianceComponent,
+};
 use maud::{Markup, html};
 
 const AXES: [&str; 3] = ["X", "Y", "Z"];
@@ -33,6 +36,8 @@ pub(super) fn gnss(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup 
                     of(&|prior, k| prior.redundancy.filter(|_| observed(prior, k)).map(|r| r[k]), k),
                 ),
                 (format!("detectable error {}, m", AXES[k]), of(&|prior, k| prior.detectable[k], k)),
+                (format!("undetected, it moves {} by, m", AXES[k]), of(&|prior, k| prior.moves[k], k)),
+                (format!("influence of {}", AXES[k]), of(&|prior, k| prior.influence[k], k)),
             ]
         })
         .collect();
@@ -51,7 +56,7 @@ pub(super) fn gnss(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup 
                 }
             }
         }
-        p.note { "Residual: observed minus adjusted. r is the share of an error that shows in the residual; a detectable error is found with a probability of 0.80." }
+        p.note { "Residual: observed minus adjusted. r is the share of an error that shows in the residual; a detectable error is found with a probability of 0.80. Undetected, it moves the adjusted coordinate by \"moves\", and no unknown by more than \"influence\", in standard errors." }
     }
 }
 
@@ -83,18 +88,19 @@ pub(super) fn control(subject: &Subject<'_>, model: &ReconstructedModel) -> Mark
                 }
             }
             p.note {
-                "Residual: surveyed minus adjusted; w is that of a new observation where a point was refused, since the other observations contradict it. A point that is doubtful contradicts them, too, and is used since too few are left to tell which is wrong. Points beyond "
+                "Residual: surveyed minus adjusted; w is that of a new observation where a point was refused, since the other observations contradict it. A point that is doubtful contradicts them, too, and is used since too few are left to tell which is wrong. "
+                "r, ∇, moves and influence as for GNSS positions: what an undetected error of the size ∇ moves the point by, and the most that it moves any unknown by, in standard errors. Points beyond "
                 (NAMED) " are in surveyed.csv."
             }
             @if !alone.is_empty() {
                 h3 { "The same points without themselves" }
-                (differences(alone.into_iter()))
+                (differences(subject.factors_95(), alone.into_iter()))
                 p.note { "Where all other observations have each of these points, minus surveyed: what it is worth as a check point." }
             }
         }
         @if of(ControlRole::Check).next().is_some() {
             h2 { "Check points" }
-            (differences(worst(of(ControlRole::Check), NAMED, |(point, _)| Some(size(point))).into_iter().map(|(point, _)| (*point, point.difference_m, point.standard_errors_m))))
+            (differences(subject.factors_95(), worst(of(ControlRole::Check), NAMED, |(point, _)| Some(size(point))).into_iter().map(|(point, _)| (*point, point.difference_m, point.standard_errors_m))))
             p.note { "Differences: adjusted minus surveyed. They took no part in the adjustment." }
         }
         (measurements(subject, model))
@@ -141,13 +147,13 @@ pub(super) fn systematic(subject: &Subject<'_>, model: &ReconstructedModel) -> M
     html! {
         h2 { "Systematic errors of GNSS positions" }
         table tabindex="0" {
-            thead { tr { th { "Error" } @for axis in AXES { th { (axis) " m" } } @for axis in AXES { th { "σ " (axis) " m" } } th { "test" } th { "limit" } th { "state" } } }
+            thead { tr { th { "Error" } @for axis in AXES { th { (axis) " m" } } @for axis in AXES { th { "σ " (axis) " m, ± 95 %" } } th { "test" } th { "limit" } th { "state" } } }
             tbody {
                 @for error in &systematic.errors {
                     tr {
                         th { (error.error.label()) }
                         @for axis in 0..3 { td { (significant(error.value(axis))) } }
-                        @for value in error.standard_errors { td { (significant(value)) } }
+                        @for value in error.standard_errors { td { (with_interval(value, subject.factors_95())) } }
                         td { (fixed(error.test, 2)) } td { (fixed(error.limit, 2)) } td { (error.verdict.label()) }
                     }
                 }
@@ -176,13 +182,13 @@ fn weighted_by(component: &VarianceComponent) -> &'static str {
 /// A surveyed point with a difference from it and the standard errors of that.
 type Difference<'a> = (&'a SurveyedPoint, [f64; 3], [Option<f64>; 3]);
 
-fn differences<'a>(rows: impl Iterator<Item = Difference<'a>>) -> Markup {
+fn differences<'a>(factors: Option<Factors95>, rows: impl Iterator<Item = Difference<'a>>) -> Markup {
     html! {
         table tabindex="0" {
             thead {
                 tr {
                     th { "Point" } th { "image measurements" }
-                    @for axis in AXES { th { "d" (axis) " m" } } @for axis in AXES { th { "σ d" (axis) " m" } } @for axis in AXES { th { "d" (axis) " / σ" } }
+                    @for axis in AXES { th { "d" (axis) " m" } } @for axis in AXES { th { "σ d" (axis) " m" @if factors.is_some() { ", ± 95 %" } } } @for axis in AXES { th { "d" (axis) " / σ" } }
                 }
             }
             tbody {
@@ -190,7 +196,7 @@ fn differences<'a>(rows: impl Iterator<Item = Difference<'a>>) -> Markup {
                     tr {
                         th { (shorten(&point.name)) } td { (point.rays) }
                         @for value in difference { td { (significant(value)) } }
-                        @for error in errors { td { (significant(error)) } }
+                        @for error in errors { td { (with_interval(error, factors)) } }
                         @for k in 0..3 { td { (fixed(errors[k].map(|error| difference[k] / error), 2)) } }
                     }
                 }
@@ -228,7 +234,7 @@ fn measurements(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup {
             p { (count(number)) " of " (count(own.len())) " took part; RMSE " (fixed((sum / f64::from(number as u32)).sqrt(), 3)) " px." }
             table tabindex="0" {
                 caption { "The largest residuals" }
-                thead { tr { th { "Point" } th { "Image" } th { "residual x px" } th { "y px" } th { "w x" } th { "w y" } th { "r x" } th { "r y" } th { "∇ x px" } th { "∇ y px" } th { "state" } } }
+                thead { tr { th { "Point" } th { "Image" } th { "residual x px" } th { "y px" } th { "w x" } th { "w y" } th { "r x" } th { "r y" } th { "∇ x px" } th { "∇ y px" } th { "moves the point by m" } th { "influence" } th { "state" } } }
                 tbody {
                     @for (ray, statistics) in listed {
                         tr {
@@ -237,6 +243,7 @@ fn measurements(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup {
                             @for k in 0..2 { td { (fixed(statistics.w.map(|w| w[k]), 2)) } }
                             @for k in 0..2 { td { (fixed(statistics.redundancy.map(|r| r[k]), 3)) } }
                             @for k in 0..2 { td { (significant(statistics.detectable_px[k])) } }
+                            @for both in [statistics.moves_point, statistics.influence] { td { (significant(both.into_iter().flatten().reduce(f64::max))) } }
                             td { (if statistics.verdict == ObservationVerdict::Accepted { "used" } else { "rejected" }) }
                         }
                     }
@@ -253,7 +260,8 @@ fn judged_head(what: &str, unit: &str, more: &[&str]) -> Markup {
                 th { (what) }
                 @for name in more { th { (name) } }
                 @for axis in AXES { th { "residual " (axis) " " (unit) } } @for axis in AXES { th { "w " (axis) } } @for axis in AXES { th { "r " (axis) } }
-                @for axis in AXES { th { "∇ " (axis) " " (unit) } }
+                @for axis in AXES { th { "∇ " (axis) " " (unit) } } @for axis in AXES { th { "moves " (axis) " " (unit) } }
+                th { "influence" }
                 th { "state" }
             }
         }
@@ -266,6 +274,8 @@ fn judged(prior: &PriorStatistics) -> Markup {
         @for k in 0..3 { td { (fixed(prior.w.filter(|_| observed(prior, k)).map(|w| w[k]), 2)) } }
         @for k in 0..3 { td { (fixed(prior.redundancy.filter(|_| observed(prior, k)).map(|r| r[k]), 3)) } }
         @for k in 0..3 { td { (significant(prior.detectable[k])) } }
+        @for k in 0..3 { td { (significant(prior.moves[k])) } }
+        td { (significant(prior.influence.into_iter().flatten().reduce(f64::max))) }
     }
 }
 
@@ -276,6 +286,7 @@ fn without(point: &SurveyedPoint) -> Markup {
         @for k in 0..3 { td { (fixed(point.standard_errors_m[k].map(|error| -point.difference_m[k] / error), 2)) } }
         @for _ in 0..3 { td { "–" } }
         @for detectable in point.detectable_m { td { (significant(detectable)) } }
+        @for _ in 0..4 { td { "–" } }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::outputs::pairs::PairRow;
 use crate::outputs::precision::written;
 use crate::outputs::summary::Summary;
 use crate::text::shorten;
-use crate::{BlockRun, ReconstructedModel};
+use crate::{BlockRun, Factors95, ReconstructedModel};
 
 /// Rows of a list of the worst.
 pub(super) const WORST: usize = 15;
@@ -23,6 +23,11 @@ pub(super) struct Subject<'a> {
 impl<'a> Subject<'a> {
     pub fn new(run: &'a BlockRun, summary: &'a Summary, pairs: &'a [PairRow]) -> Self {
         Self { run, summary, pairs, model: written(run) }
+    }
+
+    /// By what its standard errors grow for 95 %; absent without any.
+    pub fn factors_95(&self) -> Option<Factors95> {
+        self.model.and_then(|model| model.adjusted.factors_95())
     }
 
     /// The name of an image of the block.
