@@ -136,7 +136,7 @@ messages! {
         /// It is not UTF-8.
         NotText,
         /// A field is not as it should be.
-        Content { json_fault: JsonFault },
+        Content { json_fault: Box<JsonFault> },
         /// A field of a line.
         NoNumber { field: String, word: String },
         NoWholeNumber { field: String, word: String },
@@ -158,7 +158,7 @@ messages! {
         /// Its first line is not that of a project.
         NoProject { line: String },
         /// The same, and why.
-        NoHeader { line: String, json_fault: JsonFault },
+        NoHeader { line: String, json_fault: Box<JsonFault> },
         OtherFormat { format: String, wanted: String },
         OtherVersion { version: u32, newest: u32 },
         /// So many bytes follow the first line, and so many it declares.

@@ -102,11 +102,7 @@ impl Orthophoto {
         let earlier = std::mem::replace(&mut self.heights, heights);
         if self.heights_share() == 0.0 {
             self.heights = earlier;
-            return Err(Error::InvalidArgument {
-                what: "heights of a height model",
-                got: "none under the orthophoto".into(),
-                wanted: "a model of the same ground in the same system".into(),
-            });
+            return refuse(Refusal::NoHeightsThere);
         }
         Ok(())
     }

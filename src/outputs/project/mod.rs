@@ -89,7 +89,9 @@ pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
     };
     let header: Header = match json::from_text(line) {
         Ok(header) => header,
-        Err(json_fault) => return refused(FilePlace::Line { line: 1 }, FileFault::NoHeader { line: shorten(line), json_fault }),
+        Err(json_fault) => {
+            return refused(FilePlace::Line { line: 1 }, FileFault::NoHeader { line: shorten(line), json_fault: Box::new(json_fault) });
+        }
     };
     if header.format != FORMAT {
         return refused(FilePlace::Line { line: 1 }, FileFault::OtherFormat { format: shorten(&header.format), wanted: FORMAT.into() });
@@ -112,7 +114,7 @@ pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
     match read {
         Ok(Project::Block(run)) => check(&run).map(|()| Project::Block(run)),
         Ok(Project::Pair(run)) => run.in_order().map(|run| Project::Pair(Box::new(run))),
-        Err(json_fault) => refused(FilePlace::Content, FileFault::Content { json_fault }),
+        Err(json_fault) => refused(FilePlace::Content, FileFault::Content { json_fault: Box::new(json_fault) }),
     }
 }
 
