@@ -47,6 +47,8 @@ mod gnss_errors;
 mod gradient_pair;
 #[path = "layers.rs"]
 mod layers;
+#[path = "long_histories.rs"]
+mod long_histories;
 #[path = "on_orthophoto.rs"]
 mod on_orthophoto;
 #[path = "orientation.rs"]

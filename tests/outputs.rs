@@ -163,6 +163,7 @@ fn points_and_images_tell_the_same_observations() {
         for seen in &detail.observations {
             let of_image = of_images[seen.image].iter().find(|other| other.point == index).unwrap();
             assert_eq!((of_image.place_px, of_image.part), ([seen.x_px, seen.y_px], seen.part));
+            assert_eq!((of_image.redundancy, of_image.w, of_image.detectable_px), (seen.redundancy, seen.w, seen.detectable_px));
             let [x, y] = seen.predicted_px.unwrap();
             let [dx, dy] = seen.residual_px.unwrap();
             assert!((seen.x_px - x - dx).abs() < 1e-6 && (seen.y_px - y - dy).abs() < 1e-6);
@@ -176,6 +177,34 @@ fn points_and_images_tell_the_same_observations() {
     assert!(accepted > 50 && of_images == accepted, "{accepted} {of_images}");
     assert!(point_detail(run, ids.len()).unwrap_err().to_string().contains("point"));
     assert!(image_points(run, 99).unwrap_err().to_string().contains("image"));
+}
+
+#[test]
+fn what_images_say_of_the_reliability_of_their_observations_is_what_the_file_of_the_adjustment_has() {
+    let run = finished();
+    let file: serde_json::Value = serde_json::from_str(&files(run)["orientation.json"]).unwrap();
+    let model = &file["models"][0];
+    let numbers = |value: &serde_json::Value| [0, 1].map(|k| value[k].as_f64());
+    let (mut told, mut checked) = (0, 0);
+    for (image, known) in model["images"].as_array().unwrap().iter().enumerate() {
+        let own = image_points(run, known.as_u64().unwrap() as usize).unwrap();
+        for (ray, said) in model["adjusted"]["block"]["rays"].as_array().unwrap().iter().zip(model["adjusted"]["rays"].as_array().unwrap())
+        {
+            if ray["image"] != image {
+                continue;
+            }
+            let at = ["x_px", "y_px"].map(|axis| ray[axis].as_f64().unwrap());
+            // A point that has no observation left is not written.
+            let Some(seen) = own.iter().find(|seen| seen.place_px == at) else { continue };
+            told += 1;
+            assert_eq!(seen.redundancy.unwrap().map(Some), numbers(&said["redundancy"]));
+            assert_eq!(seen.w.unwrap().map(Some), numbers(&said["w"]));
+            assert_eq!(seen.detectable_px, numbers(&said["detectable_px"]));
+            let [r, _] = seen.redundancy.unwrap();
+            checked += usize::from(seen.part == ObservationPart::Accepted && r > 0.0 && r < 1.0 && seen.detectable_px[0].unwrap() > 0.0);
+        }
+    }
+    assert!(told > 100 && checked > 50, "{told} {checked}");
 }
 
 #[test]

@@ -8,15 +8,15 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/state/plots', 'block/view/plot/axes']));
+  Object.assign(page, await pageModules(['block/state/plots', 'block/view/plot/axes', 'block/state/normal']));
 });
 
 /** Three images of which one is not oriented; four points of which the last was rejected. */
 const VIEW = {
   images: [
-    { name: 'a', rmsePx: 0.2, position: [0, 0, 100] },
-    { name: 'b', rmsePx: null, position: null },
-    { name: 'c', rmsePx: 0.4, position: [3, 4, 100] },
+    { name: 'a', width: 100, rmsePx: 0.2, position: [0, 0, 100] },
+    { name: 'b', width: 100, rmsePx: null, position: null },
+    { name: 'c', width: 100, rmsePx: 0.4, position: [3, 4, 100] },
   ],
   points: {
     count: 4,
@@ -34,7 +34,11 @@ const VIEW = {
 const OBSERVED = {
   images: Uint32Array.of(0, 2, 0, 2),
   points: Uint32Array.of(0, 0, 1, 1),
+  places: Float64Array.of(50, 10, 100, 10, 0, 5, 1, 1),
   residuals: Float64Array.of(1, 0, 0, -2, NaN, NaN, 0.5, 0.5),
+  redundancy: Float64Array.of(0.5, 0.6, 0.7, 0, NaN, NaN, 0.5, 0.5),
+  w: Float64Array.of(1.5, 0, -0.4, -2, NaN, NaN, 7, 7),
+  detectable: Float64Array.of(0.6, 2, 0.5, NaN, NaN, NaN, 0.5, 0.5),
   parts: Uint8Array.of(0, 0, 0, 2),
 };
 
@@ -87,6 +91,71 @@ test('plots show what is known, and choose what their values are about', () => {
   assert.deepEqual(plotOf('sigma-plan', VIEW, FACTS).together([0, 1]), { kind: 'points', points: Uint32Array.of(0, 1) });
 });
 
+test('w-statistics are shown over those of normal errors, minimal detectable biases where their images are', () => {
+  const { plotOf } = page.plots;
+  const tests = plotOf('w', VIEW, FACTS);
+  // Of columns and rows of what takes part, over the quantiles of 1/8, 3/8, 5/8 and 7/8.
+  assert.deepEqual([...tests.y.values], [1.5, 0, -0.4, -2]);
+  const expected = [1.1503494, 0.3186394, -0.3186394, -1.1503494];
+  assert.ok(
+    expected.every((value, i) => Math.abs(value - tests.x.values[i]) < 1e-6),
+    [...tests.x.values].join(),
+  );
+  assert.ok(tests.equal);
+  assert.deepEqual(tests.choice(1), { kind: 'observation', point: 0, image: 0 });
+  assert.deepEqual(tests.choice(3), { kind: 'observation', point: 0, image: 2 });
+  assert.deepEqual(tests.together([0, 3]), { kind: 'point', point: 0 });
+  assert.deepEqual([0, 1, 2, 3].map(tests.chosen({ kind: 'image', image: 2 })), [false, false, true, true]);
+
+  // The larger one of column and row; where nothing checks one of them, there is none.
+  const detectable = plotOf('detectable', VIEW, FACTS);
+  assert.deepEqual([[...detectable.x.values], [...detectable.y.values]], [[0], [2]]);
+  assert.deepEqual(detectable.x.names, ['a', 'b', 'c']);
+  assert.deepEqual(detectable.choice(0), { kind: 'observation', point: 0, image: 0 });
+  assert.equal(plotOf('detectable', VIEW, { ...FACTS, observations: () => null }), null);
+});
+
+test('quantiles are those of the tables, for any number of values', () => {
+  const { normalQuantiles } = page.normal;
+  assert.deepEqual([...normalQuantiles(0)], []);
+  assert.deepEqual([...normalQuantiles(1)], [0]);
+  const many = normalQuantiles(1000);
+  // Abramowitz & Stegun 1964, table 26.1: P(1.9599640) = 0.975, P(0.6744898) = 0.75.
+  const between = (/** @type {number} */ i) => (many[i] + many[i - 1]) / 2;
+  assert.ok(Math.abs(between(975) - 1.959964) < 1e-4 && Math.abs(between(750) - 0.6744898) < 1e-5, `${between(975)} ${between(750)}`);
+  assert.ok(many.every((/** @type {number} */ value, /** @type {number} */ i) => i === 0 || value > many[i - 1]));
+});
+
+test('plots of 100,000 observations are made within the time of a few frames', () => {
+  const rows = 100_000;
+  let seed = 1;
+  const next = () => {
+    seed = (seed * 48271) % 2147483647;
+    return seed / 2147483647;
+  };
+  const normal = () => Math.sqrt(-2 * Math.log(next())) * Math.cos(2 * Math.PI * next());
+  const of = {
+    images: Uint32Array.from({ length: rows }, (_, i) => i % 3),
+    points: Uint32Array.from({ length: rows }, (_, i) => i >> 2),
+    places: Float64Array.from({ length: 2 * rows }, () => 100 * next()),
+    residuals: new Float64Array(2 * rows),
+    redundancy: new Float64Array(2 * rows),
+    w: Float64Array.from({ length: 2 * rows }, normal),
+    detectable: Float64Array.from({ length: 2 * rows }, () => 0.1 + next()),
+    parts: new Uint8Array(rows),
+  };
+  const started = performance.now();
+  const tests = page.plots.plotOf('w', VIEW, { ...FACTS, observations: () => of });
+  const detectable = page.plots.plotOf('detectable', VIEW, { ...FACTS, observations: () => of });
+  const took = performance.now() - started;
+  // Normal values lie along the line.
+  const off = tests.x.values.map((/** @type {number} */ x, /** @type {number} */ i) => (Math.abs(tests.y.values[i]) < 3 ? Math.abs(x - tests.y.values[i]) : 0));
+  assert.equal(tests.x.values.length, 2 * rows);
+  assert.ok(Math.max(...off.subarray(0, 50_000)) < 0.1, `${Math.max(...off.subarray(0, 50_000))}`);
+  assert.equal(detectable.y.values.length, rows);
+  assert.ok(took < 1500, `${took} ms`);
+});
+
 test('axes end beside their values, bars stand on zero, and ticks are round', () => {
   const { decimalsOf, endsOf, ticksBetween } = page.axes;
   assert.deepEqual(ticksBetween([0.13, 0.91], 4), [0.2, 0.4, 0.6, 0.8]);
@@ -97,6 +166,13 @@ test('axes end beside their values, bars stand on zero, and ticks are round', ()
   const { x, y } = endsOf(page.plots.plotOf('images', VIEW, FACTS), 400, 300);
   assert.deepEqual([x, y[0]], [[-0.5, 1.5], 0]);
   assert.ok(y[1] > 0.4 && y[1] < 0.45);
+  // Logarithmic ones: 1, 2 and 5, the powers alone, or round steps.
+  const { ticksOfPowers } = page.axes;
+  assert.deepEqual(ticksOfPowers([-0.4, 1.1], 6), [0.5, 1, 2, 5, 10]);
+  assert.deepEqual(ticksOfPowers([-2, 3], 6), [0.01, 0.1, 1, 10, 100, 1000]);
+  assert.deepEqual(ticksOfPowers([Math.log10(0.31), Math.log10(0.68)], 4), [0.4, 0.5, 0.6]);
+  const { y: powers } = endsOf(page.plots.plotOf('detectable', VIEW, FACTS), 400, 300);
+  assert.ok(powers[0] < Math.log10(2) && powers[1] > Math.log10(2));
   // Residuals have one scale in both directions, about zero.
   const square = endsOf(page.plots.plotOf('residuals', VIEW, FACTS), 464, 300);
   assert.ok(Math.abs(square.x[0] + square.x[1]) < 1e-12 && Math.abs(square.y[0] + square.y[1]) < 1e-12);

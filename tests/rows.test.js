@@ -195,6 +195,9 @@ test('observations are those of what is chosen: of points in all images, of an i
     points: Uint32Array.of(7, 8, 7, 9, 7),
     places: new Float64Array(10),
     residuals: Float64Array.of(0.3, 0.4, 0, 0, NaN, NaN, 0, 0, 0, 0),
+    redundancy: Float64Array.of(0.25, 0.75, 0, 0, NaN, NaN, 0, 0, 0, 0),
+    w: Float64Array.of(1.2, -0.8, 0, 0, NaN, NaN, 0, 0, 0, 0),
+    detectable: Float64Array.of(2.4, 1.5, 0, 0, NaN, NaN, 0, 0, 0, 0),
     parts: Uint8Array.of(0, 2, 1, 0, 0),
   };
   const shown = (/** @type {object | null} */ choice) => [0, 1, 2, 3, 4].filter(observationsOf(of, choice));
@@ -206,8 +209,8 @@ test('observations are those of what is chosen: of points in all images, of an i
   assert.deepEqual(shown({ kind: 'pair', images: [1, 0] }), [0, 2]);
   const { columns } = observationRows(VIEW, of);
   const row = (/** @type {number} */ i) => columns.map((/** @type {{ text: (row: number) => string }} */ { text: said }) => said(i));
-  assert.deepEqual(row(0), ['a.jpg', '8', '0.00', '0.00', '0.30', '0.40', '0.50', '3', 'accepted']);
-  assert.deepEqual(row(2).slice(4), ['–', '–', '–', '3', 'rejected']);
+  assert.deepEqual(row(0), ['a.jpg', '8', '0.00', '0.00', '0.30', '0.40', '0.50', '3', '0.25', '1.20', '2.40', '0.75', '−0.80', '1.50', 'accepted']);
+  assert.deepEqual(row(2).slice(4), ['–', '–', '–', '3', ...new Array(6).fill('–'), 'rejected']);
 });
 
 test('an outline holds the points within it, whichever way it is drawn, and none of its bays or of those that are not kept', () => {

@@ -91,6 +91,10 @@ pub struct ImagePoint {
     pub place_px: [f64; 2],
     /// Observed minus computed.
     pub residual_px: Option<[f64; 2]>,
+    /// As [`ObservationDetail`] has them; absent for what did not come to the adjustment.
+    pub redundancy: Option<[f64; 2]>,
+    pub w: Option<[f64; 2]>,
+    pub detectable_px: [Option<f64>; 2],
     pub part: ObservationPart,
 }
 
@@ -144,7 +148,7 @@ pub fn image_points(run: &BlockRun, image: usize) -> Result<Vec<ImagePoint>, Err
     let Some((model, written)) = written(run) else {
         let of_point = |(point, known): (usize, &crate::ObjectPoint)| {
             let ray = known.rays.iter().find(|ray| ray.image == image)?;
-            Some(ImagePoint { point, place_px: [ray.x_px, ray.y_px], residual_px: None, part: ObservationPart::NotAdjusted })
+            Some(unadjusted(point, [ray.x_px, ray.y_px], ObservationPart::NotAdjusted))
         };
         return Ok(run.model.points.iter().enumerate().filter_map(of_point).collect());
     };
@@ -153,17 +157,23 @@ pub fn image_points(run: &BlockRun, image: usize) -> Result<Vec<ImagePoint>, Err
     let adjusted = adjusted.filter_map(|(ray, statistics)| {
         let point = written.binary_search(&ray.point).ok()?;
         Some(ImagePoint {
-            point,
-            place_px: [ray.x_px, ray.y_px],
             residual_px: Some(statistics.residual_px),
-            part: part(statistics.verdict),
+            redundancy: statistics.redundancy,
+            w: statistics.w,
+            detectable_px: statistics.detectable_px,
+            ..unadjusted(point, [ray.x_px, ray.y_px], part(statistics.verdict))
         })
     });
     let rejected = model.rejected.iter().filter(|ray| ray.image == own).filter_map(|ray| {
         let point = written.binary_search(&ray.point).ok()?;
-        Some(ImagePoint { point, place_px: [ray.x_px, ray.y_px], residual_px: None, part: rejection(ray) })
+        Some(unadjusted(point, [ray.x_px, ray.y_px], rejection(ray)))
     });
     Ok(adjusted.chain(rejected).collect())
+}
+
+/// An observation of which the adjustment says nothing.
+fn unadjusted(point: usize, place_px: [f64; 2], part: ObservationPart) -> ImagePoint {
+    ImagePoint { point, place_px, residual_px: None, redundancy: None, w: None, detectable_px: [None; 2], part }
 }
 
 /// Depths along the ray of an epipolar line, as multiples of the median depth of the image's points: from the nearest on.

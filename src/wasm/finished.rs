@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, emitting, numbers, object, pack, read, set, thrown, wrong_project};
 use crate::{
-    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, ExportFormat, FileFault, ObservationPart, PointColumns,
-    Project, accuracy_map, block_covariances, block_epipolar_line, check_truth, covariance_table, export_block, image_points,
+    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, ExportFormat, FileFault, ImagePoint, ObservationPart,
+    PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, check_truth, covariance_table, export_block, image_points,
     planned_files as plan, point_detail, point_ids, read_project, score_block, write_block_project,
 };
 use js_sys::{Function, Uint8Array, Uint16Array, Uint32Array};
@@ -34,6 +34,12 @@ export interface ImagePoints {
     places: Float64Array;
     /** Observed minus computed in px; NaN where there is none; stride 2. */
     residuals: Float64Array;
+    /** Redundancy numbers r, 0..1, of column and row; NaN where there are none, as of `w` and `detectable`; stride 2. */
+    redundancy: Float64Array;
+    /** Residuals by their standard errors (Baarda's w); stride 2. */
+    w: Float64Array;
+    /** Minimal detectable errors in px, found with a probability of 0.80; NaN where nothing checks the coordinate; stride 2. */
+    detectable: Float64Array;
     /** 0: it takes part; 1: it was rejected; 2: it was rejected by hand. */
     parts: Uint8Array;
 }
@@ -146,10 +152,15 @@ impl FinishedBlock {
         let found = image_points(&self.run, image).map_err(thrown)?;
         let points: Vec<u32> = found.iter().map(|seen| seen.point as u32).collect();
         let parts: Vec<u8> = found.iter().map(|seen| part_code(seen.part)).collect();
+        let of_axes =
+            |of: &dyn Fn(&ImagePoint) -> Option<[f64; 2]>| numbers(found.iter().flat_map(|seen| of(seen).unwrap_or([f64::NAN; 2])));
         Ok(object([
             ("points", Uint32Array::from(&points[..]).unchecked_into()),
             ("places", numbers(found.iter().flat_map(|seen| seen.place_px))),
-            ("residuals", numbers(found.iter().flat_map(|seen| seen.residual_px.unwrap_or([f64::NAN; 2])))),
+            ("residuals", of_axes(&|seen| seen.residual_px)),
+            ("redundancy", of_axes(&|seen| seen.redundancy)),
+            ("w", of_axes(&|seen| seen.w)),
+            ("detectable", numbers(found.iter().flat_map(|seen| seen.detectable_px.map(|error| error.unwrap_or(f64::NAN))))),
             ("parts", Uint8Array::from(&parts[..]).unchecked_into()),
         ]))
     }

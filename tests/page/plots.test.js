@@ -54,6 +54,24 @@ test('plots say what they show, choose by press and rectangle in all views, and 
   await says(page, 'block-plot-words', /^[\d\u202f]+ values over residual vx\. Residual vy: /u);
   assert.deepEqual([...(await saved(page, 'plot-png')).subarray(1, 4)], [...Buffer.from('PNG')]);
   await page.screenshot({ path: join(SHOTS, 'plots-residuals.png') });
+  // Reliability: w-statistics beside those of normal errors, and minimal detectable biases over images; a rectangle chooses the points of both.
+  await part(page, 'plot-name').selectOption('w');
+  await says(page, 'block-plot-words', /^[\d\u202f]+ values over w of normally distributed errors\. W-statistic: median −?0\.\d{3}, /iu);
+  await page.screenshot({ path: join(SHOTS, 'plots-w.png') });
+  await page.keyboard.down('Shift');
+  await page.mouse.move(...at(0.01, 0.01));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.5, 0.3));
+  await page.mouse.move(...at(0.99, 0.49));
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  await says(page, 'block-chosen', /^\d+ tie points of /);
+  await part(page, 'plot-name').selectOption('detectable');
+  await says(page, 'block-plot-words', /^[\d\u202f]+ values over image\. Minimal detectable bias: median \d+\.\d{3}, from /u);
+  await page.screenshot({ path: join(SHOTS, 'plots-detectable.png') });
+  const biases = (await saved(page, 'plot-csv')).toString().trimEnd().split('\n');
+  assert.equal(biases[0], 'Image,Minimal detectable bias [px]');
+  assert.match(biases[1] ?? '', /^photo_0000\d\.png,\d+(\.\d+)?$/);
   await part(page, 'plot-name').selectOption('gnss');
   await says(page, 'block-plot-words', /^6 values over image\. GNSS minus adjusted position: /);
   await part(page, 'plot-name').selectOption('surveyed-plan');

@@ -124,6 +124,15 @@ test('tables are searched, sorted, chosen from and saved, in step with map and m
   await part(page, 'block-observations-only').click();
   const rays = (await column(page, 'block-observations', 7)).map(Number);
   assert.ok(rays.length >= 9 && rays.every((number) => number > 2), rays.join());
+  // What the adjustment says of their reliability: redundancy numbers, w-statistics, and minimal detectable biases that grow as the former fall.
+  const head = await page.locator('[data-testid="block-observations"] thead tr').first().locator('th').allTextContents();
+  assert.match(head.join('|'), /r x.*\|w x.*\|MDB x.*px.*\|r y.*\|w y.*\|MDB y.*px/);
+  const figures = async (/** @type {number} */ at) => (await column(page, 'block-observations', at)).map((text) => Number(text.replace('−', '-')));
+  const [redundancy, w, bias] = [await figures(8), await figures(9), await figures(10)];
+  assert.ok(redundancy.every((r) => r >= 0 && r <= 1) && redundancy.some((r) => r > 0 && r < 1), redundancy.join());
+  assert.ok(w.every((value) => Math.abs(value) < 10) && w.some((value) => value !== 0), w.join());
+  const scales = redundancy.flatMap((r, i) => (r > 0.2 ? [(bias[i] ?? NaN) * Math.sqrt(r)] : []));
+  assert.ok(scales.length > 3 && Math.max(...scales) < 1.1 * Math.min(...scales), scales.join());
   await page.locator('[data-testid="block-observations"] tbody tr:not(.filler)').nth(1).click();
   await says(page, 'block-chosen', /^photo_0000\d\.png, point [\d\u202f]+: \d+ rays/u);
   await page.waitForFunction(() => document.querySelectorAll('[data-testid="block-observations"] tr[aria-selected="true"]').length === 1);

@@ -119,6 +119,9 @@ export class Rejected {
       points: longer(of.points, points.length),
       places: longer(of.places, places.length),
       residuals: longer(of.residuals, places.length).fill(NaN, 2 * rows),
+      redundancy: longer(of.redundancy, places.length).fill(NaN, 2 * rows),
+      w: longer(of.w, places.length).fill(NaN, 2 * rows),
+      detectable: longer(of.detectable, places.length).fill(NaN, 2 * rows),
       parts: longer(of.parts, points.length).fill(BY_HAND, rows),
     };
     all.points.set(points, rows);

@@ -101,15 +101,18 @@ export function blockObservations({ images }: { images: number }): ViewObservati
     points: new Uint32Array(total),
     places: new Float64Array(2 * total),
     residuals: new Float64Array(2 * total),
+    redundancy: new Float64Array(2 * total),
+    w: new Float64Array(2 * total),
+    detectable: new Float64Array(2 * total),
     parts: new Uint8Array(total),
   };
   let at = 0;
-  each.forEach(({ points, places, residuals, parts }, image) => {
+  each.forEach((own, image) => {
+    const { points } = own;
     all.images.fill(image, at, at + points.length);
     all.points.set(points, at);
-    all.places.set(places, 2 * at);
-    all.residuals.set(residuals, 2 * at);
-    all.parts.set(parts, at);
+    all.parts.set(own.parts, at);
+    for (const column of ['places', 'residuals', 'redundancy', 'w', 'detectable'] as const) all[column].set(own[column], 2 * at);
     at += points.length;
   });
   return all;

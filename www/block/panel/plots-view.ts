@@ -80,7 +80,7 @@ async function saveValues(plot: Plot): Promise<void> {
     unit,
     help: '',
     value: (row) => values[row] ?? NaN,
-    text: (row) => names?.[row] ?? String(values[row] ?? ''),
+    text: (row) => names?.[Math.round(values[row] ?? NaN)] ?? String(values[row] ?? ''),
     ...(names === undefined ? {} : { words: true }),
   });
   save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: 'text/csv' }), `block-${plot.shows}.csv`);

@@ -178,6 +178,8 @@ function roleText(role: 'control' | 'check' | undefined): string {
   return role === undefined ? '' : say('role', { role });
 }
 
+const AXES = ['x', 'y'];
+
 const PARTS = [say('accepted'), say('rejected-2'), say('rejected-by-hand-2')];
 
 /** All observations of a block; the same object while both are the same. */
@@ -194,6 +196,13 @@ export const observationRows = remember(({ images }: BlockView, of: ViewObservat
       numbers('observation-vy', 'vy', 'px', 2, (i) => of.residuals[2 * i + 1] ?? NaN, say('residual-in-y-observed-minus'), { total: 'rms' }),
       numbers('observation-v', say('residual'), 'px', 2, residual, say('length-of-the-residual'), { total: 'rms' }),
       numbers('observation-rays', say('rays-2'), '', 0, (i) => raysOf(of)[of.points[i] ?? -1] ?? NaN, say('observations-of-the-point-rejected')),
+      ...AXES.flatMap((axis, k) => [
+        numbers(`observation-r${axis}`, `r ${axis}`, '', 2, (i) => of.redundancy[2 * i + k] ?? NaN, say('redundancy-number-of-an-observation', { axis }), {
+          total: 'mean',
+        }),
+        numbers(`observation-w${axis}`, `w ${axis}`, '', 2, (i) => of.w[2 * i + k] ?? NaN, say('w-statistic-of-an-observation', { axis }), { total: 'rms' }),
+        numbers(`observation-mdb${axis}`, `MDB ${axis}`, 'px', 2, (i) => of.detectable[2 * i + k] ?? NaN, say('mdb-of-an-observation', { axis })),
+      ]),
       words('observation-part', say('part'), (i) => PARTS[of.parts[i] ?? 0] ?? '', say('whether-the-adjustment-accepted-the')),
     ],
   };

@@ -8,5 +8,9 @@ export interface ViewObservations {
   points: Uint32Array;
   places: Float64Array;
   residuals: Float64Array;
+  /** As `ImagePoints` has them. */
+  redundancy: Float64Array;
+  w: Float64Array;
+  detectable: Float64Array;
   parts: Uint8Array;
 }

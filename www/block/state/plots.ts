@@ -2,16 +2,19 @@
 import { remember } from '../../shared/state/remember';
 import type { ViewObservations } from './facts';
 import type { ViewGround } from './ground';
+import { normalQuantiles } from './normal';
 import { choiceOfPoints, imagesOf, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockView } from './view';
 import { say } from '../../shared/text/words';
 
-export type PlotName = 'residuals' | 'images' | 'rays' | 'sigma-plan' | 'sigma-height' | 'gnss' | 'surveyed-plan' | 'surveyed-height';
+export type PlotName = 'residuals' | 'w' | 'detectable' | 'images' | 'rays' | 'sigma-plan' | 'sigma-height' | 'gnss' | 'surveyed-plan' | 'surveyed-height';
 
 export const PLOTS: readonly (readonly [PlotName, string])[] = [
   ['images', say('residuals-by-image')],
   ['residuals', say('residuals-of-observations')],
+  ['w', say('w-against-the-normal-distribution')],
+  ['detectable', say('minimal-detectable-biases-by-image')],
   ['rays', say('tie-points-by-rays')],
   ['sigma-plan', say('standard-errors-in-plan-along')],
   ['sigma-height', say('standard-errors-in-height-along')],
@@ -24,8 +27,10 @@ export interface Axis {
   label: string;
   unit: string;
   values: Float64Array;
-  /** The values are places of a list: so many, with these names. */
+  /** The values are places of a list, or about them: so many, with these names. */
   names?: readonly string[];
+  /** Values above 0 that are told apart by their ratios. */
+  logarithmic?: boolean;
 }
 
 export interface PlotData {
@@ -35,6 +40,8 @@ export interface PlotData {
   bars: boolean;
   /** Both axes have one scale. */
   square: boolean;
+  /** A line goes where both values are the same. */
+  equal?: boolean;
   /** What a value is about. */
   choice: (row: number) => Choice | null;
   /** Tells the values that a choice is about. */
@@ -62,9 +69,12 @@ export function plotOf(name: PlotName, view: BlockView, facts: PlotFacts): PlotD
     case 'surveyed-plan':
     case 'surveyed-height':
       return surveyedPoints(view, name === 'surveyed-plan');
-    case 'residuals': {
+    case 'residuals':
+    case 'w':
+    case 'detectable': {
       const of = facts.observations();
-      return of === null ? null : residuals(of);
+      if (of === null) return null;
+      return name === 'residuals' ? residuals(of) : name === 'w' ? sortedTests(of) : detectable(view, of);
     }
     case 'gnss': {
       const ground = facts.ground();
@@ -177,25 +187,83 @@ const byRays = remember(({ points }: BlockView): PlotData => {
   };
 });
 
+/** Values of observations, each of the one that `row` gives for it. */
+function ofObservations(of: ViewObservations, row: (value: number) => number, x: Axis, y: Axis, drawn: Pick<PlotData, 'square' | 'equal'>): PlotData {
+  const pointAt = (value: number) => of.points[row(value)] ?? -1;
+  const imageAt = (value: number) => of.images[row(value)] ?? -1;
+  return {
+    x,
+    y,
+    bars: false,
+    ...drawn,
+    choice: (value) => ({ kind: 'observation', point: pointAt(value), image: imageAt(value) }),
+    chosen: (choice) => {
+      const [points, images] = [new Set(pointsOf(choice)), new Set(imagesOf(choice))];
+      return (value) => (points.size === 0 || points.has(pointAt(value))) && (images.size === 0 || images.has(imageAt(value))) && points.size + images.size > 0;
+    },
+    together: (chosen) => choiceOfPoints(new Set(chosen.map(pointAt))),
+  };
+}
+
+/** The observations that take part and have a value. */
+function rowsWith(of: ViewObservations, value: (row: number) => number | undefined): Uint32Array {
+  return Uint32Array.from(of.points.keys()).filter((row) => !Number.isNaN(value(row)) && of.parts[row] === 0);
+}
+
 const residuals = remember((of: ViewObservations): PlotData => {
-  const rows = Uint32Array.from(of.points.keys()).filter((row) => !Number.isNaN(of.residuals[2 * row]) && of.parts[row] === 0);
+  const rows = rowsWith(of, (row) => of.residuals[2 * row]);
   const axis = (label: string, offset: number): Axis => ({
     label,
     unit: 'px',
     values: Float64Array.from(rows, (row) => of.residuals[2 * row + offset] ?? NaN),
   });
-  const pointAt = (row: number) => of.points[rows[row] ?? -1] ?? -1;
-  const imageAt = (row: number) => of.images[rows[row] ?? -1] ?? -1;
-  return {
-    x: axis(say('residual-vx'), 0),
-    y: axis(say('residual-vy'), 1),
-    bars: false,
-    square: true,
-    choice: (row) => ({ kind: 'observation', point: pointAt(row), image: imageAt(row) }),
-    chosen: (choice) => {
-      const [points, images] = [new Set(pointsOf(choice)), new Set(imagesOf(choice))];
-      return (row) => (points.size === 0 || points.has(pointAt(row))) && (images.size === 0 || images.has(imageAt(row))) && points.size + images.size > 0;
-    },
-    together: (chosen) => choiceOfPoints(new Set(chosen.map(pointAt))),
+  return ofObservations(of, (value) => rows[value] ?? -1, axis(say('residual-vx'), 0), axis(say('residual-vy'), 1), { square: true });
+});
+
+/** The w-statistics of columns and rows over those that as many normally distributed ones would have. */
+const sortedTests = remember((of: ViewObservations): PlotData => {
+  const places = Uint32Array.from(of.w.keys()).filter((place) => !Number.isNaN(of.w[place]) && of.parts[place >> 1] === 0);
+  const values = Float64Array.from(places, (place) => of.w[place] ?? NaN);
+  const sorted = values.slice().sort();
+  const quantiles = normalQuantiles(sorted.length);
+  // Equal ones stand at the first of their places.
+  const expected = values.map((value) => quantiles[firstAt(sorted, value)] ?? NaN);
+  return ofObservations(
+    of,
+    (value) => (places[value] ?? -2) >> 1,
+    { label: say('w-of-normal-errors'), unit: '', values: expected },
+    { label: say('w-statistic'), unit: '', values },
+    { square: false, equal: true },
+  );
+});
+
+/** The first place of a value among sorted ones. */
+function firstAt(sorted: Float64Array, value: number): number {
+  let [low, high] = [0, sorted.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((sorted[middle] ?? Infinity) < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** The width of an image among its neighbours. */
+const BESIDE = 0.8;
+
+/** The larger minimal detectable bias of column and row, image by image, each as far to the right as it lies in its image. */
+const detectable = remember(({ images }: BlockView, of: ViewObservations): PlotData => {
+  const larger = (row: number) => Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
+  const rows = rowsWith(of, larger);
+  const across = (row: number) => {
+    const image = of.images[row] ?? -1;
+    return image + BESIDE * ((of.places[2 * row] ?? NaN) / (images[image]?.width ?? NaN) - 0.5);
   };
+  return ofObservations(
+    of,
+    (value) => rows[value] ?? -1,
+    { label: say('image-2'), unit: '', values: Float64Array.from(rows, across), names: images.map(({ name }) => name) },
+    { label: say('minimal-detectable-bias'), unit: 'px', values: Float64Array.from(rows, larger), logarithmic: true },
+    { square: false },
+  );
 });

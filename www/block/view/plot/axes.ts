@@ -10,10 +10,10 @@ export type Ends = readonly [from: number, to: number];
 /** Beyond the farthest values, in shares of their span. */
 const BESIDE = 0.04;
 
-/** The ends of both axes: bars stand on zero, places of a list have room on both sides. */
+/** The ends of both axes: bars stand on zero, places of a list have room on both sides, logarithmic ones are powers of ten. */
 export function endsOf({ x, y, bars, square }: PlotData, width: number, height: number): { x: Ends; y: Ends } {
   const across: Ends = x.names === undefined ? spread(x.values) : [-0.5, Math.max(0, x.names.length - 1) + 0.5];
-  const up = spread(y.values, bars);
+  const up = spread(y.logarithmic === true ? y.values.map(Math.log10) : y.values, bars);
   if (!square) return { x: across, y: up };
   // The same length of both for the same value, about zero.
   const most = Math.max(...across.map(Math.abs), ...up.map(Math.abs));
@@ -37,6 +37,18 @@ export function ticksBetween([from, to]: Ends, about: number): number[] {
   const first = Math.ceil(from / step - 1e-9);
   const last = Math.floor(to / step + 1e-9);
   return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+}
+
+/** Less than so many powers of ten has ticks that are equally far apart. */
+const FEW_POWERS = 0.7;
+
+/** Round values between two powers of ten: 1, 2 and 5 of each, or the powers alone where many of them lie between. */
+export function ticksOfPowers([from, to]: Ends, about: number): number[] {
+  if (to - from < FEW_POWERS) return ticksBetween([10 ** from, 10 ** to], about);
+  const digits = (to - from) * 3 <= about ? [1, 2, 5] : [1];
+  const powers = Array.from({ length: Math.max(0, Math.floor(to) - Math.floor(from) + 1) }, (_, i) => Math.floor(from) + i);
+  const all = powers.flatMap((power) => digits.map((digit) => Number((digit * 10 ** power).toPrecision(12))));
+  return all.filter((tick) => Math.log10(tick) >= from && Math.log10(tick) <= to);
 }
 
 /** 1, 2 or 5 times a power of ten, no smaller than a length. */

@@ -13,7 +13,7 @@ import type { BlockView } from '../../state/view';
 import { Chart } from '../chart';
 import type { Drawn } from '../chart';
 import type { Looking } from '../looking';
-import { decimalsOf, endsOf, ROOM, ticksBetween, titleOf } from './axes';
+import { decimalsOf, endsOf, ROOM, ticksBetween, ticksOfPowers, titleOf } from './axes';
 import type { Ends } from './axes';
 
 /** How near the pointer must be to a point, CSS px. */
@@ -134,7 +134,8 @@ export class Plot extends Chart {
     const ends = endsOf(data, this.layers.width, this.layers.height);
     const [x0, across] = [ends.x[0], width / (ends.x[1] - ends.x[0])];
     const [y0, up] = [ends.y[0], height / (ends.y[1] - ends.y[0])];
-    return (x, y) => toCanvas(t, left + (x - x0) * across, top + height - (y - y0) * up);
+    const upwards = data.y.logarithmic === true ? Math.log10 : (y: number) => y;
+    return (x, y) => toCanvas(t, left + (x - x0) * across, top + height - (upwards(y) - y0) * up);
   }
 
   /** The values at the edges of what is seen. */
@@ -191,8 +192,12 @@ export class Plot extends Chart {
     const seen = this.seen(data, t);
     const { names } = data.x;
     const across = ticksBetween(seen.x, width / APART.x).filter((tick) => names === undefined || names[tick] !== undefined);
-    const up = ticksBetween(seen.y, Math.max(LEAST_TICKS, height / APART.y));
-    const [digitsX, digitsY] = [decimalsOf(across), decimalsOf(up)];
+    const isLogarithmic = data.y.logarithmic === true;
+    const most = Math.max(LEAST_TICKS, height / APART.y);
+    const up = isLogarithmic ? ticksOfPowers(seen.y, most) : ticksBetween(seen.y, most);
+    const digitsX = decimalsOf(across);
+    // Of ticks of powers each has the decimals that it needs.
+    const digitsOf = (tick: number) => (isLogarithmic ? (String(tick).split('.')[1]?.length ?? 0) : decimalsOf(up));
     context.strokeStyle = colours.line;
     context.fillStyle = colours.muted;
     context.lineWidth = 1;
@@ -201,7 +206,7 @@ export class Plot extends Chart {
       const [, y] = at(0, tick);
       line(context, [left, y], [left + width, y]);
       context.textAlign = 'end';
-      context.fillText(fixed(tick, digitsY), left - 6, y);
+      context.fillText(fixed(tick, digitsOf(tick)), left - 6, y);
     }
     for (const tick of across) {
       const [x] = at(tick, 0);
@@ -227,7 +232,7 @@ export class Plot extends Chart {
     const rows = data.x.values.length;
     const [isChosen, isPointed] = [data.chosen(chosen), data.chosen(pointed)];
     const width = this.barWidth(data, t);
-    const base = this.base(data, t);
+    const base = data.bars ? this.base(data, t) : 0;
     const half = rows <= FEW ? 2.5 : 1.5;
     const draw = (row: number, larger: number) => {
       const [x, y] = place(row);
@@ -235,6 +240,7 @@ export class Plot extends Chart {
       else if (x > area.left - 4 && y > area.top - 4 && x < area.left + area.width + 4 && y < area.top + area.height + 4)
         context.fillRect(x - half - larger, y - half - larger, 2 * (half + larger), 2 * (half + larger));
     };
+    if (data.equal === true) this.paintEqual(context, colours, data, t);
     context.fillStyle = colours.bars;
     for (let row = 0; row < rows; row++) draw(row, 0);
     context.fillStyle = colours.problem;
@@ -251,9 +257,19 @@ export class Plot extends Chart {
     if (under >= 0) this.paintValue(context, colours, data, under, place(under), area);
   }
 
+  /** Where both values are the same. */
+  private paintEqual(context: CanvasRenderingContext2D, colours: Colours, data: PlotData, t: Transform): void {
+    const at = this.scaling(data, t);
+    const [from, to] = endsOf(data, this.layers.width, this.layers.height).x;
+    context.strokeStyle = colours.text;
+    context.lineWidth = 1;
+    line(context, at(from, from), at(to, to));
+  }
+
   /** What the value under the pointer is. */
   private paintValue(context: CanvasRenderingContext2D, colours: Colours, { x, y }: PlotData, row: number, [px, py]: [number, number], area: Rect): void {
-    const value = ({ unit, values, names }: PlotData['x']) => names?.[row] ?? `${figure(values[row] ?? NaN)}${unit === '' ? '' : ` ${unit}`}`;
+    const value = ({ unit, values, names }: PlotData['x']) =>
+      names?.[Math.round(values[row] ?? NaN)] ?? `${figure(values[row] ?? NaN)}${unit === '' ? '' : ` ${unit}`}`;
     const text = `${value(x)}: ${value(y)}`;
     const wide = context.measureText(text).width + 12;
     const left = Math.max(area.left, Math.min(px + 8, area.left + area.width - wide));

@@ -620,6 +620,9 @@ observations-of-the-point-rejected = أرصاد النقطة، والمرفوض�
 whether-the-adjustment-accepted-the = هل قبل الضبط الرصدة، وإلا فمن رفضها.
 the-edit-was-not-made = لم يتم التعديل: { $reason } لم تتغير الكتلة.
 image-measurements-need-their-ground = تحتاج القياسات الصورية إلى نقاط ضبطها الأرضي: أعط ملفها أيضًا
+redundancy-number-of-an-observation = عدد الفائض لـ { $axis }، من 0 إلى 1: نصيب خطأ الإحداثي الذي يظهر في متبقيه. قرب 0 لا يراقبه شيء.
+w-statistic-of-an-observation = الإحصاءة w لـ { $axis }: المتبقي مقسومًا على خطئه المعياري (Baarda). يرفض تقصّي البيانات أكبرها.
+mdb-of-an-observation = أصغر انحياز يمكن كشفه (MDB) لـ { $axis }: يكشف اختبار الإحداثي خطأ بهذا القدر باحتمال 0.80. ويكبر كلما صغر عدد الفائض.
 placed-2 = موضوعة
 link-use = { $use ->
         [used] مستعمل
@@ -675,6 +678,8 @@ tie-points-by-rays = نقاط الربط بحسب الأشعة
 standard-errors-in-plan-along = الأخطاء المعيارية الأفقية على امتداد الكتلة
 standard-errors-in-height-along = الأخطاء المعيارية الارتفاعية على امتداد الكتلة
 gnss-positions = مواضع GNSS
+w-against-the-normal-distribution = الإحصاءات w إزاء التوزيع الطبيعي
+minimal-detectable-biases-by-image = أصغر انحياز يمكن كشفه بحسب الصورة
 control-and-check-points-plan = نقاط الضبط والتحقق، أفقيًا
 control-and-check-points-height = نقاط الضبط والتحقق، ارتفاعًا
 rmse-of-the-residuals = ‏RMSE المتبقيات
@@ -689,6 +694,9 @@ residual-vy = المتبقي vy
 ## state
 
 by-hand-kept = { $edits ->
+w-of-normal-errors = ‏w لأخطاء موزعة توزيعًا طبيعيًا
+w-statistic = الإحصاءة w
+minimal-detectable-bias = أصغر انحياز يمكن كشفه
         [one] بقي تعديل يدوي واحد.
         [two] بقي تعديلان يدويان.
         [few] بقيت { $edits } تعديلات يدوية.

@@ -682,6 +682,9 @@ whether-the-adjustment-accepted-the = Whether the adjustment accepted the observ
 
 ## state/editing
 
+redundancy-number-of-an-observation = Redundancy number of { $axis }, 0 to 1: the share of an error of the coordinate that shows in its residual. Near 0 nothing checks it.
+w-statistic-of-an-observation = w-statistic of { $axis }: residual by its standard error (Baarda). Data snooping rejects the largest.
+mdb-of-an-observation = Minimal detectable bias (MDB) of { $axis }: the test of the coordinate finds an error of this size with a probability of 0.80. It grows as the redundancy number falls.
 the-edit-was-not-made = The edit was not made: { $reason } The block is unchanged.
 
 ## state/given
@@ -746,6 +749,8 @@ tie-points-by-rays = Tie points by rays
 standard-errors-in-plan-along = Standard errors in plan, along the block
 standard-errors-in-height-along = Standard errors in height, along the block
 gnss-positions = GNSS positions
+w-against-the-normal-distribution = w-statistics against the normal distribution
+minimal-detectable-biases-by-image = Minimal detectable biases by image
 control-and-check-points-plan = Control and check points, plan
 control-and-check-points-height = Control and check points, height
 rmse-of-the-residuals = RMSE of the residuals
@@ -760,6 +765,9 @@ residual-vy = Residual vy
 by-hand-kept = { $edits } { $edits ->
         [one] edit
        *[other] edits
+w-of-normal-errors = w of normally distributed errors
+w-statistic = w-statistic
+minimal-detectable-bias = Minimal detectable bias
     } by hand { $edits ->
         [one] was
        *[other] were
