@@ -184,8 +184,10 @@ export interface Messages {
     camera_origin: CameraOrigin;
     camera_parameter: CameraParameter;
     error: { kind: string };
+    allowed: { kind: string };
     overview_warning: OverviewWarning;
     placing_verdict: PlacingVerdict;
+    place_search: PlaceSearch;
     image_reason: ImageReason;
     on_orthophoto: OnOrthophoto;
 }
@@ -271,6 +273,12 @@ export interface ImagePoints {
     places: Float64Array;
     /** Observed minus computed in px; NaN where there is none; stride 2. */
     residuals: Float64Array;
+    /** Redundancy numbers r, 0..1, of column and row; NaN where there are none, as of `w` and `detectable`; stride 2. */
+    redundancy: Float64Array;
+    /** Residuals by their standard errors (Baarda's w); stride 2. */
+    w: Float64Array;
+    /** Minimal detectable errors in px, found with a probability of 0.80; NaN where nothing checks the coordinate; stride 2. */
+    detectable: Float64Array;
     /** 0: it takes part; 1: it was rejected; 2: it was rejected by hand. */
     parts: Uint8Array;
 }
@@ -599,6 +607,11 @@ export interface PrintedOrientation {
 }
 
 /**
+ * A coordinate axis.
+ */
+export type Axis = "x" | "y" | "z";
+
+/**
  * A fiducial mark: where it was measured and where the calibration has it.
  */
 export interface Fiducial {
@@ -676,6 +689,10 @@ export interface ModelSummary {
     rmse_px: number;
     rmse_by_rays: RayCountRmse[];
     degrees_of_freedom: number;
+    /**
+     * By what standard errors grow for intervals, ellipses and ellipsoids of 95 %; absent without standard errors.
+     */
+    factors_95: Factors95 | null;
     rays_rejected: number;
     /**
      * Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
@@ -1041,6 +1058,11 @@ export interface RejectedObservation {
 }
 
 /**
+ * A slip of writing that explains wrong coordinates. Numbers are as they were written.
+ */
+export type Mistake = { kind: "exchanged" } | { kind: "sign"; axis: Axis; given: string } | { kind: "decimal_point"; axis: Axis; given: string; likely: string } | { kind: "feet"; given: string; likely: string } | { kind: "digit"; axis: Axis; given: string; likely: string } | { kind: "zone"; zone: number };
+
+/**
  * A surveyed point as it was measured in an image.
  */
 export interface ImageMeasurementRow {
@@ -1087,6 +1109,14 @@ export interface SurveyedPoint {
      * observations do not determine it.
      */
     left_out?: LeftOut;
+    /**
+     * Of a control point: the error of each coordinate in m that its test finds with a probability of 0.80; absent where nothing checks it.
+     */
+    detectable_m?: [number | null, number | null, number | null];
+    /**
+     * Of a control point whose coordinates contradict the other observations.
+     */
+    refused?: RefusedControl;
 }
 
 /**
@@ -1452,6 +1482,10 @@ export interface PlacedImage {
      * Absent where there is none.
      */
     placement: Placement | null;
+    /**
+     * Absent where it was not sought by a GNSS position.
+     */
+    search?: PlaceSearch;
 }
 
 /**
@@ -1574,6 +1608,24 @@ export interface Attitude {
 }
 
 /**
+ * By what standard errors grow for a region to hold the truth with a probability of 95 %.
+ */
+export interface Factors95 {
+    /**
+     * Of one unknown: the half-width of its interval by its standard error.
+     */
+    interval: number;
+    /**
+     * Of two unknowns that belong together: their ellipse by the standard error ellipse.
+     */
+    ellipse: number;
+    /**
+     * Of three: their ellipsoid by the standard error ellipsoid.
+     */
+    ellipsoid: number;
+}
+
+/**
  * Errors that GNSS positions share.
  */
 export type GnssErrors = "none" | "offset" | "strip-offsets" | "strip-drifts";
@@ -1660,6 +1712,11 @@ export type MeasuredBy = "hand" | "least_squares";
  * How a point's position is found between the pixels.
  */
 export type PointPosition = "quadratic" | "forstner";
+
+/**
+ * How an image with a GNSS position was sought on an orthophoto whose system is known.
+ */
+export type PlaceSearch = { kind: "gnss"; within_m: number } | { kind: "beyond_gnss"; within_m: number };
 
 /**
  * How far a stage is.
@@ -2271,6 +2328,10 @@ export interface ReconstructionOptions {
      */
     seed: number;
     /**
+     * Whether control points that contradict the other observations are refused and named.
+     */
+    tests_control: boolean;
+    /**
      * The points that are given of the adjusted block; absent: all are adjusted and given.
      */
     selection: SelectOptions | null;
@@ -2343,7 +2404,7 @@ export interface MatchOptions {
      */
     refine: Refinement | null;
     /**
-     * Points without a match are matched by least squares from where the matches around them foretell them, if they lie near their
+     * Points without a match are matched by least squares from where the matches around them predict them, if they lie near their
      * epipolar lines.
      */
     fill_in: boolean;
@@ -2668,6 +2729,10 @@ export interface ObjectPointStatistics {
      * Standard errors of X, Y, Z; absent without statistics.
      */
     errors: [number, number, number] | null;
+    /**
+     * Correlations of X with Y, of X with Z, of Y with Z; absent without statistics.
+     */
+    correlations?: [number, number, number] | null;
 }
 
 /**
@@ -3182,6 +3247,10 @@ export interface PairInterior {
     left: Interior;
     right: Interior;
     focal_mm: number;
+    /**
+     * What speaks against the focal lengths before anything is matched.
+     */
+    doubt?: Warning;
 }
 
 /**
@@ -3622,6 +3691,20 @@ export interface ObservationSource {
 export type News = ({ kind: "step" } & Step) | ({ kind: "image" } & ReadImage) | { kind: "skipped"; name: string; reason: string } | { kind: "pair"; connection: Connection; geometry: TwoView | null };
 
 /**
+ * What became of a control point that a test refuses.
+ */
+export interface RefusedControl {
+    /**
+     * The coordinate whose test is largest.
+     */
+    axis: Axis;
+    /**
+     * Whether it takes part all the same, since too few points are left to tell which of them is wrong.
+     */
+    is_used: boolean;
+}
+
+/**
  * What became of a ray.
  */
 export type RefinementOutcome = "reference" | "refined" | "not_converged" | "left_image" | "moved_too_far" | "low_correlation" | "no_texture" | "inconsistent";
@@ -3733,7 +3816,7 @@ export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: nu
 /**
  * What came of the orthophoto that a block was given.
  */
-export type OnOrthophoto = { kind: "linked"; linked: number; images: number; points: number; checks: number; rejected: number; in_crs?: boolean } | { kind: "not_linked"; not_linked: NotLinked };
+export type OnOrthophoto = { kind: "linked"; linked: number; images: number; points: number; checks: number; rejected: number; in_crs?: boolean; epsg?: number } | { kind: "not_linked"; not_linked: NotLinked };
 
 /**
  * What check points say of a model: differences, adjusted minus surveyed.
@@ -4008,12 +4091,12 @@ export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | {
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; mistake: Mistake | null } | { kind: "control_contradicts"; refused: number; points: number } | { kind: "few_control"; points: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
  */
-export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
+export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "doubtful_focal"; side: Side; sides: number; least: number; most: number } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
 
 /**
  * What may change from round to round of an adjustment.
@@ -4038,7 +4121,7 @@ export type CameraCaution = { kind: "resized"; taken_width_px: number; taken_hei
 /**
  * What speaks against the orientation of an image on an orthophoto.
  */
-export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "rejected"; rejected: number; links: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "plan"; height_m: number; half_width_m: number } | { kind: "noise"; rmse_px: number; usual_px: number };
+export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "rejected"; rejected: number; links: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "plan"; height_m: number; half_width_m: number } | { kind: "camera"; camera_parameter: CameraParameter; estimated_px: number; prior_px: number; apart: number } | { kind: "noise"; rmse_px: number; usual_px: number };
 
 /**
  * What the adjustment says of an observed position; 0 for a coordinate that was not observed.
@@ -4064,6 +4147,14 @@ export interface PriorStatistics {
      * The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
      */
     detectable?: [number | null, number | null, number | null];
+    /**
+     * External reliability: no function of the unknowns changes by more than so many of its standard errors by an undetected error of that size.
+     */
+    influence?: [number | null, number | null, number | null];
+    /**
+     * How far an undetected error of that size moves the adjusted coordinate.
+     */
+    moves?: [number | null, number | null, number | null];
     /**
      * Of a control point: its place by all other observations; absent where these do not determine it, and without statistics.
      */
@@ -4091,6 +4182,14 @@ export interface ObservationStatistics {
      * The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
      */
     detectable_px?: [number | null, number | null];
+    /**
+     * External reliability: no function of the unknowns changes by more than so many of its standard errors by an undetected error of that size.
+     */
+    influence?: [number | null, number | null];
+    /**
+     * How far an undetected error of that size moves its object point; absent in a free network, where that depends on the inner constraints.
+     */
+    moves_point?: [number | null, number | null];
 }
 
 /**
@@ -4216,7 +4315,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -4567,9 +4666,10 @@ export class OrthoMosaic {
     heights(): Uint8Array | undefined;
     /**
      * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
-     * pixel; absent: that of the images.
+     * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
+     * adjustment, as the map of the page is.
      */
-    static open(project: Uint8Array | number[], heights: number | Uint8Array | null, heights_world_file?: string | null, gsd?: number | null): OrthoMosaic;
+    static open(project: Uint8Array | number[], heights: number | Uint8Array | null, heights_world_file?: string | null, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
     /**
      * The names of the block's images.
      */
@@ -4616,7 +4716,8 @@ export class OrthophotoReference {
     picture(column: number, row: number, width: number, height: number, halvings: number): Uint8Array;
     /**
      * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
-     * of its EXIF and XMP, or a usual one.
+     * of its EXIF and XMP, or a usual one. Where it records a GNSS position and the system of the orthophoto is known, it is sought there first, within
+     * `within_m`, then on all of the orthophoto.
      */
     place(name: string, file: Uint8Array | number[], cameras?: string | null): PlacedImage;
     /**
@@ -5298,7 +5399,7 @@ export interface InitOutput {
     readonly orthomosaic_finish: (a: number) => [number, number, number, number];
     readonly orthomosaic_heights: (a: number) => [number, number, number, number];
     readonly orthomosaic_names: (a: number) => [number, number];
-    readonly orthomosaic_open: (a: number, b: number, c: any, d: number, e: number, f: number, g: number) => [number, number, number];
+    readonly orthomosaic_open: (a: number, b: number, c: any, d: number, e: number, f: number, g: number, h: number) => [number, number, number];
     readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: number, e: number, f: any, g: any, h: number, i: number, j: any) => [number, number, number];
     readonly orthophotoreference_ground_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
     readonly orthophotoreference_heights_at: (a: number, b: number, c: number) => [number, number, number, number];

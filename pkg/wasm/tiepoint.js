@@ -602,14 +602,16 @@ export class OrthoMosaic {
     }
     /**
      * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
-     * pixel; absent: that of the images.
+     * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
+     * adjustment, as the map of the page is.
      * @param {Uint8Array | number[]} project
      * @param {number | Uint8Array | null} heights
      * @param {string | null} [heights_world_file]
      * @param {number | null} [gsd]
+     * @param {boolean | null} [in_adjustment]
      * @returns {OrthoMosaic}
      */
-    static open(project, heights, heights_world_file, gsd) {
+    static open(project, heights, heights_world_file, gsd, in_adjustment) {
         const val3 = +(isLikeNone(gsd) ? 0 : gsd);
         let ptr0, len0, ptr1, len1;
         try {
@@ -622,7 +624,7 @@ export class OrthoMosaic {
             if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
             throw e;
         }
-        const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3);
+        const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3, isLikeNone(in_adjustment) ? 0xFFFFFF : in_adjustment ? 1 : 0);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -778,7 +780,8 @@ export class OrthophotoReference {
     }
     /**
      * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
-     * of its EXIF and XMP, or a usual one.
+     * of its EXIF and XMP, or a usual one. Where it records a GNSS position and the system of the orthophoto is known, it is sought there first, within
+     * `within_m`, then on all of the orthophoto.
      * @param {string} name
      * @param {Uint8Array | number[]} file
      * @param {string | null} [cameras]
@@ -3074,7 +3077,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 10, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 13, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
             return ret;
         },

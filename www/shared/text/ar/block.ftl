@@ -693,10 +693,10 @@ residual-vy = المتبقي vy
 
 ## state
 
-by-hand-kept = { $edits ->
 w-of-normal-errors = ‏w لأخطاء موزعة توزيعًا طبيعيًا
 w-statistic = الإحصاءة w
 minimal-detectable-bias = أصغر انحياز يمكن كشفه
+by-hand-kept = { $edits ->
         [one] بقي تعديل يدوي واحد.
         [two] بقي تعديلان يدويان.
         [few] بقيت { $edits } تعديلات يدوية.

@@ -762,12 +762,12 @@ adjusted-minus-surveyed-height = Adjusted minus surveyed height
 residual-vx = Residual vx
 residual-vy = Residual vy
 
-by-hand-kept = { $edits } { $edits ->
-        [one] edit
-       *[other] edits
 w-of-normal-errors = w of normally distributed errors
 w-statistic = w-statistic
 minimal-detectable-bias = Minimal detectable bias
+by-hand-kept = { $edits } { $edits ->
+        [one] edit
+       *[other] edits
     } by hand { $edits ->
         [one] was
        *[other] were
