@@ -183,7 +183,7 @@ export class BlockFiles {
     try {
       const names = new Set(this.store.state.files.map(({ name }) => name));
       const marks = parse_image_measurements(await file.text());
-      return marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE.test(image)) ? 'marks' : 'control';
+      return marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image)) ? 'marks' : 'control';
     } catch {
       return 'control';
     }
