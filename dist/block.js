@@ -310,6 +310,125 @@ function reducePlacing(placing, action) {
 function isSameLooked(a, b) {
 	return a.image === b.image && a.link === b.link;
 }
+var LEAST_IMAGES = 2;
+var pointsOfFile = remember((control) => readOr(control, parse_ground_control_points));
+var marksOfFile = remember((marks) => readOr(marks, parse_image_measurements));
+function readOr(file, read) {
+	try {
+		return file === null ? [] : read(file.text);
+	} catch {
+		return [];
+	}
+}
+var keyOf = ({ image, point }) => JSON.stringify([image, point]);
+var marksByHand = remember(({ edits, done }) => {
+	const held = new Map();
+	for (const { kind, marks } of edits.slice(0, done)) for (const mark of marks) {
+		held.delete(keyOf(mark));
+		if (kind === "measure") held.set(keyOf(mark), mark);
+	}
+	return [...held.values()];
+});
+var allMarks = remember((file, history) => {
+	const all = [...marksOfFile(file), ...marksByHand(history)];
+	return [...new Map(all.map((mark) => [keyOf(mark), mark])).values()];
+});
+var collected = remember((control, file, history, files) => {
+	const byHand = marksByHand(history);
+	if (control === null) return {
+		twice: 0,
+		run: null,
+		asGiven: true
+	};
+	if (file !== null && byHand.length === 0) return {
+		twice: 0,
+		run: {
+			points: control.text,
+			marks: file.text
+		},
+		asGiven: true
+	};
+	const points = pointsOfFile(control);
+	const [names, images] = [new Set(points.map(({ name }) => name)), new Set(files.map(({ name }) => name))];
+	const ofHand = new Set(byHand);
+	const marks = allMarks(file, history).filter((mark) => !ofHand.has(mark) || names.has(mark.point) && images.has(mark.image));
+	const seen = new Map();
+	for (const { point, image } of marks) if (images.has(image)) seen.set(point, (seen.get(point) ?? 0) + 1);
+	const twice = points.filter(({ name, role }) => role === "control" && (seen.get(name) ?? 0) >= LEAST_IMAGES).length;
+	return {
+		twice,
+		run: twice < 3 ? null : {
+			points: control.text,
+			marks: tableOf(marks)
+		},
+		asGiven: false
+	};
+});
+function collectedOf({ files, options, marks }) {
+	return collected(options.control, options.marks, marks, files);
+}
+function waitsForMarks(state) {
+	return state.options.control !== null && collectedOf(state).run === null;
+}
+function givenToRun(state) {
+	const { control, marks } = state.options;
+	const { run, asGiven } = collectedOf(state);
+	if (control === null || asGiven && run !== null) return {
+		control,
+		marks
+	};
+	return run === null ? {
+		control: null,
+		marks: null
+	} : {
+		control,
+		marks: {
+			name: marks?.name ?? "",
+			text: run.marks
+		}
+	};
+}
+function tableOf(marks) {
+	const quoted = (text) => `"${text.replaceAll("\"", "\"\"")}"`;
+	return `image,point,x_px,y_px\n${marks.map(({ image, point, x_px, y_px }) => `${quoted(image)},${quoted(point)},${String(x_px)},${String(y_px)}\n`).join("")}`;
+}
+var NONE = [];
+var givenBeside = remember((control, file, history, surveyed) => {
+	const known = new Set(surveyed.map(({ name }) => name));
+	const images = new Map();
+	for (const { point } of allMarks(file, history)) images.set(point, (images.get(point) ?? 0) + 1);
+	const rows = pointsOfFile(control).filter(({ name }) => !known.has(name));
+	return rows.length === 0 ? NONE : rows.map(({ name, position, role }) => ({
+		name,
+		position,
+		role: role ?? null,
+		images: images.get(name) ?? 0
+	}));
+});
+function withGiven(view, { options, marks }) {
+	const given = view.partial || options.control === null ? NONE : givenBeside(options.control, options.marks, marks, view.surveyed);
+	return given === (view.given ?? NONE) ? view : {
+		...view,
+		given
+	};
+}
+var placesOfGiven = remember((name, view, file, history) => {
+	const index = new Map(view.images.map((image, i) => [image.name, i]));
+	return new Map(allMarks(file, history).flatMap(({ point, image, x_px, y_px }) => {
+		const at = index.get(image);
+		return point === name && at !== void 0 ? [[at, [x_px, y_px]]] : [];
+	}));
+});
+function nextBack(history, marks) {
+	const mark = marks.edits[marks.done - 1];
+	if (mark !== void 0 && mark.after >= history.done) return "mark";
+	return history.done > 0 ? "edit" : mark === void 0 ? null : "mark";
+}
+function nextAgain(history, marks) {
+	const mark = marks.edits[marks.done];
+	if (mark !== void 0 && mark.after <= history.done) return "mark";
+	return history.done < history.edits.length ? "edit" : mark === void 0 ? null : "mark";
+}
 // www/block/state/selection.ts
 var NOTHING_SELECTED = {
 	chosen: null,
@@ -375,6 +494,7 @@ function pointsOf(choice) {
 function isSame(a, b) {
 	if (a === b) return true;
 	if (a === null || b === null || a.kind !== b.kind) return false;
+	if (a.kind === "given" && b.kind === "given") return a.name === b.name;
 	const [images, others] = [imagesOf(a), imagesOf(b)];
 	const [points, others_] = [pointsOf(a), pointsOf(b)];
 	return images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
@@ -388,6 +508,7 @@ function inOtherView(selection, before, after) {
 	};
 }
 function moved(choice, before, after) {
+	if (choice?.kind === "given") return after.given?.some(({ name }) => name === choice.name) === true ? choice : null;
 	if (choice?.kind !== "image" && choice?.kind !== "pair") return null;
 	const place = (image) => after.images.findIndex(({ name }) => name === before.images[image]?.name);
 	if (choice.kind === "image") return place(choice.image) < 0 ? null : {
@@ -418,6 +539,7 @@ var BLOCK_INITIAL = {
 	running: { kind: "no" },
 	shown: null,
 	selection: NOTHING_SELECTED,
+	marks: NO_HISTORY,
 	panes: NO_PANES,
 	placing: NO_PLACING,
 	...UNEDITED,
@@ -425,8 +547,11 @@ var BLOCK_INITIAL = {
 	opened: null,
 	notice: null
 };
-function wantedKey({ files, options }) {
-	return JSON.stringify([files.map(({ id }) => id), options]);
+function wantedKey(state) {
+	return JSON.stringify([state.files.map(({ id }) => id), {
+		...state.options,
+		...givenToRun(state)
+	}]);
 }
 function isOutdated(state) {
 	return state.shown !== null && state.shown.files.length > 0 && state.shown.key !== wantedKey(state);
@@ -769,7 +894,7 @@ var PlacingEngine = class {
 			side
 		});
 	}
-	async mosaic(project, files) {
+	async mosaic(project, files, inAdjustment) {
 		this.stopped = false;
 		const tell = (done, total, text) => this.store.dispatch({
 			type: "placing",
@@ -783,7 +908,8 @@ var PlacingEngine = class {
 		try {
 			const names = await this.maker.call("mosaicOpen", {
 				project,
-				heights: null
+				heights: null,
+				inAdjustment
 			});
 			for (const [done, { name, file }] of files.entries()) {
 				tell(done, files.length, say("orthomosaic", { name }));
@@ -974,17 +1100,14 @@ function calibrationsOf({ verdict, cameras }, isSimulated, at) {
 	});
 }
 // www/block/state/given.ts
-var PARTNER_MISSING = {
-	control: say("ground-control-points-need-their"),
-	marks: say("image-measurements-need-their-ground")
-};
-function problemsOf({ files, options }) {
-	return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks);
+var PARTNER_MISSING = { marks: say("image-measurements-need-their-ground") };
+function problemsOf({ files, options, marks }) {
+	return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, marks);
 }
 function firstProblem(state) {
 	return Object.values(problemsOf(state))[0] ?? null;
 }
-var problems = remember((files, placing, cameras, control, marks, masks) => {
+var problems = remember((files, placing, cameras, control, marks, masks, byHand) => {
 	if (placing === null) return {};
 	const names = files.map(({ name }) => name);
 	const found = {};
@@ -999,9 +1122,16 @@ var problems = remember((files, placing, cameras, control, marks, masks) => {
 	};
 	if (cameras !== null) look("cameras", cameras.name, () => check_cameras(cameras.text, names));
 	const pointsRead = control !== null && look("control", control.name, () => parse_ground_control_points(control.text));
-	const marksRead = marks !== null && look("marks", marks.name, () => parse_image_measurements(marks.text));
-	if (pointsRead && marksRead) look("marks", marks.name, () => check_control(control.text, marks.text, names, placing));
-	if (control !== null && marks === null) found.control ??= PARTNER_MISSING.control ?? "";
+	const marksRead = marks === null || look("marks", marks.name, () => parse_image_measurements(marks.text));
+	const { run } = collectedOf({
+		files,
+		options: {
+			control,
+			marks
+		},
+		marks: byHand
+	});
+	if (pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing));
 	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
 	look("masks", "", () => check_masks(names, masks.map(({ name }) => name)));
 	return found;
@@ -1051,7 +1181,10 @@ var BlockEngine = class {
 		try {
 			const input = {
 				files,
-				options: runOptions(state.options, settings),
+				options: runOptions({
+					...state.options,
+					...givenToRun(state)
+				}, settings),
 				masks: state.options.masks,
 				truth,
 				workers: this.pool.size,
@@ -1431,7 +1564,7 @@ function indexOfSource({ points }, source) {
 	return places$1(points.sources).get(codeOfSource(source)) ?? -1;
 }
 function choiceAfterEdit(choice, before, after) {
-	if (choice === null || choice.kind === "image" || choice.kind === "pair") return choice;
+	if (choice === null || choice.kind === "image" || choice.kind === "pair" || choice.kind === "given") return choice;
 	const moved = [...pointsOf(choice)].flatMap((point) => {
 		const source = sourceOf$1(before, point);
 		const index = source === null ? -1 : indexOfSource(after, source);
@@ -1580,6 +1713,19 @@ function nameOfStep(step, names = NO_NAMES) {
 	}
 	return say("step-edits", { edits: step.length });
 }
+function nameOfMarks({ kind, marks }) {
+	const [first] = marks;
+	if (first === void 0) return say("nothing");
+	const images = marks.length === 1 ? first.image : say("so-many-images", { images: marks.length });
+	return kind === "measure" ? say("step-measure-in", {
+		verb: "measure",
+		what: first.point,
+		images
+	}) : say("step-unmark", {
+		what: first.point,
+		images
+	});
+}
 function nameOfMeasures(step, names) {
 	const [first, ...more] = step;
 	const verb = step.every(({ by }) => by === "least_squares") ? "match" : "measure";
@@ -1702,6 +1848,20 @@ function reduceEdits(state, action) {
 				notice
 			};
 		}
+		case "mark":
+			if (action.step.kind === "measure" && !isEditable(state)) return state;
+			return {
+				...state,
+				marks: recorded(state.marks, action.step),
+				draft: null,
+				notice: afterEdit(state)
+			};
+		case "gotoMark": return {
+			...state,
+			marks: wentTo(state.marks, action.done),
+			draft: null,
+			notice: afterEdit(state)
+		};
 		case "draft": return {
 			...state,
 			draft: isEditable(state) ? action.draft : null,
@@ -1713,14 +1873,14 @@ function afterEdit({ notice }) {
 	return notice?.kind === "busy" ? notice : null;
 }
 function withoutRefused(history, made) {
-	const kept = stepsOf(history, made);
+	const kept = stepsOf$1(history, made);
 	const later = kept.length < history.done && kept.every((step, i) => step === history.edits[i]) ? history.edits.slice(kept.length + 1, history.done) : [];
 	return {
 		edits: [...kept, ...later],
 		done: kept.length + later.length
 	};
 }
-function stepsOf({ edits: steps }, edits) {
+function stepsOf$1({ edits: steps }, edits) {
 	let count = 0;
 	const kept = steps.filter((step) => {
 		const stays = count + step.length <= edits.length && step.every((edit, i) => edit === edits[count + i]);
@@ -1876,7 +2036,38 @@ function placed$1(draft, image, [x, y], { width, height }, by = "hand") {
 		}]])
 	};
 }
+function isGiven(of) {
+	return of !== null && "given" in of;
+}
+function stepOfDraft(draft, names, after) {
+	const { of, places } = draft;
+	if (!isGiven(of)) {
+		const edits = editsOfDraft(draft);
+		return edits === null ? null : {
+			type: "edit",
+			edits
+		};
+	}
+	const marks = [...places].flatMap(([image, { at }]) => {
+		const name = names[image];
+		return name === void 0 ? [] : [{
+			image: name,
+			point: of.given,
+			x_px: at[0],
+			y_px: at[1]
+		}];
+	});
+	return marks.length === 0 ? null : {
+		type: "mark",
+		step: {
+			kind: "measure",
+			marks,
+			after
+		}
+	};
+}
 function editsOfDraft({ of, places }) {
+	if (isGiven(of)) return null;
 	const observations = [...places].map(([image, { at, by }]) => ({
 		image,
 		x_px: at[0],
@@ -1894,7 +2085,7 @@ function editsOfDraft({ of, places }) {
 	}];
 }
 // www/block/state/under.ts
-var SAME = {
+var SAME$1 = {
 	a: 1,
 	b: 0,
 	c: 0,
@@ -1956,7 +2147,7 @@ function inverse({ a, b, c, d, e, f }) {
 function scaleOf({ a, b, c, d }) {
 	return Math.sqrt(Math.abs(a * d - b * c));
 }
-function similarity(from, to) {
+function similarity$1(from, to) {
 	if (from.length < 2 || from.length !== to.length) return null;
 	const [fx, fy] = middle(from);
 	const [tx, ty] = middle(to);
@@ -2110,17 +2301,38 @@ function splitOf({ selection, shown, panes }, facts) {
 	return detail === null ? null : split(detail, shownImages(panes, shown.view));
 }
 function step(store, by) {
-	if (store.state.draft !== null) {
+	const { draft, history, marks } = store.state;
+	if (draft !== null) {
 		store.dispatch({
 			type: "draft",
 			draft: null
 		});
 		return;
 	}
-	store.dispatch({
+	const next = by < 0 ? nextBack(history, marks) : nextAgain(history, marks);
+	if (next === "edit") store.dispatch({
 		type: "goto",
-		done: store.state.history.done + by
+		done: history.done + by
 	});
+	if (next === "mark") store.dispatch({
+		type: "gotoMark",
+		done: marks.done + by
+	});
+}
+function stepsOf({ history, marks }, names) {
+	const nameIn = ({ edits }, place, nameOf) => {
+		const edit = edits[place];
+		return edit === void 0 ? [] : [nameOf(edit)];
+	};
+	const named = (kind, back) => {
+		if (kind === "mark") return nameIn(marks, marks.done - back, nameOfMarks);
+		return kind === "edit" ? nameIn(history, history.done - back, (one) => nameOfStep(one, names)) : [];
+	};
+	const before = named(nextBack(history, marks), 1);
+	return {
+		edits: [...before, ...named(nextAgain(history, marks), 0)],
+		done: before.length
+	};
 }
 function namesIn({ shown }) {
 	return shown === null ? NO_NAMES : namesOf(shown.found);
@@ -2135,7 +2347,13 @@ function mountEditBar(store, facts, measures) {
 	const reject = button(say("reject"), "block-reject", () => make(store, editOf(store.state, "reject")), say("take-what-is-chosen-out"));
 	const whole = button(say("reject-point"), "block-reject-point", () => make(store, editOf(store.state, "reject", true)), say("take-the-point-with-all"));
 	const restore = button(say("restore"), "block-restore", () => make(store, editOf(store.state, "restore")), say("use-what-is-chosen-again"));
-	const measure = button(say("measure-it"), "block-measure", () => measures()?.toggle(false), say("measure-the-chosen-point-in"));
+	const measure = button(say("measure-it"), "block-measure", () => {
+		if (store.state.onStage !== "images") store.dispatch({
+			type: "stage",
+			view: "images"
+		});
+		measures()?.toggle(false);
+	}, say("measure-the-chosen-point-in"));
 	const add = button(say("add-point"), "block-add-point", () => measures()?.toggle(true), say("measure-a-new-tie-point"));
 	const join = button(say("join"), "block-join", () => makeStep(store, joinedOf(store.state, facts)), say("the-chosen-points-are-one"));
 	const apart = button(say("split"), "block-split", () => makeStep(store, splitOf(store.state, facts)), say("the-point-is-two-one"));
@@ -2191,7 +2409,7 @@ function mountEditBar(store, facts, measures) {
 		const { chosen } = state.selection;
 		bar.hidden = !isEditable(state);
 		const names = namesIn(state);
-		showSteps(undo, redo, state.history, (step) => nameOfStep(step, names));
+		showSteps(undo, redo, stepsOf(state, names), (name) => name);
 		const [off, point, on] = [
 			editOf(state, "reject"),
 			editOf(state, "reject", true),
@@ -2204,15 +2422,16 @@ function mountEditBar(store, facts, measures) {
 		restore.hidden = drafting || on === null;
 		whole.hidden = drafting || chosen?.kind !== "observation" || point === null;
 		const inImages = state.onStage === "images";
-		measure.hidden = drafting || !inImages;
+		const given = chosen?.kind === "given";
+		measure.hidden = drafting || !(inImages || given);
 		const { taking = 0 } = state.shown?.view.points ?? {};
-		measure.disabled = chosen?.kind !== "point" && chosen?.kind !== "observation" || chosen.point >= taking;
+		measure.disabled = chosen?.kind !== "given" && (chosen?.kind !== "point" && chosen?.kind !== "observation" || chosen.point >= taking);
 		add.hidden = drafting || !inImages;
 		join.hidden = drafting || joinedOf(state, facts) === null;
 		apart.hidden = drafting || !inImages || splitOf(state, facts) === null;
-		match.hidden = !inImages || measure.disabled && !drafting;
+		match.hidden = !inImages || (measure.disabled || given) && !drafting;
 		accept.hidden = !drafting;
-		accept.disabled = state.draft === null || editsOfDraft(state.draft) === null;
+		accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done) === null;
 		leave.hidden = !drafting;
 		const said = textOf(state);
 		if (text.textContent !== said) text.textContent = said;
@@ -2230,6 +2449,7 @@ function mountEditBar(store, facts, measures) {
 	};
 	store.watch([
 		"history",
+		"marks",
 		"selection",
 		"shown",
 		"running",
@@ -2258,7 +2478,7 @@ function surveyedChoice({ selection }, facts) {
 function textOf({ draft, adjusting, before, shown }) {
 	if (draft !== null) {
 		const placed = draft.places.size;
-		const what = draft.of === null ? say("new-point") : say("point");
+		const what = draft.of === null ? say("new-point") : isGiven(draft.of) ? draft.of.given : say("point");
 		const more = draft.of === null && placed < 2 ? say("two-images-or-more-are") : "";
 		return say("placed-in-press-its-place", {
 			what,
@@ -2293,7 +2513,7 @@ function px(value) {
 }
 function mountBlockEditKeys(store, hosts) {
 	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null;
-	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length > 0 && isBlockSeen(), (by) => step(store, by));
+	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(), (by) => step(store, by));
 	const idle = () => store.state.draft === null && isBlockSeen();
 	const list = [{
 		keys: ["Delete", "Backspace"],
@@ -2323,8 +2543,10 @@ function mountEditPanel(host, store) {
 		class: "history",
 		testid: "block-history"
 	});
+	const marked = h("div", { testid: "block-marked" });
 	const hint = h("p", { class: "note" }, say("choose-an-image-a-tie"));
-	host.append(h("div", { class: "edits" }, hint, compared, h("h3", {}, say("rejected-by-hand")), rejected, h("h3", {}, say("history")), history));
+	host.append(h("div", { class: "edits" }, hint, compared, marked, h("h3", {}, say("rejected-by-hand")), rejected, h("h3", {}, say("history")), history));
+	mountMarks(marked, store, history);
 	store.watch([
 		"history",
 		"shown",
@@ -2346,6 +2568,41 @@ function mountEditPanel(host, store) {
 			buttons[at],
 			buttons[at - 1],
 			history.querySelector("[aria-current]")
+		]);
+	});
+}
+function mountMarks(host, store, after) {
+	const list = h("ul", {
+		class: "rejected",
+		testid: "block-marks-list"
+	});
+	store.watch(["marks"], ([marks]) => {
+		const at = [...list.querySelectorAll("button")].indexOf(document.activeElement);
+		const held = at < 0 ? null : document.activeElement;
+		const byHand = marksByHand(marks);
+		fill(list, ...byHand.map((mark) => {
+			const name = say("mark-of", {
+				point: mark.point,
+				image: mark.image
+			});
+			const remove = button(say("remove"), `remove-mark-${mark.point}-${mark.image}`, () => store.dispatch({
+				type: "mark",
+				step: {
+					kind: "remove",
+					marks: [mark],
+					after: store.state.history.done
+				}
+			}));
+			remove.className = "link";
+			remove.setAttribute("aria-label", say("remove-2", { title: name }));
+			return h("li", {}, `${name}: ${fixed(mark.x_px, 1)} ${fixed(mark.y_px, 1)} `, remove);
+		}));
+		fill(host, ...byHand.length === 0 ? [] : [h("h3", {}, say("marks-by-hand")), list]);
+		const buttons = list.querySelectorAll("button");
+		passFocus(held, [
+			buttons[at],
+			buttons[at - 1],
+			after.querySelector("[aria-current]")
 		]);
 	});
 }
@@ -2576,7 +2833,7 @@ function stemOf(name) {
 // www/block/panel/mosaic.ts
 var NAME = "orthomosaic.tif";
 async function saveMosaic(store, engine, placing) {
-	const mosaic = await made$1(store, engine, placing);
+	const mosaic = await made$1(store, engine, placing, false);
 	if (mosaic === null) return;
 	save(mosaic, NAME);
 	tell$2(store, "info", say("was-saved-2", {
@@ -2586,7 +2843,7 @@ async function saveMosaic(store, engine, placing) {
 }
 async function makeMosaic(store, engine, placing) {
 	const key = store.state.shown?.key ?? "";
-	const mosaic = await made$1(store, engine, placing);
+	const mosaic = await made$1(store, engine, placing, true);
 	if (mosaic === null) return;
 	tell$2(store, "busy", say("laying-the-orthomosaic-under-the"));
 	try {
@@ -2603,14 +2860,14 @@ async function makeMosaic(store, engine, placing) {
 		tell$2(store, "problem", say("the-orthomosaic-cannot-be-shown", { sentence: sentence(messageOf(error)) }));
 	}
 }
-async function made$1(store, engine, placing) {
+async function made$1(store, engine, placing, inAdjustment) {
 	const files = imagesOfBlock(store.state);
 	if (files.length === 0) {
 		tell$2(store, "problem", say("an-orthomosaic-is-made-of"));
 		return null;
 	}
 	try {
-		const bytes = await placing.mosaic(await engine.project(), files);
+		const bytes = await placing.mosaic(await engine.project(), files, inAdjustment);
 		if (bytes !== null) return new Blob([bytes], { type: "image/tiff" });
 		tell$2(store, "info", say("cancelled-no-orthomosaic-was-made"));
 	} catch (error) {
@@ -2724,9 +2981,160 @@ async function saveAs(store, engine, kind) {
 		});
 	}
 }
+// pkg/block/image-files.js
+var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
+// www/block/state/words.ts
+function connectionOf(view, [a, b]) {
+	return connectionsOf(view).get(pairKey(a, b));
+}
+function pairKey(a, b) {
+	return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
+}
+var CONNECTIONS = new WeakMap();
+function connectionsOf(view) {
+	const known = CONNECTIONS.get(view);
+	if (known !== void 0) return known;
+	const made = new Map(view.connections.map((connection) => [pairKey(...connection.images), connection]));
+	CONNECTIONS.set(view, made);
+	return made;
+}
+function matchesOf({ outcome }) {
+	return outcome.kind === "connected" ? outcome.matches : 0;
+}
+function mostMatches({ connections }) {
+	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+}
+function describe(view, choice) {
+	switch (choice.kind) {
+		case "image": return describeImage(view, choice.image);
+		case "pair": return describePair(view, choice.images);
+		case "point": return describePoint(view, choice.point);
+		case "observation": return `${view.images[choice.image]?.name ?? ""}, ${describePoint(view, choice.point)}`;
+		case "points": return describePoints(view, choice.points);
+		case "given": return describeGiven(view, choice.name);
+	}
+}
+function describeImage(view, index) {
+	const image = view.images[index];
+	if (image === void 0) return "";
+	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
+	return `${[
+		say("observations-4", {
+			name: image.name,
+			what: image.features === null ? "" : say("features-2", { features: image.features }),
+			rays: image.rays,
+			what_2: image.places === null ? "" : say("in-of-9-von-gruber", { places: image.places })
+		}),
+		say("connected-with-of-images", {
+			partners,
+			images: view.images.length - 1
+		}),
+		image.rmsePx === null ? "" : say("rmse-px-3", { rmse_px: image.rmsePx }),
+		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
+		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
+	].filter((part) => part !== "").join("; ")}.`;
+}
+var GEOMETRIES = new WeakMap();
+function geometryText(geometry) {
+	if (geometry === null) return "";
+	const { kind, degenerate, sigmaPx } = geometry;
+	const weak = degenerate === null ? null : message("degeneracy", degenerate, "short");
+	const text = GEOMETRIES.get(geometry) ?? say("geometry", {
+		model: message("two_view_model", { kind }, "short"),
+		weak,
+		sigma_px: sigmaPx
+	});
+	GEOMETRIES.set(geometry, text);
+	return text;
+}
+function describePair(view, images) {
+	const names = images.map((image) => view.images[image]?.name ?? "").join(" – ");
+	const connection = connectionOf(view, images);
+	if (connection === void 0) return say("this-pair-was-not-tried", { names });
+	const { reason, geometry, shared, chosen } = connection;
+	return `${names}: ${[
+		reason.replace(/\.$/u, ""),
+		geometryText(geometry),
+		shared > 0 ? say("common-points-selected", {
+			shared,
+			chosen
+		}) : ""
+	].filter((part) => part !== "").join("; ")}.`;
+}
+function describePoint({ points, surveyed }, point) {
+	const axes = [
+		0,
+		1,
+		2
+	].map((axis) => 3 * point + axis);
+	const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(" ");
+	const errors = axes.map((at) => points.errors[at] ?? NaN);
+	return `${[
+		say("rays-3", {
+			name: surveyed.find((known) => known.point === point)?.name ?? say("point-of-number", { number: point + 1 }),
+			rays: points.rays[point] ?? 0
+		}),
+		known$2(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
+		known$2(points.positions[3 * point]) ? `X Y Z ${place}` : say("not-intersected"),
+		errors.every(known$2) ? `± ${errors.map((error) => fixed(error, 3)).join(" ")}` : "",
+		point < points.taking ? "" : say("rejected-by-hand-2")
+	].filter((part) => part !== "").join("; ")}.`;
+}
+function describeGiven({ given = [] }, name) {
+	const point = given.find((own) => own.name === name);
+	if (point === void 0) return name;
+	const place = point.position.map((value) => fixed(value, 3)).join(" ");
+	return say("given-point", {
+		name,
+		place,
+		use: givenUse(point)
+	});
+}
+function controlText(state) {
+	return say("control-waits", {
+		twice: collectedOf(state).twice,
+		needed: 3
+	});
+}
+function givenUse({ role, images }) {
+	return say("given-use", {
+		role: role ?? "none",
+		images
+	});
+}
+function describePoints({ points }, chosen) {
+	let [least, most, squares, adjusted] = [
+		Infinity,
+		0,
+		0,
+		0
+	];
+	for (const point of chosen) {
+		const rays = points.rays[point] ?? 0;
+		[least, most] = [Math.min(least, rays), Math.max(most, rays)];
+		const rmse = points.rmsePx[point] ?? NaN;
+		if (!known$2(rmse)) continue;
+		squares += rays * rmse * rmse;
+		adjusted += rays;
+	}
+	const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
+	const rays = least === most ? count(most) : say("to", {
+		least,
+		most
+	});
+	return say("tie-points-of-rays", {
+		chosen: chosen.length,
+		rays,
+		what: adjusted > 0 ? say("rmse-px-5", { squares: Math.sqrt(squares / adjusted) }) : "",
+		what_2: gone > 0 ? say("rejected-by-hand-3", { gone }) : ""
+	});
+}
+function known$2(value) {
+	return value !== void 0 && !Number.isNaN(value);
+}
 // www/block/files/files.ts
-var IMAGE = /\.(?:jpe?g|png|tiff?|bmp|webp|p[gpn]m)$/iu;
 var PROJECT = /\.tiepoint$/iu;
+var TABLE = /\.(?:csv|txt)$/iu;
 var CAMERAS$1 = /\.json$/iu;
 var TEXTS = {
 	cameras: say("cameras"),
@@ -2769,10 +3177,12 @@ var BlockFiles = class {
 		const alone = found.filter(({ path }) => path === "");
 		const project = alone.find(({ file }) => PROJECT.test(file.name));
 		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name));
-		const photos = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith("image/"));
+		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
 		if (project !== void 0) await this.openProject(project.file);
 		if (cameras !== void 0) await this.takeText("cameras", cameras.file);
-		const aside = found.length - photos.length - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
+		const tables = alone.filter(({ file }) => TABLE.test(file.name));
+		for (const { file } of tables) await this.takeText(await this.tableKind(file), file);
+		const aside = found.length - photos.length - tables.length - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "));
 		else await this.said(said);
 	}
@@ -2862,7 +3272,7 @@ var BlockFiles = class {
 				});
 				return false;
 			}
-			if (this.store.state.history.edits.length > 0 || this.store.state.placing.orthophoto !== null) this.store.dispatch({ type: "clear" });
+			if (this.store.state.history.edits.length + this.store.state.marks.edits.length > 0 || this.store.state.placing.orthophoto !== null) this.store.dispatch({ type: "clear" });
 			this.store.dispatch({
 				type: "files",
 				files: files.map((file) => ({
@@ -2877,6 +3287,15 @@ var BlockFiles = class {
 			return false;
 		}
 	}
+	async tableKind(file) {
+		try {
+			const names = new Set(this.store.state.files.map(({ name }) => name));
+			const marks = parse_image_measurements(await file.text());
+			return marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image)) ? "marks" : "control";
+		} catch {
+			return "control";
+		}
+	}
 	async takeText(given, file) {
 		this.store.dispatch({
 			type: "options",
@@ -2886,10 +3305,11 @@ var BlockFiles = class {
 			} }
 		});
 		const problem = problemsOf(this.store.state)[given];
-		if (problem === void 0) this.tell("info", say("from", {
+		const said = say("from", {
 			texts: TEXTS[given],
 			name: file.name
-		}));
+		});
+		if (problem === void 0) this.tell("info", given !== "cameras" && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
 		else if (problem === PARTNER_MISSING[given]) this.tell("info", say("from-2", {
 			texts: TEXTS[given],
 			name: file.name,
@@ -2984,8 +3404,8 @@ var BlockFiles = class {
 		if (stays) this.tell("info", say("the-stays-under-projects", { what: shown === null ? say("project") : say("edited-block") }));
 	}
 	async leave(step) {
-		const { history, placing } = this.store.state;
-		const { length } = history.edits;
+		const { history, marks, placing } = this.store.state;
+		const length = history.edits.length + marks.edits.length;
 		if (length === 0 && placing.placed.size === 0) return false;
 		if (await this.putAside(true)) return true;
 		const edits = length === 0 ? say("what-was-placed-on-the") : length === 1 ? say("the-edit-by-hand-of") : say("the-edits-by-hand-of", { length });
@@ -3080,6 +3500,25 @@ function bytesOfStep(step) {
 function bytesOf(edit) {
 	const list = "observations" in edit ? edit.observations : "points" in edit ? edit.points : "images" in edit ? edit.images : [edit];
 	return OF_ONE * Math.max(1, list.length);
+}
+function bytesOfMarks({ marks }) {
+	return OF_ONE * Math.max(1, marks.length);
+}
+function markStepFrom(value, name) {
+	const { kind, marks, after } = objectOf(value, name);
+	return {
+		kind: kind === "remove" ? kind : "measure",
+		marks: listOf$1(marks, `${name}.marks`, (one, at) => {
+			const { image, point, x_px, y_px } = objectOf(one, at);
+			return {
+				image: likeOf(image, "", `${at}.image`),
+				point: likeOf(point, "", `${at}.point`),
+				x_px: likeOf(x_px, 0, `${at}.x_px`),
+				y_px: likeOf(y_px, 0, `${at}.y_px`)
+			};
+		}),
+		after: likeOf(after, 0, `${name}.after`)
+	};
 }
 function stepFrom(value, name) {
 	return listOf$1(value, name, editFrom);
@@ -3261,6 +3700,7 @@ var KeptBlocks = class {
 	catalogue;
 	made = null;
 	journal = new Journal("block/edits", stepFrom, bytesOfStep);
+	marks = new Journal("block/marks", markStepFrom, bytesOfMarks);
 	making = null;
 	changed = () => void 0;
 	constructor(store, engine, catalogue) {
@@ -3280,6 +3720,7 @@ var KeptBlocks = class {
 			"opened",
 			"running",
 			"history",
+			"marks",
 			"placing"
 		], () => {
 			changed();
@@ -3331,6 +3772,7 @@ var KeptBlocks = class {
 		});
 		const { made } = this;
 		for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
+		for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
 		if (made !== null && made.found === shown?.found) parts.set(SHOWN, {
 			value: made.kept,
 			bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0)
@@ -3350,6 +3792,7 @@ var KeptBlocks = class {
 		const placed = new Map([...parts].flatMap(([part, value]) => part.startsWith(PLACED) ? [[Number(part.slice(13)), value]] : []));
 		const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file));
 		const history = this.journal.read(parts);
+		const marks = this.marks.read(parts);
 		const finished = await this.finished(parts, history);
 		const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
 		const records = new Map([...parts].flatMap(([part, record]) => part.startsWith(RECORD) && record instanceof Blob ? [[part.slice(13), record]] : []));
@@ -3383,6 +3826,7 @@ var KeptBlocks = class {
 					shown,
 					opened,
 					history,
+					marks,
 					placing
 				}
 			});
@@ -3720,132 +4164,6 @@ function mountAddress(store, modes) {
 	], tell);
 	modes.watch(["mode"], tell);
 }
-// www/block/state/words.ts
-function connectionOf(view, [a, b]) {
-	return connectionsOf(view).get(pairKey(a, b));
-}
-function pairKey(a, b) {
-	return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
-}
-var CONNECTIONS = new WeakMap();
-function connectionsOf(view) {
-	const known = CONNECTIONS.get(view);
-	if (known !== void 0) return known;
-	const made = new Map(view.connections.map((connection) => [pairKey(...connection.images), connection]));
-	CONNECTIONS.set(view, made);
-	return made;
-}
-function matchesOf({ outcome }) {
-	return outcome.kind === "connected" ? outcome.matches : 0;
-}
-function mostMatches({ connections }) {
-	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
-}
-function describe(view, choice) {
-	switch (choice.kind) {
-		case "image": return describeImage(view, choice.image);
-		case "pair": return describePair(view, choice.images);
-		case "point": return describePoint(view, choice.point);
-		case "observation": return `${view.images[choice.image]?.name ?? ""}, ${describePoint(view, choice.point)}`;
-		case "points": return describePoints(view, choice.points);
-	}
-}
-function describeImage(view, index) {
-	const image = view.images[index];
-	if (image === void 0) return "";
-	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
-	return `${[
-		say("observations-4", {
-			name: image.name,
-			what: image.features === null ? "" : say("features-2", { features: image.features }),
-			rays: image.rays,
-			what_2: image.places === null ? "" : say("in-of-9-von-gruber", { places: image.places })
-		}),
-		say("connected-with-of-images", {
-			partners,
-			images: view.images.length - 1
-		}),
-		image.rmsePx === null ? "" : say("rmse-px-3", { rmse_px: image.rmsePx }),
-		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
-		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
-	].filter((part) => part !== "").join("; ")}.`;
-}
-var GEOMETRIES = new WeakMap();
-function geometryText(geometry) {
-	if (geometry === null) return "";
-	const { kind, degenerate, sigmaPx } = geometry;
-	const weak = degenerate === null ? null : message("degeneracy", degenerate, "short");
-	const text = GEOMETRIES.get(geometry) ?? say("geometry", {
-		model: message("two_view_model", { kind }, "short"),
-		weak,
-		sigma_px: sigmaPx
-	});
-	GEOMETRIES.set(geometry, text);
-	return text;
-}
-function describePair(view, images) {
-	const names = images.map((image) => view.images[image]?.name ?? "").join(" – ");
-	const connection = connectionOf(view, images);
-	if (connection === void 0) return say("this-pair-was-not-tried", { names });
-	const { reason, geometry, shared, chosen } = connection;
-	return `${names}: ${[
-		reason.replace(/\.$/u, ""),
-		geometryText(geometry),
-		shared > 0 ? say("common-points-selected", {
-			shared,
-			chosen
-		}) : ""
-	].filter((part) => part !== "").join("; ")}.`;
-}
-function describePoint({ points, surveyed }, point) {
-	const axes = [
-		0,
-		1,
-		2
-	].map((axis) => 3 * point + axis);
-	const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(" ");
-	const errors = axes.map((at) => points.errors[at] ?? NaN);
-	return `${[
-		say("rays-3", {
-			name: surveyed.find((known) => known.point === point)?.name ?? say("point-of-number", { number: point + 1 }),
-			rays: points.rays[point] ?? 0
-		}),
-		known$2(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
-		known$2(points.positions[3 * point]) ? `X Y Z ${place}` : say("not-intersected"),
-		errors.every(known$2) ? `± ${errors.map((error) => fixed(error, 3)).join(" ")}` : "",
-		point < points.taking ? "" : say("rejected-by-hand-2")
-	].filter((part) => part !== "").join("; ")}.`;
-}
-function describePoints({ points }, chosen) {
-	let [least, most, squares, adjusted] = [
-		Infinity,
-		0,
-		0,
-		0
-	];
-	for (const point of chosen) {
-		const rays = points.rays[point] ?? 0;
-		[least, most] = [Math.min(least, rays), Math.max(most, rays)];
-		const rmse = points.rmsePx[point] ?? NaN;
-		if (!known$2(rmse)) continue;
-		squares += rays * rmse * rmse;
-		adjusted += rays;
-	}
-	const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
-	const rays = least === most ? count(most) : say("to", {
-		least,
-		most
-	});
-	return say("tie-points-of-rays", {
-		chosen: chosen.length,
-		rays,
-		what: adjusted > 0 ? say("rmse-px-5", { squares: Math.sqrt(squares / adjusted) }) : "",
-		what_2: gone > 0 ? say("rejected-by-hand-3", { gone }) : ""
-	});
-}
-function known$2(value) {
-	return value !== void 0 && !Number.isNaN(value);
-}
 // www/block/state/columns.ts
 var NO_ROWS = {
 	count: 0,
@@ -3931,27 +4249,36 @@ function pointRows({ points }) {
 		]
 	};
 }
-function surveyedRows({ surveyed }) {
+function surveyedRows({ surveyed, given = [] }) {
 	const axes = [
 		"X",
 		"Y",
 		"Z"
 	];
+	const beside = (row) => given[row - surveyed.length];
+	const useText = (row) => {
+		const own = beside(row);
+		if (own !== void 0) return givenUse(own);
+		return surveyed[row]?.isUsed === false ? say("not-used") : roleText(surveyed[row]?.role);
+	};
 	return {
-		count: surveyed.length,
+		count: surveyed.length + given.length,
 		columns: [
-			words$1("surveyed", say("point"), (i) => surveyed[i]?.name ?? "", say("name-of-the-surveyed-point")),
-			words$1("use", say("use"), (i) => surveyed[i]?.isUsed === false ? say("not-used") : roleText(surveyed[i]?.role), say("control-points-place-the-block")),
+			words$1("surveyed", say("point"), (i) => surveyed[i]?.name ?? beside(i)?.name ?? "", say("name-of-the-surveyed-point")),
+			words$1("use", say("use"), useText, say("control-points-place-the-block")),
 			numbers$1("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
-			...axes.map((axis, k) => numbers$1(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
+			...axes.map((axis, k) => numbers$1(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.position[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
 			...axes.map((axis, k) => numbers$1(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers$1(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => known$1(surveyed[i]?.standard_errors_m[k]), say("standard-error-of", { axis }), { total: "rms" }))
+			...axes.map((axis, k) => numbers$1(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => known$1(surveyed[i]?.standard_errors_m[k]), say("standard-error-of", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers$1(`left-out-${axis}`, say("difference-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.difference[k]), say("where-the-other-observations-have", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers$1(`left-out-sigma-${axis}`, say("standard-error-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.standard_errors[k]), say("standard-error-of-where-the", { axis }), { total: "rms" }))
 		]
 	};
 }
 function roleText(role) {
 	return role === void 0 ? "" : say("role", { role });
 }
+var AXES = ["x", "y"];
 var PARTS$1 = [
 	say("accepted"),
 	say("rejected-2"),
@@ -3970,6 +4297,11 @@ var observationRows = remember(({ images }, of) => {
 			numbers$1("observation-vy", "vy", "px", 2, (i) => of.residuals[2 * i + 1] ?? NaN, say("residual-in-y-observed-minus"), { total: "rms" }),
 			numbers$1("observation-v", say("residual"), "px", 2, residual, say("length-of-the-residual"), { total: "rms" }),
 			numbers$1("observation-rays", say("rays-2"), "", 0, (i) => raysOf(of)[of.points[i] ?? -1] ?? NaN, say("observations-of-the-point-rejected")),
+			...AXES.flatMap((axis, k) => [
+				numbers$1(`observation-r${axis}`, `r ${axis}`, "", 2, (i) => of.redundancy[2 * i + k] ?? NaN, say("redundancy-number-of-an-observation", { axis }), { total: "mean" }),
+				numbers$1(`observation-w${axis}`, `w ${axis}`, "", 2, (i) => of.w[2 * i + k] ?? NaN, say("w-statistic-of-an-observation", { axis }), { total: "rms" }),
+				numbers$1(`observation-mdb${axis}`, `MDB ${axis}`, "px", 2, (i) => of.detectable[2 * i + k] ?? NaN, say("mdb-of-an-observation", { axis }))
+			]),
 			words$1("observation-part", say("part"), (i) => PARTS$1[of.parts[i] ?? 0] ?? "", say("whether-the-adjustment-accepted-the"))
 		]
 	};
@@ -4011,10 +4343,17 @@ function choiceOfRow(subject, view, row) {
 		kind: "point",
 		point: row
 	};
-	if (subject === "surveyed") return (view.surveyed[row]?.point ?? -1) < 0 ? null : {
-		kind: "point",
-		point: view.surveyed[row]?.point ?? -1
-	};
+	if (subject === "surveyed") {
+		const given = view.given?.[row - view.surveyed.length];
+		if (given !== void 0) return {
+			kind: "given",
+			name: given.name
+		};
+		return (view.surveyed[row]?.point ?? -1) < 0 ? null : {
+			kind: "point",
+			point: view.surveyed[row]?.point ?? -1
+		};
+	}
 	const images = subject === "pairs" ? view.connections[row]?.images : void 0;
 	return images === void 0 ? null : {
 		kind: "pair",
@@ -4024,6 +4363,7 @@ function choiceOfRow(subject, view, row) {
 function rowsOfChoice(subject, view, choice) {
 	if (subject === "points") return pointsOf(choice);
 	if (subject === "surveyed") {
+		if (choice?.kind === "given") return Uint32Array.from((view.given ?? []).flatMap(({ name }, i) => name === choice.name ? [view.surveyed.length + i] : []));
 		const points = new Set(pointsOf(choice));
 		return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => points.has(point) ? [row] : []));
 	}
@@ -4068,7 +4408,7 @@ var TABLES = [
 	["surveyed", say("control-and-check-points")]
 ];
 var HEIGHT = "tiepoint-dock";
-var STEP$1 = 24;
+var STEP$2 = 24;
 var LEAST = 110;
 var ABOVE = 240;
 function makeDock(store, looking, facts, others) {
@@ -4099,7 +4439,7 @@ function makeDock(store, looking, facts, others) {
 		const isOwn = own.includes(onStage) && !isBlockOn;
 		tabs.forEach((tab, i) => {
 			const view = own[i - sources.length];
-			tab.hidden = view === void 0 ? isOwn || sources[i]?.subject === "surveyed" && (shown?.view.surveyed.length ?? 0) === 0 : !isOwn || view !== onStage;
+			tab.hidden = view === void 0 ? isOwn || sources[i]?.subject === "surveyed" && (shown?.view.surveyed.length ?? 0) + (shown?.view.given?.length ?? 0) === 0 : !isOwn || view !== onStage;
 		});
 		if (tabs.some((tab) => tab.hidden && tab.getAttribute("aria-selected") === "true")) tabs.find((tab) => !tab.hidden)?.click();
 	});
@@ -4271,7 +4611,7 @@ function splitter(dock) {
 	});
 	line.addEventListener("keydown", (event) => {
 		const by = {
-			ArrowUp: STEP$1,
+			ArrowUp: STEP$2,
 			ArrowDown: -24
 		}[event.key];
 		if (by === void 0) return;
@@ -4444,8 +4784,19 @@ function imageOf({ shown, files }, id) {
 }
 // www/block/state/reducer.ts
 function reduceBlock(state, action) {
-	const after = reduced(state, action);
+	const after = withGivenPoints(reduced(state, action));
 	return action.type === "choose" || action.type === "choosePlaced" ? together(state, after) : after;
+}
+function withGivenPoints(state) {
+	if (state.shown === null) return state;
+	const view = withGiven(state.shown.view, state);
+	return view === state.shown.view ? state : {
+		...state,
+		shown: {
+			...state.shown,
+			view
+		}
+	};
 }
 function reduced(state, action) {
 	switch (action.type) {
@@ -4515,7 +4866,9 @@ function reduced(state, action) {
 		case "adjusting":
 		case "edited":
 		case "editRefused":
-		case "draft": return reduceEdits(state, action);
+		case "draft":
+		case "mark":
+		case "gotoMark": return reduceEdits(state, action);
 		case "orthophoto":
 		case "heights":
 		case "placingOptions":
@@ -4555,6 +4908,7 @@ function reduced(state, action) {
 				edits: action.edits.map((edit) => [edit]),
 				done: action.edits.length
 			},
+			marks: NO_HISTORY,
 			truth: null,
 			running: { kind: "no" },
 			shown: {
@@ -4782,6 +5136,18 @@ var groundAt = remember((of, { positions }, x, y) => {
 	]), at);
 	return plan === null || height === null ? null : [...plan, height[0]];
 });
+function placeOfGround(of, { positions }, at) {
+	const known = [...of.points].flatMap((point, i) => {
+		const twice = [
+			positions[3 * point] ?? NaN,
+			positions[3 * point + 1] ?? NaN,
+			of.places[2 * i] ?? NaN,
+			of.places[2 * i + 1] ?? NaN
+		];
+		return of.parts[i] === 0 && !Number.isNaN(twice[0]) ? [twice] : [];
+	});
+	return affine(nearest$1(known, at), at);
+}
 function photoMm({ calibrated, given }, [x, y]) {
 	const camera = calibrated ?? given;
 	const side = camera?.pixel_mm ?? given?.pixel_mm;
@@ -5224,9 +5590,48 @@ function cornerOf({ left, top, width, height }) {
 		height: side
 	};
 }
+// www/block/state/in-common.ts
+var SAME = (at) => at;
+var toBlock = remember((view, control) => {
+	if (view.orthophoto?.kind === "linked") return SAME;
+	const inBlock = new Map(view.surveyed.map(({ name, position }) => [name, position]));
+	return similarity(pointsOfFile(control).flatMap(({ name, position }) => {
+		const own = inBlock.get(name);
+		return own === void 0 ? [] : [[[position[0], position[1]], [own[0], own[1]]]];
+	}));
+});
+function similarity(pairs) {
+	const mean = (of, axis) => pairs.reduce((sum, pair) => sum + pair[of][axis], 0) / pairs.length;
+	const [mx, my, mu, mv] = [
+		mean(0, 0),
+		mean(0, 1),
+		mean(1, 0),
+		mean(1, 1)
+	];
+	let [along, across, squares] = [
+		0,
+		0,
+		0
+	];
+	for (const [from, to] of pairs) {
+		const [x, y, u, v] = [
+			from[0] - mx,
+			from[1] - my,
+			to[0] - mu,
+			to[1] - mv
+		];
+		along += x * u + y * v;
+		across += x * v - y * u;
+		squares += x * x + y * y;
+	}
+	if (!(squares > 0)) return null;
+	const [a, b] = [along / squares, across / squares];
+	return ([x, y]) => [mu + a * (x - mx) - b * (y - my), mv + b * (x - mx) + a * (y - my)];
+}
 // www/block/view/images/measuring.ts
-var STEP = 20;
+var STEP$1 = 20;
 var MOST_NAMES$1 = 3;
+var NOWHERE = new Map();
 var STRAIGHT = [
 	1,
 	0,
@@ -5254,7 +5659,12 @@ var Measuring = class {
 			this.set(null);
 			return;
 		}
-		const [point, ...more] = pointsOf(state.selection.chosen);
+		const { chosen } = state.selection;
+		if (!anew && chosen?.kind === "given") {
+			this.set(begun({ given: chosen.name }));
+			return;
+		}
+		const [point, ...more] = pointsOf(chosen);
 		if (!anew && point !== void 0 && point >= state.shown.view.points.taking) return;
 		const of = anew || point === void 0 || more.length > 0 ? null : sourceOf$1(state.shown.view, point);
 		if (of === null && !anew) return;
@@ -5274,20 +5684,42 @@ var Measuring = class {
 	expected(pane) {
 		const { draft } = this;
 		if (draft === null || draft.places.has(pane.image)) return null;
+		if (isGiven(draft.of) && this.known().has(pane.image)) return null;
 		const elsewhere = this.detail()?.elsewhere.find(({ image }) => image === pane.image);
 		if (elsewhere !== void 0) return [elsewhere.x_px, elsewhere.y_px];
-		const [first] = draft.places;
-		const from = first === void 0 ? void 0 : this.panes().find(({ image }) => image === first[0]);
-		if (draft.of !== null || first === void 0 || from?.points == null || pane.points === null) return null;
+		if (draft.of !== null && !isGiven(draft.of)) return null;
 		const [one, other] = this.sources(pane.image).map(({ image, at }) => this.facts.line(image, at, pane.image));
 		const both = one == null || other == null ? null : crossing(one, other);
 		if (both !== null) return both;
-		const near = inOtherImage(from.points, pane.points, first[1].at);
-		const line = this.facts.line(first[0], first[1].at, pane.image);
+		const [first] = this.known();
+		const from = first === void 0 ? void 0 : this.panes().find(({ image }) => image === first[0]);
+		const near = this.ofGround(pane) ?? (first === void 0 || from?.points == null || pane.points === null ? null : inOtherImage(from.points, pane.points, first[1]));
+		if (first === void 0) return near;
+		const line = this.facts.line(first[0], first[1], pane.image);
 		return near === null || line === null ? near : onLine(line, near);
 	}
+	ofGround(pane) {
+		const { shown, selection, options } = this.store.state;
+		const { chosen } = selection;
+		if (shown === null || chosen?.kind !== "given" || pane.points === null) return null;
+		const point = shown.view.given?.find(({ name }) => name === chosen.name);
+		const ground = toBlock(shown.view, options.control);
+		if (point === void 0 || ground === null) return null;
+		const at = placeOfGround(pane.points, shown.view.points, ground([point.position[0], point.position[1]]));
+		return at !== null && isOn(pane, at) ? at : null;
+	}
+	marks() {
+		const { shown, selection, options, marks } = this.store.state;
+		return shown === null || selection.chosen?.kind !== "given" ? NOWHERE : placesOfGiven(selection.chosen.name, shown.view, options.marks, marks);
+	}
+	known() {
+		const { draft } = this;
+		if (draft === null) return NOWHERE;
+		const own = [...draft.places].map(([image, { at }]) => [image, at]);
+		return new Map([...isGiven(draft.of) ? this.marks() : [], ...own]);
+	}
 	sources(image) {
-		return [...this.draft?.places ?? []].filter(([other]) => other !== image).slice(-2).map(([other, { at }]) => ({
+		return [...this.known()].filter(([other]) => other !== image).slice(-2).map(([other, at]) => ({
 			image: other,
 			at
 		}));
@@ -5306,11 +5738,10 @@ var Measuring = class {
 		else this.place(pane, this.expected(pane) ?? middle);
 	}
 	accept() {
-		const edits = this.draft === null ? null : editsOfDraft(this.draft);
-		if (edits !== null) this.store.dispatch({
-			type: "edit",
-			edits
-		});
+		const { draft, shown, history } = this.store.state;
+		const names = shown?.view.images.map(({ name }) => name) ?? [];
+		const step = draft === null ? null : stepOfDraft(draft, names, history.done);
+		if (step !== null) this.store.dispatch(step);
 	}
 	leave() {
 		if (this.draft === null) return false;
@@ -5349,7 +5780,7 @@ var Measuring = class {
 	}
 	take(from, at, found, names) {
 		if (this.draft === null) return;
-		const own = this.draft.of === null ? placed$1(this.draft, from.image, at, from) : this.draft;
+		const own = this.draft.of === null || isGiven(this.draft.of) && this.measured(from.image) === null ? placed$1(this.draft, from.image, at, from) : this.draft;
 		this.set(found.reduce((draft, { pane, place }) => place === null ? draft : placed$1(draft, pane.image, place, pane, "least_squares"), own));
 		const lost = found.filter(({ place }) => place === null).map(({ pane }) => names.get(pane.image) ?? "");
 		const count = found.length - lost.length;
@@ -5365,12 +5796,13 @@ var Measuring = class {
 		}));
 	}
 	measured(image) {
+		if (isGiven(this.draft?.of ?? null)) return this.marks().get(image) ?? null;
 		const own = this.detail()?.observations.find((one) => one.image === image);
 		return own === void 0 ? null : [own.x_px, own.y_px];
 	}
 	detail() {
 		const { draft, shown } = this.store.state;
-		if (draft?.of == null || shown === null) return null;
+		if (draft?.of == null || isGiven(draft.of) || shown === null) return null;
 		const point = indexOfSource(shown.view, draft.of);
 		return point < 0 ? null : this.facts.point(point);
 	}
@@ -5397,15 +5829,15 @@ function turnOf(from, to, [x, y]) {
 	if (own === null || other === null) return STRAIGHT;
 	const [middle, across, down] = [
 		[x, y],
-		[x + STEP, y],
-		[x, y + STEP]
+		[x + STEP$1, y],
+		[x, y + STEP$1]
 	].map(([u = 0, v = 0]) => inOtherImage(own, other, [u, v]));
 	if (middle == null || across == null || down == null) return STRAIGHT;
 	return [
-		(across[0] - middle[0]) / STEP,
-		(across[1] - middle[1]) / STEP,
-		(down[0] - middle[0]) / STEP,
-		(down[1] - middle[1]) / STEP
+		(across[0] - middle[0]) / STEP$1,
+		(across[1] - middle[1]) / STEP$1,
+		(down[0] - middle[0]) / STEP$1,
+		(down[1] - middle[1]) / STEP$1
 	];
 }
 // www/block/view/images/moving.ts
@@ -5568,6 +6000,42 @@ function barOf(scale) {
 		length: px * scale
 	};
 }
+// www/block/state/footprints.ts
+function footprintsAt(footprints, [x, y]) {
+	const found = [];
+	for (let image = 0; 8 * image < footprints.length; image += 1) {
+		const corners = footprints.subarray(8 * image, 8 * image + 8);
+		if (!holds(corners, x, y)) continue;
+		const middle = (axis) => [
+			0,
+			1,
+			2,
+			3
+		].reduce((sum, corner) => sum + (corners[2 * corner + axis] ?? NaN), 0) / 4;
+		found.push({
+			image,
+			far: Math.hypot(middle(0) - x, middle(1) - y)
+		});
+	}
+	return found.sort((a, b) => a.far - b.far).map(({ image }) => image);
+}
+function holds(corners, x, y) {
+	const sides = [
+		0,
+		1,
+		2,
+		3
+	].map((i) => {
+		const [ax, ay, bx, by] = [
+			corners[2 * i],
+			corners[2 * i + 1],
+			corners[(2 * i + 2) % 8],
+			corners[(2 * i + 3) % 8]
+		].map((value) => value ?? NaN);
+		return ((bx ?? NaN) - (ax ?? NaN)) * (y - (ay ?? NaN)) - ((by ?? NaN) - (ay ?? NaN)) * (x - (ax ?? NaN));
+	});
+	return sides.every((side) => side >= 0) || sides.every((side) => side <= 0);
+}
 // www/block/view/images/opening.ts
 var LEAST_SCALE = 1;
 var Opening = class {
@@ -5575,6 +6043,7 @@ var Opening = class {
 	measuring;
 	openedAt = null;
 	shownFor = null;
+	pending = new Set();
 	last = null;
 	constructor(seen, measuring) {
 		this.seen = seen;
@@ -5592,6 +6061,10 @@ var Opening = class {
 		const chosen = this.seen.chosen();
 		if (chosen === null) {
 			if (selection.chosen === null) this.openedAt = null;
+			if (selection.chosen?.kind === "given") {
+				this.showGiven(selection.chosen, view);
+				return;
+			}
 			if (selection.chosen !== this.shownFor) this.showChosenImages(selection.chosen, view);
 			return;
 		}
@@ -5641,6 +6114,48 @@ var Opening = class {
 	}
 	sourceOf({ points }, point) {
 		return points.sources[point] ?? codeOfSource({ tie_point: point });
+	}
+	showGiven(chosen, view) {
+		const { store } = this.seen;
+		if (chosen !== this.shownFor) {
+			const images = this.imagesOfGiven(chosen.name, view);
+			if (images === null) return;
+			this.shownFor = chosen;
+			this.openedAt = null;
+			store.dispatch({
+				type: "showImages",
+				images
+			});
+			this.pending = new Set(images);
+		}
+		if (this.pending.size === 0) return;
+		const marks = this.measuring.marks();
+		const panes = this.seen.panes().filter(({ image }) => this.pending.has(image));
+		const full = Math.max(LEAST_SCALE, ...panes.map((pane) => fillScale(pane.rect, pane)));
+		const views = panes.flatMap((pane) => {
+			const at = marks.get(pane.image) ?? this.measuring.ofGround(pane);
+			return at === null ? [] : [[pane.image, viewAt(at, full)]];
+		});
+		const moved = new Set(views.map(([image]) => image));
+		const done = new Set(panes.filter(({ image, points }) => moved.has(image) || points !== null).map(({ image }) => image));
+		if (done.size > 0) this.pending = new Set([...this.pending].filter((image) => !done.has(image)));
+		if (views.length > 0) store.dispatch({
+			type: "moveViews",
+			views: new Map(views)
+		});
+	}
+	imagesOfGiven(name, view) {
+		const { options, panes } = this.seen.store.state;
+		const measured = [...this.measuring.marks().keys()];
+		const point = view.given?.find((own) => own.name === name);
+		const ground = toBlock(view, options.control);
+		const within = ground === null ? null : this.seen.facts.ground();
+		if (ground !== null && within === null) return null;
+		const all = view.images.map((_, image) => image);
+		const at = point === void 0 || ground === null ? null : ground([point.position[0], point.position[1]]);
+		const likely = at === null || within === null ? [] : footprintsAt(within.footprints, at);
+		const others = likely.length > 0 ? likely : [...shownImages(panes, view), ...all];
+		return [...new Set([...measured, ...others])].slice(0, 9);
 	}
 	showChosenImages(chosen, view) {
 		this.shownFor = chosen;
@@ -5713,6 +6228,7 @@ function paintMarks(context, seen, panes) {
 }
 function paintOverlay(context, seen, measuring, panes, lenses, pointed) {
 	paintChosen(context, seen, panes);
+	paintGiven(context, measuring, panes);
 	paintLines$1(context, seen, measuring, panes, pointed);
 	paintDraft(context, seen, measuring, panes);
 	for (const { pane, rect, transform } of lenses) {
@@ -5744,6 +6260,15 @@ function paintChosen(context, seen, panes) {
 			if (elsewhere !== void 0) drawExpected(context, pane, [elsewhere.x_px, elsewhere.y_px]);
 		});
 	}
+}
+function paintGiven(context, measuring, panes) {
+	const marks = measuring.marks();
+	for (const pane of panes) within(context, pane.rect, () => {
+		const place = marks.get(pane.image);
+		const expected = place === void 0 && measuring.draft === null ? measuring.ofGround(pane) : null;
+		if (place !== void 0) ring(context, pane, place, 9, SELECTED, 2.5);
+		if (expected !== null) drawExpected(context, pane, expected);
+	});
 }
 function sourceOfLines(seen, panes, pointed) {
 	const pane = pointed === null ? seen.active() : panes.find(({ image }) => image === pointed.image) ?? null;
@@ -6101,7 +6626,12 @@ function imagesView(engine, facts, addImages, ready) {
 			const view = new ImagesView(host, store, looking, facts, engine);
 			mountFrames(host, view, store, addImages);
 			ready({
-				toggle: (anew) => view.measuring.toggle(anew),
+				toggle: (anew) => {
+					view.measuring.toggle(anew);
+					if (view.measuring.draft === null) return;
+					view.opening.showDraft();
+					host.focus();
+				},
 				match: () => view.match(),
 				accept: () => view.measuring.accept(),
 				leave: () => view.measuring.leave()
@@ -6176,7 +6706,7 @@ function frameOf(image, view, store, addImages) {
 			close.setAttribute("aria-label", say("close", { own }));
 			close.hidden = shown === null || shownImages(panes, shown.view).length < 2;
 			element.classList.toggle("is-active", panes.active === image);
-			const figure = figuresOf$2(view.seen.chosen()?.detail ?? null, image);
+			const figure = view.measuring.marks().has(image) ? say("measured") : figuresOf$2(view.seen.chosen()?.detail ?? null, image);
 			setText$1(figures, figure);
 			head.title = figure === "" ? own : `${own}: ${figure}`;
 			const why = pane.file === null ? say("the-file-of-this-image") : view.hasFailed(pane) ? say("this-image-cannot-be-decoded") : "";
@@ -7000,11 +7530,11 @@ function arrow(context, t, { x, y, dx, dy }, factor) {
 var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
 	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
 	if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? {
-		toBlock: SAME,
+		toBlock: SAME$1,
 		images: 0
 	} : null;
 	if (system === "surveyed" && overlap(orthophoto, ground.footprints)) return {
-		toBlock: SAME,
+		toBlock: SAME$1,
 		images: 0
 	};
 	return byImages(placed, files, shown, ground);
@@ -7025,7 +7555,7 @@ function byImages(placed, files, shown, { footprints }) {
 			to.push([corners[2 * i] ?? 0, corners[2 * i + 1] ?? 0]);
 		});
 	}
-	const toBlock = similarity(from, to);
+	const toBlock = similarity$1(from, to);
 	return toBlock === null ? null : {
 		toBlock,
 		images
@@ -9127,7 +9657,7 @@ var OrthophotoPlan = class extends LinkPicture {
 		const { orthophoto } = this.store.state.placing;
 		const { width, height, ratio } = this.layers;
 		if (orthophoto === null) return;
-		this.tiles.paint(context, orthophoto, SAME, t, [
+		this.tiles.paint(context, orthophoto, SAME$1, t, [
 			width,
 			height,
 			ratio
@@ -9313,7 +9843,9 @@ function rectifiedName(name) {
 }
 // www/block/panel/placing-words.ts
 function verdictText({ result, problem }) {
-	return result === null ? say("not-read", { problem: sentence(problem) }) : message("placing_verdict", result.verdict);
+	if (result === null) return say("not-read", { problem: sentence(problem) });
+	const verdict = message("placing_verdict", result.verdict);
+	return result.search === void 0 ? verdict : `${verdict} ${message("place_search", result.search)}`;
 }
 // www/block/panel/orthophoto-view.ts
 var KEYS$1 = say("press-a-footprint-to-see");
@@ -9928,10 +10460,32 @@ function linksTable(host, store) {
 	], () => draw());
 	return { draw };
 }
+// www/block/state/normal.ts
+var STEP = .001;
+function normalQuantiles(count) {
+	const quantiles = new Float64Array(count);
+	const density = (x) => Math.exp(-.5 * x * x) / Math.sqrt(2 * Math.PI);
+	let [x, below] = [-6.2, 0];
+	for (let i = 0; i < Math.floor(count / 2); i++) {
+		const wanted = (i + .5) / count;
+		for (;;) {
+			const next = x < 0 ? STEP / 6 * (density(x) + 4 * density(x + STEP / 2) + density(x + STEP)) : Infinity;
+			if (below + next >= wanted) {
+				quantiles[i] = x + STEP * (wanted - below) / next;
+				break;
+			}
+			[x, below] = [x + STEP, below + next];
+		}
+		quantiles[count - 1 - i] = -(quantiles[i] ?? 0);
+	}
+	return quantiles;
+}
 // www/block/state/plots.ts
 var PLOTS = [
 	["images", say("residuals-by-image")],
 	["residuals", say("residuals-of-observations")],
+	["w", say("w-against-the-normal-distribution")],
+	["detectable", say("minimal-detectable-biases-by-image")],
 	["rays", say("tie-points-by-rays")],
 	["sigma-plan", say("standard-errors-in-plan-along")],
 	["sigma-height", say("standard-errors-in-height-along")],
@@ -9947,9 +10501,12 @@ function plotOf(name, view, facts) {
 		case "sigma-height": return alongBlock(view, name === "sigma-plan");
 		case "surveyed-plan":
 		case "surveyed-height": return surveyedPoints(view, name === "surveyed-plan");
-		case "residuals": {
+		case "residuals":
+		case "w":
+		case "detectable": {
 			const of = facts.observations();
-			return of === null ? null : residuals(of);
+			if (of === null) return null;
+			return name === "residuals" ? residuals(of) : name === "w" ? sortedTests(of) : detectable(view, of);
 		}
 		case "gnss": {
 			const ground = facts.ground();
@@ -10080,31 +10637,85 @@ var byRays = remember(({ points }) => {
 		together: (rows) => withRays(new Set(rows.map((row) => rays[row])))
 	};
 });
+function ofObservations(of, row, x, y, drawn) {
+	const pointAt = (value) => of.points[row(value)] ?? -1;
+	const imageAt = (value) => of.images[row(value)] ?? -1;
+	return {
+		x,
+		y,
+		bars: false,
+		...drawn,
+		choice: (value) => ({
+			kind: "observation",
+			point: pointAt(value),
+			image: imageAt(value)
+		}),
+		chosen: (choice) => {
+			const [points, images] = [new Set(pointsOf(choice)), new Set(imagesOf(choice))];
+			return (value) => (points.size === 0 || points.has(pointAt(value))) && (images.size === 0 || images.has(imageAt(value))) && points.size + images.size > 0;
+		},
+		together: (chosen) => choiceOfPoints(new Set(chosen.map(pointAt)))
+	};
+}
+function rowsWith(of, value) {
+	return Uint32Array.from(of.points.keys()).filter((row) => !Number.isNaN(value(row)) && of.parts[row] === 0);
+}
 var residuals = remember((of) => {
-	const rows = Uint32Array.from(of.points.keys()).filter((row) => !Number.isNaN(of.residuals[2 * row]) && of.parts[row] === 0);
+	const rows = rowsWith(of, (row) => of.residuals[2 * row]);
 	const axis = (label, offset) => ({
 		label,
 		unit: "px",
 		values: Float64Array.from(rows, (row) => of.residuals[2 * row + offset] ?? NaN)
 	});
-	const pointAt = (row) => of.points[rows[row] ?? -1] ?? -1;
-	const imageAt = (row) => of.images[rows[row] ?? -1] ?? -1;
-	return {
-		x: axis(say("residual-vx"), 0),
-		y: axis(say("residual-vy"), 1),
-		bars: false,
-		square: true,
-		choice: (row) => ({
-			kind: "observation",
-			point: pointAt(row),
-			image: imageAt(row)
-		}),
-		chosen: (choice) => {
-			const [points, images] = [new Set(pointsOf(choice)), new Set(imagesOf(choice))];
-			return (row) => (points.size === 0 || points.has(pointAt(row))) && (images.size === 0 || images.has(imageAt(row))) && points.size + images.size > 0;
-		},
-		together: (chosen) => choiceOfPoints(new Set(chosen.map(pointAt)))
+	return ofObservations(of, (value) => rows[value] ?? -1, axis(say("residual-vx"), 0), axis(say("residual-vy"), 1), { square: true });
+});
+var sortedTests = remember((of) => {
+	const places = Uint32Array.from(of.w.keys()).filter((place) => !Number.isNaN(of.w[place]) && of.parts[place >> 1] === 0);
+	const values = Float64Array.from(places, (place) => of.w[place] ?? NaN);
+	const sorted = values.slice().sort();
+	const quantiles = normalQuantiles(sorted.length);
+	const expected = values.map((value) => quantiles[firstAt(sorted, value)] ?? NaN);
+	return ofObservations(of, (value) => (places[value] ?? -2) >> 1, {
+		label: say("w-of-normal-errors"),
+		unit: "",
+		values: expected
+	}, {
+		label: say("w-statistic"),
+		unit: "",
+		values
+	}, {
+		square: false,
+		equal: true
+	});
+});
+function firstAt(sorted, value) {
+	let [low, high] = [0, sorted.length];
+	while (low < high) {
+		const middle = low + high >> 1;
+		if ((sorted[middle] ?? Infinity) < value) low = middle + 1;
+		else high = middle;
+	}
+	return low;
+}
+var BESIDE$1 = .8;
+var detectable = remember(({ images }, of) => {
+	const larger = (row) => Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
+	const rows = rowsWith(of, larger);
+	const across = (row) => {
+		const image = of.images[row] ?? -1;
+		return image + BESIDE$1 * ((of.places[2 * row] ?? NaN) / (images[image]?.width ?? NaN) - .5);
 	};
+	return ofObservations(of, (value) => rows[value] ?? -1, {
+		label: say("image-2"),
+		unit: "",
+		values: Float64Array.from(rows, across),
+		names: images.map(({ name }) => name)
+	}, {
+		label: say("minimal-detectable-bias"),
+		unit: "px",
+		values: Float64Array.from(rows, larger),
+		logarithmic: true
+	}, { square: false });
 });
 // www/block/view/plot/axes.ts
 var ROOM = {
@@ -10116,7 +10727,7 @@ var ROOM = {
 var BESIDE = .04;
 function endsOf({ x, y, bars, square }, width, height) {
 	const across = x.names === void 0 ? spread(x.values) : [-.5, Math.max(0, x.names.length - 1) + .5];
-	const up = spread(y.values, bars);
+	const up = spread(y.logarithmic === true ? y.values.map(Math.log10) : y.values, bars);
 	if (!square) return {
 		x: across,
 		y: up
@@ -10142,6 +10753,16 @@ function ticksBetween([from, to], about) {
 	const first = Math.ceil(from / step - 1e-9);
 	const last = Math.floor(to / step + 1e-9);
 	return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+}
+var FEW_POWERS = .7;
+function ticksOfPowers([from, to], about) {
+	if (to - from < FEW_POWERS) return ticksBetween([10 ** from, 10 ** to], about);
+	const digits = (to - from) * 3 <= about ? [
+		1,
+		2,
+		5
+	] : [1];
+	return Array.from({ length: Math.max(0, Math.floor(to) - Math.floor(from) + 1) }, (_, i) => Math.floor(from) + i).flatMap((power) => digits.map((digit) => Number((digit * 10 ** power).toPrecision(12)))).filter((tick) => Math.log10(tick) >= from && Math.log10(tick) <= to);
 }
 function roundStep(length) {
 	const power = 10 ** Math.floor(Math.log10(length));
@@ -10271,7 +10892,8 @@ var Plot = class extends Chart {
 		const ends = endsOf(data, this.layers.width, this.layers.height);
 		const [x0, across] = [ends.x[0], width / (ends.x[1] - ends.x[0])];
 		const [y0, up] = [ends.y[0], height / (ends.y[1] - ends.y[0])];
-		return (x, y) => toCanvas(t, left + (x - x0) * across, top + height - (y - y0) * up);
+		const upwards = data.y.logarithmic === true ? Math.log10 : (y) => y;
+		return (x, y) => toCanvas(t, left + (x - x0) * across, top + height - (upwards(y) - y0) * up);
 	}
 	seen(data, t) {
 		const { left, top, width, height } = this.area();
@@ -10323,8 +10945,11 @@ var Plot = class extends Chart {
 		const seen = this.seen(data, t);
 		const { names } = data.x;
 		const across = ticksBetween(seen.x, width / APART.x).filter((tick) => names === void 0 || names[tick] !== void 0);
-		const up = ticksBetween(seen.y, Math.max(LEAST_TICKS, height / APART.y));
-		const [digitsX, digitsY] = [decimalsOf(across), decimalsOf(up)];
+		const isLogarithmic = data.y.logarithmic === true;
+		const most = Math.max(LEAST_TICKS, height / APART.y);
+		const up = isLogarithmic ? ticksOfPowers(seen.y, most) : ticksBetween(seen.y, most);
+		const digitsX = decimalsOf(across);
+		const digitsOf = (tick) => isLogarithmic ? String(tick).split(".")[1]?.length ?? 0 : decimalsOf(up);
 		context.strokeStyle = colours.line;
 		context.fillStyle = colours.muted;
 		context.lineWidth = 1;
@@ -10333,7 +10958,7 @@ var Plot = class extends Chart {
 			const [, y] = at(0, tick);
 			line(context, [left, y], [left + width, y]);
 			context.textAlign = "end";
-			context.fillText(fixed(tick, digitsY), left - 6, y);
+			context.fillText(fixed(tick, digitsOf(tick)), left - 6, y);
 		}
 		for (const tick of across) {
 			const [x] = at(tick, 0);
@@ -10358,13 +10983,14 @@ var Plot = class extends Chart {
 		const rows = data.x.values.length;
 		const [isChosen, isPointed] = [data.chosen(chosen), data.chosen(pointed)];
 		const width = this.barWidth(data, t);
-		const base = this.base(data, t);
+		const base = data.bars ? this.base(data, t) : 0;
 		const half = rows <= FEW ? 2.5 : 1.5;
 		const draw = (row, larger) => {
 			const [x, y] = place(row);
 			if (data.bars) context.fillRect(x - width / 2, Math.min(y, base), width, Math.max(1, Math.abs(base - y)));
 			else if (x > area.left - 4 && y > area.top - 4 && x < area.left + area.width + 4 && y < area.top + area.height + 4) context.fillRect(x - half - larger, y - half - larger, 2 * (half + larger), 2 * (half + larger));
 		};
+		if (data.equal === true) this.paintEqual(context, colours, data, t);
 		context.fillStyle = colours.bars;
 		for (let row = 0; row < rows; row++) draw(row, 0);
 		context.fillStyle = colours.problem;
@@ -10380,8 +11006,15 @@ var Plot = class extends Chart {
 		else if (under >= 0) context.strokeRect(ux - 5, uy - 5, 10, 10);
 		if (under >= 0) this.paintValue(context, colours, data, under, place(under), area);
 	}
+	paintEqual(context, colours, data, t) {
+		const at = this.scaling(data, t);
+		const [from, to] = endsOf(data, this.layers.width, this.layers.height).x;
+		context.strokeStyle = colours.text;
+		context.lineWidth = 1;
+		line(context, at(from, from), at(to, to));
+	}
 	paintValue(context, colours, { x, y }, row, [px, py], area) {
-		const value = ({ unit, values, names }) => names?.[row] ?? `${figure(values[row] ?? NaN)}${unit === "" ? "" : ` ${unit}`}`;
+		const value = ({ unit, values, names }) => names?.[Math.round(values[row] ?? NaN)] ?? `${figure(values[row] ?? NaN)}${unit === "" ? "" : ` ${unit}`}`;
 		const text = `${value(x)}: ${value(y)}`;
 		const wide = context.measureText(text).width + 12;
 		const left = Math.max(area.left, Math.min(px + 8, area.left + area.width - wide));
@@ -10495,7 +11128,7 @@ async function saveValues(plot) {
 		unit,
 		help: "",
 		value: (row) => values[row] ?? NaN,
-		text: (row) => names?.[row] ?? String(values[row] ?? ""),
+		text: (row) => names?.[Math.round(values[row] ?? NaN)] ?? String(values[row] ?? ""),
 		...names === void 0 ? {} : { words: true }
 	});
 	save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), `block-${plot.shows}.csv`);
@@ -10846,8 +11479,12 @@ function problemOf(store, given) {
 		class: "field-problem",
 		testid: `block-${given}-problem`
 	});
-	store.watch(["files", "options"], () => {
-		const text = problemsOf(store.state)[given] ?? "";
+	store.watch([
+		"files",
+		"options",
+		"marks"
+	], () => {
+		const text = problemsOf(store.state)[given] ?? (given === "control" && waitsForMarks(store.state) ? controlText(store.state) : "");
 		if (line.textContent !== text) line.textContent = text;
 	});
 	return line;
@@ -11303,13 +11940,32 @@ function answerOf(state, actions) {
 			more: heightsText(state),
 			next: placeBlock(actions)
 		};
-		return answered(state, shown, actions);
+		const answer = answered(state, shown, actions);
+		return waitsForMarks(state) ? {
+			...answer,
+			more: `${answer.more ?? ""} ${controlText(state)}`.trimStart()
+		} : answer;
 	}
+	if (shown !== null && !shown.view.partial && takesMarks(state)) return {
+		...line("idle", say("control-can-be-taken", { twice: collectedOf(state).twice })),
+		more: say("taking-the-control", { kept: state.history.done > 0 ? "edits" : "none" }),
+		next: takeControl(actions)
+	};
 	if (files.length >= 2) {
 		const why = shown === null || shown.view.partial ? say("press-run") : say("images-or-settings-have-changed");
 		return line("idle", `${say("block-images", { images: files.length })} ${why}`);
 	}
 	return line("idle", say("open-the-images-of-a"));
+}
+function takesMarks(state) {
+	const { run, asGiven } = collectedOf(state);
+	return run !== null && !asGiven && state.files.length >= 2;
+}
+function takeControl({ run }) {
+	return {
+		text: say("take-the-control"),
+		act: run
+	};
 }
 function answered(state, shown, actions) {
 	const { view, files } = shown;

@@ -341,7 +341,7 @@ var OrthoMosaic = class OrthoMosaic {
 		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 		return v1;
 	}
-	static open(project, heights, heights_world_file, gsd) {
+	static open(project, heights, heights_world_file, gsd, in_adjustment) {
 		const val3 = +(isLikeNone(gsd) ? 0 : gsd);
 		let ptr0, len0, ptr1, len1;
 		try {
@@ -354,7 +354,7 @@ var OrthoMosaic = class OrthoMosaic {
 			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 			throw e;
 		}
-		const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3);
+		const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return OrthoMosaic.__wrap(ret[0]);
 	}
@@ -1900,62 +1900,13 @@ function messageOf(thrown) {
 		kind: error.kind
 	}) : thrown.message;
 }
-// www/shared/text/allowed.ts
-var FORMS = [
-	[/^(\S+) to (\S+)$/u, (from, to) => say("allowed-between", {
-		from,
-		to
-	})],
-	[/^whole numbers from (\S+) to (\S+)$/u, (from, to) => say("allowed-whole", {
-		from,
-		to
-	})],
-	[/^odd whole numbers from (\S+) to (\S+)$/u, (from, to) => say("allowed-odd", {
-		from,
-		to
-	})],
-	[/^two numbers from (\S+) to (\S+)$/u, (from, to) => say("allowed-two", {
-		from,
-		to
-	})],
-	[/^two numbers of px from (\S+) to (\S+)$/u, (from, to) => say("allowed-two-px", {
-		from,
-		to
-	})],
-	[/^above (\S+), up to (\S+)$/u, (from, to) => say("allowed-above-up-to", {
-		from,
-		to
-	})],
-	[/^above (\S+)$/u, (from) => say("allowed-above", { from })]
-];
-function allowedText(allowed) {
-	if (LANGUAGE === "en") return allowed;
-	for (const [form, write] of FORMS) {
-		const [found, from = "", to = ""] = form.exec(allowed) ?? [];
-		if (found !== void 0) return write(from, to);
-	}
-	return allowed;
-}
-function refusalText(thrown) {
-	return ownWords(thrown instanceof Error && "error" in thrown ? thrown.error : null) ?? messageOf(thrown);
-}
-function ownWords(error) {
-	if (LANGUAGE === "en" || typeof error !== "object" || error === null || !("allowed" in error) || !("kind" in error)) return null;
-	const { kind, allowed } = error;
-	if (typeof kind !== "string" || typeof allowed !== "string") return null;
-	return message("error", {
-		...error,
-		kind,
-		allowed: allowedText(allowed)
-	});
-}
 // www/shared/engine/client.ts
 var CallError = class extends Error {
 	failure;
 	ended;
 	name = "CallError";
 	constructor(failure, ended) {
-		super(ownWords(failure.error) ?? failure.message);
+		super(failure.message);
 		this.failure = failure;
 		this.ended = ended;
 	}
@@ -2094,6 +2045,12 @@ function steps({ edits, done }, nameOf) {
 	return {
 		undo: last === void 0 ? null : nameOf(last),
 		redo: next === void 0 ? null : nameOf(next)
+	};
+}
+function inSight({ edits, done }, reach) {
+	return {
+		from: Math.max(0, done - reach),
+		to: Math.min(edits.length, done + reach)
 	};
 }
 // www/shared/engine/pool.ts
@@ -2437,7 +2394,12 @@ function showSteps(undo, redo, history, nameOf) {
 	undo.disabled = names.undo === null;
 	redo.disabled = names.redo === null;
 }
-function showHistory(host, prefix, first, { edits, done }, nameOf, go) {
+var LISTED = 50;
+var reaches = new WeakMap();
+function showHistory(host, prefix, first, history, nameOf, go) {
+	const { edits, done } = history;
+	const reach = reaches.get(host) ?? LISTED;
+	const { from, to } = inSight(history, reach);
 	const focused = host.contains(document.activeElement);
 	const entry = (place, name) => {
 		const press = button(name, `${prefix}history-${String(place)}`, () => go(place));
@@ -2445,7 +2407,18 @@ function showHistory(host, prefix, first, { edits, done }, nameOf, go) {
 		if (place === done) press.setAttribute("aria-current", "step");
 		return h("li", { class: place > done ? "undone" : "" }, press);
 	};
-	fill(host, entry(0, first), ...edits.map((edit, i) => entry(i + 1, nameOf(edit))));
+	const more = (testid, text) => {
+		const press = button(text, `${prefix}history-${testid}`, () => {
+			reaches.set(host, 4 * reach);
+			showHistory(host, prefix, first, history, nameOf, go);
+		});
+		press.className = "link";
+		return h("li", {}, press);
+	};
+	const listed = edits.slice(from, to).map((edit, i) => entry(from + i + 1, nameOf(edit)));
+	const earlier = from > 0 ? [more("earlier", say("history-earlier", { edits: from }))] : [];
+	const later = to < edits.length ? [more("later", say("history-later", { edits: edits.length - to }))] : [];
+	fill(host, entry(0, first), ...earlier, ...listed, ...later);
 	if (focused) host.querySelector("[aria-current]")?.focus({ preventScroll: true });
 }
 function undoKeys(isActive, step) {
@@ -2839,9 +2812,14 @@ function headText({ label, unit }, inEnglish) {
 	const name = inEnglish(label);
 	return unit === "" ? name : `${name} [${unit}]`;
 }
+function guarded(text) {
+	return /^'*[=+\-@\t\r]/u.test(text) ? `'${text}` : text;
+}
 function plain(column, row, inEnglish) {
 	const text = column.text(row);
-	return column.words === true ? inEnglish(text) : text.replaceAll(" ", "").replaceAll("−", "-").replace(/^–$/u, "");
+	if (column.words === true) return guarded(inEnglish(text));
+	const figure = text.replaceAll(" ", "").replaceAll("−", "-").replace(/^–$/u, "");
+	return Number.isNaN(Number(figure)) ? guarded(figure) : figure;
 }
 function csvOf(columns, rows, inEnglish) {
 	const field = (text) => /[",\r\n]/u.test(text) ? `"${text.replaceAll("\"", "\"\"")}"` : text;
@@ -2851,7 +2829,7 @@ function tabbedOf(columns, rows, inEnglish) {
 	return linesOf(columns, rows, (text) => text.replaceAll(/[\t\r\n]/gu, " "), "	", inEnglish);
 }
 function linesOf(columns, rows, field, between, inEnglish) {
-	const lines = [columns.map((column) => field(headText(column, inEnglish))).join(between)];
+	const lines = [columns.map((column) => field(guarded(headText(column, inEnglish)))).join(between)];
 	for (const row of rows) lines.push(columns.map((column) => field(plain(column, row, inEnglish))).join(between));
 	return `${lines.join("\n")}\n`;
 }
@@ -3449,18 +3427,6 @@ function stepOf(parameter) {
 	if (parameter.kind === "real") return null;
 	return parameter.odd ? 2 : 1;
 }
-function rangeText(parameter) {
-	const what = {
-		2: say("an-odd-number"),
-		1: say("a-whole-number"),
-		any: say("a-number")
-	}[stepOf(parameter) ?? "any"];
-	return say("from-to", {
-		what: what ?? say("a-number"),
-		min: parameter.min,
-		max: parameter.max
-	});
-}
 function numberField$1(parameter, id, { set, standard, whenEmpty }) {
 	const step = stepOf(parameter);
 	const input = h("input", {
@@ -3484,7 +3450,7 @@ function numberField$1(parameter, id, { set, standard, whenEmpty }) {
 		if (!input.validity.valid || input.value === "") {
 			input.setAttribute("aria-invalid", "true");
 			tell(say("allowed-the-last-valid-value", {
-				parameter: rangeText(parameter),
+				parameter: message("allowed", parameter),
 				what: optional() ? say("or-empty") : ""
 			}));
 			return;
@@ -4673,7 +4639,7 @@ function showNumber({ input, problem }, value) {
 }
 function readNumber({ input, problem }, allowed, last) {
 	const value = typed(input);
-	const instead = value === void 0 ? null : Number.isNaN(value) ? "a number" : allowed(value);
+	const instead = value === void 0 ? null : Number.isNaN(value) ? say("a-number") : allowed(value);
 	mark$1(input, instead !== null);
 	problem.textContent = instead === null ? "" : say("allowed-or-empty", {
 		instead,
@@ -5299,14 +5265,6 @@ var markInHand = ({ mark, photos }) => mark === null ? void 0 : photos[mark.side
 function truthOf(state) {
 	const { truth, images } = state;
 	return truth !== null && images.left?.id === truth.leftId && images.right?.id === truth.rightId ? truth : null;
-}
-function orientationAt({ orientation, baseMm }, otherMm) {
-	const scale = baseMm === 0 ? NaN : otherMm / baseMm;
-	return {
-		...orientation,
-		by_mm: scale * orientation.by_mm,
-		bz_mm: scale * orientation.bz_mm
-	};
 }
 // www/pair/state/keys.ts
 var numbers$1 = new Map();
@@ -8135,13 +8093,19 @@ function refusalOf(call) {
 		call();
 		return null;
 	} catch (error) {
-		if (error instanceof Error && "code" in error) return refusalText(error);
+		if (error instanceof Error && "code" in error) return error;
 		throw error;
 	}
 }
+function optionOf(refusal) {
+	const error = "error" in refusal ? refusal.error : null;
+	return error?.kind === "invalid-option" ? error : null;
+}
 function allowedInstead(call) {
-	const message = refusalOf(call);
-	return message === null ? null : message.replace(/^.*(?:; allowed|؛ المسموح): /u, "");
+	const refusal = refusalOf(call);
+	if (refusal === null) return null;
+	const option = optionOf(refusal);
+	return option === null ? messageOf(refusal) : message("allowed", option.allowed);
 }
 function allowedOfCamera(part) {
 	return allowedInstead(() => parse_camera(JSON.stringify({
@@ -8171,7 +8135,11 @@ function allowedOfOrigin(col, row) {
 	}));
 }
 function problemOfFlight(flight) {
-	return refusalOf(() => check_flight(flight));
+	const refusal = refusalOf(() => check_flight(flight));
+	return refusal === null ? null : {
+		field: optionOf(refusal)?.field ?? null,
+		text: messageOf(refusal)
+	};
 }
 // www/pair/panel/camera.ts
 var NUMBERS = [
@@ -9648,6 +9616,15 @@ async function exportReport(store, engine) {
 		client.cancel();
 	}
 }
+// pkg/pair/at-base.js
+function atBase(orientation, baseMm, otherMm) {
+	const scale = baseMm === 0 ? NaN : otherMm / baseMm;
+	return {
+		...orientation,
+		by_mm: scale * orientation.by_mm,
+		bz_mm: scale * orientation.bz_mm
+	};
+}
 // www/pair/panel/matrix.ts
 var CELL = 44;
 var HEAD = 26;
@@ -9840,7 +9817,7 @@ function whyNotOriented(state) {
 }
 function truthFor(state, { base_mm: base }) {
 	const truth = truthOf(state);
-	return truth === null ? null : orientationAt(truth, base);
+	return truth === null ? null : atBase(truth.orientation, truth.baseMm, base);
 }
 function valueTable(state, result) {
 	const truth = truthFor(state, result);
@@ -10105,7 +10082,13 @@ function figuresWithout(state) {
 	}];
 }
 function asksForCamera({ kind }) {
-	return kind === "unknown_camera" || kind === "focal_length" || kind === "wide_angle";
+	return [
+		"unknown_camera",
+		"focal_length",
+		"wide_angle",
+		"contradicted_focal",
+		"doubtful_focal"
+	].includes(kind);
 }
 function nextWithout(state, actions) {
 	const { kind } = whyNone(state);
@@ -11095,9 +11078,9 @@ var SimulatePanel = class {
 		if (this.rendering || flight === null || flight === this.shown || this.host.offsetParent === null) return;
 		this.shown = flight;
 		const problem = problemOfFlight(flight);
-		this.tell(problem);
+		this.tell(problem?.text ?? null);
 		if (problem !== null) {
-			this.sections.controls.find(({ parameter }) => problem.startsWith(`${parameter.key} is `))?.refuse(`${readable(this.catalogue, problem)}.`);
+			this.sections.controls.find(({ parameter }) => parameter.key === problem.field)?.refuse(`${readable(this.catalogue, problem.text)}.`);
 			return;
 		}
 		this.rendering = true;

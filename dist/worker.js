@@ -341,7 +341,7 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 			return v1;
 		}
-		static open(project, heights, heights_world_file, gsd) {
+		static open(project, heights, heights_world_file, gsd, in_adjustment) {
 			const val3 = +(isLikeNone(gsd) ? 0 : gsd);
 			let ptr0, len0, ptr1, len1;
 			try {
@@ -354,7 +354,7 @@
 				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 				throw e;
 			}
-			const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3);
+			const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return OrthoMosaic.__wrap(ret[0]);
 		}
@@ -1674,12 +1674,12 @@
 		}
 	}
 	var mosaic = null;
-	async function mosaicOpen({ project, heights }) {
+	async function mosaicOpen({ project, heights, inAdjustment }) {
 		mosaic?.free();
 		mosaic = null;
 		const model = typeof heights === "object" && heights !== null ? await bytesOf(heights.file) : heights;
 		const world = typeof heights === "object" && heights !== null ? heights.world : null;
-		mosaic = OrthoMosaic.open(await bytesOf(project), model, world);
+		mosaic = OrthoMosaic.open(await bytesOf(project), model, world, void 0, inAdjustment);
 		return mosaic.names;
 	}
 	async function mosaicAdd({ index, file }) {
@@ -3585,6 +3585,9 @@
 				points: longer(of.points, points.length),
 				places: longer(of.places, places.length),
 				residuals: longer(of.residuals, places.length).fill(NaN, 2 * rows),
+				redundancy: longer(of.redundancy, places.length).fill(NaN, 2 * rows),
+				w: longer(of.w, places.length).fill(NaN, 2 * rows),
+				detectable: longer(of.detectable, places.length).fill(NaN, 2 * rows),
 				parts: longer(of.parts, points.length).fill(BY_HAND, rows)
 			};
 			all.points.set(points, rows);
@@ -3759,15 +3762,24 @@
 			points: new Uint32Array(total),
 			places: new Float64Array(2 * total),
 			residuals: new Float64Array(2 * total),
+			redundancy: new Float64Array(2 * total),
+			w: new Float64Array(2 * total),
+			detectable: new Float64Array(2 * total),
 			parts: new Uint8Array(total)
 		};
 		let at = 0;
-		each.forEach(({ points, places, residuals, parts }, image) => {
+		each.forEach((own, image) => {
+			const { points } = own;
 			all.images.fill(image, at, at + points.length);
 			all.points.set(points, at);
-			all.places.set(places, 2 * at);
-			all.residuals.set(residuals, 2 * at);
-			all.parts.set(parts, at);
+			all.parts.set(own.parts, at);
+			for (const column of [
+				"places",
+				"residuals",
+				"redundancy",
+				"w",
+				"detectable"
+			]) all[column].set(own[column], 2 * at);
 			at += points.length;
 		});
 		return all;

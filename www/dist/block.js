@@ -1,0 +1,12342 @@
+import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
+// www/block/engine/catalogue.ts
+var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
+function blockCatalogue({ parameters, flightParameters }) {
+	const own = block_parameters().map(optionInLanguage);
+	const ofFlight = block_flight_parameters().map(optionInLanguage);
+	const ofPlacing = placing_parameters().map(optionInLanguage);
+	return {
+		parameters: own.filter(({ key }) => offered$1(key)),
+		defaults: block_settings({}),
+		flightParameters: ofFlight,
+		flight: block_flight_preset("small_photos"),
+		placingParameters: ofPlacing,
+		placing: placing_defaults(),
+		labels: {
+			parameters: [
+				...parameters,
+				...own,
+				...ofPlacing
+			],
+			flightParameters: [...flightParameters, ...ofFlight]
+		}
+	};
+}
+// www/block/engine/facts.ts
+var MOST_LINES = 16;
+var Facts = class {
+	store;
+	engine;
+	of = null;
+	answers = new Map();
+	asked = new Set();
+	listeners = [];
+	constructor(store, engine) {
+		this.store = store;
+		this.engine = engine;
+	}
+	watch(arrived) {
+		this.listeners.push(arrived);
+	}
+	points(image) {
+		return this.get(`points ${String(image)}`, () => this.engine.imagePoints(image));
+	}
+	observations() {
+		const images = this.store.state.shown?.view.images.length ?? 0;
+		return this.get("observations", () => this.engine.observations(images));
+	}
+	ground() {
+		return (this.store.state.shown?.view.oriented ?? 0) === 0 ? null : this.get("ground", () => this.engine.ground());
+	}
+	point(index) {
+		return this.get(`point ${String(index)}`, () => this.engine.pointDetail(index));
+	}
+	line(from, [x, y], to) {
+		const name = `line ${[
+			from,
+			to,
+			x,
+			y
+		].join(" ")}`;
+		const lines = [...this.asked].filter((other) => other.startsWith("line"));
+		if (!this.answers.has(name) && !this.asked.has(name) && lines.length >= MOST_LINES) return null;
+		return this.get(name, () => this.engine.epipolarLine(from, x, y, to));
+	}
+	get(name, ask) {
+		const { shown, running } = this.store.state;
+		if (this.of !== (shown?.view ?? null)) this.forget(shown?.view ?? null);
+		if (this.answers.has(name)) return this.answers.get(name);
+		if (shown === null || shown.view.partial || running.kind === "yes" || this.asked.has(name)) return null;
+		const { of } = this;
+		this.asked.add(name);
+		ask().then((answer) => {
+			if (this.of !== of) return;
+			this.asked.delete(name);
+			this.keep(name, answer);
+			for (const listener of this.listeners) listener();
+		}, () => {
+			if (this.of === of) this.asked.delete(name);
+		});
+		return null;
+	}
+	keep(name, answer) {
+		this.answers.set(name, answer);
+		const lines = [...this.answers.keys()].filter((other) => other.startsWith("line"));
+		for (const old of lines.slice(0, Math.max(0, lines.length - 128))) this.answers.delete(old);
+	}
+	forget(of) {
+		this.of = of;
+		this.answers.clear();
+		this.asked.clear();
+	}
+};
+// www/block/state/placed.ts
+function placingKey({ placing: { orthophoto, heights, options }, options: { cameras } }) {
+	const ground = heights.kind === "level" ? heights.height : `file ${String(heights.model.id)}`;
+	return JSON.stringify([
+		orthophoto?.raster.id ?? null,
+		ground,
+		options,
+		cameras
+	]);
+}
+function placedFiles(state) {
+	return listed(state.files, state.placing.placed, placingKey(state));
+}
+var listed = remember((files, all, key) => files.flatMap((file) => {
+	const placed = all.get(file.id);
+	return placed === void 0 ? [] : [{
+		...placed,
+		file,
+		isStale: placed.key !== key
+	}];
+}));
+function unplacedFiles(state) {
+	const key = placingKey(state);
+	return state.files.filter(({ id }) => state.placing.placed.get(id)?.key !== key);
+}
+// www/block/state/edited.ts
+var UNEDITED = {
+	history: NO_HISTORY,
+	before: null,
+	adjusting: false,
+	draft: null
+};
+function figuresOf$3(view) {
+	const { sigma0Px, rmsePx, oriented, points, checks, images } = view;
+	const checksM = checks === null ? null : Math.hypot(...checks.rmse_m);
+	return {
+		sigma0Px,
+		rmsePx,
+		oriented,
+		points: points.taking,
+		observations: images.reduce((sum, image) => sum + image.rays, 0),
+		checksM
+	};
+}
+var FIRST_PANES = 4;
+var NO_PANES = {
+	images: [],
+	views: new Map(),
+	whole: false,
+	active: null,
+	look: {
+		points: true,
+		vectors: 0,
+		linked: false,
+		loupe: false,
+		brightness: 1,
+		contrast: 1,
+		unmeasured: false
+	}
+};
+function reducePanes(panes, action) {
+	switch (action.type) {
+		case "showImages": return withImages(panes, action.images);
+		case "moveViews": return {
+			...panes,
+			views: new Map([...panes.views, ...action.views].filter(([image]) => panes.images.includes(image)))
+		};
+		case "wholeImages": return {
+			...panes,
+			views: new Map(),
+			whole: true
+		};
+		case "activeImage": return panes.active === action.image ? panes : {
+			...panes,
+			active: action.image
+		};
+		case "look": return {
+			...panes,
+			look: {
+				...panes.look,
+				...action.look
+			}
+		};
+	}
+}
+function withImages(panes, wanted) {
+	const images = [...new Set(wanted)].slice(0, 9);
+	const views = new Map([...panes.views].filter(([image]) => images.includes(image)));
+	const active = panes.active !== null && images.includes(panes.active) ? panes.active : images[0] ?? null;
+	return {
+		...panes,
+		images,
+		views,
+		active
+	};
+}
+function shownImages(panes, view) {
+	if (panes.images.length > 0) return panes.images;
+	return view.images.slice(0, FIRST_PANES).map((_, image) => image);
+}
+function panesInOtherView(panes, before, after) {
+	if (before === null || panes.images.length === 0) return {
+		...NO_PANES,
+		whole: panes.whole,
+		look: panes.look
+	};
+	const places = new Map(after.images.map(({ name }, image) => [name, image]));
+	const place = (image) => places.get(before.images[image]?.name ?? "") ?? -1;
+	const images = panes.images.map(place).filter((image) => image >= 0);
+	const views = new Map([...panes.views].map(([image, looks]) => [place(image), looks]));
+	const active = panes.active === null ? -1 : place(panes.active);
+	return withImages({
+		...panes,
+		views,
+		active: active < 0 ? null : active
+	}, images);
+}
+// www/block/state/placing.ts
+var NOTHING_LOOKED_AT = {
+	image: null,
+	link: null
+};
+var NO_PLACING = {
+	orthophoto: null,
+	heights: {
+		kind: "level",
+		height: 0
+	},
+	options: null,
+	purpose: null,
+	placed: new Map(),
+	running: null,
+	chosen: NOTHING_LOOKED_AT,
+	pointed: NOTHING_LOOKED_AT,
+	picks: false,
+	draft: null,
+	adjusting: null,
+	uses: new Set([
+		"used",
+		"check",
+		"rejected"
+	])
+};
+function reducePlacing(placing, action) {
+	switch (action.type) {
+		case "orthophoto": return {
+			...NO_PLACING,
+			options: placing.options,
+			orthophoto: action.orthophoto
+		};
+		case "heights": return {
+			...placing,
+			heights: action.heights,
+			orthophoto: placing.orthophoto === null ? null : {
+				...placing.orthophoto,
+				info: action.info
+			}
+		};
+		case "placingOptions": return placing.options === null ? placing : {
+			...placing,
+			options: {
+				...placing.options,
+				...action.options
+			},
+			picks: false
+		};
+		case "purpose": return placing.purpose === action.purpose ? placing : {
+			...placing,
+			purpose: action.purpose,
+			draft: null,
+			picks: false
+		};
+		case "placing": return {
+			...placing,
+			running: action.running
+		};
+		case "placed": return {
+			...placing,
+			placed: new Map([...placing.placed, [action.image, action.placed]])
+		};
+		case "choosePlaced":
+			if (isSameLooked(placing.chosen, action.looked)) return placing;
+			return {
+				...placing,
+				chosen: action.looked,
+				draft: placing.chosen.image === action.looked.image ? placing.draft : null
+			};
+		case "pointPlaced": return isSameLooked(placing.pointed, action.looked) ? placing : {
+			...placing,
+			pointed: action.looked
+		};
+		case "picksPlace": return {
+			...placing,
+			picks: action.picks,
+			draft: null
+		};
+		case "linkDraft": return {
+			...placing,
+			draft: action.draft,
+			picks: false
+		};
+		case "adjustsLinks": return {
+			...placing,
+			adjusting: action.image
+		};
+		case "showLinks": {
+			const uses = new Set(placing.uses);
+			if (action.on) uses.add(action.use);
+			else uses.delete(action.use);
+			return {
+				...placing,
+				uses
+			};
+		}
+	}
+}
+function isSameLooked(a, b) {
+	return a.image === b.image && a.link === b.link;
+}
+var LEAST_IMAGES = 2;
+var pointsOfFile = remember((control) => readOr(control, parse_ground_control_points));
+var marksOfFile = remember((marks) => readOr(marks, parse_image_measurements));
+function readOr(file, read) {
+	try {
+		return file === null ? [] : read(file.text);
+	} catch {
+		return [];
+	}
+}
+var keyOf = ({ image, point }) => JSON.stringify([image, point]);
+var marksByHand = remember(({ edits, done }) => {
+	const held = new Map();
+	for (const { kind, marks } of edits.slice(0, done)) for (const mark of marks) {
+		held.delete(keyOf(mark));
+		if (kind === "measure") held.set(keyOf(mark), mark);
+	}
+	return [...held.values()];
+});
+var allMarks = remember((file, history) => {
+	const all = [...marksOfFile(file), ...marksByHand(history)];
+	return [...new Map(all.map((mark) => [keyOf(mark), mark])).values()];
+});
+var collected = remember((control, file, history, files) => {
+	const byHand = marksByHand(history);
+	if (control === null) return {
+		twice: 0,
+		run: null,
+		asGiven: true
+	};
+	if (file !== null && byHand.length === 0) return {
+		twice: 0,
+		run: {
+			points: control.text,
+			marks: file.text
+		},
+		asGiven: true
+	};
+	const points = pointsOfFile(control);
+	const [names, images] = [new Set(points.map(({ name }) => name)), new Set(files.map(({ name }) => name))];
+	const ofHand = new Set(byHand);
+	const marks = allMarks(file, history).filter((mark) => !ofHand.has(mark) || names.has(mark.point) && images.has(mark.image));
+	const seen = new Map();
+	for (const { point, image } of marks) if (images.has(image)) seen.set(point, (seen.get(point) ?? 0) + 1);
+	const twice = points.filter(({ name, role }) => role === "control" && (seen.get(name) ?? 0) >= LEAST_IMAGES).length;
+	return {
+		twice,
+		run: twice < 3 ? null : {
+			points: control.text,
+			marks: tableOf(marks)
+		},
+		asGiven: false
+	};
+});
+function collectedOf({ files, options, marks }) {
+	return collected(options.control, options.marks, marks, files);
+}
+function waitsForMarks(state) {
+	return state.options.control !== null && collectedOf(state).run === null;
+}
+function givenToRun(state) {
+	const { control, marks } = state.options;
+	const { run, asGiven } = collectedOf(state);
+	if (control === null || asGiven && run !== null) return {
+		control,
+		marks
+	};
+	return run === null ? {
+		control: null,
+		marks: null
+	} : {
+		control,
+		marks: {
+			name: marks?.name ?? "",
+			text: run.marks
+		}
+	};
+}
+function tableOf(marks) {
+	const quoted = (text) => `"${text.replaceAll("\"", "\"\"")}"`;
+	return `image,point,x_px,y_px\n${marks.map(({ image, point, x_px, y_px }) => `${quoted(image)},${quoted(point)},${String(x_px)},${String(y_px)}\n`).join("")}`;
+}
+var NONE = [];
+var givenBeside = remember((control, file, history, surveyed) => {
+	const known = new Set(surveyed.map(({ name }) => name));
+	const images = new Map();
+	for (const { point } of allMarks(file, history)) images.set(point, (images.get(point) ?? 0) + 1);
+	const rows = pointsOfFile(control).filter(({ name }) => !known.has(name));
+	return rows.length === 0 ? NONE : rows.map(({ name, position, role }) => ({
+		name,
+		position,
+		role: role ?? null,
+		images: images.get(name) ?? 0
+	}));
+});
+function withGiven(view, { options, marks }) {
+	const given = view.partial || options.control === null ? NONE : givenBeside(options.control, options.marks, marks, view.surveyed);
+	return given === (view.given ?? NONE) ? view : {
+		...view,
+		given
+	};
+}
+var placesOfGiven = remember((name, view, file, history) => {
+	const index = new Map(view.images.map((image, i) => [image.name, i]));
+	return new Map(allMarks(file, history).flatMap(({ point, image, x_px, y_px }) => {
+		const at = index.get(image);
+		return point === name && at !== void 0 ? [[at, [x_px, y_px]]] : [];
+	}));
+});
+function nextBack(history, marks) {
+	const mark = marks.edits[marks.done - 1];
+	if (mark !== void 0 && mark.after >= history.done) return "mark";
+	return history.done > 0 ? "edit" : mark === void 0 ? null : "mark";
+}
+function nextAgain(history, marks) {
+	const mark = marks.edits[marks.done];
+	if (mark !== void 0 && mark.after <= history.done) return "mark";
+	return history.done < history.edits.length ? "edit" : mark === void 0 ? null : "mark";
+}
+// www/block/state/selection.ts
+var NOTHING_SELECTED = {
+	chosen: null,
+	pointed: null,
+	filters: {}
+};
+function reduceSelection(selection, action) {
+	switch (action.type) {
+		case "choose": return isSame(selection.chosen, action.choice) ? selection : {
+			...selection,
+			chosen: action.choice
+		};
+		case "point": return isSame(selection.pointed, action.choice) ? selection : {
+			...selection,
+			pointed: action.choice
+		};
+		case "filter": return {
+			...selection,
+			filters: {
+				...selection.filters,
+				[action.subject]: action.filter
+			}
+		};
+	}
+}
+function choiceOfPoints(points) {
+	const given = Uint32Array.from(points);
+	const sorted = given.every((point, i) => i === 0 || point > (given[i - 1] ?? 0)) ? given : Uint32Array.from(new Set(given)).sort();
+	const [first] = sorted;
+	if (first === void 0) return null;
+	return sorted.length === 1 ? {
+		kind: "point",
+		point: first
+	} : {
+		kind: "points",
+		points: sorted
+	};
+}
+function withMore(chosen, points) {
+	const before = new Set(pointsOf(chosen));
+	const [only] = points;
+	if (points.length === 1 && only !== void 0 && before.has(only)) before.delete(only);
+	else for (const point of points) before.add(point);
+	return choiceOfPoints(before);
+}
+function imagesOf(choice) {
+	switch (choice?.kind) {
+		case "image":
+		case "observation": return [choice.image];
+		case "pair": return choice.images;
+		default: return [];
+	}
+}
+var NO_POINTS = new Uint32Array();
+function pointsOf(choice) {
+	switch (choice?.kind) {
+		case "point":
+		case "observation": return Uint32Array.of(choice.point);
+		case "points": return choice.points;
+		default: return NO_POINTS;
+	}
+}
+function isSame(a, b) {
+	if (a === b) return true;
+	if (a === null || b === null || a.kind !== b.kind) return false;
+	if (a.kind === "given" && b.kind === "given") return a.name === b.name;
+	const [images, others] = [imagesOf(a), imagesOf(b)];
+	const [points, others_] = [pointsOf(a), pointsOf(b)];
+	return images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
+}
+function inOtherView(selection, before, after) {
+	const { chosen, filters } = selection;
+	return {
+		chosen: before === null ? null : moved(chosen, before, after),
+		pointed: null,
+		filters
+	};
+}
+function moved(choice, before, after) {
+	if (choice?.kind === "given") return after.given?.some(({ name }) => name === choice.name) === true ? choice : null;
+	if (choice?.kind !== "image" && choice?.kind !== "pair") return null;
+	const place = (image) => after.images.findIndex(({ name }) => name === before.images[image]?.name);
+	if (choice.kind === "image") return place(choice.image) < 0 ? null : {
+		kind: "image",
+		image: place(choice.image)
+	};
+	const images = [place(choice.images[0]), place(choice.images[1])];
+	return images.includes(-1) ? null : {
+		kind: "pair",
+		images
+	};
+}
+// www/block/state/state.ts
+var BLOCK_INITIAL = {
+	catalogue: null,
+	files: [],
+	truth: null,
+	options: {
+		settings: null,
+		gps: "use",
+		cameras: null,
+		control: null,
+		marks: null,
+		masks: []
+	},
+	refused: null,
+	flight: null,
+	running: { kind: "no" },
+	shown: null,
+	selection: NOTHING_SELECTED,
+	marks: NO_HISTORY,
+	panes: NO_PANES,
+	placing: NO_PLACING,
+	...UNEDITED,
+	onStage: "map",
+	opened: null,
+	notice: null
+};
+function wantedKey(state) {
+	return JSON.stringify([state.files.map(({ id }) => id), {
+		...state.options,
+		...givenToRun(state)
+	}]);
+}
+function isOutdated(state) {
+	return state.shown !== null && state.shown.files.length > 0 && state.shown.key !== wantedKey(state);
+}
+function isBusy({ running, notice, placing }) {
+	return running.kind === "yes" || notice?.kind === "busy" || placing.running !== null;
+}
+function imagesOfBlock({ shown, files }) {
+	if (shown === null) return [];
+	const byName = new Map([...files, ...shown.files].map((file) => [file.name, file]));
+	return shown.view.images.flatMap(({ name }) => byName.get(name) ?? []);
+}
+// www/block/state/purpose.ts
+function orientedBlock({ shown }) {
+	return shown === null || shown.view.partial || shown.view.oriented === 0 ? null : shown;
+}
+function cameOnGround({ view, ground }) {
+	return ground === null && view.orthophoto?.kind === "linked";
+}
+function purposeOf({ placing, shown, files }) {
+	const { orthophoto, purpose, placed, heights } = placing;
+	if (orthophoto === null || purpose !== null) return orthophoto === null ? null : purpose;
+	if (orthophoto.ofBlock !== null || placed.size > 0) return "images";
+	const block = orientedBlock({ shown });
+	if (block !== null) return cameOnGround(block) ? "map" : null;
+	return !(shown !== null && !shown.view.partial) && heights.kind === "model" && files.length >= 2 ? "block" : "images";
+}
+function asksPurpose(state) {
+	return state.placing.orthophoto !== null && purposeOf(state) === null;
+}
+function groundKey({ placing }) {
+	return placingKey({
+		placing,
+		options: { cameras: null }
+	});
+}
+function isOffGround(state) {
+	const block = orientedBlock(state);
+	return block !== null && purposeOf(state) === "block" && block.ground?.key !== groundKey(state);
+}
+function lacksPlaceAlone(state) {
+	return isOffGround(state) && !isOutdated(state) && state.shown !== null && !cameOnGround(state.shown);
+}
+function isStale(state) {
+	return isOutdated(state) || isOffGround(state);
+}
+// www/block/state/links.ts
+var USES$1 = [
+	"used",
+	"check",
+	"rejected"
+];
+function inRows({ placement, size: _, ...image }) {
+	return {
+		...image,
+		placement: placement === null ? null : {
+			...placement,
+			links: Array.from({ length: placement.links.count }, (_, i) => linkOf(placement.links, i))
+		}
+	};
+}
+function linkOf({ at, places, residuals, uses, byHand }, link) {
+	const pair = (of) => [of[2 * link] ?? NaN, of[2 * link + 1] ?? NaN];
+	return {
+		at: pair(at),
+		place: [
+			places[3 * link] ?? NaN,
+			places[3 * link + 1] ?? NaN,
+			places[3 * link + 2] ?? NaN
+		],
+		residual_px: Number.isNaN(residuals[2 * link]) ? null : pair(residuals),
+		role: USES$1[uses[link] ?? 0] ?? "used",
+		by_hand: byHand[link] === 1
+	};
+}
+function usedSo({ uses }, use) {
+	const code = USES$1.indexOf(use);
+	return uses.reduce((sum, own) => sum + (own === code ? 1 : 0), 0);
+}
+// www/block/state/steps.ts
+function givenLinks(found, steps) {
+	const links = found?.placement?.links ?? null;
+	const given = Array.from({ length: links?.count ?? 0 }, (_, i) => {
+		const { at, place, role } = linkOf(links, i);
+		return {
+			at,
+			place: [place[0], place[1]],
+			use: role === "check" ? "check" : "used",
+			by_hand: false
+		};
+	});
+	for (const step of steps) if (step.kind === "add") given.push({
+		at: step.at,
+		place: step.place,
+		use: "used",
+		by_hand: true
+	});
+	else {
+		const link = given[step.link];
+		const isCheck = links !== null && step.link < links.count && linkOf(links, step.link).role === "check";
+		if (link !== void 0) link.use = step.kind === "reject" ? "rejected" : isCheck ? "check" : "used";
+	}
+	return given;
+}
+function shownLinks({ result, steps, done }) {
+	return result?.placement?.links ?? addedLinks(steps, done);
+}
+var addedLinks = remember((steps, done) => {
+	const added = steps.slice(0, done).filter((step) => step.kind === "add");
+	if (added.length === 0) return null;
+	return {
+		count: added.length,
+		at: Float64Array.from(added.flatMap(({ at }) => at)),
+		places: Float64Array.from(added.flatMap(({ place: [x, y] }) => [
+			x,
+			y,
+			NaN
+		])),
+		residuals: new Float64Array(2 * added.length).fill(NaN),
+		uses: new Uint8Array(added.length),
+		byHand: new Uint8Array(added.length).fill(1)
+	};
+});
+function useWord({ steps, done }, link, use) {
+	if (use !== "rejected") return say("link-use", { use });
+	return steps.slice(0, done).findLast((step) => step.kind !== "add" && step.link === link)?.kind === "reject" ? say("rejected-by-hand-2") : say("rejected-as-a-gross-error");
+}
+function stepName(step) {
+	return step.kind === "add" ? say("add-a-link") : say("link-2", {
+		kind: step.kind,
+		link: step.link + 1
+	});
+}
+// www/block/engine/placing.ts
+var MOST_SHARED = 4e7;
+var PlacingEngine = class {
+	store;
+	shower = new WorkerClient("orthophoto");
+	placers = [1, 2].map((number) => new WorkerClient(`placing ${String(number)}`));
+	maker = new WorkerClient("mosaic");
+	stopped = false;
+	waits = 0;
+	constructor(store) {
+		this.store = store;
+	}
+	async open(raster, ofBlock = null) {
+		return {
+			raster,
+			info: await this.asked(groundOf(raster, NO_PLACING.heights)),
+			ofBlock
+		};
+	}
+	async setHeights(heights) {
+		const { orthophoto } = this.store.state.placing;
+		if (orthophoto === null) return;
+		const info = await this.asked(groundOf(orthophoto.raster, heights));
+		this.store.dispatch({
+			type: "heights",
+			heights,
+			info
+		});
+	}
+	asked(ground) {
+		return this.waited(() => this.shower.call("orthoInfo", ground));
+	}
+	async waited(ask) {
+		this.waits += 1;
+		try {
+			return await ask();
+		} catch (error) {
+			throw named$1(error);
+		} finally {
+			this.waits -= 1;
+		}
+	}
+	tile(level, column, row) {
+		const { ground } = this;
+		if (ground === null) return Promise.reject(new Error("no orthophoto is given"));
+		return this.shower.call("orthoTile", {
+			ground,
+			level,
+			column,
+			row
+		});
+	}
+	async place(files = unplacedFiles(this.store.state)) {
+		const { state } = this.store;
+		const { placing, options } = state;
+		const { ground } = this;
+		if (ground === null || placing.options === null || placing.orthophoto === null || placing.running !== null || files.length === 0) return 0;
+		const { width, height, in_parts: isInParts } = placing.orthophoto.info;
+		const isLight = isInParts || width * height <= MOST_SHARED;
+		const key = placingKey(state);
+		const workers = this.placers.slice(0, isLight && (navigator.hardwareConcurrency || 1) > 2 ? 2 : 1);
+		const waiting = [...files];
+		const { options: given } = placing;
+		const cameras = options.cameras?.text ?? null;
+		let done = 0;
+		this.stopped = false;
+		const tell = (text) => this.store.dispatch({
+			type: "placing",
+			running: {
+				done,
+				total: files.length,
+				text
+			}
+		});
+		tell(say("looking-for-points-of-the"));
+		const work = async (worker) => {
+			await worker.call("orthoSearch", {
+				ground,
+				options: given
+			});
+			for (let file = waiting.shift(); file !== void 0; file = waiting.shift()) {
+				tell(say("placing", { name: file.name }));
+				const { id, name } = file;
+				const [found, problem] = await this.tried(worker, {
+					ground,
+					options: given,
+					name,
+					file: file.file,
+					cameras
+				});
+				done += 1;
+				const former = this.store.state.placing.placed.get(id);
+				const steps = (former?.steps.slice(0, former.done) ?? []).filter(({ kind }) => kind === "add");
+				const result = steps.length === 0 ? found : await this.adjust(file, found, steps).catch(() => found);
+				this.store.dispatch({
+					type: "placed",
+					image: id,
+					placed: {
+						key,
+						result,
+						problem,
+						found,
+						steps,
+						done: steps.length
+					}
+				});
+				tell(waiting[0] === void 0 ? say("placing-2") : say("placing", { name: waiting[0].name }));
+			}
+		};
+		try {
+			await Promise.all(workers.slice(0, files.length).map(work));
+			return done;
+		} catch (error) {
+			this.release();
+			if (this.stopped || error instanceof Cancelled) return null;
+			throw named$1(error);
+		} finally {
+			if (!isLight) this.release();
+			this.store.dispatch({
+				type: "placing",
+				running: null
+			});
+		}
+	}
+	async tried(worker, input) {
+		try {
+			return [await worker.call("orthoPlace", input), ""];
+		} catch (error) {
+			if (error instanceof Cancelled) throw error;
+			return [null, breakdownOf(error) ?? messageOf(error)];
+		}
+	}
+	cancel() {
+		this.stopped = true;
+		for (const worker of [...this.placers, this.maker]) worker.cancel();
+		if (this.waits > 0) this.shower.cancel();
+	}
+	async adjust(file, found, steps) {
+		const { placing, options } = this.store.state;
+		const { ground } = this;
+		const { options: settings } = placing;
+		if (found === null || ground === null || settings === null || steps.length === 0) return found;
+		const links = givenLinks(found, steps);
+		if (found.placement === null && links.filter(({ use }) => use === "used").length < 4) return found;
+		const start = found.placement === null ? null : {
+			...found.placement,
+			links: []
+		};
+		const { name, file: bytes } = file;
+		this.store.dispatch({
+			type: "adjustsLinks",
+			image: file.id
+		});
+		try {
+			const cameras = options.cameras?.text ?? null;
+			return await this.waited(() => this.shower.call("orthoAdjust", {
+				ground,
+				options: settings,
+				name,
+				file: bytes,
+				cameras,
+				links,
+				start,
+				size: found.size
+			}));
+		} finally {
+			this.store.dispatch({
+				type: "adjustsLinks",
+				image: null
+			});
+		}
+	}
+	async predict(placement, given) {
+		const { ground } = this;
+		return ground === null ? null : this.shower.call("orthoPredict", {
+			ground,
+			placement: {
+				...placement,
+				links: []
+			},
+			...given
+		});
+	}
+	async rectified(file) {
+		const { ground } = this;
+		const placement = this.store.state.placing.placed.get(file.id)?.result?.placement ?? null;
+		if (ground === null || placement === null) throw new Error(say("is-not-placed", { name: file.name }));
+		return await this.waited(() => this.shower.call("orthoRectified", {
+			ground,
+			file: file.file,
+			placement: {
+				...placement,
+				links: []
+			}
+		}));
+	}
+	laid(file, placement, side) {
+		const { ground } = this;
+		if (ground === null) return Promise.reject(new Error("no orthophoto is given"));
+		return this.shower.call("orthoLaid", {
+			ground,
+			file: file.file,
+			placement: {
+				...placement,
+				links: []
+			},
+			side
+		});
+	}
+	async mosaic(project, files, inAdjustment) {
+		this.stopped = false;
+		const tell = (done, total, text) => this.store.dispatch({
+			type: "placing",
+			running: {
+				done,
+				total,
+				text
+			}
+		});
+		tell(0, files.length, say("laying-out-the-orthomosaic"));
+		try {
+			const names = await this.maker.call("mosaicOpen", {
+				project,
+				heights: null,
+				inAdjustment
+			});
+			for (const [done, { name, file }] of files.entries()) {
+				tell(done, files.length, say("orthomosaic", { name }));
+				const index = names.indexOf(name);
+				if (index >= 0) await this.maker.call("mosaicAdd", {
+					index,
+					file
+				});
+			}
+			tell(files.length, files.length, say("writing-the-orthomosaic"));
+			return await this.maker.call("mosaicFinish", null);
+		} catch (error) {
+			if (this.stopped || error instanceof Cancelled) return null;
+			throw named$1(error);
+		} finally {
+			this.maker.cancel();
+			this.store.dispatch({
+				type: "placing",
+				running: null
+			});
+		}
+	}
+	async scene(flight, gsd) {
+		const { picture, heights } = await this.maker.call("sceneOrthophoto", {
+			flight,
+			gsd
+		});
+		this.maker.cancel();
+		const type = "image/tiff";
+		return {
+			picture: new Blob([picture], { type }),
+			heights: new Blob([heights], { type })
+		};
+	}
+	release() {
+		for (const worker of this.placers) worker.cancel();
+	}
+	get ground() {
+		const { orthophoto, heights } = this.store.state.placing;
+		return orthophoto === null ? null : groundOf(orthophoto.raster, heights);
+	}
+};
+function groundOf(raster, heights) {
+	const own = heights.kind === "level" ? heights.height : sourceOf$2(heights.model);
+	const name = heights.kind === "level" ? `level ${String(heights.height)}` : `file ${String(heights.model.id)}`;
+	return {
+		picture: sourceOf$2(raster),
+		heights: own,
+		keys: {
+			picture: String(raster.id),
+			heights: name
+		}
+	};
+}
+function sourceOf$2({ file, world }) {
+	return {
+		file,
+		world: world?.text ?? null
+	};
+}
+function named$1(error) {
+	if (error instanceof Cancelled) return error;
+	return new Error(breakdownOf(error) ?? messageOf(error));
+}
+// www/block/engine/block-placing.ts
+var BlockPlacing = class {
+	store;
+	engine;
+	placing;
+	worker = new WorkerClient("georeferencing");
+	stopped = false;
+	constructor(store, engine, placing) {
+		this.store = store;
+		this.engine = engine;
+		this.placing = placing;
+	}
+	async place() {
+		const { shown, placing } = this.store.state;
+		const { ground } = this.placing;
+		if (shown === null || ground === null || placing.options === null) return false;
+		const key = groundKey(this.store.state);
+		this.stopped = false;
+		this.tell(0, 1, say("looking-for-points-of-the"));
+		try {
+			this.placing.release();
+			const before = shown.ground?.before ?? await this.engine.project();
+			const linked = await this.linked({
+				project: before,
+				ground,
+				options: placing.options
+			});
+			const read = await this.engine.read(linked, this.store.state.truth);
+			if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
+			read.hold();
+			this.store.dispatch({
+				type: "onGround",
+				view: read.view,
+				edits: read.edits,
+				ground: {
+					key,
+					before
+				}
+			});
+			return true;
+		} catch (error) {
+			if (this.stopped || error instanceof Cancelled) return false;
+			throw named$1(error);
+		} finally {
+			this.worker.cancel();
+			this.store.dispatch({
+				type: "placing",
+				running: null
+			});
+		}
+	}
+	async takeOff() {
+		const { shown } = this.store.state;
+		if (shown?.ground == null) return false;
+		const read = await this.engine.read(new Uint8Array(await shown.ground.before.arrayBuffer()), this.store.state.truth);
+		if (this.store.state.shown?.found !== shown.found) return false;
+		read.hold();
+		this.store.dispatch({
+			type: "onGround",
+			view: read.view,
+			edits: read.edits,
+			ground: null
+		});
+		return true;
+	}
+	cancel() {
+		this.stopped = true;
+		this.worker.cancel();
+	}
+	async linked(input) {
+		const names = await this.worker.call("linksOpen", input);
+		const files = new Map(imagesOfBlock(this.store.state).map(({ name, file }) => [name, file]));
+		const images = names.flatMap((name, index) => {
+			const file = name === null ? void 0 : files.get(name);
+			return name === null || file === void 0 ? [] : [{
+				name,
+				index,
+				file
+			}];
+		});
+		for (const [done, { name, index, file }] of images.entries()) {
+			this.tell(done, images.length, say("placing-on-the-orthophoto", { name }));
+			await this.worker.call("linksPlace", {
+				index,
+				file
+			});
+		}
+		this.tell(1, 1, say("adjusting-by-the-orthophoto"));
+		return this.worker.call("linksFinish", null);
+	}
+	tell(done, total, text) {
+		this.store.dispatch({
+			type: "placing",
+			running: {
+				done,
+				total,
+				text
+			}
+		});
+	}
+};
+// www/block/state/calibrated.ts
+var MOST_FOCAL_ERROR = .01;
+function calibrationsOf({ verdict, cameras }, isSimulated, at) {
+	if (isSimulated || verdict?.kind !== "oriented") return [];
+	return cameras.flatMap(({ label, images, given, calibrated: camera, focalErrorPx }) => {
+		if (!(cameras.filter((other) => other.label === label).length === 1) || given === null || camera === null || focalErrorPx === null || focalErrorPx > MOST_FOCAL_ERROR * camera.focal_px) return [];
+		const { radial = [
+			0,
+			0,
+			0
+		], tangential = [0, 0] } = given;
+		return [{
+			label,
+			recorded: {
+				radial,
+				tangential
+			},
+			camera,
+			focalErrorPx,
+			images,
+			at
+		}];
+	});
+}
+// www/block/state/given.ts
+var PARTNER_MISSING = { marks: say("image-measurements-need-their-ground") };
+function problemsOf({ files, options, marks }) {
+	return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, marks);
+}
+function firstProblem(state) {
+	return Object.values(problemsOf(state))[0] ?? null;
+}
+var problems = remember((files, placing, cameras, control, marks, masks, byHand) => {
+	if (placing === null) return {};
+	const names = files.map(({ name }) => name);
+	const found = {};
+	const look = (given, name, read) => {
+		try {
+			read();
+			return true;
+		} catch (error) {
+			found[given] = `${name === "" ? "" : `${name}: `}${messageOf(error)}`;
+			return false;
+		}
+	};
+	if (cameras !== null) look("cameras", cameras.name, () => check_cameras(cameras.text, names));
+	const pointsRead = control !== null && look("control", control.name, () => parse_ground_control_points(control.text));
+	const marksRead = marks === null || look("marks", marks.name, () => parse_image_measurements(marks.text));
+	const { run } = collectedOf({
+		files,
+		options: {
+			control,
+			marks
+		},
+		marks: byHand
+	});
+	if (pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing));
+	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
+	look("masks", "", () => check_masks(names, masks.map(({ name }) => name)));
+	return found;
+});
+// www/block/engine/engine.ts
+var PATIENCE_MS = 80;
+var EXPORT_PATIENCE_MS = 3e3;
+var BlockEngine = class {
+	store;
+	pool = new WorkerPool();
+	block = new WorkerClient("block");
+	kept = new Map();
+	recorded = () => void 0;
+	port = null;
+	reading = null;
+	heldIn = -1;
+	spare = null;
+	regaining = null;
+	writing = null;
+	constructor(store) {
+		this.store = store;
+	}
+	async run() {
+		const { state } = this.store;
+		const { settings } = state.options;
+		if (settings === null || state.running.kind === "yes") return;
+		const problem = firstProblem(state);
+		if (problem !== null) {
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "problem",
+					text: say("not-run", { problem: sentence(problem) })
+				}
+			});
+			return;
+		}
+		const key = wantedKey(state);
+		const { files, truth } = state;
+		const started = performance.now();
+		this.store.dispatch({
+			type: "started",
+			key
+		});
+		const channel = new MessageChannel();
+		this.listen(channel.port1, files);
+		try {
+			const input = {
+				files,
+				options: runOptions({
+					...state.options,
+					...givenToRun(state)
+				}, settings),
+				masks: state.options.masks,
+				truth,
+				workers: this.pool.size,
+				kept: this.kept,
+				port: channel.port2
+			};
+			const view = await this.block.call("blockRun", input, [channel.port2]);
+			this.heldIn = this.block.generation;
+			this.spare = null;
+			rememberCalibrations(calibrationsOf(view, truth !== null, Date.now()));
+			this.store.dispatch({
+				type: "done",
+				key,
+				view,
+				files,
+				seconds: (performance.now() - started) / 1e3
+			});
+		} catch (error) {
+			this.pool.cancel();
+			const stopped = this.port !== channel.port1;
+			this.store.dispatch({
+				type: "ended",
+				failure: stopped || error instanceof Cancelled ? null : reasonOf(error)
+			});
+		} finally {
+			channel.port1.close();
+			if (this.port === channel.port1) this.port = null;
+		}
+	}
+	cancel() {
+		const { port, writing } = this;
+		this.port = null;
+		this.writing = null;
+		this.pool.cancel();
+		port?.postMessage({ kind: "stop" });
+		writing?.postMessage("stop");
+		if (port === null && writing === null) return;
+		window.setTimeout(() => {
+			if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
+		}, port === null ? EXPORT_PATIENCE_MS : PATIENCE_MS);
+	}
+	get records() {
+		return this.kept;
+	}
+	takeRecords(records) {
+		this.kept.clear();
+		for (const [key, record] of records) this.kept.set(key, record);
+	}
+	watchRecords(recorded) {
+		this.recorded = recorded;
+	}
+	async project() {
+		await this.regained();
+		const { port1, port2 } = new MessageChannel();
+		try {
+			const { bytes } = await this.block.call("blockExport", {
+				kind: "project",
+				name: "block",
+				stop: port2
+			}, [port2]);
+			return new Blob([bytes]);
+		} finally {
+			port1.close();
+		}
+	}
+	async read(bytes, truth = null) {
+		this.reading?.cancel();
+		const worker = new WorkerClient("block");
+		this.reading = worker;
+		const opened = await worker.call("blockOpen", {
+			bytes,
+			truth
+		}, [bytes.buffer]);
+		const hold = () => {
+			this.block.cancel();
+			this.block = worker;
+			this.reading = null;
+			this.heldIn = worker.generation;
+			this.spare = null;
+		};
+		return {
+			...opened,
+			hold
+		};
+	}
+	async edited(edits) {
+		await this.regained();
+		return this.block.call("blockEdited", {
+			edits,
+			truth: this.store.state.truth
+		});
+	}
+	keepSpare(project) {
+		this.spare = project;
+	}
+	async regained() {
+		const { spare } = this;
+		if (this.heldIn === this.block.generation || spare === null) return;
+		this.regaining ??= this.regain(spare).finally(() => {
+			this.regaining = null;
+		});
+		await this.regaining;
+	}
+	async regain(spare) {
+		const { block } = this;
+		const bytes = new Uint8Array(await spare.arrayBuffer());
+		await block.call("blockOpen", {
+			bytes,
+			truth: null
+		}, [bytes.buffer]);
+		if (block !== this.block) return;
+		this.heldIn = block.generation;
+		const { shown, truth } = this.store.state;
+		if (shown !== null) await this.block.call("blockEdited", {
+			edits: shown.edits,
+			truth
+		});
+	}
+	async imagePoints(image) {
+		await this.regained();
+		return this.block.call("blockImagePoints", { image });
+	}
+	async observations(images) {
+		await this.regained();
+		return this.block.call("blockObservations", { images });
+	}
+	async ground() {
+		await this.regained();
+		return this.block.call("blockGround", null);
+	}
+	async pointDetail(point) {
+		await this.regained();
+		return this.block.call("blockPoint", { point });
+	}
+	async epipolarLine(from, x, y, to) {
+		await this.regained();
+		return this.block.call("blockLine", {
+			from,
+			x,
+			y,
+			to
+		});
+	}
+	grey(file) {
+		return this.pool.call("blockGrey", { file });
+	}
+	window(file, at, turn) {
+		return this.pool.call("blockWindow", {
+			file,
+			at,
+			turn
+		});
+	}
+	async matched(left, file, near, turn) {
+		const by = await this.pool.call("blockFit", {
+			left,
+			right: await this.window(file, near, turn)
+		});
+		if (by === null) return null;
+		const [ax, ay, bx, by_] = turn;
+		return [near[0] + by[0] * ax + by[1] * bx, near[1] + by[0] * ay + by[1] * by_];
+	}
+	async export(kind, name) {
+		const { port1, port2 } = new MessageChannel();
+		this.writing = port1;
+		try {
+			await this.regained();
+			return await this.block.call("blockExport", {
+				kind,
+				name,
+				stop: port2
+			}, [port2]);
+		} catch (error) {
+			throw this.writing === port1 ? error : new Cancelled("cancelled");
+		} finally {
+			if (this.writing === port1) this.writing = null;
+			port1.close();
+		}
+	}
+	async photograph(flight, done) {
+		const truth = await this.pool.call("blockPlan", flight);
+		let count = 0;
+		return {
+			files: await Promise.all(truth.images.map(async ({ name }, index) => {
+				const bytes = await this.pool.call("blockPhoto", {
+					flight,
+					index
+				});
+				count += 1;
+				done(count, truth.images.length);
+				return {
+					name,
+					file: new Blob([bytes], { type: "image/png" })
+				};
+			})),
+			truth
+		};
+	}
+	listen(port, files) {
+		this.port = port;
+		port.onmessage = (event) => {
+			const message = event.data;
+			if (message.kind === "keep") {
+				this.kept.set(message.key, message.record);
+				this.recorded();
+			} else if (message.kind === "job") this.perform(port, message.id, message.job);
+			else if (message.kind === "part") this.store.dispatch({
+				type: "part",
+				view: message.view,
+				files
+			});
+			else if (this.port === port) this.store.dispatch({
+				type: "step",
+				step: message.step
+			});
+		};
+	}
+	async perform(port, id, job) {
+		const tell = (message, transfer = []) => port.postMessage(message, transfer);
+		try {
+			if (this.port !== port) return;
+			const answer = await this.pool.call("blockJob", job, buffersOf(job));
+			tell({
+				kind: "answer",
+				id,
+				answer
+			}, "made" in answer ? [answer.made.buffer] : []);
+		} catch (error) {
+			if (!(error instanceof Cancelled)) tell({
+				kind: "broke",
+				id,
+				message: reasonOf(error)
+			});
+		}
+	}
+};
+function runOptions({ gps, cameras, control, marks }, settings) {
+	return {
+		settings,
+		gps,
+		...cameras === null ? {} : { cameras },
+		...control === null || marks === null ? {} : { control: {
+			points: control.text,
+			marks: marks.text
+		} }
+	};
+}
+function buffersOf({ inputs }) {
+	return [...new Set(inputs.map(({ buffer }) => buffer))];
+}
+function reasonOf(error) {
+	return breakdownOf(error) ?? messageOf(error);
+}
+// www/block/state/carrying.ts
+function carriedOver(edits, before, after, sameTiePoints = false) {
+	const carrier = new Carrier(before, after, sameTiePoints);
+	return edits.flatMap((edit) => carrier.carried(edit));
+}
+var Carrier = class {
+	before;
+	sameTiePoints;
+	places;
+	surveyed;
+	numbers = [];
+	added = 0;
+	constructor(before, after, sameTiePoints) {
+		this.before = before;
+		this.sameTiePoints = sameTiePoints;
+		this.places = new Map(after.images.map((name, image) => [name, image]));
+		this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
+	}
+	carried(edit) {
+		switch (edit.kind) {
+			case "reject_images":
+			case "restore_images": {
+				const images = edit.images.map((image) => this.image(image)).filter((image) => image >= 0);
+				return images.length === 0 ? [] : [{
+					...edit,
+					images
+				}];
+			}
+			case "add_point": return this.add(edit.observations);
+			case "measure": {
+				const [[point], image] = [this.points([edit.point]), this.image(edit.image)];
+				return point === void 0 || image < 0 ? [] : [{
+					...edit,
+					point,
+					image
+				}];
+			}
+			case "reject_points":
+			case "restore_points": {
+				const points = this.points(edit.points);
+				return points.length === 0 ? [] : [{
+					...edit,
+					points
+				}];
+			}
+			case "reject_observations":
+			case "restore_observations": {
+				const observations = edit.observations.flatMap((one) => {
+					const [[point], image] = [this.points([one.point]), this.image(one.image)];
+					return point === void 0 || image < 0 ? [] : [{
+						point,
+						image
+					}];
+				});
+				return observations.length === 0 ? [] : [{
+					...edit,
+					observations
+				}];
+			}
+			case "set_use": {
+				const point = this.control(edit.point);
+				return point < 0 ? [] : [{
+					...edit,
+					point
+				}];
+			}
+		}
+	}
+	add(measurements) {
+		const observations = measurements.map((one) => ({
+			...one,
+			image: this.image(one.image)
+		})).filter(({ image }) => image >= 0);
+		const stays = observations.length >= 2;
+		this.numbers.push(stays ? this.added : -1);
+		if (!stays) return [];
+		this.added += 1;
+		return [{
+			kind: "add_point",
+			observations
+		}];
+	}
+	image(image) {
+		return this.places.get(this.before.images[image] ?? "") ?? -1;
+	}
+	control(control) {
+		return this.surveyed.get(this.before.surveyed.get(control) ?? "") ?? -1;
+	}
+	points(points) {
+		return points.flatMap((point) => {
+			if ("tie_point" in point) return this.sameTiePoints ? [point] : [];
+			if ("manual" in point) {
+				const number = this.numbers[point.manual] ?? -1;
+				return number < 0 ? [] : [{ manual: number }];
+			}
+			const control = this.control(point.ground_control);
+			return control < 0 ? [] : [{ ground_control: control }];
+		});
+	}
+};
+// www/block/state/edits.ts
+function keyOfPoint(point) {
+	const [[kind, number] = []] = Object.entries(point);
+	return `${kind ?? ""} ${String(number)}`;
+}
+var SOURCES = [
+	"tie_point",
+	"ground_control",
+	"manual"
+];
+function codeOfSource(source) {
+	const kind = SOURCES.findIndex((name) => name in source);
+	const [number = 0] = Object.values(source);
+	return SOURCES.length * number + kind;
+}
+function sourceOf$1({ points }, point) {
+	const code = points.sources[point];
+	const kind = code === void 0 ? void 0 : SOURCES[code % SOURCES.length];
+	if (code === void 0 || kind === void 0) return null;
+	return { [kind]: Math.floor(code / SOURCES.length) };
+}
+var places$1 = remember((sources) => new Map([...sources].map((code, point) => [code, point])));
+function indexOfSource({ points }, source) {
+	return places$1(points.sources).get(codeOfSource(source)) ?? -1;
+}
+function choiceAfterEdit(choice, before, after) {
+	if (choice === null || choice.kind === "image" || choice.kind === "pair" || choice.kind === "given") return choice;
+	const moved = [...pointsOf(choice)].flatMap((point) => {
+		const source = sourceOf$1(before, point);
+		const index = source === null ? -1 : indexOfSource(after, source);
+		return index < 0 ? [] : [index];
+	});
+	const [first] = moved;
+	if (first === void 0) return null;
+	if (choice.kind === "observation") return {
+		...choice,
+		point: first
+	};
+	return moved.length === 1 ? {
+		kind: "point",
+		point: first
+	} : {
+		kind: "points",
+		points: Uint32Array.from(moved).sort()
+	};
+}
+var keyOfObservation = ({ point, image }) => `${keyOfPoint(point)} ${String(image)}`;
+var standingOf = remember((edits) => {
+	const observations = new Map();
+	const points = new Map();
+	const images = new Set();
+	const unused = new Set();
+	const measured = new Map();
+	const measure = (image, point) => {
+		measured.set(image, (measured.get(image) ?? new Set()).add(codeOfSource(point)));
+		observations.delete(keyOfObservation({
+			point,
+			image
+		}));
+	};
+	let added = 0;
+	for (const edit of edits) switch (edit.kind) {
+		case "reject_observations":
+			for (const one of edit.observations) observations.set(keyOfObservation(one), one);
+			break;
+		case "restore_observations":
+			for (const one of edit.observations) observations.delete(keyOfObservation(one));
+			break;
+		case "reject_points":
+			for (const point of edit.points) points.set(keyOfPoint(point), point);
+			break;
+		case "restore_points":
+			for (const point of edit.points) {
+				points.delete(keyOfPoint(point));
+				if ("ground_control" in point) unused.delete(point.ground_control);
+			}
+			break;
+		case "reject_images":
+			for (const image of edit.images) images.add(image);
+			break;
+		case "restore_images":
+			for (const image of edit.images) images.delete(image);
+			break;
+		case "measure":
+			measure(edit.image, edit.point);
+			break;
+		case "add_point":
+			for (const { image } of edit.observations) measure(image, { manual: added });
+			added += 1;
+			break;
+		case "set_use": if (edit.use == null) unused.add(edit.point);
+		else unused.delete(edit.point);
+	}
+	return {
+		observations,
+		points,
+		images,
+		unused,
+		measured
+	};
+});
+function editOfChoice(kind, choice, view, standing, whole = false) {
+	const rejects = kind === "reject";
+	switch (choice?.kind) {
+		case "image": return standing.images.has(choice.image) === rejects ? null : {
+			kind: `${kind}_images`,
+			images: [choice.image]
+		};
+		case "observation": {
+			const point = sourceOf$1(view, choice.point);
+			if (point === null) return null;
+			if (whole || isOut(point, standing)) return editOfPoints(kind, [point], standing);
+			const one = {
+				point,
+				image: choice.image
+			};
+			return standing.observations.has(keyOfObservation(one)) === rejects ? null : {
+				kind: `${kind}_observations`,
+				observations: [one]
+			};
+		}
+		case "point":
+		case "points": return editOfPoints(kind, [...pointsOf(choice)].flatMap((point) => sourceOf$1(view, point) ?? []), standing);
+		default: return null;
+	}
+}
+function isOut(point, { points, unused }) {
+	return points.has(keyOfPoint(point)) || "ground_control" in point && unused.has(point.ground_control);
+}
+function editOfPoints(kind, all, standing) {
+	const points = all.filter((point) => isOut(point, standing) !== (kind === "reject"));
+	if (points.length > 0) return {
+		kind: `${kind}_points`,
+		points
+	};
+	if (kind === "reject") return null;
+	const keys = new Set(all.map(keyOfPoint));
+	const observations = [...standing.observations.values()].filter(({ point }) => keys.has(keyOfPoint(point)));
+	return observations.length === 0 ? null : {
+		kind: "restore_observations",
+		observations
+	};
+}
+// www/block/state/naming.ts
+var NO_NAMES = {
+	images: [],
+	surveyed: new Map()
+};
+function namesOf({ images, surveyed }) {
+	return {
+		images: images.map(({ name }) => name),
+		surveyed: new Map(surveyed.map(({ control, name }) => [control, name]))
+	};
+}
+var isPlace = (name) => /^orthophoto_\d+$/u.test(name);
+function withoutPlaces({ images, surveyed }) {
+	return {
+		images,
+		surveyed: new Map([...surveyed].filter(([, name]) => !isPlace(name)))
+	};
+}
+function nameOfStep(step, names = NO_NAMES) {
+	const [first, ...more] = step;
+	if (first === void 0) return say("nothing");
+	if (more.length === 0) return nameOfEdit(first, names);
+	if (step.every((edit) => edit.kind === "measure")) return nameOfMeasures(step, names);
+	const added = step.filter(({ kind }) => kind === "add_point").length;
+	const surveyed = first.kind === "reject_points" && more.every((edit) => edit.kind === "measure") ? more[0] : void 0;
+	if (first.kind === "reject_points" && surveyed !== void 0) return say("step-join", { points: first.points.length + 1 });
+	if (first.kind === "reject_points" && added === more.length) {
+		if (added === 1) return say("step-join", { points: first.points.length });
+		if (first.points.length === 1) return say("step-split", { added });
+	}
+	return say("step-edits", { edits: step.length });
+}
+function nameOfMarks({ kind, marks }) {
+	const [first] = marks;
+	if (first === void 0) return say("nothing");
+	const images = marks.length === 1 ? first.image : say("so-many-images", { images: marks.length });
+	return kind === "measure" ? say("step-measure-in", {
+		verb: "measure",
+		what: first.point,
+		images
+	}) : say("step-unmark", {
+		what: first.point,
+		images
+	});
+}
+function nameOfMeasures(step, names) {
+	const [first, ...more] = step;
+	const verb = step.every(({ by }) => by === "least_squares") ? "match" : "measure";
+	if (first === void 0) return say("nothing");
+	const what = "ground_control" in first.point ? names.surveyed.get(first.point.ground_control) : void 0;
+	if (what !== void 0) return say("step-measure-in", {
+		verb,
+		what,
+		images: more.length === 0 ? imageName(first.image, names) : say("so-many-images", { images: step.length })
+	});
+	return say("step-measure", {
+		verb,
+		observations: step.length,
+		place: more.length === 0 ? inImage(first.image, names) : ""
+	});
+}
+function nameOfEdit(edit, names = NO_NAMES) {
+	switch (edit.kind) {
+		case "reject_observations":
+		case "restore_observations": {
+			const [only, ...more] = edit.observations;
+			return say("step-observations", {
+				verb: verbOf(edit.kind),
+				observations: edit.observations.length,
+				place: only === void 0 || more.length > 0 ? "" : inImage(only.image, names)
+			});
+		}
+		case "reject_points":
+		case "restore_points": {
+			const [only, ...more] = edit.points;
+			const name = only !== void 0 && more.length === 0 && "ground_control" in only ? names.surveyed.get(only.ground_control) : void 0;
+			return name === void 0 ? say("step-points", {
+				verb: verbOf(edit.kind),
+				points: edit.points.length
+			}) : say("step-named", {
+				verb: verbOf(edit.kind),
+				name
+			});
+		}
+		case "reject_images":
+		case "restore_images": {
+			const [only, ...more] = edit.images;
+			return say("step-named", {
+				verb: verbOf(edit.kind),
+				name: only === void 0 || more.length > 0 ? say("so-many-images", { images: edit.images.length }) : imageName(only, names)
+			});
+		}
+		case "measure": return nameOfMeasures([edit], names);
+		case "add_point": return say("step-add-point", { images: edit.observations.length });
+		case "set_use": {
+			const name = names.surveyed.get(edit.point) ?? say("one-surveyed-point");
+			return say("step-use", {
+				name,
+				use: edit.use ?? "none"
+			});
+		}
+	}
+}
+var verbOf = (kind) => kind.startsWith("reject") ? "reject" : "restore";
+function imageName(image, { images }) {
+	return images[image] ?? say("so-many-images", { images: 1 });
+}
+function inImage(image, { images }) {
+	const name = images[image];
+	return name === void 0 ? "" : say("in-image", { name });
+}
+// www/block/state/editing.ts
+function isEditable({ shown, running }) {
+	return shown !== null && !shown.view.partial && shown.view.oriented > 0 && running.kind !== "yes";
+}
+var editsInForce = remember(({ edits, done }) => edits.slice(0, done).flat());
+function nextEdits(history, now, single) {
+	const wanted = editsInForce(history);
+	let count = 0;
+	const at = history.edits.findIndex((step) => {
+		if (count === now.length) return true;
+		count += step.length;
+		return false;
+	});
+	const several = at >= 0 && isSameList(wanted.slice(0, now.length), now) && history.done > at + 1;
+	return {
+		edits: several && single ? history.edits.slice(0, at + 1).flat() : wanted,
+		several
+	};
+}
+function isSameList(a, b) {
+	return a === b || a.length === b.length && a.every((edit, i) => edit === b[i]);
+}
+function reduceEdits(state, action) {
+	switch (action.type) {
+		case "edit":
+			if (!isEditable(state)) return state;
+			return {
+				...state,
+				history: recorded(state.history, action.edits),
+				draft: null,
+				notice: afterEdit(state)
+			};
+		case "goto":
+			if (!isEditable(state)) return state;
+			return {
+				...state,
+				history: wentTo(state.history, action.done),
+				draft: null,
+				notice: afterEdit(state)
+			};
+		case "adjusting": return {
+			...state,
+			adjusting: action.adjusting
+		};
+		case "edited": return state.shown === null ? state : withEdited(state, state.shown, action.view, action.edits);
+		case "editRefused": {
+			const notice = {
+				kind: "problem",
+				text: say("the-edit-was-not-made", { reason: action.reason })
+			};
+			return {
+				...state,
+				history: withoutRefused(state.history, state.shown?.edits ?? []),
+				notice
+			};
+		}
+		case "mark":
+			if (action.step.kind === "measure" && !isEditable(state)) return state;
+			return {
+				...state,
+				marks: recorded(state.marks, action.step),
+				draft: null,
+				notice: afterEdit(state)
+			};
+		case "gotoMark": return {
+			...state,
+			marks: wentTo(state.marks, action.done),
+			draft: null,
+			notice: afterEdit(state)
+		};
+		case "draft": return {
+			...state,
+			draft: isEditable(state) ? action.draft : null,
+			notice: action.draft === null && state.notice?.beside === true ? null : state.notice
+		};
+	}
+}
+function afterEdit({ notice }) {
+	return notice?.kind === "busy" ? notice : null;
+}
+function withoutRefused(history, made) {
+	const kept = stepsOf$1(history, made);
+	const later = kept.length < history.done && kept.every((step, i) => step === history.edits[i]) ? history.edits.slice(kept.length + 1, history.done) : [];
+	return {
+		edits: [...kept, ...later],
+		done: kept.length + later.length
+	};
+}
+function stepsOf$1({ edits: steps }, edits) {
+	let count = 0;
+	const kept = steps.filter((step) => {
+		const stays = count + step.length <= edits.length && step.every((edit, i) => edit === edits[count + i]);
+		count = stays ? count + step.length : Infinity;
+		return stays;
+	});
+	return [...kept, ...edits.slice(kept.flat().length).map((edit) => [edit])];
+}
+function withEdited(state, shown, view, edits) {
+	const { selection } = state;
+	const added = edits.length > shown.edits.length ? newPoint(edits, view) : null;
+	return {
+		...state,
+		shown: {
+			...shown,
+			view,
+			edits
+		},
+		before: figuresOf$3(shown.view),
+		selection: {
+			...selection,
+			chosen: added ?? choiceAfterEdit(selection.chosen, shown.view, view),
+			pointed: null
+		}
+	};
+}
+function newPoint(edits, view) {
+	if (edits.at(-1)?.kind !== "add_point") return null;
+	const point = indexOfSource(view, { manual: edits.filter(({ kind }) => kind === "add_point").length - 1 });
+	return point < 0 ? null : {
+		kind: "point",
+		point
+	};
+}
+function carried({ history, shown }, view) {
+	const before = editsInForce(history);
+	if (before.length === 0 || shown === null) return {
+		edits: UNEDITED,
+		said: ""
+	};
+	return keptOf(before, carriedOver(before, namesOf(shown.found), namesOf(view)));
+}
+function carriedToGround({ history, shown }, view) {
+	const names = shown === null ? NO_NAMES : namesOf(shown.found);
+	if (withoutPlaces(names).surveyed.size === names.surveyed.size) return {
+		edits: {
+			...UNEDITED,
+			history
+		},
+		said: ""
+	};
+	const before = editsInForce(history);
+	if (before.length === 0) return {
+		edits: UNEDITED,
+		said: ""
+	};
+	return keptOf(before, carriedOver(before, names, withoutPlaces(namesOf(view)), true));
+}
+function keptOf(before, edits) {
+	const lost = before.length - edits.length;
+	const said = [edits.length === 0 ? "" : say("by-hand-kept", { edits: edits.length }), lost === 0 ? "" : say("of-points-of-the-former", { lost })];
+	return {
+		edits: {
+			...UNEDITED,
+			history: {
+				edits: edits.map((edit) => [edit]),
+				done: edits.length
+			}
+		},
+		said: said.filter((part) => part !== "").join(" ")
+	};
+}
+// www/block/engine/follow.ts
+var MOST_FAILURES = 1;
+var EditFollower = class {
+	store;
+	engine;
+	busy = false;
+	singly = false;
+	failures = 0;
+	constructor(store, engine) {
+		this.store = store;
+		this.engine = engine;
+		store.watch([
+			"history",
+			"shown",
+			"running"
+		], () => void this.follow());
+	}
+	async follow() {
+		if (this.busy) return;
+		this.busy = true;
+		while (await this.step());
+		this.busy = false;
+		if (this.store.state.adjusting) this.store.dispatch({
+			type: "adjusting",
+			adjusting: false
+		});
+	}
+	async step() {
+		const { history, shown } = this.store.state;
+		const wanted = editsInForce(history);
+		if (!isEditable(this.store.state) || shown === null || isSameList(wanted, shown.edits)) return false;
+		const { edits, several } = nextEdits(history, shown.edits, this.singly);
+		if (!this.store.state.adjusting) this.store.dispatch({
+			type: "adjusting",
+			adjusting: true
+		});
+		try {
+			const view = await this.engine.edited(edits);
+			this.failures = 0;
+			if (edits.length === wanted.length) this.singly = false;
+			if (this.store.state.shown?.found === shown.found) this.store.dispatch({
+				type: "edited",
+				view,
+				edits
+			});
+			return true;
+		} catch (error) {
+			if (this.store.state.shown?.found !== shown.found) return true;
+			return this.failed(error, several && !this.singly);
+		}
+	}
+	failed(error, several) {
+		if (error instanceof Cancelled) return false;
+		if (error instanceof CallError && error.ended && this.failures < MOST_FAILURES) {
+			this.failures += 1;
+			return true;
+		}
+		this.failures = 0;
+		this.singly = several;
+		if (!several) this.store.dispatch({
+			type: "editRefused",
+			reason: sentence(messageOf(error))
+		});
+		return true;
+	}
+};
+// www/block/state/draft.ts
+function begun(of) {
+	return {
+		of,
+		places: new Map()
+	};
+}
+function placed$1(draft, image, [x, y], { width, height }, by = "hand") {
+	const at = [roundedPx(Math.min(width, Math.max(0, x))), roundedPx(Math.min(height, Math.max(0, y)))];
+	return {
+		...draft,
+		places: new Map([...draft.places, [image, {
+			at,
+			by
+		}]])
+	};
+}
+function isGiven(of) {
+	return of !== null && "given" in of;
+}
+function stepOfDraft(draft, names, after) {
+	const { of, places } = draft;
+	if (!isGiven(of)) {
+		const edits = editsOfDraft(draft);
+		return edits === null ? null : {
+			type: "edit",
+			edits
+		};
+	}
+	const marks = [...places].flatMap(([image, { at }]) => {
+		const name = names[image];
+		return name === void 0 ? [] : [{
+			image: name,
+			point: of.given,
+			x_px: at[0],
+			y_px: at[1]
+		}];
+	});
+	return marks.length === 0 ? null : {
+		type: "mark",
+		step: {
+			kind: "measure",
+			marks,
+			after
+		}
+	};
+}
+function editsOfDraft({ of, places }) {
+	if (isGiven(of)) return null;
+	const observations = [...places].map(([image, { at, by }]) => ({
+		image,
+		x_px: at[0],
+		y_px: at[1],
+		by
+	}));
+	if (of !== null) return observations.length === 0 ? null : observations.map((one) => ({
+		kind: "measure",
+		point: of,
+		...one
+	}));
+	return observations.length < 2 ? null : [{
+		kind: "add_point",
+		observations
+	}];
+}
+// www/block/state/under.ts
+var SAME$1 = {
+	a: 1,
+	b: 0,
+	c: 0,
+	d: 1,
+	e: 0,
+	f: 0
+};
+function affineOf({ origin, by_column: column, by_row: row }) {
+	return {
+		a: column[0],
+		b: column[1],
+		c: row[0],
+		d: row[1],
+		e: origin[0],
+		f: origin[1]
+	};
+}
+function mapped({ a, b, c, d, e, f }, x, y) {
+	return [a * x + c * y + e, b * x + d * y + f];
+}
+function after(outer, inner) {
+	const [a, b] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.a, inner.b);
+	const [c, d] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.c, inner.d);
+	const [e, f] = mapped(outer, inner.e, inner.f);
+	return {
+		a,
+		b,
+		c,
+		d,
+		e,
+		f
+	};
+}
+function inverse({ a, b, c, d, e, f }) {
+	const determinant = a * d - b * c;
+	const turned = {
+		a: d / determinant,
+		b: -b / determinant,
+		c: -c / determinant,
+		d: a / determinant,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, e, f);
+	return {
+		...turned,
+		e: -x,
+		f: -y
+	};
+}
+function scaleOf({ a, b, c, d }) {
+	return Math.sqrt(Math.abs(a * d - b * c));
+}
+function similarity$1(from, to) {
+	if (from.length < 2 || from.length !== to.length) return null;
+	const [fx, fy] = middle(from);
+	const [tx, ty] = middle(to);
+	let [along, across, size] = [
+		0,
+		0,
+		0
+	];
+	from.forEach(([x, y], i) => {
+		const [u, v] = [x - fx, y - fy];
+		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
+		along += u * p + v * q;
+		across += u * q - v * p;
+		size += u * u + v * v;
+	});
+	if (!(size > 0)) return null;
+	const [a, b] = [along / size, across / size];
+	if (!(Math.hypot(a, b) > 0)) return null;
+	const turned = {
+		a,
+		b,
+		c: -b,
+		d: a,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, fx, fy);
+	return {
+		...turned,
+		e: tx - x,
+		f: ty - y
+	};
+}
+function middle(places) {
+	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
+	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
+}
+// www/block/state/showing.ts
+function blockOnOrthophoto(state) {
+	const { shown, placing } = state;
+	const { orthophoto } = placing;
+	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial) return null;
+	if (shown.view.orthophoto?.kind !== "linked" || shown.view.orthophoto.inCrs) return null;
+	return purposeOf(state) !== "images" && hasPlaceOn(orthophoto, shown.view) ? shown : null;
+}
+var hasPlaceOn = remember(({ info: { width, height, georeference } }, { surveyed }) => {
+	const toPixels = inverse(affineOf(georeference));
+	return surveyed.some(({ position: [x, y] }) => {
+		const [column, row] = mapped(toPixels, x, y);
+		return column >= 0 && row >= 0 && column <= width && row <= height;
+	});
+});
+function chosenPlaced(state) {
+	const { image } = state.placing.chosen;
+	return image === null || blockOnOrthophoto(state) !== null ? null : placedFiles(state).find(({ file }) => file.id === image) ?? null;
+}
+// www/block/state/joining.ts
+function placesOf$1({ observations }) {
+	return observations.filter(({ part }) => part !== "rejected_by_hand").map(({ image, x_px, y_px, by_hand }) => ({
+		image,
+		x_px,
+		y_px,
+		by: by_hand ? "hand" : "least_squares"
+	}));
+}
+function joined(points) {
+	const [first, ...others] = [...points].sort((a, b) => rank(b) - rank(a));
+	if (first?.id == null || others.length === 0 || others.some(isSurveyed)) return null;
+	const rejected = (isSurveyed(first) ? others : [first, ...others]).flatMap(({ id }) => id ?? []);
+	const places = new Map();
+	for (const point of [first, ...others]) for (const place of placesOf$1(point)) if (!places.has(place.image)) places.set(place.image, place);
+	const reject = {
+		kind: "reject_points",
+		points: rejected
+	};
+	if (!isSurveyed(first)) return places.size < 2 ? null : [reject, {
+		kind: "add_point",
+		observations: [...places.values()]
+	}];
+	const { id } = first;
+	const own = new Set(first.observations.map(({ image }) => image));
+	const measured = [...places.values()].filter(({ image }) => !own.has(image));
+	return measured.length === 0 ? null : [reject, ...measured.map((place) => ({
+		kind: "measure",
+		point: id,
+		...place
+	}))];
+}
+function isSurveyed({ id }) {
+	return id !== null && "ground_control" in id;
+}
+function rank(point) {
+	return isSurveyed(point) ? Infinity : placesOf$1(point).length;
+}
+function split(point, images) {
+	if (point.id === null || isSurveyed(point)) return null;
+	const places = placesOf$1(point);
+	const [within, beside] = [true, false].map((is) => places.filter(({ image }) => images.includes(image) === is));
+	if (within === void 0 || beside === void 0 || within.length < 2 || beside.length < 2) return null;
+	return [
+		{
+			kind: "reject_points",
+			points: [point.id]
+		},
+		{
+			kind: "add_point",
+			observations: within
+		},
+		{
+			kind: "add_point",
+			observations: beside
+		}
+	];
+}
+// www/block/panel/edits.ts
+function editOf({ selection, shown }, kind, whole = false) {
+	return shown === null ? null : editOfChoice(kind, selection.chosen, shown.view, standingOf(shown.edits), whole);
+}
+function make(store, edit) {
+	if (edit === null) return;
+	if (store.state.running.kind === "yes") store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "info",
+			text: say("edits-wait-for-the-run"),
+			beside: true
+		}
+	});
+	else store.dispatch({
+		type: "edit",
+		edits: [edit]
+	});
+}
+function makeStep(store, edits) {
+	if (edits !== null) store.dispatch({
+		type: "edit",
+		edits
+	});
+}
+var MOST_JOINED = 8;
+function joinedOf({ selection, shown }, facts) {
+	const points = pointsOf(selection.chosen);
+	if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
+	const details = [...points].flatMap((point) => facts.point(point) ?? []);
+	return details.length < points.length ? null : joined(details);
+}
+function splitOf({ selection, shown, panes }, facts) {
+	const [point, ...more] = pointsOf(selection.chosen);
+	if (shown === null || point === void 0 || more.length > 0 || point >= shown.view.points.taking) return null;
+	const detail = facts.point(point);
+	return detail === null ? null : split(detail, shownImages(panes, shown.view));
+}
+function step(store, by) {
+	const { draft, history, marks } = store.state;
+	if (draft !== null) {
+		store.dispatch({
+			type: "draft",
+			draft: null
+		});
+		return;
+	}
+	const next = by < 0 ? nextBack(history, marks) : nextAgain(history, marks);
+	if (next === "edit") store.dispatch({
+		type: "goto",
+		done: history.done + by
+	});
+	if (next === "mark") store.dispatch({
+		type: "gotoMark",
+		done: marks.done + by
+	});
+}
+function stepsOf({ history, marks }, names) {
+	const nameIn = ({ edits }, place, nameOf) => {
+		const edit = edits[place];
+		return edit === void 0 ? [] : [nameOf(edit)];
+	};
+	const named = (kind, back) => {
+		if (kind === "mark") return nameIn(marks, marks.done - back, nameOfMarks);
+		return kind === "edit" ? nameIn(history, history.done - back, (one) => nameOfStep(one, names)) : [];
+	};
+	const before = named(nextBack(history, marks), 1);
+	return {
+		edits: [...before, ...named(nextAgain(history, marks), 0)],
+		done: before.length
+	};
+}
+function namesIn({ shown }) {
+	return shown === null ? NO_NAMES : namesOf(shown.found);
+}
+function titleOf$1(edit, otherwise, names) {
+	const name = edit === null ? otherwise : nameOfEdit(edit, names);
+	return name.charAt(0).toUpperCase() + name.slice(1).replace(/ 1 /u, " ");
+}
+function mountEditBar(store, facts, measures) {
+	const undo = button(say("undo-sign"), "block-undo", () => step(store, -1));
+	const redo = button(say("redo-sign"), "block-redo", () => step(store, 1));
+	const reject = button(say("reject"), "block-reject", () => make(store, editOf(store.state, "reject")), say("take-what-is-chosen-out"));
+	const whole = button(say("reject-point"), "block-reject-point", () => make(store, editOf(store.state, "reject", true)), say("take-the-point-with-all"));
+	const restore = button(say("restore"), "block-restore", () => make(store, editOf(store.state, "restore")), say("use-what-is-chosen-again"));
+	const measure = button(say("measure-it"), "block-measure", () => {
+		if (store.state.onStage !== "images") store.dispatch({
+			type: "stage",
+			view: "images"
+		});
+		measures()?.toggle(false);
+	}, say("measure-the-chosen-point-in"));
+	const add = button(say("add-point"), "block-add-point", () => measures()?.toggle(true), say("measure-a-new-tie-point"));
+	const join = button(say("join"), "block-join", () => makeStep(store, joinedOf(store.state, facts)), say("the-chosen-points-are-one"));
+	const apart = button(say("split"), "block-split", () => makeStep(store, splitOf(store.state, facts)), say("the-point-is-two-one"));
+	const match = button(say("match-it"), "block-match", () => measures()?.match(), say("match-the-point-in-the"));
+	const accept = button(say("accept"), "block-accept", () => measures()?.accept(), say("the-point-is-measured-enter"));
+	const leave = button(say("cancel"), "block-leave", () => measures()?.leave(), say("give-what-is-measured-up"));
+	const [use, useSelect] = choice(say("use-as"), "block-use", USES, (value) => {
+		const surveyed = surveyedChoice(store.state, facts);
+		const role = value === "control" || value === "check" ? value : null;
+		if (surveyed !== null) make(store, {
+			kind: "set_use",
+			point: surveyed.point,
+			use: role
+		});
+	});
+	const text = h("span", {
+		class: "edit-text",
+		testid: "block-edit-text",
+		role: "status",
+		aria: { live: "polite" }
+	});
+	const bar = h("div", {
+		class: "toolbar edit-bar",
+		testid: "block-edit-bar",
+		role: "toolbar",
+		aria: { label: say("edits-by-hand") }
+	}, ...[
+		undo,
+		redo,
+		reject,
+		whole,
+		restore,
+		join,
+		apart,
+		measure,
+		add,
+		match,
+		accept,
+		leave,
+		use,
+		text
+	]);
+	const counterparts = new Map([
+		[reject, [restore]],
+		[whole, [restore]],
+		[restore, [reject]],
+		[undo, [redo]],
+		[redo, [undo]]
+	]);
+	const show = () => {
+		const { state } = store;
+		const held = bar.contains(document.activeElement) ? document.activeElement : null;
+		const { chosen } = state.selection;
+		bar.hidden = !isEditable(state);
+		const names = namesIn(state);
+		showSteps(undo, redo, stepsOf(state, names), (name) => name);
+		const [off, point, on] = [
+			editOf(state, "reject"),
+			editOf(state, "reject", true),
+			editOf(state, "restore")
+		];
+		const drafting = state.draft !== null;
+		set(reject, titleOf$1(off, say("reject"), NO_NAMES), off === null);
+		set(restore, titleOf$1(on, say("restore"), NO_NAMES), on === null);
+		reject.hidden = drafting || off === null && on !== null;
+		restore.hidden = drafting || on === null;
+		whole.hidden = drafting || chosen?.kind !== "observation" || point === null;
+		const inImages = state.onStage === "images";
+		const given = chosen?.kind === "given";
+		measure.hidden = drafting || !(inImages || given);
+		const { taking = 0 } = state.shown?.view.points ?? {};
+		measure.disabled = chosen?.kind !== "given" && (chosen?.kind !== "point" && chosen?.kind !== "observation" || chosen.point >= taking);
+		add.hidden = drafting || !inImages;
+		join.hidden = drafting || joinedOf(state, facts) === null;
+		apart.hidden = drafting || !inImages || splitOf(state, facts) === null;
+		match.hidden = !inImages || (measure.disabled || given) && !drafting;
+		accept.hidden = !drafting;
+		accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done) === null;
+		leave.hidden = !drafting;
+		const said = textOf(state);
+		if (text.textContent !== said) text.textContent = said;
+		const surveyed = surveyedChoice(state, facts);
+		use.hidden = surveyed === null || drafting;
+		if (surveyed !== null) useSelect.value = surveyed.role ?? "";
+		passFocus(held, [
+			...counterparts.get(held) ?? [],
+			measure,
+			add,
+			undo,
+			redo,
+			byId("block-view")
+		]);
+	};
+	store.watch([
+		"history",
+		"marks",
+		"selection",
+		"shown",
+		"running",
+		"adjusting",
+		"before",
+		"draft",
+		"onStage",
+		"panes"
+	], show);
+	facts.watch(show);
+	return bar;
+}
+var USES = [
+	["control", say("control-point")],
+	["check", say("check-point")],
+	["", say("not-used")]
+];
+function surveyedChoice({ selection }, facts) {
+	const [point, ...more] = pointsOf(selection.chosen);
+	const detail = point === void 0 || more.length > 0 ? null : facts.point(point);
+	return detail?.id != null && "ground_control" in detail.id ? {
+		point: detail.id.ground_control,
+		role: detail.role
+	} : null;
+}
+function textOf({ draft, adjusting, before, shown }) {
+	if (draft !== null) {
+		const placed = draft.places.size;
+		const what = draft.of === null ? say("new-point") : isGiven(draft.of) ? draft.of.given : say("point");
+		const more = draft.of === null && placed < 2 ? say("two-images-or-more-are") : "";
+		return say("placed-in-press-its-place", {
+			what,
+			placed,
+			more
+		});
+	}
+	if (adjusting) return say("adjusting-the-block");
+	if (before === null || shown === null || shown.edits.length === 0) return "";
+	const now = figuresOf$3(shown.view);
+	return [
+		say("n-0-px", {
+			sigma0_px: px(before.sigma0Px),
+			sigma0_px_2: px(now.sigma0Px)
+		}),
+		say("rmse-px", {
+			rmse_px: px(before.rmsePx),
+			rmse_px_2: px(now.rmsePx)
+		}),
+		now.checksM === null && before.checksM === null ? "" : say("check-points-m", {
+			checks_m: px(before.checksM),
+			checks_m_2: px(now.checksM)
+		}),
+		before.oriented === now.oriented ? "" : say("images-oriented", {
+			oriented: before.oriented,
+			oriented_2: now.oriented
+		})
+	].filter((part) => part !== "").join(" · ");
+}
+function px(value) {
+	return value === null ? "–" : fixed(value, 3);
+}
+function mountBlockEditKeys(store, hosts) {
+	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null;
+	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(), (by) => step(store, by));
+	const idle = () => store.state.draft === null && isBlockSeen();
+	const list = [{
+		keys: ["Delete", "Backspace"],
+		does: say("rejects-what-is-chosen-with"),
+		can: idle,
+		run: (shift) => make(store, editOf(store.state, "reject", shift))
+	}, {
+		keys: ["r"],
+		does: say("uses-what-is-chosen-again"),
+		can: idle,
+		run: (shift) => make(store, editOf(store.state, "restore", shift))
+	}];
+	const edits = declare({
+		where: say("views-and-tables-of-a"),
+		host: byId("block-view"),
+		list
+	});
+	for (const host of hosts) listenKeys(host, edits);
+}
+function mountEditPanel(host, store) {
+	const compared = h("div", { testid: "block-compared" });
+	const rejected = h("ul", {
+		class: "rejected",
+		testid: "block-rejected"
+	});
+	const history = h("ol", {
+		class: "history",
+		testid: "block-history"
+	});
+	const marked = h("div", { testid: "block-marked" });
+	const hint = h("p", { class: "note" }, say("choose-an-image-a-tie"));
+	host.append(h("div", { class: "edits" }, hint, compared, marked, h("h3", {}, say("rejected-by-hand")), rejected, h("h3", {}, say("history")), history));
+	mountMarks(marked, store, history);
+	store.watch([
+		"history",
+		"shown",
+		"before",
+		"adjusting"
+	], ([edits, shown, before, adjusting]) => {
+		const names = namesIn(store.state);
+		showHistory(history, "block-", say("as-found"), edits, (edit) => nameOfStep(edit, names), (done) => store.dispatch({
+			type: "goto",
+			done
+		}));
+		fill(compared, ...shown === null || before === null || shown.edits.length === 0 ? [] : [comparison(before, adjusting ? null : figuresOf$3(shown.view))]);
+		const standing = shown === null ? [] : rejectedRows(shown.view, standingOf(shown.edits));
+		const at = [...rejected.querySelectorAll("button")].indexOf(document.activeElement);
+		const held = at < 0 ? null : document.activeElement;
+		fill(rejected, ...standing.length === 0 ? [h("li", {}, say("nothing"))] : standing.map(({ name, edit }) => h("li", {}, `${name} `, restoreButton(store, name, edit))));
+		const buttons = rejected.querySelectorAll("button");
+		passFocus(held, [
+			buttons[at],
+			buttons[at - 1],
+			history.querySelector("[aria-current]")
+		]);
+	});
+}
+function mountMarks(host, store, after) {
+	const list = h("ul", {
+		class: "rejected",
+		testid: "block-marks-list"
+	});
+	store.watch(["marks"], ([marks]) => {
+		const at = [...list.querySelectorAll("button")].indexOf(document.activeElement);
+		const held = at < 0 ? null : document.activeElement;
+		const byHand = marksByHand(marks);
+		fill(list, ...byHand.map((mark) => {
+			const name = say("mark-of", {
+				point: mark.point,
+				image: mark.image
+			});
+			const remove = button(say("remove"), `remove-mark-${mark.point}-${mark.image}`, () => store.dispatch({
+				type: "mark",
+				step: {
+					kind: "remove",
+					marks: [mark],
+					after: store.state.history.done
+				}
+			}));
+			remove.className = "link";
+			remove.setAttribute("aria-label", say("remove-2", { title: name }));
+			return h("li", {}, `${name}: ${fixed(mark.x_px, 1)} ${fixed(mark.y_px, 1)} `, remove);
+		}));
+		fill(host, ...byHand.length === 0 ? [] : [h("h3", {}, say("marks-by-hand")), list]);
+		const buttons = list.querySelectorAll("button");
+		passFocus(held, [
+			buttons[at],
+			buttons[at - 1],
+			after.querySelector("[aria-current]")
+		]);
+	});
+}
+function restoreButton(store, name, edit) {
+	const made = button(say("restore"), `restore-${name}`, () => make(store, edit));
+	made.className = "link";
+	made.setAttribute("aria-label", say("restore-2", { name }));
+	return made;
+}
+var LISTED$1 = 200;
+function rejectedRows(view, { images, points, unused, observations }) {
+	const imageName = (image) => view.images[image]?.name ?? "";
+	const pointName = (point) => Object.entries(point).map(([kind, number]) => say("point-of-kind", {
+		kind,
+		number: Number(number)
+	})).join("");
+	return [
+		...[...images].map((image) => ({
+			name: imageName(image),
+			edit: {
+				kind: "restore_images",
+				images: [image]
+			}
+		})),
+		...[...points.values()].map((point) => ({
+			name: pointName(point),
+			edit: {
+				kind: "restore_points",
+				points: [point]
+			}
+		})),
+		...[...unused].map((point) => ({
+			name: pointName({ ground_control: point }),
+			edit: {
+				kind: "restore_points",
+				points: [{ ground_control: point }]
+			}
+		})),
+		...[...observations.values()].map((one) => ({
+			name: say("in", {
+				point: pointName(one.point),
+				image: imageName(one.image)
+			}),
+			edit: {
+				kind: "restore_observations",
+				observations: [one]
+			}
+		}))
+	].slice(0, LISTED$1);
+}
+function comparison(before, now) {
+	const line = (name, testid, text) => row(name, h("td", {
+		class: "number",
+		testid: `${testid}-before`
+	}, text(before)), h("td", {
+		class: "number",
+		testid: `${testid}-now`
+	}, now === null ? "…" : text(now)));
+	const head = h("tr", {}, h("th", { scope: "col" }, say("block")), h("th", { scope: "col" }, say("before")), h("th", { scope: "col" }, say("now")));
+	const checks = before.checksM !== null || now?.checksM != null;
+	const body = h("tbody", {}, line("σ₀, px", "block-compared-sigma0", ({ sigma0Px }) => px(sigma0Px)), line(say("rmse-px-2"), "block-compared-rmse", ({ rmsePx }) => px(rmsePx)), checks ? line(say("check-points-rmse-m"), "block-compared-checks", ({ checksM }) => px(checksM)) : null, line(say("images-oriented-2"), "block-compared-images", ({ oriented }) => count(oriented)), line(say("points-2"), "block-compared-points", ({ points }) => count(points)), line(say("observations-5"), "block-compared-observations", ({ observations }) => count(observations)));
+	return h("table", {
+		class: "tight",
+		aria: { label: say("block-before-and-after-the") }
+	}, h("thead", {}, head), body);
+}
+// www/block/files/ids.ts
+var nextId$1 = 1;
+function newId() {
+	return nextId$1++;
+}
+function passIds(taken) {
+	for (const id of taken) nextId$1 = Math.max(nextId$1, id + 1);
+}
+// www/block/files/ground.ts
+var GroundFiles = class {
+	store;
+	engine;
+	constructor(store, engine) {
+		this.store = store;
+		this.engine = engine;
+	}
+	async take({ orthophotos, heights, worlds }) {
+		const said = [];
+		const [orthophoto, ...more] = orthophotos;
+		if (orthophoto !== void 0) {
+			const taken = await this.takeOrthophoto(orthophoto);
+			if (taken === null) return null;
+			said.push(taken);
+		}
+		if (more.length > 0) said.push(say("skipped-a-project-has-one", { more: named(more) }));
+		const [model, ...others] = heights;
+		if (model !== void 0) {
+			const taken = await this.takeHeights(model);
+			if (taken === null) return null;
+			said.push(taken);
+		}
+		if (others.length > 0) said.push(say("skipped-an-orthophoto-has-one", { others: named(others) }));
+		for (const world of worlds) {
+			const taken = await this.takeWorld(world);
+			if (taken === null) return null;
+			said.push(taken);
+		}
+		return said.join(" ");
+	}
+	async takeOrthophoto({ file, world }) {
+		this.tell("busy", say("reading-the-orthophoto", { name: file.name }));
+		try {
+			const orthophoto = await this.engine.open(await rasterOf(file, world));
+			this.store.dispatch({
+				type: "orthophoto",
+				orthophoto
+			});
+			this.store.dispatch({
+				type: "stage",
+				view: "orthophoto"
+			});
+			this.quiet();
+			return orthophotoText(orthophoto);
+		} catch (error) {
+			this.refused(say("cannot-be-used-as-an", { name: file.name }), error);
+			return null;
+		}
+	}
+	async takeHeights({ file, world }) {
+		return this.setHeights(file.name, async () => ({
+			kind: "model",
+			model: await rasterOf(file, world)
+		}));
+	}
+	async takeLevel(height) {
+		return this.setHeights(`${fixed(height, 2)} m`, () => Promise.resolve({
+			kind: "level",
+			height
+		}));
+	}
+	async setHeights(name, made) {
+		if (this.store.state.placing.orthophoto === null) {
+			this.tell("problem", say("holds-heights-give-their-orthophoto", { name }));
+			return null;
+		}
+		this.tell("busy", say("reading-the-heights", { name }));
+		try {
+			await this.engine.setHeights(await made());
+			this.quiet();
+			const { heights, orthophoto } = this.store.state.placing;
+			const [from, to] = orthophoto?.info.heights ?? [];
+			return heights.kind === "level" ? say("the-ground-is-level-at", { name }) : say("heights-from-to-m", {
+				name,
+				from,
+				to
+			});
+		} catch (error) {
+			this.refused(say("cannot-be-used-as-heights", { name }), error);
+			return null;
+		}
+	}
+	async takeWorld(world) {
+		const stem = stemOf(world.name);
+		const { files, truth } = this.store.state;
+		const image = files.find(({ name }) => stemOf(name) === stem);
+		if (image === void 0) {
+			this.tell("problem", say("says-where-a-picture-of", { name: world.name }));
+			return null;
+		}
+		const taken = await this.takeOrthophoto({
+			file: new File([image.file], image.name, { type: image.file.type }),
+			world
+		});
+		if (taken !== null) this.store.dispatch({
+			type: "files",
+			files: files.filter((file) => file !== image),
+			truth
+		});
+		return taken;
+	}
+	tell(kind, text) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind,
+				text
+			}
+		});
+	}
+	refused(what, error) {
+		if (error instanceof Cancelled) this.tell("info", say("cancelled-nothing-was-changed"));
+		else this.tell("problem", `${what}: ${sentence(messageOf(error))}`);
+	}
+	quiet() {
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+	}
+};
+async function rasterOf(file, world) {
+	return {
+		id: newId(),
+		name: file.name,
+		file,
+		world: world === null ? null : {
+			name: world.name,
+			text: await world.text()
+		}
+	};
+}
+function orthophotoText({ raster, info: { width, height, gsd, epsg } }) {
+	const by = raster.world === null ? "" : say("placed-by", { name: raster.world.name });
+	return say("orthophoto-px-of", {
+		name: raster.name,
+		width,
+		height,
+		gsd: gsdText(gsd),
+		what: epsg === null ? "" : say("epsg", { epsg }),
+		by
+	});
+}
+function gsdText(gsd) {
+	return say("metres", { value: Number(gsd.toPrecision(3)) });
+}
+function named(rasters) {
+	return rasters.map(({ file }) => file.name).join(", ");
+}
+function stemOf(name) {
+	return name.replace(/\.[^.]*$/u, "").toLowerCase();
+}
+// www/block/panel/mosaic.ts
+var NAME = "orthomosaic.tif";
+async function saveMosaic(store, engine, placing) {
+	const mosaic = await made$1(store, engine, placing, false);
+	if (mosaic === null) return;
+	save(mosaic, NAME);
+	tell$2(store, "info", say("was-saved-2", {
+		name: NAME,
+		store: missingText(store)
+	}));
+}
+async function makeMosaic(store, engine, placing) {
+	const key = store.state.shown?.key ?? "";
+	const mosaic = await made$1(store, engine, placing, true);
+	if (mosaic === null) return;
+	tell$2(store, "busy", say("laying-the-orthomosaic-under-the"));
+	try {
+		const orthophoto = await placing.open(await rasterOf(new File([mosaic], NAME, { type: mosaic.type }), null), key);
+		store.dispatch({
+			type: "orthophoto",
+			orthophoto
+		});
+		tell$2(store, "info", say("the-orthomosaic-lies-under-the", {
+			orthophoto: orthophotoText(orthophoto),
+			store: missingText(store)
+		}), true);
+	} catch (error) {
+		tell$2(store, "problem", say("the-orthomosaic-cannot-be-shown", { sentence: sentence(messageOf(error)) }));
+	}
+}
+async function made$1(store, engine, placing, inAdjustment) {
+	const files = imagesOfBlock(store.state);
+	if (files.length === 0) {
+		tell$2(store, "problem", say("an-orthomosaic-is-made-of"));
+		return null;
+	}
+	try {
+		const bytes = await placing.mosaic(await engine.project(), files, inAdjustment);
+		if (bytes !== null) return new Blob([bytes], { type: "image/tiff" });
+		tell$2(store, "info", say("cancelled-no-orthomosaic-was-made"));
+	} catch (error) {
+		tell$2(store, "problem", say("no-orthomosaic-was-made", { sentence: sentence(messageOf(error)) }));
+	}
+	return null;
+}
+function missingText({ state }) {
+	const missing = (state.shown?.view.images.length ?? 0) - imagesOfBlock(state).length;
+	return missing > 0 ? say("missing-in-it-add-to", { missing }) : "";
+}
+function tell$2(store, kind, text, beside = false) {
+	store.dispatch({
+		type: "notice",
+		notice: {
+			kind,
+			text,
+			...beside ? { beside } : {}
+		}
+	});
+}
+// www/block/panel/exports.ts
+var NAMES$3 = {
+	project: say("project-file"),
+	everything: say("everything-zip"),
+	colmap: "COLMAP",
+	micmac: "MicMac",
+	bundler: say("bundler"),
+	nvm: say("nvm-visualsfm"),
+	opensfm: "OpenSfM",
+	bingo: "BINGO",
+	isat: "ISAT",
+	agisoft: say("agisoft"),
+	patb: "PAT-B",
+	csv: say("csv-tables"),
+	json: "JSON",
+	geojson: "GeoJSON"
+};
+var MOSAIC = "mosaic";
+function mountExports(host, store, engine, placing) {
+	const select = h("select", {
+		id: "block-export-kind",
+		testid: "block-export-kind",
+		aria: { label: say("format") }
+	});
+	const press = button(say("save"), "block-export", () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing) : saveAs(store, engine, select.value)));
+	host.append(h("span", { class: "group-label" }, say("export")), select, press);
+	store.watch([
+		"shown",
+		"running",
+		"notice",
+		"history",
+		"placing"
+	], ([shown, , , history]) => {
+		const whole = shown !== null && !shown.view.partial;
+		press.disabled = !whole || isBusy(store.state) || !isSameList(editsInForce(history), shown.edits);
+		select.disabled = !whole;
+	});
+	store.watch(["shown"], ([shown]) => {
+		const formats = shown?.view.formats ?? [];
+		const kinds = [
+			"project",
+			"everything",
+			...(shown?.view.oriented ?? 0) > 0 ? [MOSAIC] : [],
+			...formats
+		];
+		const { value } = select;
+		fill(select, ...kinds.map((kind) => new Option(kind === MOSAIC ? say("orthomosaic-geotiff") : NAMES$3[kind], kind)));
+		if (kinds.some((kind) => kind === value)) select.value = value;
+	});
+}
+async function saveAs(store, engine, kind) {
+	store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "busy",
+			text: say("writing", { names: NAMES$3[kind] })
+		}
+	});
+	try {
+		const { name, type, bytes } = await engine.export(kind, "block");
+		save(new Blob([bytes], { type }), name);
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("was-saved", { name })
+			}
+		});
+	} catch (error) {
+		if (error instanceof Cancelled) {
+			store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "info",
+					text: say("cancelled-nothing-was-saved-the")
+				}
+			});
+			return;
+		}
+		const reason = messageOf(error);
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "problem",
+				text: say("was-not-written", {
+					names: NAMES$3[kind],
+					reason
+				})
+			}
+		});
+	}
+}
+// pkg/block/image-files.js
+var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
+// www/block/state/words.ts
+function connectionOf(view, [a, b]) {
+	return connectionsOf(view).get(pairKey(a, b));
+}
+function pairKey(a, b) {
+	return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
+}
+var CONNECTIONS = new WeakMap();
+function connectionsOf(view) {
+	const known = CONNECTIONS.get(view);
+	if (known !== void 0) return known;
+	const made = new Map(view.connections.map((connection) => [pairKey(...connection.images), connection]));
+	CONNECTIONS.set(view, made);
+	return made;
+}
+function matchesOf({ outcome }) {
+	return outcome.kind === "connected" ? outcome.matches : 0;
+}
+function mostMatches({ connections }) {
+	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+}
+function describe(view, choice) {
+	switch (choice.kind) {
+		case "image": return describeImage(view, choice.image);
+		case "pair": return describePair(view, choice.images);
+		case "point": return describePoint(view, choice.point);
+		case "observation": return `${view.images[choice.image]?.name ?? ""}, ${describePoint(view, choice.point)}`;
+		case "points": return describePoints(view, choice.points);
+		case "given": return describeGiven(view, choice.name);
+	}
+}
+function describeImage(view, index) {
+	const image = view.images[index];
+	if (image === void 0) return "";
+	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
+	return `${[
+		say("observations-4", {
+			name: image.name,
+			what: image.features === null ? "" : say("features-2", { features: image.features }),
+			rays: image.rays,
+			what_2: image.places === null ? "" : say("in-of-9-von-gruber", { places: image.places })
+		}),
+		say("connected-with-of-images", {
+			partners,
+			images: view.images.length - 1
+		}),
+		image.rmsePx === null ? "" : say("rmse-px-3", { rmse_px: image.rmsePx }),
+		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
+		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
+	].filter((part) => part !== "").join("; ")}.`;
+}
+var GEOMETRIES = new WeakMap();
+function geometryText(geometry) {
+	if (geometry === null) return "";
+	const { kind, degenerate, sigmaPx } = geometry;
+	const weak = degenerate === null ? null : message("degeneracy", degenerate, "short");
+	const text = GEOMETRIES.get(geometry) ?? say("geometry", {
+		model: message("two_view_model", { kind }, "short"),
+		weak,
+		sigma_px: sigmaPx
+	});
+	GEOMETRIES.set(geometry, text);
+	return text;
+}
+function describePair(view, images) {
+	const names = images.map((image) => view.images[image]?.name ?? "").join(" – ");
+	const connection = connectionOf(view, images);
+	if (connection === void 0) return say("this-pair-was-not-tried", { names });
+	const { reason, geometry, shared, chosen } = connection;
+	return `${names}: ${[
+		reason.replace(/\.$/u, ""),
+		geometryText(geometry),
+		shared > 0 ? say("common-points-selected", {
+			shared,
+			chosen
+		}) : ""
+	].filter((part) => part !== "").join("; ")}.`;
+}
+function describePoint({ points, surveyed }, point) {
+	const axes = [
+		0,
+		1,
+		2
+	].map((axis) => 3 * point + axis);
+	const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(" ");
+	const errors = axes.map((at) => points.errors[at] ?? NaN);
+	return `${[
+		say("rays-3", {
+			name: surveyed.find((known) => known.point === point)?.name ?? say("point-of-number", { number: point + 1 }),
+			rays: points.rays[point] ?? 0
+		}),
+		known$2(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
+		known$2(points.positions[3 * point]) ? `X Y Z ${place}` : say("not-intersected"),
+		errors.every(known$2) ? `± ${errors.map((error) => fixed(error, 3)).join(" ")}` : "",
+		point < points.taking ? "" : say("rejected-by-hand-2")
+	].filter((part) => part !== "").join("; ")}.`;
+}
+function describeGiven({ given = [] }, name) {
+	const point = given.find((own) => own.name === name);
+	if (point === void 0) return name;
+	const place = point.position.map((value) => fixed(value, 3)).join(" ");
+	return say("given-point", {
+		name,
+		place,
+		use: givenUse(point)
+	});
+}
+function controlText(state) {
+	return say("control-waits", {
+		twice: collectedOf(state).twice,
+		needed: 3
+	});
+}
+function givenUse({ role, images }) {
+	return say("given-use", {
+		role: role ?? "none",
+		images
+	});
+}
+function describePoints({ points }, chosen) {
+	let [least, most, squares, adjusted] = [
+		Infinity,
+		0,
+		0,
+		0
+	];
+	for (const point of chosen) {
+		const rays = points.rays[point] ?? 0;
+		[least, most] = [Math.min(least, rays), Math.max(most, rays)];
+		const rmse = points.rmsePx[point] ?? NaN;
+		if (!known$2(rmse)) continue;
+		squares += rays * rmse * rmse;
+		adjusted += rays;
+	}
+	const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
+	const rays = least === most ? count(most) : say("to", {
+		least,
+		most
+	});
+	return say("tie-points-of-rays", {
+		chosen: chosen.length,
+		rays,
+		what: adjusted > 0 ? say("rmse-px-5", { squares: Math.sqrt(squares / adjusted) }) : "",
+		what_2: gone > 0 ? say("rejected-by-hand-3", { gone }) : ""
+	});
+}
+function known$2(value) {
+	return value !== void 0 && !Number.isNaN(value);
+}
+// www/block/files/files.ts
+var PROJECT = /\.tiepoint$/iu;
+var TABLE = /\.(?:csv|txt)$/iu;
+var CAMERAS$1 = /\.json$/iu;
+var TEXTS = {
+	cameras: say("cameras"),
+	control: say("ground-control-points"),
+	marks: say("image-measurements")
+};
+var NEEDS_MORE = say("a-block-needs-two-images");
+var WAITS = "tiepoint-wait";
+var BlockFiles = class {
+	store;
+	engine;
+	placing;
+	runs;
+	openProject;
+	putAside;
+	ground;
+	waiting = keptChoice(WAITS) === "yes";
+	constructor(store, engine, placing, runs, openProject, putAside) {
+		this.store = store;
+		this.engine = engine;
+		this.placing = placing;
+		this.runs = runs;
+		this.openProject = openProject;
+		this.putAside = putAside;
+		this.ground = new GroundFiles(store, placing);
+	}
+	get waits() {
+		return this.waiting;
+	}
+	set waits(waits) {
+		this.waiting = waits;
+		keepChoice(WAITS, waits ? "yes" : "no");
+	}
+	async take(given, why = "") {
+		const { others: found, taken, ...rasters } = asGiven(await sortRasters(given));
+		const ground = await this.ground.take(rasters);
+		const several = taken === 0 ? "" : say("that-say-where-they-lie", { taken: images$1(taken) });
+		const said = ground === null ? null : [ground, several].filter((text) => text !== "").join(" ");
+		if (said === null) return;
+		const alone = found.filter(({ path }) => path === "");
+		const project = alone.find(({ file }) => PROJECT.test(file.name));
+		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name));
+		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
+		if (project !== void 0) await this.openProject(project.file);
+		if (cameras !== void 0) await this.takeText("cameras", cameras.file);
+		const tables = alone.filter(({ file }) => TABLE.test(file.name));
+		for (const { file } of tables) await this.takeText(await this.tableKind(file), file);
+		const aside = found.length - photos.length - tables.length - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
+		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "));
+		else await this.said(said);
+	}
+	async takeGround(given, asHeights = false) {
+		const { others, ...sorted } = await sortRasters(given.map((file) => ({
+			file,
+			path: ""
+		})));
+		const unknown = others.map(({ file }) => ({
+			file,
+			world: null
+		}));
+		const pictures = asHeights ? [] : [...sorted.orthophotos, ...sorted.orthophotos.length > 0 ? [] : unknown];
+		const heights = asHeights ? [
+			...sorted.heights,
+			...sorted.orthophotos,
+			...unknown
+		] : sorted.heights;
+		await this.said(await this.ground.take({
+			orthophotos: pictures,
+			heights,
+			worlds: sorted.worlds
+		}));
+	}
+	async takeLevel(height) {
+		await this.said(await this.ground.takeLevel(height));
+	}
+	async said(text) {
+		if (text === null || text === "") return;
+		this.tell("info", text);
+		const { shown, placing, files, running } = this.store.state;
+		if (shown === null && running.kind !== "yes" && !this.waits && files.length > 0 && placing.placed.size === 0) await this.start();
+	}
+	async start() {
+		const { state } = this.store;
+		if (purposeOf(state) === "images") await this.runs.placeImages();
+		else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run();
+	}
+	async give(files, masks) {
+		await this.take(files.map((file) => ({
+			file,
+			path: ""
+		})), say("more-than-two-images-are"));
+		if (masks.length > 0) this.takeMasks(masks);
+	}
+	async sample(flight) {
+		if (await this.simulate(flight)) await this.runs.run();
+	}
+	async sampleOnOrthophoto(flight, gsd) {
+		if (!await this.simulate(flight)) return;
+		this.tell("busy", say("making-the-orthophoto-of-the"));
+		try {
+			const { picture, heights } = await this.placing.scene(flight, gsd);
+			const rasters = {
+				orthophotos: [{
+					file: new File([picture], "orthophoto.tif"),
+					world: null
+				}],
+				heights: [{
+					file: new File([heights], "heights.tif"),
+					world: null
+				}],
+				worlds: []
+			};
+			if (await this.ground.take(rasters) !== null) await this.runs.placeImages();
+		} catch (error) {
+			this.failed(say("the-orthophoto-could-not-be"), error);
+		}
+	}
+	async photograph() {
+		const { flight } = this.store.state;
+		if (flight === null || !await this.simulate(flight)) return;
+		if (this.waits) this.tell("info", say("photos-of-a-simulated-block", { files: this.store.state.files.length }));
+		else await this.runs.run();
+	}
+	async simulate(flight) {
+		this.tell("busy", say("building-the-synthetic-scene"));
+		try {
+			const { files, truth } = await this.engine.photograph(flight, (count, of) => this.tell("busy", say("photographing-the-simulated-block-of", {
+				count,
+				of
+			})));
+			if (await this.leave(say("photograph-another-block")) === null) {
+				this.store.dispatch({
+					type: "notice",
+					notice: null
+				});
+				return false;
+			}
+			if (this.store.state.history.edits.length + this.store.state.marks.edits.length > 0 || this.store.state.placing.orthophoto !== null) this.store.dispatch({ type: "clear" });
+			this.store.dispatch({
+				type: "files",
+				files: files.map((file) => ({
+					...file,
+					id: newId()
+				})),
+				truth
+			});
+			return true;
+		} catch (error) {
+			this.failed(say("the-block-could-not-be"), error);
+			return false;
+		}
+	}
+	async tableKind(file) {
+		try {
+			const names = new Set(this.store.state.files.map(({ name }) => name));
+			const marks = parse_image_measurements(await file.text());
+			return marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image)) ? "marks" : "control";
+		} catch {
+			return "control";
+		}
+	}
+	async takeText(given, file) {
+		this.store.dispatch({
+			type: "options",
+			options: { [given]: {
+				name: file.name,
+				text: await file.text()
+			} }
+		});
+		const problem = problemsOf(this.store.state)[given];
+		const said = say("from", {
+			texts: TEXTS[given],
+			name: file.name
+		});
+		if (problem === void 0) this.tell("info", given !== "cameras" && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
+		else if (problem === PARTNER_MISSING[given]) this.tell("info", say("from-2", {
+			texts: TEXTS[given],
+			name: file.name,
+			problem
+		}));
+		else this.tell("problem", say("the-block-cannot-be-run", { problem: sentence(problem) }));
+	}
+	takeMasks(files) {
+		this.store.dispatch({
+			type: "options",
+			options: { masks: files.map((file) => ({
+				id: newId(),
+				name: file.name,
+				file
+			})) }
+		});
+		const problem = problemsOf(this.store.state).masks;
+		if (problem !== void 0) this.tell("problem", say("the-block-cannot-be-run-with", { problem: sentence(problem) }));
+	}
+	async open(file) {
+		this.tell("busy", say("reading", { name: file.name }));
+		try {
+			const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
+			const edited = await this.leave(say("open-the-other-project"));
+			if (edited === null) {
+				this.store.dispatch({
+					type: "notice",
+					notice: null
+				});
+				return;
+			}
+			const stays = edited || this.store.state.shown !== null && await this.putAside(false);
+			hold();
+			this.store.dispatch({
+				type: "openedFile",
+				view,
+				edits
+			});
+			const former = stays ? say("the-former-block-stays-under") : "";
+			this.tell("info", say("was-opened-the-file-does", {
+				name: file.name,
+				former
+			}));
+		} catch (error) {
+			this.failed(say("cannot-be-opened", { name: file.name }), error);
+		}
+	}
+	async decide(purpose) {
+		this.store.dispatch({
+			type: "purpose",
+			purpose
+		});
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		if (purpose === "images") await this.runs.placeImages();
+		else if (purpose === "block") await this.run();
+		else this.store.dispatch({
+			type: "stage",
+			view: "map"
+		});
+	}
+	async run() {
+		const { shown, history } = this.store.state;
+		const edits = editsInForce(history);
+		const names = shown === null ? null : namesOf(shown.found);
+		if (!(names !== null && carriedOver(edits, names, withoutPlaces(names)).length < edits.length) || lacksPlaceAlone(this.store.state)) return this.runs.run();
+		this.tell("busy", say("keeping-the-edited-block"));
+		const stays = await this.leave(say("run-it-again"));
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		if (stays === null) return;
+		await this.runs.run();
+		const { notice, running } = this.store.state;
+		if (!stays || running.kind !== "no" || notice === null) return;
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				...notice,
+				text: say("the-former-block-stays-under-projects", { text: notice.text })
+			}
+		});
+	}
+	async clear() {
+		const { shown } = this.store.state;
+		const stays = await this.leave(say("remove-all-images"));
+		if (stays === null) return;
+		this.store.dispatch({ type: "clear" });
+		if (stays) this.tell("info", say("the-stays-under-projects", { what: shown === null ? say("project") : say("edited-block") }));
+	}
+	async leave(step) {
+		const { history, marks, placing } = this.store.state;
+		const length = history.edits.length + marks.edits.length;
+		if (length === 0 && placing.placed.size === 0) return false;
+		if (await this.putAside(true)) return true;
+		const edits = length === 0 ? say("what-was-placed-on-the") : length === 1 ? say("the-edit-by-hand-of") : say("the-edits-by-hand-of", { length });
+		return window.confirm(say("cannot-be-kept-in-this", {
+			edits,
+			step,
+			length
+		})) ? false : null;
+	}
+	add(found, aside, why) {
+		const files = new Map(this.store.state.files.map((file) => [file.name, file]));
+		const before = files.size;
+		for (const { file, path } of found) {
+			const name = [file.name, path].find((text) => text !== "" && !files.has(text));
+			if (name !== void 0) files.set(name, {
+				id: newId(),
+				name,
+				file
+			});
+		}
+		const twice = found.length - (files.size - before);
+		const sorted = [...files.values()].sort((a, b) => a.name < b.name ? -1 : 1);
+		const own = ofOpened(this.store.state, sorted);
+		if (sorted.length > before) {
+			this.store.dispatch({
+				type: "files",
+				files: sorted,
+				truth: this.store.state.truth
+			});
+			if (!this.waits && own === null) this.start();
+		}
+		const runs = this.store.state.running.kind === "yes" || this.store.state.placing.running !== null;
+		const notes = [
+			why,
+			runs || own !== null ? "" : say("in-the-block", { sorted: images$1(sorted.length) }),
+			own ?? "",
+			twice > 0 ? say("skipped-their-names-are-in", { twice: images$1(twice) }) : "",
+			aside > 0 ? say("skipped-not-an-image-by", { aside }) : "",
+			runs || own !== null ? "" : purposeOf(this.store.state) === "images" ? say("press-place") : sorted.length >= 2 ? say("press-run") : NEEDS_MORE
+		].filter((note) => note !== "");
+		if (notes.length === 0 || this.store.state.notice?.kind === "problem") return;
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: notes.join(" "),
+				beside: runs
+			}
+		});
+	}
+	tell(kind, text) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind,
+				text
+			}
+		});
+	}
+	failed(what, error) {
+		if (error instanceof Cancelled) this.tell("info", say("cancelled-nothing-was-changed"));
+		else this.tell("problem", say("the-block-is-unchanged", {
+			what,
+			error: messageOf(error)
+		}));
+	}
+};
+function ofOpened({ shown }, files) {
+	if (shown === null || shown.view.partial || shown.files.length > 0) return null;
+	const names = new Set(shown.view.images.map(({ name }) => name));
+	if (!files.every(({ name }) => names.has(name))) return null;
+	return files.length === names.size ? say("all-images-of-the-block") : say("of-of-the-block-are", {
+		files: files.length,
+		size: images$1(names.size)
+	});
+}
+function images$1(count) {
+	return say("so-many-images", { images: count });
+}
+// www/block/state/kept.ts
+function isBlank({ catalogue, files, shown, options, flight, placing }) {
+	const { settings, gps, cameras, control, marks, masks } = options;
+	const noText = cameras === null && control === null && marks === null;
+	const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === "use" && noText && masks.length === 0 && placing.options === catalogue?.placing;
+	return catalogue === null || files.length === 0 && shown === null && placing.orthophoto === null && untouched;
+}
+// www/block/files/edit.ts
+var OF_ONE = 60;
+function bytesOfStep(step) {
+	return step.reduce((sum, edit) => sum + bytesOf(edit), 0);
+}
+function bytesOf(edit) {
+	const list = "observations" in edit ? edit.observations : "points" in edit ? edit.points : "images" in edit ? edit.images : [edit];
+	return OF_ONE * Math.max(1, list.length);
+}
+function bytesOfMarks({ marks }) {
+	return OF_ONE * Math.max(1, marks.length);
+}
+function markStepFrom(value, name) {
+	const { kind, marks, after } = objectOf(value, name);
+	return {
+		kind: kind === "remove" ? kind : "measure",
+		marks: listOf$1(marks, `${name}.marks`, (one, at) => {
+			const { image, point, x_px, y_px } = objectOf(one, at);
+			return {
+				image: likeOf(image, "", `${at}.image`),
+				point: likeOf(point, "", `${at}.point`),
+				x_px: likeOf(x_px, 0, `${at}.x_px`),
+				y_px: likeOf(y_px, 0, `${at}.y_px`)
+			};
+		}),
+		after: likeOf(after, 0, `${name}.after`)
+	};
+}
+function stepFrom(value, name) {
+	return listOf$1(value, name, editFrom);
+}
+function editFrom(value, name) {
+	const edit = objectOf(value, name);
+	const kind = likeOf(edit["kind"], "", `${name}.kind`);
+	switch (kind) {
+		case "reject_observations":
+		case "restore_observations": return {
+			kind,
+			observations: listOf$1(edit["observations"], `${name}.observations`, observationFrom)
+		};
+		case "reject_points":
+		case "restore_points": return {
+			kind,
+			points: listOf$1(edit["points"], `${name}.points`, sourceFrom)
+		};
+		case "reject_images":
+		case "restore_images": return {
+			kind,
+			images: listOf$1(edit["images"], `${name}.images`, (image, at) => likeOf(image, 0, at))
+		};
+		case "measure": return {
+			kind,
+			point: sourceFrom(edit["point"], `${name}.point`),
+			...placeFrom(edit, name)
+		};
+		case "add_point": return {
+			kind,
+			observations: listOf$1(edit["observations"], `${name}.observations`, placeFrom)
+		};
+		case "set_use": {
+			const use = edit["use"];
+			return {
+				kind,
+				point: likeOf(edit["point"], 0, `${name}.point`),
+				...use === "control" || use === "check" ? { use } : {}
+			};
+		}
+		default: throw new Error(say("the-field-kind-is-damaged", { name }));
+	}
+}
+function observationFrom(value, name) {
+	const { point, image } = objectOf(value, name);
+	return {
+		point: sourceFrom(point, `${name}.point`),
+		image: likeOf(image, 0, `${name}.image`)
+	};
+}
+function sourceFrom(value, name) {
+	const source = objectOf(value, name);
+	for (const kind of [
+		"tie_point",
+		"ground_control",
+		"manual"
+	]) if (source[kind] !== void 0) return { [kind]: likeOf(source[kind], 0, `${name}.${kind}`) };
+	throw new Error(say("the-field-is-damaged", { name }));
+}
+function placeFrom(value, name) {
+	const { image, x_px, y_px, by } = objectOf(value, name);
+	return {
+		image: likeOf(image, 0, `${name}.image`),
+		x_px: likeOf(x_px, 0, `${name}.x_px`),
+		y_px: likeOf(y_px, 0, `${name}.y_px`),
+		by: by === "least_squares" ? by : "hand"
+	};
+}
+// www/block/files/keep-placing.ts
+var PURPOSES$1 = [
+	"block",
+	"images",
+	"map"
+];
+var LINK = 57;
+var SMALL$1 = 2048;
+function rastersOf({ orthophoto, heights }) {
+	return [...orthophoto === null ? [] : [orthophoto.raster], ...heights.kind === "model" ? [heights.model] : []];
+}
+function keptPlacing(orthophoto, heights, options, purpose) {
+	return {
+		orthophoto: orNull(orthophoto, ({ raster, info, ofBlock }) => ({
+			raster: keptRaster(raster),
+			info,
+			ofBlock
+		})),
+		heights: heights.kind === "level" ? heights : {
+			kind: "model",
+			model: keptRaster(heights.model)
+		},
+		options,
+		purpose
+	};
+}
+function keptRaster({ id, name, file, world }) {
+	return {
+		id,
+		name,
+		file: nameOf$1(file),
+		world
+	};
+}
+function sizeOfPlaced({ result }) {
+	return SMALL$1 + LINK * (result?.placement?.links.count ?? 0);
+}
+function placingFrom(given, placed, catalogue, readFile, open) {
+	const none = {
+		...NO_PLACING,
+		options: catalogue.placing
+	};
+	if (given === void 0) return none;
+	const kept = objectOf(given, "placing");
+	const raster = (value, name) => {
+		const world = orNull(objectOf(value, name)["world"], (text) => {
+			const { name: called, text: content } = objectOf(text, `${name}.world`);
+			return {
+				name: likeOf(called, "", `${name}.world.name`),
+				text: likeOf(content, "", `${name}.world.text`)
+			};
+		});
+		return {
+			...open(readFile(value, name)),
+			world
+		};
+	};
+	const orthophoto = orNull(kept["orthophoto"], (value) => {
+		const { raster: picture, info, ofBlock } = objectOf(value, "placing.orthophoto");
+		return {
+			raster: raster(picture, "placing.orthophoto.raster"),
+			info: objectOf(info, "placing.orthophoto.info"),
+			ofBlock: orNull(ofBlock, (key) => likeOf(key, "", "placing.orthophoto.ofBlock"))
+		};
+	});
+	const { kind, height, model } = objectOf(kept["heights"], "placing.heights");
+	const heights = kind === "model" ? {
+		kind,
+		model: raster(model, "placing.heights.model")
+	} : {
+		kind: "level",
+		height: likeOf(height, 0, "placing.heights.height")
+	};
+	const options = orNull(kept["options"], (value) => fitted(value, catalogue.placing, "placing.options")) ?? catalogue.placing;
+	const purpose = PURPOSES$1.find((one) => one === kept["purpose"]) ?? null;
+	return {
+		...none,
+		orthophoto,
+		heights,
+		options: same(options, catalogue),
+		purpose,
+		placed: placedFrom(placed)
+	};
+}
+function same(options, { placing }) {
+	return JSON.stringify(options) === JSON.stringify(placing) ? placing : options;
+}
+function placedFrom(parts) {
+	return new Map([...parts].map(([id, value]) => {
+		const name = `placed ${String(id)}`;
+		const { key, result, problem } = objectOf(value, name);
+		likeOf(key, "", `${name}.key`);
+		likeOf(problem, "", `${name}.problem`);
+		orNull(result, (found) => objectOf(found, `${name}.result`));
+		const placed = value;
+		likeOf(placed.done, 0, `${name}.done`);
+		listOf$1(placed.steps, `${name}.steps`, objectOf);
+		return [id, placed];
+	}));
+}
+// www/block/files/keep.ts
+var GIVEN = "block";
+var SHOWN = "block/shown";
+var PLACED = "block/placed/";
+var FILE = "block/file/";
+var RECORD = "block/record/";
+var SMALL = 4096;
+var KeptBlocks = class {
+	store;
+	engine;
+	catalogue;
+	made = null;
+	journal = new Journal("block/edits", stepFrom, bytesOfStep);
+	marks = new Journal("block/marks", markStepFrom, bytesOfMarks);
+	making = null;
+	changed = () => void 0;
+	constructor(store, engine, catalogue) {
+		this.store = store;
+		this.engine = engine;
+		this.catalogue = catalogue;
+	}
+	watch(changed) {
+		this.changed = changed;
+		this.engine.watchRecords(changed);
+		this.store.watch([
+			"files",
+			"options",
+			"flight",
+			"truth",
+			"shown",
+			"opened",
+			"running",
+			"history",
+			"marks",
+			"placing"
+		], () => {
+			changed();
+			this.settled();
+		});
+	}
+	async settled() {
+		const { shown, running } = this.store.state;
+		if (shown === null || shown.view.partial || running.kind === "yes" || this.made?.found === shown.found) return;
+		const before = this.making;
+		this.making ??= this.make(shown).finally(() => {
+			this.making = null;
+		});
+		await this.making;
+		if (before !== null || this.store.state.shown?.found !== shown.found) await this.settled();
+	}
+	images() {
+		const { files, shown, placing } = this.store.state;
+		const names = (files.length > 0 ? files : shown?.view.images ?? []).map(({ name }) => name);
+		return names.length === 0 && placing.orthophoto !== null ? [placing.orthophoto.raster.name] : names;
+	}
+	parts() {
+		const { state } = this.store;
+		const parts = new Map();
+		if (isBlank(state)) return parts;
+		const { files, options, flight, truth, opened, shown, placing } = state;
+		parts.set(GIVEN, {
+			value: given$1(files, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.options, placing.purpose),
+			bytes: SMALL
+		});
+		for (const [id, placed] of placing.placed) parts.set(PLACED + String(id), {
+			value: placed,
+			bytes: sizeOfPlaced(placed)
+		});
+		if (truth !== null) parts.set(FILE + nameOf$1(truth), {
+			value: truth,
+			bytes: SMALL,
+			alone: true
+		});
+		for (const { file } of [
+			...files,
+			...options.masks,
+			...shown?.files ?? [],
+			...rastersOf(placing)
+		]) parts.set(FILE + nameOf$1(file), {
+			value: file,
+			bytes: file.size,
+			alone: true
+		});
+		const { made } = this;
+		for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
+		for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
+		if (made !== null && made.found === shown?.found) parts.set(SHOWN, {
+			value: made.kept,
+			bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0)
+		});
+		if (files.length > 0) for (const [key, record] of this.engine.records) parts.set(RECORD + key, {
+			value: record,
+			bytes: record.size,
+			again: true
+		});
+		return parts;
+	}
+	async read(parts) {
+		if (!parts.has(GIVEN)) return () => void 0;
+		const kept = givenFrom(parts.get(GIVEN), this.catalogue);
+		const files = kept.files.map((file) => fileFrom(parts, file));
+		const masks = kept.masks.map((file) => fileFrom(parts, file));
+		const placed = new Map([...parts].flatMap(([part, value]) => part.startsWith(PLACED) ? [[Number(part.slice(13)), value]] : []));
+		const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file));
+		const history = this.journal.read(parts);
+		const marks = this.marks.read(parts);
+		const finished = await this.finished(parts, history);
+		const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
+		const records = new Map([...parts].flatMap(([part, record]) => part.startsWith(RECORD) && record instanceof Blob ? [[part.slice(13), record]] : []));
+		const shown = finished?.shown ?? null;
+		const count = shown?.view.images.length ?? 0;
+		const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
+		return () => {
+			passIds([
+				...files,
+				...masks,
+				...shown?.files ?? [],
+				...rastersOf(placing)
+			].map(({ id }) => id));
+			this.engine.takeRecords(records);
+			this.made = finished === null ? null : {
+				found: finished.shown.found,
+				kept: finished.kept
+			};
+			finished?.hold();
+			this.engine.keepSpare(finished?.kept.project ?? null);
+			this.store.dispatch({
+				type: "restored",
+				restored: {
+					files,
+					options: {
+						...kept.options,
+						masks
+					},
+					flight: kept.flight,
+					truth,
+					shown,
+					opened,
+					history,
+					marks,
+					placing
+				}
+			});
+			const names = this.images();
+			if (names.length === 0) return;
+			const goesOn = records.size > 0 && shown === null ? say("the-work-that-was-done") : "";
+			const text = say("restored-from-this-browser", {
+				title_of: titleOf$2({
+					name: null,
+					images: names
+				}),
+				goes_on: goesOn
+			});
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "info",
+					text,
+					beside: true
+				}
+			});
+		};
+	}
+	clear() {
+		this.made = null;
+		this.engine.keepSpare(null);
+		if (this.store.state.running.kind === "yes") this.engine.cancel();
+		this.engine.takeRecords(new Map());
+		this.store.dispatch({ type: "cleared" });
+	}
+	async make(shown) {
+		try {
+			const project = await this.engine.project();
+			const { key, files, steps, seconds, view, ground } = shown;
+			if (this.store.state.shown?.found === shown.found) this.made = {
+				found: shown.found,
+				kept: {
+					project,
+					key,
+					files: files.map(keptFile),
+					steps,
+					seconds,
+					score: view.score,
+					ground
+				}
+			};
+		} catch {}
+		this.changed();
+		if (this.made?.found === this.store.state.shown?.found) this.engine.keepSpare(this.made?.kept.project ?? null);
+	}
+	async finished(parts, history) {
+		if (!parts.has(SHOWN)) return null;
+		const value = objectOf(parts.get(SHOWN), "shown");
+		const { project } = value;
+		if (!(project instanceof Blob)) throw new Error(say("the-finished-block-is-damaged"));
+		const kept = {
+			project,
+			key: likeOf(value["key"], "", "shown.key"),
+			files: listOf$1(value["files"], "shown.files", fileOf$2),
+			steps: objectOf(value["steps"], "shown.steps"),
+			seconds: likeOf(value["seconds"], 0, "shown.seconds"),
+			score: orNull(value["score"], (score) => objectOf(score, "shown.score")),
+			ground: orNull(value["ground"], groundFrom)
+		};
+		const files = kept.files.map((file) => fileFrom(parts, file));
+		const opened = await this.engine.read(new Uint8Array(await project.arrayBuffer()));
+		const { key, steps, seconds, score, ground } = kept;
+		const view = {
+			...opened.view,
+			score
+		};
+		return {
+			shown: {
+				key,
+				files,
+				steps,
+				seconds,
+				view,
+				found: view,
+				edits: theSame(opened.edits, history.edits.flat()),
+				ground
+			},
+			kept: value,
+			hold: opened.hold
+		};
+	}
+};
+function theSame(edits, history) {
+	return edits.map((edit, i) => {
+		const known = history[i];
+		return known !== void 0 && JSON.stringify(known) === JSON.stringify(edit) ? known : edit;
+	});
+}
+function groundFrom(value) {
+	const { key, before } = objectOf(value, "shown.ground");
+	if (!(before instanceof Blob)) throw new Error(say("the-finished-block-is-damaged"));
+	return {
+		key: likeOf(key, "", "shown.ground.key"),
+		before
+	};
+}
+function keptFile({ id, name, file }) {
+	return {
+		id,
+		name,
+		file: nameOf$1(file)
+	};
+}
+var given$1 = remember((files, { masks, ...options }, flight, truth, opened, orthophoto, heights, placing, purpose) => ({
+	files: files.map(keptFile),
+	options,
+	masks: masks.map(keptFile),
+	flight,
+	truth: orNull(truth, (known) => nameOf$1(known)),
+	opened,
+	placing: keptPlacing(orthophoto, heights, placing, purpose)
+}));
+function fileOf$2(value, name) {
+	const { id, name: called, file } = objectOf(value, name);
+	return {
+		id: likeOf(id, 0, `${name}.id`),
+		name: likeOf(called, "", `${name}.name`),
+		file: likeOf(file, "", `${name}.file`)
+	};
+}
+function givenFrom(value, catalogue) {
+	const kept = objectOf(value, "block");
+	const options = objectOf(kept["options"], "options");
+	const text = (name) => orNull(options[name], (given) => {
+		const { name: called, text: content } = objectOf(given, `options.${name}`);
+		return {
+			name: likeOf(called, "", `options.${name}.name`),
+			text: likeOf(content, "", `options.${name}.text`)
+		};
+	});
+	const opened = orNull(kept["opened"], (pair) => listOf$1(pair, "opened", (image, name) => likeOf(image, 0, name)));
+	return {
+		files: listOf$1(kept["files"], "files", fileOf$2),
+		masks: listOf$1(kept["masks"], "masks", fileOf$2),
+		options: {
+			settings: orNull(options["settings"], (settings) => fitted(settings, catalogue.defaults, "options.settings")),
+			gps: options["gps"] === "ignore" ? "ignore" : "use",
+			cameras: text("cameras"),
+			control: text("control"),
+			marks: text("marks")
+		},
+		flight: orNull(kept["flight"], (flight) => fitted(flight, catalogue.flight, "flight")),
+		truth: orNull(kept["truth"], (name) => likeOf(name, "", "truth")),
+		opened: opened?.length === 2 ? opened : null,
+		placing: kept["placing"]
+	};
+}
+function fileFrom(parts, { id, name, file: at }) {
+	const file = parts.get(FILE + at);
+	if (!(file instanceof Blob)) throw new Error(say("the-image-is-damaged", { name }));
+	nameOf$1(file, at);
+	return {
+		id,
+		name,
+		file
+	};
+}
+function truthFrom(parts, name) {
+	const truth = objectOf(parts.get(FILE + name), "truth");
+	nameOf$1(truth, name);
+	return truth;
+}
+// www/block/files/runs.ts
+var BlockRuns = class {
+	store;
+	engine;
+	images;
+	block;
+	constructor(store, engine, images, block) {
+		this.store = store;
+		this.engine = engine;
+		this.images = images;
+		this.block = block;
+	}
+	async run() {
+		const { state } = this.store;
+		if (purposeOf(state) === "block") this.store.dispatch({
+			type: "purpose",
+			purpose: "block"
+		});
+		if (state.onStage === "orthophoto") this.store.dispatch({
+			type: "stage",
+			view: "map"
+		});
+		if (!lacksPlaceAlone(state)) await this.engine.run();
+		if (this.store.state.running.kind === "no" && lacksPlaceAlone(this.store.state)) await this.placeBlock();
+	}
+	async placeImages(files) {
+		this.store.dispatch({
+			type: "purpose",
+			purpose: "images"
+		});
+		this.store.dispatch({
+			type: "stage",
+			view: "orthophoto"
+		});
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		try {
+			if (await this.images.place(files) === null) this.tell("info", say("cancelled-what-was-placed-stays"));
+		} catch (error) {
+			this.tell("problem", say("nothing-was-placed", { sentence: sentence(messageOf(error)) }));
+		}
+	}
+	async takeOff() {
+		this.tell("busy", say("taking-the-block-off-the"));
+		try {
+			if (await this.block.takeOff()) this.store.dispatch({
+				type: "purpose",
+				purpose: "map"
+			});
+			if (this.store.state.notice?.kind === "busy") this.store.dispatch({
+				type: "notice",
+				notice: null
+			});
+		} catch (error) {
+			this.tell("problem", say("the-block-stays-as-it", { sentence: sentence(messageOf(error)) }));
+		}
+	}
+	async placeBlock() {
+		if (imagesOfBlock(this.store.state).length === 0) {
+			this.tell("info", say("a-block-is-placed-by"), true);
+			return;
+		}
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		try {
+			if (!await this.block.place()) this.tell("info", say("cancelled-the-block-is-as"), true);
+		} catch (error) {
+			this.tell("problem", say("the-block-stays-as-it", { sentence: sentence(messageOf(error)) }));
+		}
+	}
+	tell(kind, text, beside = false) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind,
+				text,
+				...beside ? { beside } : {}
+			}
+		});
+	}
+};
+// www/block/state/address.ts
+var VIEWS = [
+	"map",
+	"matrix",
+	"images",
+	"plots",
+	"orthophoto"
+];
+var MOST_POINTS = 100;
+function addressOf({ shown, onStage, selection: { chosen } }) {
+	if (shown === null) return "";
+	const named = new URLSearchParams({ view: onStage });
+	const name = (image) => shown.view.images[image]?.name ?? "";
+	const points = pointsOf(chosen);
+	if (points.length > 0 && points.length <= MOST_POINTS) named.set("point", [...points].map((point) => String(point + 1)).join(","));
+	if (chosen?.kind === "image" || chosen?.kind === "observation") named.append("image", name(chosen.image));
+	if (chosen?.kind === "pair") for (const image of chosen.images) named.append("image", name(image));
+	return named.toString();
+}
+function asked(address, view) {
+	const named = new URLSearchParams(address.replace(/^#/u, ""));
+	const wanted = VIEWS.find((name) => name === named.get("view"));
+	if (wanted === void 0) return null;
+	return {
+		view: wanted,
+		choice: choiceOf$2(named.getAll("image").map((name) => view.images.findIndex((image) => image.name === name)), (named.get("point") ?? "").split(",").map((number) => Number(number) - 1).filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count))
+	};
+}
+function choiceOf$2(images, points) {
+	const [image, other] = images;
+	const [point] = points;
+	if (images.includes(-1)) return null;
+	if (point !== void 0 && image !== void 0) return {
+		kind: "observation",
+		point,
+		image
+	};
+	if (point !== void 0) return choiceOfPoints(points);
+	if (image === void 0) return null;
+	return other === void 0 ? {
+		kind: "image",
+		image
+	} : {
+		kind: "pair",
+		images: [image, other]
+	};
+}
+// www/block/panel/address.ts
+function mountAddress(store, modes) {
+	let waiting = window.location.hash;
+	const follow = () => {
+		const { shown, history } = store.state;
+		if (shown === null || shown.view.partial || waiting === "" || !isSameList(editsInForce(history), shown.edits)) return;
+		const wanted = asked(waiting, shown.view);
+		waiting = "";
+		if (wanted === null) return;
+		modes.dispatch("block");
+		store.dispatch({
+			type: "stage",
+			view: wanted.view
+		});
+		store.dispatch({
+			type: "choose",
+			choice: wanted.choice
+		});
+	};
+	window.addEventListener("hashchange", () => {
+		waiting = window.location.hash;
+		follow();
+	});
+	const tell = () => {
+		follow();
+		if (waiting !== "" || modes.state.mode !== "block") return;
+		const address = addressOf(store.state);
+		if (window.location.hash === (address === "" ? "" : `#${address}`)) return;
+		window.history.replaceState(window.history.state, "", address === "" ? window.location.pathname + window.location.search : `#${address}`);
+	};
+	store.watch([
+		"shown",
+		"onStage",
+		"selection",
+		"history"
+	], tell);
+	modes.watch(["mode"], tell);
+}
+// www/block/state/columns.ts
+var NO_ROWS = {
+	count: 0,
+	columns: []
+};
+function numbers$1(key, label, unit, digits, value, help, told = {}) {
+	return {
+		key,
+		label,
+		unit,
+		help,
+		value,
+		text: digits === 0 ? (row) => count(Number.isNaN(value(row)) ? null : value(row)) : (row) => fixed(value(row), digits),
+		...told
+	};
+}
+function words$1(key, label, value, help) {
+	return {
+		key,
+		label,
+		unit: "",
+		help,
+		value,
+		text: value,
+		words: true
+	};
+}
+var known$1 = (value) => value ?? NaN;
+function imageRows({ images, leftOut, cameras }) {
+	const axis = (key, i) => numbers$1(key, key, "", 2, (row) => known$1(images[row]?.position?.[i]), say("projection-centre-in-m-where", { key }));
+	return {
+		count: images.length + leftOut.length,
+		columns: [
+			words$1("name", say("image-2"), (i) => images[i]?.name ?? leftOut[i - images.length]?.name ?? "", say("file-name-press-it-to")),
+			numbers$1("number", say("no"), "", 0, (i) => i < images.length ? i + 1 : NaN, say("row-and-column-in-the")),
+			numbers$1("features", say("features"), "", 0, (i) => known$1(images[i]?.features), say("points-detected-and-described"), { total: "sum" }),
+			numbers$1("rays", say("obs"), "", 0, (i) => known$1(images[i]?.rays), say("observations-of-selected-tie-points"), { total: "sum" }),
+			numbers$1("places", say("cov"), "", 0, (i) => known$1(images[i]?.places), say("coverage-how-many-of-the"), { total: "mean" }),
+			numbers$1("rmse", "RMSE", "px", 2, (i) => known$1(images[i]?.rmsePx), say("root-mean-square-length-of-the"), { total: "rms" }),
+			...cameras.length > 1 ? [numbers$1("camera", say("camera"), "", 0, (i) => known$1(images[i]?.camera) + 1, say("images-of-one-camera-are", { join: cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join("; ") }))] : [],
+			words$1("state", say("state"), (i) => stateOf(i < images.length ? images[i]?.why : leftOut[i - images.length]?.reason), say("whether-the-image-is-oriented")),
+			axis("X", 0),
+			axis("Y", 1),
+			axis("Z", 2)
+		]
+	};
+}
+function stateOf(why) {
+	return why === "" ? say("oriented") : why ?? say("not-oriented-yet");
+}
+function pairRows({ images, connections }) {
+	const name = (row, side) => images[connections[row]?.images[side] ?? -1]?.name ?? "";
+	const matches = (row) => {
+		const connection = connections[row];
+		return connection?.outcome.kind === "connected" ? matchesOf(connection) : NaN;
+	};
+	return {
+		count: connections.length,
+		columns: [
+			words$1("first", say("image-2"), (i) => name(i, 0), say("the-image-of-the-pair")),
+			words$1("second", say("with"), (i) => name(i, 1), say("the-other-image-of-the")),
+			numbers$1("matches", say("matches-2"), "", 0, matches, say("verified-matches-of-a-connected"), { total: "sum" }),
+			numbers$1("shared", say("common"), "", 0, (i) => known$1(connections[i]?.shared), say("tie-points-that-both-images"), { total: "sum" }),
+			numbers$1("chosen", say("selected"), "", 0, (i) => known$1(connections[i]?.chosen), say("of-them-those-that-were"), { total: "sum" }),
+			words$1("geometry", say("geometry-2"), (i) => geometryText(connections[i]?.geometry ?? null), say("what-relates-the-two-views")),
+			words$1("reason", say("outcome"), (i) => connections[i]?.reason ?? "", say("why-the-images-are-connected"))
+		]
+	};
+}
+function pointRows({ points }) {
+	const axis = (label, offset) => [numbers$1(label.toLowerCase(), label, "", 2, (i) => points.positions[3 * i + offset] ?? NaN, say("object-coordinate-in-m-where")), numbers$1(`sigma-${label.toLowerCase()}`, `σ ${label}`, "", 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
+	return {
+		count: points.count,
+		columns: [
+			numbers$1("point", say("point"), "", 0, (i) => i + 1, say("number-of-the-point-press")),
+			numbers$1("point-rays", say("rays-2"), "", 0, (i) => points.rays[i] ?? NaN, say("number-of-images-that-see"), { total: "mean" }),
+			numbers$1("point-rmse", "RMSE", "px", 2, (i) => points.rmsePx[i] ?? NaN, say("root-mean-square-length-of-the"), { total: "rms" }),
+			...axis("X", 0),
+			...axis("Y", 1),
+			...axis("Z", 2),
+			numbers$1("confidence", say("probability"), "", 3, (i) => points.confidence[i] ?? NaN, say("probability-that-all-its-observations"), { total: "mean" }),
+			words$1("point-part", say("part"), (i) => i < points.taking ? say("accepted") : say("rejected-by-hand-2"), say("whether-the-point-takes-part"))
+		]
+	};
+}
+function surveyedRows({ surveyed, given = [] }) {
+	const axes = [
+		"X",
+		"Y",
+		"Z"
+	];
+	const beside = (row) => given[row - surveyed.length];
+	const useText = (row) => {
+		const own = beside(row);
+		if (own !== void 0) return givenUse(own);
+		return surveyed[row]?.isUsed === false ? say("not-used") : roleText(surveyed[row]?.role);
+	};
+	return {
+		count: surveyed.length + given.length,
+		columns: [
+			words$1("surveyed", say("point"), (i) => surveyed[i]?.name ?? beside(i)?.name ?? "", say("name-of-the-surveyed-point")),
+			words$1("use", say("use"), useText, say("control-points-place-the-block")),
+			numbers$1("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
+			...axes.map((axis, k) => numbers$1(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.position[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
+			...axes.map((axis, k) => numbers$1(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers$1(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => known$1(surveyed[i]?.standard_errors_m[k]), say("standard-error-of", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers$1(`left-out-${axis}`, say("difference-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.difference[k]), say("where-the-other-observations-have", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers$1(`left-out-sigma-${axis}`, say("standard-error-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.standard_errors[k]), say("standard-error-of-where-the", { axis }), { total: "rms" }))
+		]
+	};
+}
+function roleText(role) {
+	return role === void 0 ? "" : say("role", { role });
+}
+var AXES = ["x", "y"];
+var PARTS$1 = [
+	say("accepted"),
+	say("rejected-2"),
+	say("rejected-by-hand-2")
+];
+var observationRows = remember(({ images }, of) => {
+	const residual = (row) => Math.hypot(of.residuals[2 * row] ?? NaN, of.residuals[2 * row + 1] ?? NaN);
+	return {
+		count: of.points.length,
+		columns: [
+			words$1("observation-image", say("image-2"), (i) => images[of.images[i] ?? -1]?.name ?? "", say("the-image-that-shows-the")),
+			numbers$1("observation-point", say("point"), "", 0, (i) => (of.points[i] ?? NaN) + 1, say("number-of-the-point")),
+			numbers$1("observation-x", "x", "px", 2, (i) => of.places[2 * i] ?? NaN, say("column-the-centre-of-the")),
+			numbers$1("observation-y", "y", "px", 2, (i) => of.places[2 * i + 1] ?? NaN, say("row")),
+			numbers$1("observation-vx", "vx", "px", 2, (i) => of.residuals[2 * i] ?? NaN, say("residual-in-x-observed-minus"), { total: "rms" }),
+			numbers$1("observation-vy", "vy", "px", 2, (i) => of.residuals[2 * i + 1] ?? NaN, say("residual-in-y-observed-minus"), { total: "rms" }),
+			numbers$1("observation-v", say("residual"), "px", 2, residual, say("length-of-the-residual"), { total: "rms" }),
+			numbers$1("observation-rays", say("rays-2"), "", 0, (i) => raysOf(of)[of.points[i] ?? -1] ?? NaN, say("observations-of-the-point-rejected")),
+			...AXES.flatMap((axis, k) => [
+				numbers$1(`observation-r${axis}`, `r ${axis}`, "", 2, (i) => of.redundancy[2 * i + k] ?? NaN, say("redundancy-number-of-an-observation", { axis }), { total: "mean" }),
+				numbers$1(`observation-w${axis}`, `w ${axis}`, "", 2, (i) => of.w[2 * i + k] ?? NaN, say("w-statistic-of-an-observation", { axis }), { total: "rms" }),
+				numbers$1(`observation-mdb${axis}`, `MDB ${axis}`, "px", 2, (i) => of.detectable[2 * i + k] ?? NaN, say("mdb-of-an-observation", { axis }))
+			]),
+			words$1("observation-part", say("part"), (i) => PARTS$1[of.parts[i] ?? 0] ?? "", say("whether-the-adjustment-accepted-the"))
+		]
+	};
+});
+var raysOf = remember((of) => {
+	const rays = new Uint16Array(of.points.reduce((most, point) => Math.max(most, point), -1) + 1);
+	for (const point of of.points) rays[point] = (rays[point] ?? 0) + 1;
+	return rays;
+});
+function observationsOf(of, choice) {
+	if (choice === null) return () => true;
+	const images = new Set(imagesOf(choice));
+	if (choice.kind === "image" || choice.kind === "pair") {
+		const seen = choice.kind === "pair" ? commonPoints(of, choice.images) : null;
+		return (row) => images.has(of.images[row] ?? -1) && (seen === null || seen.has(of.points[row] ?? -1));
+	}
+	const points = new Set(pointsOf(choice));
+	return (row) => points.has(of.points[row] ?? -1);
+}
+function commonPoints({ images, points }, [a, b]) {
+	const first = new Set(points.filter((_, row) => images[row] === a));
+	return new Set(points.filter((point, row) => images[row] === b && first.has(point)));
+}
+var ROWS = {
+	images: remember(imageRows),
+	pairs: remember(pairRows),
+	points: remember(pointRows),
+	surveyed: remember(surveyedRows)
+};
+function rowsOf(subject, view) {
+	return ROWS[subject](view);
+}
+function choiceOfRow(subject, view, row) {
+	if (subject === "images") return row < view.images.length ? {
+		kind: "image",
+		image: row
+	} : null;
+	if (subject === "points") return {
+		kind: "point",
+		point: row
+	};
+	if (subject === "surveyed") {
+		const given = view.given?.[row - view.surveyed.length];
+		if (given !== void 0) return {
+			kind: "given",
+			name: given.name
+		};
+		return (view.surveyed[row]?.point ?? -1) < 0 ? null : {
+			kind: "point",
+			point: view.surveyed[row]?.point ?? -1
+		};
+	}
+	const images = subject === "pairs" ? view.connections[row]?.images : void 0;
+	return images === void 0 ? null : {
+		kind: "pair",
+		images
+	};
+}
+function rowsOfChoice(subject, view, choice) {
+	if (subject === "points") return pointsOf(choice);
+	if (subject === "surveyed") {
+		if (choice?.kind === "given") return Uint32Array.from((view.given ?? []).flatMap(({ name }, i) => name === choice.name ? [view.surveyed.length + i] : []));
+		const points = new Set(pointsOf(choice));
+		return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => points.has(point) ? [row] : []));
+	}
+	if (subject === "images") return Uint32Array.from(imagesOf(choice));
+	if (subject !== "pairs" || choice?.kind !== "pair") return new Uint32Array();
+	const row = view.connections.findIndex(({ images }) => isSame({
+		kind: "pair",
+		images
+	}, choice));
+	return row < 0 ? new Uint32Array() : Uint32Array.of(row);
+}
+var EMPTY = {};
+function maskOf(subject, view, filter) {
+	const { count: rows, columns } = rowsOf(subject, view);
+	const meets = keeping(columns, filter);
+	return meets === null ? null : Uint8Array.from({ length: rows }, (_, row) => Number(meets(row)));
+}
+function testOf(subject) {
+	return remember((view, own, ofImages) => {
+		const mask = maskOf(subject, view, own);
+		const images = subject === "pairs" ? maskOf("images", view, ofImages) : null;
+		if (mask === null && images === null) return () => true;
+		const keeps = (row) => mask === null || mask[row] === 1;
+		return images === null ? keeps : (row) => keeps(row) && view.connections[row]?.images.every((image) => images[image] === 1) === true;
+	});
+}
+var TESTS = {
+	images: testOf("images"),
+	pairs: testOf("pairs"),
+	points: testOf("points"),
+	surveyed: testOf("surveyed")
+};
+function keptBy(subject, view, { filters }) {
+	return TESTS[subject](view, filters[subject] ?? EMPTY, subject === "pairs" ? filters.images ?? EMPTY : EMPTY);
+}
+// www/block/panel/dock.ts
+var TABLES = [
+	["images", say("images-2")],
+	["pairs", say("pairs")],
+	["points", say("tie-points")],
+	["observations", say("observations")],
+	["surveyed", say("control-and-check-points")]
+];
+var HEIGHT = "tiepoint-dock";
+var STEP$2 = 24;
+var LEAST = 110;
+var ABOVE = 240;
+function makeDock(store, looking, facts, others) {
+	const sources = TABLES.map(([subject, title]) => subject === "observations" ? observationSource(facts, () => draw()) : sourceOf(subject, title));
+	const { element, panels } = tabbed("dock", say("tables"), [...sources.map(({ subject, title }) => [`block-${subject}`, title]), ...others.map(({ id, title }) => [id, title])]);
+	element.prepend(splitter(element));
+	const tables = sources.map((source, i) => oneTable(panels[i] ?? element, store, looking, source));
+	const further = others.map((other, i) => other.make(panels[sources.length + i] ?? element));
+	const draw = () => {
+		for (const table of [...tables, ...further]) table.draw();
+	};
+	element.addEventListener("click", (event) => {
+		if (event.target.closest("[role=\"tab\"]") !== null) draw();
+	});
+	facts.watch(() => {
+		for (const table of tables) table.refresh();
+	});
+	watchDrawers(() => {
+		if (isOpen("table")) queueMicrotask(draw);
+	});
+	const tabs = [...element.querySelectorAll("[role=\"tab\"]")];
+	store.watch((s) => [
+		s.shown,
+		s.onStage,
+		blockOnOrthophoto(s) !== null
+	], ([shown, onStage, isBlockOn]) => {
+		const own = others.map(({ view }) => view);
+		const isOwn = own.includes(onStage) && !isBlockOn;
+		tabs.forEach((tab, i) => {
+			const view = own[i - sources.length];
+			tab.hidden = view === void 0 ? isOwn || sources[i]?.subject === "surveyed" && (shown?.view.surveyed.length ?? 0) + (shown?.view.given?.length ?? 0) === 0 : !isOwn || view !== onStage;
+		});
+		if (tabs.some((tab) => tab.hidden && tab.getAttribute("aria-selected") === "true")) tabs.find((tab) => !tab.hidden)?.click();
+	});
+	return element;
+}
+function sourceOf(subject, title) {
+	return {
+		subject,
+		title,
+		rows: (view) => rowsOf(subject, view),
+		keeps: (view, selection) => subject === "pairs" ? keptBy(subject, view, selection) : void 0,
+		choice: (view, row) => choiceOfRow(subject, view, row),
+		chosen: (view, choice) => {
+			const rows = new Set(rowsOfChoice(subject, view, choice));
+			return {
+				has: (row) => rows.has(row),
+				first: [...rows.values()][0] ?? -1
+			};
+		}
+	};
+}
+function observationSource(facts, redraw) {
+	let only = false;
+	const press = toggle(say("of-what-is-chosen"), "block-observations-only", say("shows-the-observations-of-the"), (on) => {
+		only = on;
+		press.setAttribute("aria-pressed", String(on));
+		redraw();
+	});
+	return {
+		subject: "observations",
+		title: say("observations"),
+		rows: (view) => {
+			const of = facts.observations();
+			return of === null ? NO_ROWS : observationRows(view, of);
+		},
+		keeps: (_, { chosen }) => {
+			const of = facts.observations();
+			return of === null || !only ? void 0 : observationsOf(of, chosen);
+		},
+		choice: (_, row) => {
+			const of = facts.observations();
+			const [point, image] = [of?.points[row], of?.images[row]];
+			return point === void 0 || image === void 0 ? null : {
+				kind: "observation",
+				point,
+				image
+			};
+		},
+		chosen: (_, choice) => {
+			const of = facts.observations();
+			if (of === null || choice === null || pointsOf(choice).length === 0) return {
+				has: () => false,
+				first: -1
+			};
+			const ofPoints = observationsOf(of, choice);
+			const has = choice.kind === "observation" ? (row) => ofPoints(row) && of.images[row] === choice.image : ofPoints;
+			return {
+				has,
+				first: of.points.findIndex((_, row) => has(row))
+			};
+		},
+		tools: [press]
+	};
+}
+function oneTable(host, store, looking, source) {
+	const { subject, title, tools = [] } = source;
+	const ofRow = (row) => {
+		const { shown } = store.state;
+		return shown === null || row < 0 ? null : source.choice(shown.view, row);
+	};
+	let own = null;
+	let seeks = false;
+	let chosen = {
+		has: () => false,
+		first: -1
+	};
+	const choose = (choice) => {
+		own = choice;
+		looking.choose(choice);
+	};
+	const table = new Table(host, {
+		testid: `block-${subject}`,
+		words: {
+			table: title,
+			region: say("table", { title })
+		},
+		file: `block-${subject}.csv`,
+		tools,
+		point: (row) => looking.point(ofRow(row)),
+		filter: (filter) => store.dispatch({
+			type: "filter",
+			subject,
+			filter
+		}),
+		choose: (row) => choose(ofRow(row)),
+		isChosen: (row) => chosen.has(row),
+		...subject === "points" ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {}
+	});
+	let shownRows = NO_ROWS;
+	const draw = () => {
+		if (isHidden(host)) return;
+		const { shown, selection } = store.state;
+		shownRows = shown === null ? NO_ROWS : source.rows(shown.view);
+		table.show(shownRows.count, shownRows.columns, shown === null ? void 0 : source.keeps(shown.view, selection), selection.filters[subject]);
+		mark();
+	};
+	const mark = () => {
+		const { shown, selection } = store.state;
+		if (shown !== null) chosen = source.chosen(shown.view, selection.chosen);
+		if (seeks && shown !== null) table.reveal(chosen.first);
+		else table.redraw();
+		seeks = false;
+	};
+	store.watch((s) => [
+		s.shown,
+		s.selection.filters[subject],
+		subject === "pairs" ? s.selection.filters.images : null
+	], () => draw());
+	store.watch((s) => [s.selection.chosen], ([now]) => {
+		seeks = now !== null && !isSame(now, own);
+		own = null;
+		if (isHidden(host)) return;
+		if (subject === "observations") draw();
+		else mark();
+	});
+	const refresh = () => {
+		const { shown } = store.state;
+		if (!isHidden(host) && shown !== null && source.rows(shown.view) !== shownRows) draw();
+	};
+	return {
+		draw,
+		refresh
+	};
+}
+function splitter(dock) {
+	const line = h("div", {
+		class: "splitter",
+		role: "separator",
+		tabindex: 0,
+		testid: "block-splitter",
+		aria: {
+			orientation: "horizontal",
+			label: say("height-of-the-tables")
+		}
+	});
+	const kept = Number(keptChoice(HEIGHT));
+	const highest = () => Math.max(LEAST, (dock.parentElement?.clientHeight ?? Infinity) - ABOVE);
+	const tell = () => {
+		for (const [name, value] of [
+			["min", LEAST],
+			["max", highest()],
+			["now", dock.clientHeight]
+		]) line.setAttribute(`aria-value${name}`, String(Math.round(value)));
+	};
+	const set = (wanted) => {
+		const height = Math.round(Math.min(highest(), Math.max(LEAST, wanted)));
+		dock.style.height = `${String(height)}px`;
+		tell();
+		keepChoice(HEIGHT, String(height));
+	};
+	if (kept > 0) dock.style.height = `${String(kept)}px`;
+	new ResizeObserver(tell).observe(dock);
+	line.addEventListener("pointerdown", (event) => {
+		const [from, height] = [event.clientY, dock.clientHeight];
+		line.setPointerCapture(event.pointerId);
+		const move = (moved) => set(height + from - moved.clientY);
+		line.addEventListener("pointermove", move);
+		line.addEventListener("lostpointercapture", () => line.removeEventListener("pointermove", move), { once: true });
+	});
+	line.addEventListener("keydown", (event) => {
+		const by = {
+			ArrowUp: STEP$2,
+			ArrowDown: -24
+		}[event.key];
+		if (by === void 0) return;
+		event.preventDefault();
+		set(dock.clientHeight + by);
+	});
+	return line;
+}
+// www/block/panel/flight.ts
+function mountFlight(host, store, files) {
+	store.watch(["catalogue"], ([catalogue]) => {
+		if (catalogue === null) return;
+		const sections = makeSections(catalogue.flightParameters, {
+			change: (key, value) => {
+				const { flight } = store.state;
+				if (flight !== null) store.dispatch({
+					type: "flight",
+					flight: withSetting(flight, key, value)
+				});
+			},
+			defaults: () => catalogue.flight
+		});
+		const take = button(say("photograph-this-block"), "block-photograph", () => void files.photograph());
+		take.className = "primary";
+		fill(host, h("p", { class: "note" }, say("a-flight-in-strips-over")), h("div", { class: "buttons" }, take), ...sections.elements);
+		store.watch(["flight"], ([flight]) => {
+			if (flight !== null) sections.show(flight);
+		});
+		store.watch([
+			"running",
+			"notice",
+			"placing"
+		], () => {
+			take.disabled = isBusy(store.state);
+		});
+	});
+}
+// www/block/panel/back.ts
+function mountBack(store, modes) {
+	const text = h("span", { testid: "of-block" });
+	const back = button(say("back-to-the-block"), "back-to-block", () => {
+		modes.dispatch("block");
+		document.getElementById("block-view")?.focus({ preventScroll: true });
+	});
+	const line = h("div", { class: "of-block" }, back, text);
+	const draw = () => {
+		const { opened, shown } = store.state;
+		const of = opened === null || shown === null ? null : describe(shown.view, {
+			kind: "pair",
+			images: opened
+		});
+		line.hidden = of === null || modes.state.mode !== "pair";
+		fill(text, of ?? "");
+	};
+	store.watch(["opened", "shown"], draw);
+	modes.watch(["mode"], draw);
+	return line;
+}
+// www/block/panel/progress.ts
+var STAGES = {
+	photos: say("photos"),
+	images: say("images-features"),
+	likeness: say("similarity-of-images"),
+	pairs: say("pairs-matches"),
+	points: say("tie-points"),
+	windows: say("windows-of-observations"),
+	refinement: say("refinement"),
+	orientation: say("orientation")
+};
+var OF_ONE_PIECE = new Set(["points", "orientation"]);
+var NAMES$2 = Object.keys(STAGES);
+function mountProgress(host, store) {
+	const body = h("div", { class: "stages" });
+	const whole = section(say("run"), "block-progress", body);
+	host.append(whole);
+	store.watch(["running", "shown"], ([running, shown]) => {
+		const steps = running.kind === "no" ? shown?.steps ?? {} : running.steps;
+		const begun = NAMES$2.flatMap((name) => steps[name] === void 0 ? [] : [stage(name, steps[name])]);
+		whole.hidden = begun.length === 0;
+		fill(body, ...begun);
+	});
+}
+function stage(name, step) {
+	const line = (...parts) => h("div", {
+		class: "stage-line",
+		testid: `stage-${name}`
+	}, h("span", {}, STAGES[name]), ...parts, h("span", { class: "note" }, stepText$1(name, step)));
+	if (step.done === step.total) return line();
+	const bar = h("progress", { aria: { label: STAGES[name] } });
+	bar.max = Math.max(1, step.total);
+	bar.value = step.done;
+	return line(bar);
+}
+function stepText$1(stage, { done, total, found, seconds, secondsLeft, name }) {
+	const goesOn = done < total;
+	return [
+		OF_ONE_PIECE.has(stage) ? "" : say("of-3", {
+			done,
+			total,
+			what: found > 0 ? say("from-an-earlier-run", { found }) : ""
+		}),
+		`${duration(seconds)}${secondsLeft === void 0 || !goesOn ? "" : say("about-left", { seconds_left: duration(secondsLeft) })}`,
+		goesOn ? name ?? "" : ""
+	].filter((part) => part !== "").join("; ");
+}
+function runText(steps) {
+	const name = NAMES$2.findLast((stage) => steps[stage] !== void 0);
+	const step = name === void 0 ? void 0 : steps[name];
+	return name === void 0 || step === void 0 ? say("starting") : `${STAGES[name]}: ${stepText$1(name, step)}`;
+}
+function duration(seconds) {
+	if (seconds < 9.95) return say("seconds", { value: seconds.toFixed(1) });
+	if (seconds < 90) return say("seconds", { value: String(Math.round(seconds)) });
+	const minutes = Math.round(seconds / 60);
+	return minutes < 90 ? say("min", { minutes }) : say("hours", { value: (seconds / 3600).toFixed(1) });
+}
+// www/block/state/together.ts
+function together(before, after) {
+	if (after.shown === null || after.placing.placed.size === 0) return after;
+	const [was, is] = [before.selection.chosen, after.selection.chosen];
+	if (is !== was) return {
+		...after,
+		placing: placedAfter(after, before)
+	};
+	if (after.placing.chosen.image !== before.placing.chosen.image) return {
+		...after,
+		selection: selectedAfter(after, before)
+	};
+	return after;
+}
+function placedAfter({ selection: { chosen }, ...after }, before) {
+	const { placing } = after;
+	const id = chosen?.kind === "image" || chosen?.kind === "observation" ? fileOf$1(after, chosen.image) : null;
+	if (id !== null && placing.placed.has(id)) return id === placing.chosen.image ? placing : reducePlacing(placing, {
+		type: "choosePlaced",
+		looked: {
+			image: id,
+			link: null
+		}
+	});
+	return chosen === null && imagesOf(before.selection.chosen).some((image) => fileOf$1(after, image) === placing.chosen.image) ? reducePlacing(placing, {
+		type: "choosePlaced",
+		looked: NOTHING_LOOKED_AT
+	}) : placing;
+}
+function selectedAfter({ selection, placing, ...after }, before) {
+	const { chosen } = selection;
+	const now = imageOf(after, placing.chosen.image);
+	if (now !== null) return imagesOf(chosen).includes(now) ? selection : reduceSelection(selection, {
+		type: "choose",
+		choice: {
+			kind: "image",
+			image: now
+		}
+	});
+	const former = imageOf(after, before.placing.chosen.image);
+	return chosen?.kind === "image" && chosen.image === former ? reduceSelection(selection, {
+		type: "choose",
+		choice: null
+	}) : selection;
+}
+function fileOf$1({ shown, files }, image) {
+	const name = shown?.view.images[image]?.name;
+	return files.find((file) => file.name === name)?.id ?? null;
+}
+function imageOf({ shown, files }, id) {
+	const name = files.find((file) => file.id === id)?.name;
+	const image = shown?.view.images.findIndex((own) => own.name === name) ?? -1;
+	return image < 0 ? null : image;
+}
+// www/block/state/reducer.ts
+function reduceBlock(state, action) {
+	const after = withGivenPoints(reduced(state, action));
+	return action.type === "choose" || action.type === "choosePlaced" ? together(state, after) : after;
+}
+function withGivenPoints(state) {
+	if (state.shown === null) return state;
+	const view = withGiven(state.shown.view, state);
+	return view === state.shown.view ? state : {
+		...state,
+		shown: {
+			...state.shown,
+			view
+		}
+	};
+}
+function reduced(state, action) {
+	switch (action.type) {
+		case "ready": return {
+			...state,
+			catalogue: action.catalogue,
+			options: {
+				...state.options,
+				settings: action.catalogue.defaults
+			},
+			flight: action.catalogue.flight,
+			placing: {
+				...state.placing,
+				options: action.catalogue.placing
+			}
+		};
+		case "files": return {
+			...state,
+			files: action.files,
+			truth: action.truth,
+			running: onOtherInput(state.running)
+		};
+		case "options": return {
+			...state,
+			options: {
+				...state.options,
+				...action.options
+			},
+			running: onOtherInput(state.running),
+			notice: null,
+			refused: action.options.settings === void 0 ? state.refused : null
+		};
+		case "refused": return {
+			...state,
+			refused: action.label,
+			notice: state.notice?.kind === "busy" ? state.notice : null
+		};
+		case "flight": return {
+			...state,
+			flight: action.flight
+		};
+		case "choose":
+		case "point":
+		case "filter": {
+			const selection = reduceSelection(state.selection, action);
+			const draft = action.type === "choose" && state.draft?.of != null ? null : state.draft;
+			return selection === state.selection ? state : {
+				...state,
+				selection,
+				draft
+			};
+		}
+		case "showImages":
+		case "moveViews":
+		case "wholeImages":
+		case "activeImage":
+		case "look": return {
+			...state,
+			panes: reducePanes(state.panes, action)
+		};
+		case "stage": return {
+			...state,
+			onStage: action.view
+		};
+		case "edit":
+		case "goto":
+		case "adjusting":
+		case "edited":
+		case "editRefused":
+		case "draft":
+		case "mark":
+		case "gotoMark": return reduceEdits(state, action);
+		case "orthophoto":
+		case "heights":
+		case "placingOptions":
+		case "purpose":
+		case "placing":
+		case "placed":
+		case "choosePlaced":
+		case "pointPlaced":
+		case "picksPlace":
+		case "linkDraft":
+		case "adjustsLinks":
+		case "showLinks": {
+			const placing = reducePlacing(state.placing, action);
+			if (placing === state.placing) return state;
+			const isSet = (action.type === "placingOptions" || action.type === "purpose") && state.notice?.kind !== "busy";
+			return {
+				...state,
+				placing,
+				notice: isSet ? null : state.notice
+			};
+		}
+		case "openedPair": return {
+			...state,
+			opened: action.images
+		};
+		case "notice": return {
+			...state,
+			notice: action.notice
+		};
+		case "onGround": return state.shown === null ? state : onGround$1(state, state.shown, action);
+		case "openedFile": return {
+			...state,
+			...blank(state),
+			panes: panesInOtherView(state.panes, null, action.view),
+			...UNEDITED,
+			history: {
+				edits: action.edits.map((edit) => [edit]),
+				done: action.edits.length
+			},
+			marks: NO_HISTORY,
+			truth: null,
+			running: { kind: "no" },
+			shown: {
+				key: "",
+				view: action.view,
+				found: action.view,
+				edits: action.edits,
+				files: [],
+				steps: {},
+				seconds: 0,
+				ground: null
+			}
+		};
+		case "restored": return {
+			...BLOCK_INITIAL,
+			catalogue: state.catalogue,
+			...action.restored,
+			onStage: viewOf(action.restored)
+		};
+		case "cleared": return state.catalogue === null ? state : reduceBlock(BLOCK_INITIAL, {
+			type: "ready",
+			catalogue: state.catalogue
+		});
+		case "clear": return {
+			...BLOCK_INITIAL,
+			catalogue: state.catalogue,
+			options: state.options,
+			flight: state.flight,
+			placing: {
+				...NO_PLACING,
+				options: state.placing.options
+			}
+		};
+		default: return withRun(state, action);
+	}
+}
+function viewOf({ shown, placing }) {
+	return shown === null && placing.orthophoto !== null ? "orthophoto" : BLOCK_INITIAL.onStage;
+}
+function onOtherInput(running) {
+	return running.kind === "yes" ? running : { kind: "no" };
+}
+function blank(state) {
+	return {
+		selection: NOTHING_SELECTED,
+		opened: null,
+		notice: state.notice?.kind === "busy" ? null : state.notice
+	};
+}
+function inOther({ selection, panes, shown }, view) {
+	const before = shown?.view ?? null;
+	return {
+		selection: inOtherView(selection, before, view),
+		panes: panesInOtherView(panes, before, view)
+	};
+}
+function onGround$1(state, shown, { view, edits: own, ground }) {
+	const { edits, said } = carriedToGround(state, view);
+	const { orthophoto } = state.placing;
+	const placing = orthophoto?.ofBlock === shown.key ? {
+		...state.placing,
+		orthophoto: {
+			...orthophoto,
+			ofBlock: ""
+		}
+	} : state.placing;
+	return {
+		...state,
+		...blank(state),
+		...inOther(state, view),
+		...edits,
+		...said === "" ? {} : { notice: {
+			kind: "info",
+			text: said,
+			beside: true
+		} },
+		placing,
+		shown: {
+			...shown,
+			view,
+			found: view,
+			edits: own,
+			ground
+		}
+	};
+}
+function withRun(state, action) {
+	const { running } = state;
+	switch (action.type) {
+		case "started": return {
+			...state,
+			running: {
+				kind: "yes",
+				key: action.key,
+				steps: {}
+			},
+			notice: null
+		};
+		case "step": return running.kind === "yes" ? {
+			...state,
+			running: {
+				...running,
+				steps: {
+					...running.steps,
+					[action.step.stage]: action.step
+				}
+			}
+		} : state;
+		case "part": {
+			if (running.kind !== "yes" || state.shown !== null && !state.shown.view.partial) return state;
+			const { view, files } = action;
+			const shown = {
+				key: running.key,
+				view,
+				found: view,
+				edits: [],
+				files,
+				seconds: 0,
+				steps: {},
+				ground: null
+			};
+			return {
+				...state,
+				shown,
+				opened: null,
+				...inOther(state, view)
+			};
+		}
+		case "done": {
+			const { key, view, files, seconds } = action;
+			const { edits, said } = carried(state, view);
+			return {
+				...state,
+				...blank(state),
+				...inOther(state, view),
+				...edits,
+				...said === "" ? {} : { notice: {
+					kind: "info",
+					text: said,
+					beside: true
+				} },
+				running: { kind: "no" },
+				shown: {
+					key,
+					view,
+					found: view,
+					edits: [],
+					files,
+					seconds,
+					steps: running.kind === "yes" ? running.steps : {},
+					ground: null
+				}
+			};
+		}
+		case "ended": return running.kind === "yes" ? {
+			...state,
+			running: {
+				kind: "ended",
+				steps: running.steps,
+				failure: action.failure
+			}
+		} : state;
+	}
+}
+// www/block/state/observed.ts
+var placesOf = new WeakMap();
+function placesByPoint(of) {
+	const known = placesOf.get(of);
+	if (known !== void 0) return known;
+	const made = new Map([...of.points].map((point, i) => [point, [of.places[2 * i] ?? NaN, of.places[2 * i + 1] ?? NaN]]));
+	placesOf.set(of, made);
+	return made;
+}
+function placeOfPoint(of, point) {
+	return placesByPoint(of).get(point) ?? null;
+}
+function nearest$1(list, [x, y]) {
+	return list.map((twice) => ({
+		twice,
+		distance: (twice[0] - x) ** 2 + (twice[1] - y) ** 2
+	})).sort((a, b) => a.distance - b.distance).slice(0, 12).map(({ twice }) => twice);
+}
+var commonOf = new WeakMap();
+function common(from, to) {
+	const known = commonOf.get(from)?.get(to);
+	if (known !== void 0) return known;
+	const others = placesByPoint(to);
+	const rejected = new Set([...to.points].filter((_, i) => to.parts[i] !== 0));
+	const made = [...from.points].flatMap((point, i) => {
+		const other = others.get(point);
+		if (other === void 0 || from.parts[i] !== 0 || rejected.has(point)) return [];
+		return [[
+			from.places[2 * i] ?? NaN,
+			from.places[2 * i + 1] ?? NaN,
+			...other
+		]];
+	});
+	const ofFrom = commonOf.get(from) ?? new WeakMap();
+	commonOf.set(from, ofFrom.set(to, made));
+	return made;
+}
+function inOtherImage(from, to, at) {
+	return movedWith(nearest$1(common(from, to), at), at);
+}
+var groundAt = remember((of, { positions }, x, y) => {
+	const at = [x, y];
+	const coordinate = (point, axis) => positions[3 * point + axis] ?? NaN;
+	const known = [...of.points].flatMap((point, i) => {
+		const twice = [
+			of.places[2 * i] ?? NaN,
+			of.places[2 * i + 1] ?? NaN,
+			coordinate(point, 0),
+			coordinate(point, 1)
+		];
+		return of.parts[i] === 0 && !Number.isNaN(twice[2]) ? [[twice, coordinate(point, 2)]] : [];
+	});
+	const heights = new Map(known);
+	const near = nearest$1([...heights.keys()], at);
+	const plan = affine(near, at);
+	const height = affine(near.map((twice) => [
+		twice[0],
+		twice[1],
+		heights.get(twice) ?? NaN,
+		0
+	]), at);
+	return plan === null || height === null ? null : [...plan, height[0]];
+});
+function placeOfGround(of, { positions }, at) {
+	const known = [...of.points].flatMap((point, i) => {
+		const twice = [
+			positions[3 * point] ?? NaN,
+			positions[3 * point + 1] ?? NaN,
+			of.places[2 * i] ?? NaN,
+			of.places[2 * i + 1] ?? NaN
+		];
+		return of.parts[i] === 0 && !Number.isNaN(twice[0]) ? [twice] : [];
+	});
+	return affine(nearest$1(known, at), at);
+}
+function photoMm({ calibrated, given }, [x, y]) {
+	const camera = calibrated ?? given;
+	const side = camera?.pixel_mm ?? given?.pixel_mm;
+	if (camera === null || side == null) return null;
+	return [side * (x - camera.principal_point_px[0]), side * (camera.principal_point_px[1] - y)];
+}
+// www/shared/engine/colour.ts
+var MOST_BYTES = 2 ** 25;
+async function decodeColour(bytes) {
+	if (bytes.length > MOST_BYTES) return null;
+	try {
+		return await createImageBitmap(new Blob(withoutExif(bytes)));
+	} catch {
+		return null;
+	}
+}
+function withoutExif(bytes) {
+	const kept = [];
+	let [from, at] = [0, 2];
+	const isJpeg = bytes[0] === 255 && bytes[1] === 216;
+	while (isJpeg && bytes[at] === 255 && bytes[at + 1] !== 218 && at + 4 < bytes.length) {
+		const next = at + 2 + 256 * (bytes[at + 2] ?? 0) + (bytes[at + 3] ?? 0);
+		if (bytes[at + 1] === 225 && String.fromCharCode(...bytes.subarray(at + 4, at + 8)) === "Exif") {
+			kept.push(bytes.subarray(from, at));
+			from = next;
+		}
+		at = next;
+	}
+	return [...kept, bytes.subarray(from)];
+}
+// www/block/view/images/bitmaps.ts
+var COPY_SIDE = 1024;
+var MOST_DECODED = 1e8;
+var MARGIN$1 = .25;
+var LEAST_MARGIN = 96;
+var Bitmaps = class {
+	grey;
+	arrived;
+	held = new Map();
+	decoded = new Map();
+	wishes = new Map();
+	working = false;
+	constructor(grey, arrived) {
+		this.grey = grey;
+		this.arrived = arrived;
+	}
+	hasFailed(file) {
+		return this.held.get(file.id)?.failed === true;
+	}
+	pieces(file, size, slot, part, density) {
+		const held = this.held.get(file.id) ?? {
+			copy: null,
+			details: new Map(),
+			failed: false
+		};
+		this.held.set(file.id, held);
+		if (held.failed) return [];
+		const level = wantedLevel(density, 1);
+		const { copy } = held;
+		const detail = held.details.get(slot);
+		if (copy === null) this.wish({
+			file,
+			size,
+			slot,
+			part: null,
+			level: 0
+		});
+		else if (2 ** level < copy.step && !(detail !== void 0 && detail.level <= level && covers(detail.part, part))) this.wish({
+			file,
+			size,
+			slot,
+			part: withMargin(part, size),
+			level
+		});
+		return [copy, detail].filter((piece) => piece != null);
+	}
+	keep(files) {
+		for (const [id, held] of this.held) {
+			if (files.has(id)) continue;
+			for (const piece of [held.copy, ...held.details.values()]) piece?.bitmap.close();
+			this.held.delete(id);
+		}
+		for (const [name, { file }] of this.wishes) if (!files.has(file.id)) this.wishes.delete(name);
+		for (const [id, bitmap] of this.decoded) {
+			if (files.has(id)) continue;
+			bitmap.close();
+			this.decoded.delete(id);
+		}
+	}
+	get bytes() {
+		return [...[...this.held.values()].flatMap(({ copy, details }) => [copy, ...details.values()].map((piece) => piece?.bitmap)), ...this.decoded.values()].reduce((sum, bitmap) => sum + (bitmap == null ? 0 : sizeOf(bitmap)), 0);
+	}
+	wish(wish) {
+		this.wishes.set(nameOfWish(wish), wish);
+		if (!this.working) this.work();
+	}
+	async work() {
+		this.working = true;
+		for (let next = this.wishes.values().next().value; next !== void 0; next = this.wishes.values().next().value) {
+			this.wishes.delete(nameOfWish(next));
+			await this.fulfil(next);
+			this.arrived();
+		}
+		this.working = false;
+	}
+	async fulfil({ file, size, slot, part, level }) {
+		const whole = await this.whole(file, size).catch((error) => error instanceof Cancelled ? void 0 : null);
+		const held = this.held.get(file.id);
+		if (held === void 0 || whole === void 0) return;
+		if (whole === null) {
+			held.failed = true;
+			return;
+		}
+		try {
+			if (part === null) {
+				const step = 2 ** Math.max(0, Math.ceil(Math.log2(Math.max(size.width, size.height) / COPY_SIDE)));
+				held.copy = await pieceOf(whole, [
+					0,
+					0,
+					size.width,
+					size.height
+				], step);
+			} else {
+				const detail = await pieceOf(whole, part, 2 ** level);
+				held.details.get(slot)?.bitmap.close();
+				held.details.set(slot, {
+					...detail,
+					part,
+					level
+				});
+			}
+		} catch {}
+		this.forgetOldest();
+	}
+	async whole(file, size) {
+		const known = this.decoded.get(file.id);
+		if (known !== void 0) {
+			this.decoded.delete(file.id);
+			this.decoded.set(file.id, known);
+			return known;
+		}
+		const fits = (bitmap) => bitmap.width === size.width && bitmap.height === size.height;
+		const colour = await decodeColour(new Uint8Array(await file.file.arrayBuffer()));
+		if (colour !== null && !fits(colour)) colour.close();
+		const made = colour !== null && fits(colour) ? colour : await this.grey(file.file);
+		if (!fits(made)) return null;
+		if (this.held.has(file.id)) this.decoded.set(file.id, made);
+		return made;
+	}
+	forgetOldest() {
+		let sum = [...this.decoded.values()].reduce((all, bitmap) => all + sizeOf(bitmap), 0);
+		for (const [id, bitmap] of this.decoded) {
+			if (sum <= MOST_DECODED) return;
+			sum -= sizeOf(bitmap);
+			bitmap.close();
+			this.decoded.delete(id);
+		}
+	}
+};
+function nameOfWish({ file, slot }) {
+	return `${String(file.id)} ${slot}`;
+}
+function sizeOf({ width, height }) {
+	return 4 * width * height;
+}
+function covers(outer, inner) {
+	return outer[0] <= inner[0] && outer[1] <= inner[1] && outer[2] >= inner[2] && outer[3] >= inner[3];
+}
+function withMargin([left, top, right, bottom], { width, height }) {
+	const [dx, dy] = [right - left, bottom - top].map((length) => Math.max(MARGIN$1 * length, LEAST_MARGIN));
+	return [
+		Math.max(0, Math.floor(left - dx)),
+		Math.max(0, Math.floor(top - dy)),
+		Math.min(width, Math.ceil(right + dx)),
+		Math.min(height, Math.ceil(bottom + dy))
+	];
+}
+async function pieceOf(whole, [left, top, right, bottom], step) {
+	const [width, height] = [Math.max(1, Math.floor((right - left) / step)), Math.max(1, Math.floor((bottom - top) / step))];
+	return {
+		bitmap: await createImageBitmap(whole, left, top, width * step, height * step, {
+			resizeWidth: width,
+			resizeHeight: height,
+			resizeQuality: "medium"
+		}),
+		x: left,
+		y: top,
+		step
+	};
+}
+// www/block/view/images/keys.ts
+var ARROWS = {
+	ArrowLeft: [-1, 0],
+	ArrowRight: [1, 0],
+	ArrowUp: [0, -1],
+	ArrowDown: [0, 1]
+};
+var FINE = .1;
+var COARSE = 1;
+function measuringKeys(view) {
+	const { measuring } = view;
+	const drafts = () => measuring.draft !== null;
+	const shown = (act) => (shift) => {
+		act(shift);
+		view.opening.showDraft();
+	};
+	const inPane = (act) => shown((shift) => {
+		const pane = view.seen.active();
+		if (pane !== null) act(pane, shift);
+	});
+	const places = () => drafts() && view.seen.active() !== null;
+	const nudge = ([key, [dx, dy]]) => ({
+		keys: [key],
+		does: say("moves-the-measured-point-by"),
+		can: places,
+		run: inPane((pane, shift) => {
+			const step = shift ? COARSE : FINE;
+			measuring.nudge(pane, step * dx, step * dy);
+		})
+	});
+	const settle = (pane) => {
+		const { rect, transform } = pane;
+		measuring.settle(pane, toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2));
+	};
+	return [
+		{
+			keys: ["e"],
+			does: say("measures-the-chosen-point"),
+			run: shown(() => measuring.toggle(false))
+		},
+		{
+			keys: ["a"],
+			does: say("measures-a-new-tie-point"),
+			run: shown(() => measuring.toggle(true))
+		},
+		{
+			keys: ["f"],
+			does: say("matches-the-point-in-the"),
+			run: shown(() => view.match())
+		},
+		{
+			keys: ["Escape"],
+			does: say("gives-up-measuring"),
+			can: places,
+			run: shown(() => measuring.leave())
+		},
+		{
+			keys: ["Enter"],
+			does: say("takes-the-middle-of-the"),
+			can: places,
+			run: inPane(settle)
+		},
+		...Object.entries(ARROWS).map(nudge)
+	];
+}
+function looking(view) {
+	const { store } = view.seen;
+	const look = () => store.state.panes.look;
+	const step = (by) => {
+		if (view.measuring.draft === null) view.step(by);
+	};
+	return [
+		{
+			keys: ["n"],
+			does: say("chooses-the-next-tie-point"),
+			run: () => step(1)
+		},
+		{
+			keys: ["p"],
+			does: say("chooses-the-previous-tie-point"),
+			run: () => step(-1)
+		},
+		{
+			keys: ["1"],
+			does: say("shows-one-image-pixel-as"),
+			run: () => view.moving.actualSize()
+		},
+		{
+			keys: ["PageDown"],
+			does: say("shows-the-next-images"),
+			run: () => view.turn(1)
+		},
+		{
+			keys: ["PageUp"],
+			does: say("shows-the-previous-images"),
+			run: () => view.turn(-1)
+		},
+		{
+			keys: ["o"],
+			does: say("goes-to-the-next-pane"),
+			run: () => view.other()
+		},
+		{
+			keys: ["l"],
+			does: say("links-all-panes-or-no"),
+			run: () => store.dispatch({
+				type: "look",
+				look: { linked: !look().linked }
+			})
+		},
+		{
+			keys: ["m"],
+			does: say("shows-the-loupe-or-no"),
+			run: () => store.dispatch({
+				type: "look",
+				look: { loupe: !look().loupe }
+			})
+		},
+		{
+			keys: ["u"],
+			does: say("shows-images-in-which-the"),
+			run: () => store.dispatch({
+				type: "look",
+				look: { unmeasured: !look().unmeasured }
+			})
+		},
+		{
+			keys: ["Escape"],
+			does: say("chooses-nothing"),
+			run: () => store.dispatch({
+				type: "choose",
+				choice: null
+			})
+		}
+	];
+}
+// www/block/view/images/grid.ts
+var GAP = 4;
+function columnsOf(count, width, height, ratio, narrow) {
+	if (narrow) return 1;
+	const scale = (columns) => Math.min(width / columns, ratio * height / Math.ceil(count / columns));
+	return Array.from({ length: count }, (_, i) => i + 1).reduce((best, columns) => scale(columns) > scale(best) * 1.001 ? columns : best, 1);
+}
+function gridOf(count, columns, width, height) {
+	const rows = Math.ceil(count / columns);
+	return Array.from({ length: count }, (_, i) => {
+		const row = Math.floor(i / columns);
+		const [left, right] = edges(width, row === rows - 1 ? count - row * columns : columns, i - row * columns);
+		const [top, bottom] = edges(height, rows, row);
+		return {
+			left,
+			top,
+			width: Math.max(1, right - left),
+			height: Math.max(1, bottom - top)
+		};
+	});
+}
+function edges(length, parts, part) {
+	const side = (length - GAP * (parts - 1)) / parts;
+	return [Math.round(part * (side + GAP)), Math.round(part * (side + GAP) + side)];
+}
+// www/block/view/images/scene.ts
+var byName = remember((files, made) => new Map([...files, ...made].map((file) => [file.name, file])));
+var NO_FILES = [];
+function panesOf(state, view, facts, columns, width, height) {
+	const images = shownImages(state.panes, view);
+	const files = byName(state.files, state.shown?.files ?? NO_FILES);
+	const rects = gridOf(images.length, columns, width, height);
+	return images.flatMap((image, i) => {
+		const [of, rect] = [view.images[image], rects[i]];
+		if (of === void 0 || rect === void 0) return [];
+		return [{
+			image,
+			width: of.width,
+			height: of.height,
+			file: files.get(of.name) ?? null,
+			rect,
+			transform: transformOf(rect, paneView(state.panes, image, rect, of)),
+			points: facts.points(image)
+		}];
+	});
+}
+function paneView({ views, whole }, image, rect, of) {
+	const own = views.get(image);
+	if (own !== void 0) return inPane(own, rect);
+	return whole ? fitView(rect, of.width, of.height) : {
+		x: of.width / 2,
+		y: of.height / 2,
+		scale: fillScale(rect, of)
+	};
+}
+function fillScale({ width, height }, of) {
+	return Math.max(width / of.width, height / of.height);
+}
+function paneAt(panes, x, y) {
+	return panes.find(({ rect }) => contains(rect, x, y)) ?? null;
+}
+function isOn({ width, height }, [x, y]) {
+	return x >= 0 && y >= 0 && x <= width && y <= height;
+}
+// www/block/view/images/lenses.ts
+var DRAFT_SCALE = 6;
+var EDGE$1 = 8;
+function lensesAt(seen, panes, pointer, pointed) {
+	const from = panes.find(({ image }) => image === pointed.image);
+	const scale = Math.min(48, Math.max(4, (from?.transform.scale ?? 1) * 4));
+	return panes.flatMap((pane) => {
+		const own = pane === from;
+		const at = own ? pointed.at : seen.sameGround(from, pane, pointed.at);
+		if (at === null || !isOn(pane, at)) return [];
+		const rect = own ? besidePointer(pointer, pane.rect) : cornerOf(pane.rect);
+		return [{
+			pane,
+			rect,
+			transform: lensTransform(rect, at, scale)
+		}];
+	});
+}
+function draftLenses(measuring, panes) {
+	return panes.flatMap((pane) => {
+		const at = measuring.placeIn(pane);
+		if (at === null || !isOn(pane, at)) return [];
+		const rect = cornerOf(pane.rect);
+		return [{
+			pane,
+			rect,
+			transform: lensTransform(rect, at, Math.max(DRAFT_SCALE, pane.transform.scale))
+		}];
+	});
+}
+function besidePointer([x, y], { left, top, width, height }) {
+	const rect = lensRect([x - left, y - top], {
+		left: 0,
+		top: 0,
+		width,
+		height
+	});
+	return {
+		...rect,
+		left: left + rect.left,
+		top: top + Math.min(rect.top, height - rect.height)
+	};
+}
+function cornerOf({ left, top, width, height }) {
+	const side = Math.max(40, Math.min(176, width * .45, height * .45));
+	return {
+		left: left + width - EDGE$1 - side,
+		top: top + height - EDGE$1 - side,
+		width: side,
+		height: side
+	};
+}
+// www/block/state/in-common.ts
+var SAME = (at) => at;
+var toBlock = remember((view, control) => {
+	if (view.orthophoto?.kind === "linked") return SAME;
+	const inBlock = new Map(view.surveyed.map(({ name, position }) => [name, position]));
+	return similarity(pointsOfFile(control).flatMap(({ name, position }) => {
+		const own = inBlock.get(name);
+		return own === void 0 ? [] : [[[position[0], position[1]], [own[0], own[1]]]];
+	}));
+});
+function similarity(pairs) {
+	const mean = (of, axis) => pairs.reduce((sum, pair) => sum + pair[of][axis], 0) / pairs.length;
+	const [mx, my, mu, mv] = [
+		mean(0, 0),
+		mean(0, 1),
+		mean(1, 0),
+		mean(1, 1)
+	];
+	let [along, across, squares] = [
+		0,
+		0,
+		0
+	];
+	for (const [from, to] of pairs) {
+		const [x, y, u, v] = [
+			from[0] - mx,
+			from[1] - my,
+			to[0] - mu,
+			to[1] - mv
+		];
+		along += x * u + y * v;
+		across += x * v - y * u;
+		squares += x * x + y * y;
+	}
+	if (!(squares > 0)) return null;
+	const [a, b] = [along / squares, across / squares];
+	return ([x, y]) => [mu + a * (x - mx) - b * (y - my), mv + b * (x - mx) + a * (y - my)];
+}
+// www/block/view/images/measuring.ts
+var STEP$1 = 20;
+var MOST_NAMES$1 = 3;
+var NOWHERE = new Map();
+var STRAIGHT = [
+	1,
+	0,
+	0,
+	1
+];
+var Measuring = class {
+	store;
+	engine;
+	facts;
+	panes;
+	matching = false;
+	constructor(store, engine, facts, panes) {
+		this.store = store;
+		this.engine = engine;
+		this.facts = facts;
+		this.panes = panes;
+	}
+	get draft() {
+		return this.store.state.draft;
+	}
+	toggle(anew) {
+		const { state } = this.store;
+		if (state.draft !== null || !isEditable(state) || state.shown === null) {
+			this.set(null);
+			return;
+		}
+		const { chosen } = state.selection;
+		if (!anew && chosen?.kind === "given") {
+			this.set(begun({ given: chosen.name }));
+			return;
+		}
+		const [point, ...more] = pointsOf(chosen);
+		if (!anew && point !== void 0 && point >= state.shown.view.points.taking) return;
+		const of = anew || point === void 0 || more.length > 0 ? null : sourceOf$1(state.shown.view, point);
+		if (of === null && !anew) return;
+		if (of === null) this.store.dispatch({
+			type: "choose",
+			choice: null
+		});
+		else this.store.dispatch({
+			type: "look",
+			look: { unmeasured: true }
+		});
+		this.set(begun(of));
+	}
+	placeIn(pane) {
+		return this.draft?.places.get(pane.image)?.at ?? this.measured(pane.image) ?? this.expected(pane);
+	}
+	expected(pane) {
+		const { draft } = this;
+		if (draft === null || draft.places.has(pane.image)) return null;
+		if (isGiven(draft.of) && this.known().has(pane.image)) return null;
+		const elsewhere = this.detail()?.elsewhere.find(({ image }) => image === pane.image);
+		if (elsewhere !== void 0) return [elsewhere.x_px, elsewhere.y_px];
+		if (draft.of !== null && !isGiven(draft.of)) return null;
+		const [one, other] = this.sources(pane.image).map(({ image, at }) => this.facts.line(image, at, pane.image));
+		const both = one == null || other == null ? null : crossing(one, other);
+		if (both !== null) return both;
+		const [first] = this.known();
+		const from = first === void 0 ? void 0 : this.panes().find(({ image }) => image === first[0]);
+		const near = this.ofGround(pane) ?? (first === void 0 || from?.points == null || pane.points === null ? null : inOtherImage(from.points, pane.points, first[1]));
+		if (first === void 0) return near;
+		const line = this.facts.line(first[0], first[1], pane.image);
+		return near === null || line === null ? near : onLine(line, near);
+	}
+	ofGround(pane) {
+		const { shown, selection, options } = this.store.state;
+		const { chosen } = selection;
+		if (shown === null || chosen?.kind !== "given" || pane.points === null) return null;
+		const point = shown.view.given?.find(({ name }) => name === chosen.name);
+		const ground = toBlock(shown.view, options.control);
+		if (point === void 0 || ground === null) return null;
+		const at = placeOfGround(pane.points, shown.view.points, ground([point.position[0], point.position[1]]));
+		return at !== null && isOn(pane, at) ? at : null;
+	}
+	marks() {
+		const { shown, selection, options, marks } = this.store.state;
+		return shown === null || selection.chosen?.kind !== "given" ? NOWHERE : placesOfGiven(selection.chosen.name, shown.view, options.marks, marks);
+	}
+	known() {
+		const { draft } = this;
+		if (draft === null) return NOWHERE;
+		const own = [...draft.places].map(([image, { at }]) => [image, at]);
+		return new Map([...isGiven(draft.of) ? this.marks() : [], ...own]);
+	}
+	sources(image) {
+		return [...this.known()].filter(([other]) => other !== image).slice(-2).map(([other, at]) => ({
+			image: other,
+			at
+		}));
+	}
+	place(pane, at) {
+		if (this.draft !== null) this.set(placed$1(this.draft, pane.image, at, pane));
+	}
+	nudge(pane, dx, dy) {
+		const at = this.placeIn(pane);
+		if (at !== null) this.place(pane, [at[0] + dx, at[1] + dy]);
+	}
+	settle(pane, middle) {
+		const { draft } = this;
+		if (draft === null) return;
+		if (draft.places.has(pane.image) || this.measured(pane.image) !== null) this.accept();
+		else this.place(pane, this.expected(pane) ?? middle);
+	}
+	accept() {
+		const { draft, shown, history } = this.store.state;
+		const names = shown?.view.images.map(({ name }) => name) ?? [];
+		const step = draft === null ? null : stepOfDraft(draft, names, history.done);
+		if (step !== null) this.store.dispatch(step);
+	}
+	leave() {
+		if (this.draft === null) return false;
+		this.set(null);
+		return true;
+	}
+	async match(from) {
+		if (this.draft === null) this.toggle(false);
+		const at = from === null ? null : this.placeIn(from);
+		if (this.matching || this.draft === null || from?.file == null || at === null) return;
+		this.matching = true;
+		const { draft } = this;
+		const names = new Map(this.store.state.shown?.view.images.map(({ name }, image) => [image, name]));
+		this.tell("busy", say("matching-in-the-other-images", { image: names.get(from.image) ?? "" }));
+		try {
+			const left = await this.engine.window(from.file.file, at, null);
+			const others = this.panes().filter((pane) => pane.image !== from.image && pane.file !== null);
+			const found = await Promise.all(others.map(async (pane) => {
+				const near = this.placeIn(pane);
+				if (near === null || pane.file === null) return null;
+				return {
+					pane,
+					place: await this.engine.matched(left, pane.file.file, near, turnOf(from, pane, at))
+				};
+			}));
+			if (this.draft === draft) this.take(from, at, found.filter((one) => one !== null), names);
+			else if (this.store.state.notice?.kind === "busy") this.store.dispatch({
+				type: "notice",
+				notice: null
+			});
+		} catch (error) {
+			if (error instanceof Cancelled) this.tell("info", say("cancelled-nothing-was-matched"));
+			else this.tell("problem", say("not-matched", { error: messageOf(error) }));
+		}
+		this.matching = false;
+	}
+	take(from, at, found, names) {
+		if (this.draft === null) return;
+		const own = this.draft.of === null || isGiven(this.draft.of) && this.measured(from.image) === null ? placed$1(this.draft, from.image, at, from) : this.draft;
+		this.set(found.reduce((draft, { pane, place }) => place === null ? draft : placed$1(draft, pane.image, place, pane, "least_squares"), own));
+		const lost = found.filter(({ place }) => place === null).map(({ pane }) => names.get(pane.image) ?? "");
+		const count = found.length - lost.length;
+		const done = say("matched-in-of-images", {
+			count,
+			found: found.length,
+			what: count > 0 ? say("enter-accepts") : ""
+		}).trim();
+		const where = lost.length > MOST_NAMES$1 ? say("images-4", { lost: lost.length }) : lost.join(", ");
+		this.tell("info", lost.length === 0 ? done : say("no-match-is-confirmed-in", {
+			done,
+			where
+		}));
+	}
+	measured(image) {
+		if (isGiven(this.draft?.of ?? null)) return this.marks().get(image) ?? null;
+		const own = this.detail()?.observations.find((one) => one.image === image);
+		return own === void 0 ? null : [own.x_px, own.y_px];
+	}
+	detail() {
+		const { draft, shown } = this.store.state;
+		if (draft?.of == null || isGiven(draft.of) || shown === null) return null;
+		const point = indexOfSource(shown.view, draft.of);
+		return point < 0 ? null : this.facts.point(point);
+	}
+	set(draft) {
+		if (draft !== this.store.state.draft) this.store.dispatch({
+			type: "draft",
+			draft
+		});
+	}
+	tell(kind, text) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind,
+				text,
+				beside: kind !== "problem"
+			}
+		});
+	}
+};
+function turnOf(from, to, [x, y]) {
+	const { points: own } = from;
+	const { points: other } = to;
+	if (own === null || other === null) return STRAIGHT;
+	const [middle, across, down] = [
+		[x, y],
+		[x + STEP$1, y],
+		[x, y + STEP$1]
+	].map(([u = 0, v = 0]) => inOtherImage(own, other, [u, v]));
+	if (middle == null || across == null || down == null) return STRAIGHT;
+	return [
+		(across[0] - middle[0]) / STEP$1,
+		(across[1] - middle[1]) / STEP$1,
+		(down[0] - middle[0]) / STEP$1,
+		(down[1] - middle[1]) / STEP$1
+	];
+}
+// www/block/view/images/moving.ts
+var Moving = class {
+	seen;
+	constructor(seen) {
+		this.seen = seen;
+	}
+	pan(image, dx, dy) {
+		this.change(image, (pane, own) => ({
+			...own,
+			x: own.x - dx / pane.transform.scale,
+			y: own.y - dy / pane.transform.scale
+		}));
+	}
+	zoom(image, factor, x, y) {
+		this.change(image, (pane, own, least) => zoomed(pane.rect, own, factor, x, y, least));
+	}
+	fit() {
+		this.seen.store.dispatch({ type: "wholeImages" });
+	}
+	zoomMiddle(factor) {
+		const pane = this.seen.active();
+		if (pane === null) return;
+		const { rect } = pane;
+		const middle = [rect.left + rect.width / 2, rect.top + rect.height / 2];
+		const [point] = pointsOf(this.seen.store.state.selection.chosen);
+		const place = point === void 0 || pane.points === null ? null : placeOfPoint(pane.points, point);
+		const at = place === null ? middle : toCanvas(pane.transform, ...place);
+		this.zoom(pane.image, factor, ...contains(rect, ...at) ? at : middle);
+	}
+	actualSize() {
+		const pane = this.seen.active();
+		if (pane !== null) this.zoomMiddle(1 / pane.transform.scale);
+	}
+	change(image, next) {
+		const { state } = this.seen.store;
+		const panes = this.seen.panes();
+		const moved = (pane) => {
+			const { scale } = fitView(pane.rect, pane.width, pane.height);
+			return clamped(next(pane, paneView(state.panes, pane.image, pane.rect, pane), scale / 4), pane);
+		};
+		const leader = panes.find((pane) => pane.image === image);
+		if (leader === void 0) return;
+		const own = moved(leader);
+		const views = new Map([[image, own]]);
+		if (state.panes.look.linked) {
+			for (const pane of panes) if (pane !== leader) views.set(pane.image, followed(leader, own, pane, moved(pane)));
+		}
+		this.seen.store.dispatch({
+			type: "moveViews",
+			views
+		});
+	}
+};
+function followed(leader, { x, y }, pane, own) {
+	const ground = leader.points === null || pane.points === null ? null : inOtherImage(leader.points, pane.points, [x, y]);
+	return ground === null ? own : clamped({
+		x: ground[0],
+		y: ground[1],
+		scale: own.scale
+	}, pane);
+}
+// www/block/view/images/observations.ts
+var STYLES$1 = [
+	ACCEPTED,
+	REJECTED,
+	REJECTED_BY_HAND,
+	MEASURED
+];
+var BY_HAND$1 = 3;
+var drawnOf = new WeakMap();
+function drawn(of) {
+	const known = drawnOf.get(of);
+	if (known !== void 0) return known;
+	const made = {
+		points: new Float64Array(3 * of.points.length),
+		vectors: new Float64Array(4 * of.points.length)
+	};
+	for (let i = 0; i < of.points.length; i++) {
+		made.points.set(of.places.subarray(2 * i, 2 * i + 2), 3 * i);
+		made.vectors.set(of.places.subarray(2 * i, 2 * i + 2), 4 * i);
+		made.vectors.set(of.residuals.subarray(2 * i, 2 * i + 2), 4 * i + 2);
+	}
+	drawnOf.set(of, made);
+	return made;
+}
+var grids = new WeakMap();
+function nearestRow(of, { width, height }, x, y, radius, keeps) {
+	const grid = grids.get(of) ?? new PointGrid(drawn(of).points, width, height);
+	grids.set(of, grid);
+	return grid.nearest(x, y, radius, (row) => keeps(of.points[row] ?? -1));
+}
+var NOT_DRAWN$1 = 255;
+function codesOf$1({ points, parts }, { byHand, keeps }) {
+	return parts.map((part, i) => {
+		const point = points[i] ?? -1;
+		if (!keeps(point)) return NOT_DRAWN$1;
+		return part === 0 && byHand.has(point) ? BY_HAND$1 : part;
+	});
+}
+function drawObservations(context, of, marked, t, clip) {
+	const half = halfSize(t.scale);
+	const styles = Float64Array.from(STYLES$1.flatMap(({ shape }, code) => [
+		shape,
+		code === 1 || code === 2 ? .85 * half : half,
+		1.6
+	]));
+	draw_points(context, drawn(of).points, codesOf$1(of, marked), styles, STYLES$1.map(({ colour }) => colour), drawView(t, clip));
+}
+function drawResiduals(context, of, marked, factor, { transform, rect }) {
+	const colours = [
+		RESIDUAL,
+		RESIDUAL_REJECTED,
+		RESIDUAL_REJECTED,
+		RESIDUAL
+	];
+	draw_vectors(context, drawn(of).vectors, codesOf$1(of, marked), Float64Array.of(1.4, 1.4, 1.4, 1.4), colours, factor, drawView(transform, rect));
+}
+var BAR$1 = 70;
+function drawScaleBar(context, factor, { transform, rect }) {
+	const { px, length } = barOf(factor * transform.scale);
+	const [x, y] = [rect.left + 10, rect.top + rect.height - 10];
+	const text = say("px-4", {
+		px,
+		factor
+	});
+	within(context, rect, () => {
+		context.font = "11px system-ui, sans-serif";
+		const width = Math.max(length, context.measureText(text).width) + 12;
+		context.fillStyle = "rgb(20 23 26 / 0.72)";
+		context.fillRect(x - 6, y - 22, width, 28);
+		context.fillStyle = "#f2f4f5";
+		context.fillText(text, x, y - 10);
+		context.strokeStyle = RESIDUAL;
+		context.lineWidth = 2;
+		context.beginPath();
+		for (const [from, to] of [
+			[[x, y], [x + length, y]],
+			[[x, y - 4], [x, y + 4]],
+			[[x + length, y - 4], [x + length, y + 4]]
+		]) {
+			context.moveTo(...from);
+			context.lineTo(...to);
+		}
+		context.stroke();
+	});
+}
+function barOf(scale) {
+	const wanted = BAR$1 / scale;
+	const power = 10 ** Math.floor(Math.log10(wanted));
+	const digit = [
+		5,
+		2,
+		1
+	].find((step) => step * power <= wanted) ?? 1;
+	const px = Number((digit * power).toPrecision(1));
+	return {
+		px,
+		length: px * scale
+	};
+}
+// www/block/state/footprints.ts
+function footprintsAt(footprints, [x, y]) {
+	const found = [];
+	for (let image = 0; 8 * image < footprints.length; image += 1) {
+		const corners = footprints.subarray(8 * image, 8 * image + 8);
+		if (!holds(corners, x, y)) continue;
+		const middle = (axis) => [
+			0,
+			1,
+			2,
+			3
+		].reduce((sum, corner) => sum + (corners[2 * corner + axis] ?? NaN), 0) / 4;
+		found.push({
+			image,
+			far: Math.hypot(middle(0) - x, middle(1) - y)
+		});
+	}
+	return found.sort((a, b) => a.far - b.far).map(({ image }) => image);
+}
+function holds(corners, x, y) {
+	const sides = [
+		0,
+		1,
+		2,
+		3
+	].map((i) => {
+		const [ax, ay, bx, by] = [
+			corners[2 * i],
+			corners[2 * i + 1],
+			corners[(2 * i + 2) % 8],
+			corners[(2 * i + 3) % 8]
+		].map((value) => value ?? NaN);
+		return ((bx ?? NaN) - (ax ?? NaN)) * (y - (ay ?? NaN)) - ((by ?? NaN) - (ay ?? NaN)) * (x - (ax ?? NaN));
+	});
+	return sides.every((side) => side >= 0) || sides.every((side) => side <= 0);
+}
+// www/block/view/images/opening.ts
+var LEAST_SCALE = 1;
+var Opening = class {
+	seen;
+	measuring;
+	openedAt = null;
+	shownFor = null;
+	pending = new Set();
+	last = null;
+	constructor(seen, measuring) {
+		this.seen = seen;
+		this.measuring = measuring;
+	}
+	again() {
+		this.openedAt = null;
+	}
+	follow() {
+		const { onStage, panes, selection, shown } = this.seen.store.state;
+		if (shown === null) return;
+		const { view, found } = shown;
+		this.afterEdit(found, view);
+		if (onStage !== "images") return;
+		const chosen = this.seen.chosen();
+		if (chosen === null) {
+			if (selection.chosen === null) this.openedAt = null;
+			if (selection.chosen?.kind === "given") {
+				this.showGiven(selection.chosen, view);
+				return;
+			}
+			if (selection.chosen !== this.shownFor) this.showChosenImages(selection.chosen, view);
+			return;
+		}
+		const { unmeasured } = panes.look;
+		const { openedAt } = this;
+		const source = this.sourceOf(view, chosen.point);
+		if (openedAt?.found === found && openedAt.source === source && openedAt.unmeasured === unmeasured) return;
+		this.openedAt = {
+			found,
+			source,
+			unmeasured
+		};
+		this.open(chosen.detail, view);
+	}
+	showDraft() {
+		const panes = this.seen.panes();
+		const scale = Math.max(LEAST_SCALE, ...panes.map(({ transform }) => transform.scale));
+		const views = panes.flatMap((pane) => {
+			const at = this.measuring.placeIn(pane);
+			if (at === null || !isOn(pane, at)) return [];
+			const { left, top, width, height } = pane.rect;
+			const inner = {
+				left: left + width / 8,
+				top: top + height / 8,
+				width: .75 * width,
+				height: .75 * height
+			};
+			return contains(inner, ...toCanvas(pane.transform, ...at)) ? [] : [[pane.image, viewAt(at, scale)]];
+		});
+		if (views.length > 0) this.seen.store.dispatch({
+			type: "moveViews",
+			views: new Map(views)
+		});
+	}
+	afterEdit(found, view) {
+		const { last } = this;
+		this.last = {
+			found,
+			view
+		};
+		if (last?.found !== found || last.view === view || this.openedAt === null) return;
+		const [point] = pointsOf(this.seen.store.state.selection.chosen);
+		if (point !== void 0) this.openedAt = {
+			...this.openedAt,
+			source: this.sourceOf(view, point)
+		};
+	}
+	sourceOf({ points }, point) {
+		return points.sources[point] ?? codeOfSource({ tie_point: point });
+	}
+	showGiven(chosen, view) {
+		const { store } = this.seen;
+		if (chosen !== this.shownFor) {
+			const images = this.imagesOfGiven(chosen.name, view);
+			if (images === null) return;
+			this.shownFor = chosen;
+			this.openedAt = null;
+			store.dispatch({
+				type: "showImages",
+				images
+			});
+			this.pending = new Set(images);
+		}
+		if (this.pending.size === 0) return;
+		const marks = this.measuring.marks();
+		const panes = this.seen.panes().filter(({ image }) => this.pending.has(image));
+		const full = Math.max(LEAST_SCALE, ...panes.map((pane) => fillScale(pane.rect, pane)));
+		const views = panes.flatMap((pane) => {
+			const at = marks.get(pane.image) ?? this.measuring.ofGround(pane);
+			return at === null ? [] : [[pane.image, viewAt(at, full)]];
+		});
+		const moved = new Set(views.map(([image]) => image));
+		const done = new Set(panes.filter(({ image, points }) => moved.has(image) || points !== null).map(({ image }) => image));
+		if (done.size > 0) this.pending = new Set([...this.pending].filter((image) => !done.has(image)));
+		if (views.length > 0) store.dispatch({
+			type: "moveViews",
+			views: new Map(views)
+		});
+	}
+	imagesOfGiven(name, view) {
+		const { options, panes } = this.seen.store.state;
+		const measured = [...this.measuring.marks().keys()];
+		const point = view.given?.find((own) => own.name === name);
+		const ground = toBlock(view, options.control);
+		const within = ground === null ? null : this.seen.facts.ground();
+		if (ground !== null && within === null) return null;
+		const all = view.images.map((_, image) => image);
+		const at = point === void 0 || ground === null ? null : ground([point.position[0], point.position[1]]);
+		const likely = at === null || within === null ? [] : footprintsAt(within.footprints, at);
+		const others = likely.length > 0 ? likely : [...shownImages(panes, view), ...all];
+		return [...new Set([...measured, ...others])].slice(0, 9);
+	}
+	showChosenImages(chosen, view) {
+		this.shownFor = chosen;
+		const images = chosen?.kind === "image" || chosen?.kind === "pair" ? imagesOf(chosen) : [];
+		const shown = shownImages(this.seen.store.state.panes, view);
+		const is = images.every((image) => shown.includes(image)) && (chosen?.kind === "image" || shown.length === images.length);
+		if (images.length > 0 && !is) this.seen.store.dispatch({
+			type: "showImages",
+			images
+		});
+	}
+	open(detail, view) {
+		const { store } = this.seen;
+		const { panes } = store.state;
+		const places = new Map(detail.observations.map(({ image, x_px, y_px }) => [image, [x_px, y_px]]));
+		const isSurveyed = detail.id !== null && "ground_control" in detail.id;
+		if (panes.look.unmeasured || isSurveyed) for (const { image, x_px, y_px } of detail.elsewhere) places.set(image, [x_px, y_px]);
+		if (places.size === 0) return;
+		const before = shownImages(panes, view);
+		const scale = this.seen.active()?.transform.scale ?? 0;
+		const images = [...before.filter((image) => places.has(image)), ...[...places.keys()].filter((image) => !before.includes(image))].slice(0, 9);
+		store.dispatch({
+			type: "showImages",
+			images
+		});
+		const full = Math.max(LEAST_SCALE, scale, ...this.seen.panes().map((pane) => fillScale(pane.rect, pane)));
+		store.dispatch({
+			type: "moveViews",
+			views: new Map(images.map((image) => [image, viewAt(places.get(image), full)]))
+		});
+	}
+};
+function viewAt(at, scale) {
+	const [x, y] = at ?? [0, 0];
+	return {
+		x,
+		y,
+		scale
+	};
+}
+// www/block/view/images/paint.ts
+var MOST_RINGS = 3e3;
+function paintPictures(context, bitmaps, panes, ratio) {
+	for (const pane of panes) paintPart(context, bitmaps, pane, pane.transform, pane.rect, "pane", ratio);
+	bitmaps.keep(new Set(panes.flatMap(({ file }) => file?.id ?? [])));
+}
+function paintLenses(context, bitmaps, lenses, ratio) {
+	for (const { pane, rect, transform } of lenses) paintPart(context, bitmaps, pane, transform, rect, "loupe", ratio);
+}
+function paintPart(context, bitmaps, pane, t, clip, slot, ratio) {
+	within(context, clip, () => {
+		context.fillStyle = "#0c0e10";
+		context.fillRect(clip.left, clip.top, clip.width, clip.height);
+		if (pane.file === null) return;
+		smooth(context, t.scale, ratio);
+		const part = visiblePart(pane, t, clip);
+		for (const { bitmap, x, y, step } of bitmaps.pieces(pane.file, pane, slot, part, t.scale * ratio)) paintBitmap(context, bitmap, x, y, step, part, t);
+	});
+}
+function paintMarks(context, seen, panes) {
+	const { points: shown, vectors } = seen.store.state.panes.look;
+	for (const pane of panes) {
+		const { points, rect, transform } = pane;
+		if (points !== null) within(context, rect, () => {
+			if (shown) drawObservations(context, points, seen.marked(pane.image), transform, rect);
+			if (vectors > 0) drawResiduals(context, points, seen.marked(pane.image), vectors, pane);
+		});
+		if (vectors > 0) drawScaleBar(context, vectors, pane);
+	}
+}
+function paintOverlay(context, seen, measuring, panes, lenses, pointed) {
+	paintChosen(context, seen, panes);
+	paintGiven(context, measuring, panes);
+	paintLines$1(context, seen, measuring, panes, pointed);
+	paintDraft(context, seen, measuring, panes);
+	for (const { pane, rect, transform } of lenses) {
+		within(context, rect, () => {
+			if (pane.points !== null) drawObservations(context, pane.points, seen.marked(pane.image), transform, rect);
+			crosshair(context, rect);
+		});
+		lensFrame(context, rect);
+	}
+}
+function paintChosen(context, seen, panes) {
+	const { chosen, pointed } = seen.store.state.selection;
+	const alone = seen.chosen();
+	for (const pane of panes) {
+		const { points } = pane;
+		if (points === null) continue;
+		within(context, pane.rect, () => {
+			for (const point of pointsOf(chosen).subarray(0, MOST_RINGS)) {
+				const place = placeOfPoint(points, point);
+				if (place !== null) ring(context, pane, place, 9, SELECTED, 2.5);
+			}
+			for (const point of pointsOf(pointed).subarray(0, 1)) {
+				const place = placeOfPoint(points, point);
+				if (place !== null) ring(context, pane, place, 7, CANDIDATE, 1.5);
+			}
+			const predicted = alone?.detail.observations.find(({ image }) => image === pane.image)?.predicted_px;
+			if (predicted != null) paintPredicted(context, pane, predicted);
+			const elsewhere = alone?.detail.elsewhere.find(({ image }) => image === pane.image);
+			if (elsewhere !== void 0) drawExpected(context, pane, [elsewhere.x_px, elsewhere.y_px]);
+		});
+	}
+}
+function paintGiven(context, measuring, panes) {
+	const marks = measuring.marks();
+	for (const pane of panes) within(context, pane.rect, () => {
+		const place = marks.get(pane.image);
+		const expected = place === void 0 && measuring.draft === null ? measuring.ofGround(pane) : null;
+		if (place !== void 0) ring(context, pane, place, 9, SELECTED, 2.5);
+		if (expected !== null) drawExpected(context, pane, expected);
+	});
+}
+function sourceOfLines(seen, panes, pointed) {
+	const pane = pointed === null ? seen.active() : panes.find(({ image }) => image === pointed.image) ?? null;
+	const [point] = pointsOf(seen.store.state.selection.chosen);
+	const place = point === void 0 || pane?.points == null ? null : placeOfPoint(pane.points, point);
+	if (pane !== null && place !== null) return {
+		image: pane.image,
+		at: place
+	};
+	return seen.store.state.panes.look.loupe ? pointed : null;
+}
+function paintLines$1(context, seen, measuring, panes, pointed) {
+	const source = sourceOfLines(seen, panes, pointed);
+	for (const pane of panes) {
+		const measured = measuring.sources(pane.image);
+		for (const { image, at } of measured.length > 0 || source === null || source.image === pane.image ? measured : [source]) {
+			const line = seen.facts.line(image, at, pane.image);
+			if (line !== null && line.length > 0) drawLine(context, pane, line);
+		}
+	}
+}
+function paintDraft(context, seen, measuring, panes) {
+	if (measuring.draft === null) return;
+	const active = seen.active()?.image;
+	for (const pane of panes) {
+		const expected = measuring.expected(pane);
+		if (expected !== null) drawExpected(context, pane, expected);
+		const at = measuring.placeIn(pane);
+		if (at !== null) drawCross$1(context, pane, at, pane.image === active);
+	}
+}
+function paintPredicted(context, pane, at) {
+	const [x, y] = toCanvas(pane.transform, ...at);
+	const path = new Path2D();
+	path.moveTo(x - 4, y - 4);
+	path.lineTo(x + 4, y + 4);
+	path.moveTo(x - 4, y + 4);
+	path.lineTo(x + 4, y - 4);
+	context.lineWidth = 3;
+	context.strokeStyle = "rgb(0 0 0 / 0.6)";
+	context.stroke(path);
+	context.lineWidth = 1.5;
+	context.strokeStyle = CANDIDATE;
+	context.stroke(path);
+}
+// www/block/view/images/seen.ts
+var NARROW = 720;
+var NOBODY = new Set();
+var Seen = class {
+	store;
+	facts;
+	size;
+	constructor(store, facts, size) {
+		this.store = store;
+		this.facts = facts;
+		this.size = size;
+	}
+	view() {
+		return this.store.state.shown?.view ?? null;
+	}
+	get isNarrow() {
+		return window.innerWidth < NARROW;
+	}
+	panes() {
+		const view = this.view();
+		if (view === null) return [];
+		const { width, height } = this.size();
+		return panesOf(this.store.state, view, this.facts, this.columns(view, width, height), width, height);
+	}
+	active() {
+		const panes = this.panes();
+		return panes.find(({ image }) => image === this.store.state.panes.active) ?? panes[0] ?? null;
+	}
+	chosen() {
+		const [point, ...more] = pointsOf(this.store.state.selection.chosen);
+		if (point === void 0 || more.length > 0) return null;
+		const detail = this.facts.point(point);
+		return detail === null ? null : {
+			point,
+			detail
+		};
+	}
+	marked(image) {
+		const { shown, selection } = this.store.state;
+		if (shown === null) return {
+			byHand: NOBODY,
+			keeps: () => false
+		};
+		return {
+			byHand: handMeasured(shown.view, shown.edits).get(image) ?? NOBODY,
+			keeps: keptBy("points", shown.view, selection)
+		};
+	}
+	sameGround(from, to, at) {
+		if (from?.points == null || to.points === null) return null;
+		const moved = inOtherImage(from.points, to.points, at);
+		const [point] = pointsOf(this.store.state.selection.chosen);
+		const [own, other] = point === void 0 ? [null, null] : [placeOfPoint(from.points, point), placeOfPoint(to.points, point)];
+		const known = own === null ? null : inOtherImage(from.points, to.points, own);
+		if (moved === null || own === null || other === null || known === null) return moved;
+		return [moved[0] + other[0] - known[0], moved[1] + other[1] - known[1]];
+	}
+	columns(view, across, down) {
+		const images = shownImages(this.store.state.panes, view);
+		const { width = 4, height = 3 } = view.images[images[0] ?? 0] ?? {};
+		return columnsOf(images.length, across, down, width / height, this.isNarrow);
+	}
+};
+var handMeasured = remember((view, edits) => {
+	const { measured } = standingOf(edits);
+	const indices = new Map([...view.points.sources].map((code, point) => [code, point]));
+	return new Map([...measured].map(([image, codes]) => [image, new Set([...codes].flatMap((code) => indices.get(code) ?? []))]));
+});
+// www/block/view/images/images.ts
+var LAYERS = [
+	"pictures",
+	"marks",
+	"lenses",
+	"overlay"
+];
+var REACH$3 = 14;
+var NARROW_HEIGHT = 220;
+var ImagesView = class {
+	host;
+	store;
+	looking;
+	seen;
+	measuring;
+	moving;
+	opening;
+	layers;
+	bitmaps;
+	pointer = null;
+	listeners = [];
+	constructor(host, store, looking$1, facts, engine) {
+		this.host = host;
+		this.store = store;
+		this.looking = looking$1;
+		this.layers = new Layers(host, LAYERS, (name, context) => this.draw(name, context));
+		this.seen = new Seen(store, facts, () => this.layers);
+		this.bitmaps = new Bitmaps((file) => engine.grey(file), () => this.layers.redraw("pictures", "lenses"));
+		this.measuring = new Measuring(store, engine, facts, () => this.seen.panes());
+		this.moving = new Moving(this.seen);
+		this.opening = new Opening(this.seen, this.measuring);
+		const measures = declare({
+			where: say("images-of-a-block-measuring"),
+			host,
+			list: measuringKeys(this)
+		});
+		const looks = declare({
+			where: say("images-of-a-block"),
+			host,
+			list: looking(this)
+		});
+		listen(host, {
+			at: (x, y) => paneAt(this.seen.panes(), x, y)?.image ?? null,
+			focused: () => this.seen.active()?.image ?? null,
+			pan: (image, dx, dy) => this.moving.pan(image, dx, dy),
+			zoom: (image, factor, x, y) => this.moving.zoom(image, factor, x, y),
+			zoomMiddle: (factor) => this.moving.zoomMiddle(factor),
+			fit: () => this.moving.fit(),
+			grabbed: (image) => store.dispatch({
+				type: "activeImage",
+				image
+			}),
+			pressed: (x, y, more) => this.press(x, y, more),
+			pointed: (at, dragging) => this.point(at, dragging),
+			command: (key, shift) => measures(key, shift) || looks(key, shift)
+		}, host.parentElement ?? host);
+		facts.watch(() => {
+			this.opening.follow();
+			this.changed();
+		});
+		store.watch([
+			"shown",
+			"panes",
+			"selection",
+			"files",
+			"running",
+			"onStage",
+			"draft"
+		], () => {
+			this.opening.follow();
+			this.changed();
+		});
+		new ResizeObserver(() => this.lay()).observe(host.parentElement ?? host);
+		new ResizeObserver(() => this.tell()).observe(host);
+	}
+	watch(changed) {
+		this.listeners.push(changed);
+	}
+	pointedAt() {
+		if (this.pointer === null) return null;
+		const pane = paneAt(this.seen.panes(), ...this.pointer);
+		if (pane === null) return null;
+		const at = toPosition(pane.transform, ...this.pointer);
+		return isOn(pane, at) ? {
+			image: pane.image,
+			at
+		} : null;
+	}
+	hasFailed({ file }) {
+		return file !== null && this.bitmaps.hasFailed(file);
+	}
+	turn(by) {
+		const view = this.seen.view();
+		if (view === null) return;
+		const shown = shownImages(this.store.state.panes, view);
+		const all = view.images.length;
+		const first = by > 0 ? Math.max(...shown) + 1 : Math.min(...shown) - shown.length;
+		const next = Array.from({ length: Math.min(shown.length, all) }, (_, i) => ((first + i) % all + all) % all);
+		this.store.dispatch({
+			type: "showImages",
+			images: next
+		});
+	}
+	step(by) {
+		const pane = this.seen.active();
+		const of = pane?.points;
+		if (pane === null || of == null || of.points.length === 0) return;
+		const rows = [...of.points.keys()].sort((a, b) => (of.places[2 * a + 1] ?? 0) - (of.places[2 * b + 1] ?? 0) || (of.places[2 * a] ?? 0) - (of.places[2 * b] ?? 0));
+		const [now] = pointsOf(this.store.state.selection.chosen);
+		const at = rows.findIndex((row) => of.points[row] === now);
+		const next = rows[at < 0 ? by > 0 ? 0 : rows.length - 1 : (at + by + rows.length) % rows.length];
+		const point = next === void 0 ? void 0 : of.points[next];
+		if (point !== void 0) this.looking.choose({
+			kind: "observation",
+			point,
+			image: pane.image
+		});
+	}
+	other() {
+		const panes = this.seen.panes();
+		const next = panes[(panes.findIndex(({ image }) => image === this.seen.active()?.image) + 1) % Math.max(1, panes.length)];
+		if (next !== void 0) this.store.dispatch({
+			type: "activeImage",
+			image: next.image
+		});
+	}
+	match() {
+		this.measuring.match(this.seen.active()).then(() => this.opening.showDraft());
+	}
+	changed() {
+		this.lay();
+		this.layers.redraw();
+		this.tell();
+	}
+	tell() {
+		for (const listener of this.listeners) listener();
+	}
+	lay() {
+		const view = this.seen.view();
+		const count = view === null ? 0 : shownImages(this.store.state.panes, view).length;
+		const wanted = this.seen.isNarrow && count > 1 ? `${String(count * NARROW_HEIGHT)}px` : "";
+		if (this.host.style.minHeight !== wanted) this.host.style.minHeight = wanted;
+	}
+	hit(x, y) {
+		const pane = paneAt(this.seen.panes(), x, y);
+		if (pane?.points == null || !this.store.state.panes.look.points) return null;
+		const { keeps } = this.seen.marked(pane.image);
+		const row = nearestRow(pane.points, pane, ...toPosition(pane.transform, x, y), REACH$3 / pane.transform.scale, keeps);
+		const point = row < 0 ? void 0 : pane.points.points[row];
+		return point === void 0 ? null : {
+			pane,
+			point
+		};
+	}
+	press(x, y, more) {
+		const panes = this.seen.panes();
+		if (this.measuring.draft !== null) {
+			const { pane, transform } = this.lenses(panes).find(({ rect }) => contains(rect, x, y)) ?? {
+				pane: paneAt(panes, x, y),
+				transform: paneAt(panes, x, y)?.transform
+			};
+			if (pane !== null && transform !== void 0) this.measuring.place(pane, toPosition(transform, x, y));
+			this.opening.showDraft();
+			return;
+		}
+		const hit = this.hit(x, y);
+		if (more) {
+			if (hit !== null) this.looking.choose(withMore(this.store.state.selection.chosen, [hit.point]));
+			return;
+		}
+		this.opening.again();
+		this.looking.choose(hit === null ? null : {
+			kind: "observation",
+			point: hit.point,
+			image: hit.pane.image
+		});
+		this.opening.follow();
+	}
+	point(at, dragging) {
+		this.pointer = at;
+		if (!dragging) {
+			const hit = at === null ? null : this.hit(...at);
+			this.looking.point(hit === null ? null : {
+				kind: "observation",
+				point: hit.point,
+				image: hit.pane.image
+			});
+		}
+		this.layers.redraw("overlay", "lenses");
+		this.tell();
+	}
+	lenses(panes) {
+		if (this.measuring.draft !== null) return draftLenses(this.measuring, panes);
+		const pointed = this.pointedAt();
+		if (!this.store.state.panes.look.loupe || pointed === null || this.pointer === null) return [];
+		return lensesAt(this.seen, panes, this.pointer, pointed);
+	}
+	draw(name, context) {
+		const panes = this.seen.panes();
+		const { ratio } = this.layers;
+		if (name === "pictures") paintPictures(context, this.bitmaps, panes, ratio);
+		else if (name === "marks") paintMarks(context, this.seen, panes);
+		else if (name === "lenses") paintLenses(context, this.bitmaps, this.lenses(panes), ratio);
+		else paintOverlay(context, this.seen, this.measuring, panes, this.lenses(panes), this.pointedAt());
+	}
+};
+// www/block/panel/view.ts
+var KEYS_ID = "block-keys";
+// www/block/panel/images-view.ts
+var KEYS$3 = say("press-a-point-every-image");
+function imagesView(engine, facts, addImages, ready) {
+	return {
+		name: "images",
+		title: say("images-2"),
+		mount: (store, looking) => {
+			const host = h("div", {
+				class: "view image-panes",
+				testid: "block-panes",
+				tabindex: 0,
+				role: "group",
+				aria: {
+					roledescription: say("images-of-the-block-2"),
+					label: say("images-side-by-side-with"),
+					describedby: KEYS_ID
+				}
+			});
+			const place = h("p", {
+				class: "image-place",
+				testid: "image-place"
+			});
+			const point = h("p", {
+				class: "image-point",
+				testid: "image-point",
+				role: "status",
+				aria: { live: "polite" }
+			});
+			const element = h("div", {
+				class: "images-view",
+				tabindex: -1
+			}, h("div", { class: "image-scroll" }, host), h("div", { class: "image-said" }, point, place));
+			element.addEventListener("focus", () => host.focus());
+			const view = new ImagesView(host, store, looking, facts, engine);
+			mountFrames(host, view, store, addImages);
+			ready({
+				toggle: (anew) => {
+					view.measuring.toggle(anew);
+					if (view.measuring.draft === null) return;
+					view.opening.showDraft();
+					host.focus();
+				},
+				match: () => view.match(),
+				accept: () => view.measuring.accept(),
+				leave: () => view.measuring.leave()
+			});
+			view.watch(() => {
+				setText$1(place, placeText$1(store, view));
+				setText$1(point, pointText(store, view));
+			});
+			return {
+				element,
+				tools: [toolsOf$2(host, store, view, looking)],
+				zoomable: view.moving,
+				keys: KEYS$3
+			};
+		}
+	};
+}
+function setText$1(element, text) {
+	if (element.textContent !== text) element.textContent = text;
+}
+function mountFrames(host, view, store, addImages) {
+	let frames = new Map();
+	let of = null;
+	view.watch(() => {
+		const found = store.state.shown?.found ?? null;
+		const panes = view.seen.panes();
+		const known = found === of ? frames : new Map();
+		of = found;
+		const next = new Map(panes.map((pane) => [pane.image, known.get(pane.image) ?? frameOf(pane.image, view, store, addImages)]));
+		for (const [image, { element }] of frames) if (next.get(image)?.element !== element) element.remove();
+		for (const [, { element }] of next) if (element.parentElement === null) host.append(element);
+		frames = next;
+		for (const pane of panes) frames.get(pane.image)?.show(pane);
+	});
+}
+function frameOf(image, view, store, addImages) {
+	const name = h("span", {});
+	const figures = h("span", {
+		class: "pane-figures",
+		testid: `figures-${String(image)}`
+	});
+	const close = button("×", `close-image-${String(image)}`, () => {
+		const { panes, shown } = store.state;
+		if (shown !== null) store.dispatch({
+			type: "showImages",
+			images: shownImages(panes, shown.view).filter((other) => other !== image)
+		});
+		passFocus(close, [view.host]);
+	});
+	const absent = h("div", { class: "pane-absent" });
+	const add = button(say("add-images"), `add-image-${String(image)}`, addImages);
+	add.className = "invitation";
+	const head = h("div", { class: "pane-head" }, h("span", { class: "pane-name" }, name), figures, close);
+	const element = h("div", {
+		class: "pane-frame",
+		testid: `pane-image-${String(image)}`
+	}, head, absent);
+	let said = "";
+	return {
+		element,
+		show: (pane) => {
+			const { left, top, width, height } = pane.rect;
+			Object.assign(element.style, {
+				left: `${String(left)}px`,
+				top: `${String(top)}px`,
+				width: `${String(width)}px`,
+				height: `${String(height)}px`
+			});
+			const { panes, shown } = store.state;
+			const own = shown?.view.images[image]?.name ?? "";
+			setText$1(name, own);
+			close.setAttribute("aria-label", say("close", { own }));
+			close.hidden = shown === null || shownImages(panes, shown.view).length < 2;
+			element.classList.toggle("is-active", panes.active === image);
+			const figure = view.measuring.marks().has(image) ? say("measured") : figuresOf$2(view.seen.chosen()?.detail ?? null, image);
+			setText$1(figures, figure);
+			head.title = figure === "" ? own : `${own}: ${figure}`;
+			const why = pane.file === null ? say("the-file-of-this-image") : view.hasFailed(pane) ? say("this-image-cannot-be-decoded") : "";
+			if (why === said) return;
+			said = why;
+			fill(absent, ...why === "" ? [] : [h("p", {}, why), ...pane.file === null ? [add] : []]);
+		}
+	};
+}
+var PARTS = {
+	accepted: "",
+	gross_error: say("rejected-gross-error"),
+	behind: say("rejected-behind-the-image"),
+	lost_point: say("rejected-its-point-has-too"),
+	does_not_fit: say("rejected-does-not-fit"),
+	rejected_by_hand: say("rejected-by-hand-2"),
+	not_adjusted: say("not-adjusted")
+};
+function largest(pair) {
+	const known = pair?.filter((value) => value !== null) ?? [];
+	return known.length === 0 ? null : Math.max(...known.map(Math.abs));
+}
+function figuresOf$2(detail, image) {
+	const observation = detail?.observations.find((own) => own.image === image);
+	if (observation === void 0) return detail?.elsewhere.some((other) => other.image === image) === true ? say("predicted-not-measured") : "";
+	const { residual_px: residual, part, by_hand } = observation;
+	const [w, mdb] = [largest(observation.w), largest(observation.detectable_px)];
+	return [
+		residual === null ? "" : say("v-px", {
+			residual: residual[0],
+			residual_2: residual[1]
+		}),
+		w === null ? "" : `w ${fixed(w, 1)}`,
+		mdb === null ? "" : say("mdb-px", { mdb }),
+		PARTS[part],
+		by_hand ? say("by-hand") : ""
+	].filter((part) => part !== "").join(" · ");
+}
+function pointText({ state }, view) {
+	const chosen = view.seen.chosen();
+	const shown = state.shown?.view;
+	if (shown === void 0) return "";
+	if (chosen === null) return state.selection.chosen === null ? "" : describe(shown, state.selection.chosen);
+	const { id, name, position, errors, rmse_px, observations, elsewhere } = chosen.detail;
+	const panes = shownImages(state.panes, shown);
+	const seen = observations.filter(({ image }) => panes.includes(image)).length;
+	const taking = observations.filter(({ part }) => PARTS[part] === "").length || observations.length;
+	const rejected = observations.length - taking;
+	const [worst] = observations.map(({ image, w }) => ({
+		image,
+		w: largest(w) ?? 0
+	})).sort((a, b) => b.w - a.w);
+	return [
+		name ?? `${id !== null && "manual" in id ? say("point-by-hand") : say("tie-point")} ${count(chosen.point + 1)}`,
+		position === null ? say("not-intersected") : `X Y Z ${position.map((value) => fixed(value, 3)).join(" ")}`,
+		errors === null ? "" : `± ${errors.map((value) => fixed(value, 3)).join(" ")}`,
+		say("rays", {
+			observations: taking,
+			what: (rejected > 0 ? say("rays-rejected", { rejected }) : "") + (seen < observations.length ? say("shown", { seen }) : "")
+		}),
+		rmse_px === null ? "" : say("rmse-px-3", { rmse_px }),
+		worst === void 0 || worst.w === 0 ? "" : say("largest-w-in", {
+			w: worst.w,
+			name: shown.images[worst.image]?.name ?? ""
+		}),
+		elsewhere.length === 0 ? "" : say("not-measured-in-more", { elsewhere: elsewhere.length })
+	].filter((part) => part !== "").join(" · ");
+}
+function placeText$1({ state }, view) {
+	const pointed = view.pointedAt();
+	const shown = state.shown?.view;
+	return pointed === null || shown === void 0 ? "" : textOfPlace(pointed, shown, view);
+}
+function textOfPlace({ image, at }, shown, view) {
+	const { name = "", camera = -1 } = shown.images[image] ?? {};
+	const of = shown.cameras[camera];
+	const mm = of === void 0 ? null : photoMm(of, at);
+	const points = view.seen.panes().find((pane) => pane.image === image)?.points ?? null;
+	const ground = points === null ? null : groundAt(points, shown.points, ...at);
+	return [
+		say("px", {
+			name,
+			at: at[0],
+			at_2: at[1]
+		}),
+		mm === null ? "" : say("mm", {
+			mm: mm[0],
+			mm_2: mm[1]
+		}),
+		ground === null ? "" : say("ground-about", { join: ground.map((value) => fixed(value, 2)).join(" ") })
+	].filter((part) => part !== "").join(" · ");
+}
+function toolsOf$2(host, store, view, looking) {
+	const set = (look) => store.dispatch({
+		type: "look",
+		look
+	});
+	const points = toggle(say("points"), "images-points", say("show-the-observations-of-tie"), (on) => set({ points: on }));
+	const [vectors, vectorSelect] = vectorChoice("images-vectors", (factor) => set({ vectors: factor }));
+	const linked = toggle(say("linked"), "images-linked", say("pan-and-zoom-all-images"), (on) => set({ linked: on }));
+	const loupe = toggle(say("loupe"), "images-loupe", say("enlarge-what-is-under-the"), (on) => set({ loupe: on }));
+	const unmeasured = toggle(say("unmeasured"), "images-unmeasured", say("show-a-chosen-point-where"), (on) => set({ unmeasured: on }));
+	const [adding, addSelect] = choice(say("show"), "images-add", [["", say("image")]], (value) => {
+		const { panes, shown } = store.state;
+		addSelect.value = "";
+		if (shown === null || value === "") return;
+		const before = shownImages(panes, shown.view);
+		store.dispatch({
+			type: "showImages",
+			images: [...before.slice(0, 8), Number(value)]
+		});
+	});
+	const pair = button(say("open-as-pair"), "images-pair", () => {
+		const images = pairOf(store);
+		if (images !== null) looking.open(images);
+	});
+	pair.title = say("match-the-two-images-that");
+	const more = h("div", {
+		class: "more image-more",
+		id: "images-more"
+	}, labelled("1:1", "images-actual", say("one-image-pixel-to-one"), () => view.moving.actualSize()), slider(say("brightness"), "images-brightness", (brightness) => set({ brightness })), slider(say("contrast"), "images-contrast", (contrast) => set({ contrast })), adding);
+	const unfold = h("button", {
+		type: "button",
+		class: "menu-button",
+		testid: "images-menu"
+	}, say("view"));
+	mountMenu(unfold, more);
+	store.watch(["panes", "shown"], ([panes, shown]) => {
+		const { look } = panes;
+		for (const [made, on] of [
+			[points, look.points],
+			[linked, look.linked],
+			[loupe, look.loupe],
+			[unmeasured, look.unmeasured]
+		]) made.setAttribute("aria-pressed", String(on));
+		vectorSelect.value = String(look.vectors);
+		host.style.setProperty("--brightness", String(look.brightness));
+		host.style.setProperty("--contrast", String(look.contrast));
+		pair.hidden = pairOf(store) === null;
+		const names = shown?.view.images.map(({ name }) => name) ?? [];
+		if (addSelect.dataset["names"] === names.join("\n")) return;
+		addSelect.dataset["names"] = names.join("\n");
+		fill(addSelect, new Option(say("image"), ""), ...names.map((name, image) => new Option(name, String(image))));
+	});
+	store.watch([
+		"running",
+		"notice",
+		"placing"
+	], () => {
+		pair.disabled = isBusy(store.state);
+	});
+	return h("div", { class: "image-tools" }, points, vectors, linked, loupe, unmeasured, pair, unfold, more);
+}
+function pairOf({ state: { panes, shown } }) {
+	const [a, b, ...more] = shown === null ? [] : shownImages(panes, shown.view);
+	return a === void 0 || b === void 0 || more.length > 0 ? null : [a, b];
+}
+function slider(label, testid, onChange) {
+	const input = h("input", {
+		type: "range",
+		testid
+	});
+	Object.assign(input, {
+		min: "-1",
+		max: "1",
+		step: "0.05",
+		value: "0"
+	});
+	input.addEventListener("input", () => onChange(3 ** Number(input.value)));
+	input.addEventListener("dblclick", () => {
+		input.value = "0";
+		onChange(1);
+	});
+	return h("label", { class: "choice" }, h("span", {}, label), input);
+}
+// www/shared/view/colours.ts
+var NAMES$1 = [
+	"text",
+	"muted",
+	"line",
+	"accent",
+	"problem",
+	"good",
+	"bars",
+	"ground",
+	"surface"
+];
+var known = null;
+function themeColours() {
+	known ??= readColours();
+	return known;
+}
+function readColours() {
+	const probe = document.createElement("span");
+	document.body.append(probe);
+	const colours = Object.fromEntries(NAMES$1.map((name) => {
+		probe.style.color = `var(--${name})`;
+		return [name, getComputedStyle(probe).color];
+	}));
+	probe.remove();
+	return colours;
+}
+function onRecolour(callback) {
+	const changed = () => {
+		known = null;
+		callback();
+	};
+	new MutationObserver(changed).observe(document.documentElement, {
+		attributes: true,
+		attributeFilter: ["data-theme"]
+	});
+	matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
+}
+// www/block/view/looking.ts
+function press(store, looking, choice) {
+	const again = isSame(choice, store.state.selection.chosen);
+	if (choice?.kind === "pair" && again && !isBusy(store.state)) looking.open(choice.images);
+	else looking.choose(choice);
+}
+// www/block/view/chart.ts
+var Chart = class {
+	store;
+	looking;
+	layers;
+	moved = null;
+	of = null;
+	constructor(host, name, store, looking) {
+		this.store = store;
+		this.looking = looking;
+		this.layers = new Layers(host, [name], (_, context) => {
+			const view = this.view();
+			if (view !== null && view.images.length > 0) this.paint(context, themeColours(), view, this.current(view));
+		});
+		onRecolour(() => this.layers.redraw());
+		const ofChoice = declare({
+			where: name === "map" ? say("map") : say("matrix"),
+			host,
+			list: this.choiceKeys()
+		});
+		listen(host, {
+			at: () => this.view(),
+			focused: () => this.view(),
+			pan: (view, dx, dy) => this.move(view, panned(this.current(view), dx, dy)),
+			zoom: (view, factor, x, y) => this.zoom(view, factor, x, y),
+			zoomMiddle: (factor) => this.zoomMiddle(factor),
+			fit: () => this.fit(),
+			pressed: (x, y) => press(store, looking, this.choiceAt(x, y)),
+			encloses: (shift) => shift && this.enclosed !== null,
+			enclosed: (view, from, to, ended, path) => this.enclosed?.(view, {
+				from,
+				to,
+				path
+			}, ended),
+			pointed: (at, dragging) => {
+				this.placed?.(at);
+				if (!dragging) this.looking.point(at === null ? null : this.choiceAt(...at));
+			},
+			command: (key) => this.command(key) || ofChoice(key, false)
+		});
+		store.watch(["shown", "selection"], ([shown]) => {
+			if (shown?.view !== this.of && !isSameBlock(this.of, shown?.view ?? null)) this.moved = null;
+			this.of = shown?.view ?? null;
+			this.layers.redraw();
+		});
+	}
+	enclosed = null;
+	placed = null;
+	held(_view, t) {
+		return t;
+	}
+	fit() {
+		this.moved = null;
+		this.layers.redraw();
+	}
+	zoomMiddle(factor) {
+		const view = this.view();
+		if (view !== null) this.zoom(view, factor, this.layers.width / 2, this.layers.height / 2);
+	}
+	view() {
+		return this.store.state.shown?.view ?? null;
+	}
+	current(view) {
+		return this.moved === null ? this.whole(view) : this.held(view, resized(this.moved.t, this.moved.on, this.layers));
+	}
+	move(view, t) {
+		const { width, height } = this.layers;
+		this.moved = {
+			t: this.held(view, t),
+			on: {
+				width,
+				height
+			}
+		};
+		this.layers.redraw();
+	}
+	zoom(view, factor, x, y) {
+		this.move(view, zoomedAbout(this.current(view), factor, x, y, this.limits(this.whole(view).scale)));
+	}
+	choiceAt(x, y) {
+		const view = this.view();
+		return view === null ? null : this.hit(view, this.current(view), x, y);
+	}
+	choiceKeys() {
+		const pair = () => {
+			const { chosen } = this.store.state.selection;
+			return chosen?.kind === "pair" ? chosen.images : null;
+		};
+		const open = () => {
+			const images = pair();
+			if (images !== null) this.looking.open(images);
+		};
+		return [{
+			keys: ["Enter"],
+			does: say("opens-the-chosen-pair"),
+			can: () => pair() !== null,
+			run: open
+		}, {
+			keys: ["Escape"],
+			does: say("chooses-nothing"),
+			run: () => this.looking.choose(null)
+		}];
+	}
+};
+function isSameBlock(before, after) {
+	if (before === null || after === null || before.layout.kind !== after.layout.kind || before.partial !== after.partial) return false;
+	return after.partial || before.images.length === after.images.length;
+}
+// www/block/view/matrix.ts
+var LARGEST_WHOLE = 44;
+var LARGEST$1 = 160;
+var HEAD = 30;
+var NUMBERED = 30;
+var Matrix = class extends Chart {
+	constructor(host, store, looking) {
+		super(host, "matrix", store, looking);
+	}
+	whole({ images: { length } }) {
+		const room = Math.min(this.layers.width, this.layers.height) - HEAD - 4;
+		const side = Math.min(LARGEST_WHOLE, room / Math.max(1, length));
+		return {
+			scale: side > 4 ? Math.floor(side) : side,
+			x: HEAD,
+			y: HEAD
+		};
+	}
+	limits(whole) {
+		return {
+			least: whole,
+			most: LARGEST$1
+		};
+	}
+	held({ images: { length } }, { scale, x, y }) {
+		const within = (shift, room) => Math.min(HEAD, Math.max(Math.min(HEAD, (HEAD + room) / 2 - length * scale), shift));
+		return {
+			scale,
+			x: within(x, this.layers.width),
+			y: within(y, this.layers.height)
+		};
+	}
+	hit(view, t, x, y) {
+		const [column, row] = toPosition(t, x, y).map(Math.floor);
+		const inside = (index) => index >= 0 && index < view.images.length;
+		return x >= HEAD && y >= HEAD && inside(column) && inside(row) ? choiceOf$1([row, column]) : null;
+	}
+	command(key) {
+		const step = {
+			ArrowLeft: [0, -1],
+			ArrowRight: [0, 1],
+			ArrowUp: [-1, 0],
+			ArrowDown: [1, 0]
+		}[key];
+		const view = this.view();
+		if (step === void 0 || view === null) return false;
+		const [row, column] = cellOf(this.store.state.selection.chosen) ?? [0, 0];
+		const inside = (index) => Math.min(Math.max(index, 0), view.images.length - 1);
+		const cell = [inside(row + (step[0] ?? 0)), inside(column + (step[1] ?? 0))];
+		this.looking.choose(choiceOf$1(cell));
+		this.reveal(view, cell);
+		return true;
+	}
+	reveal(view, [row, column]) {
+		const t = this.current(view);
+		const brought = (index, shift, room) => Math.max(HEAD - index * t.scale, Math.min(shift, room - (index + 1) * t.scale - 2));
+		this.move(view, {
+			scale: t.scale,
+			x: brought(column, t.x, this.layers.width),
+			y: brought(row, t.y, this.layers.height)
+		});
+	}
+	paint(context, colours, view, t) {
+		const { width, height } = this.layers;
+		paintHeads(context, colours, view.images.length, t, width, height);
+		within(context, {
+			left: 29,
+			top: 29,
+			width,
+			height
+		}, () => {
+			this.paintCells(context, colours, view, t);
+			this.paintMarks(context, colours, view, t);
+		});
+	}
+	paintCells(context, colours, view, t) {
+		const { scale: side } = t;
+		const count = view.images.length;
+		const most = view.connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 1);
+		const keeps = keptBy("pairs", view, this.store.state.selection);
+		for (const [pair, connection] of view.connections.entries()) {
+			if (!keeps(pair)) continue;
+			const [a, b] = connection.images;
+			const matches = matchesOf(connection);
+			const tried = connection.outcome.kind === "connected";
+			const alpha = tried ? .15 + .85 * Math.sqrt(matches / most) : .6;
+			for (const [row, column] of [[a, b], [b, a]]) {
+				const [x, y] = toCanvas(t, column, row);
+				if (x > this.layers.width || y > this.layers.height || x + side < HEAD || y + side < HEAD) continue;
+				context.globalAlpha = alpha;
+				context.fillStyle = tried ? colours.bars : connection.outcome.kind === "failed" ? colours.problem : colours.muted;
+				paintCell(context, x, y, side, tried);
+				context.globalAlpha = 1;
+				if (tried && side >= NUMBERED) paintNumber(context, colours, x + side / 2, y + side / 2 + 3.5, matches);
+			}
+		}
+		context.strokeStyle = colours.line;
+		context.lineWidth = 1;
+		context.strokeRect(t.x - .5, t.y - .5, count * side + 1, count * side + 1);
+		context.fillStyle = colours.line;
+		for (let i = 0; i < count; i++) context.fillRect(...toCanvas(t, i, i), side, side);
+	}
+	paintMarks(context, colours, view, t) {
+		const { chosen, pointed } = this.store.state.selection;
+		const { scale: side } = t;
+		context.strokeStyle = colours.accent;
+		context.lineWidth = 2;
+		const cells = [chosen?.kind === "pair" ? chosen : null, pointed].map(cellOf).filter((cell) => cell !== null);
+		for (const [row, column] of cells) {
+			context.strokeRect(...toCanvas(t, column, row), side, side);
+			if (connectionOf(view, [row, column]) !== void 0) context.strokeRect(...toCanvas(t, row, column), side, side);
+		}
+		if (chosen?.kind !== "image") return;
+		const length = view.images.length * side;
+		context.strokeRect(...toCanvas(t, 0, chosen.image), length, side);
+		context.strokeRect(...toCanvas(t, chosen.image, 0), side, length);
+	}
+};
+function choiceOf$1([row, column]) {
+	return row === column ? {
+		kind: "image",
+		image: row
+	} : {
+		kind: "pair",
+		images: [row, column]
+	};
+}
+function cellOf(choice) {
+	const [row, column = row] = imagesOf(choice);
+	return row === void 0 || column === void 0 ? null : [row, column];
+}
+function paintCell(context, x, y, side, connected) {
+	const gap = side > 8 ? 1 : 0;
+	const share = side > 12 ? .28 : .6;
+	if (connected) context.fillRect(x, y, side - gap, side - gap);
+	else context.fillRect(x + .5 * (1 - share) * side, y + .5 * (1 - share) * side, share * side, share * side);
+}
+function paintNumber(context, colours, x, y, matches) {
+	context.font = "10px system-ui, sans-serif";
+	context.textAlign = "center";
+	context.lineWidth = 3;
+	context.strokeStyle = colours.surface;
+	context.strokeText(String(matches), x, y);
+	context.fillStyle = colours.text;
+	context.fillText(String(matches), x, y);
+}
+function paintHeads(context, colours, count, t, width, height) {
+	const step = [
+		1,
+		2,
+		5,
+		10,
+		20,
+		50,
+		100,
+		200,
+		500
+	].find((s) => s * t.scale >= 24) ?? 1e3;
+	context.font = "10px system-ui, sans-serif";
+	context.fillStyle = colours.muted;
+	for (let i = 0; i < count; i += step) {
+		const [x, y] = toCanvas(t, i + .5, i + .5);
+		context.textAlign = "center";
+		if (x > HEAD && x < width) context.fillText(String(i + 1), x, 24);
+		context.textAlign = "right";
+		if (y > HEAD && y < height) context.fillText(String(i + 1), 25, y + 3.5);
+	}
+}
+// www/block/panel/matrix-view.ts
+var MATRIX_VIEW = {
+	name: "matrix",
+	title: say("matrix"),
+	mount: (store, looking) => {
+		const element = h("div", {
+			class: "view block-matrix",
+			testid: "block-matrix",
+			tabindex: 0,
+			role: "group",
+			aria: {
+				roledescription: say("matrix-of-matches"),
+				label: say("images-by-images-arrow-keys"),
+				describedby: KEYS_ID
+			}
+		});
+		const cells = h("span", {
+			class: "note",
+			testid: "block-cells"
+		});
+		store.watch(["shown"], ([shown]) => fill(cells, shown === null ? "" : say("strongest-cell-matches-small-square", { view: mostMatches(shown.view) })));
+		return {
+			element,
+			tools: [cells],
+			zoomable: new Matrix(element, store, looking),
+			keys: say("press-a-cell-to-choose")
+		};
+	}
+};
+// www/block/view/map/colouring.ts
+var VIRIDIS = [
+	"#440154",
+	"#472d7b",
+	"#3b528b",
+	"#2c728e",
+	"#21918c",
+	"#28ae80",
+	"#5ec962",
+	"#addc30",
+	"#fde725"
+];
+var [LOW, HIGH] = [.02, .98];
+var GRADIENT = `linear-gradient(to right, ${VIRIDIS.join(", ")})`;
+var WORDS = (() => {
+	const parsed = VIRIDIS.map((colour) => [
+		1,
+		3,
+		5
+	].map((at) => Number.parseInt(colour.slice(at, at + 2), 16)));
+	const words = new Uint32Array(256);
+	const bytes = new Uint8Array(words.buffer);
+	for (let step = 0; step < 256; step++) {
+		const along = step / 255 * (parsed.length - 1);
+		const [low, high] = [parsed[Math.floor(along)] ?? [], parsed[Math.ceil(along)] ?? []];
+		for (let band = 0; band < 3; band++) bytes[4 * step + band] = Math.round((low[band] ?? 0) + ((high[band] ?? 0) - (low[band] ?? 0)) * (along % 1));
+		bytes[4 * step + 3] = 255;
+	}
+	return words;
+})();
+var colouredPoints = remember((points, colouring) => {
+	if (colouring === "none" || points.count === 0) return null;
+	const values = Float64Array.from({ length: points.count }, (_, i) => i < points.taking ? figureOf(points, colouring, i) : NaN);
+	const sorted = values.filter((value) => !Number.isNaN(value)).sort();
+	if (sorted.length === 0) return null;
+	const at = (share) => sorted[Math.round(share * (sorted.length - 1))] ?? NaN;
+	const from = colouring === "height" ? at(LOW) : colouring === "rays" ? sorted[0] ?? 2 : 0;
+	const to = Math.max(at(HIGH), from + 1e-9);
+	const steps = Uint8Array.from(values, (value) => Math.round(255 * Math.min(1, Math.max(0, (value - from) / (to - from)))));
+	return {
+		scale: {
+			from,
+			to,
+			...{
+				residual: {
+					unit: "px",
+					digits: 2,
+					title: say("rmse-of-the-residuals")
+				},
+				rays: {
+					unit: "",
+					digits: 0,
+					title: say("rays-2")
+				},
+				height: {
+					unit: "",
+					digits: 1,
+					title: "Z"
+				}
+			}[colouring]
+		},
+		steps
+	};
+});
+function figureOf({ rmsePx, rays, positions }, colouring, point) {
+	if (colouring === "residual") return rmsePx[point] ?? NaN;
+	return (colouring === "rays" ? rays[point] : positions[3 * point + 2]) ?? NaN;
+}
+// www/block/view/map/frame.ts
+var GRID = 120;
+var BAR = 130;
+function niceBelow(value) {
+	const power = 10 ** Math.floor(Math.log10(value));
+	return ([5, 2].find((step) => step * power <= value) ?? 1) * power;
+}
+function stepText(value, step) {
+	return value.toFixed(Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)))).replace("-", "−");
+}
+function lengthText(length, system) {
+	const twoDigits = (value) => String(Number(value.toPrecision(2)));
+	if (system === "own") return say("length-in-units-of-the-block", { length: twoDigits(length) });
+	const [factor, unit] = length >= 1e3 ? [.001, "km"] : length >= 1 ? [1, "m"] : length >= .01 ? [100, "cm"] : [1e3, "mm"];
+	return `${twoDigits(length * factor)} ${unit}`;
+}
+function paintGrid(context, colours, t, width, height) {
+	const step = niceBelow(1.6 * GRID / t.scale);
+	const [left, top] = toPosition(t, 0, 0);
+	const [right, bottom] = toPosition(t, width, height);
+	context.save();
+	context.strokeStyle = colours.muted;
+	context.lineWidth = .5;
+	context.globalAlpha = .35;
+	context.beginPath();
+	const columns = ticks(left, right, step);
+	const rows = ticks(-bottom, -top, step);
+	for (const x of columns) {
+		const at = toCanvas(t, x, 0)[0];
+		context.moveTo(at, 0);
+		context.lineTo(at, height);
+	}
+	for (const y of rows) {
+		const at = toCanvas(t, 0, -y)[1];
+		context.moveTo(0, at);
+		context.lineTo(width, at);
+	}
+	context.stroke();
+	context.globalAlpha = 1;
+	context.font = "10px system-ui, sans-serif";
+	context.textAlign = "start";
+	for (const x of columns) haloed(context, colours, stepText(x, step), toCanvas(t, x, 0)[0] + 3, 11);
+	for (const y of rows) {
+		const at = toCanvas(t, 0, -y)[1];
+		if (at > 28 && at < height - 52) haloed(context, colours, stepText(y, step), 3, at - 3);
+	}
+	context.restore();
+}
+function ticks(from, to, step) {
+	const first = Math.ceil(from / step);
+	return Array.from({ length: Math.min(100, Math.max(0, Math.floor(to / step) - first + 1)) }, (_, i) => (first + i) * step);
+}
+function paintScale(context, colours, t, height, system) {
+	const length = niceBelow(BAR / t.scale);
+	const wide = length * t.scale;
+	const [left, base] = [12, height - 12];
+	context.save();
+	for (const [colour, line] of [[colours.ground, 5], [colours.text, 2]]) {
+		context.strokeStyle = colour;
+		context.lineWidth = line;
+		context.beginPath();
+		context.moveTo(left, base - 5);
+		context.lineTo(left, base);
+		context.lineTo(left + wide, base);
+		context.lineTo(left + wide, base - 5);
+		context.stroke();
+	}
+	context.font = "11px system-ui, sans-serif";
+	context.textAlign = "center";
+	haloed(context, colours, lengthText(length, system), left + wide / 2, base - 6);
+	context.restore();
+}
+function paintNorth(context, colours, width, system) {
+	const [x, y] = [width - 24, 18];
+	context.save();
+	context.beginPath();
+	context.moveTo(x, y);
+	context.lineTo(x + 6, y + 20);
+	context.lineTo(x, y + 15);
+	context.lineTo(x - 6, y + 20);
+	context.closePath();
+	context.lineWidth = 3;
+	context.strokeStyle = colours.ground;
+	context.stroke();
+	context.fillStyle = colours.text;
+	context.fill();
+	context.font = "600 12px system-ui, sans-serif";
+	context.textAlign = "center";
+	haloed(context, colours, system === "geographic" ? "N" : "Y", x, y + 34);
+	context.restore();
+}
+function haloed(context, colours, text, x, y) {
+	context.lineJoin = "round";
+	context.lineWidth = 3;
+	context.strokeStyle = colours.ground;
+	context.strokeText(text, x, y);
+	context.fillStyle = colours.text;
+	context.fillText(text, x, y);
+}
+// www/block/view/map/ground.ts
+var GNSS = "#e69f00";
+var SURVEYED = "#cc79a7";
+var LONGEST = 46;
+var MOST_NAMED = 30;
+var ALL$1 = () => true;
+function offsetsOf(view, ground, keepsImage = ALL$1, keepsSurveyed = ALL$1) {
+	const gnss = view.images.flatMap(({ position }, i) => {
+		const [x = NaN, y = NaN] = ground?.gnss.subarray(3 * i, 3 * i + 2) ?? [];
+		return position === null || Number.isNaN(x) || !keepsImage(i) ? [] : [{
+			x: position[0],
+			y: position[1],
+			dx: x - position[0],
+			dy: y - position[1]
+		}];
+	});
+	const surveyed = view.surveyed.filter((_, i) => keepsSurveyed(i)).map(({ name, role, isUsed, position: [x, y], difference_m: [dx, dy], standard_errors_m: [sx, sy] }) => ({
+		name,
+		isUsed,
+		isCheck: role === "check",
+		x,
+		y,
+		dx,
+		dy,
+		sigma: sx === null || sy === null ? null : [sx, sy]
+	}));
+	const longest = (offsets) => offsets.reduce((most, { dx, dy }) => Math.max(most, Number.isNaN(dx) ? 0 : Math.hypot(dx, dy)), 0);
+	return {
+		gnss,
+		surveyed,
+		longest: {
+			gnss: longest(gnss),
+			surveyed: longest(surveyed)
+		}
+	};
+}
+function factorOf(longest, t) {
+	return longest > 0 ? Math.max(1, niceBelow(LONGEST / (longest * t.scale))) : 1;
+}
+function paintFootprints(context, colours, { footprints }, t, all, marked) {
+	context.save();
+	for (let image = 0; 8 * image < footprints.length; image++) {
+		const on = marked(image);
+		const corners = footprints.subarray(8 * image, 8 * image + 8);
+		if (!on && !all(image) || Number.isNaN(corners[0])) continue;
+		context.beginPath();
+		for (let corner = 0; corner < 8; corner += 2) context.lineTo(...toCanvas(t, corners[corner] ?? 0, -(corners[corner + 1] ?? 0)));
+		context.closePath();
+		context.fillStyle = context.strokeStyle = on ? colours.accent : colours.bars;
+		context.globalAlpha = on ? .14 : .05;
+		context.fill();
+		context.globalAlpha = on ? 1 : .5;
+		context.lineWidth = on ? 1.5 : .8;
+		context.stroke();
+	}
+	context.restore();
+}
+function paintOnGround(context, thumb, { footprints }, t, image) {
+	const [x0 = NaN, y0 = NaN, x1 = NaN, y1 = NaN, , , x3 = NaN, y3 = NaN] = footprints.subarray(8 * image, 8 * image + 8);
+	if (Number.isNaN(x0)) return;
+	const [left, top] = toCanvas(t, x0, -y0);
+	const across = [t.scale * (x1 - x0) / thumb.width, -t.scale * (y1 - y0) / thumb.width];
+	const down = [t.scale * (x3 - x0) / thumb.height, -t.scale * (y3 - y0) / thumb.height];
+	context.save();
+	context.transform(...across, ...down, left, top);
+	context.drawImage(thumb, 0, 0);
+	context.restore();
+}
+function paintGnss(context, { gnss }, t, factor) {
+	context.save();
+	context.strokeStyle = context.fillStyle = GNSS;
+	context.lineWidth = 2;
+	for (const offset of gnss) {
+		const end = arrow(context, t, offset, factor);
+		context.beginPath();
+		context.arc(...end, 2.5, 0, 2 * Math.PI);
+		context.fill();
+	}
+	context.restore();
+}
+function paintSurveyed(context, colours, { surveyed }, t, factor, offsets, size) {
+	const inSight = surveyed.map((point) => ({
+		point,
+		at: toCanvas(t, point.x, -point.y)
+	})).filter(({ at }) => at.every((coordinate, axis) => coordinate > -46 && coordinate < (size[axis] ?? 0) + LONGEST));
+	const isCrowded = inSight.length > MOST_NAMED;
+	const side = isCrowded ? .5 : 1;
+	context.save();
+	context.font = "11px system-ui, sans-serif";
+	context.textAlign = "start";
+	for (const { point, at: [x, y] } of inSight) {
+		context.strokeStyle = SURVEYED;
+		context.lineWidth = 2;
+		if (offsets && point.isUsed) {
+			const [ex, ey] = arrow(context, t, point, factor);
+			if (point.sigma !== null && !isCrowded) {
+				const [a, b] = point.sigma.map((sigma) => sigma * factor * t.scale);
+				context.lineWidth = 1;
+				context.beginPath();
+				context.ellipse(ex, ey, Math.max(1, a ?? 0), Math.max(1, b ?? 0), 0, 0, 2 * Math.PI);
+				context.stroke();
+			}
+		}
+		context.beginPath();
+		if (point.isCheck) context.rect(x - 5 * side, y - 5 * side, 10 * side, 10 * side);
+		else for (const [dx, dy] of [
+			[0, -7],
+			[6, 4],
+			[-6, 4]
+		]) context.lineTo(x + dx * side, y + dy * side);
+		context.closePath();
+		context.fillStyle = SURVEYED;
+		if (point.isUsed) context.fill();
+		context.lineWidth = isCrowded ? 1 : 1.5;
+		context.strokeStyle = point.isUsed ? colours.surface : SURVEYED;
+		context.stroke();
+		if (!isCrowded) haloed(context, colours, point.name, x + 9, y + 4);
+	}
+	context.restore();
+}
+function arrow(context, t, { x, y, dx, dy }, factor) {
+	const end = toCanvas(t, x + factor * dx, -(y + factor * dy));
+	context.beginPath();
+	context.moveTo(...toCanvas(t, x, -y));
+	context.lineTo(...end);
+	context.stroke();
+	return end;
+}
+// www/block/state/laid.ts
+var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
+	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
+	if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? {
+		toBlock: SAME$1,
+		images: 0
+	} : null;
+	if (system === "surveyed" && overlap(orthophoto, ground.footprints)) return {
+		toBlock: SAME$1,
+		images: 0
+	};
+	return byImages(placed, files, shown, ground);
+});
+function byImages(placed, files, shown, { footprints }) {
+	const [from, to] = [[], []];
+	let images = 0;
+	const index = new Map(shown.view.images.map(({ name }, i) => [name, i]));
+	for (const { id, name } of files) {
+		const result = placed.get(id)?.result ?? null;
+		const image = index.get(name);
+		if (image === void 0 || result?.verdict.kind !== "placed" || result.placement === null) continue;
+		const corners = footprints.subarray(8 * image, 8 * image + 8);
+		if (corners.length < 8 || Number.isNaN(corners[0])) continue;
+		images += 1;
+		cornersOf$2(result.placement).forEach((corner, i) => {
+			from.push(corner);
+			to.push([corners[2 * i] ?? 0, corners[2 * i + 1] ?? 0]);
+		});
+	}
+	const toBlock = similarity$1(from, to);
+	return toBlock === null ? null : {
+		toBlock,
+		images
+	};
+}
+function cornersOf$2({ footprint }) {
+	return [
+		0,
+		1,
+		2,
+		3
+	].map((corner) => footprint[Math.round(corner * footprint.length / 4)] ?? [NaN, NaN]);
+}
+function overlap({ info: { width, height, georeference } }, footprints) {
+	const toGround = affineOf(georeference);
+	const corners = [
+		mapped(toGround, 0, 0),
+		mapped(toGround, width, 0),
+		mapped(toGround, 0, height),
+		mapped(toGround, width, height)
+	];
+	const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
+	const within = (value, all) => value >= Math.min(...all) && value <= Math.max(...all);
+	for (let i = 0; i < footprints.length; i += 2) if (within(footprints[i] ?? NaN, xs) && within(footprints[i + 1] ?? NaN, ys)) return true;
+	return false;
+}
+// www/block/view/orthophoto/tiles.ts
+var MOST_TILES = 400;
+var AT_ONCE = 2;
+var OrthophotoTiles = class {
+	make;
+	arrived;
+	of = null;
+	made = new Map();
+	wanted = [];
+	asked = new Set();
+	constructor(make, arrived) {
+		this.make = make;
+		this.arrived = arrived;
+	}
+	paint(context, { raster, info }, toSystem, t, [width, height, ratio]) {
+		this.keepOnly(raster);
+		const toCanvas = after({
+			a: t.scale,
+			b: 0,
+			c: 0,
+			d: -t.scale,
+			e: t.x,
+			f: t.y
+		}, after(toSystem, affineOf(info.georeference)));
+		const coarsest = Math.max(0, Math.ceil(Math.log2(Math.max(info.width, info.height) / 512)));
+		const level = Math.min(coarsest, Math.max(0, Math.floor(Math.log2(1 / (scaleOf(toCanvas) * ratio)))));
+		const seen = partSeen(toCanvas, info, width, height);
+		context.save();
+		context.transform(toCanvas.a, toCanvas.b, toCanvas.c, toCanvas.d, toCanvas.e, toCanvas.f);
+		context.imageSmoothingEnabled = scaleOf(toCanvas) * ratio < 2 || level > 0;
+		const missing = tilesOf(coarsest, seen, info).filter((tile) => !this.made.has(nameOf(tile)));
+		for (const tile of tilesOf(level, seen, info)) {
+			if (level < coarsest && !this.made.has(nameOf(tile))) missing.push(tile);
+			this.paintTile(context, tile, coarsest, info);
+		}
+		context.restore();
+		this.ask(missing, seen);
+	}
+	paintTile(context, { level, column, row }, coarsest, { width, height }) {
+		const side = 256 * 2 ** level;
+		const [x, y] = [column * side, row * side];
+		for (let up = 0; level + up <= coarsest; up++) {
+			const name = nameOf({
+				level: level + up,
+				column: column >> up,
+				row: row >> up
+			});
+			const bitmap = this.made.get(name);
+			if (bitmap == null) continue;
+			this.made.delete(name);
+			this.made.set(name, bitmap);
+			const step = 2 ** (level + up);
+			const [left, top] = [x / step % 256, y / step % 256];
+			const across = Math.min(256 / 2 ** up, bitmap.width - left, Math.ceil((width - x) / step));
+			const down = Math.min(256 / 2 ** up, bitmap.height - top, Math.ceil((height - y) / step));
+			context.drawImage(bitmap, left, top, across, down, x, y, across * step, down * step);
+			return;
+		}
+	}
+	ask(missing, [left, top, right, bottom]) {
+		const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+		const far = ({ level, column, row }) => {
+			const side = 256 * 2 ** level;
+			return Math.hypot((column + .5) * side - x, (row + .5) * side - y);
+		};
+		this.wanted = missing.sort((a, b) => b.level - a.level || far(a) - far(b));
+		this.next();
+	}
+	next() {
+		while (this.asked.size < AT_ONCE) {
+			const tile = this.wanted.find((candidate) => !this.asked.has(nameOf(candidate)));
+			if (tile === void 0) return;
+			this.wanted = this.wanted.filter((other) => other !== tile);
+			this.fetch(tile, this.of);
+		}
+	}
+	async fetch(tile, of) {
+		const name = nameOf(tile);
+		this.asked.add(name);
+		try {
+			const bitmap = await this.make(tile.level, tile.column, tile.row);
+			if (this.of === of) this.made.set(name, bitmap);
+			else bitmap.close();
+		} catch (error) {
+			if (this.of === of && !(error instanceof Cancelled)) this.made.set(name, null);
+		}
+		this.asked.delete(name);
+		this.forgetOldest();
+		this.next();
+		this.arrived();
+	}
+	forgetOldest() {
+		for (const [name, bitmap] of this.made) {
+			if (this.made.size <= MOST_TILES) return;
+			bitmap?.close();
+			this.made.delete(name);
+		}
+	}
+	keepOnly(raster) {
+		if (this.of === raster) return;
+		this.of = raster;
+		for (const bitmap of this.made.values()) bitmap?.close();
+		this.made.clear();
+		this.wanted = [];
+	}
+};
+function partSeen(toCanvas, { width, height }, across, down) {
+	const back = inverse(toCanvas);
+	const corners = [
+		mapped(back, 0, 0),
+		mapped(back, across, 0),
+		mapped(back, 0, down),
+		mapped(back, across, down)
+	];
+	const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
+	return [
+		Math.max(0, Math.min(...xs)),
+		Math.max(0, Math.min(...ys)),
+		Math.min(width, Math.max(...xs)),
+		Math.min(height, Math.max(...ys))
+	];
+}
+function tilesOf(level, [left, top, right, bottom], { width, height }) {
+	const side = 256 * 2 ** level;
+	const last = (length, end) => Math.min(Math.ceil(length / side), Math.ceil(end / side));
+	const tiles = [];
+	for (let row = Math.floor(top / side); row < last(height, bottom); row++) for (let column = Math.floor(left / side); column < last(width, right); column++) tiles.push({
+		level,
+		column,
+		row
+	});
+	return tiles;
+}
+function nameOf({ level, column, row }) {
+	return `${String(level)} ${String(column)} ${String(row)}`;
+}
+// www/block/view/map/thumbs.ts
+var SIDE$1 = 240;
+var Thumbs = class {
+	arrived;
+	made = new Map();
+	waiting = [];
+	making = false;
+	constructor(arrived) {
+		this.arrived = arrived;
+	}
+	get(file) {
+		const found = this.made.get(file.id);
+		if (found === void 0 && !this.waiting.includes(file)) {
+			this.waiting.push(file);
+			this.make();
+		}
+		return found ?? null;
+	}
+	async make() {
+		if (this.making) return;
+		this.making = true;
+		for (let next = this.waiting[0]; next !== void 0; next = this.waiting[0]) {
+			this.made.set(next.id, await copyOf(next.file));
+			this.waiting.shift();
+			this.arrived();
+		}
+		this.making = false;
+	}
+};
+async function copyOf(file) {
+	try {
+		return await createImageBitmap(file, {
+			resizeWidth: SIDE$1,
+			resizeQuality: "medium",
+			imageOrientation: "none"
+		});
+	} catch {
+		return null;
+	}
+}
+// www/block/view/map/plan.ts
+var MARGIN = 62;
+var MARGIN_OF_GROUND = 22;
+var MARK_REACH = 12;
+var LINE_REACH = 6;
+function fitPlan({ layout: { kind, places }, surveyed }, footprints, width, height) {
+	const box = [
+		Infinity,
+		Infinity,
+		-Infinity,
+		-Infinity
+	];
+	const points = kind === "oriented" ? surveyed.flatMap(({ position: [x, y] }) => [x, y]) : [];
+	for (const flat of [
+		places,
+		points,
+		...footprints === null ? [] : [footprints]
+	]) for (let i = 0; i < flat.length; i += 2) {
+		const [x = NaN, y = NaN] = [flat[i], flat[i + 1]];
+		if (Number.isNaN(x)) continue;
+		box[0] = Math.min(box[0], x);
+		box[1] = Math.min(box[1], y);
+		box[2] = Math.max(box[2], x);
+		box[3] = Math.max(box[3], y);
+	}
+	if (box[0] > box[2]) return {
+		scale: 1,
+		x: 0,
+		y: 0
+	};
+	const margin = footprints === null ? MARGIN : MARGIN_OF_GROUND;
+	const room = (length) => Math.max(10, length - 2 * margin);
+	const spread = (low, high) => Math.max(high - low, 1e-9);
+	const scale = Math.min(room(width) / spread(box[0], box[2]), room(height) / spread(box[1], box[3]));
+	return {
+		scale,
+		x: width / 2 - scale * (box[0] + box[2]) / 2,
+		y: height / 2 + scale * (box[1] + box[3]) / 2
+	};
+}
+function placeOf(view, plan, image) {
+	const [x = 0, y = 0] = view.layout.places.subarray(2 * image, 2 * image + 2);
+	return toCanvas(plan, x, -y);
+}
+var SPACINGS = new WeakMap();
+function spacingOf(view) {
+	const known = SPACINGS.get(view);
+	if (known !== void 0) return known;
+	const { places } = view.layout;
+	let least = Infinity;
+	for (let i = 0; i < places.length; i += 2) for (let j = 0; j < i; j += 2) least = Math.min(least, Math.hypot((places[i] ?? 0) - (places[j] ?? 0), (places[i + 1] ?? 0) - (places[j + 1] ?? 0)));
+	SPACINGS.set(view, least);
+	return least;
+}
+var WIDEST_THUMB = 110;
+var LEAST_THUMB = 26;
+function thumbWidth(view, plan) {
+	if (view.images.length > 150) return 0;
+	const width = Math.min(WIDEST_THUMB, .8 * spacingOf(view) * plan.scale);
+	return width < LEAST_THUMB ? 0 : width;
+}
+var LINES = new WeakMap();
+function linesOf(view) {
+	const known = LINES.get(view);
+	if (known !== void 0) return known;
+	const connected = view.connections.map((connection, pair) => ({
+		...connection,
+		pair
+	})).filter(({ outcome }) => outcome.kind === "connected");
+	const joined = connected.some(({ shared }) => shared > 0);
+	const weight = (connection) => joined ? connection.shared : matchesOf(connection);
+	const most = connected.reduce((high, connection) => Math.max(high, weight(connection)), 1);
+	const made = connected.map((connection) => ({
+		pair: connection.pair,
+		images: connection.images,
+		strength: Math.sqrt(weight(connection) / most)
+	})).map((line) => ({
+		...line,
+		width: .6 + 6.4 * line.strength
+	})).sort((a, b) => a.width - b.width);
+	LINES.set(view, made);
+	return made;
+}
+function imageAt(view, plan, keeps, width, x, y) {
+	let image = -1;
+	let least = Math.max(MARK_REACH, width / 2);
+	view.images.forEach((_, i) => {
+		if (!keeps(i)) return;
+		const [px, py] = placeOf(view, plan, i);
+		const distance = Math.hypot(px - x, py - y);
+		if (distance < least) [image, least] = [i, distance];
+	});
+	return image;
+}
+function lineAt(view, plan, keeps, x, y) {
+	let found = null;
+	let nearest = Infinity;
+	for (const line of linesOf(view)) {
+		if (!keeps(line.pair)) continue;
+		const distance = toSegment(placeOf(view, plan, line.images[0]), placeOf(view, plan, line.images[1]), x, y);
+		if (distance <= Math.max(LINE_REACH, line.width / 2 + 2) && distance < nearest) [found, nearest] = [line, distance];
+	}
+	return found === null ? null : found.images;
+}
+function toSegment([ax, ay], [bx, by], x, y) {
+	const [dx, dy] = [bx - ax, by - ay];
+	const along = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / Math.max(dx * dx + dy * dy, 1e-9)));
+	return Math.hypot(ax + along * dx - x, ay + along * dy - y);
+}
+// www/block/view/map/images.ts
+var NAMED = 60;
+var NAME_GAP = 6;
+function isMarked({ marked }, image) {
+	return marked.some((choice) => imagesOf(choice).includes(image));
+}
+function soundness(view) {
+	const largest = new Set(view.groups[0]);
+	return (image) => view.partial || (view.layout.kind === "oriented" ? view.images[image]?.oriented === true : largest.has(image));
+}
+function isOf(choice, images) {
+	const own = imagesOf(choice);
+	return own.length === 1 ? own.every((image) => images.includes(image)) : images.every((image) => own.includes(image));
+}
+function paintLines(context, colours, view, plan, keepsPair) {
+	const alpha = context.globalAlpha;
+	context.lineCap = "round";
+	context.strokeStyle = colours.bars;
+	for (const line of linesOf(view)) {
+		if (!keepsPair(line.pair)) continue;
+		context.globalAlpha = alpha * (.3 + .5 * line.strength);
+		context.lineWidth = line.width;
+		paintLine(context, view, plan, line.images);
+	}
+	context.globalAlpha = alpha;
+}
+function paintMarkedLines(context, colours, view, plan, { marked, keepsPair }) {
+	if (marked.length === 0) return;
+	const isOn = (images) => marked.some((choice) => isOf(choice, images));
+	context.strokeStyle = colours.accent;
+	for (const { pair, images, width } of linesOf(view)) {
+		if (!keepsPair(pair) || !isOn(images)) continue;
+		context.lineWidth = Math.max(width, 2);
+		paintLine(context, view, plan, images);
+	}
+	context.setLineDash([4, 4]);
+	context.lineWidth = 1;
+	for (const [pair, { images, outcome }] of view.connections.entries()) {
+		if (outcome.kind === "connected" || !keepsPair(pair) || !isOn(images)) continue;
+		context.strokeStyle = outcome.kind === "failed" ? colours.problem : colours.muted;
+		paintLine(context, view, plan, images);
+	}
+	context.setLineDash([]);
+}
+function paintLine(context, view, plan, [a, b]) {
+	context.beginPath();
+	context.moveTo(...placeOf(view, plan, a));
+	context.lineTo(...placeOf(view, plan, b));
+	context.stroke();
+}
+function paintImages(context, colours, view, plan, shown) {
+	const isSound = soundness(view);
+	view.images.forEach((_, i) => {
+		if (!shown.keepsImage(i)) return;
+		const [x, y] = placeOf(view, plan, i);
+		const on = isMarked(shown, i);
+		const radius = on ? 7 : view.images.length > 300 ? 3 : 5;
+		const sound = isSound(i);
+		context.beginPath();
+		context.arc(x, y, radius, 0, 2 * Math.PI);
+		context.fillStyle = sound ? on ? colours.accent : colours.bars : colours.surface;
+		context.fill();
+		context.lineWidth = sound ? 1.5 : 2;
+		context.strokeStyle = sound ? colours.surface : colours.problem;
+		context.stroke();
+	});
+}
+function paintNames(context, colours, view, plan, shown, below) {
+	context.font = "11px system-ui, sans-serif";
+	context.textAlign = "center";
+	const all = view.images.map((_, image) => image).filter(shown.keepsImage);
+	const on = new Set(all.filter((image) => isMarked(shown, image)));
+	const named = [...on, ...all.length > NAMED ? [] : all.filter((image) => !on.has(image))];
+	const taken = [];
+	for (const image of named) {
+		const text = (view.images[image]?.name ?? "").replace(/\.[^.]+$/u, "");
+		const [x, middle] = placeOf(view, plan, image);
+		const [y, half] = [middle + below, .5 * context.measureText(text).width];
+		if (taken.some((other) => Math.abs(other.x - x) < other.half + half + NAME_GAP && Math.abs(other.y - y) < 13) && !on.has(image)) continue;
+		taken.push({
+			x,
+			y,
+			half
+		});
+		haloed(context, colours, text, x, y);
+	}
+}
+// www/block/view/map/look.ts
+var FIRST_LOOK = {
+	colouring: "residual",
+	connections: true,
+	footprints: false,
+	photos: true,
+	lasso: false,
+	offsets: true,
+	orthophoto: true
+};
+// www/block/view/map/points.ts
+var FEW$1 = 5e3;
+var drawnPoints = remember((points, keeps) => {
+	const drawn = new Uint32Array(points.count);
+	let count = 0;
+	for (let point = 0; point < points.count; point++) if (!Number.isNaN(points.positions[3 * point]) && keeps(point)) drawn[count++] = point;
+	return drawn.subarray(0, count);
+});
+function pointPlace({ positions }, t, point) {
+	return toCanvas(t, positions[3 * point] ?? NaN, -(positions[3 * point + 1] ?? NaN));
+}
+function pointAt(points, keeps, t, x, y) {
+	let [nearest, least] = [-1, 49];
+	for (const point of drawnPoints(points, keeps)) {
+		const [px, py] = [t.scale * (points.positions[3 * point] ?? 0) + t.x - x, t.y - t.scale * (points.positions[3 * point + 1] ?? 0) - y];
+		const distance = px * px + py * py;
+		if (distance < least) [nearest, least] = [point, distance];
+	}
+	return nearest;
+}
+function pointsWithin(points, keeps, t, outline) {
+	const xs = outline.map(([x]) => x);
+	const ys = outline.map(([, y]) => y);
+	const reduced = (values, of) => values.reduce((a, b) => of(a, b), values[0] ?? 0);
+	const [left, right, top, bottom] = [
+		reduced(xs, Math.min),
+		reduced(xs, Math.max),
+		reduced(ys, Math.min),
+		reduced(ys, Math.max)
+	];
+	const inside = [];
+	for (const point of drawnPoints(points, keeps)) {
+		const x = t.scale * (points.positions[3 * point] ?? 0) + t.x;
+		const y = t.y - t.scale * (points.positions[3 * point + 1] ?? 0);
+		if (x >= left && y >= top && x <= right && y <= bottom && isWithin(xs, ys, x, y)) inside.push(point);
+	}
+	return inside;
+}
+function isWithin(xs, ys, x, y) {
+	let odd = false;
+	for (let i = 0, before = xs.length - 1; i < xs.length; before = i++) {
+		const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = [
+			xs[before],
+			ys[before],
+			xs[i],
+			ys[i]
+		];
+		if (y0 > y !== y1 > y && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0)) odd = !odd;
+	}
+	return odd;
+}
+function wordOf(colour) {
+	const [red = 0, green = 0, blue = 0] = (colour.match(/[\d.]+/gu) ?? []).map(Number);
+	return new Uint32Array(Uint8Array.of(red, green, blue, 255).buffer)[0] ?? 0;
+}
+var GONE = wordOf([
+	1,
+	3,
+	5
+].map((at) => String(Number.parseInt(REJECTED_BY_HAND.colour.slice(at, at + 2), 16))).join(" "));
+var PointBitmap = class {
+	canvas = document.createElement("canvas");
+	image = null;
+	words = new Uint32Array();
+	paint(context, t, width, height, ratio, painted) {
+		const [columns, rows] = [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
+		const own = this.canvas.getContext("2d");
+		if (own === null) return;
+		if (this.image === null || this.image.width !== columns || this.image.height !== rows) {
+			Object.assign(this.canvas, {
+				width: columns,
+				height: rows
+			});
+			this.image = own.createImageData(columns, rows);
+			this.words = new Uint32Array(this.image.data.buffer);
+		} else this.words.fill(0);
+		const { points, coloured, keeps, chosen, pointed, mark, edge } = painted;
+		const drawn = drawnPoints(points, keeps);
+		const few = drawn.length <= FEW$1;
+		const side = Math.max(2, Math.round((few ? 4 : 2.4) * ratio));
+		const device = {
+			scale: t.scale * ratio,
+			x: t.x * ratio,
+			y: t.y * ratio
+		};
+		const canvas = {
+			words: this.words,
+			columns,
+			rows
+		};
+		const [edged, marked] = [wordOf(edge), wordOf(mark)];
+		const [kept, under] = [chosen.filter(keeps), pointed.filter(keeps)];
+		if (few) squares(canvas, points, device, drawn, side + 2, () => edged);
+		squares(canvas, points, device, drawn, side, (point) => point < points.taking ? WORDS[coloured.steps[point] ?? 0] ?? 0 : GONE);
+		const firstGone = drawn.findIndex((point) => point >= points.taking);
+		if (firstGone >= 0) squares(canvas, points, device, drawn.subarray(firstGone), side - 2, () => edged);
+		const isLarge = kept.length <= FEW$1;
+		if (isLarge) squares(canvas, points, device, kept, side + 6, () => edged);
+		squares(canvas, points, device, kept, isLarge ? side + 4 : side, () => marked);
+		squares(canvas, points, device, under, side + 4, () => marked);
+		own.putImageData(this.image, 0, 0);
+		context.save();
+		context.setTransform(1, 0, 0, 1, 0, 0);
+		context.drawImage(this.canvas, 0, 0);
+		context.restore();
+	}
+};
+function squares({ words, columns, rows }, { positions }, t, points, size, colour) {
+	for (const point of points) {
+		const left = Math.floor(t.scale * (positions[3 * point] ?? 0) + t.x - size / 2);
+		const top = Math.floor(t.y - t.scale * (positions[3 * point + 1] ?? 0) - size / 2);
+		if (left <= -size || top <= -size || left >= columns || top >= rows) continue;
+		const word = colour(point);
+		const right = Math.min(columns, left + size);
+		const bottom = Math.min(rows, top + size);
+		for (let row = Math.max(0, top); row < bottom; row++) for (let column = Math.max(0, left); column < right; column++) words[row * columns + column] = word;
+	}
+}
+// www/block/view/map/still.ts
+var REST_MS = 120;
+var BEYOND = .25;
+var Still = class {
+	redraw;
+	canvas = document.createElement("canvas");
+	at = {
+		scale: 1,
+		x: 0,
+		y: 0
+	};
+	of = [];
+	moving = null;
+	now = this.at;
+	constructor(redraw) {
+		this.redraw = redraw;
+	}
+	paint(context, t, [width, height, ratio], what, draw) {
+		const key = [
+			...what,
+			width,
+			height,
+			ratio
+		];
+		const isOther = key.length !== this.of.length || key.some((part, i) => part !== this.of[i]);
+		const rests = this.now.scale === t.scale && this.now.x === t.x && this.now.y === t.y;
+		const isAt = this.at.scale === t.scale && this.at.x === t.x && this.at.y === t.y;
+		if (isOther || rests && !isAt && this.moving === null) this.renew(t, width, height, ratio, key, draw);
+		else if (!rests) this.wait();
+		this.now = t;
+		const larger = t.scale / this.at.scale;
+		const [left, top] = [-.25 * width, -.25 * height].map((edge, i) => larger * (edge - (i === 0 ? this.at.x : this.at.y)) + (i === 0 ? t.x : t.y));
+		context.drawImage(this.canvas, left ?? 0, top ?? 0, larger * 1.5 * width, larger * 1.5 * height);
+	}
+	wait() {
+		if (this.moving !== null) clearTimeout(this.moving);
+		this.moving = setTimeout(() => {
+			this.moving = null;
+			this.redraw();
+		}, REST_MS);
+	}
+	renew(t, width, height, ratio, key, draw) {
+		const own = this.canvas.getContext("2d");
+		if (own === null) return;
+		Object.assign(this.canvas, {
+			width: Math.ceil(1.5 * width * ratio),
+			height: Math.ceil(1.5 * height * ratio)
+		});
+		own.setTransform(ratio, 0, 0, ratio, 0, 0);
+		draw(own, {
+			scale: t.scale,
+			x: t.x + BEYOND * width,
+			y: t.y + BEYOND * height
+		});
+		Object.assign(this, {
+			at: t,
+			of: key
+		});
+	}
+};
+// www/block/view/map/map.ts
+function systemOf(view, ground) {
+	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
+	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
+}
+var BlockMap = class extends Chart {
+	facts;
+	thumbs = new Thumbs(() => this.layers.redraw());
+	bitmap = new PointBitmap();
+	lines = new Still(() => this.layers.redraw());
+	look = FIRST_LOOK;
+	outline = [];
+	listeners = [];
+	pointer = null;
+	tiles;
+	hadOrthophoto = false;
+	constructor(host, store, looking, facts, placing) {
+		super(host, "map", store, looking);
+		this.facts = facts;
+		this.keys = declare({
+			where: say("map"),
+			host,
+			list: [
+				{
+					keys: ["n"],
+					does: say("chooses-the-next-image"),
+					run: () => this.step(1)
+				},
+				{
+					keys: ["p"],
+					does: say("chooses-the-previous-image"),
+					run: () => this.step(-1)
+				},
+				{
+					keys: ["c"],
+					does: say("chooses-the-next-pair-of"),
+					run: () => this.stepPair()
+				}
+			]
+		});
+		this.tiles = new OrthophotoTiles((level, column, row) => placing.tile(level, column, row), () => this.layers.redraw());
+		facts.watch(() => this.changed());
+		store.watch(["shown", "selection"], () => this.tell());
+		store.watch((s) => [s.placing.orthophoto, s.placing.placed], () => this.changed());
+	}
+	keys;
+	watch(changed) {
+		this.listeners.push(changed);
+		changed();
+	}
+	get shows() {
+		return this.look;
+	}
+	show(look) {
+		this.look = {
+			...this.look,
+			...look
+		};
+		this.changed();
+	}
+	get place() {
+		return this.view()?.layout.kind === "connections" ? null : this.pointer;
+	}
+	ground() {
+		return this.facts.ground();
+	}
+	get orthophoto() {
+		return this.store.state.placing.orthophoto;
+	}
+	laid() {
+		const { placing, files, shown } = this.store.state;
+		const view = shown?.view ?? null;
+		if (view === null || placing.orthophoto === null) return null;
+		const ground = this.ground();
+		return laidUnder(placing.orthophoto, placing.placed, files, shown, ground, systemOf(view, ground));
+	}
+	changed() {
+		const has = this.laid() !== null;
+		if (has && !this.hadOrthophoto) this.look = {
+			...this.look,
+			photos: false,
+			footprints: true
+		};
+		this.hadOrthophoto = has;
+		this.layers.redraw();
+		this.tell();
+	}
+	tell() {
+		for (const listener of this.listeners) listener();
+	}
+	placed = (at) => {
+		const view = this.view();
+		const place = at === null || view === null ? null : toPosition(this.current(view), ...at);
+		this.pointer = place === null ? null : [place[0], -place[1]];
+		this.tell();
+	};
+	enclosed = (view, drawn, ended) => {
+		const outline = drawn.to === null ? [] : this.look.lasso ? [...drawn.path] : cornersOf$1(drawn.from, drawn.to);
+		this.outline = ended ? [] : outline;
+		if (ended && this.look.colouring !== "none") this.looking.choose(choiceOfPoints(pointsWithin(view.points, this.keeps(view, "points"), this.current(view), outline)));
+		this.layers.redraw();
+	};
+	whole(view) {
+		return fitPlan(view, view.layout.kind === "oriented" ? this.ground()?.footprints ?? null : null, this.layers.width, this.layers.height);
+	}
+	limits(whole) {
+		return {
+			least: .2 * whole,
+			most: 200 * whole
+		};
+	}
+	keeps(view, subject) {
+		return keptBy(subject, view, this.store.state.selection);
+	}
+	hit(view, t, x, y) {
+		const { colouring, connections } = this.look;
+		const point = colouring === "none" ? -1 : pointAt(view.points, this.keeps(view, "points"), t, x, y);
+		const image = imageAt(view, t, this.keeps(view, "images"), this.thumbSide(view, t, this.ground()), x, y);
+		if (image >= 0 && (point < 0 || distance(placeOf(view, t, image), x, y) <= distance(pointPlace(view.points, t, point), x, y))) return {
+			kind: "image",
+			image
+		};
+		if (point >= 0) return {
+			kind: "point",
+			point
+		};
+		const images = connections ? lineAt(view, t, this.keeps(view, "pairs"), x, y) : null;
+		return images === null ? null : {
+			kind: "pair",
+			images
+		};
+	}
+	command(key) {
+		return this.keys(key, false);
+	}
+	step(by) {
+		const view = this.view();
+		if (view === null) return;
+		const kept = view.images.map((_, image) => image).filter(this.keeps(view, "images"));
+		const now = kept.indexOf(imagesOf(this.store.state.selection.chosen)[0] ?? -1);
+		const image = kept[now < 0 ? by > 0 ? 0 : kept.length - 1 : (now + by + kept.length) % kept.length];
+		if (image !== void 0) this.looking.choose({
+			kind: "image",
+			image
+		});
+	}
+	stepPair() {
+		const view = this.view();
+		const { chosen } = this.store.state.selection;
+		const [image] = imagesOf(chosen);
+		if (view === null || image === void 0) return;
+		const keeps = this.keeps(view, "pairs");
+		const own = view.connections.filter((_, pair) => keeps(pair)).map(({ images }) => images).filter((images) => images.includes(image)).map(([a, b]) => a === image ? [a, b] : [b, a]);
+		const next = own[((chosen?.kind === "pair" ? own.findIndex(([, b]) => b === chosen.images[1]) : -1) + 1) % Math.max(1, own.length)];
+		if (next !== void 0) this.looking.choose({
+			kind: "pair",
+			images: next
+		});
+	}
+	paint(context, colours, view, t) {
+		const { width, height } = this.layers;
+		const { chosen, pointed } = this.store.state.selection;
+		const { look } = this;
+		const ground = this.ground();
+		const system = systemOf(view, ground);
+		const hasPlaces = view.layout.kind !== "connections";
+		const shown = {
+			marked: [chosen, pointed].filter((choice) => choice !== null).filter((choice) => imagesOf(choice).length > 0),
+			keepsImage: this.keeps(view, "images"),
+			keepsPair: this.keeps(view, "pairs")
+		};
+		const outlined = (image) => look.footprints && shown.keepsImage(image);
+		const { orthophoto } = this.store.state.placing;
+		const laid = look.orthophoto && orthophoto !== null ? this.laid() : null;
+		if (laid !== null && orthophoto !== null) this.tiles.paint(context, orthophoto, laid.toBlock, t, [
+			width,
+			height,
+			this.layers.ratio
+		]);
+		if (ground !== null) this.paintPhotos(context, colours, view, t, ground, shown);
+		if (hasPlaces) paintGrid(context, colours, t, width, height);
+		if (ground !== null && hasPlaces) paintFootprints(context, colours, ground, t, outlined, (image) => isMarked(shown, image));
+		if (look.connections) this.paintConnections(context, colours, view, t, shown);
+		const below = ground === null ? this.paintPhotos(context, colours, view, t, ground, shown) : 19;
+		this.paintPoints(context, colours, view, t, chosen, pointed);
+		if (below === 19) paintImages(context, colours, view, t, shown);
+		paintNames(context, colours, view, t, shown, below);
+		if (!hasPlaces) return;
+		const offsets = offsetsOf(view, ground, shown.keepsImage, this.keeps(view, "surveyed"));
+		const factor = factorOf(Math.max(offsets.longest.gnss, offsets.longest.surveyed), t);
+		if (look.offsets) paintGnss(context, offsets, t, factor);
+		paintSurveyed(context, colours, offsets, t, factor, look.offsets, [width, height]);
+		paintScale(context, colours, t, height, system);
+		if (system !== "own") paintNorth(context, colours, width, system);
+		if (look.offsets) this.paintOffsetLegend(context, colours, offsets, factor, system);
+		this.paintOutline(context, colours);
+	}
+	paintConnections(context, colours, view, t, shown) {
+		const { keepsPair, marked } = shown;
+		const { width, height, ratio } = this.layers;
+		context.globalAlpha = marked.length > 0 ? .4 : 1;
+		const draw = (on, plan) => paintLines(on, colours, view, plan, keepsPair);
+		if (linesOf(view).length < 500) draw(context, t);
+		else this.lines.paint(context, t, [
+			width,
+			height,
+			ratio
+		], [
+			view,
+			keepsPair,
+			colours
+		], draw);
+		context.globalAlpha = 1;
+		paintMarkedLines(context, colours, view, t, shown);
+	}
+	paintOffsetLegend(context, colours, { longest }, factor, system) {
+		const parts = [longest.gnss > 0 ? say("gnss-minus-adjusted-up-to", { gnss: lengthText(longest.gnss, system) }) : "", longest.surveyed > 0 ? say("adjusted-minus-surveyed-up-to", { surveyed: lengthText(longest.surveyed, system) }) : ""].filter((part) => part !== "");
+		if (parts.length === 0) return;
+		context.font = "11px system-ui, sans-serif";
+		context.textAlign = "start";
+		const text = say("drawn-longer", {
+			parts: parts.join("; "),
+			factor
+		});
+		haloed(context, colours, asSentence(text.charAt(0).toUpperCase() + text.slice(1)), 12, this.layers.height - 38);
+	}
+	paintOutline(context, colours) {
+		if (this.outline.length === 0) return;
+		context.strokeStyle = colours.accent;
+		context.lineWidth = 1.5;
+		context.setLineDash([5, 3]);
+		context.beginPath();
+		for (const place of this.outline) context.lineTo(...place);
+		context.closePath();
+		context.stroke();
+		context.setLineDash([]);
+	}
+	paintPoints(context, colours, view, t, chosen, pointed) {
+		const { points } = view;
+		const coloured = colouredPoints(points, this.look.colouring);
+		if (coloured === null || view.layout.kind !== "oriented") return;
+		const { width, height, ratio } = this.layers;
+		const keeps = this.keeps(view, "points");
+		this.bitmap.paint(context, t, width, height, ratio, {
+			points,
+			coloured,
+			keeps,
+			chosen: pointsOf(chosen),
+			pointed: pointsOf(pointed),
+			mark: colours.problem,
+			edge: colours.surface
+		});
+	}
+	paintPhotos(context, colours, view, t, ground, { keepsImage, ...marks }) {
+		const { shown, files, running } = this.store.state;
+		const width = this.thumbSide(view, t, ground);
+		if (!this.look.photos || view.images.length > 150 || shown === null || running.kind === "yes") return 19;
+		const ofName = new Map([...files, ...shown.files].map((file) => [file.name, file]));
+		const isSound = soundness(view);
+		let below = 19;
+		view.images.forEach(({ name }, i) => {
+			const file = ofName.get(name);
+			if (file === void 0 || !keepsImage(i) || ground === null && width === 0) return;
+			const thumb = this.thumbs.get(file);
+			if (thumb === null) return;
+			if (ground !== null) {
+				paintOnGround(context, thumb, ground, t, i);
+				return;
+			}
+			const height = width * thumb.height / thumb.width;
+			const [x, y] = placeOf(view, t, i);
+			context.drawImage(thumb, x - width / 2, y - height / 2, width, height);
+			const on = isMarked({
+				keepsImage,
+				...marks
+			}, i);
+			context.lineWidth = on ? 3 : 1.5;
+			context.strokeStyle = on ? colours.accent : isSound(i) ? colours.surface : colours.problem;
+			context.strokeRect(x - width / 2, y - height / 2, width, height);
+			below = Math.max(below, height / 2 + 13);
+		});
+		return below;
+	}
+	thumbSide(view, t, ground) {
+		return ground === null && this.look.photos ? thumbWidth(view, t) : 0;
+	}
+};
+function cornersOf$1([x0, y0], [x1, y1]) {
+	return [
+		[x0, y0],
+		[x1, y0],
+		[x1, y1],
+		[x0, y1]
+	];
+}
+function distance([px, py], x, y) {
+	return Math.hypot(px - x, py - y);
+}
+// www/block/panel/map-view.ts
+var LAYOUTS = {
+	oriented: say("oriented-positions-from-above"),
+	recorded: say("gnss-positions-from-above"),
+	connections: say("arranged-by-connections-positions-have")
+};
+var SYSTEMS = {
+	geographic: say("metres-east-and-north-of"),
+	surveyed: say("system-of-the-control-points"),
+	own: say("the-blocks-own-system-without")
+};
+var COLOURINGS = [
+	["residual", say("by-residual")],
+	["rays", say("by-rays")],
+	["height", say("by-height")],
+	["none", say("not-shown")]
+];
+var KEYS$2 = say("press-an-image-a-point");
+function mapView(facts, placing, mosaic) {
+	return {
+		name: "map",
+		title: say("map"),
+		mount: (store, looking) => {
+			const words = h("p", {
+				class: "visually-hidden",
+				id: "block-map-words",
+				testid: "block-map-words"
+			});
+			const canvas = h("div", {
+				class: "view block-view",
+				testid: "block-map",
+				tabindex: 0,
+				role: "group",
+				aria: {
+					roledescription: say("map-of-the-block"),
+					label: say("images-and-tie-points-of"),
+					describedby: `${words.id} ${KEYS_ID}`
+				}
+			});
+			const map = new BlockMap(canvas, store, looking, facts, placing);
+			const place = h("p", {
+				class: "map-place",
+				testid: "map-place"
+			});
+			const legend = h("span", {
+				class: "note map-legend",
+				testid: "block-layout"
+			});
+			const bar = h("span", {
+				class: "map-scale",
+				aria: { hidden: "true" }
+			});
+			bar.style.background = GRADIENT;
+			map.watch(() => {
+				const { shown } = store.state;
+				setText(place, placeText(map, shown?.view ?? null));
+				showLegend(legend, bar, map, shown?.view ?? null);
+				setText(words, shown === null ? "" : inWords$1(map, shown.view));
+			});
+			const element = h("div", {
+				class: "map",
+				tabindex: -1
+			}, canvas, place, words);
+			element.addEventListener("focus", () => canvas.focus());
+			return {
+				element,
+				tools: [toolsOf$1(store, map, mosaic), legend],
+				zoomable: map,
+				keys: KEYS$2
+			};
+		}
+	};
+}
+function setText(element, text) {
+	if (element.textContent !== text) element.textContent = text;
+}
+function toolsOf$1(store, map, mosaic) {
+	const [points, select] = choice(say("tie-points"), "map-points", COLOURINGS, (colouring) => map.show({ colouring }));
+	const switches = [
+		["connections", toggle(say("pairs"), "map-connections", say("lines-between-connected-images-wider"), (connections) => map.show({ connections }))],
+		["photos", toggle(say("photos"), "map-photos", say("small-photos-where-they-have"), (photos) => map.show({ photos }))],
+		["footprints", toggle(say("footprints"), "map-footprints", say("what-each-image-covers-of"), (footprints) => map.show({ footprints }))],
+		["offsets", toggle(say("offsets"), "map-offsets", say("gnss-positions-and-differences-of"), (offsets) => map.show({ offsets }))],
+		["orthophoto", toggle(say("orthophoto"), "map-orthophoto", say("the-orthophoto-that-is-given"), (orthophoto) => map.show({ orthophoto }))],
+		["lasso", toggle(say("lasso"), "map-lasso", say("shift-and-a-drag-chooses"), (lasso) => map.show({ lasso }))]
+	];
+	map.watch(() => {
+		const { shows } = map;
+		select.value = shows.colouring;
+		for (const [name, press] of switches) press.setAttribute("aria-pressed", String(shows[name]));
+	});
+	const make = button(say("orthomosaic-2"), "map-mosaic", mosaic, say("makes-a-quick-orthomosaic-of"));
+	map.watch(() => {
+		const press = switches.find(([name]) => name === "orthophoto")?.[1];
+		if (press !== void 0) press.hidden = map.laid() === null;
+	});
+	store.watch([
+		"shown",
+		"files",
+		"placing",
+		"running",
+		"notice"
+	], ([shown, , { orthophoto }]) => {
+		make.hidden = shown?.view.layout.kind !== "oriented" || orthophoto !== null && (orthophoto.ofBlock === null || orthophoto.ofBlock === shown.key);
+		make.disabled = isBusy(store.state) || imagesOfBlock(store.state).length === 0;
+	});
+	store.watch(["shown"], ([shown]) => {
+		const oriented = shown?.view.layout.kind === "oriented";
+		for (const part of [points, ...switches.filter(([name]) => name === "footprints" || name === "offsets" || name === "lasso").map(([, press]) => press)]) part.hidden = !oriented;
+	});
+	return unfolded("map-menu", points, ...switches.map(([, press]) => press), make);
+}
+function showLegend(legend, bar, map, view) {
+	const scale = view === null || view.layout.kind !== "oriented" ? void 0 : colouredPoints(view.points, map.shows.colouring)?.scale;
+	const text = view === null ? "" : legendText(view, map);
+	const ends = scale === void 0 ? [] : [scale.from, scale.to].map((value) => `${fixed(value, scale.digits)}${scale.unit === "" ? "" : ` ${scale.unit}`}`);
+	const now = [text, ...ends].join("|");
+	if (legend.dataset.text === now) return;
+	legend.dataset.text = now;
+	fill(legend, text, ...scale === void 0 ? [] : [h("span", { class: "map-colours" }, `${scale.title}: ${ends[0] ?? ""}`, bar, ends[1] ?? "")]);
+}
+function systemText(view, map) {
+	const system = systemOf(view, map.ground());
+	return system === "surveyed" && view.orthophoto?.kind === "linked" ? say("system-of-the-orthophoto") : SYSTEMS[system];
+}
+function legendText(view, map) {
+	const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
+	const matches = mostMatches(view);
+	const widest = most > 0 ? say("common-points", { most }) : say("matches", { matches });
+	const system = view.layout.kind === "connections" ? "" : ` (${systemText(view, map)})`;
+	return `${LAYOUTS[view.layout.kind]}${system}.${orthophotoNote(map, view)} ${map.shows.connections && most + matches > 0 ? say("widest-line", { widest }) : ""}`;
+}
+function orthophotoNote(map, view) {
+	const { orthophoto } = map;
+	if (orthophoto === null || view.layout.kind !== "oriented") return "";
+	const laid = map.laid();
+	if (laid === null) {
+		if (orthophoto.ofBlock !== null) return say("the-orthomosaic-is-of-an");
+		return say("the-orthophoto-is-in-another");
+	}
+	if (!map.shows.orthophoto || laid.images === 0) return "";
+	return say("orthophoto-laid-under-by-placed", { images: laid.images });
+}
+function placeText(map, view) {
+	const { place } = map;
+	if (view === null || place === null) return "";
+	const system = systemOf(view, map.ground());
+	const unit = system === "own" ? "" : " m";
+	return `${system === "geographic" ? "E" : "X"} ${fixed(place[0], 2)}${unit}  ${system === "geographic" ? "N" : "Y"} ${fixed(place[1], 2)}${unit}`;
+}
+function inWords$1(map, view) {
+	const ground = map.ground();
+	const system = systemOf(view, ground);
+	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected").length;
+	const parts = [say("images-oriented-connected-pairs", {
+		view: legendText(view, map),
+		images: view.images.length,
+		oriented: view.oriented,
+		connected
+	})];
+	const coloured = colouredPoints(view.points, map.shows.colouring);
+	if (coloured !== null) {
+		const { title, from, to, digits, unit } = coloured.scale;
+		const gone = view.points.count - view.points.taking;
+		parts.push(say("tie-points-from-to", {
+			taking: view.points.taking,
+			what: gone > 0 ? say("and-rejected-by-hand", { gone }) : "",
+			title,
+			from: fixed(from, digits),
+			to: fixed(to, digits),
+			unit
+		}).trimEnd());
+	}
+	if (view.layout.kind !== "connections") parts.push(extentText(view, system));
+	const gsd = ground === null ? [] : [...ground.gsd].filter((value) => !Number.isNaN(value));
+	if (gsd.length > 0 && system !== "own") parts.push(say("ground-sample-distance", { reduce: lengthText(gsd.reduce((sum, value) => sum + value, 0) / gsd.length, system) }));
+	const { longest } = offsetsOf(view, ground);
+	if (longest.gnss > 0) parts.push(say("gnss-positions-differ-by-up", { gnss: lengthText(longest.gnss, system) }));
+	if (longest.surveyed > 0) parts.push(say("surveyed-points-differ-by-up", {
+		surveyed: view.surveyed.length,
+		surveyed_2: lengthText(longest.surveyed, system)
+	}));
+	return `${parts.join(". ")}.`;
+}
+function extentText({ layout: { places } }, system) {
+	const span = (axis) => {
+		const own = places.filter((_, i) => i % 2 === axis);
+		return own.length === 0 ? 0 : own.reduce((high, value) => Math.max(high, value), -Infinity) - own.reduce((low, value) => Math.min(low, value), Infinity);
+	};
+	return say("the-images-lie-within-by", {
+		length_text: lengthText(Math.max(span(0), 1e-9), system),
+		length_text_2: lengthText(Math.max(span(1), 1e-9), system)
+	});
+}
+// www/block/engine/link-hands.ts
+var LinkHands = class {
+	store;
+	engine;
+	constructor(store, engine) {
+		this.store = store;
+		this.engine = engine;
+	}
+	get image() {
+		const placed = chosenPlaced(this.store.state);
+		const isFree = !isBusy(this.store.state) && this.store.state.placing.adjusting === null;
+		return placed !== null && placed.result !== null && isFree ? placed : null;
+	}
+	use(kind) {
+		const { link } = this.store.state.placing.chosen;
+		if (link !== null) this.step({
+			kind,
+			link
+		});
+	}
+	measure() {
+		const begins = this.store.state.placing.draft === null && this.image !== null;
+		this.store.dispatch({
+			type: "linkDraft",
+			draft: begins ? {
+				at: null,
+				place: null
+			} : null
+		});
+	}
+	async place(end, position) {
+		const { draft } = this.store.state.placing;
+		const { image } = this;
+		if (draft === null || image === null) return null;
+		const next = {
+			...draft,
+			[end]: position
+		};
+		this.store.dispatch({
+			type: "linkDraft",
+			draft: next
+		});
+		const placement = image.result?.placement ?? null;
+		if (placement === null || next.at !== null && next.place !== null) return null;
+		try {
+			return await this.engine.predict(placement, end === "at" ? {
+				at: position,
+				place: null
+			} : {
+				at: null,
+				place: position
+			});
+		} catch {
+			return null;
+		}
+	}
+	accept() {
+		const { draft } = this.store.state.placing;
+		if (draft?.at == null || draft.place === null || this.image === null) return;
+		const { at, place } = draft;
+		this.store.dispatch({
+			type: "linkDraft",
+			draft: null
+		});
+		this.step({
+			kind: "add",
+			at,
+			place
+		});
+	}
+	go(by) {
+		const { image } = this;
+		if (image === null) return;
+		const done = image.done + by;
+		if (done >= 0 && done <= image.steps.length) this.follow(image, image.steps, done);
+	}
+	step(step) {
+		const { image } = this;
+		if (image !== null) this.follow(image, [...image.steps.slice(0, image.done), step], image.done + 1);
+	}
+	async follow({ file, key, result, problem, found, steps: former, done: before }, steps, done) {
+		const own = {
+			key,
+			problem,
+			found
+		};
+		const tell = (text) => this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "problem",
+				text
+			}
+		});
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		this.store.dispatch({
+			type: "placed",
+			image: file.id,
+			placed: {
+				...own,
+				result,
+				steps,
+				done
+			}
+		});
+		try {
+			const adjusted = await this.engine.adjust(file, found, steps.slice(0, done));
+			this.store.dispatch({
+				type: "placed",
+				image: file.id,
+				placed: {
+					...own,
+					result: adjusted,
+					steps,
+					done
+				}
+			});
+			const added = steps[done - 1]?.kind === "add" && done > before ? shownLinks({
+				result: adjusted,
+				steps,
+				done
+			}) : null;
+			if (added !== null) this.store.dispatch({
+				type: "choosePlaced",
+				looked: {
+					image: file.id,
+					link: added.count - 1
+				}
+			});
+		} catch (error) {
+			this.store.dispatch({
+				type: "placed",
+				image: file.id,
+				placed: {
+					...own,
+					result,
+					steps: former,
+					done: before
+				}
+			});
+			const last = steps[done - 1];
+			if (!(error instanceof Cancelled)) tell(say("not-done", {
+				what: last === void 0 ? "" : say("n-", { last: stepName(last) }),
+				sentence: sentence(messageOf(error))
+			}));
+		}
+	}
+};
+// www/block/view/orthophoto/links.ts
+var LINK_STYLES = {
+	used: {
+		...ACCEPTED,
+		name: say("link-use", { use: "used" })
+	},
+	check: {
+		colour: CANDIDATE,
+		shape: SHAPES.square,
+		name: say("link-use", { use: "check" })
+	},
+	rejected: {
+		...REJECTED,
+		name: say("link-use", { use: "rejected" })
+	}
+};
+var STYLES = [...USES$1.map((use) => LINK_STYLES[use]), MEASURED];
+function useOf$1(code) {
+	return USES$1[code] ?? "used";
+}
+var REACH$2 = 12;
+function linksOnImage({ count, at, residuals, uses, byHand }) {
+	const points = new Float64Array(3 * count);
+	const vectors = new Float64Array(4 * count);
+	for (let i = 0; i < count; i++) {
+		const place = at.subarray(2 * i, 2 * i + 2);
+		points.set(place, 3 * i);
+		vectors.set(place, 4 * i);
+		vectors.set(residuals.subarray(2 * i, 2 * i + 2), 4 * i + 2);
+	}
+	return {
+		points,
+		box: spreadOf(points),
+		codes: codesOf(uses, byHand),
+		vectors
+	};
+}
+function linksOnGround({ places, uses, byHand }) {
+	return pointsOnGround(places, codesOf(uses, byHand));
+}
+function pointsOnGround(places, codes) {
+	const points = Float64Array.from(places, (value, i) => i % 3 === 0 ? value : i % 3 === 1 ? -value : 0);
+	return {
+		points,
+		box: spreadOf(points),
+		codes: Uint8Array.from(codes),
+		vectors: new Float64Array()
+	};
+}
+var BY_HAND = USES$1.length;
+function codesOf(uses, byHand) {
+	return uses.map((use, i) => use === 0 && byHand[i] === 1 ? BY_HAND : use);
+}
+function spreadOf(points) {
+	const box = [
+		Infinity,
+		Infinity,
+		-Infinity,
+		-Infinity
+	];
+	for (let i = 0; i < points.length; i += 3) {
+		const [x = 0, y = 0] = points.subarray(i, i + 2);
+		box[0] = Math.min(box[0], x);
+		box[1] = Math.min(box[1], y);
+		box[2] = Math.max(box[2], x);
+		box[3] = Math.max(box[3], y);
+	}
+	return points.length === 0 ? [0, 0] : [box[2] - box[0], box[3] - box[1]];
+}
+function linkAt({ points, codes }, uses, t, x, y) {
+	let [found, least] = [-1, REACH$2];
+	for (let link = 0; 3 * link < points.length; link++) {
+		if (!uses.has(useOf$1(codes[link] ?? 0))) continue;
+		const [px, py] = toCanvas(t, points[3 * link] ?? 0, points[3 * link + 1] ?? 0);
+		const distance = Math.hypot(px - x, py - y);
+		if (distance < least) [found, least] = [link, distance];
+	}
+	return found;
+}
+function drawLinks(context, links, t, clip, uses) {
+	const half = markSize(links, t);
+	const styles = Float64Array.from(STYLES.flatMap(({ shape }, code) => [
+		shape,
+		code === BY_HAND ? LARGEST : half,
+		Math.min(1.6, .6 + .35 * half)
+	]));
+	draw_points(context, links.points, shownCodes(links, uses), styles, STYLES.map(({ colour }) => colour), drawView(t, clip));
+}
+var [SMALLEST, LARGEST] = [1, 4.5];
+function markSize({ points, box: [width, height] }, { scale }) {
+	const apart = scale * Math.sqrt(width * height / Math.max(1, points.length / 3));
+	return Math.min(LARGEST, Math.max(SMALLEST, .3 * apart));
+}
+var NOT_DRAWN = 255;
+function shownCodes({ codes }, uses) {
+	const shown = STYLES.map((_, code) => uses.has(useOf$1(code)));
+	return codes.map((code) => shown[code] === true ? code : NOT_DRAWN);
+}
+function drawLinkResiduals(context, links, factor, t, clip, uses) {
+	draw_vectors(context, links.vectors, shownCodes(links, uses), Float64Array.of(1.2, 1.2, 1.2, 1.2), [
+		RESIDUAL,
+		CANDIDATE,
+		RESIDUAL_REJECTED,
+		RESIDUAL
+	], factor, drawView(t, clip));
+}
+function drawCross(context, [x, y], colour) {
+	context.save();
+	for (const [stroke, width] of [["rgb(0 0 0 / 0.6)", 4], [colour, 2]]) {
+		context.strokeStyle = stroke;
+		context.lineWidth = width;
+		context.beginPath();
+		for (const [dx, dy] of [[1, 0], [0, 1]]) {
+			context.moveTo(x - 12 * dx, y - 12 * dy);
+			context.lineTo(x - 3 * dx, y - 3 * dy);
+			context.moveTo(x + 3 * dx, y + 3 * dy);
+			context.lineTo(x + 12 * dx, y + 12 * dy);
+		}
+		context.stroke();
+	}
+	context.restore();
+}
+function drawRing(context, { points }, link, t, chosen) {
+	const [x, y] = points.subarray(3 * link, 3 * link + 2);
+	if (x === void 0 || y === void 0) return;
+	const [cx, cy] = toCanvas(t, x, y);
+	context.save();
+	for (const [colour, width] of [["rgb(0 0 0 / 0.6)", chosen ? 5 : 3.5], [SELECTED, chosen ? 2.5 : 1.5]]) {
+		context.strokeStyle = colour;
+		context.lineWidth = width;
+		context.beginPath();
+		context.arc(cx, cy, 10, 0, 2 * Math.PI);
+		context.stroke();
+	}
+	context.restore();
+}
+// www/block/view/orthophoto/picture.ts
+var EDGE = 24;
+var SPARE = .96;
+var LinkPicture = class {
+	store;
+	hands;
+	layers;
+	moved = null;
+	part = null;
+	pointer = null;
+	listeners = [];
+	constructor(host, store, hands, keys) {
+		this.store = store;
+		this.hands = hands;
+		this.layers = new Layers(host, ["picture", "marks"], (name, context) => {
+			const box = this.whole();
+			if (box === null) return;
+			const t = this.current(box);
+			if (name === "picture") this.paintPicture(context, t);
+			else this.paintMarks(context, themeColours(), t);
+		});
+		onRecolour(() => this.layers.redraw());
+		listen(host, {
+			at: () => this.whole(),
+			focused: () => this.whole(),
+			pan: (box, dx, dy) => this.move(panned(this.current(box), dx, dy)),
+			zoom: (box, factor, x, y) => this.zoom(box, factor, x, y),
+			zoomMiddle: (factor) => this.zoomMiddle(factor),
+			fit: () => this.fit(),
+			pressed: (x, y) => this.pressed(x, y),
+			pointed: (at, dragging) => this.hover(at, dragging),
+			command: keys
+		});
+	}
+	other(_x, _y) {
+		return null;
+	}
+	watch(changed) {
+		this.listeners.push(changed);
+	}
+	get place() {
+		return this.pointer;
+	}
+	redraw() {
+		this.layers.redraw();
+	}
+	fit() {
+		this.show(null);
+	}
+	show(part) {
+		this.part = part;
+		this.moved = null;
+		this.layers.redraw();
+	}
+	reveal(link) {
+		const [x, y] = this.links()?.points.subarray(3 * link, 3 * link + 2) ?? [];
+		if (x !== void 0 && y !== void 0) this.bring([x, y]);
+	}
+	bring(at) {
+		const box = this.whole();
+		const { width, height } = this.layers;
+		if (box === null || width < 48 || height < 48) return;
+		const t = this.current(box);
+		const [x, y] = toCanvas(t, ...at);
+		const [dx, dy] = [into(x, width), into(y, height)];
+		if (dx !== 0 || dy !== 0) this.move(panned(t, dx, dy));
+	}
+	zoomMiddle(factor) {
+		const box = this.whole();
+		if (box !== null) this.zoom(box, factor, this.layers.width / 2, this.layers.height / 2);
+	}
+	chosen() {
+		return chosenPlaced(this.store.state);
+	}
+	current(box) {
+		if (this.moved !== null) return resized(this.moved.t, this.moved.on, this.layers);
+		const { width, height } = this.layers;
+		const [left, top, right, bottom] = this.part ?? box;
+		const scale = SPARE * Math.min(width / Math.max(right - left, 1e-9), height / Math.max(bottom - top, 1e-9));
+		return {
+			scale,
+			x: width / 2 - scale * (left + right) / 2,
+			y: height / 2 - scale * (top + bottom) / 2
+		};
+	}
+	move(t) {
+		const { width, height } = this.layers;
+		this.moved = {
+			t,
+			on: {
+				width,
+				height
+			}
+		};
+		this.layers.redraw();
+	}
+	zoom(box, factor, x, y) {
+		const t = this.current(box);
+		const fits = Math.min(this.layers.width / (box[2] - box[0]), this.layers.height / (box[3] - box[1]));
+		this.move(zoomedAbout(t, factor, x, y, {
+			least: .2 * fits,
+			most: this.mostScale(fits)
+		}));
+	}
+	mostScale(fits) {
+		return 400 * fits;
+	}
+	predicted = null;
+	expect(at) {
+		this.predicted = at;
+		if (at !== null) this.bring(at);
+		this.layers.redraw("marks");
+	}
+	paintEnd(context, t) {
+		if (this.store.state.placing.draft === null) return;
+		const end = this.end();
+		if (end !== null) drawCross(context, toCanvas(t, ...end), MEASURED.colour);
+		else if (this.predicted !== null) drawCross(context, toCanvas(t, ...this.predicted), CANDIDATE);
+	}
+	pressed(x, y) {
+		const box = this.whole();
+		if (this.store.state.placing.draft !== null && box !== null) {
+			this.measured(toPosition(this.current(box), x, y));
+			return;
+		}
+		this.store.dispatch({
+			type: "choosePlaced",
+			looked: this.lookedAt(x, y)
+		});
+	}
+	point(at) {
+		this.store.dispatch({
+			type: "pointPlaced",
+			looked: at === null ? NOTHING_LOOKED_AT : this.lookedAt(...at)
+		});
+	}
+	lookedAt(x, y) {
+		const box = this.whole();
+		const links = this.links();
+		const { chosen, uses } = this.store.state.placing;
+		const link = box === null || links === null ? -1 : linkAt(links, uses, this.current(box), x, y);
+		if (link >= 0) return {
+			image: chosen.image,
+			link
+		};
+		return this.other(x, y) ?? NOTHING_LOOKED_AT;
+	}
+	hover(at, dragging) {
+		const box = this.whole();
+		this.pointer = at === null || box === null ? null : toPosition(this.current(box), ...at);
+		if (!dragging) this.point(at);
+		for (const listener of this.listeners) listener();
+	}
+};
+function into(at, length) {
+	return at < EDGE ? 72 - at : at > length - EDGE ? length - 72 - at : 0;
+}
+// www/block/view/orthophoto/image.ts
+var PlacedImageView = class extends LinkPicture {
+	bitmaps;
+	drawn = remember(linksOnImage);
+	of = -1;
+	longer = 50;
+	constructor(host, store, hands, keys, grey) {
+		super(host, store, hands, keys);
+		this.bitmaps = new Bitmaps(grey, () => this.layers.redraw("picture"));
+		store.watch(["placing", "files"], () => {
+			const { id } = this.chosen()?.file ?? { id: -1 };
+			this.bitmaps.keep(new Set([id]));
+			if (this.of !== id) this.fit();
+			this.of = id;
+			this.layers.redraw();
+		});
+	}
+	get factor() {
+		return this.longer;
+	}
+	set factor(factor) {
+		this.longer = factor;
+		this.layers.redraw("marks");
+	}
+	size() {
+		const [width, height] = this.chosen()?.result?.size ?? [];
+		return width === void 0 || height === void 0 ? null : {
+			width,
+			height
+		};
+	}
+	whole() {
+		const size = this.size();
+		return size === null ? null : [
+			0,
+			0,
+			size.width,
+			size.height
+		];
+	}
+	mostScale(fits) {
+		return Math.max(32, 4 * fits);
+	}
+	links() {
+		const chosen = this.chosen();
+		const links = chosen === null ? null : shownLinks(chosen);
+		return links === null ? null : this.drawn(links);
+	}
+	other() {
+		return {
+			image: this.store.state.placing.chosen.image,
+			link: null
+		};
+	}
+	end() {
+		return this.store.state.placing.draft?.at ?? null;
+	}
+	measured(at) {
+		const size = this.size();
+		if (size === null || at[0] < 0 || at[1] < 0 || at[0] > size.width || at[1] > size.height) return;
+		this.hands.place("at", at).then((place) => this.ground?.expect(place === null ? null : [place[0], -place[1]]));
+	}
+	ground = null;
+	get clip() {
+		return {
+			left: 0,
+			top: 0,
+			width: this.layers.width,
+			height: this.layers.height
+		};
+	}
+	paintPicture(context, t) {
+		const [chosen, size] = [this.chosen(), this.size()];
+		if (chosen === null || size === null) return;
+		const { ratio } = this.layers;
+		const part = visiblePart(size, t, this.clip);
+		smooth(context, t.scale, ratio);
+		for (const { bitmap, x, y, step } of this.bitmaps.pieces(chosen.file, size, "pane", part, t.scale * ratio)) paintBitmap(context, bitmap, x, y, step, part, t);
+	}
+	paintMarks(context, _colours, t) {
+		const links = this.links();
+		if (links === null) {
+			this.paintEnd(context, t);
+			return;
+		}
+		const { clip } = this;
+		const { chosen, pointed, uses } = this.store.state.placing;
+		if (this.longer > 0) drawLinkResiduals(context, links, this.longer, t, clip, uses);
+		drawLinks(context, links, t, clip, uses);
+		if (pointed.image === chosen.image && pointed.link !== null) drawRing(context, links, pointed.link, t, false);
+		if (chosen.link !== null) drawRing(context, links, chosen.link, t, true);
+		this.paintEnd(context, t);
+		if (this.longer > 0) drawScaleBar(context, this.longer, {
+			transform: t,
+			rect: clip
+		});
+	}
+};
+// www/block/view/orthophoto/keys.ts
+function blockKeys(store, { step, leave }) {
+	const can = () => blockOnOrthophoto(store.state) !== null && !store.state.placing.picks;
+	return [
+		{
+			keys: ["n"],
+			does: say("chooses-the-next-place-of"),
+			can,
+			run: () => step("place", 1)
+		},
+		{
+			keys: ["p"],
+			does: say("chooses-the-previous-place-of"),
+			can,
+			run: () => step("place", -1)
+		},
+		{
+			keys: ["PageDown"],
+			does: say("chooses-the-next-image"),
+			can,
+			run: () => step("image", 1)
+		},
+		{
+			keys: ["PageUp"],
+			does: say("chooses-the-previous-image"),
+			can,
+			run: () => step("image", -1)
+		},
+		{
+			keys: ["Escape"],
+			does: say("chooses-nothing"),
+			can,
+			run: leave
+		}
+	];
+}
+function linkKeys(store, hands) {
+	const now = () => store.state.placing;
+	const isImageChosen = () => chosenPlaced(store.state) !== null;
+	const isLinkChosen = () => isImageChosen() && now().chosen.link !== null;
+	const links = () => {
+		const chosen = chosenPlaced(store.state);
+		return chosen === null ? 0 : shownLinks(chosen)?.count ?? 0;
+	};
+	const tried = () => store.state.files.filter(({ id }) => now().placed.has(id)).map(({ id }) => id);
+	const toLink = (by) => {
+		const { image, link } = now().chosen;
+		store.dispatch({
+			type: "choosePlaced",
+			looked: {
+				image,
+				link: stepped$1(link ?? -1, by, links())
+			}
+		});
+	};
+	const toImage = (by) => {
+		const all = tried();
+		store.dispatch({
+			type: "choosePlaced",
+			looked: {
+				image: all[stepped$1(all.indexOf(now().chosen.image ?? -1), by, all.length)] ?? null,
+				link: null
+			}
+		});
+	};
+	const leave = () => {
+		const { draft, picks, chosen } = now();
+		if (draft !== null) hands.measure();
+		else if (picks) store.dispatch({
+			type: "picksPlace",
+			picks: false
+		});
+		else store.dispatch({
+			type: "choosePlaced",
+			looked: chosen.link === null ? NOTHING_LOOKED_AT : {
+				image: chosen.image,
+				link: null
+			}
+		});
+	};
+	const hasLinks = () => links() > 0;
+	const hasImages = () => tried().length > 0;
+	return [
+		{
+			keys: ["n"],
+			does: say("chooses-the-next-link-of"),
+			can: hasLinks,
+			run: () => toLink(1)
+		},
+		{
+			keys: ["p"],
+			does: say("chooses-the-previous-link-of"),
+			can: hasLinks,
+			run: () => toLink(-1)
+		},
+		{
+			keys: ["PageDown"],
+			does: say("chooses-the-next-image-that"),
+			can: hasImages,
+			run: () => toImage(1)
+		},
+		{
+			keys: ["PageUp"],
+			does: say("chooses-the-previous-image-that"),
+			can: hasImages,
+			run: () => toImage(-1)
+		},
+		{
+			keys: ["Delete"],
+			does: say("rejects-the-chosen-link"),
+			can: isLinkChosen,
+			run: () => hands.use("reject")
+		},
+		{
+			keys: ["r"],
+			does: say("uses-the-chosen-link-again"),
+			can: isLinkChosen,
+			run: () => hands.use("restore")
+		},
+		{
+			keys: ["a"],
+			does: say("measures-a-new-link-or"),
+			can: isImageChosen,
+			run: () => hands.measure()
+		},
+		{
+			keys: ["Enter"],
+			does: say("accepts-the-link-that-is"),
+			can: () => now().draft !== null,
+			run: () => hands.accept()
+		},
+		{
+			keys: ["Escape"],
+			does: say("gives-up-or-chooses-nothing"),
+			run: leave
+		}
+	];
+}
+function stepped$1(now, by, count) {
+	return now < 0 ? by > 0 ? 0 : count - 1 : (now + by + count) % count;
+}
+// www/block/view/orthophoto/footprints.ts
+var REACH$1 = 12;
+var MOST_NAMES = 60;
+function footprintAt(all, t, x, y) {
+	const [east, south] = toPosition(t, x, y);
+	const [first] = all.map((of) => {
+		const [cx, cy] = toCanvas(t, of.centre[0], -of.centre[1]);
+		return {
+			of,
+			distance: Math.hypot(cx - x, cy - y)
+		};
+	}).filter(({ of, distance }) => distance < REACH$1 || isInside(of.outline, east, -south)).sort((a, b) => a.distance - b.distance);
+	return first ?? null;
+}
+function isInside(outline, x, y) {
+	let inside = false;
+	outline.forEach(([ax, ay], i) => {
+		const [bx, by] = outline[(i + 1) % outline.length] ?? [ax, ay];
+		if (ay > y !== by > y && x < ax + (bx - ax) * (y - ay) / (by - ay)) inside = !inside;
+	});
+	return inside;
+}
+function paintFootprint(context, t, { outline, colour, isStale }, chosen, pointed) {
+	context.save();
+	context.beginPath();
+	for (const [x, y] of outline) context.lineTo(...toCanvas(t, x, -y));
+	context.closePath();
+	context.strokeStyle = "rgb(0 0 0 / 0.55)";
+	context.lineWidth = chosen ? 5 : 3;
+	context.stroke();
+	context.strokeStyle = colour;
+	context.lineWidth = chosen ? 2.5 : pointed ? 2 : 1.2;
+	if (isStale) context.setLineDash([6, 4]);
+	context.stroke();
+	if (pointed && !chosen) {
+		context.fillStyle = colour;
+		context.globalAlpha = .1;
+		context.fill();
+	}
+	context.restore();
+}
+function paintCentres(context, colours, t, all, isChosen) {
+	for (const of of all) paintCentre(context, colours, t, of, isChosen(of), all.length <= MOST_NAMES);
+}
+function paintCentre(context, colours, t, of, chosen, hasName) {
+	const [x, y] = toCanvas(t, of.centre[0], -of.centre[1]);
+	context.save();
+	context.beginPath();
+	context.arc(x, y, chosen ? 7 : 5, 0, 2 * Math.PI);
+	context.fillStyle = of.colour;
+	context.fill();
+	context.lineWidth = 2;
+	context.strokeStyle = colours.surface;
+	context.stroke();
+	if (hasName || chosen) {
+		context.font = chosen ? "600 12px system-ui, sans-serif" : "11px system-ui, sans-serif";
+		context.textAlign = "center";
+		haloed(context, colours, of.name, x, y + 20);
+	}
+	context.restore();
+}
+// www/block/view/orthophoto/block.ts
+var onOrthophoto = remember((view, ground, isStale, keepsImage, keepsPoint) => ({
+	view,
+	images: view.images.flatMap(({ name, position }, image) => position === null || !keepsImage(image) ? [] : [{
+		image,
+		name,
+		isStale,
+		colour: ACCEPTED.colour,
+		centre: [position[0], position[1]],
+		outline: outlineOf(ground, image)
+	}]),
+	places: pointsWhere(view, (row, name) => isPlace(name) && keepsPoint(row)),
+	surveyed: pointsWhere(view, (row, name) => !isPlace(name) && keepsPoint(row))
+}));
+function outlineOf(ground, image) {
+	const corners = ground?.footprints.subarray(8 * image, 8 * image + 8) ?? [];
+	return [
+		0,
+		2,
+		4,
+		6
+	].map((at) => [corners[at] ?? NaN, corners[at + 1] ?? NaN]).filter(([x]) => !Number.isNaN(x));
+}
+function pointsWhere({ surveyed }, keeps) {
+	const rows = surveyed.flatMap(({ name }, row) => keeps(row, name) ? [row] : []);
+	const own = rows.flatMap((row) => surveyed[row] ?? []);
+	return {
+		rows,
+		drawn: pointsOnGround(own.flatMap(({ position }) => position), own.map((point) => USES$1.indexOf(useOf(point))))
+	};
+}
+function useOf({ role, isUsed }) {
+	return !isUsed ? "rejected" : role === "check" ? "check" : "used";
+}
+var ALL = new Set(USES$1);
+function choiceAt(of, uses, t, x, y) {
+	const image = footprintAt(of.images, t, x, y);
+	const [point] = [nearest(of.places, uses, t, x, y), nearest(of.surveyed, ALL, t, x, y)].filter((found) => found !== null).sort((a, b) => a.distance - b.distance);
+	if (point !== void 0 && (image === null || point.distance < image.distance)) return choiceOf(of.view, point.row);
+	return image === null ? null : {
+		kind: "image",
+		image: image.of.image
+	};
+}
+function nearest({ rows, drawn }, uses, t, x, y) {
+	const found = linkAt(drawn, uses, t, x, y);
+	const row = rows[found];
+	if (row === void 0) return null;
+	const [px, py] = toCanvas(t, drawn.points[3 * found] ?? 0, drawn.points[3 * found + 1] ?? 0);
+	return {
+		row,
+		distance: Math.hypot(px - x, py - y)
+	};
+}
+function choiceOf({ surveyed }, row) {
+	const point = surveyed[row]?.point ?? -1;
+	return point < 0 ? null : {
+		kind: "point",
+		point
+	};
+}
+function stepped({ view, images, places: { rows } }, uses, of, chosen, by) {
+	const isThere = (row) => {
+		const own = view.surveyed[row];
+		return own !== void 0 && own.point >= 0 && uses.has(useOf(own));
+	};
+	const all = of === "image" ? images.map(({ image }) => image) : rows.filter(isThere);
+	const [point = -1] = pointsOf(chosen);
+	const now = of === "image" ? all.indexOf(imagesOf(chosen)[0] ?? -1) : all.findIndex((row) => view.surveyed[row]?.point === point);
+	const next = all[now < 0 ? by > 0 ? 0 : all.length - 1 : (now + by + all.length) % all.length];
+	if (next === void 0) return null;
+	return of === "image" ? {
+		kind: "image",
+		image: next
+	} : choiceOf(view, next);
+}
+function placeOfChoice({ view, images }, chosen) {
+	if (chosen?.kind === "image") return images.find(({ image }) => image === chosen.image)?.centre ?? null;
+	const [point] = pointsOf(chosen);
+	const [x, y] = view.surveyed.find((own) => point !== void 0 && own.point === point)?.position ?? [];
+	return x === void 0 || y === void 0 ? null : [x, y];
+}
+function paintBlock(context, colours, t, clip, of, uses, { chosen, pointed }) {
+	const isOf = (choice) => (own) => imagesOf(choice).includes(own.image);
+	for (const own of of.images) paintFootprint(context, t, own, isOf(chosen)(own), isOf(pointed)(own));
+	drawLinks(context, of.places.drawn, t, clip, uses);
+	const isSurveyed = new Set(of.surveyed.rows);
+	paintSurveyed(context, colours, offsetsOf(of.view, null, () => false, (row) => isSurveyed.has(row)), t, 1, false, [clip.width, clip.height]);
+	for (const points of [of.places, of.surveyed]) {
+		paintRings(context, t, of.view, points, pointed, false);
+		paintRings(context, t, of.view, points, chosen, true);
+	}
+	paintCentres(context, colours, t, of.images, isOf(chosen));
+}
+function paintRings(context, t, { surveyed }, { rows, drawn }, of, isChosen) {
+	const points = new Set(pointsOf(of));
+	if (points.size === 0) return;
+	rows.forEach((row, i) => {
+		if (points.has(surveyed[row]?.point ?? -1)) drawRing(context, drawn, i, t, isChosen);
+	});
+}
+// www/block/view/orthophoto/over.ts
+var SIDE = 3e3;
+var ImageOver = class {
+	make;
+	arrived;
+	of = null;
+	picture = null;
+	constructor(make, arrived) {
+		this.make = make;
+		this.arrived = arrived;
+	}
+	paint(context, placed, t) {
+		const placement = placed?.result?.placement ?? null;
+		if (placed === null || placement === null) return;
+		if (this.of !== placement) this.ask(placed, placement);
+		if (this.picture === null) return;
+		const { bitmap, step, georeference } = this.picture;
+		const { a, b, c, d, e, f } = after({
+			a: t.scale,
+			b: 0,
+			c: 0,
+			d: -t.scale,
+			e: t.x,
+			f: t.y
+		}, affineOf(georeference));
+		context.save();
+		context.transform(a, b, c, d, e, f);
+		context.drawImage(bitmap, 0, 0, bitmap.width * step, bitmap.height * step);
+		context.restore();
+	}
+	ask(placed, placement) {
+		this.of = placement;
+		this.picture?.bitmap.close();
+		this.picture = null;
+		this.make(placed, placement, SIDE).then((picture) => {
+			if (this.of === placement) this.picture = picture;
+			else picture.bitmap.close();
+			this.arrived();
+		}, (error) => {
+			if (this.of === placement && error instanceof Cancelled) this.of = null;
+		});
+	}
+};
+// www/block/view/orthophoto/plan.ts
+var SYSTEM = "surveyed";
+var VERDICTS$1 = {
+	placed: ACCEPTED.colour,
+	weak: "#ffb000",
+	not_placed: REJECTED.colour
+};
+var OrthophotoPlan = class extends LinkPicture {
+	looking;
+	facts;
+	tiles;
+	over;
+	lays = false;
+	followed = null;
+	drawn = remember(linksOnGround);
+	constructor(host, store, hands, keys, engine, looking, facts) {
+		super(host, store, hands, keys);
+		this.looking = looking;
+		this.facts = facts;
+		this.tiles = new OrthophotoTiles((level, column, row) => engine.tile(level, column, row), () => this.layers.redraw("picture"));
+		this.over = new ImageOver(({ file }, placement, side) => engine.laid(file, placement, side), () => this.layers.redraw("picture"));
+		store.watch([
+			"placing",
+			"files",
+			"options",
+			"shown"
+		], () => this.layers.redraw());
+		store.watch(["selection"], ([{ chosen }]) => this.follow(chosen));
+		facts.watch(() => this.layers.redraw("marks"));
+	}
+	block() {
+		const { state } = this.store;
+		const shown = blockOnOrthophoto(state);
+		if (shown === null) return null;
+		const keeps = (subject) => keptBy(subject, shown.view, state.selection);
+		return onOrthophoto(shown.view, this.facts.ground(), isOffGround(state), keeps("images"), keeps("surveyed"));
+	}
+	follow(chosen) {
+		this.layers.redraw("marks");
+		const block = this.block();
+		const place = block === null || chosen === this.followed ? null : placeOfChoice(block, chosen);
+		this.followed = chosen;
+		if (place !== null) this.bring([place[0], -place[1]]);
+	}
+	step(of, by) {
+		const block = this.block();
+		if (block !== null) this.looking.choose(stepped(block, this.store.state.placing.uses, of, this.store.state.selection.chosen, by));
+	}
+	get isLaid() {
+		return this.lays;
+	}
+	set isLaid(lays) {
+		this.lays = lays;
+		this.layers.redraw("picture");
+	}
+	whole() {
+		const { orthophoto } = this.store.state.placing;
+		return orthophoto === null ? null : boxOf(cornersOf(orthophoto));
+	}
+	showImage({ footprint, pose }) {
+		this.show(boxOf([...footprint, [pose.position[0], pose.position[1]]]));
+	}
+	mostScale(fits) {
+		const { orthophoto } = this.store.state.placing;
+		return Math.max(4 * fits, 40 / (orthophoto?.info.gsd ?? 1));
+	}
+	links() {
+		const chosen = this.chosen();
+		const links = chosen === null ? null : shownLinks(chosen);
+		return links === null ? null : this.drawn(links);
+	}
+	end() {
+		const place = this.store.state.placing.draft?.place ?? null;
+		return place === null ? null : [place[0], -place[1]];
+	}
+	measured([east, south]) {
+		this.hands.place("place", [east, -south]).then((at) => this.image?.expect(at));
+	}
+	image = null;
+	pressed(x, y) {
+		const box = this.whole();
+		if (!this.store.state.placing.picks || box === null) {
+			const block = this.block();
+			if (block === null || box === null) super.pressed(x, y);
+			else {
+				this.followed = this.choiceAt(block, box, x, y);
+				this.looking.choose(this.followed);
+			}
+			return;
+		}
+		const [east, south] = toPosition(this.current(box), x, y);
+		const { gsd } = this.store.state.placing.orthophoto?.info ?? { gsd: 1 };
+		const round = (value) => Number(value.toFixed(Math.max(0, Math.ceil(-Math.log10(gsd)))));
+		this.store.dispatch({
+			type: "placingOptions",
+			options: {
+				near_x: round(east),
+				near_y: round(-south)
+			}
+		});
+	}
+	point(at) {
+		const [block, box] = [this.block(), this.whole()];
+		if (block === null || box === null) super.point(at);
+		else this.looking.point(at === null ? null : this.choiceAt(block, box, ...at));
+	}
+	choiceAt(block, box, x, y) {
+		return choiceAt(block, this.store.state.placing.uses, this.current(box), x, y);
+	}
+	other(x, y) {
+		const box = this.whole();
+		const found = box === null ? null : footprintAt(this.footprints(), this.current(box), x, y);
+		return found === null ? null : {
+			image: found.of.file,
+			link: null
+		};
+	}
+	footprints() {
+		return placedFiles(this.store.state).flatMap(({ file, result, isStale }) => {
+			const placement = result?.placement ?? null;
+			if (result === null || placement === null) return [];
+			const [x, y] = placement.pose.position;
+			return [{
+				file: file.id,
+				name: file.name,
+				isStale,
+				colour: VERDICTS$1[result.verdict.kind],
+				centre: [x, y],
+				outline: placement.footprint
+			}];
+		});
+	}
+	paintPicture(context, t) {
+		const { orthophoto } = this.store.state.placing;
+		const { width, height, ratio } = this.layers;
+		if (orthophoto === null) return;
+		this.tiles.paint(context, orthophoto, SAME$1, t, [
+			width,
+			height,
+			ratio
+		]);
+		if (this.lays) this.over.paint(context, this.chosen(), t);
+	}
+	paintMarks(context, colours, t) {
+		const { width, height } = this.layers;
+		const clip = {
+			left: 0,
+			top: 0,
+			width,
+			height
+		};
+		paintGrid(context, colours, t, width, height);
+		this.paintNear(context, colours, t);
+		const block = this.block();
+		if (block !== null) paintBlock(context, colours, t, clip, block, this.store.state.placing.uses, this.store.state.selection);
+		else this.paintPlaced(context, colours, t, clip);
+		paintScale(context, colours, t, height, SYSTEM);
+		paintNorth(context, colours, width, SYSTEM);
+	}
+	paintPlaced(context, colours, t, clip) {
+		const { chosen, pointed, uses } = this.store.state.placing;
+		const all = this.footprints();
+		for (const own of all) paintFootprint(context, t, own, own.file === chosen.image, own.file === pointed.image);
+		const links = this.links();
+		if (links !== null) {
+			drawLinks(context, links, t, clip, uses);
+			if (pointed.image === chosen.image && pointed.link !== null) drawRing(context, links, pointed.link, t, false);
+			if (chosen.link !== null) drawRing(context, links, chosen.link, t, true);
+		}
+		this.paintEnd(context, t);
+		paintCentres(context, colours, t, all, ({ file }) => file === chosen.image);
+	}
+	paintNear(context, colours, t) {
+		const { options } = this.store.state.placing;
+		if (options?.near_x == null || options.near_y == null) return;
+		const [x, y] = toCanvas(t, options.near_x, -options.near_y);
+		context.save();
+		context.strokeStyle = colours.accent;
+		context.lineWidth = 2;
+		context.setLineDash([6, 4]);
+		context.beginPath();
+		context.arc(x, y, Math.max(1, options.within_m * t.scale), 0, 2 * Math.PI);
+		context.stroke();
+		context.setLineDash([]);
+		context.beginPath();
+		for (const [dx, dy] of [[1, 0], [0, 1]]) {
+			context.moveTo(x - 7 * dx, y - 7 * dy);
+			context.lineTo(x + 7 * dx, y + 7 * dy);
+		}
+		context.stroke();
+		context.font = "11px system-ui, sans-serif";
+		context.textAlign = "start";
+		haloed(context, colours, say("sought-from-here"), x + 9, y - 6);
+		context.restore();
+	}
+};
+function cornersOf({ info: { width, height, georeference } }) {
+	const toGround = affineOf(georeference);
+	return [
+		[0, 0],
+		[width, 0],
+		[width, height],
+		[0, height]
+	].map(([x = 0, y = 0]) => mapped(toGround, x, y));
+}
+function boxOf(places) {
+	const [xs, ys] = [places.map(([x]) => x), places.map(([, y]) => -y)];
+	return [
+		Math.min(...xs),
+		Math.min(...ys),
+		Math.max(...xs),
+		Math.max(...ys)
+	];
+}
+// www/block/files/placed.ts
+function placedCsv(names, placed) {
+	return placed_tables([...names], placed);
+}
+// www/block/panel/placing-exports.ts
+var NAMES = {
+	placed: say("positions-placed-csv"),
+	links: say("links-links-csv"),
+	result: say("all-results-result-json"),
+	rectified: say("chosen-image-on-the-ground"),
+	all: say("all-images-on-the-ground")
+};
+function placingExports(store, engine) {
+	const select = h("select", {
+		testid: "placed-export-kind",
+		aria: { label: say("what-of-the-placed-images") }
+	});
+	const kinds = Object.keys(NAMES);
+	fill(select, ...kinds.map((kind) => new Option(NAMES[kind], kind)));
+	const press = button(say("save"), "placed-export", () => void savePlaced(store, engine, select.value));
+	const show = () => {
+		const needsChosen = select.value === "rectified";
+		const has = placedFiles(store.state).some(({ result }) => result !== null && (result.placement !== null || !needsChosen));
+		press.disabled = isBusy(store.state) || !has || needsChosen && (chosenPlaced(store.state)?.result?.placement ?? null) === null;
+	};
+	select.addEventListener("change", show);
+	store.watch([
+		"placing",
+		"files",
+		"running",
+		"notice"
+	], show);
+	return h("span", { class: "placed-exports" }, select, press);
+}
+async function savePlaced(store, engine, kind) {
+	const tell = (sort, text) => store.dispatch({
+		type: "notice",
+		notice: {
+			kind: sort,
+			text
+		}
+	});
+	tell("busy", say("writing", { names: NAMES[kind] }));
+	try {
+		const [content, name] = await made(store, engine, kind, (text) => tell("busy", text));
+		save(content, name);
+		tell("info", say("was-saved", { name }));
+	} catch (error) {
+		if (error instanceof Cancelled) tell("info", say("cancelled-nothing-was-saved"));
+		else tell("problem", say("nothing-was-saved", { sentence: sentence(messageOf(error)) }));
+	}
+}
+async function made(store, engine, kind, tell) {
+	const tried = placedFiles(store.state).flatMap(({ file, result }) => result === null ? [] : [{
+		file,
+		result
+	}]);
+	const tables = () => placedCsv(tried.map(({ file }) => file.name), tried.map(({ result }) => inRows(result)));
+	const tiff = (bytes) => new Blob([bytes], { type: "image/tiff" });
+	switch (kind) {
+		case "placed": return [new Blob([tables().placed], { type: "text/csv" }), "placed.csv"];
+		case "links": return [new Blob([tables().links], { type: "text/csv" }), "links.csv"];
+		case "result": {
+			const { orthophoto } = store.state.placing;
+			const all = {
+				orthophoto: {
+					name: orthophoto?.raster.name ?? "",
+					...orthophoto?.info
+				},
+				images: tried.map(({ file, result }) => ({
+					name: file.name,
+					...inRows(result)
+				}))
+			};
+			return [new Blob([`${JSON.stringify(all, null, 1)}\n`], { type: "application/json" }), "result.json"];
+		}
+		case "rectified": {
+			const chosen = chosenPlaced(store.state);
+			if (chosen === null) throw new Error(say("no-image-is-chosen-2"));
+			return [tiff(await engine.rectified(chosen.file)), rectifiedName(chosen.file.name)];
+		}
+		case "all": {
+			const placed = tried.filter(({ result }) => result.placement !== null);
+			const chunks = [];
+			const archive = new Zip((error, chunk) => {
+				if (error !== null) throw error;
+				chunks.push(chunk);
+			});
+			for (const [i, { file }] of placed.entries()) {
+				tell(say("resampling-to-the-ground-of", {
+					name: file.name,
+					i: i + 1,
+					placed: placed.length
+				}));
+				const entry = new ZipPassThrough(rectifiedName(file.name));
+				archive.add(entry);
+				entry.push(await engine.rectified(file), true);
+			}
+			archive.end();
+			return [new Blob(chunks, { type: "application/zip" }), "rectified.zip"];
+		}
+	}
+}
+function rectifiedName(name) {
+	return `${(name.split("/").at(-1) ?? name).replace(/\.[^.]*$/u, "")}-rectified.tif`;
+}
+// www/block/panel/placing-words.ts
+function verdictText({ result, problem }) {
+	if (result === null) return say("not-read", { problem: sentence(problem) });
+	const verdict = message("placing_verdict", result.verdict);
+	return result.search === void 0 ? verdict : `${verdict} ${message("place_search", result.search)}`;
+}
+// www/block/panel/orthophoto-view.ts
+var KEYS$1 = say("press-a-footprint-to-see");
+function orthophotoView(engine, facts, placing, { open, sample }) {
+	return {
+		name: "orthophoto",
+		title: say("orthophoto"),
+		mount: (store, looking) => {
+			const host = (testid, label) => h("div", {
+				class: "view",
+				testid,
+				tabindex: 0,
+				role: "group",
+				aria: {
+					roledescription: say("role-picture"),
+					label,
+					describedby: KEYS_ID
+				}
+			});
+			const [ground, picture] = [host("ortho-plan", say("orthophoto-with-the-images-that")), host("ortho-image", say("the-chosen-image-with-its"))];
+			const [place, at] = [h("p", {
+				class: "map-place",
+				testid: "ortho-place"
+			}), h("p", {
+				class: "map-place",
+				testid: "ortho-at"
+			})];
+			const name = h("p", { class: "ortho-name" });
+			const beside = h("div", {
+				class: "ortho-pane",
+				testid: "ortho-beside"
+			}, picture, name, at);
+			const chosen = h("p", {
+				class: "image-point",
+				testid: "ortho-chosen",
+				role: "status",
+				aria: { live: "polite" }
+			});
+			const element = h("div", {
+				class: "ortho-view",
+				tabindex: -1
+			}, h("div", { class: "ortho-panes" }, h("div", { class: "ortho-pane" }, ground, place, invited$1(store, {
+				open,
+				sample
+			})), beside), h("div", { class: "image-said" }, chosen, legendOf(store)));
+			element.addEventListener("focus", () => ground.focus());
+			const hands = new LinkHands(store, placing);
+			undoKeys(() => place.offsetParent !== null && blockOnOrthophoto(store.state) === null, (by) => hands.go(by));
+			const keys = declare({
+				where: say("orthophoto"),
+				host: element,
+				list: [...blockKeys(store, {
+					step: (of, by) => plan.step(of, by),
+					leave: () => looking.choose(null)
+				}), ...linkKeys(store, hands)]
+			});
+			const plan = new OrthophotoPlan(ground, store, hands, keys, placing, looking, facts);
+			const image = new PlacedImageView(picture, store, hands, keys, (file) => engine.grey(file));
+			plan.image = image;
+			image.ground = plan;
+			plan.watch(() => fill(place, plan.place === null ? "" : `X ${fixed(plan.place[0], 2)}  Y ${fixed(-plan.place[1], 2)}`));
+			image.watch(() => fill(at, image.place === null ? "" : say("column-row", {
+				place: image.place[0],
+				place_2: image.place[1]
+			})));
+			follow(store, plan, image, beside, name);
+			store.watch([
+				"placing",
+				"files",
+				"options",
+				"shown"
+			], () => {
+				element.classList.toggle("has-block", blockOnOrthophoto(store.state) !== null);
+				const text = chosenText(store);
+				if (chosen.textContent !== text) chosen.textContent = text;
+				element.classList.toggle("picks", store.state.placing.picks);
+			});
+			const [residuals, select] = vectorChoice("ortho-residuals", (factor) => {
+				image.factor = factor;
+			});
+			select.value = String(image.factor);
+			return {
+				element,
+				tools: [toolsOf(store, placing, plan, residuals), handsOf(store, hands)],
+				zoomable: plan,
+				keys: KEYS$1
+			};
+		}
+	};
+}
+function follow(store, plan, image, beside, name) {
+	let [of, link] = [store.state.placing.chosen.image, store.state.placing.chosen.link];
+	store.watch([
+		"placing",
+		"files",
+		"options",
+		"shown"
+	], ([{ chosen }]) => {
+		const placed = chosenPlaced(store.state);
+		const placement = placed?.result?.placement ?? null;
+		beside.hidden = (placed?.result ?? null) === null;
+		fill(name, placed?.file.name ?? "");
+		if (chosen.image !== of && placement !== null) plan.showImage(placement);
+		if (chosen.image === null && of !== null) plan.fit();
+		if (chosen.link !== link && chosen.link !== null) for (const picture of [plan, image]) picture.reveal(chosen.link);
+		if (store.state.placing.draft === null) for (const picture of [plan, image]) picture.predicted = null;
+		[of, link] = [chosen.image, chosen.link];
+	});
+}
+function chosenText({ state }) {
+	const { placing } = state;
+	const placed = chosenPlaced(state);
+	if (placing.picks) return say("press-the-orthophoto-where-images");
+	if (blockOnOrthophoto(state) !== null) return "";
+	if (placed === null && purposeOf(state) === "block") return say("a-block-that-is-placed");
+	if (placed === null) return placing.placed.size > 0 ? say("press-a-footprint-or-a") : "";
+	if (placing.draft !== null) {
+		const { at, place } = placing.draft;
+		if (at === null && place === null) return say("a-new-link-press-the");
+		return at === null ? say("press-the-point-in-the") : place === null ? say("press-the-point-on-the") : say("press-again-to-move-an");
+	}
+	if (placing.adjusting === placed.file.id) return say("adjusting");
+	const links = shownLinks(placed);
+	const added = links?.count ?? 0;
+	if (placed.result?.placement === null && added > 0 && placing.chosen.link === null && placed.result === placed.found) return say("of-at-least-links-by", {
+		name: placed.file.name,
+		added,
+		least_links: 4
+	});
+	if (placing.chosen.link === null || links === null || placing.chosen.link >= links.count) return `${placed.file.name}: ${verdictText(placed)}`;
+	const link = linkOf(links, placing.chosen.link);
+	const residual = link.residual_px;
+	const off = residual === null ? say("the-image-does-not-see") : say("residual-px-px", {
+		residual: residual[0],
+		residual_2: residual[1],
+		hypot: Math.hypot(...residual)
+	});
+	return say("link-of", {
+		link: placing.chosen.link + 1,
+		count: links.count,
+		what: link.by_hand ? say("measured-by-hand-3") : "",
+		name: useWord(placed, placing.chosen.link, link.role),
+		off
+	}) + `X ${fixed(link.place[0], 2)}, Y ${fixed(link.place[1], 2)}, Z ${fixed(link.place[2], 2)}.`;
+}
+function legendOf(store) {
+	const switches = USES$1.map((use) => {
+		const press = toggle(LINK_STYLES[use].name, `links-${use}`, HELP.links[use], (on) => store.dispatch({
+			type: "showLinks",
+			use,
+			on
+		}));
+		press.prepend(h("span", {
+			class: `link-mark is-${use}`,
+			aria: { hidden: "true" }
+		}), " ");
+		return press;
+	});
+	const title = h("span", {});
+	const legend = h("p", {
+		class: "ortho-legend",
+		testid: "ortho-legend"
+	}, title, ...switches);
+	store.watch([
+		"placing",
+		"files",
+		"options",
+		"shown"
+	], ([{ uses }]) => {
+		const of = blockOnOrthophoto(store.state) === null ? "links" : "places";
+		fill(title, of === "links" ? say("links") : say("places-of-the-block"));
+		for (const [i, use] of USES$1.entries()) {
+			const press = switches[i];
+			press?.setAttribute("aria-pressed", String(uses.has(use)));
+			if (press !== void 0) press.title = HELP[of][use];
+		}
+		legend.hidden = of === "links" && (chosenPlaced(store.state)?.result?.placement ?? null) === null;
+	});
+	return legend;
+}
+var HELP = {
+	links: {
+		used: say("links-by-which-the-image"),
+		check: say("links-that-took-no-part"),
+		rejected: say("links-that-were-rejected-as")
+	},
+	places: {
+		used: say("places-by-which-the-block"),
+		check: say("places-that-took-no-part"),
+		rejected: say("places-that-were-rejected")
+	}
+};
+function toolsOf(store, engine, plan, residuals) {
+	const exports = placingExports(store, engine);
+	const near = toggle(say("rough-place"), "ortho-near", say("the-next-press-on-the"), (picks) => store.dispatch({
+		type: "picksPlace",
+		picks
+	}));
+	const over = toggle(say("over-the-orthophoto"), "ortho-over", say("the-chosen-image-on-the"), (on) => {
+		plan.isLaid = on;
+		over.setAttribute("aria-pressed", String(on));
+	});
+	const everywhere = button(say("everywhere"), "ortho-everywhere", () => store.dispatch({
+		type: "placingOptions",
+		options: {
+			near_x: null,
+			near_y: null
+		}
+	}), say("images-are-sought-on-the"));
+	const whole = button(say("whole-orthophoto"), "ortho-whole", () => store.dispatch({
+		type: "choosePlaced",
+		looked: {
+			image: null,
+			link: null
+		}
+	}), say("no-image-is-chosen"));
+	store.watch([
+		"placing",
+		"running",
+		"notice",
+		"files",
+		"shown"
+	], ([placing]) => {
+		near.setAttribute("aria-pressed", String(placing.picks));
+		near.disabled = placing.orthophoto === null || isBusy(store.state);
+		everywhere.hidden = placing.options?.near_x == null && placing.options?.near_y == null;
+		whole.hidden = chosenPlaced(store.state) === null;
+		over.hidden = (chosenPlaced(store.state)?.result?.placement ?? null) === null;
+		for (const own of [residuals, exports]) own.hidden = blockOnOrthophoto(store.state) !== null;
+	});
+	return unfolded("ortho-menu", near, everywhere, residuals, over, whole, exports);
+}
+function handsOf(store, hands) {
+	const reject = button(say("reject-link"), "link-reject", () => hands.use("reject"), say("leaves-the-chosen-link-out"));
+	const restore = button(say("use-link"), "link-restore", () => hands.use("restore"), say("lets-the-chosen-link-take"));
+	const add = toggle(say("add-link"), "link-add", say("measures-a-link-by-hand"), () => hands.measure());
+	const accept = button(say("accept"), "link-accept", () => hands.accept(), say("takes-the-link-that-is"));
+	const undo = button(say("undo"), "link-undo", () => hands.go(-1));
+	const redo = button(say("redo"), "link-redo", () => hands.go(1));
+	store.watch([
+		"placing",
+		"running",
+		"notice",
+		"files",
+		"options",
+		"shown"
+	], ([{ chosen, draft, adjusting }]) => {
+		const held = document.activeElement;
+		const placed = chosenPlaced(store.state);
+		const busy = isBusy(store.state);
+		for (const press of [
+			reject,
+			restore,
+			add,
+			accept,
+			undo,
+			redo
+		]) press.setAttribute("aria-busy", String(adjusting !== null));
+		const link = chosen.link === null || placed === null ? null : shownLinks(placed);
+		const use = link === null || chosen.link === null ? null : linkOf(link, chosen.link).role;
+		for (const press of [
+			reject,
+			restore,
+			add,
+			accept,
+			undo,
+			redo
+		]) press.disabled = busy;
+		reject.hidden = use === null || use === "rejected";
+		restore.hidden = use !== "rejected";
+		add.hidden = placed?.result == null;
+		add.setAttribute("aria-pressed", String(draft !== null));
+		accept.hidden = placed === null || draft?.at == null || draft.place === null;
+		const [last, next] = [placed?.steps[placed.done - 1], placed?.steps[placed.done]];
+		undo.hidden = last === void 0;
+		redo.hidden = next === void 0;
+		undo.title = last === void 0 ? "" : say("undo-2", { last: stepName(last) });
+		redo.title = next === void 0 ? "" : say("redo-2", { next: stepName(next) });
+		passFocus(held, [
+			reject,
+			restore,
+			undo,
+			redo,
+			add
+		]);
+	});
+	return h("div", { class: "map-tools" }, reject, restore, add, accept, undo, redo);
+}
+function invited$1(store, { open, sample }) {
+	const own = button(say("open-an-orthophoto"), "ortho-open-first", open);
+	own.className = "primary";
+	const simulate = button(say("try-a-sample"), "ortho-sample", sample);
+	const welcome = h("div", {
+		class: "welcome",
+		testid: "ortho-welcome"
+	}, h("h2", {}, say("photographs-placed-on-an-orthophoto")), h("p", {}, say("drop-an-orthophoto-and-photographs")), h("ul", {}, h("li", {}, say("where-each-was-taken-and")), h("li", {}, say("how-precise-that-is-and")), h("li", {}, say("each-photograph-on-the-ground"))), h("p", { class: "buttons" }, own, simulate), h("p", { class: "note" }, say("an-orthophoto-is-a-geotiff")));
+	store.watch([
+		"placing",
+		"running",
+		"notice",
+		"catalogue"
+	], ([placing, , , catalogue]) => {
+		welcome.hidden = placing.orthophoto !== null;
+		for (const press of [own, simulate]) press.disabled = catalogue === null || isBusy(store.state);
+	});
+	return welcome;
+}
+// www/block/panel/placing-settings.ts
+var ORTHOPHOTO = say("none-a-geotiff-in-a");
+var HEIGHTS = say("none-the-ground-is-level");
+function mountPlacingSettings(host, store, files) {
+	const [orthophoto, orthophotoInput] = fileButton(say("orthophoto-2"), {
+		testid: "block-orthophoto",
+		label: say("file-orthophoto"),
+		multiple: true,
+		accept: "image/*,.tif,.tiff,.tfw,.jgw,.pgw,.wld,.asc,.txt"
+	}, (given) => void files.takeGround(given));
+	const [heights, heightsInput] = fileButton(say("heights"), {
+		testid: "block-heights",
+		label: say("file-heights"),
+		multiple: true,
+		accept: ".tif,.tiff,.asc,.txt,.tfw,image/tiff"
+	}, (given) => void files.takeGround(given, true));
+	const remove = button(say("remove"), "block-orthophoto-remove", () => store.dispatch({
+		type: "orthophoto",
+		orthophoto: null
+	}));
+	remove.setAttribute("aria-label", say("remove-orthophoto"));
+	const name = h("p", {
+		class: "note",
+		testid: "block-orthophoto-name"
+	});
+	const model = h("p", {
+		class: "note",
+		testid: "block-heights-name"
+	});
+	const [level, problem] = levelField(store, files);
+	const given = h("fieldset", { class: "group" }, h("legend", {}, say("orthophoto")), h("div", { class: "control" }, h("div", { class: "buttons" }, orthophoto, remove), name, orthophotoInput), h("div", { class: "control" }, h("div", { class: "buttons" }, heights), model, heightsInput, level, problem), purposeField(store));
+	store.watch([
+		"placing",
+		"running",
+		"notice"
+	], ([placing]) => {
+		const busy = isBusy(store.state);
+		orthophoto.disabled = busy;
+		remove.hidden = placing.orthophoto === null;
+		remove.disabled = busy;
+		heights.disabled = busy || placing.orthophoto === null;
+		fill(name, placing.orthophoto === null ? ORTHOPHOTO : orthophotoText(placing.orthophoto));
+		const [from, to] = placing.orthophoto?.info.heights ?? [];
+		fill(model, placing.heights.kind === "level" ? HEIGHTS : say("to-m", {
+			name: placing.heights.model.name,
+			from,
+			to
+		}));
+	});
+	store.watch(["catalogue"], ([catalogue]) => {
+		if (catalogue === null) return;
+		const sections = makeSections(catalogue.placingParameters, {
+			change: (key, value) => {
+				const { options } = store.state.placing;
+				if (options !== null) store.dispatch({
+					type: "placingOptions",
+					options: withSetting({ placing: options }, key, value).placing
+				});
+			},
+			defaults: () => ({ placing: catalogue.placing }),
+			refused: (label) => store.dispatch({
+				type: "refused",
+				label
+			})
+		});
+		fill(host, given, ...sections.elements);
+		store.watch((s) => [s.placing.options], ([options]) => {
+			if (options !== null) sections.show({ placing: options });
+		});
+	});
+	return {
+		orthophoto: () => orthophotoInput.click(),
+		heights: () => heightsInput.click()
+	};
+}
+var PURPOSES = [
+	["block", say("purpose-block")],
+	["images", say("purpose-images")],
+	["map", say("purpose-map")]
+];
+function purposeField(store) {
+	const select = h("select", {
+		id: "orthophoto-purpose",
+		testid: "orthophoto-purpose"
+	});
+	fill(select, new Option("–", ""), ...PURPOSES.map(([purpose, text]) => new Option(text, purpose)));
+	select.addEventListener("change", () => {
+		const purpose = PURPOSES.find(([own]) => own === select.value)?.[0];
+		if (purpose !== void 0) store.dispatch({
+			type: "purpose",
+			purpose
+		});
+	});
+	store.watch([
+		"placing",
+		"files",
+		"shown",
+		"running",
+		"notice"
+	], ([{ orthophoto }]) => {
+		select.disabled = orthophoto === null || orthophoto.ofBlock !== null || isBusy(store.state);
+		select.value = purposeOf(store.state) ?? "";
+	});
+	return h("div", { class: "control compact" }, h("label", { for: select.id }, say("what-is-done-with-it")), select);
+}
+function levelField(store, files) {
+	const problem = problemLine("block-level");
+	const input = numberInput("block-level", problem, () => {
+		const { valueAsNumber: height } = input;
+		const isHeight = Number.isFinite(height) && Math.abs(height) <= 2e4;
+		problem.textContent = isHeight ? "" : say("a-height-in-m-is");
+		if (isHeight) files.takeLevel(height);
+	});
+	store.watch((s) => [s.placing.heights, s.placing.orthophoto], ([heights, orthophoto]) => {
+		input.disabled = orthophoto === null;
+		if (document.activeElement !== input) input.value = heights.kind === "level" ? String(heights.height) : "";
+	});
+	const label = h("label", { for: input.id }, say("level-ground-at"), h("span", { class: "unit" }, " m"));
+	return [h("div", { class: "control compact" }, label, input), problem];
+}
+// www/block/state/placed-columns.ts
+function numbers(key, label, unit, digits, value, help) {
+	const known = (row) => value(row) ?? NaN;
+	return {
+		key,
+		label,
+		unit,
+		help,
+		value: known,
+		text: digits === 0 ? (row) => count(Number.isNaN(known(row)) ? null : known(row)) : (row) => fixed(known(row), digits)
+	};
+}
+function words(key, label, value, help) {
+	return {
+		key,
+		label,
+		unit: "",
+		help,
+		value,
+		text: value,
+		words: true
+	};
+}
+var VERDICTS = {
+	placed: say("placed-2"),
+	weak: say("with-doubt-2"),
+	not_placed: say("not-placed-2")
+};
+function placedWord({ result }) {
+	return result === null ? say("not-read-2") : VERDICTS[result.verdict.kind];
+}
+function placedColumns(rows, said) {
+	const of = (row) => rows[row]?.result?.placement ?? null;
+	const axes = [
+		"X",
+		"Y",
+		"Z"
+	];
+	const angles = [
+		"ω",
+		"φ",
+		"κ"
+	];
+	const uses = (row, use) => {
+		const placement = of(row);
+		return placement === null ? null : usedSo(placement.links, use);
+	};
+	const text = (row, made) => {
+		const shown = rows[row];
+		return shown === void 0 ? "" : made(shown);
+	};
+	return [
+		words("placed-image", say("image-2"), (i) => rows[i]?.file.name ?? "", say("file-name-press-a-row")),
+		words("placed-verdict", say("verdict"), (i) => text(i, (row) => `${placedWord(row)}${row.isStale ? say("earlier-settings") : ""}`), say("what-the-place-of-the")),
+		...axes.map((axis, k) => numbers(`placed-${axis.toLowerCase()}`, axis, "", 2, (i) => of(i)?.pose.position[k], say("projection-centre-in-the-system", { axis }))),
+		...axes.map((axis, k) => numbers(`placed-s${axis.toLowerCase()}`, `σ ${axis}`, "", 2, (i) => of(i)?.position_errors_m?.[k], say("standard-error-of-2", { axis }))),
+		...angles.map((angle, k) => numbers(`placed-angle${String(k)}`, angle, "°", 3, (i) => of(i)?.angles_deg[k], say("rotation", { angle }))),
+		...angles.map((angle, k) => numbers(`placed-sangle${String(k)}`, `σ ${angle}`, "°", 3, (i) => of(i)?.angle_errors_deg?.[k], say("standard-error-of-3", { angle }))),
+		numbers("placed-links", say("links-2"), "", 0, (i) => uses(i, "used"), say("points-of-the-image-and")),
+		numbers("placed-rejected", say("rejected"), "", 0, (i) => uses(i, "rejected"), say("links-rejected-as-gross-errors")),
+		numbers("placed-rmse", "RMSE", "px", 2, (i) => of(i)?.rmse_px, say("root-mean-square-length-of-the-residuals")),
+		numbers("placed-checks", say("checks"), "", 0, (i) => of(i)?.checks?.number, say("links-that-took-no-part-and")),
+		numbers("placed-check-rmse", say("check-rmse"), "px", 2, (i) => of(i)?.checks?.rmse_px, say("root-mean-square-length-of-the-residuals-of")),
+		numbers("placed-check-ground", say("on-the-ground"), "m", 2, (i) => of(i)?.checks?.rmse_m, say("the-same-on-the-ground")),
+		numbers("placed-gsd", "GSD", "m", 3, (i) => of(i)?.gsd_m, say("ground-sample-distance-the-side")),
+		numbers("placed-above", say("above-ground"), "m", 1, (i) => of(i)?.above_ground_m, say("height-of-the-projection-centre")),
+		words("placed-why", say("why"), (i) => text(i, said), say("the-verdict-in-a-sentence"))
+	];
+}
+function linkColumns({ links: { at, places, residuals, uses } }, steps, done) {
+	return [
+		numbers("link", say("link"), "", 0, (i) => i + 1, say("number-of-the-link-press")),
+		words("link-use", say("use"), (i) => useWord({
+			steps,
+			done
+		}, i, USES$1[uses[i] ?? 0] ?? "used"), say("used-for-the-orientation-kept")),
+		numbers("link-column", say("column"), "px", 2, (i) => at[2 * i], say("position-in-the-image-the")),
+		numbers("link-row", say("row-2"), "px", 2, (i) => at[2 * i + 1], say("position-in-the-image")),
+		numbers("link-x", "X", "", 2, (i) => places[3 * i], say("place-on-the-orthophoto-2")),
+		numbers("link-y", "Y", "", 2, (i) => places[3 * i + 1], say("place-on-the-orthophoto-2")),
+		numbers("link-z", "Z", "", 2, (i) => places[3 * i + 2], say("height-of-the-ground-at")),
+		numbers("link-dx", say("residual-x"), "px", 2, (i) => residuals[2 * i], say("observed-minus-computed-column")),
+		numbers("link-dy", say("residual-y"), "px", 2, (i) => residuals[2 * i + 1], say("observed-minus-computed-row")),
+		numbers("link-length", say("length"), "px", 2, (i) => Math.hypot(residuals[2 * i] ?? NaN, residuals[2 * i + 1] ?? NaN), say("length-of-the-residual"))
+	];
+}
+// www/block/panel/placing-tables.ts
+function placingTables(store) {
+	return [{
+		id: "block-placed",
+		title: say("placed-images"),
+		view: "orthophoto",
+		make: (host) => placedTable(host, store)
+	}, {
+		id: "block-links",
+		title: say("links-2"),
+		view: "orthophoto",
+		make: (host) => linksTable(host, store)
+	}];
+}
+function placedTable(host, store) {
+	let rows = [];
+	let filter = {};
+	const lookedAt = (row) => ({
+		image: rows[row]?.file.id ?? null,
+		link: null
+	});
+	const table = new Table(host, {
+		testid: "block-placed",
+		words: {
+			table: say("placed-images"),
+			region: say("table-placed-images")
+		},
+		file: "placed-images.csv",
+		choose: (row) => store.dispatch({
+			type: "choosePlaced",
+			looked: lookedAt(row)
+		}),
+		point: (row) => store.dispatch({
+			type: "pointPlaced",
+			looked: lookedAt(row)
+		}),
+		isChosen: (row) => rows[row]?.file.id === store.state.placing.chosen.image,
+		filter: (wanted) => {
+			filter = wanted;
+			draw();
+		}
+	});
+	const columns = remember((shown) => placedColumns(shown, verdictText));
+	const draw = () => {
+		if (isHidden(host)) return;
+		rows = placedFiles(store.state);
+		table.show(rows.length, columns(rows), void 0, filter);
+		table.reveal(rows.findIndex(({ file }) => file.id === store.state.placing.chosen.image));
+	};
+	store.watch((s) => [
+		s.placing.placed,
+		s.files,
+		s.placing.options,
+		s.placing.heights,
+		s.options.cameras,
+		s.placing.chosen.image
+	], () => draw());
+	return { draw };
+}
+function linksTable(host, store) {
+	let filter = {};
+	const lookedAt = (row) => ({
+		image: store.state.placing.chosen.image,
+		link: row < 0 ? null : row
+	});
+	const table = new Table(host, {
+		testid: "block-links",
+		words: {
+			table: say("links-of-the-chosen-image"),
+			region: say("table-links-of-the-chosen")
+		},
+		file: "links.csv",
+		choose: (row) => store.dispatch({
+			type: "choosePlaced",
+			looked: lookedAt(row)
+		}),
+		point: (row) => store.dispatch({
+			type: "pointPlaced",
+			looked: lookedAt(row)
+		}),
+		isChosen: (row) => row === store.state.placing.chosen.link,
+		filter: (wanted) => {
+			filter = wanted;
+			draw();
+		}
+	});
+	const columns = remember(linkColumns);
+	const draw = () => {
+		if (isHidden(host)) return;
+		const placed = chosenPlaced(store.state);
+		const placement = placed?.result?.placement ?? null;
+		table.show(placement?.links.count ?? 0, placed === null || placement === null ? [] : columns(placement, placed.steps, placed.done), void 0, filter);
+		table.reveal(store.state.placing.chosen.link ?? -1);
+	};
+	store.watch((s) => [
+		s.placing.placed,
+		s.placing.chosen,
+		s.files
+	], () => draw());
+	return { draw };
+}
+// www/block/state/normal.ts
+var STEP = .001;
+function normalQuantiles(count) {
+	const quantiles = new Float64Array(count);
+	const density = (x) => Math.exp(-.5 * x * x) / Math.sqrt(2 * Math.PI);
+	let [x, below] = [-6.2, 0];
+	for (let i = 0; i < Math.floor(count / 2); i++) {
+		const wanted = (i + .5) / count;
+		for (;;) {
+			const next = x < 0 ? STEP / 6 * (density(x) + 4 * density(x + STEP / 2) + density(x + STEP)) : Infinity;
+			if (below + next >= wanted) {
+				quantiles[i] = x + STEP * (wanted - below) / next;
+				break;
+			}
+			[x, below] = [x + STEP, below + next];
+		}
+		quantiles[count - 1 - i] = -(quantiles[i] ?? 0);
+	}
+	return quantiles;
+}
+// www/block/state/plots.ts
+var PLOTS = [
+	["images", say("residuals-by-image")],
+	["residuals", say("residuals-of-observations")],
+	["w", say("w-against-the-normal-distribution")],
+	["detectable", say("minimal-detectable-biases-by-image")],
+	["rays", say("tie-points-by-rays")],
+	["sigma-plan", say("standard-errors-in-plan-along")],
+	["sigma-height", say("standard-errors-in-height-along")],
+	["gnss", say("gnss-positions")],
+	["surveyed-plan", say("control-and-check-points-plan")],
+	["surveyed-height", say("control-and-check-points-height")]
+];
+function plotOf(name, view, facts) {
+	switch (name) {
+		case "images": return byImage(view);
+		case "rays": return byRays(view);
+		case "sigma-plan":
+		case "sigma-height": return alongBlock(view, name === "sigma-plan");
+		case "surveyed-plan":
+		case "surveyed-height": return surveyedPoints(view, name === "surveyed-plan");
+		case "residuals":
+		case "w":
+		case "detectable": {
+			const of = facts.observations();
+			if (of === null) return null;
+			return name === "residuals" ? residuals(of) : name === "w" ? sortedTests(of) : detectable(view, of);
+		}
+		case "gnss": {
+			const ground = facts.ground();
+			return ground === null ? null : positions$1(view, ground);
+		}
+	}
+}
+function ofImages({ images }, y, value) {
+	const rows = Array.from(images.keys()).filter((image) => !Number.isNaN(value(image)));
+	const names = rows.map((image) => images[image]?.name ?? "");
+	return {
+		x: {
+			label: say("image-2"),
+			unit: "",
+			values: Float64Array.from(rows.keys()),
+			names
+		},
+		y: {
+			...y,
+			values: Float64Array.from(rows, value)
+		},
+		bars: true,
+		square: false,
+		choice: (row) => rows[row] === void 0 ? null : {
+			kind: "image",
+			image: rows[row]
+		},
+		chosen: (choice) => {
+			const chosen = new Set(imagesOf(choice));
+			return (row) => chosen.has(rows[row] ?? -1);
+		},
+		together: ([only, ...more]) => only === void 0 || more.length > 0 || rows[only] === void 0 ? null : {
+			kind: "image",
+			image: rows[only]
+		}
+	};
+}
+var byImage = remember((view) => ofImages(view, {
+	label: say("rmse-of-the-residuals"),
+	unit: "px"
+}, (image) => view.images[image]?.rmsePx ?? NaN));
+var positions$1 = remember((view, { gnss }) => ofImages(view, {
+	label: say("gnss-minus-adjusted-position"),
+	unit: "m"
+}, (image) => {
+	const { position } = view.images[image] ?? {};
+	return position == null ? NaN : Math.hypot(...position.map((value, axis) => (gnss[3 * image + axis] ?? NaN) - value));
+}));
+function ofPoints(points, x, y, bars = false) {
+	return {
+		x,
+		y,
+		bars,
+		square: false,
+		choice: (row) => points[row] === void 0 ? null : {
+			kind: "point",
+			point: points[row]
+		},
+		chosen: (choice) => {
+			const chosen = new Set(pointsOf(choice));
+			return (row) => chosen.has(points[row] ?? -1);
+		},
+		together: (rows) => choiceOfPoints(rows.flatMap((row) => points[row] ?? []))
+	};
+}
+var alongBlock = remember(({ points }, plan) => {
+	const coordinate = (point, axis) => points.positions[3 * point + axis] ?? NaN;
+	const error = (point) => {
+		const [x = NaN, y = NaN, z = NaN] = points.errors.subarray(3 * point, 3 * point + 3);
+		return plan ? Math.hypot(x, y) : z;
+	};
+	const rows = Uint32Array.from({ length: points.taking }, (_, point) => point).filter((point) => !Number.isNaN(error(point)) && !Number.isNaN(coordinate(point, 0)));
+	const span = [0, 1].map((axis) => {
+		let [low, high] = [Infinity, -Infinity];
+		for (const point of rows) [low, high] = [Math.min(low, coordinate(point, axis)), Math.max(high, coordinate(point, axis))];
+		return high - low;
+	});
+	const axis = (span[1] ?? 0) > (span[0] ?? 0) ? 1 : 0;
+	return ofPoints(rows, {
+		label: axis === 0 ? "X" : "Y",
+		unit: "",
+		values: Float64Array.from(rows, (point) => coordinate(point, axis))
+	}, {
+		label: plan ? say("standard-error-in-plan") : say("standard-error-in-height"),
+		unit: "",
+		values: Float64Array.from(rows, error)
+	});
+});
+var surveyedPoints = remember(({ surveyed }, plan) => {
+	const used = surveyed.filter(({ isUsed }) => isUsed);
+	const names = used.map(({ name, role }) => `${name} (${role})`);
+	return ofPoints(Uint32Array.from(used, ({ point }) => point), {
+		label: say("point"),
+		unit: "",
+		values: Float64Array.from(used.keys()),
+		names
+	}, {
+		label: plan ? say("adjusted-minus-surveyed-place") : say("adjusted-minus-surveyed-height"),
+		unit: "m",
+		values: Float64Array.from(used, ({ difference_m: [x, y, z] }) => plan ? Math.hypot(x, y) : z)
+	}, true);
+});
+var byRays = remember(({ points }) => {
+	const counts = new Map();
+	for (const rays of points.rays.subarray(0, points.taking)) counts.set(rays, (counts.get(rays) ?? 0) + 1);
+	const rays = [...counts.keys()].sort((a, b) => a - b);
+	const all = points.rays.subarray(0, points.taking);
+	const withRays = (wanted) => choiceOfPoints(Uint32Array.from(all.keys()).filter((point) => wanted.has(all[point])));
+	return {
+		x: {
+			label: say("rays-2"),
+			unit: "",
+			values: Float64Array.from(rays.keys()),
+			names: rays.map(String)
+		},
+		y: {
+			label: say("tie-points"),
+			unit: "",
+			values: Float64Array.from(rays, (number) => counts.get(number) ?? 0)
+		},
+		bars: true,
+		square: false,
+		choice: (row) => withRays(new Set([rays[row]])),
+		chosen: (choice) => {
+			const chosen = new Set([...pointsOf(choice)].map((point) => all[point]));
+			return (row) => chosen.has(rays[row]);
+		},
+		together: (rows) => withRays(new Set(rows.map((row) => rays[row])))
+	};
+});
+function ofObservations(of, row, x, y, drawn) {
+	const pointAt = (value) => of.points[row(value)] ?? -1;
+	const imageAt = (value) => of.images[row(value)] ?? -1;
+	return {
+		x,
+		y,
+		bars: false,
+		...drawn,
+		choice: (value) => ({
+			kind: "observation",
+			point: pointAt(value),
+			image: imageAt(value)
+		}),
+		chosen: (choice) => {
+			const [points, images] = [new Set(pointsOf(choice)), new Set(imagesOf(choice))];
+			return (value) => (points.size === 0 || points.has(pointAt(value))) && (images.size === 0 || images.has(imageAt(value))) && points.size + images.size > 0;
+		},
+		together: (chosen) => choiceOfPoints(new Set(chosen.map(pointAt)))
+	};
+}
+function rowsWith(of, value) {
+	return Uint32Array.from(of.points.keys()).filter((row) => !Number.isNaN(value(row)) && of.parts[row] === 0);
+}
+var residuals = remember((of) => {
+	const rows = rowsWith(of, (row) => of.residuals[2 * row]);
+	const axis = (label, offset) => ({
+		label,
+		unit: "px",
+		values: Float64Array.from(rows, (row) => of.residuals[2 * row + offset] ?? NaN)
+	});
+	return ofObservations(of, (value) => rows[value] ?? -1, axis(say("residual-vx"), 0), axis(say("residual-vy"), 1), { square: true });
+});
+var sortedTests = remember((of) => {
+	const places = Uint32Array.from(of.w.keys()).filter((place) => !Number.isNaN(of.w[place]) && of.parts[place >> 1] === 0);
+	const values = Float64Array.from(places, (place) => of.w[place] ?? NaN);
+	const sorted = values.slice().sort();
+	const quantiles = normalQuantiles(sorted.length);
+	const expected = values.map((value) => quantiles[firstAt(sorted, value)] ?? NaN);
+	return ofObservations(of, (value) => (places[value] ?? -2) >> 1, {
+		label: say("w-of-normal-errors"),
+		unit: "",
+		values: expected
+	}, {
+		label: say("w-statistic"),
+		unit: "",
+		values
+	}, {
+		square: false,
+		equal: true
+	});
+});
+function firstAt(sorted, value) {
+	let [low, high] = [0, sorted.length];
+	while (low < high) {
+		const middle = low + high >> 1;
+		if ((sorted[middle] ?? Infinity) < value) low = middle + 1;
+		else high = middle;
+	}
+	return low;
+}
+var BESIDE$1 = .8;
+var detectable = remember(({ images }, of) => {
+	const larger = (row) => Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
+	const rows = rowsWith(of, larger);
+	const across = (row) => {
+		const image = of.images[row] ?? -1;
+		return image + BESIDE$1 * ((of.places[2 * row] ?? NaN) / (images[image]?.width ?? NaN) - .5);
+	};
+	return ofObservations(of, (value) => rows[value] ?? -1, {
+		label: say("image-2"),
+		unit: "",
+		values: Float64Array.from(rows, across),
+		names: images.map(({ name }) => name)
+	}, {
+		label: say("minimal-detectable-bias"),
+		unit: "px",
+		values: Float64Array.from(rows, larger),
+		logarithmic: true
+	}, { square: false });
+});
+// www/block/view/plot/axes.ts
+var ROOM = {
+	left: 64,
+	right: 16,
+	top: 14,
+	bottom: 40
+};
+var BESIDE = .04;
+function endsOf({ x, y, bars, square }, width, height) {
+	const across = x.names === void 0 ? spread(x.values) : [-.5, Math.max(0, x.names.length - 1) + .5];
+	const up = spread(y.logarithmic === true ? y.values.map(Math.log10) : y.values, bars);
+	if (!square) return {
+		x: across,
+		y: up
+	};
+	const most = Math.max(...across.map(Math.abs), ...up.map(Math.abs));
+	const [wide, high] = [Math.max(1, width - ROOM.left - ROOM.right), Math.max(1, height - ROOM.top - ROOM.bottom)];
+	const least = Math.min(wide, high);
+	return {
+		x: [-most * wide / least, most * wide / least],
+		y: [-most * high / least, most * high / least]
+	};
+}
+function spread(values, zero = false) {
+	let [low, high] = zero ? [0, 0] : [Infinity, -Infinity];
+	for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)];
+	if (!(high > low)) return Number.isFinite(low) && low !== 0 ? [low - Math.abs(low) / 2, low + Math.abs(low) / 2] : [0, 1];
+	const beside = BESIDE * (high - low);
+	return [zero && low === 0 ? 0 : low - beside, zero && high === 0 ? 0 : high + beside];
+}
+function ticksBetween([from, to], about) {
+	const step = roundStep((to - from) / Math.max(1, about));
+	if (!(step > 0) || !Number.isFinite(step)) return [];
+	const first = Math.ceil(from / step - 1e-9);
+	const last = Math.floor(to / step + 1e-9);
+	return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+}
+var FEW_POWERS = .7;
+function ticksOfPowers([from, to], about) {
+	if (to - from < FEW_POWERS) return ticksBetween([10 ** from, 10 ** to], about);
+	const digits = (to - from) * 3 <= about ? [
+		1,
+		2,
+		5
+	] : [1];
+	return Array.from({ length: Math.max(0, Math.floor(to) - Math.floor(from) + 1) }, (_, i) => Math.floor(from) + i).flatMap((power) => digits.map((digit) => Number((digit * 10 ** power).toPrecision(12)))).filter((tick) => Math.log10(tick) >= from && Math.log10(tick) <= to);
+}
+function roundStep(length) {
+	const power = 10 ** Math.floor(Math.log10(length));
+	return ([
+		1,
+		2,
+		5,
+		10
+	].find((digit) => digit * power >= length * (1 - 1e-9)) ?? 10) * power;
+}
+function decimalsOf(ticks) {
+	const [first = 0, second = first + 1] = ticks;
+	return Math.max(0, Math.min(9, Math.ceil(-Math.log10(Math.abs(second - first)) - 1e-9)));
+}
+function titleOf({ label, unit }) {
+	return unit === "" ? label : `${label}, ${unit}`;
+}
+// www/block/view/plot/plot.ts
+var REACH = 9;
+var APART = {
+	x: 90,
+	y: 46
+};
+var LEAST_TICKS = 3;
+var FEW = 3e3;
+var FONT = "11px system-ui, sans-serif";
+var Plot = class extends Chart {
+	facts;
+	name = "images";
+	outline = null;
+	listeners = [];
+	constructor(host, store, looking, facts) {
+		super(host, "plot", store, looking);
+		this.facts = facts;
+		facts.watch(() => this.changed());
+		store.watch(["shown", "onStage"], () => this.changed());
+	}
+	watch(changed) {
+		this.listeners.push(changed);
+	}
+	get shows() {
+		return this.name;
+	}
+	show(name) {
+		this.name = name;
+		this.fit();
+		this.changed();
+	}
+	data() {
+		const view = this.view();
+		return view === null || this.store.state.onStage !== "plots" ? null : plotOf(this.name, view, this.facts);
+	}
+	picture() {
+		return this.layers.snapshot();
+	}
+	changed() {
+		this.layers.redraw();
+		for (const listener of this.listeners) listener();
+	}
+	enclosed = (_, drawn, ended) => {
+		this.outline = ended || drawn.to === null ? null : drawn;
+		const data = this.data();
+		const view = this.view();
+		if (ended && drawn.to !== null && data !== null && view !== null) {
+			const [[x0, y0], [x1, y1]] = [drawn.from, drawn.to];
+			const [left, right, top, bottom] = [
+				Math.min(x0, x1),
+				Math.max(x0, x1),
+				Math.min(y0, y1),
+				Math.max(y0, y1)
+			];
+			const place = this.placing(data, this.current(view));
+			const rows = [];
+			for (let row = 0; row < data.x.values.length; row++) {
+				const [x, y] = place(row);
+				const meets = data.bars ? y <= bottom && this.base(data, this.current(view)) >= top : y >= top && y <= bottom;
+				if (x >= left && x <= right && meets) rows.push(row);
+			}
+			this.looking.choose(data.together(rows));
+		}
+		this.layers.redraw();
+	};
+	whole() {
+		return {
+			scale: 1,
+			x: 0,
+			y: 0
+		};
+	}
+	limits() {
+		return {
+			least: 1,
+			most: 500
+		};
+	}
+	held(_, { scale, x, y }) {
+		const { width, height } = this.layers;
+		return {
+			scale,
+			x: Math.min(0, Math.max((1 - scale) * width, x)),
+			y: Math.min(0, Math.max((1 - scale) * height, y))
+		};
+	}
+	hit(_, t, x, y) {
+		const data = this.data();
+		const row = data === null ? -1 : this.nearest(data, t, x, y);
+		return data === null || row < 0 ? null : data.choice(row);
+	}
+	command() {
+		return false;
+	}
+	area() {
+		const { width, height } = this.layers;
+		return {
+			left: ROOM.left,
+			top: ROOM.top,
+			width: Math.max(1, width - ROOM.left - ROOM.right),
+			height: Math.max(1, height - ROOM.top - ROOM.bottom)
+		};
+	}
+	placing(data, t) {
+		const at = this.scaling(data, t);
+		return (row) => at(data.x.values[row] ?? NaN, data.y.values[row] ?? NaN);
+	}
+	scaling(data, t) {
+		const { left, top, width, height } = this.area();
+		const ends = endsOf(data, this.layers.width, this.layers.height);
+		const [x0, across] = [ends.x[0], width / (ends.x[1] - ends.x[0])];
+		const [y0, up] = [ends.y[0], height / (ends.y[1] - ends.y[0])];
+		const upwards = data.y.logarithmic === true ? Math.log10 : (y) => y;
+		return (x, y) => toCanvas(t, left + (x - x0) * across, top + height - (upwards(y) - y0) * up);
+	}
+	seen(data, t) {
+		const { left, top, width, height } = this.area();
+		const ends = endsOf(data, this.layers.width, this.layers.height);
+		const value = (x, y) => {
+			const [u, v] = toPosition(t, x, y);
+			return [ends.x[0] + (u - left) / width * (ends.x[1] - ends.x[0]), ends.y[0] + (top + height - v) / height * (ends.y[1] - ends.y[0])];
+		};
+		const [from, to] = [value(left, top + height), value(left + width, top)];
+		return {
+			x: [from[0], to[0]],
+			y: [from[1], to[1]]
+		};
+	}
+	base(data, t) {
+		return this.scaling(data, t)(0, 0)[1];
+	}
+	barWidth(data, t) {
+		const [[x0], [x1]] = [this.scaling(data, t)(0, 0), this.scaling(data, t)(1, 0)];
+		return Math.max(1, .75 * (x1 - x0));
+	}
+	nearest(data, t, x, y) {
+		const place = this.placing(data, t);
+		let [found, least] = [-1, data.bars ? this.barWidth(data, t) / 2 + 2 : REACH];
+		for (let row = 0; row < data.x.values.length; row++) {
+			const [px, py] = place(row);
+			const distance = data.bars ? Math.abs(px - x) : Math.hypot(px - x, py - y);
+			if (distance <= least) [found, least] = [row, distance];
+		}
+		return found;
+	}
+	paint(context, colours, _, t) {
+		const data = this.data();
+		context.font = FONT;
+		if (data === null || data.x.values.length === 0) return;
+		const area = this.area();
+		this.paintAxes(context, colours, data, t, area);
+		within(context, area, () => this.paintValues(context, colours, data, t, area));
+		if (this.outline?.to != null) {
+			const [[x0, y0], [x1, y1]] = [this.outline.from, this.outline.to];
+			context.strokeStyle = colours.accent;
+			context.setLineDash([5, 3]);
+			context.strokeRect(x0, y0, x1 - x0, y1 - y0);
+			context.setLineDash([]);
+		}
+	}
+	paintAxes(context, colours, data, t, { left, top, width, height }) {
+		const at = this.scaling(data, t);
+		const seen = this.seen(data, t);
+		const { names } = data.x;
+		const across = ticksBetween(seen.x, width / APART.x).filter((tick) => names === void 0 || names[tick] !== void 0);
+		const isLogarithmic = data.y.logarithmic === true;
+		const most = Math.max(LEAST_TICKS, height / APART.y);
+		const up = isLogarithmic ? ticksOfPowers(seen.y, most) : ticksBetween(seen.y, most);
+		const digitsX = decimalsOf(across);
+		const digitsOf = (tick) => isLogarithmic ? String(tick).split(".")[1]?.length ?? 0 : decimalsOf(up);
+		context.strokeStyle = colours.line;
+		context.fillStyle = colours.muted;
+		context.lineWidth = 1;
+		context.textBaseline = "middle";
+		for (const tick of up) {
+			const [, y] = at(0, tick);
+			line(context, [left, y], [left + width, y]);
+			context.textAlign = "end";
+			context.fillText(fixed(tick, digitsOf(tick)), left - 6, y);
+		}
+		for (const tick of across) {
+			const [x] = at(tick, 0);
+			if (names === void 0) line(context, [x, top], [x, top + height]);
+			context.textAlign = "center";
+			context.fillText(shortened(context, names?.[tick] ?? fixed(tick, digitsX), APART.x - 8), x, top + height + 10);
+		}
+		context.strokeStyle = colours.muted;
+		context.strokeRect(left, top, width, height);
+		context.fillStyle = colours.text;
+		context.textAlign = "center";
+		context.fillText(titleOf(data.x), left + width / 2, top + height + 28);
+		context.save();
+		context.translate(12, top + height / 2);
+		context.rotate(-Math.PI / 2);
+		context.fillText(titleOf(data.y), 0, 0);
+		context.restore();
+	}
+	paintValues(context, colours, data, t, area) {
+		const { chosen, pointed } = this.store.state.selection;
+		const place = this.placing(data, t);
+		const rows = data.x.values.length;
+		const [isChosen, isPointed] = [data.chosen(chosen), data.chosen(pointed)];
+		const width = this.barWidth(data, t);
+		const base = data.bars ? this.base(data, t) : 0;
+		const half = rows <= FEW ? 2.5 : 1.5;
+		const draw = (row, larger) => {
+			const [x, y] = place(row);
+			if (data.bars) context.fillRect(x - width / 2, Math.min(y, base), width, Math.max(1, Math.abs(base - y)));
+			else if (x > area.left - 4 && y > area.top - 4 && x < area.left + area.width + 4 && y < area.top + area.height + 4) context.fillRect(x - half - larger, y - half - larger, 2 * (half + larger), 2 * (half + larger));
+		};
+		if (data.equal === true) this.paintEqual(context, colours, data, t);
+		context.fillStyle = colours.bars;
+		for (let row = 0; row < rows; row++) draw(row, 0);
+		context.fillStyle = colours.problem;
+		let under = -1;
+		for (let row = 0; row < rows; row++) {
+			if (chosen !== null && isChosen(row)) draw(row, 1);
+			if (under < 0 && pointed !== null && isPointed(row)) under = row;
+		}
+		context.strokeStyle = colours.problem;
+		context.lineWidth = 2;
+		const [ux, uy] = place(under);
+		if (under >= 0 && data.bars) context.strokeRect(ux - width / 2, Math.min(uy, base), width, Math.abs(base - uy));
+		else if (under >= 0) context.strokeRect(ux - 5, uy - 5, 10, 10);
+		if (under >= 0) this.paintValue(context, colours, data, under, place(under), area);
+	}
+	paintEqual(context, colours, data, t) {
+		const at = this.scaling(data, t);
+		const [from, to] = endsOf(data, this.layers.width, this.layers.height).x;
+		context.strokeStyle = colours.text;
+		context.lineWidth = 1;
+		line(context, at(from, from), at(to, to));
+	}
+	paintValue(context, colours, { x, y }, row, [px, py], area) {
+		const value = ({ unit, values, names }) => names?.[Math.round(values[row] ?? NaN)] ?? `${figure(values[row] ?? NaN)}${unit === "" ? "" : ` ${unit}`}`;
+		const text = `${value(x)}: ${value(y)}`;
+		const wide = context.measureText(text).width + 12;
+		const left = Math.max(area.left, Math.min(px + 8, area.left + area.width - wide));
+		const top = Math.max(area.top, Math.min(py - 24, area.top + area.height - 20));
+		context.fillStyle = colours.surface;
+		context.fillRect(left, top, wide, 18);
+		context.strokeStyle = colours.line;
+		context.lineWidth = 1;
+		context.strokeRect(left, top, wide, 18);
+		context.fillStyle = colours.text;
+		context.textAlign = "start";
+		context.textBaseline = "middle";
+		context.fillText(text, left + 6, top + 9);
+	}
+};
+function line(context, from, to) {
+	context.beginPath();
+	context.moveTo(...from);
+	context.lineTo(...to);
+	context.stroke();
+}
+function figure(value) {
+	if (Number.isInteger(value)) return fixed(value, 0);
+	return fixed(value, Math.min(7, Math.max(3, 2 - Math.floor(Math.log10(Math.abs(value))))));
+}
+function shortened(context, text, most) {
+	if (context.measureText(text).width <= most) return text;
+	let from = 1;
+	while (from < text.length - 1 && context.measureText(`…${text.slice(from)}`).width > most) from += 1;
+	return `…${text.slice(from)}`;
+}
+// www/block/panel/plots-view.ts
+var KEYS = say("press-a-value-to-choose");
+function plotsView(facts) {
+	return {
+		name: "plots",
+		title: say("plots"),
+		mount: (store, looking) => {
+			const words = h("span", {
+				class: "note",
+				id: "block-plot-words",
+				testid: "block-plot-words",
+				role: "status",
+				aria: { live: "polite" }
+			});
+			const element = h("div", {
+				class: "view block-plot",
+				testid: "block-plot",
+				tabindex: 0,
+				role: "group",
+				aria: {
+					roledescription: say("role-plot"),
+					label: say("plot-of-the-block"),
+					describedby: `${words.id} ${KEYS_ID}`
+				}
+			});
+			const plot = new Plot(element, store, looking, facts);
+			const [chosen, select] = choice(say("plot"), "plot-name", PLOTS, (name) => plot.show(name));
+			select.value = plot.shows;
+			const picture = button("PNG", "plot-png", () => void savePicture(plot), say("saves-the-plot-as-it"));
+			const values = button("CSV", "plot-csv", () => void saveValues(plot), say("saves-the-values-of-the"));
+			const show = () => {
+				const data = plot.data();
+				const text = data === null ? "" : inWords(data);
+				if (words.textContent !== text) words.textContent = text;
+				picture.disabled = values.disabled = data === null || data.x.values.length === 0;
+			};
+			plot.watch(show);
+			show();
+			return {
+				element,
+				tools: [
+					chosen,
+					picture,
+					values,
+					words
+				],
+				zoomable: plot,
+				keys: KEYS
+			};
+		}
+	};
+}
+function inWords({ x, y }) {
+	const sorted = y.values.slice().sort();
+	const at = (share) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
+	if (sorted.length === 0) return say("there-are-no-such-values");
+	return say("values-over-median-from-to", {
+		sorted: sorted.length,
+		to_lower_case: x.label.toLowerCase(),
+		label: y.label,
+		at: at(.5),
+		at_2: at(0),
+		at_3: at(1),
+		what: y.unit === "" ? "" : say("n--2", { unit: y.unit })
+	});
+}
+async function savePicture(plot) {
+	const picture = plot.picture();
+	const blob = await new Promise((resolve) => {
+		picture.toBlob(resolve);
+	});
+	if (blob !== null) save(blob, `block-${plot.shows}.png`);
+}
+async function saveValues(plot) {
+	const data = plot.data();
+	if (data === null) return;
+	const column = ({ label, unit, values, names }) => ({
+		key: label,
+		label,
+		unit,
+		help: "",
+		value: (row) => values[row] ?? NaN,
+		text: (row) => names?.[Math.round(values[row] ?? NaN)] ?? String(values[row] ?? ""),
+		...names === void 0 ? {} : { words: true }
+	});
+	save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), `block-${plot.shows}.csv`);
+}
+// www/block/panel/results.ts
+var LISTED = 50;
+function mountResults(host, store, takeOff) {
+	const body = h("div", { testid: "block-results" });
+	host.append(body);
+	const off = button(say("without-the-orthophoto"), "block-off-ground", takeOff, say("the-block-as-it-was"));
+	store.watch([
+		"shown",
+		"files",
+		"options",
+		"placing"
+	], ([shown]) => {
+		body.classList.toggle("is-stale", isStale(store.state));
+		if (shown === null) fill(body, h("p", { class: "note" }, say("no-block-yet-drop-images")));
+		else fill(body, ...sectionsOf(shown, off));
+	});
+	store.watch([
+		"running",
+		"notice",
+		"placing"
+	], () => {
+		off.disabled = isBusy(store.state);
+	});
+}
+function sectionsOf(shown, off) {
+	const { view } = shown;
+	if (view.partial) return [
+		leftOut(view),
+		section(say("so-far"), "block-facts", facts(partialFacts(view))),
+		section(say("cameras"), "block-cameras", cameraTable(view))
+	];
+	return [
+		leftOut(view),
+		strays(say("masks-without-an-image"), "block-stray-masks", view.strayMasks, say("no-image-has-their-name")),
+		strays(say("image-measurements-without-an-image"), "block-stray-marks", view.strayMarks, say("not-among-the-images-read")),
+		listOf(say("remarks"), "block-remarks", view.remarks),
+		section(say("block"), "block-facts", facts(factsOf(view))),
+		onGround(shown, off),
+		view.score === null ? null : section(say("against-the-truth"), "block-score", facts(scoreFacts(view.score))),
+		listOf(say("warnings"), "block-warnings", view.warnings),
+		notOriented(view),
+		section(say("tie-points-by-number-of"), "block-by-rays", rayTable(view)),
+		section(say("cameras"), "block-cameras", cameraTable(view))
+	];
+}
+function onGround({ view: { orthophoto }, ground }, off) {
+	if (orthophoto === null) return null;
+	return section(say("orthophoto"), "block-on-orthophoto", h("p", {}, orthophoto.text), ground === null ? null : h("p", { class: "buttons" }, off));
+}
+function partialFacts(view) {
+	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
+	return [
+		{
+			name: say("images-read"),
+			testid: "block-read",
+			value: count(view.images.length),
+			help: say("images-whose-features-are-detected")
+		},
+		{
+			name: say("connected-pairs"),
+			testid: "block-connected",
+			value: say("of-tried", {
+				connected: connected.length,
+				connections: view.connections.length
+			}),
+			help: say("pairs-with-enough-matches-that")
+		},
+		{
+			name: say("matches-2"),
+			testid: "block-matches",
+			value: count(connected.reduce((sum, connection) => sum + matchesOf(connection), 0)),
+			help: say("verified-matches-of-all-connected")
+		}
+	];
+}
+function strays(title, testid, names, why) {
+	if (names.length === 0) return null;
+	return section(title, testid, h("p", {}, `${names.slice(0, LISTED).join(", ")}${names.length > LISTED ? " …" : ""}: ${why}.`));
+}
+function listOf(title, testid, texts) {
+	return texts.length === 0 ? null : section(title, testid, h("ul", {}, ...texts.map((text) => h("li", {}, text))));
+}
+function checkFact({ points, rmse_m: rmse, ratio }) {
+	return {
+		name: say("check-points-rmse"),
+		testid: "block-checks",
+		value: say("m-points", {
+			join: rmse.map((value) => fixed(value, 3)).join(" "),
+			points,
+			what: ratio === null ? "" : say("predicted", { ratio })
+		}),
+		help: say("root-mean-square-difference-of")
+	};
+}
+function factsOf(view) {
+	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
+	const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
+	const rays = view.images.reduce((sum, image) => sum + image.rays, 0);
+	return [
+		{
+			name: say("images-oriented-3"),
+			testid: "block-oriented",
+			value: say("of-4", {
+				oriented: view.oriented,
+				images: view.images.length
+			}),
+			help: say("images-with-an-exterior-orientation")
+		},
+		{
+			name: say("connected-pairs"),
+			testid: "block-connected",
+			value: say("of-tried", {
+				connected: connected.length,
+				connections: view.connections.length
+			}),
+			help: say("pairs-with-enough-matches-that-agree")
+		},
+		{
+			name: say("groups"),
+			testid: "block-groups",
+			value: groupText(view),
+			help: say("images-that-are-connected-directly")
+		},
+		{
+			name: say("matches-2"),
+			testid: "block-matches",
+			value: count(matches),
+			help: say("verified-matches-of-all-connected")
+		},
+		...view.found === null ? [] : [{
+			name: say("tie-points"),
+			testid: "block-found",
+			value: say("observations-2", {
+				points: view.found.points,
+				rays: view.found.rays
+			}),
+			help: say("points-seen-in-two-or")
+		}],
+		...view.refinement === null ? [] : [refinementFact(view.refinement)],
+		{
+			name: say("selected-tie-points"),
+			testid: "block-points-count",
+			value: say("observations-3", {
+				taking: view.points.taking,
+				rays
+			}),
+			help: say("the-tie-points-of-the")
+		},
+		...view.checks === null ? [] : [checkFact(view.checks)],
+		{
+			name: "RMSE",
+			testid: "block-rmse",
+			value: say("px-3", { value: view.rmsePx }),
+			help: say("root-mean-square-length-of")
+		},
+		{
+			name: "σ₀",
+			testid: "block-sigma0",
+			value: say("px-3", { value: view.sigma0Px }),
+			help: say("standard-error-of-one-image")
+		}
+	];
+}
+var KEPT = {
+	not_converged: say("did-not-converge"),
+	left_image: say("at-the-border"),
+	moved_too_far: say("moved-too-far"),
+	low_correlation: say("low-correlation-2"),
+	no_texture: say("no-texture"),
+	inconsistent: say("inconsistent")
+};
+function refinementFact(counts) {
+	const { reference, refined, ...kept } = counts;
+	const others = Object.values(kept).reduce((sum, number) => sum + number, 0);
+	const reasons = Object.entries(KEPT).flatMap(([outcome, words]) => {
+		const number = kept[outcome];
+		return number === 0 ? [] : [`${count(number)} ${words}`];
+	});
+	return {
+		name: say("refined-observations"),
+		testid: "block-refined",
+		value: say("of-5", {
+			refined,
+			refined_2: refined + others
+		}),
+		help: say("observations-moved-by-least-squares", {
+			reference,
+			what: reasons.length > 0 ? say("n--3", { join: reasons.join(", ") }) : ""
+		})
+	};
+}
+function scoreFacts(score) {
+	const positions = score.position_rmse_m?.map((error) => fixed(error, 3)).join(", ");
+	return [
+		{
+			name: say("right-points"),
+			testid: "score-points",
+			value: say("of-6", {
+				right_points: score.right_points,
+				points: score.points
+			}),
+			help: say("points-whose-observations-all-agree")
+		},
+		{
+			name: say("their-observations"),
+			testid: "score-rays",
+			value: say("px-3", { value: score.right_rmse_px }),
+			help: say("root-mean-square-distance-of")
+		},
+		{
+			name: say("positions"),
+			testid: "score-positions",
+			value: positions === void 0 ? "–" : `${positions} m`,
+			help: say("root-mean-square-errors-of")
+		},
+		{
+			name: say("angles"),
+			testid: "score-angles",
+			value: `${fixed(score.angle_rmse_deg, 4)}°`,
+			help: say("root-mean-square-angle-between")
+		}
+	];
+}
+function groupText({ groups, images }) {
+	const sizes = groups.map(({ length }) => length);
+	const alone = sizes.filter((size) => size === 1).length;
+	const largest = sizes[0] ?? 0;
+	if (largest === images.length) return say("one-group");
+	return say("the-largest-of", {
+		sizes: sizes.length - alone,
+		largest,
+		what: alone > 0 ? say("single", { alone }) : ""
+	});
+}
+function leftOut(view) {
+	if (view.leftOut.length === 0) return null;
+	return section(say("skipped-that-cannot-be-read", { left_out: view.leftOut.length }), "block-left-out", reasons(view.leftOut));
+}
+function notOriented(view) {
+	const lost = view.images.filter(({ oriented }) => !oriented);
+	if (view.oriented === 0 || lost.length === 0) return null;
+	return section(say("not-oriented", { lost: lost.length }), "block-not-oriented", reasons(lost.map(({ name, why }) => ({
+		name,
+		reason: why ?? ""
+	}))));
+}
+function reasons(list) {
+	const rest = list.length - LISTED;
+	return h("ul", { class: "reasons" }, ...list.slice(0, LISTED).map(({ name, reason }) => h("li", {}, h("b", {}, name), `: ${reason}`)), rest > 0 ? h("li", {}, say("and-more-in-the-table", { rest })) : null);
+}
+function rayTable({ byRays }) {
+	const head = h("thead", {}, h("tr", {}, ...[
+		say("rays-2"),
+		say("points"),
+		say("rmse-px-4")
+	].map((text) => h("th", { scope: "col" }, text))));
+	const number = (text) => h("td", { class: "number" }, text);
+	return h("table", { testid: "by-rays" }, head, h("tbody", {}, ...byRays.map(({ rays, points, rmsePx }) => row(count(rays), number(count(points)), number(fixed(rmsePx, 3))))));
+}
+function cameraTable({ cameras, found }) {
+	const given = ({ given: known }) => known === null ? found === null ? "–" : say("unknown-2") : fixed(known.focal_px, 1);
+	const head = h("thead", {}, h("tr", {}, ...[
+		say("camera"),
+		say("images-2"),
+		say("given-f-px"),
+		say("calibrated-f-px")
+	].map((text) => h("th", { scope: "col" }, text))));
+	const number = (text) => h("td", { class: "number" }, text);
+	return h("div", { class: "scroll" }, h("table", {
+		class: "tight",
+		testid: "cameras"
+	}, head, h("tbody", {}, ...cameras.map((camera, i) => row(`${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, "$1 × ")}`, number(count(camera.images)), number(given(camera)), number(camera.calibrated === null ? "–" : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? "" : ` ± ${fixed(camera.focalErrorPx, 1)}`}`))))));
+}
+// www/block/panel/settings.ts
+function mountSettings(host, store, files, opener) {
+	store.watch(["catalogue"], ([catalogue]) => {
+		if (catalogue === null) return;
+		const { defaults } = catalogue;
+		const sections = makeFolded(catalogue.parameters, {
+			change: (key, value) => {
+				const { settings } = store.state.options;
+				if (settings !== null) store.dispatch({
+					type: "options",
+					options: { settings: withSetting(settings, key, value) }
+				});
+			},
+			defaults: () => defaults,
+			refused: (label) => store.dispatch({
+				type: "refused",
+				label
+			})
+		}, {
+			title: say("method"),
+			first: ["pairs.rule", "refinement.method"],
+			of: "block",
+			take: (settings) => store.dispatch({
+				type: "options",
+				options: { settings }
+			}),
+			changed: (count) => fill(opener, settingsText(count))
+		});
+		const [back, method, ...others] = sections.elements;
+		fill(host, back ?? null, method ?? null, positions(store), waiting(files), besides(store, files), ...others);
+		store.watch((s) => [s.options.settings], ([settings]) => {
+			if (settings !== null) sections.show(settings, acting_block_parameters(settings));
+		});
+	});
+}
+function positions(store) {
+	const input = h("input", {
+		id: "block-gps",
+		type: "checkbox",
+		testid: "block-gps"
+	});
+	input.addEventListener("change", () => store.dispatch({
+		type: "options",
+		options: { gps: input.checked ? "use" : "ignore" }
+	}));
+	store.watch((s) => [s.options.gps], ([gps]) => {
+		input.checked = gps === "use";
+	});
+	return h("div", { class: "control" }, h("div", { class: "control-head" }, input, h("label", { for: input.id }, say("use-gnss-positions"))), h("p", { class: "help" }, say("they-choose-near-pairs-and")));
+}
+function waiting(files) {
+	const input = h("input", {
+		id: "block-wait",
+		type: "checkbox",
+		testid: "block-wait"
+	});
+	input.checked = files.waits;
+	input.addEventListener("change", () => {
+		files.waits = input.checked;
+	});
+	return h("div", { class: "control" }, h("div", { class: "control-head" }, input, h("label", { for: input.id }, say("wait-for-run"))), h("p", { class: "help" }, say("images-that-are-given-wait")));
+}
+var CAMERAS = say("from-exif-a-json-file", { example: "{\"cameras\": [{\"images\": \"DJI_*.JPG\", \"focal_px\": 3666.7}]}" });
+var CONTROL = say("none-two-files-georeference-the");
+function besides(store, files) {
+	return h("fieldset", { class: "group" }, h("legend", {}, say("files")), textFile(store, files, "cameras", say("cameras"), CAMERAS, ".json,application/json"), textFile(store, files, "control", say("ground-control-points"), CONTROL, ".txt,.csv,text/*"), textFile(store, files, "marks", say("image-measurements"), "", ".txt,.csv,text/*"), masks(store, files));
+}
+var MASKS = say("none-images-of-the-same");
+function problemOf(store, given) {
+	const line = h("p", {
+		class: "field-problem",
+		testid: `block-${given}-problem`
+	});
+	store.watch([
+		"files",
+		"options",
+		"marks"
+	], () => {
+		const text = problemsOf(store.state)[given] ?? (given === "control" && waitsForMarks(store.state) ? controlText(store.state) : "");
+		if (line.textContent !== text) line.textContent = text;
+	});
+	return line;
+}
+function masks(store, files) {
+	const part = besideField(store, "masks", say("masks"), {
+		multiple: true,
+		accept: "image/*,.tif,.tiff,.pgm,.pnm"
+	}, (given) => files.takeMasks(given), () => store.dispatch({
+		type: "options",
+		options: { masks: [] }
+	}));
+	store.watch((s) => [s.options.masks], ([given]) => {
+		const names = given.slice(0, 3).map(({ name }) => name).join(", ");
+		part.show(given.length === 0 ? null : given.length === 1 ? names : say("masks-2", {
+			given: given.length,
+			names,
+			what: given.length > 3 ? " …" : ""
+		}), MASKS);
+	});
+	return part.element;
+}
+function textFile(store, files, option, title, none, accept) {
+	const part = besideField(store, option, title, { accept }, ([file]) => {
+		if (file !== void 0) files.takeText(option, file);
+	}, () => store.dispatch({
+		type: "options",
+		options: { [option]: null }
+	}));
+	store.watch((s) => [s.options[option]], ([given]) => part.show(given?.name ?? null, none));
+	return part.element;
+}
+function besideField(store, given, title, how, take, clear) {
+	const [press, input] = fileButton(`${title} …`, {
+		testid: `block-${given}`,
+		label: say("file", { title }),
+		...how
+	}, take);
+	const remove = button(say("remove"), `block-${given}-remove`, clear);
+	remove.setAttribute("aria-label", say("remove-2", { title }));
+	const name = h("p", {
+		class: "note",
+		testid: `block-${given}-name`
+	});
+	return {
+		element: h("div", { class: "control" }, h("div", { class: "buttons" }, press, remove), name, problemOf(store, given), input),
+		show: (text, none) => {
+			fill(name, text ?? none);
+			remove.hidden = text === null;
+		}
+	};
+}
+// www/block/panel/stage.ts
+function mountStage(host, store, looking, views, dock, invitation) {
+	const shelf = h("div", {
+		class: "views",
+		id: "block-view",
+		tabindex: -1
+	}, invited(store, invitation));
+	const tools = h("div", { class: "view-tools" });
+	const keys = h("p", {
+		class: "keys",
+		id: KEYS_ID
+	});
+	const mounted = new Map();
+	const now = () => mounted.get(store.state.onStage);
+	const buttons = views.map((view) => ({
+		view,
+		press: button(view.title, `block-show-${view.name}`, () => store.dispatch({
+			type: "stage",
+			view: view.name
+		}))
+	}));
+	const switched = h("div", {
+		class: "mode",
+		role: "group",
+		aria: { label: say("view-2") }
+	}, ...buttons.map(({ press }) => press));
+	const zoom = h("div", { class: "actions" }, ...zoomButtons("block-", say("whole-block"), () => ({
+		fit: () => now()?.zoomable.fit(),
+		zoomMiddle: (factor) => now()?.zoomable.zoomMiddle(factor)
+	})));
+	shelf.addEventListener("focus", () => now()?.element.focus());
+	host.append(h("div", {
+		class: "toolbar",
+		role: "toolbar",
+		aria: { label: say("view-of-the-block") }
+	}, switched, drawerButton("table", say("table-2"), "block-table", dock), zoom, tools), shelf, said(store, looking), dock, keys);
+	store.watch(["onStage"], ([onStage]) => {
+		const wanted = views.find(({ name }) => name === onStage) ?? views[0];
+		if (wanted === void 0) return;
+		for (const { view, press } of buttons) press.setAttribute("aria-pressed", String(view === wanted));
+		if (!mounted.has(wanted.name)) {
+			const made = wanted.mount(store, looking);
+			mounted.set(wanted.name, made);
+			shelf.append(made.element);
+			tools.append(...made.tools);
+		}
+		for (const [name, { element, tools: own }] of mounted) for (const part of [element, ...own]) part.hidden = name !== wanted.name;
+		fill(keys, mounted.get(wanted.name)?.keys ?? "");
+	});
+}
+function said(store, looking) {
+	const pointedAt = h("p", {
+		class: "pointed",
+		testid: "block-pointed"
+	});
+	const chosenNow = h("p", {
+		class: "chosen",
+		testid: "block-chosen",
+		role: "status",
+		aria: { live: "polite" }
+	});
+	const open = button(say("open-this-pair"), "block-open-pair", () => {
+		const { chosen } = store.state.selection;
+		if (chosen?.kind === "pair") looking.open(chosen.images);
+	});
+	store.watch([
+		"selection",
+		"shown",
+		"running",
+		"notice",
+		"placing"
+	], ([{ chosen, pointed }, shown]) => {
+		tell$1(chosenNow, store, chosen, "");
+		tell$1(pointedAt, store, pointed, say("point-at-an-image-a"));
+		if (pointed !== null && isSame(pointed, chosen)) pointedAt.textContent = "";
+		open.hidden = chosen?.kind !== "pair" || shown === null;
+		open.disabled = isBusy(store.state);
+	});
+	return h("div", { class: "said" }, h("div", {}, chosenNow, pointedAt), open);
+}
+function tell$1(element, store, choice, otherwise) {
+	const { shown } = store.state;
+	const text = choice === null || shown === null ? otherwise : describe(shown.view, choice);
+	if (element.textContent !== text) element.textContent = text;
+}
+function invited(store, { sample, placedSample, open }) {
+	const own = button(say("open-your-photos"), "block-open-first", open);
+	const simulate = button(say("try-a-sample-block"), "block-simulate-first", sample);
+	const placed = button(say("try-a-sample-orthophoto"), "block-place-first", placedSample);
+	const list = h("p", {
+		class: "note",
+		testid: "block-given"
+	});
+	const gains = [
+		say("where-each-photo-was-taken"),
+		say("points-that-several-photos-show"),
+		say("a-plain-word-on-whether"),
+		say("files-for-other-programs-colmap")
+	];
+	const welcome = h("div", {
+		class: "welcome",
+		testid: "block-welcome"
+	}, h("h2", {}, say("where-did-each-photo-stand")), h("p", {}, say("drop-the-photographs-of-a")), h("ul", {}, ...gains.map((gain) => h("li", {}, gain))), h("p", { class: "buttons" }, own, simulate, placed), list, h("p", { class: "note" }, say("nothing-leaves-this-computer-work")));
+	store.watch([
+		"shown",
+		"files",
+		"running",
+		"notice",
+		"catalogue",
+		"onStage",
+		"placing"
+	], ([shown, given, , , catalogue, onStage]) => {
+		welcome.hidden = shown !== null || onStage === "orthophoto";
+		for (const press of [
+			own,
+			simulate,
+			placed
+		]) press.disabled = catalogue === null || isBusy(store.state);
+		const names = given.map(({ name }) => name);
+		own.classList.toggle("primary", names.length < 2);
+		fill(list, names.length === 0 ? "" : say("images-3", {
+			names: names.length,
+			join: names.slice(0, 8).join(", "),
+			what: names.length > 8 ? " …" : ""
+		}));
+	});
+	return welcome;
+}
+// www/block/panel/placing-answer.ts
+function placingRuns({ done, total, text }) {
+	return {
+		kind: "busy",
+		verdict: null,
+		text: `${text}${total > 1 ? say("of", {
+			total: Math.min(total, done + 1),
+			total_2: total
+		}) : ""} …`
+	};
+}
+function placingAnswer(state, actions) {
+	const { placing, files } = state;
+	const { orthophoto } = placing;
+	const idle = (text, next, more = "") => ({
+		kind: "idle",
+		verdict: null,
+		text,
+		more,
+		next
+	});
+	if (orthophoto === null) return idle(say("open-an-orthophoto-photographs-are"), null);
+	const tried = placedFiles(state);
+	if (tried.length > 0) return answered$1(state, tried, actions);
+	const what = orthophotoText(orthophoto);
+	if (files.length === 0) return idle(what, {
+		text: say("open-photos"),
+		act: actions.open
+	}, heightsText(state));
+	const text = say("can-be-placed", {
+		files: images(files.length),
+		what
+	});
+	const each = {
+		text: say(files.length < 2 ? "place-on-the-orthophoto" : "place-each-image"),
+		act: actions.place
+	};
+	if (files.length < 2) return idle(text, each, heightsText(state));
+	const block = {
+		text: say("place-them-as-a-block"),
+		act: actions.asBlock
+	};
+	const [next, other] = purposeOf(state) === "block" ? [block, each] : [each, block];
+	return {
+		...idle(text, next, heightsText(state)),
+		others: [other]
+	};
+}
+var MOSTLY = .95;
+function heightsText({ placing: { heights, orthophoto } }) {
+	if (heights.kind === "level") return say("its-ground-is-taken-as", { height: heights.height });
+	const [from, to] = orthophoto?.info.heights ?? [];
+	const share = orthophoto?.info.heights_share ?? 1;
+	const part = share < MOSTLY ? say("they-lie-under-of-the", { share: Math.round(100 * share) }) : "";
+	return say("heights-of-to-m", {
+		name: heights.model.name,
+		from,
+		to,
+		part
+	});
+}
+function answered$1(state, tried, actions) {
+	const of = (kind) => tried.filter(({ result }) => result?.verdict.kind === kind).length;
+	const [placed, weak] = [of("placed"), of("weak")];
+	const without = tried.length - placed - weak;
+	const waiting = unplacedFiles(state).length;
+	const stale = tried.filter(({ isStale }) => isStale).length;
+	const [first] = tried;
+	const text = tried.length === 1 && waiting <= stale && first !== void 0 ? verdictText(first) : say("of-placed", {
+		placed,
+		tried: images(tried.length + Math.max(0, waiting - stale)),
+		what: weak > 0 ? say("with-doubt", { weak }) : "",
+		what_2: without > 0 ? say("not-placed", { without }) : ""
+	});
+	const more = [
+		stale > 0 ? say("settings-heights-or-cameras-have", { what: stale === tried.length ? say("then") : say("placed", {
+			stale: images(stale),
+			stale_2: stale
+		}) }) : "",
+		waiting > stale ? say("not-tried-yet-press-place", { waiting: images(waiting - stale) }) : "",
+		state.placing.heights.kind === "level" ? heightsText(state) : ""
+	];
+	const isSound = without === 0 && weak === 0;
+	const needsHeights = !isSound && state.placing.heights.kind === "level";
+	const save = {
+		text: say("save-positions-csv"),
+		act: actions.save
+	};
+	const why = needsHeights ? {
+		text: say("open-heights"),
+		act: actions.openHeights
+	} : {
+		text: say("show-why"),
+		act: actions.why
+	};
+	const next = waiting > 0 ? {
+		text: say("place-them"),
+		act: actions.place
+	} : isSound ? save : why;
+	return {
+		kind: isSound ? "done" : placed + weak > 0 ? "partial" : "problem",
+		verdict: isSound ? "oriented" : placed + weak > 0 ? "weak" : "not_oriented",
+		text,
+		more: more.filter((part) => part !== "").join(" "),
+		figures: figuresOf$1(tried),
+		next
+	};
+}
+function figuresOf$1(tried) {
+	const placements = tried.flatMap(({ result }) => result?.placement ?? []);
+	const links = placements.reduce((sum, placement) => sum + usedSo(placement.links, "used"), 0);
+	const checks = placements.flatMap(({ checks: own }) => own ?? []);
+	const number = checks.reduce((sum, own) => sum + own.number, 0);
+	const widths = tried.flatMap(({ result }) => result?.verdict.kind === "placed" ? [result.verdict.half_width_m] : []);
+	const rmse = Math.sqrt(checks.reduce((sum, own) => sum + own.number * own.rmse_m ** 2, 0) / number);
+	return [
+		{
+			value: say("of-2", {
+				placements: placements.length,
+				tried: tried.length
+			}),
+			label: say("photos-placed")
+		},
+		...placements.length > 0 ? [{
+			value: count(links),
+			label: say("links-3")
+		}] : [],
+		...widths.length > 0 ? [{
+			value: say("within-m", { half_width_m: Number(Math.max(...widths).toPrecision(2)) }),
+			label: say("projection-centres-95")
+		}] : [],
+		...number > 0 ? [{
+			value: gsdText(Number(rmse.toFixed(3))),
+			label: say("rmse-of-check-links-on")
+		}] : []
+	];
+}
+function images(number) {
+	return say("so-many-images", { images: number });
+}
+// www/block/panel/status.ts
+function mountBlockStatus(store, actions, details) {
+	const line = h("p", {
+		class: "status",
+		testid: "block-status",
+		role: "status",
+		aria: { live: "polite" }
+	});
+	const run = button(say("run"), "block-run", () => {
+		if (places(store.state)) actions.place();
+		else actions.run();
+	});
+	const cancel = button(say("cancel"), "block-cancel", actions.cancel);
+	const buttons = h("div", { class: "answer-actions" }, run, cancel, details);
+	const card = h("div", {
+		class: "answer",
+		testid: "block-answer"
+	}, line, buttons);
+	const show = answerCard(card, line, buttons, "block-");
+	store.watch((s) => [s], ([state]) => {
+		const answer = answerOf(state, actions);
+		line.setAttribute("aria-live", answer.kind === "busy" ? "off" : "polite");
+		show({
+			...answer,
+			text: readable(state.catalogue?.labels ?? null, answer.text)
+		});
+		run.disabled = isBusy(state) || (places(state) ? unplacedFiles(state).length === 0 : state.files.length < 2);
+		run.textContent = places(state) ? say("place-them") : state.running.kind === "ended" ? say("go-on") : say("run");
+		run.classList.toggle("primary", answer.next == null && !run.disabled && (state.onStage !== "orthophoto" || places(state)));
+		cancel.disabled = !isBusy(state);
+	});
+	return card;
+}
+function placed(state, actions) {
+	return placingAnswer(state, {
+		...actions,
+		asBlock: () => actions.decide("block"),
+		save: actions.savePlaced,
+		why: actions.whyPlaced
+	});
+}
+function places(state) {
+	return state.onStage === "orthophoto" && purposeOf(state) === "images";
+}
+function isOfGround(state) {
+	const { onStage, placing, shown } = state;
+	if (onStage !== "orthophoto") return false;
+	const purpose = purposeOf(state);
+	return placing.orthophoto === null || purpose === "images" || purpose === "block" && (shown === null || shown.view.partial);
+}
+function offered(state, { decide }) {
+	return {
+		more: [say("a-block-on-an-orthophoto"), state.placing.heights.kind === "level" ? heightsText(state) : ""].join(" ").trim(),
+		next: {
+			text: say("place-the-block-on-the"),
+			act: () => decide("block")
+		},
+		others: [{
+			text: say("place-each-image"),
+			act: () => decide("images")
+		}, {
+			text: state.shown?.view.surveyed.some(({ role }) => role === "control") === true ? say("only-under-the-map") : say("not-now"),
+			act: () => decide("map")
+		}]
+	};
+}
+function placeBlock({ run }) {
+	return {
+		text: say("place-the-block-on-the"),
+		act: run
+	};
+}
+function answerOf(state, actions) {
+	const { running, notice, shown, files } = state;
+	const line = (kind, text) => ({
+		kind,
+		text,
+		verdict: null
+	});
+	if (running.kind === "yes") return {
+		...line("busy", runText(running.steps)),
+		more: notice?.beside === true ? notice.text : ""
+	};
+	if (state.placing.running !== null) return placingRuns(state.placing.running);
+	if (notice?.beside === true) {
+		const answer = answerOf({
+			...state,
+			notice: null
+		}, actions);
+		return {
+			...answer,
+			more: `${answer.more ?? ""} ${notice.text}`.trimStart()
+		};
+	}
+	if (notice !== null) {
+		const said = line(notice.kind === "info" ? "idle" : notice.kind, notice.text);
+		if (notice.kind !== "busy" && asksPurpose(state)) return {
+			...said,
+			...offered(state, actions)
+		};
+		if (notice.kind === "info" && lacksPlaceAlone(state)) return {
+			...said,
+			next: placeBlock(actions)
+		};
+		if (notice.kind !== "info" || state.placing.orthophoto === null || !isOfGround(state)) return said;
+		const { next = null, others = [] } = placed(state, actions);
+		return {
+			...said,
+			next,
+			others
+		};
+	}
+	if (state.refused !== null) return line("problem", refusedText(state.refused));
+	if (asksPurpose(state) && state.placing.orthophoto !== null) return {
+		...line("idle", orthophotoText(state.placing.orthophoto)),
+		...offered(state, actions)
+	};
+	if (isOfGround(state)) return placed(state, actions);
+	if (running.kind === "ended") {
+		const former = shown !== null && !shown.view.partial ? say("the-screen-shows-the-former") : "";
+		if (running.failure === null) return line("idle", say("cancelled-the-work-done-is", {
+			former,
+			what: former === "" ? say("shown-and") : ""
+		}));
+		return line("problem", say("the-block-was-not-finished", {
+			failure: sentence(running.failure),
+			what: former === "" ? say("the-work-done-is-kept") : former
+		}));
+	}
+	if (shown !== null && !shown.view.partial && !isOutdated(state)) {
+		if (isOffGround(state)) return {
+			...line("idle", say("the-block-is-not-on")),
+			more: heightsText(state),
+			next: placeBlock(actions)
+		};
+		const answer = answered(state, shown, actions);
+		return waitsForMarks(state) ? {
+			...answer,
+			more: `${answer.more ?? ""} ${controlText(state)}`.trimStart()
+		} : answer;
+	}
+	if (shown !== null && !shown.view.partial && takesMarks(state)) return {
+		...line("idle", say("control-can-be-taken", { twice: collectedOf(state).twice })),
+		more: say("taking-the-control", { kept: state.history.done > 0 ? "edits" : "none" }),
+		next: takeControl(actions)
+	};
+	if (files.length >= 2) {
+		const why = shown === null || shown.view.partial ? say("press-run") : say("images-or-settings-have-changed");
+		return line("idle", `${say("block-images", { images: files.length })} ${why}`);
+	}
+	return line("idle", say("open-the-images-of-a"));
+}
+function takesMarks(state) {
+	const { run, asGiven } = collectedOf(state);
+	return run !== null && !asGiven && state.files.length >= 2;
+}
+function takeControl({ run }) {
+	return {
+		text: say("take-the-control"),
+		act: run
+	};
+}
+function answered(state, shown, actions) {
+	const { view, files } = shown;
+	const why = {
+		text: say("show-why"),
+		act: actions.why
+	};
+	if (view.oriented > 0 || files.length === 0) {
+		const sound = view.verdict?.kind === "oriented";
+		const next = state.truth === null ? {
+			text: say("save-the-project"),
+			act: actions.save
+		} : {
+			text: say("open-your-photos"),
+			act: actions.open
+		};
+		return {
+			kind: sound ? "done" : "partial",
+			verdict: view.verdict?.kind ?? "weak",
+			text: view.verdict?.text ?? "",
+			more: view.orthophoto?.kind === "linked" ? view.orthophoto.text : countsOf(shown),
+			figures: figuresOf(view),
+			next: sound ? next : why
+		};
+	}
+	const group = view.groups[0]?.length ?? 0;
+	const figures = {
+		why: view.warnings[0] ?? message("overview_warning", { kind: "none_oriented" }),
+		group: group < view.images.length ? group : null,
+		images: view.images.length,
+		pairs: connectedPairs(view),
+		points: view.points.taking
+	};
+	const others = state.placing.orthophoto === null ? [] : [{
+		text: say("place-each-image"),
+		act: () => actions.decide("images")
+	}];
+	return {
+		kind: "problem",
+		verdict: "not_oriented",
+		text: say("block-not-oriented", figures),
+		next: why,
+		others
+	};
+}
+function figuresOf(view) {
+	return [
+		{
+			value: say("of-4", {
+				oriented: view.oriented,
+				images: view.images.length
+			}),
+			label: say("photos-oriented")
+		},
+		{
+			value: count(view.points.taking),
+			label: say("points-on-several-photos")
+		},
+		...view.sigma0Px === null ? [] : [{
+			value: say("px-2", { value: view.sigma0Px }),
+			label: say("precision")
+		}]
+	];
+}
+function connectedPairs({ connections }) {
+	return connections.filter(({ outcome }) => outcome.kind === "connected").length;
+}
+function countsOf({ view, seconds }) {
+	return say("block-done", {
+		images: view.images.length,
+		verdict: "",
+		skipped: view.leftOut.length,
+		pairs: connectedPairs(view),
+		points: view.points.taking,
+		found: view.found?.points ?? null,
+		time: seconds === 0 ? null : duration(seconds),
+		warnings: view.warnings.length
+	}).trim();
+}
+// www/block/mount.ts
+var SAMPLE = {
+	strips: 3,
+	exposures: 4
+};
+var PLACED_SAMPLE = {
+	strips: 2,
+	exposures: 2,
+	pixel_mm: .045
+};
+var PLACED_GSD_M = .5;
+async function mountBlock(catalogue, { modes, openPair, openProject, putAside }) {
+	const store = new Holder(BLOCK_INITIAL, reduceBlock);
+	const engine = new BlockEngine(store);
+	const placing = new PlacingEngine(store);
+	const onGround = new BlockPlacing(store, engine, placing);
+	const runs = new BlockRuns(store, engine, placing, onGround);
+	const kept = new KeptBlocks(store, engine, catalogue);
+	const files = new BlockFiles(store, engine, placing, runs, openProject, (twice) => putAside(kept, twice));
+	const looking = {
+		choose: (choice) => store.dispatch({
+			type: "choose",
+			choice
+		}),
+		point: (choice) => store.dispatch({
+			type: "point",
+			choice
+		}),
+		open: (images) => openPair(store, images)
+	};
+	const actions = h("div", {
+		class: "actions",
+		role: "group",
+		aria: { label: say("images-of-the-block") }
+	});
+	const exports = h("div", {
+		class: "actions",
+		role: "group",
+		aria: { label: say("export-of-the-block") }
+	});
+	const settings = tabbed("settings", say("settings"), [
+		["block-settings", say("settings")],
+		["block-orthophoto", say("orthophoto")],
+		["block-flight", say("simulate")]
+	]);
+	const results = tabbed("details", say("results"), [["block-results", say("results")], ["block-edits", say("edits")]]);
+	const stage = h("section", {
+		class: "stage",
+		aria: { label: say("views-of-the-block") }
+	});
+	const main = h("main", { class: "block" }, settings.element, stage, results.element);
+	const opener = drawerButton("settings", say("settings"), "block-settings", settings.element);
+	const drawers = h("div", {
+		class: "drawers",
+		role: "group",
+		aria: { label: say("settings-of-the-block") }
+	}, opener);
+	byId("page-actions").before(actions, exports);
+	byId("menu").before(drawers);
+	document.querySelector("body > main")?.after(main);
+	document.querySelector("body > main")?.before(mountBack(store, modes));
+	showIn(modes, "block", [
+		actions,
+		exports,
+		drawers,
+		main
+	]);
+	const pick = mountActions(actions, store, files);
+	mountExports(exports, store, engine, placing);
+	const status = mountBlockStatus(store, {
+		run: () => void files.run(),
+		why: () => {
+			showTab("tab-block-results");
+			setDrawer("details", true);
+			reveal(results.element);
+		},
+		save: () => void saveAs(store, engine, "project"),
+		open: pick,
+		place: () => void runs.placeImages(),
+		decide: (purpose) => void files.decide(purpose),
+		cancel: () => {
+			placing.cancel();
+			onGround.cancel();
+			engine.cancel();
+		},
+		openHeights: () => pickers.heights(),
+		savePlaced: () => void savePlaced(store, placing, "placed"),
+		whyPlaced: () => {
+			setDrawer("table", true);
+			showTab("tab-block-placed");
+		}
+	}, drawerButton("details", say("details"), "block-details", results.element));
+	await breath();
+	mountSettings(settings.panels[0], store, files, opener);
+	await breath();
+	const pickers = mountPlacingSettings(settings.panels[1], store, files);
+	mountFlight(settings.panels[2], store, files);
+	mountProgress(results.panels[0], store);
+	mountResults(results.panels[0], store, () => void runs.takeOff());
+	await breath();
+	const placedSample = () => void files.sampleOnOrthophoto({
+		...catalogue.flight,
+		...PLACED_SAMPLE
+	}, PLACED_GSD_M);
+	const sample = () => void files.sample({
+		...catalogue.flight,
+		...SAMPLE
+	});
+	const facts = new Facts(store, engine);
+	let measures = null;
+	const images = imagesView(engine, facts, pick, (made) => {
+		measures = made;
+	});
+	mountStage(stage, store, looking, [
+		mapView(facts, placing, () => void makeMosaic(store, engine, placing)),
+		images,
+		MATRIX_VIEW,
+		plotsView(facts),
+		orthophotoView(engine, facts, placing, {
+			open: pickers.orthophoto,
+			sample: placedSample
+		})
+	], makeDock(store, looking, facts, placingTables(store)), {
+		sample,
+		placedSample,
+		open: pick
+	});
+	stage.prepend(status);
+	byId("block-view").before(mountEditBar(store, facts, () => measures));
+	mountEditPanel(results.panels[1], store);
+	mountBlockEditKeys(store, [stage, results.element]);
+	new EditFollower(store, engine);
+	mountAddress(store, modes);
+	store.watch(["running"], ([running]) => {
+		if (running.kind === "yes") showTab("tab-block-results");
+	});
+	return {
+		store,
+		kept,
+		taker: {
+			isActive: () => modes.state.mode === "block",
+			markAt: () => "block",
+			take: (found) => void files.take(found)
+		},
+		give: (given, masks) => void files.give(given, masks),
+		sample,
+		open: (file) => files.open(file)
+	};
+}
+function mountActions(host, store, files) {
+	const take = (given) => void files.take(given.map((file) => ({
+		file,
+		path: file.webkitRelativePath
+	})));
+	const [images, imagesInput] = fileButton(say("images"), {
+		testid: "block-files",
+		label: say("images-cameras-or-project-of"),
+		multiple: true,
+		accept: "image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint"
+	}, take, say("image-files-a-cameras-file"));
+	const [folder, folderInput] = fileButton(say("folder"), {
+		testid: "block-folder",
+		label: say("folder-of-images"),
+		folder: true
+	}, take, say("all-images-of-a-folder"));
+	const buttons = [
+		images,
+		folder,
+		button(say("simulated-block"), "block-simulate", () => void files.photograph(), say("photos-of-a-synthetic-scene")),
+		button(say("clear"), "block-clear", () => void files.clear(), say("removes-all-images-an-edited"))
+	];
+	fill(host, ...buttons, imagesInput, folderInput);
+	store.watch([
+		"running",
+		"notice",
+		"files",
+		"shown",
+		"catalogue",
+		"placing"
+	], ([, , given, shown, catalogue, placing]) => {
+		for (const press of buttons) press.disabled = catalogue === null || isBusy(store.state);
+		const last = buttons.at(-1);
+		if (last !== void 0) last.disabled ||= given.length === 0 && shown === null && placing.orthophoto === null;
+	});
+	return () => imagesInput.click();
+}
+// www/block/state/pair-camera.ts
+function cameraOfImages({ images, cameras }, a, b) {
+	const [left, right] = [images[a], images[b]];
+	const camera = left !== void 0 && left.camera === right?.camera ? cameras[left.camera] : void 0;
+	if (camera?.calibrated != null) return photo_camera(camera.calibrated);
+	return camera?.given == null ? null : cameraFrom(camera.given, "exif35_mm");
+}
+// www/block/pair.ts
+var nextId = -1;
+async function openPair(block, modes, store, engine, [a, b]) {
+	const { shown } = block.state;
+	if (shown === null) return;
+	const [left, right] = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
+	if (left === void 0 || right === void 0) {
+		tell(block, say("the-files-of-these-images"));
+		return;
+	}
+	const images = {
+		left: given(left),
+		right: given(right)
+	};
+	let camera;
+	try {
+		camera = cameraOfImages(shown.view, a, b);
+		await Promise.all([engine.open("left", images.left), engine.open("right", images.right)]);
+	} catch (error) {
+		tell(block, say("the-pair-cannot-be-shown", { error: messageOf(error) }));
+		return;
+	}
+	readyFor(store, block, camera);
+	store.dispatch({
+		type: "images",
+		images
+	});
+	block.dispatch({
+		type: "openedPair",
+		images: [a, b]
+	});
+	modes.dispatch("pair");
+}
+function readyFor(store, block, camera) {
+	const { settings } = store.state;
+	const features = block.state.options.settings?.features;
+	if (settings !== null && features !== void 0) {
+		const { points, matching } = settings;
+		store.dispatch({
+			type: "settings",
+			settings: {
+				...settings,
+				...features,
+				points: {
+					...points,
+					operator: null
+				},
+				matching: {
+					...matching,
+					strategy: "gradient"
+				}
+			}
+		});
+	}
+	store.dispatch({
+		type: "camera",
+		camera
+	});
+	store.dispatch({
+		type: "offset",
+		offset: null
+	});
+	for (const side of SIDES) {
+		store.dispatch({
+			type: "photo",
+			side,
+			photo: {
+				fiducials: [],
+				origin: null
+			}
+		});
+		store.dispatch({
+			type: "mask",
+			side,
+			mask: null
+		});
+	}
+}
+function fileOf(block, name) {
+	const { shown, files } = block.state;
+	return [...shown?.files ?? [], ...files].find((file) => file.name === name);
+}
+function given({ name, file }) {
+	return {
+		id: nextId--,
+		name,
+		source: {
+			kind: "file",
+			file
+		}
+	};
+}
+function tell(block, text) {
+	block.dispatch({
+		type: "notice",
+		notice: {
+			kind: "problem",
+			text
+		}
+	});
+}
+export { blockCatalogue, mountBlock, openPair };

@@ -1,0 +1,15248 @@
+import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, besideFiles, button, byId, count, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule } from "./page.js";
+// pkg/wasm/tiepoint.js
+var BlockOnOrthophoto = class {
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		BlockOnOrthophotoFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_blockonorthophoto_free(ptr, 0);
+	}
+	linked(block, reference) {
+		_assertClass(block, FinishedBlock);
+		_assertClass(reference, OrthophotoReference);
+		const ret = wasm.blockonorthophoto_linked(this.__wbg_ptr, block.__wbg_ptr, reference.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return FinishedBlock.__wrap(ret[0]);
+	}
+	constructor() {
+		const ret = wasm.blockonorthophoto_new();
+		this.__wbg_ptr = ret;
+		BlockOnOrthophotoFinalization.register(this, this.__wbg_ptr, this);
+		return this;
+	}
+	place(block, index, file, reference) {
+		_assertClass(block, FinishedBlock);
+		_assertClass(reference, OrthophotoReference);
+		const val2 = +index;
+		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.blockonorthophoto_place(this.__wbg_ptr, block.__wbg_ptr, val2, ptr0, len0, reference.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) BlockOnOrthophoto.prototype[Symbol.dispose] = BlockOnOrthophoto.prototype.free;
+var BlockScene = class {
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		BlockSceneFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_blockscene_free(ptr, 0);
+	}
+	constructor(flight) {
+		const ret = wasm.blockscene_new(flight);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		this.__wbg_ptr = ret[0];
+		BlockSceneFinalization.register(this, this.__wbg_ptr, this);
+		return this;
+	}
+	orthophoto(gsd_m) {
+		const ret = wasm.blockscene_orthophoto(this.__wbg_ptr, gsd_m);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	photo(index) {
+		const ret = wasm.blockscene_photo(this.__wbg_ptr, index);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	photo_file(index) {
+		const ret = wasm.blockscene_photo_file(this.__wbg_ptr, index);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v1;
+	}
+	get photos() {
+		return wasm.blockscene_photos(this.__wbg_ptr) >>> 0;
+	}
+	surface_at(index, positions) {
+		const val2 = +index;
+		const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.blockscene_surface_at(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	truth() {
+		return wasm.blockscene_truth(this.__wbg_ptr);
+	}
+};
+if (Symbol.dispose) BlockScene.prototype[Symbol.dispose] = BlockScene.prototype.free;
+var BlockWriting = class BlockWriting {
+	static __wrap(ptr) {
+		const obj = Object.create(BlockWriting.prototype);
+		obj.__wbg_ptr = ptr;
+		BlockWritingFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		BlockWritingFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_blockwriting_free(ptr, 0);
+	}
+	step(emit) {
+		const ret = wasm.blockwriting_step(this.__wbg_ptr, emit);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) BlockWriting.prototype[Symbol.dispose] = BlockWriting.prototype.free;
+var EpipolarPair = class EpipolarPair {
+	static __wrap(ptr) {
+		const obj = Object.create(EpipolarPair.prototype);
+		obj.__wbg_ptr = ptr;
+		EpipolarPairFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		EpipolarPairFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_epipolarpair_free(ptr, 0);
+	}
+	get contents() {
+		return wasm.epipolarpair_contents(this.__wbg_ptr);
+	}
+	get geometry() {
+		return wasm.epipolarpair_geometry(this.__wbg_ptr);
+	}
+	get is_swapped() {
+		return wasm.epipolarpair_is_swapped(this.__wbg_ptr) !== 0;
+	}
+	get names() {
+		const ret = wasm.epipolarpair_names(this.__wbg_ptr);
+		var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
+		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+		return v1;
+	}
+	static open(project, names) {
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) {
+				wasm.__externref_drop_slice(ptr1, len1);
+				wasm.__wbindgen_free(ptr1, len1 * 4, 4);
+			}
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.epipolarpair_open(ptr0, len0, ptr1, len1);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return EpipolarPair.__wrap(ret[0]);
+	}
+	resample(left, right) {
+		_assertClass(left, Photo);
+		_assertClass(right, Photo);
+		const ret = wasm.epipolarpair_resample(this.__wbg_ptr, left.__wbg_ptr, right.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) EpipolarPair.prototype[Symbol.dispose] = EpipolarPair.prototype.free;
+var FinishedBlock = class FinishedBlock {
+	static __wrap(ptr) {
+		const obj = Object.create(FinishedBlock.prototype);
+		obj.__wbg_ptr = ptr;
+		FinishedBlockFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		FinishedBlockFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_finishedblock_free(ptr, 0);
+	}
+	accuracy(cell, sigma_px) {
+		const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, !isLikeNone(cell), isLikeNone(cell) ? 0 : cell, !isLikeNone(sigma_px), isLikeNone(sigma_px) ? 0 : sigma_px);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	covariances(names) {
+		let deferred2_0;
+		let deferred2_1;
+		try {
+			const ret = wasm.finishedblock_covariances(this.__wbg_ptr, names);
+			var ptr1 = ret[0];
+			var len1 = ret[1];
+			if (ret[3]) {
+				ptr1 = 0;
+				len1 = 0;
+				throw takeFromExternrefTable0(ret[2]);
+			}
+			deferred2_0 = ptr1;
+			deferred2_1 = len1;
+			return getStringFromWasm0(ptr1, len1);
+		} finally {
+			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+		}
+	}
+	edited(edits) {
+		const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return FinishedBlock.__wrap(ret[0]);
+	}
+	edits() {
+		return wasm.finishedblock_edits(this.__wbg_ptr);
+	}
+	epipolar_line(from, x_px, y_px, to) {
+		const ret = wasm.finishedblock_epipolar_line(this.__wbg_ptr, from, x_px, y_px, to);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v1;
+	}
+	export(format, emit) {
+		const ret = wasm.finishedblock_export(this.__wbg_ptr, format, emit);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+	files(formats, score) {
+		const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return BlockWriting.__wrap(ret[0]);
+	}
+	image_points(image) {
+		const ret = wasm.finishedblock_image_points(this.__wbg_ptr, image);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	model() {
+		return wasm.finishedblock_model(this.__wbg_ptr);
+	}
+	on_orthophoto() {
+		return wasm.finishedblock_on_orthophoto(this.__wbg_ptr);
+	}
+	static open(bytes) {
+		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.finishedblock_open(ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return FinishedBlock.__wrap(ret[0]);
+	}
+	overview() {
+		const ret = wasm.finishedblock_overview(this.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	point(point) {
+		const ret = wasm.finishedblock_point(this.__wbg_ptr, point);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	point_ids() {
+		return wasm.finishedblock_point_ids(this.__wbg_ptr);
+	}
+	project() {
+		let deferred2_0;
+		let deferred2_1;
+		try {
+			const ret = wasm.finishedblock_project(this.__wbg_ptr);
+			var ptr1 = ret[0];
+			var len1 = ret[1];
+			if (ret[3]) {
+				ptr1 = 0;
+				len1 = 0;
+				throw takeFromExternrefTable0(ret[2]);
+			}
+			deferred2_0 = ptr1;
+			deferred2_1 = len1;
+			return getStringFromWasm0(ptr1, len1);
+		} finally {
+			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+		}
+	}
+	score(truth) {
+		const ret = wasm.finishedblock_score(this.__wbg_ptr, truth);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
+var OrthoMosaic = class OrthoMosaic {
+	static __wrap(ptr) {
+		const obj = Object.create(OrthoMosaic.prototype);
+		obj.__wbg_ptr = ptr;
+		OrthoMosaicFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		OrthoMosaicFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_orthomosaic_free(ptr, 0);
+	}
+	add(index, file) {
+		const val2 = +index;
+		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+	finish() {
+		const ptr = this.__destroy_into_raw();
+		const ret = wasm.orthomosaic_finish(ptr);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v1;
+	}
+	heights() {
+		const ret = wasm.orthomosaic_heights(this.__wbg_ptr);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		let v1;
+		if (ret[0] !== 0) {
+			v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		}
+		return v1;
+	}
+	get names() {
+		const ret = wasm.orthomosaic_names(this.__wbg_ptr);
+		var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
+		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+		return v1;
+	}
+	static open(project, heights, heights_world_file, gsd, in_adjustment) {
+		const val3 = +(isLikeNone(gsd) ? 0 : gsd);
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = isLikeNone(heights_world_file) ? 0 : passStringToWasm0(heights_world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return OrthoMosaic.__wrap(ret[0]);
+	}
+};
+if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
+var OrthophotoReference = class OrthophotoReference {
+	static __wrap(ptr) {
+		const obj = Object.create(OrthophotoReference.prototype);
+		obj.__wbg_ptr = ptr;
+		OrthophotoReferenceFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		OrthophotoReferenceFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_orthophotoreference_free(ptr, 0);
+	}
+	adjust(name, file, links, start, cameras, options) {
+		let ptr0, len0, ptr1, len1, ptr2, len2;
+		try {
+			ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+			ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len2 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	ground_positions(placement, positions) {
+		const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_ground_positions(this.__wbg_ptr, placement, ptr0, len0);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v2;
+	}
+	heights_at(places) {
+		const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_heights_at(this.__wbg_ptr, ptr0, len0);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v2;
+	}
+	image_positions(placement, places) {
+		const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_image_positions(this.__wbg_ptr, placement, ptr0, len0);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v2;
+	}
+	info() {
+		return wasm.orthophotoreference_info(this.__wbg_ptr);
+	}
+	static open(file, world_file) {
+		var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_open(file, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return OrthophotoReference.__wrap(ret[0]);
+	}
+	picture(column, row, width, height, halvings) {
+		const ret = wasm.orthophotoreference_picture(this.__wbg_ptr, column, row, width, height, halvings);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v1;
+	}
+	place(name, file, cameras) {
+		let ptr0, len0, ptr1, len1, ptr2, len2;
+		try {
+			ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+			ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len2 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	rectified(file, placement) {
+		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, ptr0, len0, placement);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v2;
+	}
+	search(options) {
+		const ret = wasm.orthophotoreference_search(this.__wbg_ptr, options);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return ret[0] >>> 0;
+	}
+	set_heights(heights, world_file) {
+		var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, ptr0, len0);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) OrthophotoReference.prototype[Symbol.dispose] = OrthophotoReference.prototype.free;
+var Photo = class Photo {
+	static __wrap(ptr) {
+		const obj = Object.create(Photo.prototype);
+		obj.__wbg_ptr = ptr;
+		PhotoFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		PhotoFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_photo_free(ptr, 0);
+	}
+	static decode(bytes) {
+		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_decode(ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return Photo.__wrap(ret[0]);
+	}
+	describe(point_list, window, strategy) {
+		const ptr0 = passArrayF64ToWasm0(point_list, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_describe(this.__wbg_ptr, ptr0, len0, window, strategy);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v2;
+	}
+	describe_points(settings, mask) {
+		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	detect(settings, mask) {
+		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_detect(this.__wbg_ptr, settings, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	features(options, mask) {
+		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_features(this.__wbg_ptr, options, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	static from_grey(width, height, grey) {
+		const val2 = +width;
+		const val3 = +height;
+		const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_from_grey(val2, val3, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return Photo.__wrap(ret[0]);
+	}
+	grey() {
+		const ret = wasm.photo_grey(this.__wbg_ptr);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v1;
+	}
+	get height() {
+		return wasm.photo_height(this.__wbg_ptr) >>> 0;
+	}
+	info() {
+		return wasm.photo_info(this.__wbg_ptr);
+	}
+	reduced(max_side) {
+		return wasm.photo_reduced(this.__wbg_ptr, max_side);
+	}
+	get width() {
+		return wasm.photo_width(this.__wbg_ptr) >>> 0;
+	}
+	window_moments(col, row, window) {
+		const ret = wasm.photo_window_moments(this.__wbg_ptr, col, row, window);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) Photo.prototype[Symbol.dispose] = Photo.prototype.free;
+var Report = class {
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		ReportFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_report_free(ptr, 0);
+	}
+	html() {
+		let deferred2_0;
+		let deferred2_1;
+		try {
+			const ret = wasm.report_html(this.__wbg_ptr);
+			var ptr1 = ret[0];
+			var len1 = ret[1];
+			if (ret[3]) {
+				ptr1 = 0;
+				len1 = 0;
+				throw takeFromExternrefTable0(ret[2]);
+			}
+			deferred2_0 = ptr1;
+			deferred2_1 = len1;
+			return getStringFromWasm0(ptr1, len1);
+		} finally {
+			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+		}
+	}
+	constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
+		_assertClass(left, Photo);
+		_assertClass(right, Photo);
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = isLikeNone(left_mask) ? 0 : passArray8ToWasm0(left_mask, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = isLikeNone(right_mask) ? 0 : passArray8ToWasm0(right_mask, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, ptr0, len0, ptr1, len1);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		this.__wbg_ptr = ret[0];
+		ReportFinalization.register(this, this.__wbg_ptr, this);
+		return this;
+	}
+	step() {
+		const ret = wasm.report_step(this.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return ret[0] !== 0;
+	}
+	steps() {
+		return wasm.report_steps(this.__wbg_ptr);
+	}
+};
+if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
+var Run = class {
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		RunFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_run_free(ptr, 0);
+	}
+	complete(id, bytes) {
+		const val2 = +id;
+		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.run_complete(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+	failed(id, failure) {
+		const ret = wasm.run_failed(this.__wbg_ptr, id, failure);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+	finish() {
+		const ptr = this.__destroy_into_raw();
+		const ret = wasm.run_finish(ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return FinishedBlock.__wrap(ret[0]);
+	}
+	found(id, record) {
+		const val2 = +id;
+		const ptr0 = passArray8ToWasm0(record, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.run_found(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return ret[0] !== 0;
+	}
+	constructor(input) {
+		const ret = wasm.run_new(input);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		this.__wbg_ptr = ret[0];
+		RunFinalization.register(this, this.__wbg_ptr, this);
+		return this;
+	}
+	news() {
+		return wasm.run_news(this.__wbg_ptr);
+	}
+	next(most) {
+		const ret = wasm.run_next(this.__wbg_ptr, most);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	prepare(id, digests) {
+		const val2 = +id;
+		const ptr0 = passArrayJsValueToWasm0(digests, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.run_prepare(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) Run.prototype[Symbol.dispose] = Run.prototype.free;
+function acting_block_parameters(settings) {
+	const ret = wasm.acting_block_parameters(settings);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function acting_parameters(settings) {
+	const ret = wasm.acting_parameters(settings);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function block_flight_parameters() {
+	return wasm.block_flight_parameters();
+}
+function block_flight_preset(name) {
+	const ret = wasm.block_flight_preset(name);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function block_parameters() {
+	return wasm.block_parameters();
+}
+function block_settings(given) {
+	const ret = wasm.block_settings(given);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function camera_label(camera, width, height) {
+	let deferred2_0;
+	let deferred2_1;
+	try {
+		const ret = wasm.camera_label(camera, width, height);
+		var ptr1 = ret[0];
+		var len1 = ret[1];
+		if (ret[3]) {
+			ptr1 = 0;
+			len1 = 0;
+			throw takeFromExternrefTable0(ret[2]);
+		}
+		deferred2_0 = ptr1;
+		deferred2_1 = len1;
+		return getStringFromWasm0(ptr1, len1);
+	} finally {
+		wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+	}
+}
+function camera_of_exif(exif) {
+	const ret = wasm.camera_of_exif(exif);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function check_cameras(text, names) {
+	let ptr0, len0, ptr1, len1;
+	try {
+		ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr1) {
+			wasm.__externref_drop_slice(ptr1, len1);
+			wasm.__wbindgen_free(ptr1, len1 * 4, 4);
+		}
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+		throw e;
+	}
+	const ret = wasm.check_cameras(ptr0, len0, ptr1, len1);
+	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+}
+function check_control(points, marks, names, placing) {
+	let ptr0, len0, ptr1, len1, ptr2, len2;
+	try {
+		ptr0 = passStringToWasm0(points, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passStringToWasm0(marks, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		len1 = WASM_VECTOR_LEN;
+		ptr2 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+		len2 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr2) {
+			wasm.__externref_drop_slice(ptr2, len2);
+			wasm.__wbindgen_free(ptr2, len2 * 4, 4);
+		}
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+		throw e;
+	}
+	const ret = wasm.check_control(ptr0, len0, ptr1, len1, ptr2, len2, placing);
+	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+}
+function check_flight(flight) {
+	const ret = wasm.check_flight(flight);
+	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+}
+function check_masks(names, masks) {
+	let ptr0, len0, ptr1, len1;
+	try {
+		ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArrayJsValueToWasm0(masks, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr1) {
+			wasm.__externref_drop_slice(ptr1, len1);
+			wasm.__wbindgen_free(ptr1, len1 * 4, 4);
+		}
+		if (ptr0) {
+			wasm.__externref_drop_slice(ptr0, len0);
+			wasm.__wbindgen_free(ptr0, len0 * 4, 4);
+		}
+		throw e;
+	}
+	const ret = wasm.check_masks(ptr0, len0, ptr1, len1);
+	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+}
+function constant_offset(dx, dy) {
+	const ret = wasm.constant_offset(dx, dy);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function defaults() {
+	return wasm.defaults();
+}
+function draw_match_lines(context, matches, codes, widths, colours, left_view, right_view, most) {
+	const val7 = +most;
+	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4, ptr5, len5;
+	try {
+		ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+		ptr2 = passArrayF64ToWasm0(widths, wasm.__wbindgen_malloc);
+		len2 = WASM_VECTOR_LEN;
+		ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
+		len3 = WASM_VECTOR_LEN;
+		ptr4 = passArrayF64ToWasm0(left_view, wasm.__wbindgen_malloc);
+		len4 = WASM_VECTOR_LEN;
+		ptr5 = passArrayF64ToWasm0(right_view, wasm.__wbindgen_malloc);
+		len5 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr5) wasm.__wbindgen_free(ptr5, len5 * 8, 8);
+		if (ptr4) wasm.__wbindgen_free(ptr4, len4 * 8, 8);
+		if (ptr3) {
+			wasm.__externref_drop_slice(ptr3, len3);
+			wasm.__wbindgen_free(ptr3, len3 * 4, 4);
+		}
+		if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
+		throw e;
+	}
+	const ret = wasm.draw_match_lines(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4, ptr5, len5, val7);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return ret[0] >>> 0;
+}
+function draw_points(context, points, codes, styles, colours, view) {
+	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
+	try {
+		ptr0 = passArrayF64ToWasm0(points, wasm.__wbindgen_malloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+		ptr2 = passArrayF64ToWasm0(styles, wasm.__wbindgen_malloc);
+		len2 = WASM_VECTOR_LEN;
+		ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
+		len3 = WASM_VECTOR_LEN;
+		ptr4 = passArrayF64ToWasm0(view, wasm.__wbindgen_malloc);
+		len4 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr4) wasm.__wbindgen_free(ptr4, len4 * 8, 8);
+		if (ptr3) {
+			wasm.__externref_drop_slice(ptr3, len3);
+			wasm.__wbindgen_free(ptr3, len3 * 4, 4);
+		}
+		if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
+		throw e;
+	}
+	const ret = wasm.draw_points(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return ret[0] >>> 0;
+}
+function draw_vectors(context, vectors, codes, widths, colours, factor, view) {
+	const val6 = +factor;
+	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
+	try {
+		ptr0 = passArrayF64ToWasm0(vectors, wasm.__wbindgen_malloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+		ptr2 = passArrayF64ToWasm0(widths, wasm.__wbindgen_malloc);
+		len2 = WASM_VECTOR_LEN;
+		ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
+		len3 = WASM_VECTOR_LEN;
+		ptr4 = passArrayF64ToWasm0(view, wasm.__wbindgen_malloc);
+		len4 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr4) wasm.__wbindgen_free(ptr4, len4 * 8, 8);
+		if (ptr3) {
+			wasm.__externref_drop_slice(ptr3, len3);
+			wasm.__wbindgen_free(ptr3, len3 * 4, 4);
+		}
+		if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
+		throw e;
+	}
+	const ret = wasm.draw_vectors(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, val6, ptr4, len4);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return ret[0] >>> 0;
+}
+function flight_parameters() {
+	return wasm.flight_parameters();
+}
+function flight_preset(name) {
+	const ret = wasm.flight_preset(name);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function flight_presets() {
+	return wasm.flight_presets();
+}
+function interior$1(camera, photo) {
+	const ret = wasm.interior(camera, photo);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function message$1(family, message, attribute, language) {
+	let deferred5_0;
+	let deferred5_1;
+	try {
+		let ptr0, len0, ptr1, len1, ptr2, len2;
+		try {
+			ptr0 = passStringToWasm0(family, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = isLikeNone(attribute) ? 0 : passStringToWasm0(attribute, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len1 = WASM_VECTOR_LEN;
+			ptr2 = isLikeNone(language) ? 0 : passStringToWasm0(language, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len2 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.message(ptr0, len0, message, ptr1, len1, ptr2, len2);
+		var ptr4 = ret[0];
+		var len4 = ret[1];
+		if (ret[3]) {
+			ptr4 = 0;
+			len4 = 0;
+			throw takeFromExternrefTable0(ret[2]);
+		}
+		deferred5_0 = ptr4;
+		deferred5_1 = len4;
+		return getStringFromWasm0(ptr4, len4);
+	} finally {
+		wasm.__wbindgen_free(deferred5_0, deferred5_1, 1);
+	}
+}
+function pair_hint(verdict, settings) {
+	const ret = wasm.pair_hint(verdict, settings);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function pair_preset(name) {
+	const ret = wasm.pair_preset(name);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function pair_presets() {
+	return wasm.pair_presets();
+}
+function paper() {
+	return wasm.paper();
+}
+function parameters() {
+	return wasm.parameters();
+}
+function parse_camera(json) {
+	const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.parse_camera(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function parse_ground_control_points(text) {
+	const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.parse_ground_control_points(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function parse_image_measurements(text) {
+	const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.parse_image_measurements(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function photo_camera(camera) {
+	const ret = wasm.photo_camera(camera);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function placed_tables(names, placed) {
+	const ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.placed_tables(ptr0, len0, placed);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function placing_defaults() {
+	return wasm.placing_defaults();
+}
+function placing_parameters() {
+	return wasm.placing_parameters();
+}
+function project_kind(start) {
+	const ptr0 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
+	const len0 = WASM_VECTOR_LEN;
+	return wasm.project_kind(ptr0, len0);
+}
+function resolved(settings) {
+	const ret = wasm.resolved(settings);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function rule_names() {
+	return wasm.rule_names();
+}
+function version() {
+	let deferred1_0;
+	let deferred1_1;
+	try {
+		const ret = wasm.version();
+		deferred1_0 = ret[0];
+		deferred1_1 = ret[1];
+		return getStringFromWasm0(ret[0], ret[1]);
+	} finally {
+		wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
+	}
+}
+function __wbg_get_imports() {
+	return {
+		__proto__: null,
+		"./tiepoint_bg.js": {
+			__proto__: null,
+			__wbg___wbindgen_debug_string_f249a2a76caa9a55: function(arg0, arg1) {
+				const ptr1 = passStringToWasm0(debugString(arg1), wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				const len1 = WASM_VECTOR_LEN;
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 4, len1, true);
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
+			},
+			__wbg___wbindgen_is_null_c22311b1cc228e3a: function(arg0) {
+				return arg0 === null;
+			},
+			__wbg___wbindgen_is_object_8b968c3ab8e96595: function(arg0) {
+				const val = arg0;
+				return typeof val === "object" && val !== null;
+			},
+			__wbg___wbindgen_is_undefined_be5b34249ff1fc15: function(arg0) {
+				return arg0 === void 0;
+			},
+			__wbg___wbindgen_number_get_934b640d0889af78: function(arg0, arg1) {
+				const obj = arg1;
+				const ret = typeof obj === "number" ? obj : void 0;
+				getDataViewMemory0().setFloat64((arg0 >>> 0) + 8, isLikeNone(ret) ? 0 : ret, true);
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 0, !isLikeNone(ret), true);
+			},
+			__wbg___wbindgen_rethrow_d953c34c2e20677f: function(arg0) {
+				throw arg0;
+			},
+			__wbg___wbindgen_string_get_7ce8eee7fd327545: function(arg0, arg1) {
+				const obj = arg1;
+				const ret = typeof obj === "string" ? obj : void 0;
+				var ptr1 = isLikeNone(ret) ? 0 : passStringToWasm0(ret, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				var len1 = WASM_VECTOR_LEN;
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 4, len1, true);
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
+			},
+			__wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
+				throw new Error(getStringFromWasm0(arg0, arg1));
+			},
+			__wbg__wbg_cb_unref_09736879a3f67559: function(arg0) {
+				arg0._wbg_cb_unref();
+			},
+			__wbg_arc_df3f7eb77e59876f: function() {
+				return handleError(function(arg0, arg1, arg2, arg3, arg4, arg5) {
+					arg0.arc(arg1, arg2, arg3, arg4, arg5);
+				}, arguments);
+			},
+			__wbg_assign_6b6bb30388088072: function(arg0, arg1) {
+				return Object.assign(arg0, arg1);
+			},
+			__wbg_beginPath_ab690dc0c7efe6dc: function(arg0) {
+				arg0.beginPath();
+			},
+			__wbg_call_fc92fee6137d452d: function() {
+				return handleError(function(arg0, arg1, arg2, arg3) {
+					return arg0.call(arg1, arg2, arg3);
+				}, arguments);
+			},
+			__wbg_closePath_e9e11e034c5d75a3: function(arg0) {
+				arg0.closePath();
+			},
+			__wbg_deleteProperty_3ad7a085da623822: function() {
+				return handleError(function(arg0, arg1) {
+					return Reflect.deleteProperty(arg0, arg1);
+				}, arguments);
+			},
+			__wbg_fill_cb36fe21a8d46cd7: function(arg0) {
+				arg0.fill();
+			},
+			__wbg_from_eac91875c8a5ffa4: function(arg0) {
+				return Array.from(arg0);
+			},
+			__wbg_get_2080c49015e35254: function() {
+				return handleError(function(arg0, arg1) {
+					return Reflect.get(arg0, arg1);
+				}, arguments);
+			},
+			__wbg_get_unchecked_e6325ad374eff861: function(arg0, arg1) {
+				return arg0[arg1 >>> 0];
+			},
+			__wbg_instanceof_Error_74e3cca0c4a69161: function(arg0) {
+				let result;
+				try {
+					result = arg0 instanceof Error;
+				} catch (_) {
+					result = false;
+				}
+				return result;
+			},
+			__wbg_instanceof_Float32Array_94718abab7dc1d7f: function(arg0) {
+				let result;
+				try {
+					result = arg0 instanceof Float32Array;
+				} catch (_) {
+					result = false;
+				}
+				return result;
+			},
+			__wbg_instanceof_Uint32Array_ba721c3060d01f9a: function(arg0) {
+				let result;
+				try {
+					result = arg0 instanceof Uint32Array;
+				} catch (_) {
+					result = false;
+				}
+				return result;
+			},
+			__wbg_instanceof_Uint8Array_d7aeb0dcb3108fea: function(arg0) {
+				let result;
+				try {
+					result = arg0 instanceof Uint8Array;
+				} catch (_) {
+					result = false;
+				}
+				return result;
+			},
+			__wbg_length_03a2b32a9178fe11: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_length_186163212ffe79c3: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_length_5a8bb8abe1e54e15: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_length_6e9d2869242cabf3: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_length_b03a0fabb109b1e9: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_length_c702d06d28b96b72: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_lineTo_91262b25fb37c461: function(arg0, arg1, arg2) {
+				arg0.lineTo(arg1, arg2);
+			},
+			__wbg_message_43d8c8f1d543a349: function(arg0) {
+				return arg0.message;
+			},
+			__wbg_moveTo_b4cd3b0b7e1585a5: function(arg0, arg1, arg2) {
+				arg0.moveTo(arg1, arg2);
+			},
+			__wbg_new_13de428334042d26: function(arg0) {
+				return new Uint8Array(arg0);
+			},
+			__wbg_new_22589e9be6cca455: function(arg0) {
+				return new Float64Array(arg0);
+			},
+			__wbg_new_37eb45aaf5eeb820: function() {
+				return new Array();
+			},
+			__wbg_new_68957d2a912dfa0a: function(arg0) {
+				return new Int32Array(arg0);
+			},
+			__wbg_new_787b9fb330d55d78: function(arg0, arg1) {
+				return new Error(getStringFromWasm0(arg0, arg1));
+			},
+			__wbg_new_a2eeb1f991f36b47: function(arg0) {
+				return new Uint32Array(arg0);
+			},
+			__wbg_new_cd4348290afae586: function() {
+				return new Object();
+			},
+			__wbg_new_from_slice_1ed4a41a79189233: function(arg0, arg1) {
+				return new Uint16Array(getArrayU16FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_3512352010266e02: function(arg0, arg1) {
+				return new Uint32Array(getArrayU32FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_355c10c5d8f2addb: function(arg0, arg1) {
+				return new Float32Array(getArrayF32FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_aaf85a9746711968: function(arg0, arg1) {
+				return new Float64Array(getArrayF64FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_b8daf545a41c6aa0: function(arg0, arg1) {
+				return new Uint8Array(getArrayU8FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_e0c60a796e12bb7c: function(arg0, arg1) {
+				return new Int32Array(getArrayI32FromWasm0(arg0, arg1));
+			},
+			__wbg_parse_c3f72b5a24f83c01: function() {
+				return handleError(function(arg0, arg1) {
+					return JSON.parse(getStringFromWasm0(arg0, arg1));
+				}, arguments);
+			},
+			__wbg_prototypesetcall_13162965d1fe7aa3: function(arg0, arg1, arg2) {
+				Uint8Array.prototype.set.call(getArrayU8FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_prototypesetcall_153eecd0d28a42a5: function(arg0, arg1, arg2) {
+				Int32Array.prototype.set.call(getArrayI32FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_prototypesetcall_22b1bb88c4ec5c5a: function(arg0, arg1, arg2) {
+				Float32Array.prototype.set.call(getArrayF32FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_prototypesetcall_4aea6470234c8414: function(arg0, arg1, arg2) {
+				Uint32Array.prototype.set.call(getArrayU32FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_prototypesetcall_a366c038a3918afa: function(arg0, arg1, arg2) {
+				Float64Array.prototype.set.call(getArrayF64FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_read_c75dcf30dfdc2d25: function() {
+				return handleError(function(arg0, arg1, arg2) {
+					return arg0.read(arg1, arg2);
+				}, arguments);
+			},
+			__wbg_rect_ab5601e64afdbc33: function(arg0, arg1, arg2, arg3, arg4) {
+				arg0.rect(arg1, arg2, arg3, arg4);
+			},
+			__wbg_set_2793479888329cb6: function() {
+				return handleError(function(arg0, arg1, arg2) {
+					return Reflect.set(arg0, arg1, arg2);
+				}, arguments);
+			},
+			__wbg_set_fillStyle_95fde67582a9c695: function(arg0, arg1, arg2) {
+				arg0.fillStyle = getStringFromWasm0(arg1, arg2);
+			},
+			__wbg_set_lineWidth_12f039d09cd36dad: function(arg0, arg1) {
+				arg0.lineWidth = arg1;
+			},
+			__wbg_set_name_822e3903f3184979: function(arg0, arg1, arg2) {
+				arg0.name = getStringFromWasm0(arg1, arg2);
+			},
+			__wbg_set_strokeStyle_b90c8a6e0d37c80d: function(arg0, arg1, arg2) {
+				arg0.strokeStyle = getStringFromWasm0(arg1, arg2);
+			},
+			__wbg_size_161b8a6e60abe336: function(arg0) {
+				return arg0.size;
+			},
+			__wbg_stringify_b090af1e2fcbfede: function() {
+				return handleError(function(arg0, arg1) {
+					return JSON.stringify(arg0, arg1);
+				}, arguments);
+			},
+			__wbg_stroke_19fa3f3ec093bc25: function(arg0) {
+				arg0.stroke();
+			},
+			__wbindgen_generic_0000000000000001: function(arg0, arg1) {
+				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
+			},
+			__wbindgen_generic_0000000000000002: function(arg0) {
+				return arg0;
+			},
+			__wbindgen_generic_0000000000000003: function(arg0, arg1) {
+				return getStringFromWasm0(arg0, arg1);
+			},
+			__wbindgen_init_externref_table: function() {
+				const table = wasm.__wbindgen_externrefs;
+				table.set(0, void 0);
+				table.set(1024, void 0);
+				table.set(1025, null);
+				table.set(1026, true);
+				table.set(1027, false);
+			}
+		}
+	};
+}
+function wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3) {
+	return wasm.wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3);
+}
+var BlockOnOrthophotoFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_blockonorthophoto_free(ptr, 1));
+var BlockSceneFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_blockscene_free(ptr, 1));
+var BlockWritingFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_blockwriting_free(ptr, 1));
+var EpipolarPairFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_epipolarpair_free(ptr, 1));
+var FinishedBlockFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_finishedblock_free(ptr, 1));
+var OrthoMosaicFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_orthomosaic_free(ptr, 1));
+var OrthophotoReferenceFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_orthophotoreference_free(ptr, 1));
+var PhotoFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_photo_free(ptr, 1));
+var ReportFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_report_free(ptr, 1));
+var RunFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_run_free(ptr, 1));
+function addToExternrefTable0(obj) {
+	const idx = wasm.__externref_table_alloc();
+	wasm.__wbindgen_externrefs.set(idx, obj);
+	return idx;
+}
+function _assertClass(instance, klass) {
+	if (!(instance instanceof klass)) throw new Error(`expected instance of ${klass.name}`);
+}
+var CLOSURE_DTORS = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((state) => wasm.__wbindgen_destroy_closure(state.a, state.b));
+function debugString(val) {
+	switch (typeof val) {
+		case "number":
+		case "boolean":
+		case "undefined": return `${val}`;
+		case "string": return JSON.stringify(val);
+		case "bigint": return `${val}n`;
+		case "symbol": return val.description !== void 0 ? `Symbol(${val.description})` : "Symbol";
+		case "function": return typeof val.name === "string" && val.name !== "" ? `Function(${val.name})` : "Function";
+		case "object": {
+			if (val === null) return "null";
+			if (Array.isArray(val)) return "[" + Array.from(val, debugString).join(", ") + "]";
+			if (val instanceof Error) return `${val.name}: ${val.message}\n${val.stack}`;
+			const toStringOutput = toString.call(val);
+			const className = /\[object ([^\]]+)\]/.exec(toStringOutput)?.[1];
+			if (className === void 0) return toStringOutput;
+			if (className === "Object") try {
+				return "Object(" + JSON.stringify(val) + ")";
+			} catch (_) {
+				return "Object";
+			}
+			return className;
+		}
+	}
+}
+function getArrayF32FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getFloat32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+}
+function getArrayF64FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getFloat64ArrayMemory0().subarray(ptr / 8, ptr / 8 + len);
+}
+function getArrayI32FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getInt32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+}
+function getArrayJsValueFromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	const mem = getDataViewMemory0();
+	const result = [];
+	for (let i = ptr; i < ptr + 4 * len; i += 4) result.push(wasm.__wbindgen_externrefs.get(mem.getUint32(i, true)));
+	wasm.__externref_drop_slice(ptr, len);
+	return result;
+}
+function getArrayU16FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getUint16ArrayMemory0().subarray(ptr / 2, ptr / 2 + len);
+}
+function getArrayU32FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getUint32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+}
+function getArrayU8FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getUint8ArrayMemory0().subarray(ptr / 1, ptr / 1 + len);
+}
+var cachedDataViewMemory0 = null;
+function getDataViewMemory0() {
+	if (cachedDataViewMemory0 === null || cachedDataViewMemory0.buffer.detached === true || cachedDataViewMemory0.buffer.detached === void 0 && cachedDataViewMemory0.buffer !== wasm.memory.buffer) cachedDataViewMemory0 = new DataView(wasm.memory.buffer);
+	return cachedDataViewMemory0;
+}
+var cachedFloat32ArrayMemory0 = null;
+function getFloat32ArrayMemory0() {
+	if (cachedFloat32ArrayMemory0 === null || cachedFloat32ArrayMemory0.byteLength === 0) cachedFloat32ArrayMemory0 = new Float32Array(wasm.memory.buffer);
+	return cachedFloat32ArrayMemory0;
+}
+var cachedFloat64ArrayMemory0 = null;
+function getFloat64ArrayMemory0() {
+	if (cachedFloat64ArrayMemory0 === null || cachedFloat64ArrayMemory0.byteLength === 0) cachedFloat64ArrayMemory0 = new Float64Array(wasm.memory.buffer);
+	return cachedFloat64ArrayMemory0;
+}
+var cachedInt32ArrayMemory0 = null;
+function getInt32ArrayMemory0() {
+	if (cachedInt32ArrayMemory0 === null || cachedInt32ArrayMemory0.byteLength === 0) cachedInt32ArrayMemory0 = new Int32Array(wasm.memory.buffer);
+	return cachedInt32ArrayMemory0;
+}
+function getStringFromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return decodeText(getUint8ArrayMemory0().subarray(ptr, ptr + len));
+}
+var cachedUint16ArrayMemory0 = null;
+function getUint16ArrayMemory0() {
+	if (cachedUint16ArrayMemory0 === null || cachedUint16ArrayMemory0.byteLength === 0) cachedUint16ArrayMemory0 = new Uint16Array(wasm.memory.buffer);
+	return cachedUint16ArrayMemory0;
+}
+var cachedUint32ArrayMemory0 = null;
+function getUint32ArrayMemory0() {
+	if (cachedUint32ArrayMemory0 === null || cachedUint32ArrayMemory0.byteLength === 0) cachedUint32ArrayMemory0 = new Uint32Array(wasm.memory.buffer);
+	return cachedUint32ArrayMemory0;
+}
+var cachedUint8ArrayMemory0 = null;
+function getUint8ArrayMemory0() {
+	if (cachedUint8ArrayMemory0 === null || cachedUint8ArrayMemory0.byteLength === 0) cachedUint8ArrayMemory0 = new Uint8Array(wasm.memory.buffer);
+	return cachedUint8ArrayMemory0;
+}
+function handleError(f, args) {
+	try {
+		return f.apply(this, args);
+	} catch (e) {
+		const idx = addToExternrefTable0(e);
+		wasm.__wbindgen_exn_store(idx);
+	}
+}
+function isLikeNone(x) {
+	return x === void 0 || x === null;
+}
+function makeClosure(arg0, arg1, f) {
+	const state = {
+		a: arg0,
+		b: arg1,
+		cnt: 1
+	};
+	const real = (...args) => {
+		state.cnt++;
+		try {
+			return f(state.a, state.b, ...args);
+		} finally {
+			real._wbg_cb_unref();
+		}
+	};
+	real._wbg_cb_unref = () => {
+		if (--state.cnt === 0) {
+			wasm.__wbindgen_destroy_closure(state.a, state.b);
+			state.a = 0;
+			CLOSURE_DTORS.unregister(state);
+		}
+	};
+	CLOSURE_DTORS.register(real, state, state);
+	return real;
+}
+function passArray8ToWasm0(arg, malloc) {
+	const ptr = malloc(arg.length * 1, 1) >>> 0;
+	getUint8ArrayMemory0().set(arg, ptr / 1);
+	WASM_VECTOR_LEN = arg.length;
+	return ptr;
+}
+function passArrayF64ToWasm0(arg, malloc) {
+	const ptr = malloc(arg.length * 8, 8) >>> 0;
+	getFloat64ArrayMemory0().set(arg, ptr / 8);
+	WASM_VECTOR_LEN = arg.length;
+	return ptr;
+}
+function passArrayJsValueToWasm0(array, malloc) {
+	const ptr = malloc(array.length * 4, 4) >>> 0;
+	for (let i = 0; i < array.length; i++) {
+		const add = addToExternrefTable0(array[i]);
+		getDataViewMemory0().setUint32(ptr + 4 * i, add, true);
+	}
+	WASM_VECTOR_LEN = array.length;
+	return ptr;
+}
+function passStringToWasm0(arg, malloc, realloc) {
+	if (realloc === void 0) {
+		const buf = cachedTextEncoder.encode(arg);
+		const ptr = malloc(buf.length, 1) >>> 0;
+		getUint8ArrayMemory0().subarray(ptr, ptr + buf.length).set(buf);
+		WASM_VECTOR_LEN = buf.length;
+		return ptr;
+	}
+	let len = arg.length;
+	let ptr = malloc(len, 1) >>> 0;
+	const mem = getUint8ArrayMemory0();
+	let offset = 0;
+	for (; offset < len; offset++) {
+		const code = arg.charCodeAt(offset);
+		if (code > 127) break;
+		mem[ptr + offset] = code;
+	}
+	if (offset !== len) {
+		if (offset !== 0) arg = arg.slice(offset);
+		ptr = realloc(ptr, len, len = offset + arg.length * 3, 1) >>> 0;
+		const view = getUint8ArrayMemory0().subarray(ptr + offset, ptr + len);
+		const ret = cachedTextEncoder.encodeInto(arg, view);
+		offset += ret.written;
+		ptr = realloc(ptr, len, offset, 1) >>> 0;
+	}
+	WASM_VECTOR_LEN = offset;
+	return ptr;
+}
+function takeFromExternrefTable0(idx) {
+	const value = wasm.__wbindgen_externrefs.get(idx);
+	wasm.__externref_table_dealloc(idx);
+	return value;
+}
+var cachedTextDecoder = new TextDecoder("utf-8", { ignoreBOM: true });
+cachedTextDecoder.decode();
+var MAX_SAFARI_DECODE_BYTES = 2146435072;
+var numBytesDecoded = 0;
+function decodeText(bytes) {
+	numBytesDecoded += bytes.length;
+	if (numBytesDecoded >= MAX_SAFARI_DECODE_BYTES) {
+		cachedTextDecoder = new TextDecoder("utf-8", { ignoreBOM: true });
+		cachedTextDecoder.decode();
+		numBytesDecoded = bytes.length;
+	}
+	return cachedTextDecoder.decode(bytes);
+}
+var cachedTextEncoder = new TextEncoder();
+if (!("encodeInto" in cachedTextEncoder)) cachedTextEncoder.encodeInto = function(arg, view) {
+	const buf = cachedTextEncoder.encode(arg);
+	view.set(buf);
+	return {
+		read: arg.length,
+		written: buf.length
+	};
+};
+var WASM_VECTOR_LEN = 0;
+var wasm;
+function __wbg_finalize_init(instance, module) {
+	wasm = instance.exports;
+	cachedDataViewMemory0 = null;
+	cachedFloat32ArrayMemory0 = null;
+	cachedFloat64ArrayMemory0 = null;
+	cachedInt32ArrayMemory0 = null;
+	cachedUint16ArrayMemory0 = null;
+	cachedUint32ArrayMemory0 = null;
+	cachedUint8ArrayMemory0 = null;
+	wasm.__wbindgen_start();
+	return wasm;
+}
+async function __wbg_load(module, imports) {
+	if (typeof Response === "function" && module instanceof Response) {
+		if (!module.ok) throw new Error(`failed to fetch Wasm: ${module.status} ${module.statusText} fetching '${module.url}'`);
+		if (typeof WebAssembly.instantiateStreaming === "function") try {
+			return await WebAssembly.instantiateStreaming(module, imports);
+		} catch (e) {
+			if (expectedResponseType(module.type) && module.headers.get("Content-Type") !== "application/wasm") console.warn("`WebAssembly.instantiateStreaming` failed because your server does not serve Wasm with `application/wasm` MIME type. Falling back to `WebAssembly.instantiate` which is slower. Original error:\n", e);
+			else throw e;
+		}
+		const bytes = await module.arrayBuffer();
+		return await WebAssembly.instantiate(bytes, imports);
+	} else {
+		const instance = await WebAssembly.instantiate(module, imports);
+		if (instance instanceof WebAssembly.Instance) return {
+			instance,
+			module
+		};
+		else return instance;
+	}
+	function expectedResponseType(type) {
+		switch (type) {
+			case "basic":
+			case "cors":
+			case "default": return true;
+		}
+		return false;
+	}
+}
+var __wbg_init_promise;
+async function __wbg_init(module_or_path) {
+	if (wasm !== void 0) return wasm;
+	if (__wbg_init_promise === void 0) {
+		__wbg_init_promise = __wbg_init_once(module_or_path);
+		__wbg_init_promise.catch(() => {
+			__wbg_init_promise = void 0;
+		});
+	}
+	return __wbg_init_promise;
+}
+async function __wbg_init_once(module_or_path) {
+	if (module_or_path !== void 0) {
+		if (Object.getPrototypeOf(module_or_path) === Object.prototype) ({module_or_path} = module_or_path);
+		else console.warn("using deprecated parameters for the initialization function; pass a single object instead");
+	}
+	const imports = __wbg_get_imports();
+	if (typeof module_or_path === "string" || typeof Request === "function" && module_or_path instanceof Request || typeof URL === "function" && module_or_path instanceof URL) module_or_path = fetch(module_or_path);
+	const { instance, module } = await __wbg_load(await module_or_path, imports);
+	return __wbg_finalize_init(instance, module);
+}
+// www/shared/text/options.ts
+function optionInLanguage(parameter) {
+	const { key, label, help, absent, section, unit } = parameter;
+	const name = key.replaceAll(/[._]/gu, "-");
+	const own = {
+		label: known$1(name) ?? label,
+		help: known$1(name, "help") ?? help,
+		absent: known$1(name, "absent") ?? absent,
+		unit: known$1(`unit-${unit.replaceAll(" ", "-")}`) ?? unit,
+		section: known$1(`section-${section.toLowerCase().replaceAll(" ", "-")}`) ?? section
+	};
+	if (parameter.kind !== "choice") return {
+		...parameter,
+		...own
+	};
+	return {
+		...parameter,
+		...own,
+		labels: parameter.labels.map((text, i) => known$1(name, parameter.values[i] ?? null) ?? text)
+	};
+}
+function catalogueInLanguage(catalogue) {
+	const { parameters, flightParameters } = catalogue;
+	return {
+		...catalogue,
+		parameters: parameters.map(optionInLanguage),
+		flightParameters: flightParameters.map(optionInLanguage)
+	};
+}
+// www/shared/panel/mode.ts
+var MODES = [["pair", say("pair")], ["block", say("block")]];
+function modeSwitch(modes, show) {
+	const buttons = MODES.map(([mode, text]) => ({
+		mode,
+		press: button(text, `mode-${mode}`, () => show(mode))
+	}));
+	modes.watch(["mode"], ([mode]) => {
+		for (const { mode: own, press } of buttons) press.setAttribute("aria-pressed", String(own === mode));
+		document.querySelector(".skip")?.setAttribute("href", mode === "pair" ? "#view" : "#block-view");
+		document.body.dataset["mode"] = mode;
+	});
+	return h("div", {
+		class: "mode",
+		role: "group",
+		aria: { label: say("what-is-matched") }
+	}, ...buttons.map(({ press }) => press));
+}
+function showIn(modes, mode, elements) {
+	modes.watch(["mode"], ([now]) => {
+		for (const element of elements) element.hidden = now !== mode;
+	});
+}
+// www/shared/engine/breath.ts
+var breath = () => new Promise((resolve) => setTimeout(resolve));
+var PATIENCE_MS$2 = 1e3;
+var waiting = new Set();
+function whenQuiet(work) {
+	const once = () => {
+		if (waiting.delete(once)) work();
+	};
+	waiting.add(once);
+	if ("requestIdleCallback" in window) window.requestIdleCallback(once, { timeout: PATIENCE_MS$2 });
+	else setTimeout(once);
+}
+function hasten() {
+	for (const work of [...waiting]) work();
+}
+function afterFrame(callback) {
+	let waits = false;
+	return () => {
+		if (waits) return;
+		waits = true;
+		requestAnimationFrame(() => setTimeout(() => {
+			waits = false;
+			callback();
+		}));
+	};
+}
+// www/shared/panel/drawers.ts
+var NAME$3 = "tiepoint-open";
+var AT_FIRST = window.innerHeight >= 900 && window.innerWidth >= 1180 ? "table" : "";
+var open$2 = new Set((keptChoice(NAME$3) ?? AT_FIRST).split(" "));
+var watchers = [];
+var OVER = window.matchMedia("(width < 1180px)");
+var ROOM = window.matchMedia("(width >= 1500px)");
+var BESIDE$1 = {
+	settings: ["details"],
+	details: ["settings"]
+};
+if (OVER.matches) open$2.delete("settings");
+ROOM.addEventListener("change", () => !ROOM.matches && isOpen("details") && setDrawer("settings", false));
+function watchDrawers(callback) {
+	watchers.push(callback);
+	callback();
+}
+function isOpen(drawer) {
+	return open$2.has(drawer);
+}
+function setDrawer(drawer, wanted) {
+	if (isOpen(drawer) === wanted) return;
+	if (wanted && drawer === "settings") hasten();
+	if (wanted) open$2.add(drawer);
+	else open$2.delete(drawer);
+	if (wanted && !ROOM.matches) for (const other of BESIDE$1[drawer] ?? []) open$2.delete(other);
+	keepChoice(NAME$3, [...open$2].filter((name) => name !== "").join(" "));
+	for (const callback of watchers) callback();
+}
+function uncoverPictures() {
+	if (OVER.matches) setDrawer("settings", false);
+}
+function drawerButton(drawer, text, testid, element) {
+	const made = button(text, testid, () => {
+		setDrawer(drawer, !isOpen(drawer));
+		if (isOpen(drawer)) reveal$1(element);
+	});
+	const close = button("×", `close-${testid}`, () => {
+		setDrawer(drawer, false);
+		made.focus();
+	});
+	close.className = "icon close";
+	close.setAttribute("aria-label", say("close-3", { text }));
+	element.append(close);
+	watchDrawers(() => {
+		element.classList.toggle("is-closed", !isOpen(drawer));
+		made.setAttribute("aria-expanded", String(isOpen(drawer)));
+	});
+	return made;
+}
+function reveal$1(element) {
+	const { top } = element.getBoundingClientRect();
+	if (top < 0 || top > .8 * window.innerHeight) element.scrollIntoView({ block: "start" });
+}
+// www/shared/panel/picker.ts
+function fileInput({ testid, label, accept, multiple = false, folder = false }, take) {
+	const input = h("input", {
+		type: "file",
+		class: "visually-hidden",
+		tabindex: -1,
+		testid: `${testid}-input`,
+		aria: { label }
+	});
+	if (accept !== void 0) input.accept = accept;
+	input.multiple = multiple || folder;
+	input.webkitdirectory = folder;
+	input.addEventListener("change", () => {
+		const files = [...input.files ?? []];
+		if (files.length > 0) take(files);
+		input.value = "";
+	});
+	return input;
+}
+function fileButton(text, picked, take, title) {
+	const input = fileInput(picked, take);
+	return [button(text, picked.testid, () => input.click(), title), input];
+}
+// www/shared/panel/tabs.ts
+function tabbed(place, label, tabs) {
+	const buttons = tabs.map(([id, text]) => h("button", {
+		type: "button",
+		role: "tab",
+		id: `tab-${id}`,
+		testid: `tab-${id}`,
+		aria: { controls: `panel-${id}` }
+	}, text));
+	const panels = tabs.map(([id]) => h("div", {
+		class: "panel",
+		role: "tabpanel",
+		id: `panel-${id}`,
+		tabindex: 0,
+		aria: { labelledby: `tab-${id}` }
+	}));
+	const choose = (chosen) => {
+		buttons.forEach((tab, i) => {
+			tab.setAttribute("aria-selected", String(i === chosen));
+			tab.tabIndex = i === chosen ? 0 : -1;
+		});
+		panels.forEach((panel, i) => {
+			panel.hidden = i !== chosen;
+		});
+	};
+	buttons.forEach((tab, i) => {
+		tab.addEventListener("click", () => choose(i));
+		tab.addEventListener("keydown", (event) => {
+			const forward = LANGUAGES[LANGUAGE].direction === "rtl" ? -1 : 1;
+			const step = {
+				ArrowRight: forward,
+				ArrowLeft: -forward
+			}[event.key];
+			if (step === void 0) return;
+			event.preventDefault();
+			const next = (i + step + tabs.length) % tabs.length;
+			choose(next);
+			buttons[next]?.focus();
+		});
+	});
+	choose(0);
+	return {
+		element: h("section", {
+			class: place === "dock" ? "dock" : `side of-${place}`,
+			aria: { label }
+		}, h("h2", { class: "visually-hidden" }, label), h("div", {
+			class: "tabs",
+			role: "tablist",
+			aria: { label }
+		}, ...buttons), ...panels),
+		panels
+	};
+}
+function showTab(id) {
+	document.getElementById(id)?.click();
+}
+// www/shared/state/store.ts
+var Holder = class {
+	current;
+	reduce;
+	listeners = [];
+	dispatching = false;
+	waiting = [];
+	constructor(current, reduce) {
+		this.current = current;
+		this.reduce = reduce;
+	}
+	get state() {
+		return this.current;
+	}
+	dispatch(action) {
+		this.waiting.push(action);
+		if (this.dispatching) return;
+		this.dispatching = true;
+		try {
+			for (let next = this.waiting.shift(); next !== void 0; next = this.waiting.shift()) {
+				this.current = this.reduce(this.current, next);
+				for (const listener of this.listeners) listener(this.current);
+			}
+		} finally {
+			this.dispatching = false;
+		}
+	}
+	watch(what, callback) {
+		const select = typeof what === "function" ? what : (state) => what.map((name) => state[name]);
+		let seen = select(this.current);
+		this.listeners.push((state) => {
+			const values = select(state);
+			if (values.every((value, i) => Object.is(value, seen[i]))) return;
+			seen = values;
+			callback(values);
+		});
+		callback(seen);
+	}
+};
+// www/shared/crate.ts
+function readCatalogue() {
+	return {
+		version: version(),
+		parameters: parameters(),
+		defaults: defaults(),
+		presets: pair_presets().map((name) => ({
+			name,
+			settings: pair_preset(name)
+		})),
+		rules: rule_names(),
+		flightParameters: flight_parameters(),
+		paper: paper(),
+		flights: flight_presets().map((name) => ({
+			name,
+			flight: flight_preset(name)
+		}))
+	};
+}
+// www/shared/text/messages.ts
+function message(family, of, attribute = null) {
+	const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀");
+	return asClauses(family.endsWith("verdict") ? grouped(text) : text);
+}
+function messageOf(thrown) {
+	if (!(thrown instanceof Error)) return String(thrown);
+	const error = "error" in thrown && LANGUAGE !== "en" ? thrown.error : null;
+	return typeof error?.kind === "string" ? message("error", {
+		...error,
+		kind: error.kind
+	}) : thrown.message;
+}
+// www/shared/engine/client.ts
+var CallError = class extends Error {
+	failure;
+	ended;
+	name = "CallError";
+	constructor(failure, ended) {
+		super(failure.message);
+		this.failure = failure;
+		this.ended = ended;
+	}
+};
+function breakdownOf(error) {
+	if (!(error instanceof CallError) || !error.ended) return null;
+	return error.failure.kind === "memory" ? say("the-worker-ran-out-of", { message: error.message }) : say("the-worker-broke-off-at", { message: error.message });
+}
+var Cancelled = class extends Error {
+	name = say("cancelled");
+};
+var WorkerClient = class {
+	name;
+	worker = null;
+	pending = new Map();
+	nextId = 1;
+	generation = 0;
+	constructor(name) {
+		this.name = name;
+	}
+	async call(call, input, transfer = []) {
+		this.worker ??= this.start();
+		const worker = this.worker;
+		return new Promise((resolve, reject) => {
+			const id = this.nextId++;
+			this.pending.set(id, {
+				resolve,
+				reject
+			});
+			const request = {
+				id,
+				call,
+				input
+			};
+			if (worker.isReady) {
+				worker.handle.postMessage(request, transfer);
+				return;
+			}
+			worker.ready.then(() => {
+				if (this.pending.has(id)) worker.handle.postMessage(request, transfer);
+			}, (error) => this.end(new CallError(otherFailure(error), true)));
+		});
+	}
+	cancel() {
+		this.end(new Cancelled("cancelled"));
+	}
+	start() {
+		const handle = spawnWorker(this.name);
+		handle.onmessage = (event) => this.receive(event.data);
+		handle.onerror = (event) => {
+			event.preventDefault();
+			this.end(new CallError({
+				kind: "fault",
+				code: null,
+				message: event.message || say("the-worker-could-not-start")
+			}, true));
+		};
+		const started = {
+			handle,
+			isReady: false,
+			ready: wasmModule().then((module) => {
+				const start = { module };
+				handle.postMessage(start);
+				started.isReady = true;
+			})
+		};
+		return started;
+	}
+	receive(response) {
+		const waiting = this.pending.get(response.id);
+		if (waiting === void 0) return;
+		this.pending.delete(response.id);
+		if ("output" in response) {
+			waiting.resolve(response.output);
+			return;
+		}
+		const ended = response.failure.kind === "fault" || response.failure.kind === "memory";
+		const error = new CallError(response.failure, ended);
+		waiting.reject(error);
+		if (ended) this.end(error);
+	}
+	end(error) {
+		this.worker?.handle.terminate();
+		this.worker = null;
+		this.generation += 1;
+		const waiting = [...this.pending.values()];
+		this.pending.clear();
+		for (const { reject } of waiting) reject(error);
+	}
+};
+function otherFailure(error) {
+	return {
+		kind: "other",
+		code: null,
+		message: messageOf(error)
+	};
+}
+// www/shared/state/remember.ts
+function remember(compute) {
+	let last = null;
+	return (...args) => {
+		if (last === null || last.args.some((arg, i) => !Object.is(arg, args[i]))) last = {
+			args,
+			result: compute(...args)
+		};
+		return last.result;
+	};
+}
+function rememberCodes(compute) {
+	let last = new Uint8Array();
+	return remember((...args) => {
+		const codes = compute(...args);
+		if (codes.length !== last.length || codes.some((code, i) => code !== last[i])) last = codes;
+		return last;
+	});
+}
+// www/shared/state/history.ts
+var NO_HISTORY = {
+	edits: [],
+	done: 0
+};
+function recorded({ edits, done }, edit) {
+	return {
+		edits: [...edits.slice(0, done), edit],
+		done: done + 1
+	};
+}
+function wentTo({ edits }, done) {
+	return {
+		edits,
+		done: Math.min(edits.length, Math.max(0, done))
+	};
+}
+function steps({ edits, done }, nameOf) {
+	const [last, next] = [edits[done - 1], edits[done]];
+	return {
+		undo: last === void 0 ? null : nameOf(last),
+		redo: next === void 0 ? null : nameOf(next)
+	};
+}
+function inSight({ edits, done }, reach) {
+	return {
+		from: Math.max(0, done - reach),
+		to: Math.min(edits.length, done + reach)
+	};
+}
+// www/shared/engine/pool.ts
+var MOST_WORKERS = 8;
+var WorkerPool = class {
+	size = Math.min(MOST_WORKERS, Math.max(1, navigator.hardwareConcurrency || 1));
+	idle = Array.from({ length: this.size }, (_, i) => new WorkerClient(`pool ${String(i + 1)}`));
+	all = [...this.idle];
+	waiting = [];
+	call(call, input, transfer = []) {
+		return new Promise((resolve, reject) => {
+			const start = (client) => client.call(call, input, transfer).then(resolve, reject);
+			this.waiting.push({
+				start,
+				drop: () => reject(new Cancelled("cancelled"))
+			});
+			this.next();
+		});
+	}
+	cancel() {
+		const { waiting } = this;
+		this.waiting = [];
+		for (const { drop } of waiting) drop();
+		for (const client of this.all) client.cancel();
+	}
+	next() {
+		while (this.waiting.length > 0) {
+			const client = this.idle.pop();
+			const task = client === void 0 ? void 0 : this.waiting.shift();
+			if (client === void 0 || task === void 0) return;
+			task.start(client).finally(() => {
+				this.idle.push(client);
+				this.next();
+			});
+		}
+	}
+};
+// www/shared/state/camera.ts
+function cameraFrom(camera, origin) {
+	const pixel = camera.pixel_mm ?? null;
+	return camera_of_exif({
+		make: null,
+		model: null,
+		focal_mm: camera.focal_px * (pixel ?? 1),
+		pixel_mm: pixel,
+		origin,
+		lens: camera
+	});
+}
+// www/shared/state/calibrations.ts
+var NAME$2 = "tiepoint-cameras";
+var MOST = 50;
+var all = null;
+function read() {
+	try {
+		const kept = JSON.parse(keptChoice(NAME$2) ?? "[]");
+		return Array.isArray(kept) ? kept.filter(isCalibration) : [];
+	} catch {
+		return [];
+	}
+}
+function isCalibration(value) {
+	const kept = value ?? {};
+	const { label, focalErrorPx, images, at } = kept;
+	if (typeof label !== "string" || ![focalErrorPx, images].every(Number.isFinite) || Number.isNaN(new Date(at).getTime())) return false;
+	try {
+		cameraOfPair(kept);
+		return true;
+	} catch {
+		return false;
+	}
+}
+function remembered$1() {
+	all ??= read();
+	return all;
+}
+function keep(kept) {
+	all = kept.slice(0, MOST);
+	keepChoice(NAME$2, JSON.stringify(all));
+}
+var lensOf = ({ radial = [
+	0,
+	0,
+	0
+], tangential = [0, 0] }) => JSON.stringify([radial, tangential]);
+function calibrationOf(label, recorded) {
+	return remembered$1().find((kept) => kept.label === label && lensOf(kept.recorded) === lensOf(recorded)) ?? null;
+}
+function calibrationBehind(camera) {
+	const text = JSON.stringify(camera);
+	return remembered$1().find((kept) => JSON.stringify(cameraOfPair(kept)) === text) ?? null;
+}
+function rememberCalibrations(made) {
+	if (made.length > 0) keep([...made, ...remembered$1().filter(({ label }) => !made.some((other) => other.label === label))]);
+}
+function forgetCalibration(label) {
+	keep(remembered$1().filter((kept) => kept.label !== label));
+}
+function cameraOfPair({ camera }) {
+	return cameraFrom(camera, "xmp_calibration");
+}
+// www/shared/panel/choice.ts
+var VECTOR_FACTORS = [
+	0,
+	10,
+	20,
+	50,
+	100,
+	200,
+	500,
+	1e3
+];
+function choice(label, testid, options, onChange) {
+	const select = h("select", { testid });
+	for (const [value, text] of options) select.append(new Option(text, value));
+	select.addEventListener("change", () => onChange(select.value));
+	return [h("label", { class: "choice" }, h("span", {}, label), select), select];
+}
+function toggle(label, testid, title, onChange) {
+	const made = button(label, testid, () => onChange(made.getAttribute("aria-pressed") !== "true"), title);
+	made.setAttribute("aria-pressed", "false");
+	return made;
+}
+function vectorChoice(testid, onChange) {
+	const factors = VECTOR_FACTORS.map((factor) => [String(factor), factor === 0 ? say("no-residuals") : `× ${String(factor)}`]);
+	return choice(say("residuals"), testid, factors, (value) => onChange(Number(value)));
+}
+// www/shared/view/commands.ts
+var known = [];
+var declared = () => known;
+function declare(commands) {
+	known.push(commands);
+	return (key, shift) => {
+		const name = key.length === 1 ? key.toLowerCase() : key;
+		const command = commands.list.find(({ keys, can }) => keys.includes(name) && can?.() !== false);
+		command?.run(shift);
+		return command !== void 0;
+	};
+}
+var SIGNS = {
+	Delete: "Del",
+	Escape: "Esc",
+	PageDown: "Page Down",
+	PageUp: "Page Up",
+	ArrowLeft: "←",
+	ArrowRight: "→",
+	ArrowUp: "↑",
+	ArrowDown: "↓",
+	"-": "−"
+};
+var keyText = (key) => SIGNS[key] ?? (key.length === 1 ? key.toUpperCase() : key);
+// www/shared/view/gestures.ts
+var CLICK_SLACK = 5;
+var KEY_PAN = 60;
+var KEY_ZOOM = 1.25;
+var LINE_PX = 24;
+var WHEEL_RATE = .0016;
+var PINCH_RATE = .01;
+var pan = (dx, dy) => (movable, far) => {
+	const target = movable.focused();
+	const step = KEY_PAN * (far ? 4 : 1);
+	if (target !== null) movable.pan(target, dx * step, dy * step);
+};
+var MOVES = [
+	{
+		keys: ["ArrowLeft"],
+		does: say("moves-the-picture-with-shift"),
+		run: pan(1, 0)
+	},
+	{
+		keys: ["ArrowRight"],
+		does: say("moves-the-picture-with-shift"),
+		run: pan(-1, 0)
+	},
+	{
+		keys: ["ArrowUp"],
+		does: say("moves-the-picture-with-shift"),
+		run: pan(0, 1)
+	},
+	{
+		keys: ["ArrowDown"],
+		does: say("moves-the-picture-with-shift"),
+		run: pan(0, -1)
+	},
+	{
+		keys: ["+", "="],
+		does: say("key-enlarges"),
+		run: (movable) => movable.zoomMiddle(KEY_ZOOM)
+	},
+	{
+		keys: ["-", "_"],
+		does: say("makes-smaller"),
+		run: (movable) => movable.zoomMiddle(1 / KEY_ZOOM)
+	},
+	{
+		keys: ["0"],
+		does: say("shows-the-whole-picture"),
+		run: (movable) => movable.fit()
+	}
+];
+function listen(host, movable, keyHost = host) {
+	new Gestures(host, movable, keyHost);
+}
+function listenKeys(host, command) {
+	host.addEventListener("keydown", (event) => {
+		if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select") !== null) return;
+		if (command(event.key, event.shiftKey)) event.preventDefault();
+	});
+}
+var Gestures = class {
+	host;
+	movable;
+	presses = new Map();
+	target = null;
+	clicked = false;
+	encloses = false;
+	path = [];
+	constructor(host, movable, keyHost) {
+		this.host = host;
+		this.movable = movable;
+		host.addEventListener("pointerdown", (event) => this.down(event));
+		host.addEventListener("pointermove", (event) => this.move(event));
+		host.addEventListener("pointerup", (event) => this.up(event));
+		host.addEventListener("pointercancel", (event) => this.leave(event));
+		host.addEventListener("pointerleave", () => movable.pointed(null, false));
+		host.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+		keyHost.addEventListener("keydown", (event) => this.key(event));
+	}
+	place(event) {
+		const box = this.host.getBoundingClientRect();
+		return [event.clientX - box.left, event.clientY - box.top];
+	}
+	down(event) {
+		if (event.button !== 0 || event.target.closest("button") !== null) return;
+		const [x, y] = this.place(event);
+		const target = this.movable.at(x, y);
+		if (target === null) return;
+		this.host.setPointerCapture(event.pointerId);
+		this.clicked = this.presses.size === 0;
+		if (!this.clicked) this.giveUp();
+		this.encloses = this.clicked && this.movable.encloses?.(event.shiftKey) === true;
+		this.path = [[x, y]];
+		this.target = target;
+		this.presses.set(event.pointerId, {
+			x,
+			y,
+			startX: x,
+			startY: y
+		});
+		this.movable.grabbed?.(target);
+	}
+	move(event) {
+		const [x, y] = this.place(event);
+		const press = this.presses.get(event.pointerId);
+		this.movable.pointed([x, y], press !== void 0);
+		if (press === void 0 || this.target === null) return;
+		if (this.clicked && Math.hypot(x - press.startX, y - press.startY) <= CLICK_SLACK) return;
+		this.clicked = false;
+		if (this.encloses) {
+			this.path.push([x, y]);
+			this.movable.enclosed?.(this.target, [press.startX, press.startY], [x, y], false, this.path);
+			return;
+		}
+		const still = [...this.presses].find(([id]) => id !== event.pointerId)?.[1];
+		if (still === void 0) this.movable.pan(this.target, x - press.x, y - press.y);
+		else this.pinch(this.target, press, still, x, y);
+		press.x = x;
+		press.y = y;
+	}
+	pinch(target, moved, still, x, y) {
+		const before = Math.hypot(moved.x - still.x, moved.y - still.y);
+		const after = Math.hypot(x - still.x, y - still.y);
+		this.movable.pan(target, (x - moved.x) / 2, (y - moved.y) / 2);
+		if (before > 1 && after > 1) this.movable.zoom(target, after / before, (x + still.x) / 2, (y + still.y) / 2);
+	}
+	up(event) {
+		const press = this.presses.get(event.pointerId);
+		if (press === void 0) return;
+		this.presses.delete(event.pointerId);
+		if (this.clicked) this.movable.pressed(...this.place(event), event.ctrlKey || event.metaKey);
+		else if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [press.startX, press.startY], this.place(event), true, this.path);
+		this.encloses = false;
+	}
+	leave(event) {
+		this.presses.delete(event.pointerId);
+		this.giveUp();
+	}
+	giveUp() {
+		if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [0, 0], null, false, []);
+		this.encloses = false;
+	}
+	wheel(event) {
+		const [x, y] = this.place(event);
+		const target = this.movable.at(x, y);
+		if (target === null) return;
+		event.preventDefault();
+		const px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX * event.deltaY : event.deltaY;
+		this.movable.zoom(target, Math.exp(-(event.ctrlKey ? PINCH_RATE : WHEEL_RATE) * px), x, y);
+	}
+	key(event) {
+		if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select, .welcome") !== null) return;
+		if ((event.key === "Enter" || event.key === " ") && event.target.closest("button") !== null) return;
+		if (this.movable.command(event.key, event.shiftKey) || this.moved(event)) event.preventDefault();
+	}
+	moved({ key, shiftKey }) {
+		const move = MOVES.find(({ keys }) => keys.includes(key));
+		move?.run(this.movable, shiftKey);
+		return move !== void 0;
+	}
+};
+// www/shared/panel/focus.ts
+function canHold(element) {
+	return element.isConnected && element.closest("[hidden], :disabled") === null;
+}
+function passFocus(held, others) {
+	if (!(held instanceof HTMLElement) || canHold(held)) return;
+	const { activeElement } = document;
+	if (activeElement !== held && activeElement !== null && activeElement !== document.body) return;
+	others.find((other) => other != null && canHold(other))?.focus({ preventScroll: true });
+}
+// www/shared/panel/history.ts
+function set(made, text, disabled) {
+	if (made.textContent !== text) made.textContent = text;
+	made.disabled = disabled;
+}
+function showSteps(undo, redo, history, nameOf) {
+	const names = steps(history, nameOf);
+	for (const [made, name, keys] of [[
+		undo,
+		names.undo === null ? say("undo") : say("undo-3", { undo: names.undo }),
+		"Ctrl+Z"
+	], [
+		redo,
+		names.redo === null ? say("redo") : say("redo-3", { redo: names.redo }),
+		"Ctrl+Shift+Z"
+	]]) {
+		made.title = `${name} (${keys})`;
+		made.setAttribute("aria-label", name);
+		made.hidden = history.edits.length === 0;
+	}
+	undo.disabled = names.undo === null;
+	redo.disabled = names.redo === null;
+}
+var LISTED = 50;
+var reaches = new WeakMap();
+function showHistory(host, prefix, first, history, nameOf, go) {
+	const { edits, done } = history;
+	const reach = reaches.get(host) ?? LISTED;
+	const { from, to } = inSight(history, reach);
+	const focused = host.contains(document.activeElement);
+	const entry = (place, name) => {
+		const press = button(name, `${prefix}history-${String(place)}`, () => go(place));
+		press.className = "link";
+		if (place === done) press.setAttribute("aria-current", "step");
+		return h("li", { class: place > done ? "undone" : "" }, press);
+	};
+	const more = (testid, text) => {
+		const press = button(text, `${prefix}history-${testid}`, () => {
+			reaches.set(host, 4 * reach);
+			showHistory(host, prefix, first, history, nameOf, go);
+		});
+		press.className = "link";
+		return h("li", {}, press);
+	};
+	const listed = edits.slice(from, to).map((edit, i) => entry(from + i + 1, nameOf(edit)));
+	const earlier = from > 0 ? [more("earlier", say("history-earlier", { edits: from }))] : [];
+	const later = to < edits.length ? [more("later", say("history-later", { edits: edits.length - to }))] : [];
+	fill(host, entry(0, first), ...earlier, ...listed, ...later);
+	if (focused) host.querySelector("[aria-current]")?.focus({ preventScroll: true });
+}
+function undoKeys(isActive, step) {
+	const act = declare({
+		where: say("anywhere-after-edits"),
+		host: document.body,
+		list: [{
+			keys: ["Ctrl+Z"],
+			does: say("takes-back-the-last-edit"),
+			can: isActive,
+			run: () => step(-1)
+		}, {
+			keys: ["Ctrl+Shift+Z", "Ctrl+Y"],
+			does: say("makes-the-edit-again"),
+			can: isActive,
+			run: () => step(1)
+		}]
+	});
+	document.addEventListener("keydown", (event) => {
+		const { target, key } = event;
+		if (!(event.ctrlKey || event.metaKey) || event.altKey || target instanceof Element && target.closest("input, textarea, select, dialog") !== null) return;
+		if (act(`Ctrl+${event.shiftKey ? "Shift+" : ""}${key.toUpperCase()}`, event.shiftKey)) event.preventDefault();
+	});
+}
+// www/shared/state/pane.ts
+var STEPS_OF_PX = 100;
+var roundedPx = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
+// www/shared/files/save.ts
+function save(blob, name) {
+	const link = document.createElement("a");
+	link.href = URL.createObjectURL(blob);
+	link.download = name;
+	link.click();
+	window.setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
+}
+// www/block/files/rasters.ts
+var WORLD = /\.(?:tfw|jgw|pgw|bpw|gfw|tifw|tiffw|jpgw|jpegw|pngw|wld)$/iu;
+var TIFF = /\.tiff?$/iu;
+var PICTURE = /\.(?:jpe?g|png|bmp|webp|p[gpn]m)$/iu;
+var GRID$1 = /\.(?:asc|grd|txt|agr)$/iu;
+async function sortRasters(found) {
+	const sorted = {
+		orthophotos: [],
+		heights: [],
+		worlds: [],
+		others: []
+	};
+	const worlds = found.filter(({ file }) => WORLD.test(file.name));
+	const used = new Set();
+	for (const one of found) {
+		const { file } = one;
+		if (WORLD.test(file.name)) continue;
+		const world = worlds.find((other) => stemOf(other) === stemOf(one))?.file ?? null;
+		const kind = await kindOf(file, world !== null);
+		if (kind === "photograph") {
+			sorted.others.push(one);
+			continue;
+		}
+		if (world !== null) used.add(world);
+		sorted[kind === "heights" ? "heights" : "orthophotos"].push({
+			file,
+			world
+		});
+	}
+	sorted.worlds = worlds.map(({ file }) => file).filter((file) => !used.has(file));
+	return sorted;
+}
+function asGiven(sorted) {
+	const { orthophotos } = sorted;
+	if (orthophotos.length < 2) return {
+		...sorted,
+		taken: 0
+	};
+	return {
+		...sorted,
+		orthophotos: [],
+		others: [...sorted.others, ...orthophotos.map(({ file }) => ({
+			file,
+			path: ""
+		}))],
+		taken: orthophotos.length
+	};
+}
+async function hasGround(found) {
+	const { orthophotos, heights, others } = await sortRasters(found);
+	return heights.length > 0 || orthophotos.length === 1 && (others.length > 0 || found.length === 2);
+}
+function stemOf({ file, path }) {
+	return (path === "" ? file.name : path).replace(/\.[^./]*$/u, "").toLowerCase();
+}
+async function kindOf(file, hasWorld) {
+	if (GRID$1.test(file.name)) return /^\s*(?:ncols|nrows)\s/iu.test(await file.slice(0, 64).text()) ? "heights" : "photograph";
+	if (TIFF.test(file.name) || file.type === "image/tiff") return kindOfTiff(await tiffTags(file), hasWorld);
+	return hasWorld && (file.type.startsWith("image/") || PICTURE.test(file.name)) ? "orthophoto" : "photograph";
+}
+var [BITS, SAMPLES, FORMAT, SCALE, TIES, TRANSFORMATION, KEYS] = [
+	258,
+	277,
+	339,
+	33550,
+	33922,
+	34264,
+	34735
+];
+var UNSIGNED = 1;
+function kindOfTiff(tags, hasWorld) {
+	const isPlaced = hasWorld || tags.has(TRANSFORMATION) || tags.has(SCALE) && tags.has(TIES) || tags.has(KEYS);
+	if ((tags.get(SAMPLES) ?? 1) === 1 && isPlaced && ((tags.get(FORMAT) ?? UNSIGNED) !== UNSIGNED || (tags.get(BITS) ?? 1) > 16)) return "heights";
+	return isPlaced ? "orthophoto" : "photograph";
+}
+var MOST_ENTRIES = 4096;
+async function tiffTags(file) {
+	const read = async (from, length) => new DataView(await file.slice(from, from + length).arrayBuffer());
+	const tags = new Map();
+	try {
+		const head = await read(0, 16);
+		const little = head.getUint16(0) === 18761;
+		const isBig = head.getUint16(2, little) === 43;
+		const at = isBig ? Number(head.getBigUint64(8, little)) : head.getUint32(4, little);
+		const [before, each] = isBig ? [8, 20] : [2, 12];
+		const start = await read(at, before);
+		const entries = Math.min(MOST_ENTRIES, isBig ? Number(start.getBigUint64(0, little)) : start.getUint16(0, little));
+		const directory = await read(at + before, entries * each);
+		for (let entry = 0; entry < entries; entry++) {
+			const from = entry * each;
+			const values = isBig ? Number(directory.getBigUint64(from + 4, little)) : directory.getUint32(from + 4, little);
+			const isShort = directory.getUint16(from + 2, little) === 3 && values <= (isBig ? 4 : 2);
+			tags.set(directory.getUint16(from, little), isShort ? directory.getUint16(from + (isBig ? 12 : 8), little) : await first(from, values));
+		}
+		async function first(from, values) {
+			if (!(directory.getUint16(from + 2, little) === 3 && values < 64)) return 0;
+			const offset = isBig ? Number(directory.getBigUint64(from + 12, little)) : directory.getUint32(from + 8, little);
+			return (await read(offset, 2)).getUint16(0, little);
+		}
+	} catch {}
+	return tags;
+}
+// www/shared/files/keepable.ts
+var names = new WeakMap();
+function nameOf$1(value, kept) {
+	const name = names.get(value) ?? kept ?? randomName();
+	names.set(value, name);
+	return name;
+}
+function randomName() {
+	return Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+function wrong(name) {
+	return new Error(say("the-field-is-damaged", { name }));
+}
+function objectOf(value, name) {
+	if (typeof value !== "object" || value === null || Array.isArray(value)) throw wrong(name);
+	return value;
+}
+function likeOf(value, like, name) {
+	if (typeof value !== typeof like || typeof value === "number" && Number.isNaN(value)) throw wrong(name);
+	return value;
+}
+function listOf(value, name, element) {
+	if (!Array.isArray(value)) throw wrong(name);
+	return value.map((one, i) => element(one, `${name}[${String(i)}]`));
+}
+function orNull(value, read) {
+	return value == null ? null : read(value);
+}
+function fitted$1(value, defaults, name) {
+	const kept = objectOf(value, name);
+	const fields = Object.entries(defaults).map(([field, normal]) => {
+		const own = kept[field];
+		const path = `${name}.${field}`;
+		if (own === void 0) return [field, normal];
+		if (own === null || normal === null || Array.isArray(normal)) return [field, own];
+		if (typeof normal === "object") return [field, fitted$1(own, normal, path)];
+		return [field, likeOf(own, normal, path)];
+	});
+	return Object.fromEntries(fields);
+}
+// www/shared/files/journal.ts
+var SIDE = 64;
+var OF_HEAD = 40;
+var Journal$1 = class {
+	name;
+	editFrom;
+	bytesOf;
+	head = {
+		done: 0,
+		pieces: 0
+	};
+	pieces = [];
+	constructor(name, editFrom, bytesOf) {
+		this.name = name;
+		this.editFrom = editFrom;
+		this.bytesOf = bytesOf;
+	}
+	parts({ edits, done }) {
+		const parts = new Map();
+		const pieces = Math.ceil(edits.length / SIDE);
+		this.pieces = Array.from({ length: pieces }, (_, i) => same(this.pieces[i], edits, i * SIDE));
+		if (this.head.done !== done || this.head.pieces !== pieces) this.head = {
+			done,
+			pieces
+		};
+		if (pieces === 0) return parts;
+		parts.set(this.name, {
+			value: this.head,
+			bytes: OF_HEAD
+		});
+		for (const [i, piece] of this.pieces.entries()) parts.set(`${this.name}/${String(i)}`, {
+			value: piece,
+			bytes: this.size(piece)
+		});
+		return parts;
+	}
+	read(parts) {
+		const value = parts.get(this.name);
+		if (value === void 0) return NO_HISTORY;
+		const { done, pieces } = objectOf(value, "edits");
+		const edits = Array.from({ length: likeOf(pieces, 0, "edits.pieces") }, (_, i) => parts.get(`${this.name}/${String(i)}`)).flatMap((piece, i) => listOf(piece, `edits[${String(i)}]`, this.editFrom));
+		return {
+			edits,
+			done: doneFrom(done, edits.length, "edits.done")
+		};
+	}
+	size(edits) {
+		return edits.reduce((sum, edit) => sum + this.bytesOf(edit), 0);
+	}
+};
+function doneFrom(value, edits, name) {
+	return Math.min(edits, Math.max(0, Math.trunc(likeOf(value, 0, name))));
+}
+function same(earlier, edits, from) {
+	const length = Math.min(SIDE, edits.length - from);
+	return earlier?.length === length && earlier.every((edit, i) => edit === edits[from + i]) ? earlier : edits.slice(from, from + length);
+}
+// www/shared/text/project.ts
+function titleOf({ name, images }) {
+	if (name !== null) return name;
+	const [first, second] = images;
+	if (first === void 0) return say("without-images");
+	if (second === void 0) return first;
+	return images.length === 2 ? say("two-names", {
+		first,
+		second
+	}) : say("and-more-images", {
+		first,
+		images: images.length - 1
+	});
+}
+function sizeText(bytes) {
+	if (bytes < 1e6) return say("kb", { bytes: Math.ceil(bytes / 1e3) });
+	if (bytes < 1e9) return `${(bytes / 1e6).toFixed(1)} MB`;
+	return `${(bytes / 1e9).toFixed(1)} GB`;
+}
+// www/shared/panel/sight.ts
+var HIDING = "[hidden], .is-closed";
+function isHidden(element) {
+	return element.closest(HIDING) !== null;
+}
+function whenInSight(host, draw) {
+	let due = false;
+	const observer = new MutationObserver(() => {
+		if (!isHidden(host)) show();
+	});
+	function show() {
+		observer.disconnect();
+		due = false;
+		draw();
+	}
+	return () => {
+		if (!isHidden(host)) return show();
+		if (due) return;
+		due = true;
+		for (let around = host; around !== null; around = around.parentElement) observer.observe(around, {
+			attributes: true,
+			attributeFilter: ["hidden", "class"]
+		});
+	};
+}
+// www/shared/state/rows.ts
+function ordered(count, columns, { key, descending }, keep) {
+	const kept = keptRows(count, keep);
+	const column = columns.find((candidate) => candidate.key === key);
+	if (column === void 0) return kept;
+	const sign = descending ? -1 : 1;
+	const values = new Array(count);
+	for (const row of kept) values[row] = column.value(row);
+	if (kept.some((row) => typeof values[row] === "string")) {
+		const words = new Intl.Collator("en", { numeric: true });
+		return kept.sort((a, b) => sign * words.compare(String(values[a]), String(values[b])) || a - b);
+	}
+	const keys = Float64Array.from(values, (value) => typeof value === "number" && !Number.isNaN(value) ? sign * value : Infinity);
+	return kept.sort((a, b) => (keys[a] ?? 0) < (keys[b] ?? 0) ? -1 : (keys[a] ?? 0) > (keys[b] ?? 0) ? 1 : a - b);
+}
+function keptRows(count, keep) {
+	const rows = new Uint32Array(count);
+	let length = 0;
+	for (let row = 0; row < count; row++) if (keep(row)) rows[length++] = row;
+	return rows.subarray(0, length);
+}
+function keeping$1(columns, filter) {
+	const tests = columns.flatMap(({ key, value, text, words }) => {
+		const condition = filter[key];
+		if (condition === void 0 || condition.kind === "contains" !== (words === true)) return [];
+		if (condition.kind === "contains") {
+			const wanted = condition.text.toLowerCase();
+			return [(row) => text(row).toLowerCase().includes(wanted)];
+		}
+		const [from, to] = [condition.from ?? -Infinity, condition.to ?? Infinity];
+		return [(row) => {
+			const number = Number(value(row));
+			return number >= from && number <= to;
+		}];
+	});
+	return tests.length === 0 ? null : (row) => tests.every((test) => test(row));
+}
+var NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?`;
+var BETWEEN = new RegExp(`^(${NUMBER})\\s*(?:\\.\\.+|…|–|-|to)\\s*(${NUMBER})$`, "iu");
+var LIMIT = new RegExp(`^(>=|<=|≥|≤|>|<)\\s*(${NUMBER})$`, "iu");
+var EQUAL = new RegExp(`^=?\\s*(${NUMBER})$`, "iu");
+function conditionOf(typed, words) {
+	const text = typed.trim();
+	if (text === "") return null;
+	if (words) return {
+		kind: "contains",
+		text
+	};
+	const plain = text.replaceAll("−", "-").replaceAll(/[\u202f ](?=\d{3})/gu, "");
+	const between = BETWEEN.exec(plain);
+	if (between !== null) return {
+		kind: "range",
+		from: Number(between[1]),
+		to: Number(between[2])
+	};
+	const limit = LIMIT.exec(plain);
+	if (limit !== null) return limited(limit[1] ?? "", Number(limit[2]));
+	const equal = EQUAL.exec(plain)?.[1];
+	if (equal === void 0) return void 0;
+	const half = /e/iu.test(equal) ? 0 : .5 * 10 ** -(equal.split(".")[1]?.length ?? 0);
+	return {
+		kind: "range",
+		from: Number(equal) - half,
+		to: Number(equal) + half
+	};
+}
+function limited(sign, number) {
+	const next = Math.max(Math.abs(number) * Number.EPSILON, Number.MIN_VALUE);
+	if (sign === ">") return {
+		kind: "range",
+		from: number + next,
+		to: null
+	};
+	if (sign === "<") return {
+		kind: "range",
+		from: null,
+		to: number - next
+	};
+	return sign === ">=" || sign === "≥" ? {
+		kind: "range",
+		from: number,
+		to: null
+	} : {
+		kind: "range",
+		from: null,
+		to: number
+	};
+}
+function conditionText(condition) {
+	if (condition === void 0) return "";
+	if (condition.kind === "contains") return condition.text;
+	const { from, to } = condition;
+	if (from !== null && to !== null) return `${String(from)}..${String(to)}`;
+	return from !== null ? `≥${String(from)}` : to !== null ? `≤${String(to)}` : "";
+}
+function totalOf(column, rows) {
+	let [sum, squares, count] = [
+		0,
+		0,
+		0
+	];
+	for (const row of rows) {
+		const value = column.value(row);
+		if (typeof value !== "number" || Number.isNaN(value)) continue;
+		sum += value;
+		squares += value * value;
+		count += 1;
+	}
+	if (count === 0) return NaN;
+	return column.total === "sum" ? sum : column.total === "mean" ? sum / count : Math.sqrt(squares / count);
+}
+function headText({ label, unit }, inEnglish) {
+	const name = inEnglish(label);
+	return unit === "" ? name : `${name} [${unit}]`;
+}
+function guarded(text) {
+	return /^'*[=+\-@\t\r]/u.test(text) ? `'${text}` : text;
+}
+function plain(column, row, inEnglish) {
+	const text = column.text(row);
+	if (column.words === true) return guarded(inEnglish(text));
+	const figure = text.replaceAll(" ", "").replaceAll("−", "-").replace(/^–$/u, "");
+	return Number.isNaN(Number(figure)) ? guarded(figure) : figure;
+}
+function csvOf(columns, rows, inEnglish) {
+	const field = (text) => /[",\r\n]/u.test(text) ? `"${text.replaceAll("\"", "\"\"")}"` : text;
+	return linesOf(columns, rows, field, ",", inEnglish);
+}
+function tabbedOf(columns, rows, inEnglish) {
+	return linesOf(columns, rows, (text) => text.replaceAll(/[\t\r\n]/gu, " "), "	", inEnglish);
+}
+function linesOf(columns, rows, field, between, inEnglish) {
+	const lines = [columns.map((column) => field(guarded(headText(column, inEnglish)))).join(between)];
+	for (const row of rows) lines.push(columns.map((column) => field(plain(column, row, inEnglish))).join(between));
+	return `${lines.join("\n")}\n`;
+}
+// www/shared/panel/rows.ts
+var ROW = 24;
+var MARGIN = 12;
+var COLUMNS$1 = 30;
+var RowsInSight = class {
+	row;
+	columns = h("colgroup", {});
+	head = h("thead", {});
+	foot = h("tfoot", {});
+	scroller;
+	table;
+	body = h("tbody", {});
+	count = 0;
+	drawn = [0, 0];
+	frame = 0;
+	heights = null;
+	top = 0;
+	constructor(testid, words, row) {
+		this.row = row;
+		this.table = h("table", {
+			testid,
+			class: "statistics",
+			role: "grid",
+			tabindex: 0,
+			aria: { label: words.table }
+		}, this.columns, this.head, this.body, this.foot);
+		this.scroller = h("div", {
+			class: "rows",
+			role: "region",
+			aria: { label: words.region }
+		}, this.table);
+		this.scroller.addEventListener("scroll", () => this.scrolled());
+		new ResizeObserver(() => {
+			this.laidOut();
+			this.draw();
+		}).observe(this.scroller);
+		const fixed = new ResizeObserver(() => this.laidOut());
+		for (const part of [this.head, this.foot]) fixed.observe(part);
+	}
+	laidOut() {
+		this.top = this.scroller.scrollTop;
+		const heights = {
+			all: this.scroller.clientHeight,
+			fixed: this.head.offsetHeight + this.foot.offsetHeight
+		};
+		this.heights = heights.all === 0 ? null : heights;
+		return heights;
+	}
+	get room() {
+		const { all, fixed } = this.heights ?? this.laidOut();
+		return all - fixed;
+	}
+	show(count) {
+		this.count = count;
+		this.draw();
+	}
+	reveal(place, near = false) {
+		const { room } = this;
+		const top = place * ROW;
+		if (place >= 0 && top < this.top) this.scrollTo(near ? top : Math.max(0, top - room / 2));
+		else if (place >= 0 && top + ROW > this.top + room) this.scrollTo(near ? top + ROW - room : Math.max(0, top - room / 2));
+		this.draw();
+	}
+	scrollTo(top) {
+		this.scroller.scrollTop = top;
+		this.top = this.scroller.scrollTop;
+	}
+	get page() {
+		return Math.max(1, Math.floor(this.room / ROW) - 1);
+	}
+	markOrder(key, descending) {
+		for (const cell of this.head.querySelectorAll("tr:first-child > th")) cell.setAttribute("aria-sort", cell.dataset.key === key ? descending ? "descending" : "ascending" : "none");
+	}
+	scrolled() {
+		this.top = this.scroller.scrollTop;
+		const [first, last] = this.inSight(0);
+		if (first >= this.drawn[0] && last <= this.drawn[1]) return;
+		if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
+	}
+	inSight(margin) {
+		const { all, fixed } = this.heights ?? this.laidOut();
+		const top = Math.min(this.top, Math.max(0, this.count * ROW + Math.min(0, fixed - all)));
+		return [Math.max(0, Math.floor(top / ROW) - margin), Math.min(this.count, Math.ceil((top + all) / ROW) + margin)];
+	}
+	draw() {
+		cancelAnimationFrame(this.frame);
+		this.frame = 0;
+		if (isHidden(this.scroller)) return;
+		const [first, last] = this.inSight(MARGIN);
+		this.drawn = [first, last];
+		this.table.removeAttribute("aria-activedescendant");
+		const seen = Array.from({ length: Math.max(0, last - first) }, (_, i) => this.row(first + i));
+		fill(this.body, filler(first), ...seen, filler(this.count - last));
+	}
+};
+function sortHead({ key, label, unit, help, words }, press) {
+	const button = h("button", {
+		type: "button",
+		class: "sort",
+		testid: `sort-${key}`,
+		title: help
+	}, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unit}`));
+	button.addEventListener("click", press);
+	return h("th", {
+		scope: "col",
+		key,
+		class: words === true ? "of-words" : ""
+	}, button);
+}
+function filler(rows) {
+	const cell = h("td", { colspan: COLUMNS$1 });
+	cell.style.height = `${String(Math.max(0, rows) * ROW)}px`;
+	return h("tr", {
+		class: "filler",
+		aria: { hidden: "true" }
+	}, cell);
+}
+// www/shared/panel/table.ts
+var ALL$1 = () => true;
+var NONE$2 = new Set();
+function sameHeads(a, b) {
+	const head = ({ key, label, unit, help, words }) => [
+		key,
+		label,
+		unit,
+		help,
+		words
+	].join("\n");
+	return a.length === b.length && a.every((column, i) => head(column) === head(b[i] ?? column));
+}
+var MEASURED$1 = 200;
+var TOTALS = {
+	sum: "Σ",
+	mean: say("mean"),
+	rms: "RMS"
+};
+var Table = class {
+	options;
+	help;
+	table;
+	bar;
+	all = [];
+	columns = [];
+	count = 0;
+	keep = ALL$1;
+	conditions = {};
+	shown = new Uint32Array();
+	order = {
+		key: "",
+		descending: false
+	};
+	marked = -1;
+	anchor = -1;
+	active = -1;
+	constructor(host, options) {
+		this.options = options;
+		const { testid, words, file } = options;
+		this.help = h("p", {
+			class: "help",
+			hidden: true,
+			testid: `${testid}-help`
+		});
+		this.table = new RowsInSight(testid, words, (place) => this.row(this.shown[place] ?? 0, place));
+		this.bar = file === void 0 ? null : new TableBar(testid, words.table, {
+			hide: (hidden) => this.hide(hidden),
+			csv: async () => save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: "text/csv" }), file),
+			copied: async () => tabbedOf(this.columns, this.shown, await intoEnglish()),
+			clear: () => options.filter?.({})
+		}, options.tools ?? []);
+		host.append(...this.bar === null ? [] : [this.bar.element], this.help, this.table.scroller);
+		this.table.table.addEventListener("keydown", (event) => this.key(event));
+		if (options.choose !== void 0 && (options.chooseMore !== void 0 || options.isChosen !== void 0)) this.table.table.setAttribute("aria-multiselectable", "true");
+		this.table.scroller.addEventListener("pointerleave", () => options.point?.(-1));
+	}
+	get scroller() {
+		return this.table.scroller;
+	}
+	get head() {
+		return this.table.head;
+	}
+	show(count, columns, keep = ALL$1, conditions = {}) {
+		const before = this.all;
+		Object.assign(this, {
+			count,
+			all: columns,
+			keep,
+			conditions
+		});
+		if (columns !== before) {
+			const hidden = sameHeads(before, columns) ? this.bar?.left ?? NONE$2 : this.bar?.offer(columns) ?? NONE$2;
+			this.columns = columns.filter(({ key }) => !hidden.has(key));
+			if (!sameHeads(before, columns)) this.showHeads();
+		}
+		this.showConditions();
+		return this.sort();
+	}
+	mark(row) {
+		if (row === this.marked) return;
+		this.marked = row;
+		this.reveal(row);
+	}
+	reveal(row) {
+		this.table.reveal(row < 0 ? -1 : this.shown.indexOf(row));
+	}
+	redraw() {
+		this.table.show(this.shown.length);
+	}
+	get listed() {
+		return this.shown;
+	}
+	hide(hidden) {
+		this.columns = this.all.filter(({ key }) => !hidden.has(key));
+		this.showHeads();
+		this.showConditions();
+		this.sort();
+	}
+	showHeads() {
+		const { columns } = this;
+		const heads = columns.map((column) => this.headCell(column));
+		const filters = this.options.filter === void 0 || columns.length === 0 ? null : h("tr", {}, ...columns.map((column) => this.filterCell(column)));
+		fill(this.table.head, columns.length === 0 ? null : h("tr", {}, ...heads), filters);
+		this.table.table.setAttribute("aria-colcount", String(columns.length));
+	}
+	headCell(column) {
+		const { key, label, help } = column;
+		return sortHead(column, () => {
+			this.order = {
+				key,
+				descending: this.order.key === key && !this.order.descending
+			};
+			fill(this.help, h("b", {}, label), `: ${help}`);
+			this.help.hidden = false;
+			this.sort();
+		});
+	}
+	filterCell({ key, label, unit, words }) {
+		const hint = words === true ? say("contains") : "2..5  >2  ≤0.5";
+		const input = h("input", {
+			type: "text",
+			class: "filter",
+			key,
+			testid: `${this.options.testid}-filter-${key}`,
+			title: `${label}: ${words === true ? say("rows-that-contain-this-text") : say("rows-within-these-limits-as")}`,
+			aria: { label: say("filter", {
+				label,
+				what: unit === "" ? "" : say("in-2", { unit })
+			}) }
+		});
+		input.placeholder = hint;
+		input.size = 1;
+		input.addEventListener("input", () => {
+			const condition = conditionOf(input.value, words === true);
+			input.setAttribute("aria-invalid", String(condition === void 0));
+			if (condition === void 0) return;
+			const { [key]: _, ...others } = this.conditions;
+			this.options.filter?.(condition === null ? others : {
+				...others,
+				[key]: condition
+			});
+		});
+		return h("td", {}, input);
+	}
+	showConditions() {
+		for (const input of this.table.head.querySelectorAll("input.filter")) {
+			const key = input.dataset.key ?? "";
+			const column = this.columns.find((candidate) => candidate.key === key);
+			const typed = conditionOf(input.value, column?.words === true);
+			if (typed !== void 0 && JSON.stringify(typed) === JSON.stringify(this.conditions[key] ?? null) || input === document.activeElement) continue;
+			input.value = conditionText(this.conditions[key]);
+			input.removeAttribute("aria-invalid");
+		}
+	}
+	press(row, { shiftKey, ctrlKey, metaKey }) {
+		const { choose, chooseMore } = this.options;
+		this.active = row;
+		const [from, to] = [this.shown.indexOf(this.anchor), this.shown.indexOf(row)];
+		if (chooseMore !== void 0 && shiftKey && from >= 0) chooseMore([...this.shown.subarray(Math.min(from, to), Math.max(from, to) + 1)]);
+		else if (chooseMore !== void 0 && (ctrlKey || metaKey)) chooseMore([row]);
+		else choose?.(row);
+		if (!shiftKey || from < 0) this.anchor = row;
+		this.redraw();
+	}
+	key(event) {
+		if (event.target !== this.table.table || event.altKey || this.shown.length === 0) return;
+		const last = this.shown.length - 1;
+		const at = this.shown.indexOf(this.active);
+		const place = {
+			ArrowDown: at + 1,
+			ArrowUp: at - 1,
+			PageDown: at + this.table.page,
+			PageUp: at - this.table.page,
+			Home: 0,
+			End: last
+		}[event.key];
+		if (place !== void 0) {
+			if (this.anchor < 0) this.anchor = this.active;
+			this.active = this.shown[Math.min(last, Math.max(0, place))] ?? -1;
+			if (event.shiftKey && this.options.chooseMore !== void 0) this.press(this.active, {
+				shiftKey: true,
+				ctrlKey: false,
+				metaKey: false
+			});
+			else this.options.point?.(this.active);
+			this.table.reveal(this.shown.indexOf(this.active), true);
+		} else if ((event.key === "Enter" || event.key === " ") && at >= 0) this.press(this.active, event);
+		else if (event.key === "a" && (event.ctrlKey || event.metaKey) && this.options.chooseMore !== void 0) this.options.chooseMore([...this.shown]);
+		else return;
+		event.preventDefault();
+	}
+	sort() {
+		const { columns, order, keep } = this;
+		const meets = keeping$1(this.all, this.conditions);
+		this.shown = ordered(this.count, columns, order, meets === null ? keep : (row) => keep(row) && meets(row));
+		this.table.markOrder(order.key, order.descending);
+		this.measure();
+		this.showFoot(meets !== null);
+		const heads = this.table.head.childElementCount;
+		this.table.table.setAttribute("aria-rowcount", String(this.shown.length + heads));
+		this.table.show(this.shown.length);
+		return this.shown.length;
+	}
+	measure() {
+		const step = Math.max(1, Math.floor(this.shown.length / MEASURED$1));
+		const longest = this.columns.map(({ text }) => {
+			let most = 0;
+			for (let place = this.shown.length - 1; place >= 0; place -= step) most = Math.max(most, text(this.shown[place] ?? 0).length);
+			return most;
+		});
+		fill(this.table.columns, ...longest.map((length) => {
+			const column = h("col", {});
+			column.style.minWidth = column.style.width = `calc(${String(Math.min(length, 48))}ch + 8px)`;
+			return column;
+		}));
+	}
+	showFoot(filtered) {
+		if (this.bar === null) return;
+		this.bar.say(this.shown.length, this.count, filtered);
+		const cells = this.columns.map((column) => {
+			const { total, value, text } = column;
+			if (total === void 0 || this.shown.length === 0) return h("td", {});
+			const number = totalOf(column, this.shown);
+			const digits = Math.max(total === "sum" ? 0 : 1, ...[...this.shown.subarray(0, 20)].filter((row) => !Number.isNaN(value(row))).map((row) => decimals(text(row))));
+			return h("td", { class: "number" }, h("span", { class: "unit" }, `${TOTALS[total]} `), digits === 0 ? count(Number.isNaN(number) ? null : Math.round(number)) : fixed(number, digits));
+		});
+		fill(this.table.foot, cells.every((cell) => cell.textContent === "") ? null : h("tr", {}, ...cells));
+	}
+	row(row, place) {
+		const { testid, choose, isChosen, point } = this.options;
+		const chosen = row === this.marked;
+		const together = isChosen?.(row) === true;
+		const id = `${testid}-row-${String(row)}`;
+		const active = row === this.active;
+		const line = h("tr", {
+			id,
+			class: `${chosen ? "best" : ""} ${together ? "chosen" : ""} ${active ? "active" : ""}`.trim(),
+			testid: chosen ? `${testid}-selected` : `${testid}-row`,
+			aria: {
+				rowindex: String(place + 1 + this.table.head.childElementCount),
+				...choose === void 0 ? {} : { selected: String(chosen || together) }
+			}
+		}, ...this.columns.map(({ value, text }) => h("td", { class: typeof value(row) === "number" ? "number" : "" }, text(row))));
+		if (active) this.table.table.setAttribute("aria-activedescendant", id);
+		if (choose !== void 0) line.addEventListener("click", (event) => this.press(row, event));
+		else line.classList.add("plain");
+		if (point !== void 0) line.addEventListener("pointerenter", () => point(row));
+		return line;
+	}
+};
+function decimals(text) {
+	return text.split(".")[1]?.length ?? 0;
+}
+var TableBar = class {
+	words;
+	doing;
+	element;
+	caption = h("span", {
+		class: "note",
+		role: "status",
+		aria: { live: "polite" }
+	});
+	list = h("div", { class: "menu" });
+	clear;
+	hidden;
+	name;
+	constructor(testid, words, doing, tools) {
+		this.words = words;
+		this.doing = doing;
+		this.name = `tiepoint-hidden-${testid}`;
+		this.hidden = new Set((keptChoice(this.name) ?? "").split(" ").filter((key) => key !== ""));
+		this.caption.dataset.testid = `${testid}-caption`;
+		this.clear = button(say("show-all"), `${testid}-clear`, doing.clear, say("takes-away-what-is-typed"));
+		const csv = button("CSV", `${testid}-csv`, () => void this.save(csv), say("saves-the-rows-and-columns"));
+		const copy = button(say("copy-2"), `${testid}-copy`, () => void this.copy(copy), say("copies-the-rows-and-columns"));
+		const columns = button(say("columns"), `${testid}-columns`, () => this.unfold(columns, this.list.classList.toggle("is-open")));
+		columns.setAttribute("aria-expanded", "false");
+		const menu = h("div", { class: "exports" }, columns, this.list);
+		menu.addEventListener("keydown", (event) => {
+			if (event.key !== "Escape") return;
+			this.unfold(columns, false);
+			columns.focus();
+		});
+		menu.addEventListener("focusout", (event) => {
+			if (!menu.contains(event.relatedTarget)) this.unfold(columns, false);
+		});
+		this.element = h("div", { class: "table-bar" }, this.caption, ...tools, this.clear, menu, copy, csv);
+	}
+	say(shown, all, filtered) {
+		const text = `${this.words}: ${filtered ? say("of-8", { shown: count(shown) }) : ""}${count(all)}`;
+		if (this.caption.textContent !== text) this.caption.textContent = text;
+		this.clear.hidden = !filtered;
+	}
+	get left() {
+		return this.hidden;
+	}
+	offer(columns) {
+		fill(this.list, ...columns.map(({ key, label, unit }) => {
+			const box = h("input", {
+				type: "checkbox",
+				key
+			});
+			box.checked = !this.hidden.has(key);
+			box.addEventListener("change", () => {
+				if (box.checked) this.hidden.delete(key);
+				else this.hidden.add(key);
+				keepChoice(this.name, [...this.hidden].join(" "));
+				this.doing.hide(this.hidden);
+			});
+			return h("label", { class: "choice" }, box, unit === "" ? label : `${label} ${unit}`);
+		}));
+		return this.hidden;
+	}
+	unfold(columns, open) {
+		this.list.classList.toggle("is-open", open);
+		columns.setAttribute("aria-expanded", String(open));
+	}
+	async copy(press) {
+		tellOn(press, await this.doing.copied().then(toClipboard, () => false) ? say("copied") : say("not-copied"));
+	}
+	async save(press) {
+		await this.doing.csv().catch(() => tellOn(press, say("not-saved")));
+	}
+};
+function tellOn(press, text) {
+	const own = press.dataset.own ?? press.textContent;
+	press.dataset.own = own;
+	press.textContent = text;
+	window.setTimeout(() => fill(press, own), 2e3);
+}
+async function toClipboard(text) {
+	try {
+		await navigator.clipboard.writeText(text);
+		return true;
+	} catch {
+		const field = h("textarea", {
+			class: "visually-hidden",
+			aria: { hidden: "true" }
+		});
+		field.value = text;
+		document.body.append(field);
+		field.select();
+		const done = document.execCommand("copy");
+		field.remove();
+		return done;
+	}
+}
+// www/shared/panel/control.ts
+var SLIDER_STEPS = 200;
+var WIDEST_SLIDER = 20;
+function makeControl(parameter, binding) {
+	const id = `p-${parameter.key.replace(".", "-")}`;
+	const field = makeField(parameter, id, binding);
+	const help = h("p", {
+		class: "help",
+		id: `${id}-help`,
+		hidden: true
+	}, parameter.help);
+	const problem = h("p", {
+		class: "field-problem",
+		id: `${id}-problem`,
+		role: "alert"
+	});
+	const reset = button("↺", `reset-${parameter.key}`, () => binding.set(binding.standard()), say("default"));
+	reset.className = "icon";
+	reset.setAttribute("aria-label", say("default-2", { label: parameter.label }));
+	const flag = parameter.kind === "flag";
+	const element = h("div", { class: "control" }, h("div", { class: "control-head" }, ...flag ? field.elements : [], h("label", { for: id }, parameter.label, parameter.unit === "" ? null : h("span", { class: "unit" }, ` ${parameter.unit}`)), reset, helpButton(parameter, help)), ...flag ? [] : field.elements, problem, help);
+	const show = (value) => {
+		field.show(value);
+		problem.textContent = "";
+		const changed = binding.standard() !== value;
+		reset.hidden = !changed;
+		element.classList.toggle("is-changed", changed);
+	};
+	field.onProblem((text) => {
+		problem.textContent = text;
+		binding.refused?.();
+	});
+	const refuse = (text) => {
+		problem.textContent = text;
+		element.querySelector(`[id="${id}"]`)?.setAttribute("aria-invalid", "true");
+	};
+	return {
+		parameter,
+		element,
+		show,
+		refuse
+	};
+}
+function helpButton(parameter, help) {
+	const made = button("?", `help-${parameter.key}`, () => {
+		help.hidden = !help.hidden;
+		made.setAttribute("aria-expanded", String(!help.hidden));
+	}, parameter.help);
+	made.className = "icon";
+	made.setAttribute("aria-expanded", "false");
+	made.setAttribute("aria-controls", help.id);
+	made.setAttribute("aria-label", say("help", { label: parameter.label }));
+	return made;
+}
+function makeField(parameter, id, binding) {
+	const { key } = parameter;
+	switch (parameter.kind) {
+		case "flag": return flagField(parameter, id, binding);
+		case "choice": return choiceField(parameter, id, binding);
+		case "integer":
+		case "real": return numberField$1(parameter, id, binding);
+		default: return textField(key, id, binding);
+	}
+}
+function textField(key, id, { set }) {
+	const input = h("input", {
+		id,
+		type: "text",
+		key,
+		aria: { describedby: `${id}-help ${id}-problem` }
+	});
+	input.dir = "ltr";
+	input.spellcheck = false;
+	input.addEventListener("change", () => set(input.value.trim() || null));
+	const show = (value) => {
+		input.removeAttribute("aria-invalid");
+		input.value = String(value ?? "");
+	};
+	return {
+		elements: [input],
+		show,
+		onProblem: () => void 0
+	};
+}
+function flagField(parameter, id, { set }) {
+	const input = h("input", {
+		id,
+		type: "checkbox",
+		key: parameter.key,
+		aria: { describedby: `${id}-help` }
+	});
+	input.addEventListener("change", () => set(input.checked));
+	return {
+		elements: [input],
+		show: (value) => {
+			input.checked = value === true;
+		},
+		onProblem: () => void 0
+	};
+}
+function choiceField(parameter, id, { set, standard, whenEmpty }) {
+	const { key, values, labels, absent } = parameter;
+	const select = h("select", {
+		id,
+		key,
+		aria: { describedby: `${id}-help` }
+	});
+	const empty = new Option(say("default-4"), "");
+	empty.title = absent;
+	if (standard() === null) select.append(empty);
+	values.forEach((value, i) => {
+		select.append(new Option(labels[i] ?? value, value));
+	});
+	select.addEventListener("change", () => set(select.value === "" ? null : select.value));
+	const show = (value) => {
+		const meant = labels[values.indexOf(String(whenEmpty()))];
+		empty.text = meant === void 0 ? say("default-4") : say("default-3", { meant });
+		select.value = String(value ?? "");
+	};
+	return {
+		elements: [select],
+		show,
+		onProblem: () => void 0
+	};
+}
+function stepOf(parameter) {
+	if (parameter.kind === "real") return null;
+	return parameter.odd ? 2 : 1;
+}
+function numberField$1(parameter, id, { set, standard, whenEmpty }) {
+	const step = stepOf(parameter);
+	const input = h("input", {
+		id,
+		type: "number",
+		key: parameter.key,
+		aria: { describedby: `${id}-help ${id}-problem` }
+	});
+	input.inputMode = step === null ? "decimal" : "numeric";
+	input.min = String(parameter.min);
+	input.max = String(parameter.max);
+	input.step = step === null ? "any" : String(step);
+	const slider = makeSlider(parameter, step);
+	let tell = () => void 0;
+	const optional = () => standard() === null;
+	input.addEventListener("input", () => {
+		if (input.value === "" && !input.validity.badInput && optional()) {
+			set(null);
+			return;
+		}
+		if (!input.validity.valid || input.value === "") {
+			input.setAttribute("aria-invalid", "true");
+			tell(say("allowed-the-last-valid-value", {
+				parameter: message("allowed", parameter),
+				what: optional() ? say("or-empty") : ""
+			}));
+			return;
+		}
+		set(input.valueAsNumber);
+	});
+	slider?.addEventListener("input", () => set(slider.valueAsNumber));
+	const show = (value) => {
+		input.removeAttribute("aria-invalid");
+		const absent = optional() ? whenEmpty() : null;
+		input.placeholder = optional() ? String(absent ?? say("default-4")) : "";
+		input.title = optional() ? say("empty", { absent: absent ?? parameter.absent }) : "";
+		if (input.value === "" || input.valueAsNumber !== value) input.value = value === null ? "" : String(value);
+		const shown = value ?? absent;
+		if (slider !== null) slider.value = String(typeof shown === "number" ? shown : parameter.min);
+	};
+	return {
+		elements: slider === null ? [input] : [h("div", { class: "with-slider" }, slider, input)],
+		show,
+		onProblem: (listener) => {
+			tell = listener;
+		}
+	};
+}
+function makeSlider(parameter, step) {
+	const range = parameter.max - parameter.min;
+	if (step === null ? range > WIDEST_SLIDER : range / step > SLIDER_STEPS) return null;
+	const slider = h("input", {
+		type: "range",
+		aria: { label: say("slider", { label: parameter.label }) }
+	});
+	slider.min = String(parameter.min);
+	slider.max = String(parameter.max);
+	slider.step = String(step ?? range / 100);
+	return slider;
+}
+// www/shared/panel/settings.ts
+function pathOf(settings, key) {
+	const [group = "", field = ""] = key.split(".");
+	if (group in settings) return [group, field];
+	return typeof settings["features"] === "object" ? [
+		"features",
+		group,
+		field
+	] : [field];
+}
+function readSetting(settings, key) {
+	return pathOf(settings, key).reduce((at, name) => at?.[name], settings) ?? null;
+}
+function withSetting(settings, key, value) {
+	return changed$1(settings, pathOf(settings, key), value);
+}
+function changed$1(at, [name = "", ...rest], value) {
+	const inside = at[name] ?? {};
+	return {
+		...at,
+		[name]: rest.length === 0 ? value : changed$1(inside, rest, value)
+	};
+}
+// www/shared/panel/own.ts
+function writeOwn(of, parameters, defaults, settings) {
+	const own = parameters.map(({ key }) => [key, readSetting(settings, key)]).filter(([key, value]) => readSetting(defaults, key) !== value);
+	return `${JSON.stringify({
+		tiepoint_settings: of,
+		changed: Object.fromEntries(own)
+	}, null, 2)}\n`;
+}
+function readOwn(text, of, parameters, defaults) {
+	const { tiepoint_settings: subject, changed } = fieldsOf(text);
+	if (typeof changed !== "object" || changed === null || Array.isArray(changed)) throw new Error(say("the-file-holds-no-settings"));
+	if (subject !== of) throw new Error(say("the-file-holds-settings-of", {
+		subject: String(subject),
+		of
+	}));
+	return Object.entries(changed).reduce((settings, [key, value]) => {
+		const parameter = parameters.find((one) => one.key === key);
+		if (parameter === void 0) throw new Error(say("there-is-no-setting", { key }));
+		if (!isAllowed(parameter, value, readSetting(defaults, key) === null)) throw new Error(say("is-not-allowed", {
+			label: parameter.label,
+			value: JSON.stringify(value)
+		}));
+		return withSetting(settings, key, value);
+	}, defaults);
+}
+function fieldsOf(text) {
+	let read;
+	try {
+		read = JSON.parse(text);
+	} catch {
+		read = null;
+	}
+	return typeof read === "object" && read !== null ? read : {};
+}
+function isAllowed(parameter, value, optional) {
+	if (value === null) return optional;
+	switch (parameter.kind) {
+		case "flag": return typeof value === "boolean";
+		case "choice": return typeof value === "string" && parameter.values.includes(value);
+		default:
+			if (!("min" in parameter)) return typeof value === "string";
+			if (typeof value !== "number" || !(value >= parameter.min && value <= parameter.max)) return false;
+			return parameter.kind === "real" || Number.isInteger(value) && (!parameter.odd || value % 2 !== 0);
+	}
+}
+// www/shared/panel/sections.ts
+function makeSections(parameters, bound) {
+	const controls = parameters.map((parameter) => controlOf(parameter, bound));
+	const groups = groupsOf(controls, (title, elements) => h("fieldset", { class: "group" }, h("legend", {}, title), ...elements));
+	const show = (settings, acting) => showAll(controls, groups, settings, acting);
+	return {
+		controls,
+		elements: groups.map(({ element }) => element),
+		show
+	};
+}
+function makeFolded(parameters, bound, { title, first, of, take, changed }) {
+	const controls = parameters.map((parameter) => controlOf(parameter, bound));
+	const ahead = controls.filter(({ parameter }) => first.includes(parameter.key));
+	const folds = [];
+	const groups = groupsOf(controls.filter((control) => !ahead.includes(control)), (name, elements) => {
+		const fold = h("details", { class: "group" }, h("summary", {}, name, " ", h("span", { class: "changed" })), ...elements);
+		folds.push(fold);
+		return fold;
+	});
+	const number = h("span", { testid: "changed-settings" });
+	const back = h("p", { class: "buttons" }, number, button(say("set-all-back"), "reset-settings", () => take(bound.defaults())));
+	const unfold = button("", "all-settings", () => setDrawer("all-settings", !isOpen("all-settings")));
+	let unfolded = null;
+	watchDrawers(() => {
+		if (unfolded === isOpen("all-settings")) return;
+		unfolded = isOpen("all-settings");
+		for (const fold of folds) fold.open = unfolded;
+		unfold.textContent = unfolded ? say("fold-all") : say("unfold-all");
+	});
+	let now = bound.defaults();
+	const files = settingsFiles(of, parameters, bound, () => now, take);
+	const show = (settings, acting) => {
+		now = settings;
+		showAll(controls, groups, settings, acting);
+		const all = controls.filter(({ element }) => element.classList.contains("is-changed")).length;
+		for (const { own, element } of groups) {
+			const here = own.filter((control) => control.element.classList.contains("is-changed")).length;
+			fill(element.querySelector(".changed") ?? element, here === 0 ? "" : say("changed", { here }));
+		}
+		back.hidden = all === 0;
+		number.textContent = all === 1 ? say("n-1-setting-differs-from-its") : say("settings-differ-from-their-defaults", { all });
+		changed(all);
+	};
+	return {
+		controls,
+		elements: [
+			back,
+			h("fieldset", { class: "group" }, h("legend", {}, title), ...ahead.map(({ element }) => element)),
+			h("p", { class: "buttons folds" }, unfold),
+			...groups.map(({ element }) => element),
+			files
+		],
+		show
+	};
+}
+function settingsFiles(of, parameters, { defaults }, now, take) {
+	const problem = h("p", {
+		class: "field-problem",
+		role: "alert",
+		testid: `${of}-settings-problem`
+	});
+	const write = () => save(new Blob([writeOwn(of, parameters, defaults(), now())], { type: "application/json" }), `tiepoint-${of}-settings.json`);
+	const read = async ([file]) => {
+		problem.textContent = "";
+		try {
+			if (file !== void 0) take(readOwn(await file.text(), of, parameters, defaults()));
+		} catch (error) {
+			problem.textContent = sentence(messageOf(error));
+		}
+	};
+	const [load, input] = fileButton(say("load"), {
+		testid: `${of}-settings-load`,
+		label: say("settings-of-a-as-a", { of }),
+		accept: ".json,application/json"
+	}, (files) => void read(files), say("takes-settings-that-were-saved"));
+	const give = button(say("save"), `${of}-settings-save`, write, say("saves-what-differs-from-the"));
+	return h("fieldset", { class: "group" }, h("legend", {}, say("settings-as-a-file")), h("div", { class: "buttons" }, give, load, input), problem);
+}
+function settingsText(changed) {
+	return changed === 0 ? say("settings") : say("settings-2", { changed });
+}
+function controlOf(parameter, { change, defaults, resolved, refused }) {
+	return makeControl(parameter, {
+		set: (value) => change(parameter.key, value),
+		standard: () => readSetting(defaults(), parameter.key),
+		whenEmpty: () => resolved === void 0 ? null : readSetting(resolved(), parameter.key),
+		refused: () => refused?.(parameter.label)
+	});
+}
+function groupsOf(controls, made) {
+	return [...new Set(controls.map(({ parameter }) => parameter.section))].map((section) => {
+		const own = controls.filter(({ parameter }) => parameter.section === section);
+		return {
+			own,
+			element: made(section, own.map(({ element }) => element))
+		};
+	});
+}
+function showAll(controls, groups, settings, acting) {
+	const used = ({ parameter }) => acting === void 0 || acting.includes(parameter.key);
+	for (const control of controls) {
+		control.show(readSetting(settings, control.parameter.key));
+		control.element.hidden = !used(control);
+	}
+	for (const { own, element } of groups) element.hidden = !own.some(used);
+}
+// www/shared/panel/menu.ts
+function unfolded(testid, ...tools) {
+	const more = h("div", {
+		class: "more",
+		id: `${testid}-tools`
+	}, ...tools);
+	const press = h("button", {
+		type: "button",
+		class: "menu-button",
+		testid
+	}, say("view"));
+	mountMenu(press, more);
+	return h("div", { class: "view-tools" }, press, more);
+}
+function mountMenu(press, panel) {
+	const show = (unfolded) => {
+		panel.classList.toggle("is-open", unfolded);
+		press.setAttribute("aria-expanded", String(unfolded));
+	};
+	const isUnfolded = () => panel.classList.contains("is-open");
+	press.setAttribute("aria-controls", panel.id);
+	press.addEventListener("click", () => show(!isUnfolded()));
+	document.addEventListener("pointerdown", ({ target }) => {
+		if (isUnfolded() && target instanceof Node && !panel.contains(target) && !press.contains(target)) show(false);
+	});
+	panel.addEventListener("click", ({ target }) => {
+		if (target instanceof Element && target.closest("button:not([aria-expanded])") !== null) show(false);
+	});
+	document.addEventListener("keydown", ({ key }) => {
+		if (key !== "Escape" || !isUnfolded()) return;
+		const held = panel.contains(document.activeElement);
+		show(false);
+		if (held) press.focus();
+	});
+	show(false);
+}
+// www/shared/panel/zoom.ts
+var STEP = 1.5;
+function zoomButtons(prefix, whole, picture) {
+	return [
+		labelled("−", `${prefix}zoom-out`, say("zoom-out"), () => picture().zoomMiddle(1 / STEP)),
+		labelled("+", `${prefix}zoom-in`, say("zoom-in"), () => picture().zoomMiddle(STEP)),
+		labelled(say("fit"), `${prefix}zoom-fit`, say("fit-0", { whole }), () => picture().fit())
+	];
+}
+function labelled(text, testid, label, action) {
+	const made = button(text, testid, action, label);
+	made.setAttribute("aria-label", label);
+	return made;
+}
+// www/shared/state/neighbours.ts
+var LEAST_OF_MAP = 6;
+function middle(values) {
+	const sorted = [...values].sort((a, b) => a - b);
+	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+}
+function mapped$1(places, at, k) {
+	const mean = (of) => places.reduce((sum, place) => sum + of(place), 0) / places.length;
+	const [mx, my, mv] = [
+		mean((p) => p[0]),
+		mean((p) => p[1]),
+		mean((p) => p[k])
+	];
+	let [xx, xy, yy, xv, yv] = [
+		0,
+		0,
+		0,
+		0,
+		0
+	];
+	for (const place of places) {
+		const [x, y, v] = [
+			place[0] - mx,
+			place[1] - my,
+			place[k] - mv
+		];
+		xx += x * x;
+		xy += x * y;
+		yy += y * y;
+		xv += x * v;
+		yv += y * v;
+	}
+	const determinant = xx * yy - xy * xy;
+	if (!(determinant > .001 * xx * yy)) return null;
+	return mv + ((yy * xv - xy * yv) * (at[0] - mx) + (xx * yv - xy * xv) * (at[1] - my)) / determinant;
+}
+function affine(places, at) {
+	const [x, y] = places.length < LEAST_OF_MAP ? [null, null] : [mapped$1(places, at, 2), mapped$1(places, at, 3)];
+	return x === null || y === null ? null : [x, y];
+}
+function movedWith(places, at) {
+	if (places.length === 0) return null;
+	return affine(places, at) ?? [at[0] + middle(places.map((p) => p[2] - p[0])), at[1] + middle(places.map((p) => p[3] - p[1]))];
+}
+function onLine(positions, [x, y]) {
+	let best = null;
+	for (let i = 0; i + 3 < positions.length; i += 2) {
+		const [ax = NaN, ay = NaN, bx = NaN, by = NaN] = positions.subarray(i, i + 4);
+		const [dx, dy] = [bx - ax, by - ay];
+		const share = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+		const place = [ax + share * dx, ay + share * dy];
+		const distance = (place[0] - x) ** 2 + (place[1] - y) ** 2;
+		if (best === null || distance < best[1]) best = [place, distance];
+	}
+	if (best !== null) return best[0];
+	const [px, py] = positions;
+	return px === void 0 || py === void 0 ? [x, y] : [px, py];
+}
+var LEAST_SINE = .1;
+function crossing(a, b) {
+	for (let i = 0; i + 3 < a.length; i += 2) for (let k = 0; k + 3 < b.length; k += 2) {
+		const [ax = NaN, ay = NaN, ux = NaN, uy = NaN] = [
+			a[i],
+			a[i + 1],
+			(a[i + 2] ?? NaN) - (a[i] ?? NaN),
+			(a[i + 3] ?? NaN) - (a[i + 1] ?? NaN)
+		];
+		const [bx = NaN, by = NaN, vx = NaN, vy = NaN] = [
+			b[k],
+			b[k + 1],
+			(b[k + 2] ?? NaN) - (b[k] ?? NaN),
+			(b[k + 3] ?? NaN) - (b[k + 1] ?? NaN)
+		];
+		const across = ux * vy - uy * vx;
+		if (!(Math.abs(across) > LEAST_SINE * Math.hypot(ux, uy) * Math.hypot(vx, vy))) continue;
+		const along = ((bx - ax) * vy - (by - ay) * vx) / across;
+		const other = ((bx - ax) * uy - (by - ay) * ux) / across;
+		if (along >= 0 && along <= 1 && other >= 0 && other <= 1) return [ax + along * ux, ay + along * uy];
+	}
+	return null;
+}
+// www/shared/view/layers.ts
+function contextOf(canvas) {
+	const context = canvas.getContext("2d");
+	if (context === null) throw new Error(say("this-browser-offers-no-canvas"));
+	return context;
+}
+function within(context, rect, draw) {
+	context.save();
+	context.beginPath();
+	context.rect(rect.left, rect.top, rect.width, rect.height);
+	context.clip();
+	draw();
+	context.restore();
+}
+var Layers = class {
+	host;
+	names;
+	paint;
+	contexts;
+	dirty = new Set();
+	frame = 0;
+	ratio = 1;
+	width = 1;
+	height = 1;
+	constructor(host, names, paint) {
+		this.host = host;
+		this.names = names;
+		this.paint = paint;
+		this.contexts = Object.fromEntries(names.map((name) => [name, contextOf(canvasIn(host, name))]));
+		new ResizeObserver(() => this.resize()).observe(host);
+	}
+	redraw(...names) {
+		for (const name of names.length > 0 ? names : this.names) this.dirty.add(name);
+		if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
+	}
+	place(event) {
+		const box = this.host.getBoundingClientRect();
+		return [event.clientX - box.left, event.clientY - box.top];
+	}
+	snapshot() {
+		this.draw();
+		const canvas = document.createElement("canvas");
+		canvas.width = Math.round(this.width * this.ratio);
+		canvas.height = Math.round(this.height * this.ratio);
+		const context = contextOf(canvas);
+		for (const name of this.names) context.drawImage(this.contexts[name].canvas, 0, 0);
+		return canvas;
+	}
+	resize() {
+		this.ratio = window.devicePixelRatio || 1;
+		this.width = Math.max(1, this.host.clientWidth);
+		this.height = Math.max(1, this.host.clientHeight);
+		for (const name of this.names) {
+			const { canvas } = this.contexts[name];
+			canvas.width = Math.round(this.width * this.ratio);
+			canvas.height = Math.round(this.height * this.ratio);
+			this.dirty.add(name);
+		}
+		this.draw();
+	}
+	draw() {
+		cancelAnimationFrame(this.frame);
+		this.frame = 0;
+		if (this.host.closest("[hidden]") !== null) return;
+		const names = this.names.filter((name) => this.dirty.has(name));
+		this.dirty.clear();
+		for (const name of names) {
+			const context = this.contexts[name];
+			context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+			context.clearRect(0, 0, this.width, this.height);
+			context.lineCap = "butt";
+			this.paint(name, context);
+		}
+	}
+};
+function canvasIn(host, name) {
+	const canvas = document.createElement("canvas");
+	canvas.className = "layer";
+	canvas.dataset.testid = `layer-${name}`;
+	canvas.setAttribute("aria-hidden", "true");
+	host.append(canvas);
+	return canvas;
+}
+// www/shared/view/transform.ts
+function contains(rect, x, y) {
+	return x >= rect.left && x < rect.left + rect.width && y >= rect.top && y < rect.top + rect.height;
+}
+function toCanvas(t, x, y) {
+	return [t.scale * x + t.x, t.scale * y + t.y];
+}
+function toPosition(t, x, y) {
+	return [(x - t.x) / t.scale, (y - t.y) / t.scale];
+}
+function resized(t, from, to) {
+	const [x, y] = toPosition(t, from.width / 2, from.height / 2);
+	const scale = t.scale * Math.min(to.width / from.width, to.height / from.height);
+	return {
+		scale,
+		x: to.width / 2 - scale * x,
+		y: to.height / 2 - scale * y
+	};
+}
+function panned(t, dx, dy) {
+	return {
+		scale: t.scale,
+		x: t.x + dx,
+		y: t.y + dy
+	};
+}
+function zoomedAbout(t, factor, x, y, { least, most }) {
+	const scale = Math.min(most, Math.max(least, t.scale * factor));
+	const actual = scale / t.scale;
+	return {
+		scale,
+		x: x + actual * (t.x - x),
+		y: y + actual * (t.y - y)
+	};
+}
+// www/shared/view/bitmap.ts
+function visiblePart(picture, t, clip) {
+	const [left, top] = toPosition(t, clip.left, clip.top);
+	const [right, bottom] = toPosition(t, clip.left + clip.width, clip.top + clip.height);
+	return [
+		Math.max(0, left),
+		Math.max(0, top),
+		Math.min(picture.width, right),
+		Math.min(picture.height, bottom)
+	];
+}
+function wantedLevel(scale, ratio) {
+	return Math.max(0, Math.floor(Math.log2(1 / (scale * ratio))));
+}
+function paintBitmap(context, bitmap, x, y, step, part, t) {
+	const left = Math.max(0, Math.floor((part[0] - x) / step));
+	const top = Math.max(0, Math.floor((part[1] - y) / step));
+	const right = Math.min(bitmap.width, Math.ceil((part[2] - x) / step));
+	const bottom = Math.min(bitmap.height, Math.ceil((part[3] - y) / step));
+	if (right <= left || bottom <= top) return;
+	const size = step * t.scale;
+	context.drawImage(bitmap, left, top, right - left, bottom - top, t.scale * x + t.x + left * size, t.scale * y + t.y + top * size, (right - left) * size, (bottom - top) * size);
+}
+function smooth(context, scale, ratio) {
+	context.imageSmoothingEnabled = scale * ratio < 2;
+	context.imageSmoothingQuality = "medium";
+}
+// www/shared/view/palette.ts
+var SHAPES = {
+	dot: 0,
+	circle: 1,
+	plus: 2,
+	cross: 3,
+	square: 4,
+	triangleUp: 5,
+	triangleDown: 6,
+	diamond: 7
+};
+var ACCEPTED = {
+	colour: "#00c08b",
+	shape: SHAPES.circle
+};
+var REJECTED$1 = {
+	colour: "#d55e00",
+	shape: SHAPES.diamond
+};
+var REJECTED_BY_HAND = {
+	colour: "#ff3b30",
+	shape: SHAPES.cross
+};
+var MEASURED = {
+	colour: "#9cff57",
+	shape: SHAPES.square
+};
+var SELECTED = "#ffd400";
+var CANDIDATE = "#56b4e9";
+var EPIPOLAR = "#ff9ee0";
+var RESIDUAL = "#f0e442";
+var RESIDUAL_REJECTED = "#ff7a1a";
+// www/shared/view/pointer.ts
+var ARM = 12;
+var LENS_SIDE$1 = 176;
+function ring(context, pane, at, radius, colour, width) {
+	const [x, y] = toCanvas(pane.transform, at[0], at[1]);
+	context.beginPath();
+	context.arc(x, y, radius, 0, 2 * Math.PI);
+	context.lineWidth = width + 2;
+	context.strokeStyle = "rgb(0 0 0 / 0.65)";
+	context.stroke();
+	context.lineWidth = width;
+	context.strokeStyle = colour;
+	context.stroke();
+}
+function drawLine(context, pane, positions) {
+	const places = Array.from({ length: positions.length / 2 }, (_, i) => toCanvas(pane.transform, positions[2 * i] ?? 0, positions[2 * i + 1] ?? 0));
+	const path = new Path2D();
+	for (const [i, [x, y]] of places.entries()) {
+		if (places.length > 1) {
+			if (i === 0) path.moveTo(x, y);
+			else path.lineTo(x, y);
+			continue;
+		}
+		path.moveTo(x - 14, y);
+		path.lineTo(x + 14, y);
+		path.moveTo(x, y - 14);
+		path.lineTo(x, y + 14);
+	}
+	within(context, pane.rect, () => {
+		context.lineWidth = 3;
+		context.strokeStyle = "rgb(0 0 0 / 0.5)";
+		context.stroke(path);
+		context.setLineDash([9, 5]);
+		context.lineWidth = 1.5;
+		context.strokeStyle = EPIPOLAR;
+		context.stroke(path);
+		context.setLineDash([]);
+	});
+}
+function drawExpected(context, pane, at) {
+	const [x, y] = toCanvas(pane.transform, ...at);
+	within(context, pane.rect, () => {
+		context.beginPath();
+		context.arc(x, y, 7, 0, 2 * Math.PI);
+		context.setLineDash([4, 3]);
+		context.lineWidth = 1.5;
+		context.strokeStyle = CANDIDATE;
+		context.stroke();
+		context.setLineDash([]);
+	});
+}
+function drawCross(context, pane, at, active) {
+	const [x, y] = toCanvas(pane.transform, ...at);
+	const path = new Path2D();
+	for (const [ux, uy] of [
+		[1, 0],
+		[-1, 0],
+		[0, 1],
+		[0, -1]
+	]) {
+		path.moveTo(x + 3 * ux, y + 3 * uy);
+		path.lineTo(x + ARM * ux, y + ARM * uy);
+	}
+	within(context, pane.rect, () => {
+		context.lineWidth = active ? 4.5 : 3.5;
+		context.strokeStyle = "rgb(0 0 0 / 0.65)";
+		context.stroke(path);
+		context.lineWidth = active ? 2.2 : 1.4;
+		context.strokeStyle = SELECTED;
+		context.stroke(path);
+	});
+}
+function lensRect([x, y], bounds) {
+	const side = Math.min(LENS_SIDE$1, bounds.width, bounds.height);
+	const left = x + 24 + side > bounds.width ? x - 24 - side : x + 24;
+	const top = y + 24 + side > bounds.height ? y - 24 - side : y + 24;
+	return {
+		left: Math.max(1, left),
+		top: Math.max(1, top),
+		width: side,
+		height: side
+	};
+}
+function crosshair(context, rect) {
+	const x = rect.left + rect.width / 2;
+	const y = rect.top + rect.height / 2;
+	context.beginPath();
+	for (const [ux, uy] of [
+		[1, 0],
+		[-1, 0],
+		[0, 1],
+		[0, -1]
+	]) {
+		context.moveTo(x + 6 * ux, y + 6 * uy);
+		context.lineTo(x + 18 * ux, y + 18 * uy);
+	}
+	context.lineWidth = 1;
+	context.strokeStyle = SELECTED;
+	context.stroke();
+}
+function lensFrame(context, rect) {
+	context.lineWidth = 2;
+	context.strokeStyle = SELECTED;
+	context.strokeRect(rect.left, rect.top, rect.width, rect.height);
+}
+function lensTransform({ left, top, width, height }, [x, y], scale) {
+	return {
+		scale,
+		x: left + width / 2 - scale * x,
+		y: top + height / 2 - scale * y
+	};
+}
+// www/shared/view/panes.ts
+function transformOf(pane, view) {
+	return {
+		scale: view.scale,
+		x: pane.left + pane.width / 2 - view.scale * view.x,
+		y: pane.top + pane.height / 2 - view.scale * view.y
+	};
+}
+function drawView(t, clip) {
+	return Float64Array.of(t.scale, t.x, t.y, clip.left, clip.top, clip.left + clip.width, clip.top + clip.height);
+}
+var HEAD$1 = 40;
+function fitView(pane, width, height) {
+	const head = Math.min(HEAD$1, pane.height / 4);
+	const scale = Math.min(pane.width / width, (pane.height - head) / height);
+	const top = Math.max(head, (pane.height - scale * height) / 2);
+	return {
+		x: width / 2,
+		y: (pane.height / 2 - top) / scale,
+		scale
+	};
+}
+var SHOWN_IN = new WeakMap();
+function inPane(view, { width, height }) {
+	if (width === 0 || height === 0) return view;
+	const first = SHOWN_IN.get(view);
+	if (first === void 0) SHOWN_IN.set(view, {
+		width,
+		height
+	});
+	return first === void 0 ? view : {
+		...view,
+		scale: view.scale * Math.min(width / first.width, height / first.height)
+	};
+}
+var MAX_SCALE = 64;
+function zoomed(pane, view, factor, x, y, least) {
+	const t = zoomedAbout(transformOf(pane, view), factor, x, y, {
+		least,
+		most: MAX_SCALE
+	});
+	const [centreX, centreY] = toPosition(t, pane.left + pane.width / 2, pane.top + pane.height / 2);
+	return {
+		scale: t.scale,
+		x: centreX,
+		y: centreY
+	};
+}
+function clamped(view, { width, height }) {
+	return {
+		scale: view.scale,
+		x: Math.min(width, Math.max(0, view.x)),
+		y: Math.min(height, Math.max(0, view.y))
+	};
+}
+function halfSize(scale) {
+	return Math.min(7, Math.max(1.5, 2.6 * scale));
+}
+// www/shared/view/grid.ts
+var PointGrid = class {
+	points;
+	start;
+	order;
+	columns;
+	rows;
+	side;
+	constructor(points, width, height) {
+		this.points = points;
+		const count = points.length / 3;
+		this.side = Math.max(4, Math.sqrt(2 * width * height / Math.max(count, 1)));
+		this.columns = Math.ceil(width / this.side) || 1;
+		this.rows = Math.ceil(height / this.side) || 1;
+		this.start = new Uint32Array(this.columns * this.rows + 1);
+		this.order = new Uint32Array(count);
+		const cells = Uint32Array.from({ length: count }, (_, i) => this.cell(points[3 * i] ?? 0, points[3 * i + 1] ?? 0));
+		for (const cell of cells) this.start[cell + 1] = (this.start[cell + 1] ?? 0) + 1;
+		for (let c = 1; c < this.start.length; c++) this.start[c] = (this.start[c] ?? 0) + (this.start[c - 1] ?? 0);
+		const next = this.start.slice();
+		cells.forEach((cell, i) => {
+			const at = next[cell] ?? 0;
+			this.order[at] = i;
+			next[cell] = at + 1;
+		});
+	}
+	nearest(x, y, radius, accept) {
+		let found = -1;
+		let least = radius * radius;
+		const [firstColumn, lastColumn] = this.range(x, radius, this.columns);
+		const [firstRow, lastRow] = this.range(y, radius, this.rows);
+		for (let row = firstRow; row <= lastRow; row++) {
+			const line = row * this.columns;
+			for (let k = this.start[line + firstColumn] ?? 0; k < (this.start[line + lastColumn + 1] ?? 0); k++) {
+				const index = this.order[k] ?? 0;
+				const dx = (this.points[3 * index] ?? 0) - x;
+				const dy = (this.points[3 * index + 1] ?? 0) - y;
+				const distance = dx * dx + dy * dy;
+				if (distance <= least && accept(index)) {
+					least = distance;
+					found = index;
+				}
+			}
+		}
+		return found;
+	}
+	cell(x, y) {
+		const column = Math.min(this.columns - 1, Math.max(0, Math.floor(x / this.side)));
+		return Math.min(this.rows - 1, Math.max(0, Math.floor(y / this.side))) * this.columns + column;
+	}
+	range(centre, radius, count) {
+		const clamp = (value) => Math.min(count - 1, Math.max(0, Math.floor(value / this.side)));
+		return [clamp(centre - radius), clamp(centre + radius)];
+	}
+};
+// node_modules/fflate/esm/browser.js
+var u8 = Uint8Array;
+var u16 = Uint16Array;
+var i32 = Int32Array;
+var fleb = new u8([
+	0,
+	0,
+	0,
+	0,
+	0,
+	0,
+	0,
+	0,
+	1,
+	1,
+	1,
+	1,
+	2,
+	2,
+	2,
+	2,
+	3,
+	3,
+	3,
+	3,
+	4,
+	4,
+	4,
+	4,
+	5,
+	5,
+	5,
+	5,
+	0,
+	0,
+	0,
+	0
+]);
+var fdeb = new u8([
+	0,
+	0,
+	0,
+	0,
+	1,
+	1,
+	2,
+	2,
+	3,
+	3,
+	4,
+	4,
+	5,
+	5,
+	6,
+	6,
+	7,
+	7,
+	8,
+	8,
+	9,
+	9,
+	10,
+	10,
+	11,
+	11,
+	12,
+	12,
+	13,
+	13,
+	0,
+	0
+]);
+new u8([
+	16,
+	17,
+	18,
+	0,
+	8,
+	7,
+	9,
+	6,
+	10,
+	5,
+	11,
+	4,
+	12,
+	3,
+	13,
+	2,
+	14,
+	1,
+	15
+]);
+var freb = function(eb, start) {
+	var b = new u16(31);
+	for (var i = 0; i < 31; ++i) b[i] = start += 1 << eb[i - 1];
+	var r = new i32(b[30]);
+	for (var i = 1; i < 30; ++i) for (var j = b[i]; j < b[i + 1]; ++j) r[j] = j - b[i] << 5 | i;
+	return {
+		b,
+		r
+	};
+};
+var _a = freb(fleb, 2);
+var fl = _a.b;
+var revfl = _a.r;
+fl[28] = 258, revfl[258] = 28;
+var _b = freb(fdeb, 0);
+_b.b;
+_b.r;
+var rev = new u16(32768);
+for (var i = 0; i < 32768; ++i) {
+	var x = (i & 43690) >> 1 | (i & 21845) << 1;
+	x = (x & 52428) >> 2 | (x & 13107) << 2;
+	x = (x & 61680) >> 4 | (x & 3855) << 4;
+	rev[i] = ((x & 65280) >> 8 | (x & 255) << 8) >> 1;
+}
+var flt = new u8(288);
+for (var i = 0; i < 144; ++i) flt[i] = 8;
+for (var i = 144; i < 256; ++i) flt[i] = 9;
+for (var i = 256; i < 280; ++i) flt[i] = 7;
+for (var i = 280; i < 288; ++i) flt[i] = 8;
+var fdt = new u8(32);
+for (var i = 0; i < 32; ++i) fdt[i] = 5;
+var slc = function(v, s, e) {
+	if (s == null || s < 0) s = 0;
+	if (e == null || e > v.length) e = v.length;
+	return new u8(v.subarray(s, e));
+};
+var ec = [
+	"unexpected EOF",
+	"invalid block type",
+	"invalid length/literal",
+	"invalid distance",
+	"stream finished",
+	"no stream handler",
+	,
+	"no callback",
+	"invalid UTF-8 data",
+	"extra field too long",
+	"date not in range 1980-2099",
+	"filename too long",
+	"stream finishing",
+	"invalid zip data"
+];
+var err = function(ind, msg, nt) {
+	var e = new Error(msg || ec[ind]);
+	e.code = ind;
+	if (Error.captureStackTrace) Error.captureStackTrace(e, err);
+	if (!nt) throw e;
+	return e;
+};
+var et = new u8(0);
+var crct = (function() {
+	var t = new Int32Array(256);
+	for (var i = 0; i < 256; ++i) {
+		var c = i, k = 9;
+		while (--k) c = (c & 1 && -306674912) ^ c >>> 1;
+		t[i] = c;
+	}
+	return t;
+})();
+var crc = function() {
+	var c = -1;
+	return {
+		p: function(d) {
+			var cr = c;
+			for (var i = 0; i < d.length; ++i) cr = crct[cr & 255 ^ d[i]] ^ cr >>> 8;
+			c = cr;
+		},
+		d: function() {
+			return ~c;
+		}
+	};
+};
+var mrg = function(a, b) {
+	var o = {};
+	for (var k in a) o[k] = a[k];
+	for (var k in b) o[k] = b[k];
+	return o;
+};
+var wbytes = function(d, b, v) {
+	for (; v; ++b) d[b] = v, v >>>= 8;
+};
+var te = typeof TextEncoder != "undefined" && new TextEncoder();
+var td = typeof TextDecoder != "undefined" && new TextDecoder();
+try {
+	td.decode(et, { stream: true });
+} catch (e) {}
+function strToU8(str, latin1) {
+	if (latin1) {
+		var ar_1 = new u8(str.length);
+		for (var i = 0; i < str.length; ++i) ar_1[i] = str.charCodeAt(i);
+		return ar_1;
+	}
+	if (te) return te.encode(str);
+	var l = str.length;
+	var ar = new u8(str.length + (str.length >> 1));
+	var ai = 0;
+	var w = function(v) {
+		ar[ai++] = v;
+	};
+	for (var i = 0; i < l; ++i) {
+		if (ai + 5 > ar.length) {
+			var n = new u8(ai + 8 + (l - i << 1));
+			n.set(ar);
+			ar = n;
+		}
+		var c = str.charCodeAt(i);
+		if (c < 128 || latin1) w(c);
+		else if (c < 2048) w(192 | c >> 6), w(128 | c & 63);
+		else if (c > 55295 && c < 57344) c = 65536 + (c & 1047552) | str.charCodeAt(++i) & 1023, w(240 | c >> 18), w(128 | c >> 12 & 63), w(128 | c >> 6 & 63), w(128 | c & 63);
+		else w(224 | c >> 12), w(128 | c >> 6 & 63), w(128 | c & 63);
+	}
+	return slc(ar, 0, ai);
+}
+var exfl = function(ex) {
+	var le = 0;
+	if (ex) for (var k in ex) {
+		var l = ex[k].length;
+		if (l > 65535) err(9);
+		le += l + 4;
+	}
+	return le;
+};
+var wzh = function(d, b, f, fn, u, c, ce, co) {
+	var fl = fn.length, ex = f.extra, col = co && co.length;
+	var exl = exfl(ex);
+	wbytes(d, b, ce != null ? 33639248 : 67324752), b += 4;
+	if (ce != null) d[b++] = 20, d[b++] = f.os;
+	d[b] = 20, b += 2;
+	d[b++] = f.flag << 1 | (c < 0 && 8), d[b++] = u && 8;
+	d[b++] = f.compression & 255, d[b++] = f.compression >> 8;
+	var dt = new Date(f.mtime == null ? Date.now() : f.mtime), y = dt.getFullYear() - 1980;
+	if (y < 0 || y > 119) err(10);
+	wbytes(d, b, y << 25 | dt.getMonth() + 1 << 21 | dt.getDate() << 16 | dt.getHours() << 11 | dt.getMinutes() << 5 | dt.getSeconds() >> 1), b += 4;
+	if (c != -1) {
+		wbytes(d, b, f.crc);
+		wbytes(d, b + 4, c < 0 ? -c - 2 : c);
+		wbytes(d, b + 8, f.size);
+	}
+	wbytes(d, b + 12, fl);
+	wbytes(d, b + 14, exl), b += 16;
+	if (ce != null) {
+		wbytes(d, b, col);
+		wbytes(d, b + 6, f.attrs);
+		wbytes(d, b + 10, ce), b += 14;
+	}
+	d.set(fn, b);
+	b += fl;
+	if (exl) for (var k in ex) {
+		var exf = ex[k], l = exf.length;
+		wbytes(d, b, +k);
+		wbytes(d, b + 2, l);
+		d.set(exf, b + 4), b += 4 + l;
+	}
+	if (col) d.set(co, b), b += col;
+	return b;
+};
+var wzf = function(o, b, c, d, e) {
+	wbytes(o, b, 101010256);
+	wbytes(o, b + 8, c);
+	wbytes(o, b + 10, c);
+	wbytes(o, b + 12, d);
+	wbytes(o, b + 16, e);
+};
+var ZipPassThrough = function() {
+	function ZipPassThrough(filename) {
+		this.filename = filename;
+		this.c = crc();
+		this.size = 0;
+		this.compression = 0;
+	}
+	ZipPassThrough.prototype.process = function(chunk, final) {
+		this.ondata(null, chunk, final);
+	};
+	ZipPassThrough.prototype.push = function(chunk, final) {
+		if (!this.ondata) err(5);
+		this.c.p(chunk);
+		this.size += chunk.length;
+		if (final) this.crc = this.c.d();
+		this.process(chunk, final || false);
+	};
+	return ZipPassThrough;
+}();
+var Zip = function() {
+	function Zip(cb) {
+		this.ondata = cb;
+		this.u = [];
+		this.d = 1;
+	}
+	Zip.prototype.add = function(file) {
+		var _this = this;
+		if (!this.ondata) err(5);
+		if (this.d & 2) this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, false);
+		else {
+			var f = strToU8(file.filename), fl_1 = f.length;
+			var com = file.comment, o = com && strToU8(com);
+			var u = fl_1 != file.filename.length || o && com.length != o.length;
+			var hl_1 = fl_1 + exfl(file.extra) + 30;
+			if (fl_1 > 65535) this.ondata(err(11, 0, 1), null, false);
+			var header = new u8(hl_1);
+			wzh(header, 0, file, f, u, -1);
+			var chks_1 = [header];
+			var pAll_1 = function() {
+				for (var _i = 0, chks_2 = chks_1; _i < chks_2.length; _i++) {
+					var chk = chks_2[_i];
+					_this.ondata(null, chk, false);
+				}
+				chks_1 = [];
+			};
+			var tr_1 = this.d;
+			this.d = 0;
+			var ind_1 = this.u.length;
+			var uf_1 = mrg(file, {
+				f,
+				u,
+				o,
+				t: function() {
+					if (file.terminate) file.terminate();
+				},
+				r: function() {
+					pAll_1();
+					if (tr_1) {
+						var nxt = _this.u[ind_1 + 1];
+						if (nxt) nxt.r();
+						else _this.d = 1;
+					}
+					tr_1 = 1;
+				}
+			});
+			var cl_1 = 0;
+			file.ondata = function(err, dat, final) {
+				if (err) {
+					_this.ondata(err, dat, final);
+					_this.terminate();
+				} else {
+					cl_1 += dat.length;
+					chks_1.push(dat);
+					if (final) {
+						var dd = new u8(16);
+						wbytes(dd, 0, 134695760);
+						wbytes(dd, 4, file.crc);
+						wbytes(dd, 8, cl_1);
+						wbytes(dd, 12, file.size);
+						chks_1.push(dd);
+						uf_1.c = cl_1, uf_1.b = hl_1 + cl_1 + 16, uf_1.crc = file.crc, uf_1.size = file.size;
+						if (tr_1) uf_1.r();
+						tr_1 = 1;
+					} else if (tr_1) pAll_1();
+				}
+			};
+			this.u.push(uf_1);
+		}
+	};
+	Zip.prototype.end = function() {
+		var _this = this;
+		if (this.d & 2) {
+			this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, true);
+			return;
+		}
+		if (this.d) this.e();
+		else this.u.push({
+			r: function() {
+				if (!(_this.d & 1)) return;
+				_this.u.splice(-1, 1);
+				_this.e();
+			},
+			t: function() {}
+		});
+		this.d = 3;
+	};
+	Zip.prototype.e = function() {
+		var bt = 0, l = 0, tl = 0;
+		for (var _i = 0, _a = this.u; _i < _a.length; _i++) {
+			var f = _a[_i];
+			tl += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0);
+		}
+		var out = new u8(tl + 22);
+		for (var _b = 0, _c = this.u; _b < _c.length; _b++) {
+			var f = _c[_b];
+			wzh(out, bt, f, f.f, f.u, -f.c - 2, l, f.o);
+			bt += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0), l += f.b;
+		}
+		wzf(out, bt, this.u.length, tl, l);
+		this.ondata(null, out, true);
+		this.d = 2;
+	};
+	Zip.prototype.terminate = function() {
+		for (var _i = 0, _a = this.u; _i < _a.length; _i++) _a[_i].t();
+		this.d = 2;
+	};
+	return Zip;
+}();
+// www/shared/panel/numberfield.ts
+var STAYS = say("the-last-valid-value-stays");
+function numberInput(testid, problem, change) {
+	const input = h("input", {
+		id: `c-${testid}`,
+		type: "number",
+		testid,
+		aria: { describedby: problem.id }
+	});
+	input.step = "any";
+	input.inputMode = "decimal";
+	input.addEventListener("change", change);
+	return input;
+}
+function problemLine(testid) {
+	return h("p", {
+		class: "field-problem",
+		id: `c-${testid}-problem`,
+		testid: `${testid}-problem`,
+		role: "alert"
+	});
+}
+function numberField(label, unit, testid, change, problem) {
+	const line = problem ?? problemLine(testid);
+	const input = numberInput(testid, line, change);
+	const name = h("label", { for: input.id }, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unit}`));
+	return {
+		input,
+		problem: line,
+		element: h("div", { class: "control compact" }, name, input, problem === void 0 ? line : null)
+	};
+}
+function firstRefused(fields) {
+	return fields.find(([, input]) => input.getAttribute("aria-invalid") === "true" && typed(input) !== void 0)?.[0] ?? null;
+}
+function typed({ value, valueAsNumber, validity }) {
+	return value === "" && !validity.badInput ? void 0 : valueAsNumber;
+}
+function mark$1(input, wrong) {
+	if (wrong) input.setAttribute("aria-invalid", "true");
+	else input.removeAttribute("aria-invalid");
+}
+function showNumber({ input, problem }, value) {
+	if (value == null) input.value = "";
+	else if (input.valueAsNumber !== value) input.value = String(value);
+	mark$1(input, false);
+	problem.textContent = "";
+}
+function readNumber({ input, problem }, allowed, last) {
+	const value = typed(input);
+	const instead = value === void 0 ? null : Number.isNaN(value) ? say("a-number") : allowed(value);
+	mark$1(input, instead !== null);
+	problem.textContent = instead === null ? "" : say("allowed-or-empty", {
+		instead,
+		stays: STAYS
+	});
+	return instead === null ? value : last;
+}
+function readPair(inputs, problem, allowed) {
+	const [a, b] = [typed(inputs[0]), typed(inputs[1])];
+	const tell = (text, wrong) => {
+		problem.textContent = text;
+		inputs.forEach((input, i) => {
+			mark$1(input, wrong[i] === true);
+		});
+	};
+	if (a === void 0 && b === void 0) {
+		tell("", [false, false]);
+		return null;
+	}
+	if (a === void 0 || b === void 0) {
+		tell(say("give-both-numbers-or-empty", { stays: STAYS }), [a === void 0, b === void 0]);
+		return;
+	}
+	const instead = Number.isNaN(a + b) ? say("two-numbers") : allowed(a, b);
+	if (instead === null) {
+		tell("", [false, false]);
+		return [a, b];
+	}
+	const alone = [allowed(a, 0) !== null, allowed(0, b) !== null];
+	tell(say("allowed", {
+		instead,
+		stays: STAYS
+	}), alone);
+}
+// www/shared/panel/facts.ts
+var open$1 = new Set();
+function facts(list) {
+	return h("dl", { class: "facts" }, ...list.flatMap(({ name, testid, value, help, kind }) => {
+		const text = h("dd", {
+			class: "help",
+			id: `${testid}-help`,
+			hidden: !open$1.has(testid)
+		}, help);
+		const press = button(name, `${testid}-name`, () => {
+			text.hidden = !text.hidden;
+			if (text.hidden) open$1.delete(testid);
+			else open$1.add(testid);
+			press.setAttribute("aria-expanded", String(!text.hidden));
+		}, help);
+		press.className = "explained";
+		press.setAttribute("aria-expanded", String(!text.hidden));
+		press.setAttribute("aria-controls", text.id);
+		return [
+			h("dt", {}, press),
+			h("dd", {
+				testid,
+				class: kind ?? ""
+			}, value),
+			text
+		];
+	}));
+}
+// www/shared/panel/answer.ts
+function answerCard(host, line, buttons, prefix) {
+	const figures = h("dl", {
+		class: "figures",
+		testid: `${prefix}figures`
+	});
+	let act = () => void 0;
+	const press = button("", `${prefix}next`, () => act());
+	press.className = "primary";
+	const others = h("span", { class: "answer-others" });
+	let offered = "";
+	line.after(figures);
+	const scrolled = new ResizeObserver((entries) => {
+		for (const { target } of entries) byKeys(target);
+	});
+	buttons.prepend(press, others);
+	let height = 0;
+	new ResizeObserver(() => {
+		if (host.dataset.kind !== "busy") ({height} = host.getBoundingClientRect());
+	}).observe(host);
+	return ({ kind, verdict, text, more = "", figures: found = [], next = null, others: instead = [] }) => {
+		host.dataset.kind = kind;
+		host.style.minHeight = kind === "busy" && height > 0 ? `${String(height)}px` : "";
+		host.dataset.verdict = verdict ?? "";
+		line.dataset.kind = kind;
+		if (line.textContent !== (more === "" ? text : `${text} ${more}`)) {
+			const rest = more === "" ? null : h("span", {}, more);
+			fill(line, h("strong", {}, text), rest === null ? null : " ", rest);
+			scrolled.disconnect();
+			if (rest !== null) scrolled.observe(rest);
+		}
+		fill(figures, ...found.map(({ value, label }) => h("div", {}, h("dt", {}, label), h("dd", {}, value))));
+		figures.hidden = found.length === 0;
+		act = next?.act ?? (() => void 0);
+		press.hidden = next === null;
+		if (press.textContent !== (next?.text ?? "")) press.textContent = next?.text ?? "";
+		host.classList.toggle("has-choice", instead.length > 0);
+		const texts = instead.map(({ text: own }) => own).join("\n");
+		if (texts === offered) return;
+		offered = texts;
+		fill(others, ...instead.map(({ text: own, act: does }, i) => button(own, `${prefix}other-${String(i + 1)}`, does)));
+		others.hidden = instead.length === 0;
+	};
+}
+function byKeys(text) {
+	if (text.scrollHeight > text.clientHeight) text.setAttribute("tabindex", "0");
+	else text.removeAttribute("tabindex");
+}
+// www/shared/text/names.ts
+var OTHER = {
+	"camera.focal_mm": say("focal-length"),
+	"camera.pixel_mm": say("pixel-size"),
+	"camera.principal_point_mm": say("principal-point"),
+	"camera.radial_distortion": say("radial-distortion"),
+	"camera.tangential_distortion": say("tangential-distortion"),
+	focal_mm: say("focal-length"),
+	origin: say("origin-in-the-scan-2")
+};
+function readable(catalogue, message) {
+	const labels = new Map(Object.entries(OTHER));
+	for (const { key, label } of [...catalogue?.parameters ?? [], ...catalogue?.flightParameters ?? []]) labels.set(key, label);
+	return message.replace(/[a-z]+\.[a-z0-9_]+/gu, (key) => quoted(labels.get(key)) ?? key).replace(/^(\w+)(?= is )/u, (key) => quoted(labels.get(key)) ?? key).replace(/(\d) x (?=\d)/gu, "$1 × ");
+}
+function quoted(label) {
+	return label === void 0 ? void 0 : `“${label}”`;
+}
+// www/pair/state/state.ts
+var SIDES = ["left", "right"];
+function otherSide(side) {
+	return side === "left" ? "right" : "left";
+}
+var TYPED_PARTS = [
+	"settings",
+	"camera",
+	"photos",
+	"offset"
+];
+var UNEDITED = {
+	history: NO_HISTORY,
+	chosen: [],
+	before: null,
+	draft: null,
+	outline: null,
+	mark: null
+};
+var INITIAL = {
+	catalogue: null,
+	settings: null,
+	refused: {},
+	images: {
+		left: null,
+		right: null
+	},
+	photos: {
+		left: {
+			fiducials: [],
+			origin: null
+		},
+		right: {
+			fiducials: [],
+			origin: null
+		}
+	},
+	masks: {
+		left: null,
+		right: null
+	},
+	camera: null,
+	fiducialModel: "affine",
+	offset: null,
+	truth: null,
+	flight: null,
+	results: {},
+	running: {},
+	failures: {},
+	paused: false,
+	selection: null,
+	...UNEDITED,
+	shelf: new Map(),
+	tool: "look",
+	activeSide: "left",
+	views: {
+		left: null,
+		right: null
+	},
+	display: {
+		points: "matched",
+		lines: "some",
+		vectors: 0,
+		linked: true,
+		magnifier: false,
+		hidden: []
+	},
+	notice: null
+};
+// www/pair/state/codes.ts
+var RULES = [
+	"matched",
+	"no_descriptor",
+	"no_candidate",
+	"threshold",
+	"ambiguous",
+	"many_to_one",
+	"parallax",
+	"border",
+	"left_right",
+	"not_converged",
+	"imprecise",
+	"frame"
+];
+var CODES = [
+	...RULES,
+	"gross_error",
+	"undecided",
+	"rejected_by_hand",
+	"manual"
+];
+function codeOf(name) {
+	return CODES.indexOf(name);
+}
+var MATCHED = codeOf("matched");
+var GROSS_ERROR = codeOf("gross_error");
+var UNDECIDED = codeOf("undecided");
+var BY_HAND = codeOf("rejected_by_hand");
+var MANUAL = codeOf("manual");
+var OF_MATCHES = [
+	MATCHED,
+	GROSS_ERROR,
+	BY_HAND,
+	MANUAL
+];
+var REFUSALS = RULES.filter((rule) => rule !== "matched");
+function checkRules(names) {
+	if (names.length !== RULES.length || RULES.some((rule, i) => names[i] !== rule)) throw new Error(`the page and the program do not fit each other: rules ${names.join(", ")}`);
+}
+// www/pair/state/edits.ts
+var NOTHING = {
+	rejected: new Map(),
+	placed: new Map()
+};
+var keys = new WeakMap();
+function keyOfTarget(target) {
+	if (typeof target === "number") return `#${String(target)}`;
+	const key = keys.get(target) ?? target.join(" ");
+	keys.set(target, key);
+	return key;
+}
+var standingOf = remember((edits, done) => {
+	if (done === 0) return NOTHING;
+	const rejected = new Map();
+	const placed = new Map();
+	for (const edit of edits.slice(0, done)) switch (edit.kind) {
+		case "reject":
+			for (const target of edit.of) rejected.set(keyOfTarget(target), target);
+			break;
+		case "restore":
+			for (const target of edit.of) rejected.delete(keyOfTarget(target));
+			break;
+		case "add":
+			placed.set(keyOfTarget(edit.id), {
+				target: edit.id,
+				at: edit.at
+			});
+			break;
+		case "move": placed.set(keyOfTarget(edit.of), {
+			target: edit.of,
+			at: edit.to
+		});
+	}
+	return rejected.size === 0 && placed.size === 0 ? NOTHING : {
+		rejected,
+		placed
+	};
+});
+function isNothing({ rejected, placed }) {
+	return rejected.size === 0 && placed.size === 0;
+}
+function freshNumber({ edits }) {
+	return edits.reduce((most, edit) => edit.kind === "add" ? Math.max(most, edit.id) : most, 0) + 1;
+}
+function nameOfEdit(edit) {
+	switch (edit.kind) {
+		case "reject":
+		case "restore": return say("step-matches", {
+			kind: edit.kind,
+			matches: edit.of.length
+		});
+		case "add": return say("step-add-match");
+		case "move": return say("step-move-match");
+	}
+}
+function exchanged({ edits, done }) {
+	if (edits.length === 0) return NO_HISTORY;
+	const place = ([xl, yl, xr, yr]) => [
+		xr,
+		yr,
+		xl,
+		yl
+	];
+	const target = (of) => typeof of === "number" ? of : place(of);
+	const other = (edit) => {
+		switch (edit.kind) {
+			case "reject":
+			case "restore": return {
+				kind: edit.kind,
+				of: edit.of.map(target)
+			};
+			case "add": return {
+				...edit,
+				at: place(edit.at)
+			};
+			case "move": return {
+				kind: "move",
+				of: target(edit.of),
+				to: place(edit.to)
+			};
+		}
+	};
+	return {
+		edits: edits.map(other),
+		done
+	};
+}
+// www/pair/state/edited.ts
+var NO_POINT = 4294967295;
+var SAME_PLACE_PX = .5;
+function isManual({ matches }, row) {
+	return matches[5 * row + 4] === -1;
+}
+var rowsByPixel = remember((matches) => {
+	const cells = new Map();
+	for (let row = 0; 5 * row < matches.length; row++) {
+		const cell = pixelOf(matches[5 * row] ?? NaN, matches[5 * row + 1] ?? NaN);
+		const rows = cells.get(cell);
+		if (rows === void 0) cells.set(cell, [row]);
+		else rows.push(row);
+	}
+	return cells;
+});
+var COLUMNS = 2 ** 24;
+function pixelOf(x, y) {
+	return Math.floor(y) * COLUMNS + Math.floor(x);
+}
+var HERE = [[0, 0]];
+var AROUND = [
+	-1,
+	0,
+	1
+].flatMap((dy) => [
+	-1,
+	0,
+	1
+].map((dx) => [dx, dy]));
+function distances(matches, row, [xl, yl, xr, yr]) {
+	const [ul = NaN, vl = NaN, ur = NaN, vr = NaN] = matches.subarray(5 * row, 5 * row + 4);
+	return [(ul - xl) ** 2 + (vl - yl) ** 2, (ur - xr) ** 2 + (vr - yr) ** 2];
+}
+function rowsOf$1(matches, targets) {
+	const cells = rowsByPixel(matches);
+	const taken = new Set();
+	const rows = new Map();
+	const claim = (key, place, around, accepts) => {
+		let best = null;
+		for (const [dx, dy] of around) for (const row of cells.get(pixelOf(place[0] + dx, place[1] + dy)) ?? []) {
+			const [left, right] = distances(matches, row, place);
+			if (taken.has(row) || !accepts(left, right)) continue;
+			if (best === null || left < best[1] || left === best[1] && right < best[2]) best = [
+				row,
+				left,
+				right
+			];
+		}
+		if (best === null) return;
+		taken.add(best[0]);
+		rows.set(key, best[0]);
+	};
+	for (const [key, place] of targets) claim(key, place, HERE, (left, right) => left === 0 && right === 0);
+	for (const [key, place] of targets) if (!rows.has(key)) claim(key, place, AROUND, (left) => left <= SAME_PLACE_PX ** 2);
+	return rows;
+}
+var Rows = class {
+	found;
+	matches;
+	fits;
+	indices;
+	count = 0;
+	constructor(found, most) {
+		this.found = found;
+		this.matches = new Float64Array(5 * most);
+		this.fits = new Float64Array(5 * most);
+		this.indices = new Uint32Array(2 * most);
+	}
+	keep(row) {
+		for (let k = 0; k < 5; k++) {
+			this.matches[5 * this.count + k] = this.found.matches[5 * row + k] ?? NaN;
+			this.fits[5 * this.count + k] = this.found.fits[5 * row + k] ?? NaN;
+		}
+		this.indices[2 * this.count] = this.found.indices[2 * row] ?? 0;
+		this.indices[2 * this.count + 1] = this.found.indices[2 * row + 1] ?? 4294967295;
+		this.count += 1;
+	}
+	place(left, at) {
+		this.matches.set([...at, -1], 5 * this.count);
+		this.fits.fill(NaN, 5 * this.count, 5 * this.count + 5);
+		this.indices.set([left, NO_POINT], 2 * this.count);
+		this.count += 1;
+	}
+	get all() {
+		const { matches, fits, indices, count } = this;
+		return {
+			matches: matches.slice(0, 5 * count),
+			fits: fits.slice(0, 5 * count),
+			indices: indices.slice(0, 2 * count)
+		};
+	}
+};
+function longer(values, more) {
+	const copy = new values.constructor(values.length + more);
+	copy.set(values);
+	return copy;
+}
+function applied(left, found, standing) {
+	return isNothing(standing) ? {
+		left,
+		match: found,
+		found,
+		appended: [],
+		lost: 0
+	} : new Applying(left, found, standing).edited();
+}
+function placesOf({ rejected, placed }) {
+	const places = new Map();
+	for (const [key, { target }] of placed) if (typeof target !== "number") places.set(key, target);
+	for (const [key, target] of rejected) if (typeof target !== "number") places.set(key, target);
+	for (const [key, { target, at }] of placed) if (typeof target === "number" && !rejected.has(key)) places.set(key, at);
+	return places;
+}
+var Applying = class {
+	left;
+	found;
+	standing;
+	count;
+	rows;
+	points;
+	rules;
+	best;
+	places;
+	measures;
+	appended = [];
+	constructor(left, found, standing) {
+		this.left = left;
+		this.found = found;
+		this.standing = standing;
+		this.count = left.length / 3;
+		const most = standing.placed.size;
+		this.rows = new Rows(found, found.matches.length / 5 + most);
+		this.points = longer(left, 3 * most);
+		this.rules = longer(found.rules, most);
+		this.best = longer(found.best, most);
+		this.places = longer(found.places, 2 * most);
+		this.measures = longer(found.measures, 2 * most);
+	}
+	edited() {
+		const { found, left, standing, appended } = this;
+		const rowOf = rowsOf$1(found.matches, placesOf(standing));
+		const keyOfRow = new Map([...rowOf].map(([key, row]) => [row, key]));
+		const handled = new Set();
+		for (let row = 0; 5 * row < found.matches.length; row++) {
+			const key = keyOfRow.get(row);
+			if (key === void 0) this.rows.keep(row);
+			else if (this.change(row, key)) handled.add(key);
+		}
+		for (const [key, { target, at }] of standing.placed) if (!handled.has(key)) this.append(key, target, at);
+		const lost = [...standing.rejected.keys()].filter((key) => !rowOf.has(key) && !standing.placed.has(key)).length;
+		const all = this.count + appended.length;
+		return {
+			left: appended.length === 0 ? left : this.points.slice(0, 3 * all),
+			match: this.match(all),
+			found,
+			appended,
+			lost
+		};
+	}
+	change(row, key) {
+		const { found, standing } = this;
+		const own = found.indices[2 * row] ?? 0;
+		const { target, at } = standing.placed.get(key) ?? {};
+		if (!(at === void 0 || typeof target !== "number" && at[0] === found.matches[5 * row] && at[1] === found.matches[5 * row + 1])) {
+			this.rules[own] = UNDECIDED;
+			this.decide(own, NaN, NaN);
+			return false;
+		}
+		if (at !== void 0) this.decide(own, at[2], at[3]);
+		if (standing.rejected.has(key)) this.rules[own] = BY_HAND;
+		else if (at === void 0) this.rows.keep(row);
+		else this.rows.place(own, at);
+		return true;
+	}
+	append(key, target, at) {
+		const index = this.count + this.appended.length;
+		const rejected = this.standing.rejected.has(key);
+		this.appended.push(target);
+		this.points.set([
+			at[0],
+			at[1],
+			0
+		], 3 * index);
+		this.rules[index] = rejected ? BY_HAND : MATCHED;
+		this.decide(index, at[2], at[3]);
+		if (!rejected) this.rows.place(index, at);
+	}
+	decide(index, x, y) {
+		this.best[index] = -1;
+		this.places.set([x, y], 2 * index);
+		this.measures.fill(Infinity, 2 * index, 2 * index + 2);
+	}
+	match(all) {
+		const used = this.rows.all;
+		return {
+			...this.found,
+			...used,
+			counts: {
+				...this.found.counts,
+				matches: used.matches.length / 5
+			},
+			rules: this.rules.slice(0, all),
+			best: this.best.slice(0, all),
+			places: this.places.slice(0, 2 * all),
+			measures: this.measures.slice(0, 2 * all)
+		};
+	}
+};
+function countsByHand(match) {
+	let manual = 0;
+	for (let row = 0; 5 * row < match.matches.length; row++) manual += Number(isManual(match, row));
+	return {
+		rejected: match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND), 0),
+		manual
+	};
+}
+function keptText({ match, found, lost }) {
+	if (match === found && lost === 0) return null;
+	const { rejected, manual } = countsByHand(match);
+	const of = (number, what) => number === 0 ? [] : [say("matches-by-hand", {
+		number,
+		what
+	})];
+	const kept = [...of(rejected, "rejected"), ...of(manual, "measured")];
+	const none = lost === 0 ? "" : say("of-more-there-is-no", { lost });
+	return `${kept.length === 0 ? say("no-edits-by-hand-apply") : say("kept", { join: kept.join(", ") })}${none}`;
+}
+var remembered = remember(applied);
+function editedPair({ results, history }) {
+	const left = results.pointsLeft?.value.points;
+	const match = results.match?.value;
+	if (left === void 0 || match === void 0 || match.rules.length * 3 !== left.length) return null;
+	return remembered(left, match, standingOf(history.edits, history.done));
+}
+function targetOfLeft({ found, match, appended }, left) {
+	const rule = match.rules[left];
+	if (rule !== MATCHED && rule !== BY_HAND) return null;
+	const count = found.rules.length;
+	if (left >= count) return appended[left - count] ?? null;
+	const row = rowOfLeft(found)[left] ?? -1;
+	if (row < 0) return null;
+	const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = found.matches.subarray(5 * row, 5 * row + 4);
+	return [
+		xl,
+		yl,
+		xr,
+		yr
+	];
+}
+function rowsOfLefts(match) {
+	const rows = new Int32Array(match.rules.length).fill(-1);
+	for (let i = 0; i < match.indices.length; i += 2) rows[match.indices[i] ?? 4294967295] = i / 2;
+	return rows;
+}
+var rowOfLeft = remember(rowsOfLefts);
+var leftsByTarget = remember((edited) => {
+	const lefts = new Map();
+	edited.match.rules.forEach((rule, left) => {
+		if (rule !== MATCHED && rule !== BY_HAND) return;
+		const target = targetOfLeft(edited, left);
+		if (target !== null) lefts.set(keyOfTarget(target), left);
+	});
+	return lefts;
+});
+function placeOfLeft({ left, match }, index) {
+	const [x = NaN, y = NaN] = left.subarray(3 * index, 3 * index + 2);
+	const row = rowOfEdited(match)[index] ?? -1;
+	const [xr = NaN, yr = NaN] = row >= 0 ? match.matches.subarray(5 * row + 2, 5 * row + 4) : match.places.subarray(2 * index, 2 * index + 2);
+	return [
+		x,
+		y,
+		xr,
+		yr
+	];
+}
+var rowOfEdited = remember(rowsOfLefts);
+// www/pair/state/marks.ts
+var UNMEASURED = {
+	col: NaN,
+	row: NaN,
+	x_mm: NaN,
+	y_mm: NaN
+};
+var isMeasured = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
+var isWhole$1 = (mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
+var wholeMarks = ({ fiducials }) => fiducials.filter(isWhole$1);
+var measuredPhoto = (photo) => ({
+	...photo,
+	fiducials: wholeMarks(photo)
+});
+function placeOfMark({ origin }, mark) {
+	const [left, top] = origin ?? [0, 0];
+	return mark !== void 0 && isMeasured(mark) ? [mark.col - left, mark.row - top] : null;
+}
+var markInHand = ({ mark, photos }) => mark === null ? void 0 : photos[mark.side].fiducials[mark.index];
+// www/pair/state/truth.ts
+function truthOf(state) {
+	const { truth, images } = state;
+	return truth !== null && images.left?.id === truth.leftId && images.right?.id === truth.rightId ? truth : null;
+}
+// www/pair/state/keys.ts
+var numbers$1 = new Map();
+function shortName(parts) {
+	const text = JSON.stringify(parts);
+	let name = numbers$1.get(text);
+	if (name === void 0) {
+		name = `k${String(numbers$1.size)}`;
+		numbers$1.set(text, name);
+	}
+	return name;
+}
+var standings = new WeakMap();
+var lastStanding = 0;
+function withEdits({ history }, match) {
+	const standing = standingOf(history.edits, history.done);
+	if (isNothing(standing)) return match;
+	const number = standings.get(standing) ?? ++lastStanding;
+	standings.set(standing, number);
+	return keyOf("edited", [match], number);
+}
+function keyOf(kind, inputs, options = null) {
+	return inputs.includes(null) ? null : shortName([
+		kind,
+		inputs,
+		options
+	]);
+}
+function pairCameras(state) {
+	const [left, right] = SIDES.map((side) => cameraOf$1(state, side));
+	if (left !== void 0 && "kind" in left) return { missing: left };
+	if (right !== void 0 && "kind" in right) return { missing: right };
+	if (left === void 0 || right === void 0) throw new Error("a pair has two sides");
+	return {
+		left,
+		right,
+		from: state.camera === null ? "exif" : "given"
+	};
+}
+var cameraOfExif = {
+	left: remember(camera_of_exif),
+	right: remember(camera_of_exif)
+};
+function cameraOf$1(state, side) {
+	const exif = state.results[side === "left" ? "openLeft" : "openRight"]?.value.info.camera ?? null;
+	if (state.camera === null && exif?.origin === "panorama") return {
+		kind: "panorama",
+		side
+	};
+	const marked = wholeMarks(state.photos[side]).length > 0;
+	const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
+	if (camera === null) return marked ? { kind: "no_focal_length" } : {
+		kind: "no_camera",
+		side
+	};
+	if (!marked && camera.pixel_mm == null) return {
+		kind: "no_pixel_size",
+		side
+	};
+	return camera;
+}
+function comparesGreyValues({ matching }) {
+	return matching.strategy === "correlation" || matching.strategy === "least-squares";
+}
+function comparesGradients(settings) {
+	return inFull(settings).matching.strategy === "gradient";
+}
+var inFull = remember(resolved);
+function comparesMoments(settings) {
+	return !comparesGreyValues(settings) && !comparesGradients(settings);
+}
+function pointSettings(settings) {
+	const gradients = comparesGradients(settings);
+	const scales = gradients || settings.points.operator === "multiscale";
+	return [
+		settings.points,
+		scales ? settings.multiscale : null,
+		gradients ? settings.gradient : null
+	];
+}
+function estimatedFrom(state, settings, match) {
+	const result = state.results.match;
+	const tellsNone = result !== void 0 && result.key === match && result.value.estimated === null;
+	return comparesGradients(settings) && !tellsNone ? "" : null;
+}
+function fromOnePlace(state, match) {
+	const result = state.results.match;
+	return result !== void 0 && result.key === match && result.value.geometry?.degenerate === "pure-rotation";
+}
+function openKey(state, side) {
+	const image = state.images[side];
+	return image === null ? null : keyOf("open", [], image.id);
+}
+function ofCameras(settings, interiors) {
+	if (settings === null) return [];
+	if (comparesGradients(settings)) return [...interiors, settings.geometry];
+	return settings.matching.epipolar ? [...interiors, settings.orientation] : [];
+}
+function knownOfDraft({ draft }) {
+	return draft === null ? null : [draft.side, draft.places[otherSide(draft.side)]];
+}
+function compute(state) {
+	const { settings } = state;
+	const openLeft = openKey(state, "left");
+	const openRight = openKey(state, "right");
+	const points = (side, open) => settings === null ? null : keyOf("points", [open], [pointSettings(settings), state.masks[side]?.id]);
+	const pointsLeft = points("left", openLeft);
+	const pointsRight = points("right", openRight);
+	const described = settings === null || !comparesMoments(settings) ? [] : [settings.window, settings.matching.strategy];
+	const descriptorsLeft = keyOf("descriptors", [pointsLeft], described);
+	const descriptorsRight = keyOf("descriptors", [pointsRight], described);
+	const gradients = settings !== null && comparesGradients(settings);
+	const given = state.offset === null ? keyOf("offset", [openLeft, openRight]) : keyOf("offset", [], state.offset);
+	const offset = gradients ? null : given;
+	const cameras = pairCameras(state);
+	const interior = (side, open) => "missing" in cameras ? null : keyOf("interior", [open], [
+		cameras[side],
+		cameras.left.focal_mm,
+		measuredPhoto(state.photos[side]),
+		state.fiducialModel
+	]);
+	const interiorLeft = interior("left", openLeft);
+	const interiorRight = interior("right", openRight);
+	const match = keyOf("match", [
+		descriptorsLeft,
+		descriptorsRight,
+		gradients ? "" : offset
+	], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
+	const unknown = settings === null || "missing" in cameras && cameras.missing.kind === "panorama" ? null : estimatedFrom(state, settings, match);
+	const interiors = "missing" in cameras ? [unknown] : [interiorLeft, interiorRight];
+	const orientable = fromOnePlace(state, match) ? null : "";
+	const truth = truthOf(state);
+	const edited = withEdits(state, match);
+	const placed = standingOf(state.history.edits, state.history.done).placed.size > 0;
+	return {
+		openLeft,
+		openRight,
+		pointsLeft,
+		pointsRight,
+		descriptorsLeft,
+		descriptorsRight,
+		offset,
+		match,
+		interiorLeft,
+		interiorRight,
+		orientation: keyOf("orientation", [
+			edited,
+			orientable,
+			...interiors
+		], settings?.orientation),
+		score: keyOf("score", [edited, truth === null ? null : ""], [truth?.leftId, truth?.rightId]),
+		line: keyOf("line", [match, state.draft === null ? null : ""], knownOfDraft(state)),
+		inspection: keyOf("inspection", [placed ? edited : match, state.selection === null ? null : ""], [state.selection, settings?.window])
+	};
+}
+var last = null;
+function wantedKeys(state) {
+	if (last?.state !== state) last = {
+		state,
+		keys: compute(state)
+	};
+	return last.keys;
+}
+function isCurrent(state, stage) {
+	const key = wantedKeys(state)[stage];
+	return key !== null && state.results[stage]?.key === key;
+}
+function isStale(state, stage) {
+	const key = wantedKeys(state)[stage];
+	return key !== null && state.results[stage] !== void 0 && state.results[stage].key !== key;
+}
+// www/pair/state/stages.ts
+var STAGES = {
+	openLeft: {
+		label: say("decoding-the-left-image"),
+		worker: "left",
+		needs: []
+	},
+	openRight: {
+		label: say("decoding-the-right-image"),
+		worker: "right",
+		needs: []
+	},
+	pointsLeft: {
+		label: say("detecting-points-left"),
+		worker: "left",
+		needs: ["openLeft"]
+	},
+	pointsRight: {
+		label: say("detecting-points-right"),
+		worker: "right",
+		needs: ["openRight"]
+	},
+	descriptorsLeft: {
+		label: say("describing-points-left"),
+		worker: "left",
+		needs: ["pointsLeft"]
+	},
+	descriptorsRight: {
+		label: say("describing-points-right"),
+		worker: "right",
+		needs: ["pointsRight"]
+	},
+	offset: {
+		label: say("estimating-the-offset-of-the"),
+		worker: "pair",
+		needs: ["openLeft", "openRight"]
+	},
+	match: {
+		label: say("matching-2"),
+		worker: "pair",
+		needs: [
+			"descriptorsLeft",
+			"descriptorsRight",
+			"offset"
+		],
+		uses: ["interiorLeft", "interiorRight"]
+	},
+	interiorLeft: {
+		label: say("interior-orientation-left"),
+		worker: "pair",
+		needs: ["openLeft"]
+	},
+	interiorRight: {
+		label: say("interior-orientation-right"),
+		worker: "pair",
+		needs: ["openRight"]
+	},
+	orientation: {
+		label: say("relative-orientation-2"),
+		worker: "pair",
+		needs: [
+			"match",
+			"interiorLeft",
+			"interiorRight"
+		]
+	},
+	score: {
+		label: say("comparing-with-the-truth"),
+		worker: "pair",
+		needs: ["match"]
+	},
+	line: {
+		label: say("looking-where-the-point-may"),
+		worker: "pair",
+		needs: ["match"]
+	},
+	inspection: {
+		label: say("loading-the-selected-point"),
+		worker: "pair",
+		needs: ["match"]
+	}
+};
+var STAGE_NAMES = Object.keys(STAGES);
+// www/pair/engine/failure.ts
+var KEPT = say("images-settings-and-earlier-results");
+function advice(stage) {
+	switch (stage) {
+		case "openLeft":
+		case "openRight": return say("try-a-smaller-image-or");
+		case "pointsLeft":
+		case "pointsRight": return say("try-a-higher-threshold-or");
+		case "descriptorsLeft":
+		case "descriptorsRight":
+		case "match": return say("try-fewer-points-a-higher");
+		default: return say("change-a-setting-or-run");
+	}
+}
+function plainMessage(stage, error, catalogue) {
+	const text = readable(catalogue, messageOf(error));
+	if (!(error instanceof CallError)) return say("failed", {
+		label: capital(STAGES[stage].label),
+		text,
+		kept: KEPT
+	});
+	switch (error.failure.kind) {
+		case "refused": return error.failure.code === "image-too-small" ? `${sideOf$1(stage)}${text}.` : `${capital(text)}.`;
+		case "memory": return say("memory-ran-out-while", {
+			label: STAGES[stage].label,
+			text,
+			kept: KEPT,
+			stage: advice(stage)
+		});
+		case "fault": return say("the-program-broke-off-while", {
+			label: STAGES[stage].label,
+			text,
+			kept: KEPT,
+			stage: advice(stage)
+		});
+		case "other": return say("failed-2", {
+			label: capital(STAGES[stage].label),
+			text,
+			kept: KEPT,
+			stage: advice(stage)
+		});
+	}
+}
+function sideOf$1(stage) {
+	const side = /(Left|Right)$/u.exec(stage)?.[1];
+	return side === void 0 ? "" : say("image-3", { side });
+}
+function capital(text) {
+	const trimmed = text.endsWith(".") ? text.slice(0, -1) : text;
+	return trimmed.charAt(0).toUpperCase() + trimmed.slice(1);
+}
+// www/pair/engine/nearest.ts
+var LEAST_PAIRS = 2e6;
+function nearestPieces(left, right, workers, search) {
+	const count = left.length / 128;
+	const pieces = Math.min(workers, Math.floor(count * (right.length / 128) / LEAST_PAIRS));
+	if (pieces < 2) return null;
+	const cut = (piece) => Math.round(count * piece / pieces);
+	return Promise.all(Array.from({ length: pieces }, (_, piece) => search(cut(piece), cut(piece + 1))));
+}
+// www/pair/state/interior.ts
+var paired = remember((left, right, focal) => ({
+	left: left.interior,
+	right: right.interior,
+	focal_mm: focal
+}));
+function knownInterior(state) {
+	const cameras = pairCameras(state);
+	const { interiorLeft, interiorRight } = state.results;
+	if ("missing" in cameras || interiorLeft === void 0 || interiorRight === void 0) return null;
+	return paired(interiorLeft.value, interiorRight.value, cameras.left.focal_mm);
+}
+function interiorInUse(state) {
+	return "missing" in pairCameras(state) ? state.results.match?.value.estimated ?? null : knownInterior(state);
+}
+// www/pair/engine/inputs.ts
+function needed(state, stage) {
+	const result = state.results[stage];
+	if (result === void 0) throw new Error(`the stage ${stage} has no result`);
+	return result.value;
+}
+function settingsOf(state) {
+	if (state.settings === null) throw new Error("the settings are not loaded");
+	return state.settings;
+}
+function given$1(state, side) {
+	const { points: at, frames } = needed(state, side === "left" ? "pointsLeft" : "pointsRight");
+	return {
+		points: at,
+		frames,
+		...needed(state, side === "left" ? "descriptorsLeft" : "descriptorsRight")
+	};
+}
+function matchInput(state) {
+	const placed = !comparesGradients(settingsOf(state));
+	return {
+		left: given$1(state, "left"),
+		right: given$1(state, "right"),
+		offset: placed ? needed(state, "offset") : null
+	};
+}
+// www/pair/state/selected.ts
+function placeOf(places, index) {
+	if (index < 0) return null;
+	const [x = NaN, y = NaN] = places.subarray(2 * index, 2 * index + 2);
+	return Number.isNaN(x) || Number.isNaN(y) ? null : [x, y];
+}
+function leftIndexOf(state, best, rules) {
+	const { selection } = state;
+	if (selection === null) return -1;
+	if (selection.side === "left") return selection.index;
+	let found = -1;
+	for (let i = 0; i < best.length; i++) {
+		if (best[i] !== selection.index) continue;
+		if (rules[i] === MATCHED) return i;
+		if (found < 0 || rules[i] === BY_HAND && rules[found] !== BY_HAND) found = i;
+	}
+	return found;
+}
+var SURROUNDINGS = 1.5;
+var MOST_CANDIDATES = 50;
+function comparedWindow(state) {
+	const settings = settingsOf(state);
+	return comparesGreyValues(settings) ? {
+		side: settings.matching.template,
+		shape: "square"
+	} : settings.window;
+}
+function matchOf$1(state) {
+	return editedPair(state)?.match ?? needed(state, "match");
+}
+function pointsOf(state, side) {
+	return needed(state, side === "left" ? "pointsLeft" : "pointsRight");
+}
+function pointAt(state, side, index) {
+	if (index < 0) return null;
+	const [x, y] = ((side === "left" ? editedPair(state)?.left : void 0) ?? pointsOf(state, side).points).subarray(3 * index, 3 * index + 2);
+	return x === void 0 || y === void 0 ? null : [x, y];
+}
+async function windowAt(workers, state, side, at) {
+	if (at === null) return null;
+	const col = Math.floor(at[0]);
+	const row = Math.floor(at[1]);
+	const worker = await workers.withImage(side, state);
+	try {
+		return {
+			col,
+			row,
+			report: await worker.call("moments", {
+				col,
+				row,
+				window: comparedWindow(state)
+			}),
+			problem: null
+		};
+	} catch (error) {
+		if (error instanceof CallError && error.failure.kind === "refused") return {
+			col,
+			row,
+			report: null,
+			problem: readable(state.catalogue, error.message)
+		};
+		throw error;
+	}
+}
+async function featureAt(workers, state, side, index) {
+	const at = pointAt(state, side, index);
+	if (at === null) return null;
+	const { frames, gradients } = pointsOf(state, side);
+	if (128 * index >= gradients.length) return null;
+	const [scale = 1, direction = 0] = frames.subarray(2 * index, 2 * index + 2);
+	const reach = 4 * settingsOf(state).gradient.cell * scale;
+	const worker = await workers.withImage(side, state);
+	const patch = (factor, turn) => worker.call("patch", {
+		x: at[0],
+		y: at[1],
+		direction: turn,
+		reach: factor * reach,
+		side: 112
+	});
+	const [turned, upright] = await Promise.all([patch(1, direction), patch(SURROUNDINGS, 0)]);
+	return {
+		descriptor: gradients.slice(128 * index, 128 * (index + 1)),
+		scale,
+		direction,
+		reach,
+		turned,
+		upright
+	};
+}
+async function lineOf(workers, state) {
+	const { selection } = state;
+	const at = selection === null ? null : pointAt(state, selection.side, selection.index);
+	return selection === null || at === null ? null : seenFrom(workers, state, selection.side, at);
+}
+async function seenFrom(workers, state, from, at) {
+	const { geometry } = needed(state, "match");
+	if (geometry === null) return null;
+	const side = otherSide(from);
+	const { width, height } = needed(state, side === "left" ? "openLeft" : "openRight").info;
+	return {
+		side,
+		positions: await workers.client("pair").call("epipolarLine", {
+			from,
+			x: at[0],
+			y: at[1],
+			model: geometry.model,
+			interior: knownInterior(state),
+			width,
+			height
+		})
+	};
+}
+async function candidatesOf(workers, state, left) {
+	const settings = settingsOf(state);
+	if (left < 0 || 3 * left >= pointsOf(state, "left").points.length || comparesGreyValues(settings)) return new Float64Array();
+	const worker = workers.client("pair");
+	if (!comparesGradients(settings)) return worker.call("candidates", {
+		...matchInput(state),
+		index: left,
+		options: settings.matching
+	});
+	const [of, among] = [pointsOf(state, "left").gradients, pointsOf(state, "right").gradients];
+	return worker.call("gradientCandidates", {
+		index: left,
+		left: of,
+		right: among,
+		most: MOST_CANDIDATES
+	});
+}
+async function comparedOf(workers, state, left) {
+	const { best, places } = matchOf$1(state);
+	const { selection } = state;
+	const right = selection?.side === "right" ? selection.index : best[left] ?? -1;
+	if (comparesGradients(settingsOf(state))) {
+		const [ofLeft, ofRight] = await Promise.all([featureAt(workers, state, "left", left), featureAt(workers, state, "right", right)]);
+		return {
+			left: null,
+			right: null,
+			features: {
+				left: ofLeft,
+				right: ofRight
+			}
+		};
+	}
+	const rightAt = selection?.side === "right" ? pointAt(state, "right", selection.index) : placeOf(places, left);
+	const [ofLeft, ofRight] = await Promise.all([windowAt(workers, state, "left", pointAt(state, "left", left)), windowAt(workers, state, "right", rightAt)]);
+	return {
+		left: ofLeft,
+		right: ofRight,
+		features: null
+	};
+}
+var inspection = async (state, workers) => {
+	const { best, rules } = matchOf$1(state);
+	const left = leftIndexOf(state, best, rules);
+	const [compared, candidates, line] = await Promise.all([
+		comparedOf(workers, state, left),
+		candidatesOf(workers, state, left),
+		lineOf(workers, state)
+	]);
+	return {
+		...compared,
+		candidates,
+		line
+	};
+};
+var line = async (state, workers) => {
+	const { draft } = state;
+	const from = draft === null ? null : otherSide(draft.side);
+	const at = from === null ? null : draft?.places[from];
+	return from === null || at == null ? null : seenFrom(workers, state, from, [at[0], at[1]]);
+};
+// www/pair/engine/runs.ts
+var OFFSET_SIDE = 1024;
+function open(side) {
+	return async (state, workers) => {
+		const image = state.images[side];
+		if (image === null) throw new Error(`there is no ${side} image`);
+		return workers.open(side, image);
+	};
+}
+var NONE$1 = {
+	moments: new Float64Array(),
+	gradients: new Uint8Array()
+};
+function points(side) {
+	return async (state, workers) => {
+		const settings = settingsOf(state);
+		const input = {
+			settings,
+			mask: state.masks[side]?.grey ?? null
+		};
+		const worker = await workers.withImage(side, state);
+		if (comparesGradients(settings)) return worker.call("features", input);
+		return {
+			...await worker.call("detect", input),
+			gradients: NONE$1.gradients
+		};
+	};
+}
+function descriptors(side) {
+	return async (state, workers) => {
+		const found = needed(state, side === "left" ? "pointsLeft" : "pointsRight");
+		const settings = settingsOf(state);
+		if (!comparesMoments(settings)) return {
+			...NONE$1,
+			gradients: found.gradients
+		};
+		const { window, matching } = settings;
+		const worker = await workers.withImage(side, state);
+		return {
+			...NONE$1,
+			moments: await worker.call("describe", {
+				points: found.points,
+				window,
+				strategy: matching.strategy
+			})
+		};
+	};
+}
+var offset = async (state, workers) => {
+	if (state.offset !== null) {
+		const [dx, dy] = state.offset;
+		return workers.client("pair").call("constantOffset", {
+			dx,
+			dy
+		});
+	}
+	const reduced = async (side) => (await workers.withImage(side, state)).call("reduced", { maxSide: OFFSET_SIDE });
+	const [left, right] = await Promise.all([reduced("left"), reduced("right")]);
+	return workers.client("pair").call("offset", {
+		left,
+		right
+	}, [left.grey.buffer, right.grey.buffer]);
+};
+var match = async (state, workers) => {
+	const settings = settingsOf(state);
+	const ofPair = (settings.matching.epipolar || comparesGradients(settings)) && isCurrent(state, "interiorLeft") && isCurrent(state, "interiorRight") ? knownInterior(state) : null;
+	const input = matchInput(state);
+	const { gradients: ofLeft = NONE$1.gradients } = input.left;
+	const { gradients: ofRight = NONE$1.gradients } = input.right;
+	const [worker, nearest] = await Promise.all([workers.withPair(state), comparesGradients(settings) ? workers.nearest(ofLeft, ofRight) : null]);
+	return worker.call("match", {
+		...input,
+		interior: ofPair,
+		settings,
+		nearest
+	});
+};
+function interior(side) {
+	return async (state, workers) => {
+		const { info } = needed(state, side === "left" ? "openLeft" : "openRight");
+		const cameras = pairCameras(state);
+		if ("missing" in cameras) throw new Error(message("no_orientation", cameras.missing));
+		const { origin } = state.photos[side];
+		return workers.client("pair").call("interior", {
+			width: info.width,
+			height: info.height,
+			camera: cameras[side],
+			pairFocalMm: cameras.left.focal_mm,
+			fiducials: wholeMarks(state.photos[side]),
+			model: state.fiducialModel,
+			origin
+		});
+	};
+}
+function edited(state) {
+	const pair = editedPair(state);
+	if (pair === null) throw new Error("the matches are of other points");
+	return pair;
+}
+var orientation = async (state, workers) => {
+	const { left, match: used } = edited(state);
+	const { matches, fits } = used;
+	const ofPair = interiorInUse(state);
+	if (ofPair === null) throw new Error("no interior orientation is known");
+	const points = [left.length / 3, needed(state, "pointsRight").points.length / 3];
+	return workers.client("pair").call("orient", {
+		matches,
+		fits,
+		interior: ofPair,
+		options: settingsOf(state).orientation,
+		points
+	});
+};
+var score = async (state, workers) => {
+	const truth = truthOf(state);
+	if (truth === null) throw new Error("these images have no truth");
+	const { info } = needed(state, "openRight");
+	return workers.client("pair").call("score", {
+		matches: edited(state).match.matches,
+		leftPoints: edited(state).left,
+		rightPosition: truth.rightPosition,
+		left: {
+			width: truth.leftWidth,
+			height: truth.leftHeight
+		},
+		right: {
+			width: info.width,
+			height: info.height
+		}
+	});
+};
+var RUNS = {
+	openLeft: open("left"),
+	openRight: open("right"),
+	pointsLeft: points("left"),
+	pointsRight: points("right"),
+	descriptorsLeft: descriptors("left"),
+	descriptorsRight: descriptors("right"),
+	offset,
+	match,
+	interiorLeft: interior("left"),
+	interiorRight: interior("right"),
+	orientation,
+	score,
+	inspection,
+	line
+};
+// www/pair/engine/engine.ts
+var DEBOUNCE_MS$1 = 150;
+var OVERVIEW_SIDE = 2048;
+var Engine = class {
+	store;
+	clients = {
+		left: new WorkerClient(say("left-image")),
+		right: new WorkerClient(say("right-image")),
+		pair: new WorkerClient("pair"),
+		preview: new WorkerClient("preview"),
+		report: new WorkerClient("report")
+	};
+	pool = new WorkerPool();
+	opened = new Map();
+	held = null;
+	timer;
+	constructor(store) {
+		this.store = store;
+		store.watch([
+			"settings",
+			"camera",
+			"photos",
+			"masks",
+			"offset",
+			"fiducialModel"
+		], () => this.later());
+		store.watch([
+			"images",
+			"selection",
+			"history",
+			"draft",
+			"paused",
+			"failures"
+		], () => this.update());
+	}
+	client(name) {
+		return this.clients[name];
+	}
+	open(side, image) {
+		if (image.source.kind === "project") return Promise.reject(new Error(say("the-project-does-not-hold", { name: image.name })));
+		const client = this.clients[side];
+		const tag = lifeTag(client, String(image.id));
+		const held = this.opened.get(client);
+		if (held?.tag === tag) return held.answer;
+		const answer = client.call("open", {
+			source: image.source,
+			overviewSide: OVERVIEW_SIDE
+		});
+		this.opened.set(client, {
+			tag,
+			answer
+		});
+		answer.catch(() => {
+			if (this.opened.get(client)?.answer === answer) this.opened.delete(client);
+		});
+		return answer;
+	}
+	async withImage(side, state) {
+		const client = this.clients[side];
+		const image = state.images[side];
+		if (image === null) throw new Error(`there is no ${side} image`);
+		await this.open(side, image);
+		return client;
+	}
+	async withPair(state) {
+		const client = this.clients.pair;
+		const tag = lifeTag(client, `${String(state.images.left?.id)}:${String(state.images.right?.id)}`);
+		if (this.held?.tag !== tag) this.held = {
+			tag,
+			answer: this.holdPair(client, state)
+		};
+		const { held } = this;
+		held.answer.catch(() => {
+			if (this.held === held) this.held = null;
+		});
+		await held.answer;
+		return client;
+	}
+	nearest(left, right) {
+		return nearestPieces(left, right, this.pool.size, (first, end) => this.pool.call("nearest", {
+			left,
+			first,
+			end,
+			right
+		}));
+	}
+	async holdPair(client, state) {
+		const greyOf = async (side) => (await this.withImage(side, state)).call("grey", null);
+		const [left, right] = await Promise.all([greyOf("left"), greyOf("right")]);
+		return client.call("hold", {
+			left,
+			right
+		}, [left.grey.buffer, right.grey.buffer]);
+	}
+	cancel() {
+		this.stopWorkers();
+		this.store.dispatch({ type: "cancelled" });
+	}
+	swap() {
+		this.clients = {
+			...this.clients,
+			left: this.clients.right,
+			right: this.clients.left
+		};
+		this.store.dispatch({ type: "swap" });
+	}
+	update() {
+		window.clearTimeout(this.timer);
+		for (const stage of STAGE_NAMES) {
+			const { state } = this.store;
+			if (state.paused || state.running[stage] !== void 0) continue;
+			const key = wantedKeys(state)[stage];
+			if (key === null || state.results[stage]?.key === key || state.failures[stage]?.key === key) continue;
+			if (isReady(state, stage)) this.run(stage, key);
+		}
+	}
+	later() {
+		window.clearTimeout(this.timer);
+		this.timer = window.setTimeout(() => this.update(), DEBOUNCE_MS$1);
+	}
+	stopWorkers() {
+		for (const client of Object.values(this.clients)) client.cancel();
+		this.pool.cancel();
+	}
+	async run(stage, key) {
+		this.store.dispatch({
+			type: "stageStarted",
+			stage,
+			key
+		});
+		const started = performance.now();
+		const { state } = this.store;
+		try {
+			const value = await RUNS[stage](state, this);
+			const of = stage === "orientation" ? editedPair(state) : null;
+			const result = {
+				key,
+				value,
+				milliseconds: performance.now() - started,
+				...of === null ? {} : { of }
+			};
+			this.store.dispatch({
+				type: "stageDone",
+				stage,
+				result
+			});
+		} catch (error) {
+			this.failed(stage, key, error);
+		}
+		this.update();
+	}
+	failed(stage, key, error) {
+		if (error instanceof Cancelled) {
+			this.store.dispatch({
+				type: "stageStopped",
+				stage
+			});
+			return;
+		}
+		const ended = error instanceof CallError && error.ended;
+		const refused = error instanceof CallError ? error.failure.error ?? null : null;
+		this.store.dispatch({
+			type: "stageFailed",
+			stage,
+			failure: {
+				key,
+				ended,
+				error: refused,
+				message: plainMessage(stage, error, this.store.state.catalogue)
+			}
+		});
+	}
+};
+function lifeTag(client, what) {
+	return `${String(client.generation)}:${what}`;
+}
+function isReady(state, stage) {
+	const { needs, uses = [] } = STAGES[stage];
+	const keys = wantedKeys(state);
+	const current = (input) => state.results[input]?.key === keys[input];
+	return needs.every((input) => keys[input] === null || current(input)) && uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input]);
+}
+// www/shared/engine/fit.ts
+var SEARCH_PX = 9;
+function fitInput(left, right, settings) {
+	return {
+		left: Float64Array.of(...left, 0),
+		offset: constant_offset(right[0] - left[0], right[1] - left[1]),
+		settings: {
+			...settings,
+			matching: {
+				...settings.matching,
+				strategy: "least-squares",
+				refine: null,
+				epipolar: false,
+				search: SEARCH_PX,
+				left_right: false
+			}
+		}
+	};
+}
+function placeOfFit(matches) {
+	const [, , x, y] = matches;
+	return x === void 0 || y === void 0 ? null : [x, y];
+}
+// www/pair/engine/fit.ts
+async function fitted(state, workers, left, right) {
+	const { left: point, offset, settings } = fitInput(left, right, settingsOf(state));
+	const { matches } = await (await workers.withPair(state)).call("match", {
+		left: { points: point },
+		right: { points: new Float64Array() },
+		offset,
+		interior: null,
+		settings,
+		nearest: null
+	});
+	return placeOfFit(matches);
+}
+// www/pair/state/shelf.ts
+function keyOfPair(images) {
+	const parts = [images.left, images.right].map((image) => {
+		if (image?.source.kind !== "file") return null;
+		const { file } = image.source;
+		return [
+			image.name,
+			file.size,
+			file instanceof File ? file.lastModified : 0
+		];
+	});
+	return parts.includes(null) ? null : JSON.stringify(parts);
+}
+function exchangedPair(state, images) {
+	const [before, next] = [keyOfPair(state.images), keyOfPair(images)];
+	const shelf = new Map(state.shelf);
+	if (before !== null && state.history.edits.length > 0) shelf.set(before, state.history);
+	const history = (next === null ? void 0 : shelf.get(next)) ?? NO_HISTORY;
+	if (next !== null) shelf.delete(next);
+	return {
+		history,
+		shelf: shelf.size === 0 && state.shelf.size === 0 ? state.shelf : shelf
+	};
+}
+// www/pair/state/project.ts
+function projectOf(state, contents) {
+	const { settings, camera, offset, photos, fiducialModel, results } = state;
+	const { openLeft, openRight, pointsLeft, pointsRight, match, orientation } = results;
+	if (![
+		"pointsLeft",
+		"pointsRight",
+		"match"
+	].every((stage) => isCurrent(state, stage)) || settings === null || openLeft === void 0 || openRight === void 0) return null;
+	const edited = editedPair(state);
+	if (pointsLeft === void 0 || pointsRight === void 0 || match === void 0 || edited === null) return null;
+	const opened = {
+		left: openLeft,
+		right: openRight
+	};
+	const photo = (side) => {
+		const { width, height, format, bits_per_sample, camera: named } = opened[side].value.info;
+		const name = state.images[side]?.name ?? "";
+		const mask = state.masks[side]?.name ?? null;
+		return {
+			name,
+			content: contents[side],
+			width_px: width,
+			height_px: height,
+			format,
+			bits_per_sample,
+			mask,
+			camera: named
+		};
+	};
+	const oriented = isCurrent(state, "orientation") ? orientation?.value ?? null : null;
+	const none = oriented === null ? whyNone(state) : null;
+	const interior = interiorInUse(state);
+	const points = ({ counts, threshold, points: at, frames }) => ({
+		counts,
+		threshold,
+		points: at,
+		frames
+	});
+	const given = (side) => ({
+		...measuredPhoto(photos[side]),
+		model: fiducialModel
+	});
+	return {
+		images: [photo("left"), photo("right")],
+		input: {
+			camera,
+			offset,
+			left: given("left"),
+			right: given("right")
+		},
+		settings,
+		output: {
+			left: points({
+				...pointsLeft.value,
+				...appendedTo(pointsLeft.value, edited.left)
+			}),
+			right: points(pointsRight.value),
+			offset: isCurrent(state, "offset") ? results.offset?.value ?? null : null,
+			match: filed(edited.match),
+			interior,
+			pixel_mm: null,
+			orientation: oriented,
+			no_orientation: none,
+			verdict: oriented?.verdict ?? {
+				kind: "not_oriented",
+				no_orientation: none ?? whyNone(state)
+			}
+		},
+		truth: truthFor$1(state)
+	};
+}
+function appendedTo({ points, frames }, left) {
+	const more = (left.length - points.length) / 3;
+	if (more === 0) return {
+		points,
+		frames
+	};
+	const own = Array.from({ length: frames.length === 0 ? 0 : more }, () => [1, 0]).flat();
+	return {
+		points: left,
+		frames: Float64Array.from([...frames, ...own])
+	};
+}
+var NO_CANDIDATE = codeOf("no_candidate");
+function filed(match) {
+	const own = match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND || rule === UNDECIDED), 0);
+	if (own === 0) return match;
+	const rules = match.rules.map((rule) => rule === BY_HAND || rule === UNDECIDED ? NO_CANDIDATE : rule);
+	return {
+		...match,
+		rules,
+		counts: {
+			...match.counts,
+			no_candidate: match.counts.no_candidate + own
+		}
+	};
+}
+function unfiled(match) {
+	const byHand = (rule, left) => rule === NO_CANDIDATE && !Number.isNaN(match.places[2 * left]);
+	const own = match.rules.reduce((sum, rule, left) => sum + Number(byHand(rule, left)), 0);
+	if (own === 0) return match;
+	const rules = match.rules.map((rule, left) => byHand(rule, left) ? BY_HAND : rule);
+	return {
+		...match,
+		rules,
+		counts: {
+			...match.counts,
+			no_candidate: match.counts.no_candidate - own
+		}
+	};
+}
+function editsOfFile({ output }) {
+	return countsByHand(unfiled(output.match));
+}
+function whyNone(state) {
+	const cameras = pairCameras(state);
+	const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
+	if ("missing" in cameras && interiorInUse(state) === null) return cameras.missing;
+	if (no_geometry !== null) return {
+		kind: "no_geometry",
+		no_geometry
+	};
+	if (geometry?.degenerate === "pure-rotation") return { kind: "pure_rotation" };
+	const error = [
+		"interiorLeft",
+		"interiorRight",
+		"orientation"
+	].map((stage) => state.failures[stage]).find((failure) => failure?.error != null)?.error;
+	return error == null ? {
+		kind: "no_camera",
+		side: "left"
+	} : {
+		kind: "refused",
+		error
+	};
+}
+function truthFor$1(state) {
+	const truth = truthOf(state);
+	const score = isCurrent(state, "score") ? state.results.score?.value : void 0;
+	return truth === null || score === void 0 ? null : {
+		orientation: truth.orientation,
+		base_mm: truth.baseMm,
+		score
+	};
+}
+function withProject(state, { project, images, overviews, masks, estimated }) {
+	const { input, settings, truth } = project;
+	const [left] = project.images;
+	const photo = (side) => ({
+		fiducials: input[side]?.fiducials ?? [],
+		origin: input[side]?.origin ?? null
+	});
+	return withResults({
+		...state,
+		settings,
+		camera: input.camera ?? null,
+		photos: {
+			left: photo("left"),
+			right: photo("right")
+		},
+		fiducialModel: input.left?.model ?? "affine",
+		offset: input.offset ?? null,
+		images,
+		masks,
+		truth: truth === null ? null : {
+			leftId: images.left.id,
+			rightId: images.right.id,
+			orientation: truth.orientation,
+			baseMm: truth.base_mm,
+			rightPosition: new Float32Array(),
+			leftWidth: left.width_px,
+			leftHeight: left.height_px
+		},
+		refused: {},
+		failures: {},
+		paused: false,
+		selection: null,
+		...UNEDITED,
+		...exchangedPair(state, images),
+		views: {
+			left: null,
+			right: null
+		}
+	}, {
+		project,
+		estimated
+	}, standingFor$1({
+		project,
+		overviews
+	}), {});
+}
+function standingFor$1({ project: { images }, overviews }) {
+	const [left, right] = images;
+	const info = ({ width_px, height_px, format, bits_per_sample, camera }) => ({
+		width: width_px,
+		height: height_px,
+		format,
+		bits_per_sample,
+		camera: camera ?? null,
+		drone: null
+	});
+	return {
+		openLeft: {
+			info: info(left),
+			overview: overviews.left
+		},
+		openRight: {
+			info: info(right),
+			overview: overviews.right
+		}
+	};
+}
+function withResults(state, { project, estimated }, beside, times) {
+	const { output, truth } = project;
+	let next = {
+		...state,
+		results: {}
+	};
+	const put = (stage, value, of) => {
+		const key = wantedKeys(next)[stage];
+		if (value != null && key !== null) next = {
+			...next,
+			results: {
+				...next.results,
+				[stage]: {
+					key,
+					value,
+					milliseconds: times[stage] ?? 0,
+					...of === void 0 ? {} : { of }
+				}
+			}
+		};
+	};
+	const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
+	put("openLeft", beside.openLeft);
+	put("openRight", beside.openRight);
+	put("pointsLeft", {
+		...output.left,
+		gradients: descriptorsLeft.gradients
+	});
+	put("pointsRight", {
+		...output.right,
+		gradients: descriptorsRight.gradients
+	});
+	put("descriptorsLeft", descriptorsLeft);
+	put("descriptorsRight", descriptorsRight);
+	put("offset", output.offset);
+	put("interiorLeft", beside.interiorLeft);
+	put("interiorRight", beside.interiorRight);
+	const match = {
+		...unfiled(output.match),
+		estimated
+	};
+	put("match", match);
+	put("orientation", output.orientation, {
+		match,
+		found: match
+	});
+	put("score", truth?.score);
+	return next;
+}
+var nothing = () => ({
+	moments: new Float64Array(),
+	gradients: new Uint8Array()
+});
+function withFiles(state, images) {
+	const results = { ...state.results };
+	for (const side of SIDES.filter((one) => images[one] !== void 0)) {
+		const [open, points, descriptors] = OF_IMAGE[side];
+		delete results[open];
+		if (state.masks[side] === null) {
+			delete results[points];
+			delete results[descriptors];
+		}
+	}
+	return {
+		...state,
+		results,
+		failures: {},
+		images: {
+			...state.images,
+			...images
+		}
+	};
+}
+var OF_IMAGE = {
+	left: [
+		"openLeft",
+		"pointsLeft",
+		"descriptorsLeft"
+	],
+	right: [
+		"openRight",
+		"pointsRight",
+		"descriptorsRight"
+	]
+};
+// www/pair/state/residuals.ts
+function pixelMm(interior) {
+	const [[a, b], [d, e]] = interior.parameters;
+	return Math.sqrt(Math.abs(a * e - b * d));
+}
+function countsOf$1({ residuals_mm: residuals, rejected }) {
+	const all = residuals.length / 4;
+	return {
+		all,
+		used: all - rejected.length
+	};
+}
+function vectorsOf(side) {
+	return remember((match, orientation, interior) => {
+		const [[a, b], [d, e]] = interior.parameters;
+		const determinant = a * e - b * d;
+		const first = side === "left" ? 0 : 2;
+		const residuals = orientation.residuals_mm;
+		const vectors = new Float64Array(residuals.length);
+		for (let i = 0; 4 * i < residuals.length; i++) {
+			const vx = residuals[4 * i + first] ?? NaN;
+			const vy = residuals[4 * i + first + 1] ?? NaN;
+			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
+			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
+			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
+			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
+		}
+		return vectors;
+	});
+}
+var residualVectors = {
+	left: vectorsOf("left"),
+	right: vectorsOf("right")
+};
+var parallaxResiduals = remember((orientation, interior) => {
+	const rejected = new Set(orientation.rejected);
+	const pixel = pixelMm(interior);
+	const residuals = orientation.residuals_mm;
+	const across = (i) => (residuals[4 * i + 3] ?? NaN) - (residuals[4 * i + 1] ?? NaN);
+	return Float64Array.from({ length: countsOf$1(orientation).all }, (_, i) => across(i) / pixel).filter((_, i) => !rejected.has(i));
+});
+// www/pair/state/select.ts
+function shownPair(state) {
+	const found = pointsOfShownImage(state, "left");
+	const right = pointsOfShownImage(state, "right");
+	const made = state.results.match?.value ?? null;
+	const edited = made !== null && found !== null && right !== null && made.rules.length * 3 === found.length && matchIsOf(made, found, right) ? editedPair(state) : null;
+	const result = wantedKeys(state).orientation !== null && !isBarred(state, "orientation") ? state.results.orientation : void 0;
+	const orientation = edited === null || result === void 0 ? null : orientationOf(result.value, result.of ?? null, edited);
+	return {
+		left: edited?.left ?? found,
+		right,
+		match: edited?.match ?? null,
+		orientation,
+		edited
+	};
+}
+var orientationOf = remember((orientation, of, { match, found }) => {
+	const count = match.matches.length / 5;
+	if (of === null || of.match === match) return countsOf$1(orientation).all === count ? orientation : null;
+	if (of.found !== found) return null;
+	const then = rowsThen(of.match, match);
+	const wasRejected = new Set(orientation.rejected);
+	const points = new Float64Array(9 * count).fill(NaN);
+	const residuals = new Float64Array(4 * count).fill(NaN);
+	const rejected = [];
+	then.forEach((own, row) => {
+		if (own < 0) return;
+		for (let k = 0; k < 9; k++) points[9 * row + k] = orientation.points[9 * own + k] ?? NaN;
+		for (let k = 0; k < 4; k++) residuals[4 * row + k] = orientation.residuals_mm[4 * own + k] ?? NaN;
+		if (wasRejected.has(own)) rejected.push(row);
+	});
+	return {
+		...orientation,
+		points,
+		residuals_mm: residuals,
+		rejected
+	};
+});
+function rowsThen(earlier, now) {
+	const rowOfLeft = rowsOfLefts(earlier);
+	const rows = new Int32Array(now.indices.length / 2).fill(-1);
+	for (let row = 0; row < rows.length; row++) {
+		const then = rowOfLeft[now.indices[2 * row] ?? 4294967295] ?? -1;
+		let same = then >= 0;
+		for (let k = 0; same && k < 4; k++) same = earlier.matches[5 * then + k] === now.matches[5 * row + k];
+		if (same) rows[row] = then;
+	}
+	return rows;
+}
+function pointsOfShownImage(state, side) {
+	const opened = side === "left" ? "openLeft" : "openRight";
+	if (state.results[opened] === void 0 || state.results[opened].key !== wantedKeys(state)[opened]) return null;
+	return state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.points ?? null;
+}
+function matchIsOf(match, left, right) {
+	const count = match.indices.length / 2;
+	return [0, count - 1].every((i) => {
+		if (i < 0 || count === 0) return true;
+		const l = match.indices[2 * i] ?? 0;
+		const r = match.indices[2 * i + 1] ?? 4294967295;
+		return left[3 * l] === match.matches[5 * i] && (r === 4294967295 || 3 * r < right.length);
+	});
+}
+var leftCodes = rememberCodes((left, match, orientation) => {
+	const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
+	if (match === null) return codes;
+	codes.set(match.rules);
+	for (let row = 0; 5 * row < match.matches.length; row++) if (isManual(match, row)) codes[match.indices[2 * row] ?? 4294967295] = MANUAL;
+	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
+	return codes;
+});
+var rightCodes = rememberCodes((right, match, orientation) => {
+	const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
+	if (match === null) return codes;
+	match.rules.forEach((rule, left) => {
+		if (rule === BY_HAND) codes[match.best[left] ?? -1] = BY_HAND;
+	});
+	for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? 4294967295] = MATCHED;
+	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 4294967295] = GROSS_ERROR;
+	return codes;
+});
+var matchCodes = rememberCodes((match, orientation) => {
+	const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
+	for (let row = 0; match !== null && row < codes.length; row++) codes[row] = isManual(match, row) ? MANUAL : MATCHED;
+	for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
+	return codes;
+});
+var loosePlaces = remember((match, codes) => {
+	const most = match === null ? 0 : match.rules.length + codes.length;
+	const [points, ofPlaces, lefts] = [
+		new Float64Array(3 * most),
+		new Uint8Array(most),
+		new Uint32Array(most)
+	];
+	let count = 0;
+	const put = (left, code, x, y, measure) => {
+		points[3 * count] = x;
+		points[3 * count + 1] = y;
+		points[3 * count + 2] = measure;
+		ofPlaces[count] = code;
+		lefts[count] = left;
+		count += 1;
+	};
+	match?.rules.forEach((rule, left) => {
+		if (rule !== BY_HAND || (match.best[left] ?? -1) >= 0) return;
+		const [x = NaN, y = NaN] = match.places.subarray(2 * left, 2 * left + 2);
+		if (!Number.isNaN(x)) put(left, BY_HAND, x, y, 0);
+	});
+	codes.forEach((code, row) => {
+		if (match?.indices[2 * row + 1] !== 4294967295) return;
+		const at = (k) => match.matches[5 * row + k] ?? NaN;
+		put(match.indices[2 * row] ?? 0, code, at(2), at(3), at(4));
+	});
+	return {
+		points: points.slice(0, 3 * count),
+		codes: ofPlaces.slice(0, count),
+		lefts: lefts.slice(0, count)
+	};
+});
+var matchOfLeft = remember(rowsOfLefts);
+var RUN_STAGES = [
+	"openLeft",
+	"openRight",
+	"pointsLeft",
+	"pointsRight",
+	"descriptorsLeft",
+	"descriptorsRight",
+	"offset",
+	"match",
+	"interiorLeft",
+	"interiorRight",
+	"orientation",
+	"score"
+];
+function isBarred(state, stage) {
+	const failure = state.failures[stage];
+	return failure !== void 0 && failure.key === wantedKeys(state)[stage] || STAGES[stage].needs.some((needed) => isBarred(state, needed));
+}
+function progress(state) {
+	const keys = wantedKeys(state);
+	const wanted = RUN_STAGES.filter((stage) => keys[stage] !== null);
+	return {
+		wanted: wanted.length,
+		done: wanted.filter((stage) => state.results[stage]?.key === keys[stage] || isBarred(state, stage)).length,
+		running: RUN_STAGES.filter((stage) => state.running[stage] !== void 0)
+	};
+}
+function currentFailure(state) {
+	const keys = wantedKeys(state);
+	for (const stage of [
+		...RUN_STAGES,
+		"inspection",
+		"line"
+	]) {
+		const failure = state.failures[stage];
+		if (failure !== void 0 && failure.key === keys[stage]) return {
+			stage,
+			message: failure.message,
+			ended: failure.ended
+		};
+	}
+	return null;
+}
+function anyStale(state) {
+	return RUN_STAGES.some((stage) => isStale(state, stage));
+}
+// www/pair/state/kept.ts
+function typedOf({ settings, camera, photos, fiducialModel, offset }) {
+	return settings === null ? null : {
+		settings,
+		camera,
+		photos,
+		fiducialModel,
+		offset
+	};
+}
+function isBlank(state) {
+	const { catalogue, settings, flight, images, camera, photos, fiducialModel, offset } = state;
+	return catalogue === null || images.left === null && images.right === null && settings === catalogue.defaults && flight === (catalogue.flights[0]?.flight ?? null) && camera === null && photos === INITIAL.photos && fiducialModel === INITIAL.fiducialModel && offset === null;
+}
+function isWorthKeeping(state) {
+	return SIDES.every((side) => state.images[side]?.source.kind === "file") && isCurrent(state, "match");
+}
+var BESIDE = [
+	"interiorLeft",
+	"interiorRight",
+	"descriptorsLeft",
+	"descriptorsRight"
+];
+function isWhole(state) {
+	const { wanted, done, running } = progress(state);
+	return running.length === 0 && done === wanted && isCurrent(state, "match");
+}
+function besideOf(state) {
+	const beside = {};
+	const take = (stage) => {
+		const result = state.results[stage];
+		if (result !== void 0 && isCurrent(state, stage)) beside[stage] = result.value;
+	};
+	BESIDE.forEach(take);
+	const times = Object.entries(state.results).map(([stage, { milliseconds }]) => [stage, milliseconds]);
+	return {
+		beside,
+		times: Object.fromEntries(times)
+	};
+}
+function unedited(state) {
+	return {
+		...state,
+		history: NO_HISTORY
+	};
+}
+function isEdited({ history }) {
+	return !isNothing(standingOf(history.edits, history.done));
+}
+var OF_EDITS = "edits";
+function resultsOf(state) {
+	const keys = wantedKeys(state);
+	const changes = isEdited(state) ? new Set(["orientation", "score"]) : new Set();
+	const stages = [
+		"pointsLeft",
+		"pointsRight",
+		"offset",
+		"match",
+		"orientation",
+		"score",
+		...BESIDE
+	];
+	const value = (stage) => changes.has(stage) ? OF_EDITS : state.results[stage]?.value;
+	return [
+		...stages.map((stage) => keys[stage] === null ? null : value(stage)),
+		state.images,
+		state.masks
+	];
+}
+function areSame(kept, now) {
+	return now.every((value, i) => value === OF_EDITS || value === kept[i]);
+}
+function withKept(state, { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result }) {
+	const fresh = {
+		...INITIAL,
+		catalogue: state.catalogue,
+		notice: state.notice,
+		...typed,
+		display,
+		flight,
+		paused,
+		images,
+		masks,
+		truth,
+		shelf
+	};
+	if (result === null) return {
+		...fresh,
+		history
+	};
+	const made = withResults({
+		...fresh,
+		...result.typed
+	}, result, {
+		...result.beside,
+		...opened
+	}, result.times);
+	return {
+		...made,
+		...typed,
+		history,
+		before: history.done === 0 ? null : made.results.orientation?.value ?? null
+	};
+}
+function bothSides(of) {
+	const [left, right] = SIDES.map(of);
+	return {
+		left,
+		right
+	};
+}
+// www/pair/files/journal.ts
+var SHELF = "pair/shelf";
+var OF_MATCH = 40;
+var Journal = class {
+	edits = new Journal$1("pair/edits", editFrom, bytesOf$2);
+	parts({ history, shelf }) {
+		const parts = this.edits.parts(history);
+		if (shelf.size > 0) parts.set(SHELF, {
+			value: shelf,
+			bytes: [...shelf.values()].reduce((sum, other) => sum + this.edits.size(other.edits), 0)
+		});
+		return parts;
+	}
+	read(parts) {
+		return {
+			history: this.edits.read(parts),
+			shelf: shelfFrom(parts.get(SHELF))
+		};
+	}
+};
+function shelfFrom(value) {
+	if (value === void 0) return new Map();
+	if (!(value instanceof Map)) throw new Error(say("the-edits-of-other-pairs"));
+	const entry = ([key, kept]) => {
+		const { edits, done } = objectOf(kept, "shelf");
+		const list = listOf(edits, "shelf.edits", editFrom);
+		return [likeOf(key, "", "shelf"), {
+			edits: list,
+			done: doneFrom(done, list.length, "shelf.done")
+		}];
+	};
+	return new Map([...value].map(entry));
+}
+function bytesOf$2(edit) {
+	return OF_MATCH * (edit.kind === "reject" || edit.kind === "restore" ? edit.of.length : 2);
+}
+function editFrom(value, name) {
+	const edit = objectOf(value, name);
+	const kind = likeOf(edit["kind"], "", `${name}.kind`);
+	switch (kind) {
+		case "reject":
+		case "restore": return {
+			kind,
+			of: listOf(edit["of"], `${name}.of`, targetFrom)
+		};
+		case "add": return {
+			kind,
+			id: likeOf(edit["id"], 0, `${name}.id`),
+			at: placeFrom(edit["at"], `${name}.at`)
+		};
+		case "move": return {
+			kind,
+			of: targetFrom(edit["of"], `${name}.of`),
+			to: placeFrom(edit["to"], `${name}.to`)
+		};
+		default: throw new Error(say("the-field-kind-is-damaged", { name }));
+	}
+}
+function targetFrom(value, name) {
+	return typeof value === "number" ? likeOf(value, 0, name) : placeFrom(value, name);
+}
+function placeFrom(value, name) {
+	const [xl = NaN, yl = NaN, xr = NaN, yr = NaN, ...more] = listOf(value, name, (number, at) => likeOf(number, 0, at));
+	if (more.length > 0 || [
+		xl,
+		yl,
+		xr,
+		yr
+	].some(Number.isNaN)) throw new Error(say("the-field-is-damaged", { name }));
+	return [
+		xl,
+		yl,
+		xr,
+		yr
+	];
+}
+// www/pair/view/geometry.ts
+var GAP = 10;
+function panesOf(width, height) {
+	if (width >= .85 * height) {
+		const pane = Math.max(1, Math.floor((width - GAP) / 2));
+		return {
+			left: {
+				left: 0,
+				top: 0,
+				width: pane,
+				height
+			},
+			right: {
+				left: width - pane,
+				top: 0,
+				width: pane,
+				height
+			}
+		};
+	}
+	const pane = Math.max(1, Math.floor((height - GAP) / 2));
+	return {
+		left: {
+			left: 0,
+			top: 0,
+			width,
+			height: pane
+		},
+		right: {
+			left: 0,
+			top: height - pane,
+			width,
+			height: pane
+		}
+	};
+}
+// www/pair/files/export.ts
+function rows(values, stride) {
+	return Array.from({ length: values.length / stride }, (_, i) => Array.from({ length: stride }, (_, k) => values[i * stride + k] ?? NaN));
+}
+function imageOf(state, side) {
+	const opened = state.results[side === "left" ? "openLeft" : "openRight"]?.value;
+	return {
+		name: state.images[side]?.name ?? null,
+		width: opened?.info.width ?? null,
+		height: opened?.info.height ?? null,
+		format: opened?.info.format ?? null,
+		exif: opened?.info.camera ?? null,
+		fiducials: wholeMarks(state.photos[side]),
+		origin: state.photos[side].origin,
+		mask: state.masks[side]?.name ?? null
+	};
+}
+function framesOf(state, side) {
+	const found = state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value;
+	return found === void 0 || found.frames.length === 0 ? null : rows(found.frames, 2);
+}
+function verdicts(state) {
+	const { match } = shownPair(state);
+	if (match === null) return null;
+	return Array.from(match.rules, (rule, i) => ({
+		rule: CODES[rule] ?? String(rule),
+		best: match.best[i] === -1 ? null : match.best[i] ?? null,
+		place: rows(match.places.subarray(2 * i, 2 * i + 2), 2).map((place) => place.map(finite))[0] ?? null,
+		measure: finite(match.measures[2 * i]),
+		second: finite(match.measures[2 * i + 1])
+	}));
+}
+function finite(value) {
+	return value !== void 0 && Number.isFinite(value) ? value : null;
+}
+function countsOf(state) {
+	const match = (editedPair(state)?.match ?? state.results.match?.value)?.counts;
+	const { matches, ...rejected } = match ?? { matches: null };
+	return {
+		left: state.results.pointsLeft?.value.counts ?? null,
+		right: state.results.pointsRight?.value.counts ?? null,
+		matches,
+		rejected: match === void 0 ? null : rejected
+	};
+}
+function verdictOf$1(state) {
+	const verdict = isCurrent(state, "orientation") ? state.results.orientation?.value.verdict : void 0;
+	return verdict === void 0 ? null : {
+		...verdict,
+		text: message$1("pair_verdict", verdict)
+	};
+}
+function editsOf(state) {
+	const edited = editedPair(state);
+	if (edited === null) return null;
+	const { rules, matches } = edited.match;
+	const off = Array.from(rules, (_, left) => left).filter((left) => rules[left] === BY_HAND);
+	const manual = Array.from({ length: matches.length / 5 }, (_, row) => row).filter((row) => isManual(edited.match, row));
+	if (off.length + manual.length === 0) return null;
+	return {
+		rejected_by_hand: off.map((left) => placeOfLeft(edited, left)),
+		measured_by_hand: manual
+	};
+}
+function everything(state) {
+	const { left, right, match, orientation } = shownPair(state);
+	return {
+		program: "tiepoint",
+		version: state.catalogue?.version ?? null,
+		conventions: {
+			pixel: "the centre of the top-left pixel is (0.5, 0.5); x to the right, y down",
+			photo: "mm, x to the right, y up, origin at the principal point",
+			points: "[x, y, interest value]",
+			frames: "for points of many scales: [scale in px, direction in rad from x towards y]",
+			matches: "[x left, y left, x right, y right, measure]; the measure of one that was measured by hand is -1",
+			match_indices: "[index of the left point, index of the right point], the right one null where the place found is no interest point",
+			fits: "least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations], null for one that it did not confirm",
+			orientation_points: "a match: [residual y-parallax mm, redundancy number, standardised residual, detectable blunder mm, external reliability, weight, X, Y, Z mm]",
+			edits: "rejected_by_hand: [x left, y left, x right, y right] of each match; measured_by_hand: indices of matches; left points measured by hand follow those that were found",
+			verdicts: "one a left point: the rule that decided, the index of the best right point and its place, the best and the second best measure"
+		},
+		verdict: verdictOf$1(state),
+		settings: state.settings,
+		images: {
+			left: imageOf(state, "left"),
+			right: imageOf(state, "right")
+		},
+		camera: pairCameras(state),
+		fiducial_model: state.fiducialModel,
+		given_offset: state.offset,
+		offset: isCurrent(state, "offset") ? state.results.offset?.value ?? null : null,
+		counts: countsOf(state),
+		thresholds: {
+			left: state.results.pointsLeft?.value.threshold ?? null,
+			right: state.results.pointsRight?.value.threshold ?? null
+		},
+		points: {
+			left: left === null ? null : rows(left, 3),
+			right: right === null ? null : rows(right, 3)
+		},
+		frames: {
+			left: framesOf(state, "left"),
+			right: framesOf(state, "right")
+		},
+		matches: match === null ? null : rows(match.matches, 5),
+		match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => index === 4294967295 ? null : index)),
+		edits: editsOf(state),
+		fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.every(Number.isNaN) ? null : fit.map(finite)),
+		verdicts: verdicts(state),
+		geometry: match?.geometry ?? null,
+		no_geometry: match?.no_geometry == null ? null : {
+			...match.no_geometry,
+			text: message$1("no_geometry", match.no_geometry)
+		},
+		interior: {
+			left: state.results.interiorLeft?.value ?? null,
+			right: state.results.interiorRight?.value ?? null,
+			estimated: "missing" in pairCameras(state) ? interiorInUse(state) : null
+		},
+		orientation: orientation === null ? null : {
+			...orientation,
+			points: rows(orientation.points, 9).map((point) => point.map(finite))
+		},
+		truth: trueOrientation(state),
+		score: scoreOf(state)
+	};
+}
+function trueOrientation(state) {
+	const truth = truthOf(state);
+	return truth === null ? null : {
+		...truth.orientation,
+		base_mm: truth.baseMm
+	};
+}
+function scoreOf(state) {
+	const score = state.results.score?.value;
+	return score === void 0 || !isCurrent(state, "score") ? null : {
+		matches: score.matches,
+		strict: score.strict,
+		right: score.right,
+		missed: score.missed
+	};
+}
+async function exportMatches(state, engine) {
+	const { match } = shownPair(state);
+	if (match === null) return;
+	const text = await engine.client("pair").call("matchesCsv", { matches: match.matches });
+	save(new Blob([text], { type: "text/csv" }), `${baseName(state)}-matches.csv`);
+}
+function exportEverything(state) {
+	save(new Blob([JSON.stringify(everything(state))], { type: "application/json" }), `${baseName(state)}.json`);
+}
+async function exportPicture(state, view) {
+	const canvas = view.snapshot();
+	const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+	if (blob === null) throw new Error(say("the-picture-is-too-large"));
+	save(blob, `${baseName(state)}.png`);
+}
+function baseName(state) {
+	return [state.images.left?.name, state.images.right?.name].map((name) => (name ?? "image").replace(/\.[^.]+$/u, "")).join("-").replace(/[^\p{L}\p{N}._-]+/gu, "_");
+}
+// www/pair/files/project.ts
+var STANDING_SIDE = 256;
+var STANDING_GREY = 128;
+async function exportProject(store, engine) {
+	const { state } = store;
+	const text = await projectText(state, engine);
+	if (text === null) throw new Error(say("the-pair-is-not-matched"));
+	save(new Blob([text], { type: "application/octet-stream" }), `${baseName(state)}.tiepoint`);
+}
+async function projectText(state, engine) {
+	const [left, right] = await Promise.all(SIDES.map((side) => contentOf(state, engine, side)));
+	const project = projectOf(state, {
+		left: left ?? null,
+		right: right ?? null
+	});
+	return project === null ? null : engine.client("pair").call("projectWrite", project);
+}
+var digests = new WeakMap();
+async function contentOf({ images }, engine, side) {
+	const source = images[side]?.source;
+	switch (source?.kind) {
+		case "file": {
+			const digest = digests.get(source.file) ?? await engine.client("pair").call("digest", { file: source.file });
+			digests.set(source.file, digest);
+			return digest;
+		}
+		case "project": return source.content;
+		default: return null;
+	}
+}
+async function readProject(engine, file, nextId) {
+	const bytes = new Uint8Array(await file.arrayBuffer());
+	const { project, estimated } = await engine.client("pair").call("projectOpen", { bytes }, [bytes.buffer]);
+	const [left, right] = project.images;
+	const of = {
+		left,
+		right
+	};
+	const image = (side) => ({
+		id: nextId(),
+		name: of[side].name,
+		source: {
+			kind: "project",
+			content: of[side].content ?? null
+		}
+	});
+	const overviews = {
+		left: await standingFor(left.width_px, left.height_px),
+		right: await standingFor(right.width_px, right.height_px)
+	};
+	const mask = (side) => {
+		const { mask: name, width_px: width, height_px: height } = of[side];
+		return name == null ? null : {
+			id: nextId(),
+			name,
+			source: {
+				kind: "project",
+				content: null
+			},
+			width,
+			height,
+			grey: new Uint8Array(),
+			leftOut: NaN,
+			overlay: overviews[side].clear
+		};
+	};
+	return {
+		project,
+		estimated,
+		overviews,
+		images: {
+			left: image("left"),
+			right: image("right")
+		},
+		masks: {
+			left: mask("left"),
+			right: mask("right")
+		}
+	};
+}
+async function standingFor(width, height) {
+	const halvings = Math.max(0, Math.ceil(Math.log2(Math.max(width, height) / STANDING_SIDE)));
+	const data = new ImageData(Math.ceil(width / 2 ** halvings), Math.ceil(height / 2 ** halvings));
+	const clear = await createImageBitmap(data);
+	data.data.fill(STANDING_GREY).forEach((_, i) => {
+		if (i % 4 === 3) data.data[i] = 255;
+	});
+	return {
+		bitmap: await createImageBitmap(data),
+		halvings,
+		clear
+	};
+}
+async function sideOfFile({ images }, engine, file) {
+	for (const side of SIDES) {
+		const image = images[side];
+		if (image?.source.kind !== "project" || image.name !== file.name || image.source.content === null) continue;
+		if (await engine.client("pair").call("digest", { file }) === image.source.content) return side;
+	}
+	return null;
+}
+// www/pair/files/sort.ts
+function sortFiles(files) {
+	const isTable = (file) => /\.(csv|txt)$/iu.test(file.name) || file.type === "text/csv";
+	const isCamera = (file) => /\.json$/iu.test(file.name) || file.type === "application/json";
+	const isProject = (file) => /\.tiepoint$/iu.test(file.name);
+	const isMask = (file) => !isTable(file) && !isCamera(file) && !isProject(file) && /(^|[^a-z])masks?([^a-z]|$)/iu.test(file.name);
+	return {
+		masks: files.filter(isMask),
+		tables: files.filter(isTable),
+		cameras: files.filter(isCamera),
+		projects: files.filter(isProject),
+		images: files.filter((file) => !isTable(file) && !isCamera(file) && !isMask(file) && !isProject(file)).sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }))
+	};
+}
+// www/pair/files/open.ts
+var MASK_SIDE = 1024;
+var MOST_BYTES = 2 ** 30;
+var nextId = 1;
+var freshId = () => nextId++;
+function sideOfMask(mask, index) {
+	const [, painted] = /-mask-(left|right)\./u.exec(mask.name) ?? [];
+	if (painted !== void 0) return painted;
+	if (/right/iu.test(mask.name)) return "right";
+	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
+}
+var problem = (text) => ({
+	kind: "problem",
+	text
+});
+var info = (text) => ({
+	kind: "info",
+	text
+});
+function editsToldOf({ project }) {
+	const { rejected, manual } = editsOfFile(project);
+	const of = (number, what) => number === 0 ? [] : [say("matches-by-hand", {
+		number,
+		what
+	})];
+	const said = [...of(rejected, "rejected"), ...of(manual, "measured")];
+	return said.length === 0 ? null : info(say("it-holds-the-history-of", { join: said.join(say("and-between")) }));
+}
+var Files = class {
+	store;
+	engine;
+	openProject;
+	toBlock;
+	putAside;
+	isReady = false;
+	started = () => void 0;
+	ready = new Promise((resolve) => {
+		this.started = resolve;
+	});
+	constructor(store, engine, openProject, toBlock, putAside) {
+		this.store = store;
+		this.engine = engine;
+		this.openProject = openProject;
+		this.toBlock = toBlock;
+		this.putAside = putAside;
+	}
+	begin() {
+		this.isReady = true;
+		this.started();
+	}
+	async take(files, side) {
+		if (files.length === 0) return;
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		const { images, masks, tables, cameras, projects } = sortFiles(files);
+		const [project] = projects;
+		if (project !== void 0) {
+			await this.openProject(project);
+			const others = files.filter((file) => !projects.includes(file));
+			if (others.length > 0) await this.take(others, side);
+			return;
+		}
+		if (images.length > 2) {
+			this.toBlock(files.filter((file) => !masks.includes(file)), masks);
+			return;
+		}
+		const told = [];
+		const camera = cameras[0];
+		if (camera !== void 0) told.push(await this.takeCamera(camera));
+		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
+		if (images.length > 0) told.push(...await this.takeImages(images, side));
+		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
+		this.tell(told);
+	}
+	async takeProject(file) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text: say("reading", { name: file.name })
+			}
+		});
+		try {
+			const opened = await readProject(this.engine, file, freshId);
+			const aside = await this.leave();
+			this.store.dispatch({
+				type: "opened",
+				opened
+			});
+			this.tell([
+				info(say("was-opened-the-file-does-not", { name: file.name })),
+				editsToldOf(opened),
+				aside
+			]);
+		} catch (error) {
+			this.tell([this.failed(say("cannot-be-opened", { name: file.name }), error)]);
+		}
+	}
+	async takeMask(file, side) {
+		this.tell([await this.readMask(file, side)]);
+	}
+	async readMask(file, side) {
+		const opened = this.store.state.images[side];
+		if (opened === null) return problem(say("is-a-mask-of-the", {
+			name: file.name,
+			side
+		}));
+		try {
+			const { info: photo } = await this.engine.open(side, opened);
+			const mask = await this.engine.client("pair").call("mask", {
+				file,
+				overlaySide: MASK_SIDE
+			});
+			if (mask.width !== photo.width || mask.height !== photo.height) return problem(say("has-px-the-image-px", {
+				name: file.name,
+				width: mask.width,
+				height: mask.height,
+				side,
+				width_2: photo.width,
+				height_2: photo.height
+			}));
+			this.store.dispatch({
+				type: "mask",
+				side,
+				mask: {
+					...mask,
+					id: freshId(),
+					name: file.name,
+					source: {
+						kind: "file",
+						file
+					}
+				}
+			});
+			return info(say("masks-of-the-image", {
+				name: file.name,
+				left_out: 100 * mask.leftOut,
+				side
+			}));
+		} catch (error) {
+			return this.failed(say("cannot-be-used-as-a", { name: file.name }), error);
+		}
+	}
+	async takeFlight(name, flight) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text: say("rendering-the-pair-a-simulated")
+			}
+		});
+		try {
+			const pair = await this.engine.client("pair").call("simulate", flight);
+			const given = (side) => ({
+				id: freshId(),
+				name: `${name} ${side}`,
+				source: {
+					kind: "grey",
+					...pair[side]
+				}
+			});
+			const aside = await this.leave();
+			this.store.dispatch({
+				type: "simulated",
+				left: given("left"),
+				right: given("right"),
+				pair
+			});
+			this.tell([aside]);
+		} catch (error) {
+			this.tell([this.failed(say("the-pair-could-not-be"), error)]);
+		}
+	}
+	async takeSample() {
+		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
+		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
+	}
+	tell(told) {
+		const said = told.filter((one) => one !== null);
+		const bad = said.some(({ kind }) => kind === "problem");
+		const { left, right } = this.store.state.images;
+		const kept = bad && (left !== null || right !== null) ? say("the-open-images-are-kept") : "";
+		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
+		this.store.dispatch({
+			type: "notice",
+			notice: said.length === 0 ? null : {
+				kind: bad ? "problem" : "info",
+				text
+			}
+		});
+	}
+	failed(what, error) {
+		if (error instanceof Cancelled) return info(say("cancelled-nothing-was-changed"));
+		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
+	}
+	sideOfTable(table, index) {
+		if (/right/iu.test(table.name)) return "right";
+		if (/left/iu.test(table.name)) return "left";
+		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
+	}
+	async takeFiducials(file, side) {
+		try {
+			const fiducials = await this.engine.client("pair").call("parseFiducials", { text: await file.text() });
+			this.store.dispatch({
+				type: "photo",
+				side,
+				photo: { fiducials }
+			});
+			return info(say("fiducial-of-the-image-from", {
+				fiducials: fiducials.length,
+				side,
+				name: file.name
+			}));
+		} catch (error) {
+			return this.failed(say("holds-no-fiducial-marks", { name: file.name }), error);
+		}
+	}
+	async takeCamera(file) {
+		try {
+			const camera = await this.engine.client("pair").call("parseCamera", { text: await file.text() });
+			this.store.dispatch({
+				type: "camera",
+				camera
+			});
+			return info(say("camera-data-from", { name: file.name }));
+		} catch (error) {
+			return this.failed(say("holds-no-camera-data", { name: file.name }), error);
+		}
+	}
+	async takeImages(files, side) {
+		const tooLarge = files.find((file) => file.size > MOST_BYTES);
+		if (tooLarge !== void 0) return [problem(say("has-mb-up-to-1", {
+			name: tooLarge.name,
+			size: Math.round(tooLarge.size / 2 ** 20)
+		}))];
+		const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
+		if (known.every((place) => place !== null)) return this.takeFound(files, known);
+		const sides = files.length === 2 ? ["left", "right"] : [side ?? this.freeSide()];
+		const images = {};
+		for (const [i, file] of files.entries()) {
+			const target = sides[i];
+			if (target !== void 0) images[target] = {
+				id: freshId(),
+				name: file.name,
+				source: {
+					kind: "file",
+					file
+				}
+			};
+		}
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text: say("reading-2", { join: files.map((file) => file.name).join(say("and-between")) })
+			}
+		});
+		return this.check(images);
+	}
+	async takeFound(files, sides) {
+		const images = {};
+		for (const [i, side] of sides.entries()) {
+			const [image, file] = [this.store.state.images[side], files[i]];
+			if (image !== null && file !== void 0) images[side] = {
+				...image,
+				source: {
+					kind: "file",
+					file
+				}
+			};
+		}
+		return this.check(images, "found");
+	}
+	async check(images, type = "images") {
+		const entries = Object.entries(images);
+		const told = (await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)))).flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? say("the-file"), outcome.reason)] : []);
+		if (told.length > 0) return told;
+		const aside = entries.length === 2 && type === "images" ? await this.leave() : null;
+		this.store.dispatch({
+			type,
+			images
+		});
+		return [aside];
+	}
+	async leave() {
+		if (!isWorthKeeping(this.store.state)) return null;
+		const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
+		return await this.putAside() ? info(say("stay-under-projects", { title_of: titleOf({
+			name: null,
+			images: names
+		}) })) : null;
+	}
+	failedImage(name, error) {
+		const breakdown = breakdownOf(error);
+		if (breakdown !== null) return problem(say("could-not-be-opened-try", {
+			name,
+			breakdown
+		}));
+		return this.failed(say("cannot-be-opened", { name }), error);
+	}
+	freeSide() {
+		const { images, activeSide } = this.store.state;
+		if (images.left === null) return "left";
+		return images.right === null ? "right" : activeSide;
+	}
+};
+function takerOf(view, files) {
+	const sideAt = (event) => {
+		const box = view.host.getBoundingClientRect();
+		const panes = panesOf(box.width, box.height);
+		return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
+	};
+	return {
+		isActive: () => true,
+		markAt: (event) => sideAt(event) ?? "page",
+		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null)
+	};
+}
+// www/pair/files/keep.ts
+var GIVEN = "pair";
+var RESULT = "pair/result";
+var FILE = "pair/file/";
+var SMALL = 4096;
+var QUIET_MS = 300;
+var WATCHED = [
+	"settings",
+	"camera",
+	"photos",
+	"fiducialModel",
+	"offset",
+	"images",
+	"masks",
+	"truth",
+	"flight",
+	"display",
+	"results",
+	"history",
+	"shelf",
+	"running",
+	"paused"
+];
+var KeptPairs = class {
+	store;
+	engine;
+	catalogue;
+	made = null;
+	making = false;
+	journal = new Journal();
+	timer;
+	changed = () => void 0;
+	constructor(store, engine, catalogue) {
+		this.store = store;
+		this.engine = engine;
+		this.catalogue = catalogue;
+	}
+	watch(changed) {
+		this.changed = changed;
+		this.store.watch(WATCHED, () => {
+			changed();
+			window.clearTimeout(this.timer);
+			this.timer = window.setTimeout(() => void this.make(), QUIET_MS);
+		});
+	}
+	images() {
+		const { images } = this.store.state;
+		return SIDES.flatMap((side) => images[side]?.name ?? []);
+	}
+	parts() {
+		const { state } = this.store;
+		const parts = new Map();
+		const given = isBlank(state) ? null : givenOf(state);
+		if (given === null) return parts;
+		parts.set(GIVEN, {
+			value: given,
+			bytes: SMALL
+		});
+		for (const [part, kept] of this.journal.parts(state)) parts.set(part, kept);
+		for (const given of [...Object.values(state.images), ...Object.values(state.masks)]) if (given !== null) parts.set(FILE + nameOf$1(given.source), {
+			value: given.source,
+			bytes: bytesOf$1(given.source),
+			alone: true
+		});
+		const places = state.truth?.rightPosition;
+		if (places !== void 0) parts.set(FILE + nameOf$1(places), {
+			value: places,
+			bytes: places.byteLength,
+			alone: true
+		});
+		if (this.made !== null && this.made.kept.of === filesOf$1(state)) {
+			const { kept } = this.made;
+			const { descriptorsLeft: left, descriptorsRight: right } = kept.beside;
+			const bytes = [left, right].reduce((sum, given) => sum + (given?.gradients.byteLength ?? 0) + (given?.moments.byteLength ?? 0), 0);
+			parts.set(RESULT, {
+				value: kept,
+				bytes: SMALL + kept.project.length + bytes
+			});
+		}
+		return parts;
+	}
+	async read(parts) {
+		const value = parts.get(GIVEN);
+		if (value === void 0) return () => void 0;
+		const kept = givenFrom(value, this.catalogue);
+		const { typed, display, flight, paused } = kept;
+		const images = bothSides((side) => orNull(kept.images[side], ({ name, file }) => ({
+			id: freshId(),
+			name,
+			source: sourceFrom(parts, file)
+		})));
+		const { history, shelf } = this.journal.read(parts);
+		const result = await this.result(parts, kept);
+		const masks = await this.masks(kept, parts, result?.masks ?? {
+			left: null,
+			right: null
+		});
+		const opened = { ...result?.standing };
+		await Promise.all(SIDES.map(async (side) => {
+			const image = images[side];
+			if (image !== null && image.source.kind !== "project") opened[side === "left" ? "openLeft" : "openRight"] = await this.engine.open(side, image);
+		}));
+		const truth = orNull(kept.truth, (known) => truthFrom(known, kept, parts, images));
+		return () => {
+			this.store.dispatch({
+				type: "restored",
+				restored: {
+					typed,
+					display,
+					flight,
+					paused,
+					images,
+					masks,
+					truth,
+					history,
+					shelf,
+					opened,
+					result
+				}
+			});
+			if (result !== null) this.made = {
+				kept: result.kept,
+				results: resultsOf(unedited(this.store.state))
+			};
+			const names = this.images();
+			if (names.length === 0) return;
+			const text = say("restored-from-this-browser-2", { title_of: titleOf({
+				name: null,
+				images: names
+			}) });
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "info",
+					text
+				}
+			});
+		};
+	}
+	clear() {
+		this.made = null;
+		if (Object.keys(this.store.state.running).length > 0) this.engine.cancel();
+		this.store.dispatch({ type: "cleared" });
+	}
+	async make() {
+		const { state } = this.store;
+		if (this.making || !isWhole(state)) return;
+		const results = resultsOf(state);
+		const typed = typedOf(state);
+		if (typed === null || this.made !== null && areSame(this.made.results, results)) return;
+		this.making = true;
+		try {
+			const project = await projectText(unedited(state), this.engine);
+			if (project !== null) this.made = {
+				results,
+				kept: {
+					project,
+					typed,
+					of: filesOf$1(state),
+					...besideOf(state)
+				}
+			};
+		} catch {}
+		this.making = false;
+		this.changed();
+		if (this.store.state !== state) this.make();
+	}
+	async masks({ masks }, parts, standing) {
+		const read = async (side) => {
+			const kept = masks[side];
+			if (kept === null) return null;
+			const source = sourceFrom(parts, kept.file);
+			if (source.kind !== "file") return orNull(standing[side], (mask) => ({
+				...mask,
+				source
+			}));
+			return {
+				...await this.engine.client("pair").call("mask", {
+					file: source.file,
+					overlaySide: MASK_SIDE
+				}),
+				id: freshId(),
+				name: kept.name,
+				source
+			};
+		};
+		const [left, right] = await Promise.all([read("left"), read("right")]);
+		return {
+			left,
+			right
+		};
+	}
+	async result(parts, { images, masks }) {
+		if (!parts.has(RESULT)) return null;
+		const value = objectOf(parts.get(RESULT), "result");
+		const kept = {
+			project: likeOf(value["project"], "", "result.project"),
+			typed: typedFrom(value["typed"], this.catalogue, "result.typed"),
+			of: likeOf(value["of"], "", "result.of"),
+			beside: objectOf(value["beside"], "result.beside"),
+			times: objectOf(value["times"], "result.times")
+		};
+		const opened = await readProject(this.engine, new Blob([kept.project]), freshId);
+		const files = [
+			images.left,
+			images.right,
+			masks.left,
+			masks.right
+		].map((given) => given?.file ?? null);
+		if (kept.of !== JSON.stringify(files)) return null;
+		return {
+			...kept,
+			kept: value,
+			project: opened.project,
+			estimated: opened.estimated,
+			masks: opened.masks,
+			standing: standingFor$1(opened)
+		};
+	}
+};
+function filesOf$1({ images, masks }) {
+	const files = [
+		images.left,
+		images.right,
+		masks.left,
+		masks.right
+	].map((given) => given === null ? null : nameOf$1(given.source));
+	return JSON.stringify(files);
+}
+function givenOf(state) {
+	const typed = typedOf(state);
+	const { settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth } = state;
+	return typed === null ? null : given(settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth);
+}
+var given = remember((settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth) => {
+	if (settings === null) return null;
+	const file = ({ id, name, source }) => ({
+		id,
+		name,
+		file: nameOf$1(source)
+	});
+	return {
+		typed: {
+			settings,
+			camera,
+			photos,
+			fiducialModel,
+			offset
+		},
+		display,
+		flight,
+		paused,
+		images: bothSides((side) => orNull(images[side], file)),
+		masks: bothSides((side) => orNull(masks[side], file)),
+		truth: orNull(truth, ({ rightPosition, ...known }) => ({
+			...known,
+			file: nameOf$1(rightPosition)
+		}))
+	};
+});
+function givenFrom(value, catalogue) {
+	const kept = objectOf(value, "pair");
+	const file = (one, name) => {
+		const { id, name: called, file: at } = objectOf(one, name);
+		return {
+			id: likeOf(id, 0, `${name}.id`),
+			name: likeOf(called, "", `${name}.name`),
+			file: likeOf(at, "", `${name}.file`)
+		};
+	};
+	const files = (name) => {
+		const sides = objectOf(kept[name], name);
+		return bothSides((side) => orNull(sides[side], (one) => file(one, `${name}.${side}`)));
+	};
+	return {
+		typed: typedFrom(kept["typed"], catalogue, "typed"),
+		display: fitted$1(kept["display"], INITIAL.display, "display"),
+		flight: orNull(kept["flight"], (flight) => fitted$1(flight, catalogue.flights[0]?.flight ?? {}, "flight")) ?? null,
+		paused: kept["paused"] === true,
+		images: files("images"),
+		masks: files("masks"),
+		truth: orNull(kept["truth"], (truth) => objectOf(truth, "truth")) ?? null
+	};
+}
+function typedFrom(value, { defaults }, name) {
+	const kept = objectOf(value, name);
+	const settings = fitted$1(kept["settings"], defaults, `${name}.settings`);
+	resolved(settings);
+	const camera = orNull(kept["camera"], (given) => objectOf(given, `${name}.camera`));
+	if (camera !== null) parse_camera(JSON.stringify(camera));
+	const pair = (given, at) => {
+		const [a, b] = listOf(given, at, (number, place) => likeOf(number, 0, place));
+		return [a ?? NaN, b ?? NaN];
+	};
+	const offset = orNull(kept["offset"], (given) => pair(given, `${name}.offset`));
+	if (offset !== null) constant_offset(...offset);
+	const photos = objectOf(kept["photos"], `${name}.photos`);
+	const photo = (side) => {
+		const at = `${name}.photos.${side}`;
+		const { fiducials, origin } = objectOf(photos[side], at);
+		return {
+			fiducials: listOf(fiducials, `${at}.fiducials`, (mark, place) => objectOf(mark, place)),
+			origin: orNull(origin, (given) => pair(given, `${at}.origin`))
+		};
+	};
+	const fiducialModel = likeOf(kept["fiducialModel"], "", `${name}.fiducialModel`);
+	return {
+		settings,
+		camera,
+		photos: bothSides(photo),
+		fiducialModel,
+		offset
+	};
+}
+function sourceFrom(parts, file) {
+	const source = objectOf(parts.get(FILE + file), `file ${file}`);
+	if (source.kind === "file" && !(source.file instanceof Blob)) throw new Error(say("an-image-is-damaged"));
+	nameOf$1(source, file);
+	return source;
+}
+function truthFrom(truth, kept, parts, images) {
+	const { file, ...known } = truth;
+	const rightPosition = parts.get(FILE + file);
+	if (!(rightPosition instanceof Float32Array)) throw new Error(say("the-truth-of-the-simulated"));
+	nameOf$1(rightPosition, file);
+	const idOf = (id) => {
+		const side = SIDES.find((one) => kept.images[one]?.id === id);
+		return (side === void 0 ? null : images[side]?.id) ?? NaN;
+	};
+	return {
+		...known,
+		rightPosition,
+		leftId: idOf(truth.leftId),
+		rightId: idOf(truth.rightId)
+	};
+}
+function bytesOf$1(source) {
+	switch (source.kind) {
+		case "file": return source.file.size;
+		case "grey": return source.grey.byteLength;
+		case "project": return 0;
+	}
+}
+// www/pair/files/painted.ts
+async function paintedMask(engine, state, side, corners, masked) {
+	try {
+		return await painted(engine, state, side, corners, masked);
+	} catch (error) {
+		if (error instanceof Cancelled) return null;
+		throw error;
+	}
+}
+async function painted(engine, { images, masks }, side, corners, masked) {
+	const image = images[side];
+	if (image === null) throw new Error(`there is no ${side} image`);
+	const { info } = await engine.open(side, image);
+	const { width, height } = info;
+	const outline = Float64Array.from(corners.flat());
+	const { png, ...mask } = await engine.client("preview").call("paintMask", {
+		grey: masks[side]?.grey ?? null,
+		width,
+		height,
+		outline,
+		masked,
+		overlaySide: MASK_SIDE
+	});
+	const name = `${image.name.replace(/\.[^.]+$/u, "")}-mask-${side}.png`;
+	return {
+		...mask,
+		id: freshId(),
+		name,
+		source: {
+			kind: "file",
+			file: new File([png], name, { type: "image/png" })
+		}
+	};
+}
+// www/pair/state/labels.ts
+var EDITED = {
+	rejected_by_hand: {
+		text: say("matched-then-rejected-by-hand"),
+		label: say("rejected-by-hand")
+	},
+	manual: {
+		text: say("measured-by-hand"),
+		label: say("measured-by-hand-2")
+	}
+};
+function textOfCode(code, part = "text") {
+	const name = CODES[code] ?? "undecided";
+	if (name === "rejected_by_hand" || name === "manual") return EDITED[name][part];
+	return message("verdict", name, part === "label" ? part : null);
+}
+// www/pair/panel/verdict.ts
+function verdictOf(state, shown, match) {
+	const { selection, settings } = state;
+	const leftIndex = leftIndexOf(state, match.best, match.rules);
+	if (selection === null || settings === null) return {
+		code: MATCHED,
+		text: ""
+	};
+	if (leftIndex < 0) return {
+		code: UNDECIDED,
+		text: comparesGreyValues(settings) ? say("no-left-point-was-matched") : say("no-left-point-has-this")
+	};
+	const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
+	const own = selection.side === "left" ? code : rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED;
+	return {
+		code,
+		text: `${selection.side === "right" && own === UNDECIDED ? `${say("candidate-of", { point: leftIndex + 1 })} ` : ""}${textOfCode(code)} ${numbers(CODES[code] ?? "undecided", leftIndex, match, settings)}`.trimEnd()
+	};
+}
+function numbers(code, index, match, settings) {
+	const { matching } = settings;
+	const gradients = comparesGradients(settings);
+	const byGrey = comparesGreyValues(settings);
+	const largest = resolved(settings).matching.ambiguity ?? 1;
+	const best = match.measures[2 * index] ?? Infinity;
+	const second = match.measures[2 * index + 1] ?? Infinity;
+	const compared = {
+		best,
+		second,
+		ratio: best / second,
+		correlation: 1 - best,
+		largest
+	};
+	switch (code) {
+		case "matched":
+		case "gross_error":
+			if (!Number.isFinite(best)) return "";
+			if (gradients) return say(agreeing(best, second, largest), compared);
+			return byGrey ? say("correlation", compared) : say("good-measure", {
+				...compared,
+				most: matching.max_measure
+			});
+		case "threshold":
+			if (!Number.isFinite(best)) return "";
+			return byGrey ? say("low-correlation", {
+				...compared,
+				least: matching.min_correlation
+			}) : say("large-measure", {
+				...compared,
+				most: matching.max_measure
+			});
+		case "ambiguous": return say("ambiguous", compared);
+		case "parallax": return gradients ? outOfGeometry(match, compared) : say("parallax", { tolerance: matching.parallax_tolerance });
+		case "border":
+		case "left_right":
+			if (byGrey && Number.isFinite(best)) return say("correlation", compared);
+			return gradients ? say("distance", compared) : "";
+		case "imprecise": return say("imprecise", { most: matching.max_standard_error });
+		default: return "";
+	}
+}
+function agreeing(best, second, largest) {
+	if (!Number.isFinite(second)) return "only-candidate";
+	return best > largest * second ? "agreeing-candidate" : "clear-candidate";
+}
+function outOfGeometry({ geometry, no_geometry }, compared) {
+	if (geometry === null) return say("no-geometry", {
+		...compared,
+		no_geometry: no_geometry === null ? null : message("no_geometry", no_geometry)
+	});
+	const off = "fundamental" in geometry.model ? "off-line" : "off-place";
+	return say(off, {
+		...compared,
+		threshold_px: geometry.threshold_px
+	});
+}
+// www/pair/panel/announce.ts
+function mountAnnouncements(host, store, details) {
+	const keys = byId("keys");
+	const text = h("span", {});
+	fill(host, text, " ", button(say("details"), "selected-details", details));
+	store.watch(["selection"], ([selection]) => {
+		const { state } = store;
+		host.hidden = selection === null;
+		keys.hidden = selection !== null;
+		if (selection === null) {
+			text.textContent = "";
+			return;
+		}
+		const shown = shownPair(state);
+		const points = shown[selection.side];
+		const codes = selection.side === "left" ? leftCodes(shown.left, shown.match, shown.orientation) : rightCodes(shown.right, shown.match, shown.orientation);
+		const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
+		const label = textOfCode(codes[selection.index] ?? UNDECIDED, "label");
+		const why = shown.match === null ? "" : verdictOf(state, shown, shown.match).text;
+		text.textContent = say("point-at", {
+			side: selection.side,
+			index: selection.index + 1,
+			x,
+			y,
+			what: why === "" ? say("n--4", { label }) : why
+		});
+	});
+}
+// www/pair/state/calibration.ts
+function labelOf({ camera, width, height }) {
+	if (camera === null || camera.origin === "panorama" || (camera.cautions ?? []).length > 0) return null;
+	return camera.make === null && camera.model === null ? null : camera_label(camera, width, height);
+}
+var labels = {
+	left: remember(labelOf),
+	right: remember(labelOf)
+};
+function named(state, side) {
+	const stage = side === "left" ? "openLeft" : "openRight";
+	const opened = state.results[stage];
+	return opened === void 0 || !isCurrent(state, stage) ? void 0 : labels[side](opened.value.info);
+}
+function offeredCalibration(state) {
+	const { camera, images, photos, results } = state;
+	if (camera !== null || SIDES.some((side) => images[side]?.source.kind !== "file" || photos[side].fiducials.length > 0)) return null;
+	const label = named(state, "left");
+	if (label == null || label !== named(state, "right")) return null;
+	return calibrationOf(label, results.openLeft?.value.info.camera?.lens ?? {});
+}
+function isOfOthers(state) {
+	if (state.camera === null) return false;
+	const behind = calibrationBehind(state.camera);
+	if (behind === null) return false;
+	return SIDES.some((side) => {
+		const name = state.images[side]?.source.kind === "file" ? named(state, side) : void 0;
+		return name !== void 0 && name !== behind.label;
+	});
+}
+// www/pair/panel/calibration.ts
+var DAY = new Intl.DateTimeFormat(LANGUAGE === "en" ? "en-GB" : `${LANGUAGE}-u-nu-latn`, { dateStyle: "medium" });
+function useCalibration(store) {
+	const offered = offeredCalibration(store.state);
+	if (offered !== null) store.dispatch({
+		type: "camera",
+		camera: cameraOfPair(offered)
+	});
+}
+function calibrationGroup(store) {
+	const text = h("p", {
+		class: "note",
+		testid: "calibration"
+	});
+	const use = button(say("use-the-calibrated-camera"), "use-calibration", () => useCalibration(store));
+	const forget = button(say("forget-this-calibration"), "forget-calibration", () => {
+		const offered = offeredCalibration(store.state);
+		if (offered === null) return;
+		forgetCalibration(offered.label);
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("the-calibration-is-forgotten")
+			}
+		});
+	});
+	const group = h("div", {}, text, h("div", { class: "buttons" }, use, forget));
+	store.watch((state) => [offeredCalibration(state)], ([offered]) => {
+		group.hidden = offered === null;
+		if (offered === null) return;
+		const { camera, focalErrorPx: error, images, at } = offered;
+		fill(text, say("a-block-calibrated-such-a-camera", {
+			images,
+			focal: camera.focal_px,
+			error,
+			day: DAY.format(at)
+		}));
+	});
+	store.watch((state) => [isOfOthers(state)], ([others]) => {
+		if (!others) return;
+		store.dispatch({
+			type: "camera",
+			camera: null
+		});
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("the-calibrated-camera-is-not")
+			}
+		});
+	});
+	return group;
+}
+// www/pair/engine/checks.ts
+function refusalOf(call) {
+	try {
+		call();
+		return null;
+	} catch (error) {
+		if (error instanceof Error && "code" in error) return error;
+		throw error;
+	}
+}
+function optionOf(refusal) {
+	const error = "error" in refusal ? refusal.error : null;
+	return error?.kind === "invalid-option" ? error : null;
+}
+function allowedInstead(call) {
+	const refusal = refusalOf(call);
+	if (refusal === null) return null;
+	const option = optionOf(refusal);
+	return option === null ? messageOf(refusal) : message("allowed", option.allowed);
+}
+function allowedOfCamera(part) {
+	return allowedInstead(() => parse_camera(JSON.stringify({
+		focal_mm: 1,
+		...part
+	})));
+}
+function allowedOfOffset(dx, dy) {
+	return allowedInstead(() => constant_offset(dx, dy));
+}
+var MARKS = [
+	[0, 0],
+	[1, 0],
+	[0, 1]
+].map(([col = 0, row = 0]) => ({
+	col,
+	row,
+	x_mm: col,
+	y_mm: -row
+}));
+function allowedOfOrigin(col, row) {
+	return allowedInstead(() => interior$1({ focal_mm: 1 }, {
+		width: 1,
+		height: 1,
+		fiducials: MARKS,
+		origin: [col, row]
+	}));
+}
+function problemOfFlight(flight) {
+	const refusal = refusalOf(() => check_flight(flight));
+	return refusal === null ? null : {
+		field: optionOf(refusal)?.field ?? null,
+		text: messageOf(refusal)
+	};
+}
+// www/pair/panel/camera.ts
+var NUMBERS = [
+	{
+		label: say("focal-length"),
+		unit: "mm",
+		testid: "camera-focal",
+		of: (c) => c.focal_mm,
+		alone: (v) => ({ focal_mm: v })
+	},
+	{
+		label: say("pixel-size"),
+		unit: "mm",
+		testid: "camera-pixel",
+		of: (c) => c.pixel_mm,
+		alone: (v) => ({ pixel_mm: v })
+	},
+	{
+		label: say("principal-pt-x"),
+		unit: "mm",
+		testid: "camera-x0",
+		of: (c) => c.principal_point_mm?.[0],
+		alone: (v) => ({ principal_point_mm: [v, 0] })
+	},
+	{
+		label: say("principal-pt-y"),
+		unit: "mm",
+		testid: "camera-y0",
+		of: (c) => c.principal_point_mm?.[1],
+		alone: (v) => ({ principal_point_mm: [0, v] })
+	},
+	{
+		label: "k1",
+		unit: "mm⁻²",
+		testid: "camera-k1",
+		of: (c) => c.radial_distortion?.[0],
+		alone: (v) => ({ radial_distortion: [
+			v,
+			0,
+			0
+		] })
+	},
+	{
+		label: "k2",
+		unit: "mm⁻⁴",
+		testid: "camera-k2",
+		of: (c) => c.radial_distortion?.[1],
+		alone: (v) => ({ radial_distortion: [
+			0,
+			v,
+			0
+		] })
+	},
+	{
+		label: "k3",
+		unit: "mm⁻⁶",
+		testid: "camera-k3",
+		of: (c) => c.radial_distortion?.[2],
+		alone: (v) => ({ radial_distortion: [
+			0,
+			0,
+			v
+		] })
+	},
+	{
+		label: "p1",
+		unit: "mm⁻¹",
+		testid: "camera-p1",
+		of: (c) => c.tangential_distortion?.[0],
+		alone: (v) => ({ tangential_distortion: [v, 0] })
+	},
+	{
+		label: "p2",
+		unit: "mm⁻¹",
+		testid: "camera-p2",
+		of: (c) => c.tangential_distortion?.[1],
+		alone: (v) => ({ tangential_distortion: [0, v] })
+	}
+];
+function cameraOf(numbers, last) {
+	const [focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0] = numbers;
+	if (focal === void 0) return null;
+	const lens = {
+		radial_distortion: [
+			k1,
+			k2,
+			k3
+		],
+		tangential_distortion: [p1, p2]
+	};
+	const uncertain = last?.uncertainty === void 0 ? {} : { uncertainty: last.uncertainty };
+	return {
+		focal_mm: focal,
+		principal_point_mm: [x0, y0],
+		...pixel === void 0 ? {} : { pixel_mm: pixel },
+		...lens,
+		...uncertain
+	};
+}
+var IN_TEXT = [
+	"openLeft",
+	"openRight",
+	"interiorLeft",
+	"interiorRight",
+	"match",
+	"orientation"
+];
+function mountCamera(host, store, loadFile) {
+	const change = () => {
+		const last = store.state.camera;
+		const camera = cameraOf(fields.map((field, i) => {
+			const number = NUMBERS[i];
+			return number === void 0 ? void 0 : readNumber(field, (value) => allowedOfCamera(number.alone(value)), (last === null ? null : number.of(last)) ?? void 0);
+		}), last);
+		if (!NUMBERS.every(({ of }) => (camera === null ? null : of(camera) ?? null) === (last === null ? null : of(last) ?? null))) store.dispatch({
+			type: "camera",
+			camera
+		});
+		store.dispatch({
+			type: "refused",
+			part: "camera",
+			label: firstRefused(fields.map(({ input }, i) => [NUMBERS[i]?.label ?? "", input]))
+		});
+	};
+	const fields = NUMBERS.map(({ label, unit, testid }) => numberField(label, unit, testid, change));
+	const source = h("p", {
+		class: "note",
+		testid: "camera-source"
+	});
+	const load = button(say("load-camera-json"), "load-camera", loadFile);
+	const clear = button(say("clear"), "clear-camera", () => store.dispatch({
+		type: "camera",
+		camera: null
+	}));
+	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("camera")), source, calibrationGroup(store), h("div", { class: "pairs" }, ...fields.map(({ element }) => element)), h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
+	store.watch(["camera"], ([camera]) => {
+		fields.forEach((field, i) => {
+			showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera));
+		});
+		clear.disabled = camera === null;
+	});
+	store.watch((s) => [
+		s.camera,
+		s.photos,
+		s.truth,
+		isCurrent(s, "orientation"),
+		...IN_TEXT.map((stage) => s.results[stage])
+	], () => fill(source, sourceText(store.state)));
+}
+function exifText(name, exif) {
+	if (exif.origin === "panorama") return (exif.cautions ?? []).map((caution) => say("the-image-is", {
+		name,
+		message: message("camera_caution", caution)
+	})).join(" ");
+	const camera = [exif.make != null && exif.model?.startsWith(exif.make) === true ? null : exif.make, exif.model].filter((part) => part != null).join(" ");
+	const pixel = exif.pixel_mm == null ? say("no-pixel-size") : say("pixel-mm", { pixel_mm: significant(exif.pixel_mm) });
+	const cautions = (exif.cautions ?? []).map((caution) => say("caution", { message: message("camera_caution", caution) })).join("");
+	return say("f-mm", {
+		message: message("camera_origin", exif.origin ?? "exif_focal_plane"),
+		name,
+		what: camera === "" ? say("camera-not-named") : camera,
+		focal_mm: significant(exif.focal_mm),
+		pixel,
+		cautions
+	});
+}
+function sourceText(state) {
+	const exif = [["left", state.results.openLeft], ["right", state.results.openRight]].map(([name, opened]) => opened?.value.info.camera == null ? "" : exifText(name, opened.value.info.camera)).filter((text) => text !== "").join(" ");
+	const used = pairCameras(state);
+	const told = estimatedText(state);
+	if (state.camera !== null) return say("in-use-the-values-below", {
+		what: state.truth === null ? "" : say("they-came-with-the-sample"),
+		told,
+		exif
+	});
+	if (!("missing" in used)) return say("in-use-the-photos-own", {
+		told,
+		exif
+	});
+	if (used.missing.kind !== "panorama" && state.results.match?.value.estimated != null) return say("no-camera-is-known-that", {
+		told,
+		exif
+	});
+	return say("orientation-needs-a-focal-length", { exif });
+}
+function estimatedText(state) {
+	if (!isCurrent(state, "orientation")) return "";
+	const camera = state.results.orientation?.value.cameras?.[0];
+	const interior = interiorInUse(state)?.left;
+	if (camera == null || interior === void 0) return "";
+	const [focal, error] = [camera.focal_mm, camera.focal_standard_error_mm].map((v) => v / pixelMm(interior));
+	return say("focal-length-px", {
+		focal: focal ?? NaN,
+		error: error ?? NaN
+	});
+}
+function offsetGroup(store) {
+	const change = () => {
+		const offset = readPair([dx.input, dy.input], problem, allowedOfOffset);
+		if (offset !== void 0) store.dispatch({
+			type: "offset",
+			offset
+		});
+		store.dispatch({
+			type: "refused",
+			part: "offset",
+			label: firstRefused([[say("offset-dx"), dx.input], [say("offset-dy"), dy.input]])
+		});
+	};
+	const problem = problemLine("offset");
+	const dx = numberField("dx", "px", "offset-dx", change, problem);
+	const dy = numberField("dy", "px", "offset-dy", change, problem);
+	const found = h("p", {
+		class: "note",
+		testid: "offset-found"
+	});
+	store.watch(["offset"], ([offset]) => {
+		showNumber(dx, offset?.[0]);
+		showNumber(dy, offset?.[1]);
+	});
+	store.watch((s) => [
+		s.results.offset,
+		s.offset,
+		s.settings
+	], ([result, given, settings]) => {
+		if (settings !== null && comparesGradients(settings)) {
+			fill(found, say("matching-by-gradients-searches-the"));
+			return;
+		}
+		if (given !== null || result === void 0) {
+			fill(found, given !== null ? say("given-clear-both-fields-to") : say("right-minus-left-position-empty"));
+			return;
+		}
+		const [mx, my] = result.value.median_px;
+		const correlation = result.value.correlation;
+		fill(found, say("estimated-median-px", {
+			mx: significant(mx),
+			my: significant(my),
+			what: correlation == null ? "" : say("correlation-2", { correlation }),
+			what_2: correlation != null && correlation < .5 ? say("low-do-the-images-overlap") : ""
+		}));
+	});
+	return h("fieldset", { class: "group" }, h("legend", {}, say("offset-of-the-right-image")), found, h("div", { class: "pairs" }, dx.element, dy.element), problem);
+}
+// www/pair/panel/presets.ts
+var TEXTS = {
+	defaults: "preset-defaults",
+	"many-points": "preset-many-points",
+	"little-in-common": "preset-little-in-common",
+	"zahran-2007": "preset-zahran-2007"
+};
+var OWN = "own";
+function makePresets(presets, take) {
+	let offered = new Map();
+	const names = ["defaults", ...presets.map(({ name }) => name)];
+	const help = h("p", {
+		class: "help",
+		id: "preset-help",
+		testid: "preset-help"
+	});
+	const select = h("select", {
+		id: "preset",
+		testid: "preset",
+		aria: { describedby: help.id }
+	});
+	const own = new Option(say("preset-own"), OWN);
+	own.hidden = true;
+	own.disabled = true;
+	select.append(...names.map((name) => new Option(say(TEXTS[name]), name)), own);
+	select.addEventListener("change", () => {
+		const chosen = offered.get(select.value);
+		if (chosen !== void 0) take(chosen);
+	});
+	const show = (settings, standard) => {
+		const { base_mm } = standard.orientation;
+		const ready = presets.map(({ name, settings: of }) => [name, {
+			...of,
+			orientation: {
+				...of.orientation,
+				base_mm
+			}
+		}]);
+		offered = new Map([["defaults", standard], ...ready]);
+		const now = JSON.stringify(settings);
+		const found = names.find((name) => JSON.stringify(offered.get(name)) === now);
+		select.value = found ?? OWN;
+		fill(help, found === void 0 ? "" : known$1(TEXTS[found], "help") ?? "");
+	};
+	return {
+		element: h("div", { class: "control" }, h("div", { class: "control-head" }, h("label", { for: "preset" }, say("ready-made-settings"))), select, help),
+		show
+	};
+}
+// www/pair/panel/controls.ts
+function mountControls(host, store, opener) {
+	store.watch(["catalogue"], ([catalogue]) => {
+		if (catalogue !== null) whenQuiet(() => show(catalogue));
+	});
+	function show(catalogue) {
+		let acts = resolved(catalogue.defaults);
+		const { elements, show: showValues } = makeFolded(catalogue.parameters, {
+			change: (key, value) => change(store, key, value),
+			defaults: () => standardOf(store.state, catalogue),
+			resolved: () => acts,
+			refused: (label) => store.dispatch({
+				type: "refused",
+				part: "settings",
+				label
+			})
+		}, {
+			title: say("method"),
+			first: ["matching.strategy", "matching.refine"],
+			of: "pair",
+			take: (settings) => store.dispatch({
+				type: "settings",
+				settings
+			}),
+			changed: (count) => fill(opener, settingsText(count))
+		});
+		const presets = makePresets(catalogue.presets, (settings) => store.dispatch({
+			type: "settings",
+			settings
+		}));
+		fill(host, presets.element, ...elements);
+		store.watch(["settings", "truth"], ([settings]) => {
+			if (settings === null) return;
+			acts = resolved(settings);
+			showValues(settings, acting_parameters(settings));
+			presets.show(settings, standardOf(store.state, catalogue));
+		});
+	}
+}
+var EXCLUSIVE = {
+	"points.threshold": "points.fraction",
+	"points.fraction": "points.threshold"
+};
+function change(store, key, value) {
+	const { settings } = store.state;
+	if (settings === null) return;
+	const other = value === null ? void 0 : EXCLUSIVE[key];
+	const free = other === void 0 ? settings : withSetting(settings, other, null);
+	store.dispatch({
+		type: "settings",
+		settings: withSetting(free, key, value)
+	});
+}
+function standardOf({ truth }, { defaults }) {
+	return truth === null ? defaults : {
+		...defaults,
+		orientation: {
+			...defaults.orientation,
+			base_mm: truth.baseMm === 0 ? null : truth.baseMm
+		}
+	};
+}
+// www/pair/state/paper.ts
+function hasPaperCamera(state) {
+	const paper = state.catalogue?.flights.find(({ name }) => name === "paper");
+	const cameras = pairCameras(state);
+	return paper !== void 0 && !("missing" in cameras) && cameras.left.focal_mm === paper.flight.focal_mm;
+}
+// www/pair/state/display.ts
+var MATCHES = [
+	MATCHED,
+	MANUAL,
+	BY_HAND
+];
+function isCodeShown({ points, hidden }, code) {
+	if (hidden.includes(code)) return false;
+	return points === "all" || points === "matched" && MATCHES.includes(code);
+}
+var REJECTED = [
+	...REFUSALS.map(codeOf),
+	GROSS_ERROR,
+	UNDECIDED
+];
+function withCode(display, code, on) {
+	const { points } = display;
+	const others = (points === "all" ? display.hidden : [...points === "none" ? MATCHES : display.hidden, ...REJECTED]).filter((other) => other !== code);
+	return {
+		points: on ? "all" : points,
+		hidden: on ? others : [...display.hidden.filter((other) => other !== code), code]
+	};
+}
+// www/pair/view/palette.ts
+var STYLE_OF = {
+	matched: ACCEPTED,
+	no_descriptor: {
+		colour: "#b0b0b0",
+		shape: SHAPES.dot
+	},
+	no_candidate: {
+		colour: "#ffffff",
+		shape: SHAPES.plus
+	},
+	threshold: {
+		colour: "#e69f00",
+		shape: SHAPES.triangleUp
+	},
+	ambiguous: {
+		colour: "#cc79a7",
+		shape: SHAPES.square
+	},
+	many_to_one: {
+		colour: "#f0e442",
+		shape: SHAPES.cross
+	},
+	parallax: {
+		colour: "#0a84d6",
+		shape: SHAPES.triangleDown
+	},
+	border: {
+		colour: "#e69f00",
+		shape: SHAPES.square
+	},
+	left_right: {
+		colour: "#cc79a7",
+		shape: SHAPES.cross
+	},
+	not_converged: {
+		colour: "#56b4e9",
+		shape: SHAPES.diamond
+	},
+	imprecise: {
+		colour: "#f0e442",
+		shape: SHAPES.triangleUp
+	},
+	frame: {
+		colour: "#b0b0b0",
+		shape: SHAPES.square
+	},
+	gross_error: REJECTED$1,
+	undecided: {
+		colour: "#56b4e9",
+		shape: SHAPES.plus
+	},
+	rejected_by_hand: REJECTED_BY_HAND,
+	manual: MEASURED
+};
+var STYLES = CODES.map((name) => STYLE_OF[name]);
+function styleOf(code) {
+	const style = STYLES[code];
+	if (style === void 0) throw new Error(`no style for code ${String(code)}`);
+	return style;
+}
+var DRAWN = [
+	UNDECIDED,
+	...REFUSALS.map(codeOf),
+	BY_HAND,
+	GROSS_ERROR,
+	MATCHED,
+	MANUAL
+];
+var LINE = "rgb(0 222 160 / 0.5)";
+var LINE_REJECTED = "rgb(255 110 20 / 0.85)";
+// www/pair/panel/swatch.ts
+var OUTLINES = {
+	[SHAPES.dot]: "M6 6h4v4h-4z",
+	[SHAPES.circle]: "M12 8a4 4 0 1 0-8 0a4 4 0 1 0 8 0z",
+	[SHAPES.plus]: "M8 4v8M4 8h8",
+	[SHAPES.cross]: "M4.5 4.5l7 7M11.5 4.5l-7 7",
+	[SHAPES.square]: "M4.5 4.5h7v7h-7z",
+	[SHAPES.triangleUp]: "M8 4l4 7h-8z",
+	[SHAPES.triangleDown]: "M8 12l4-7h-8z",
+	[SHAPES.diamond]: "M8 3.5l4.5 4.5l-4.5 4.5l-4.5-4.5z"
+};
+function swatch(code) {
+	const style = styleOf(code);
+	return svg("svg", {
+		viewBox: "0 0 16 16",
+		width: 16,
+		height: 16,
+		class: "swatch",
+		"aria-hidden": "true"
+	}, svg("rect", {
+		width: 16,
+		height: 16,
+		rx: 3,
+		fill: "#3a3f44"
+	}), svg("path", {
+		d: OUTLINES[style.shape] ?? "",
+		fill: style.shape === SHAPES.dot ? style.colour : "none",
+		stroke: style.colour,
+		"stroke-width": 1.6
+	}));
+}
+// www/pair/panel/counts.ts
+var PAPER = {
+	candidates: 0,
+	after_roundness: null,
+	after_suppression: 1
+};
+var PAPER_MATCHES = 2;
+var PHASES = [
+	["candidates", say("operator")],
+	["after_roundness", say("roundness")],
+	["after_suppression", say("suppression")]
+];
+function countsAsPaper({ settings }) {
+	return settings !== null && comparesMoments(settings) && resolved(settings).points.operator === resolved({ matching: { strategy: "moments" } }).points.operator;
+}
+var RARE = new Set([
+	"border",
+	"left_right",
+	"not_converged",
+	"imprecise",
+	"frame"
+]);
+function mountCounts(host, store) {
+	const phases = h("div", {});
+	const rules = h("div", {});
+	const points = section(say("points"), "counts-section", phases);
+	const matches = section(say("matches-2"), "matches-section", rules);
+	host.append(points, matches);
+	store.watch((s) => [
+		s.results,
+		s.history,
+		s.settings,
+		s.images,
+		s.display,
+		s.camera,
+		s.photos,
+		s.offset,
+		s.fiducialModel,
+		s.failures
+	], whenInSight(host, () => {
+		const { state } = store;
+		points.classList.toggle("is-stale", pointsAreStale(state));
+		matches.classList.toggle("is-stale", isStale(state, "match"));
+		fill(phases, phaseTable(state));
+		fill(rules, ruleTable(state, store), scoreLines(state));
+	}));
+}
+function pointsAreStale(state) {
+	return isStale(state, "pointsLeft") || isStale(state, "pointsRight");
+}
+function cell(testid, text) {
+	return h("td", {
+		testid,
+		class: "number"
+	}, text);
+}
+function phaseTable(state) {
+	const left = state.results.pointsLeft?.value;
+	const right = state.results.pointsRight?.value;
+	const matches = matchOf(state)?.counts.matches;
+	const printed = hasPaperCamera(state) && countsAsPaper(state) ? state.catalogue?.paper : void 0;
+	const paper = (text) => printed === void 0 ? [] : [h("td", { class: "number paper" }, text(printed))];
+	const counted = (place) => paper(({ points }) => place === null ? "–" : points[place].map(count).join(" / "));
+	const body = PHASES.map(([field, label]) => row(label, cell(`count-left-${field}`, count(left?.counts[field])), cell(`count-right-${field}`, count(right?.counts[field])), ...counted(PAPER[field])));
+	const threshold = (value) => value === void 0 ? "–" : significant(value);
+	return h("table", { aria: { label: say("points-after-each-phase") } }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("phase")), h("th", { scope: "col" }, say("left")), h("th", { scope: "col" }, say("right")), printed !== void 0 ? h("th", {
+		scope: "col",
+		class: "paper",
+		title: say("the-papers-table-1-for")
+	}, say("paper-l-r")) : null)), h("tbody", {}, ...body, markStale(row(say("matching"), cell("count-left-matches", count(matches)), cell("count-right-matches", count(matches)), ...counted(PAPER_MATCHES)), isStale(state, "match") && !pointsAreStale(state)), row(say("threshold"), cell("threshold-left", threshold(left?.threshold)), cell("threshold-right", threshold(right?.threshold)), ...paper((of) => [of.threshold, of.threshold].map(count).join(" / ")))));
+}
+function matchOf(state) {
+	return editedPair(state)?.match ?? state.results.match?.value;
+}
+function ruleTable(state, store) {
+	const result = matchOf(state);
+	const total = result?.rules.length ?? 0;
+	const shareOf = (all) => (n) => n === void 0 || all === void 0 || all === 0 ? "–" : percent(n / all);
+	const share = shareOf(total);
+	const ofThese = shareOf(result?.counts.matches);
+	const refused = REFUSALS.filter((rule) => !RARE.has(rule) || (result?.counts[rule] ?? 0) > 0).map((rule) => ruleRow(codeOf(rule), `refused-${rule}`, result?.counts[rule], share, state, store));
+	const gross = shownPair(state).orientation?.rejected.length;
+	return h("table", { aria: { label: say("what-became-of-the-left") } }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("left-points")), h("th", { scope: "col" }, say("number")), h("th", { scope: "col" }, say("share")), h("th", { scope: "col" }, say("show")))), h("tbody", {}, ruleRow(MATCHED, "count-matches", result?.counts.matches, share, state, store), markStale(ruleRow(GROSS_ERROR, "count-gross-errors", gross, ofThese, state, store, say("of-these-gross-errors")), gross !== void 0 && isStale(state, "orientation") && !isStale(state, "match")), ...byHand(result).map(([code, testid, value, label]) => ruleRow(code, testid, value, code === MANUAL ? ofThese : share, state, store, label)), h("tr", { class: "subhead" }, h("th", {
+		scope: "rowgroup",
+		colspan: 4
+	}, say("rejected-by"))), ...refused));
+}
+function byHand(result) {
+	if (result === void 0) return [];
+	const { rejected, manual } = countsByHand(result);
+	return [[
+		MANUAL,
+		"count-manual",
+		manual,
+		say("of-these-measured-by-hand")
+	], [
+		BY_HAND,
+		"count-rejected-by-hand",
+		rejected
+	]].filter(([, , value]) => value > 0);
+}
+function ruleRow(code, testid, value, share, state, store, label) {
+	const own = textOfCode(code, "label");
+	const toggle = h("input", {
+		type: "checkbox",
+		testid: `show-${String(code)}`,
+		aria: { label: say("show-2", { own }) }
+	});
+	toggle.checked = isCodeShown(state.display, code);
+	toggle.addEventListener("change", () => {
+		store.dispatch({
+			type: "display",
+			display: withCode(store.state.display, code, toggle.checked)
+		});
+		document.querySelector(`[data-testid="show-${String(code)}"]`)?.focus();
+	});
+	const name = h("span", { title: textOfCode(code) }, label ?? own);
+	return row(h("span", { class: "legend" }, swatch(code), name), cell(testid, count(value)), h("td", { class: "number" }, share(value)), h("td", { class: "centre" }, toggle));
+}
+function scoreLines(state) {
+	const score = state.results.score?.value;
+	const { match } = shownPair(state);
+	if (score === void 0 || match === null || !isCurrent(state, "score") || score.matches === 0) return null;
+	const line = (name, testid, value, of, title) => h("tr", { title }, h("th", { scope: "row" }, name), cell(testid, count(value)), h("td", { class: "number" }, of));
+	const share = (value) => percent(value / score.matches);
+	return h("table", {
+		testid: "score",
+		aria: { label: say("matches-against-the-truth") }
+	}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("against-the-truth")), h("th", { scope: "col" }, say("number")), h("th", { scope: "col" }, say("share")))), h("tbody", {}, line(say("right-matches"), "score-right", score.right, share(score.right), say("within-1-5-px-of")), line(say("strictly-right"), "score-strict", score.strict, share(score.strict), say("within-1-5-px-of-where")), line(say("missed"), "score-missed", score.missed, "", say("left-points-that-are-visible"))));
+}
+function summary(state) {
+	const shown = shownPair(state);
+	if (shown.match === null) return "";
+	const codes = leftCodes(shown.left, shown.match, shown.orientation);
+	return say("matched", {
+		matches: shown.match.counts.matches,
+		points: codes.length
+	});
+}
+// www/pair/state/draft.ts
+function nearest({ match }, side, [x, y]) {
+	const first = side === "left" ? 0 : 2;
+	const rows = Array.from({ length: match.matches.length / 5 }, (_, row) => {
+		const [u = NaN, v = NaN] = match.matches.subarray(5 * row + first, 5 * row + first + 2);
+		return {
+			row,
+			distance: (u - x) ** 2 + (v - y) ** 2
+		};
+	});
+	rows.sort((a, b) => a.distance - b.distance);
+	return rows.slice(0, 12).map(({ row }) => {
+		const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = match.matches.subarray(5 * row, 5 * row + 4);
+		return side === "left" ? [
+			xl,
+			yl,
+			xr,
+			yr
+		] : [
+			xr,
+			yr,
+			xl,
+			yl
+		];
+	});
+}
+function byNeighbours(edited, side, at) {
+	return movedWith(nearest(edited, side, at), at);
+}
+var predicted = remember((edited, draft, line) => {
+	const place = draft.places[otherSide(draft.side)];
+	if (place === null) return null;
+	const known = [place[0], place[1]];
+	const around = byNeighbours(edited, otherSide(draft.side), known);
+	return around === null || line?.side !== draft.side ? around : onLine(line.positions, around);
+});
+function expectedPlace(state) {
+	const edited = editedPair(state);
+	if (edited === null || state.draft === null) return null;
+	return predicted(edited, state.draft, lineOfDraft(state));
+}
+function lineOfDraft(state) {
+	return state.draft !== null && isCurrent(state, "line") ? state.results.line?.value ?? null : null;
+}
+function placeOfDraft(state, side) {
+	const { draft } = state;
+	if (draft === null) return null;
+	const own = draft.places[side];
+	if (own !== null) return [own[0], own[1]];
+	return side === draft.side ? expectedPlace(state) : null;
+}
+function sizeOf({ results }, side) {
+	return results[side === "left" ? "openLeft" : "openRight"]?.value.info ?? null;
+}
+function placed(state, draft, side, [x, y]) {
+	const { width, height } = sizeOf(state, side) ?? {
+		width: Infinity,
+		height: Infinity
+	};
+	const at = [roundedPx(Math.min(width, Math.max(0, x))), roundedPx(Math.min(height, Math.max(0, y)))];
+	return {
+		...draft,
+		places: {
+			...draft.places,
+			[side]: at
+		}
+	};
+}
+function begun(state, side, at) {
+	return {
+		...placed(state, {
+			of: null,
+			places: {
+				left: null,
+				right: null
+			},
+			side
+		}, side, at),
+		side: otherSide(side)
+	};
+}
+function moving(state) {
+	const edited = editedPair(state);
+	if (edited === null) return null;
+	const left = leftIndexOf(state, edited.match.best, edited.match.rules);
+	const target = left < 0 ? null : targetOfLeft(edited, left);
+	const rule = edited.match.rules[left];
+	if (target === null || rule !== MATCHED && rule !== BY_HAND) return null;
+	const [xl, yl, xr, yr] = placeOfLeft(edited, left);
+	return {
+		of: target,
+		places: {
+			left: [xl, yl],
+			right: [xr, yr]
+		},
+		side: state.selection?.side === "left" ? "right" : state.selection?.side ?? "right"
+	};
+}
+function editOfDraft(state) {
+	const { draft, history } = state;
+	const [left, right] = [placeOfDraft(state, "left"), placeOfDraft(state, "right")];
+	if (draft === null || left === null || right === null) return null;
+	const at = [
+		roundedPx(left[0]),
+		roundedPx(left[1]),
+		roundedPx(right[0]),
+		roundedPx(right[1])
+	];
+	if (draft.of === null) return {
+		kind: "add",
+		id: freshNumber(history),
+		at
+	};
+	const own = (k, side, value) => draft.places[side]?.[k] ?? value;
+	return {
+		kind: "move",
+		of: draft.of,
+		to: [
+			own(0, "left", at[0]),
+			own(1, "left", at[1]),
+			own(0, "right", at[2]),
+			own(1, "right", at[3])
+		]
+	};
+}
+// www/pair/panel/draft.ts
+function mountDraft(host, store, editing, follow) {
+	const tool = button(say("add-match"), "tool-measure", () => editing.toggle("measure"), say("measure-a-match-by-hand"));
+	const text = h("span", {
+		testid: "draft-text",
+		role: "status"
+	});
+	const accept = button(say("accept"), "draft-accept", () => editing.accept(), say("the-match-is-measured-enter"));
+	const fit = button(say("fit"), "draft-fit", () => void editing.fit(), say("move-the-right-point-to"));
+	const exchange = button(say("other-image"), "draft-exchange", () => {
+		editing.exchange();
+		follow();
+	}, say("go-on-with-the-point"));
+	const cancel = button(say("cancel"), "draft-cancel", () => editing.leave(), say("give-this-match-up-escape"));
+	const bar = h("div", {
+		class: "drafting",
+		testid: "draft",
+		role: "group",
+		aria: { label: say("match-measured-by-hand") }
+	}, text, accept, exchange, fit, cancel);
+	host.append(tool, bar);
+	store.watch((s) => [
+		s.tool,
+		s.draft,
+		s.results,
+		s.history,
+		s.images
+	], () => {
+		const { state } = store;
+		tool.setAttribute("aria-pressed", String(state.tool === "measure"));
+		tool.disabled = editedPair(state) === null;
+		bar.hidden = state.tool !== "measure";
+		accept.disabled = editOfDraft(state) === null;
+		exchange.disabled = state.draft === null;
+		fit.disabled = accept.disabled;
+		const now = textOf$2(state);
+		if (text.textContent !== now) text.textContent = now;
+	});
+}
+function textOf$2(state) {
+	const { draft } = state;
+	if (draft === null) return say("new-match-press-a-point");
+	const place = (side) => {
+		const at = placeOfDraft(state, side);
+		return at === null ? `${side} –` : `${side} ${fixed(at[0], 2)}, ${fixed(at[1], 2)}`;
+	};
+	const what = draft.of === null ? say("new-match") : say("moved-match");
+	return say("px-place-the-point-press", {
+		what,
+		place: place("left"),
+		place_2: place("right"),
+		side: draft.side
+	});
+}
+// www/pair/state/choice.ts
+var NONE = [];
+var leftsOf = remember((edited, chosen) => {
+	const lefts = leftsByTarget(edited);
+	return chosen.flatMap((key) => lefts.get(key) ?? []);
+});
+function chosenLefts(state) {
+	const edited = editedPair(state);
+	return edited === null || state.chosen.length === 0 ? NONE : leftsOf(edited, state.chosen);
+}
+function concerned(state, edited) {
+	const chosen = chosenLefts(state);
+	if (chosen.length > 0) return chosen;
+	const left = leftIndexOf(state, edited.match.best, edited.match.rules);
+	return left < 0 ? NONE : [left];
+}
+function editOfChoice(state, kind) {
+	const edited = editedPair(state);
+	if (edited === null) return null;
+	const rule = kind === "reject" ? MATCHED : BY_HAND;
+	const of = concerned(state, edited).flatMap((left) => {
+		const target = edited.match.rules[left] === rule ? targetOfLeft(edited, left) : null;
+		return target === null ? [] : [target];
+	});
+	return of.length === 0 ? null : {
+		kind,
+		of
+	};
+}
+function keysOfLefts(edited, lefts) {
+	return [...lefts].flatMap((left) => {
+		const target = targetOfLeft(edited, left);
+		return target === null ? [] : [keyOfTarget(target)];
+	});
+}
+function keysWithin(edited, side, [left, top, right, bottom], isShown) {
+	const inside = [];
+	const first = side === "left" ? 0 : 2;
+	edited.match.rules.forEach((rule, index) => {
+		if (rule !== MATCHED && rule !== BY_HAND || !isShown(index)) return;
+		const place = placeOfLeft(edited, index);
+		const [x, y] = [place[first] ?? NaN, place[first + 1] ?? NaN];
+		if (x >= left && x <= right && y >= top && y <= bottom) inside.push(index);
+	});
+	return keysOfLefts(edited, inside);
+}
+function toggled(chosen, keys) {
+	const own = new Set(chosen);
+	const all = keys.every((key) => own.has(key));
+	for (const key of keys) if (all) own.delete(key);
+	else own.add(key);
+	return [...own];
+}
+// www/pair/panel/marking.ts
+function marksHaveKeys({ tool }) {
+	const held = document.activeElement?.closest("[data-testid=\"fiducials\"]") ?? null;
+	return tool === "fiducials" || held !== null;
+}
+function mountMarking(bar, store, marking) {
+	const text = h("span", {
+		testid: "mark-text",
+		role: "status"
+	});
+	const former = button(say("mark-before"), "mark-before", () => void marking.go(-1), say("the-mark-before-p"));
+	const next = button(say("next-mark"), "mark-next", () => void marking.go(1), say("the-next-mark-enter"));
+	const clear = button(say("clear-mark"), "mark-clear", () => marking.clear(), say("the-mark-is-not-measured"));
+	const undo = button(say("undo-sign"), "mark-undo", () => marking.step(-1));
+	const redo = button(say("redo-sign"), "mark-redo", () => marking.step(1));
+	const end = button(say("end-marking"), "mark-end", () => store.dispatch({
+		type: "tool",
+		tool: "look"
+	}));
+	const buttons = h("div", {
+		class: "drafting",
+		testid: "marking",
+		role: "group",
+		aria: { label: say("fiducial-marks-measured") }
+	}, text, former, next, clear, undo, redo, end);
+	bar.append(buttons);
+	undoKeys(() => byId("view").offsetParent !== null && marksHaveKeys(store.state), (by) => marking.step(by));
+	store.watch((s) => [
+		s.tool,
+		s.mark,
+		s.photos
+	], () => {
+		const { state } = store;
+		const held = document.activeElement;
+		buttons.hidden = state.tool !== "fiducials" || state.mark === null;
+		former.disabled = state.mark === null || state.mark.index === 0;
+		next.disabled = markInHand(state) === void 0;
+		clear.disabled = placeInHand(state) === null;
+		showSteps(undo, redo, marking.history, ({ name }) => name);
+		if (buttons.contains(held)) passFocus(held, [byId("view")]);
+		const now = textOf$1(state);
+		if (text.textContent !== now) text.textContent = now;
+	});
+}
+var placeInHand = (state) => state.mark === null ? null : placeOfMark(state.photos[state.mark.side], markInHand(state));
+function textOf$1(state) {
+	const { mark } = state;
+	if (mark === null) return "";
+	const one = markInHand(state);
+	const at = placeInHand(state);
+	const photo = one !== void 0 && Number.isFinite(one.x_mm) && Number.isFinite(one.y_mm) ? say("mark-at-mm", {
+		x: fixed(one.x_mm, 3),
+		y: fixed(one.y_mm, 3)
+	}) : "";
+	const number = mark.index + 1;
+	if (at !== null) return say("mark-is-at", {
+		number,
+		photo,
+		column: fixed(at[0], 2),
+		row: fixed(at[1], 2)
+	});
+	if (one === void 0) return say("new-mark-press-it", {
+		number,
+		side: mark.side
+	});
+	return mark.expected === null ? say("mark-press-it", {
+		number,
+		photo,
+		side: mark.side
+	}) : say("mark-is-expected", {
+		number,
+		photo,
+		side: mark.side
+	});
+}
+// www/pair/panel/unknowns.ts
+var UNKNOWNS = [
+	{
+		field: "omega_deg",
+		symbol: "ω",
+		unit: "°",
+		digits: 4
+	},
+	{
+		field: "phi_deg",
+		symbol: "φ",
+		unit: "°",
+		digits: 4
+	},
+	{
+		field: "kappa_deg",
+		symbol: "κ",
+		unit: "°",
+		digits: 4
+	},
+	{
+		field: "by_mm",
+		symbol: "by",
+		unit: "mm",
+		digits: 4
+	},
+	{
+		field: "bz_mm",
+		symbol: "bz",
+		unit: "mm",
+		digits: 4
+	}
+];
+// www/pair/panel/edits.ts
+function several(edit) {
+	return edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : "";
+}
+function mountEdits(host, store, editing, follow) {
+	const reject = button(say("reject"), "reject", () => editing.edit("reject"), say("take-the-chosen-matches-out"));
+	const restore = button(say("restore"), "restore", () => editing.edit("restore"), say("use-the-chosen-matches-again"));
+	const move = button(say("move"), "move", () => {
+		editing.move();
+		follow();
+	}, say("measure-the-selected-match-anew"));
+	const undo = button(say("undo"), "undo", () => editing.step(-1), say("take-back-the-last-edit"));
+	const redo = button(say("redo"), "redo", () => editing.step(1), say("make-the-edit-again-that"));
+	const hint = h("p", {
+		class: "note",
+		testid: "edit-hint"
+	}, say("to-reject-wrong-matches-choose"));
+	const compared = h("div", {
+		testid: "edit-compared",
+		role: "status"
+	});
+	const history = h("ol", {
+		class: "history",
+		testid: "history"
+	});
+	const unfold = h("summary", {}, "");
+	const details = h("details", { testid: "history-section" }, unfold, history);
+	const panel = h("section", {
+		class: "edits",
+		testid: "edits",
+		aria: { label: say("edits-by-hand") }
+	});
+	panel.append(h("div", { class: "buttons" }, reject, restore, move, undo, redo), hint, compared, details);
+	host.append(panel);
+	store.watch((s) => [
+		s.results,
+		s.history,
+		s.chosen,
+		s.selection,
+		s.before,
+		s.images
+	], () => {
+		const { state } = store;
+		panel.hidden = editedPair(state) === null;
+		const [off, on] = [editOfChoice(state, "reject"), editOfChoice(state, "restore")];
+		set(reject, `${say("reject")}${several(off)}`, off === null);
+		set(restore, `${say("restore")}${several(on)}`, on === null);
+		move.disabled = moving(state) === null;
+		const { edits } = state.history;
+		const names = steps(state.history, nameOfEdit);
+		set(undo, names.undo === null ? say("undo") : say("undo-3", { undo: names.undo }), names.undo === null);
+		set(redo, names.redo === null ? say("redo") : say("redo-3", { redo: names.redo }), names.redo === null);
+		undo.hidden = edits.length === 0;
+		redo.hidden = names.redo === null;
+		hint.hidden = edits.length > 0 || chosenLefts(state).length > 0;
+		details.hidden = edits.length === 0;
+		unfold.textContent = say("history-2", { edits: edits.length });
+		fill(compared, ...comparison(state));
+	});
+	store.watch(["history"], () => showHistory(history, "", say("as-matched"), store.state.history, nameOfEdit, (done) => store.dispatch({
+		type: "goto",
+		done
+	})));
+}
+var ANGLES = [
+	"omega_deg",
+	"phi_deg",
+	"kappa_deg"
+];
+function comparison(state) {
+	const { before, history } = state;
+	if (history.edits.length === 0 || before === null) return [];
+	const now = isCurrent(state, "orientation") ? state.results.orientation?.value ?? null : null;
+	const interior = interiorInUse(state)?.left;
+	const pixel = interior === void 0 ? NaN : pixelMm(interior);
+	const used = (of) => count(countsOf$1(of).used);
+	const sigma = ({ sigma0_mm }) => fixed(sigma0_mm === null ? null : sigma0_mm / pixel, 3);
+	const error = (field) => (of) => fixed((of.total_standard_errors ?? of.standard_errors)?.[field], 4);
+	const line = (name, testid, text) => row(name, h("td", {
+		class: "number",
+		testid: `${testid}-before`
+	}, text(before)), h("td", {
+		class: "number",
+		testid: `${testid}-now`
+	}, now === null ? "…" : text(now)));
+	const head = h("tr", {}, h("th", { scope: "col" }, say("orientation")), h("th", { scope: "col" }, say("before")), h("th", { scope: "col" }, say("now-2")));
+	const angles = ANGLES.map((field) => {
+		const symbol = UNKNOWNS.find((unknown) => unknown.field === field)?.symbol ?? field;
+		return line(say("standard-error-of-4", { symbol }), `compared-${field}`, error(field));
+	});
+	const body = h("tbody", {}, line("σ₀, px", "compared-sigma0", sigma), line(say("points-used"), "compared-points", used), ...angles);
+	return [h("table", {
+		class: "tight",
+		aria: { label: say("orientation-before-and-after-the") }
+	}, h("thead", {}, head), body)];
+}
+function mountEditTools(host, bar, store, editing) {
+	const choose = button(say("choose"), "tool-choose", () => editing.toggle("choose"));
+	choose.title = say("choose-matches-by-a-rectangle");
+	const undo = button(say("undo-sign"), "tool-undo", () => editing.step(-1));
+	const redo = button(say("redo-sign"), "tool-redo", () => editing.step(1));
+	const reject = button(say("reject"), "tool-reject", () => editing.edit("reject"), say("take-the-chosen-matches-out"));
+	const restore = button(say("restore"), "tool-restore", () => editing.edit("restore"), say("use-the-chosen-matches-again"));
+	host.append(h("span", { class: "divider" }), choose, undo, redo);
+	bar.append(reject, restore);
+	store.watch((s) => [
+		s.tool,
+		s.history,
+		s.chosen,
+		s.selection,
+		s.results.match
+	], () => {
+		const { state } = store;
+		choose.setAttribute("aria-pressed", String(state.tool === "choose"));
+		byId("view").dataset.tool = state.tool;
+		const [off, on] = [editOfChoice(state, "reject"), editOfChoice(state, "restore")];
+		set(reject, `${say("reject")}${several(off)}`, off === null);
+		set(restore, `${say("restore")}${several(on)}`, on === null);
+		reject.hidden = state.tool !== "choose" && state.chosen.length === 0;
+		restore.hidden = reject.hidden || on === null;
+		showSteps(undo, redo, state.history, nameOfEdit);
+	});
+}
+function mountEditKeys(list, store, editing) {
+	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== "mask" && !marksHaveKeys(store.state), (by) => editing.step(by));
+	const keys = [
+		{
+			keys: ["Delete", "Backspace"],
+			does: say("rejects-the-chosen-matches"),
+			run: () => editing.edit("reject")
+		},
+		{
+			keys: ["r"],
+			does: say("restores-the-chosen-matches"),
+			run: () => editing.edit("restore")
+		},
+		{
+			keys: ["x"],
+			does: say("chooses-the-selected-match-beside"),
+			run: () => editing.choose(store.state.selection)
+		},
+		{
+			keys: ["e"],
+			does: say("measures-the-selected-match-anew"),
+			run: () => editing.move()
+		},
+		{
+			keys: ["Escape"],
+			does: say("gives-up"),
+			run: () => void editing.leave()
+		}
+	];
+	listenKeys(list, declare({
+		where: say("list-of-matches"),
+		host: list,
+		list: keys
+	}));
+}
+// www/pair/panel/fiducials.ts
+var FIELDS$1 = [
+	"col",
+	"row",
+	"x_mm",
+	"y_mm"
+];
+var HEADS = {
+	col: say("col-px"),
+	row: say("row-px"),
+	x_mm: "x mm",
+	y_mm: "y mm"
+};
+function mountFiducials(host, store, loadFile, marking, measure) {
+	const model = h("select", {
+		id: "fiducial-model",
+		testid: "fiducial-model"
+	});
+	model.append(new Option(say("affine-6-parameters"), "affine"), new Option(say("similarity-4-parameters"), "similarity"));
+	model.addEventListener("change", () => {
+		store.dispatch({
+			type: "fiducialModel",
+			model: model.value === "similarity" ? "similarity" : "affine"
+		});
+	});
+	store.watch(["fiducialModel"], ([value]) => {
+		model.value = value;
+	});
+	host.append(h("fieldset", {
+		class: "group",
+		testid: "fiducials"
+	}, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile, marking, measure), photo("right", store, loadFile, marking, measure)));
+}
+function photo(side, store, loadFile, marking, measure) {
+	const table = h("div", { class: "scroll" });
+	const result = h("p", {
+		class: "note",
+		testid: `interior-${side}`
+	});
+	const name = side === "left" ? say("left") : say("right");
+	const add = button(say("add-mark"), `add-fiducial-${side}`, () => marking.add(side));
+	const load = button(say("load-csv"), `load-fiducials-${side}`, () => loadFile(side));
+	const inPicture = button(say("measure-in-the-image"), `measure-fiducials-${side}`, () => measure(side), say("press-each-mark-in-the-image"));
+	store.watch((s) => [
+		s.images[side],
+		s.tool,
+		s.mark
+	], ([image, tool, mark]) => {
+		inPicture.disabled = image === null;
+		inPicture.setAttribute("aria-pressed", String(tool === "fiducials" && mark?.side === side));
+	});
+	const clear = button(say("clear"), `clear-fiducials-${side}`, () => marking.removeAll(side));
+	const undo = button(say("undo-sign"), `undo-fiducials-${side}`, () => marking.step(-1));
+	const redo = button(say("redo-sign"), `redo-fiducials-${side}`, () => marking.step(1));
+	let shown = null;
+	const stage = side === "left" ? "interiorLeft" : "interiorRight";
+	store.watch((s) => [s.photos, s.images], ([, images]) => {
+		const held = [undo, redo].find((press) => press === document.activeElement) ?? null;
+		const { history } = marking;
+		const ofThis = (step) => step !== void 0 && step.imageId === images[side]?.id;
+		showSteps(undo, redo, history, ({ name: step }) => step);
+		undo.hidden = !ofThis(history.edits[history.done - 1]);
+		redo.hidden = !ofThis(history.edits[history.done]);
+		passFocus(held, [
+			undo,
+			redo,
+			add
+		]);
+	});
+	store.watch((s) => [s.photos[side].fiducials, s.results[stage]], ([fiducials, interior]) => {
+		const held = table.contains(document.activeElement) || clear === document.activeElement ? document.activeElement : null;
+		const whole = fiducials.filter(isWhole$1).length;
+		const residuals = interior?.value.fiducials?.residuals_mm ?? [];
+		if (shown !== fiducials) {
+			if (shown?.length !== fiducials.length) fill(table, marksTable(side, marking, fiducials.length));
+			shown = fiducials;
+		}
+		showMarks(table, fiducials, residuals.length === whole ? residuals : []);
+		clear.disabled = fiducials.length === 0;
+		passFocus(held, [undo, add]);
+		const incomplete = fiducials.length - whole;
+		const told = interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, whole);
+		fill(result, incomplete === 0 ? told : `${told} ${say("incomplete-marks", { incomplete })}`);
+	});
+	return h("div", { class: "photo" }, h("h3", {}, say("image-4", { name })), result, table, h("div", { class: "buttons" }, inPicture, add, load, clear, undo, redo), originFields(side, store));
+}
+function interiorText(sigma, freedom, marks) {
+	if (marks === 0) return say("no-fiducial-marks-the-pixel");
+	if (freedom === void 0) return say("marks", { marks });
+	return say("marks-degrees-of-freedom", {
+		marks,
+		what: sigma == null ? say("not-determined") : say("um-1", { value: 1e3 * sigma }),
+		freedom
+	});
+}
+function marksTable(side, marking, rows) {
+	if (rows === 0) return "";
+	const body = Array.from({ length: rows }, (_, i) => h("tr", {}, h("th", { scope: "row" }, String(i + 1)), ...FIELDS$1.map((field) => h("td", {}, markInput(side, marking, i, field))), h("td", { class: "number residual" }, ""), h("td", {}, removeButton(side, marking, i))));
+	return h("table", {
+		class: "marks",
+		testid: `fiducials-${side}`,
+		aria: { label: say("fiducial-marks", { side }) }
+	}, h("thead", {}, h("tr", {}, h("th", {}, ""), ...FIELDS$1.map((field) => h("th", { scope: "col" }, HEADS[field])), h("th", {
+		scope: "col",
+		title: say("residuals-vx-vy")
+	}, "v µm"), h("th", {}, ""))), h("tbody", {}, ...body));
+}
+function markInput(side, marking, index, field) {
+	const input = h("input", {
+		type: "number",
+		aria: { label: say("mark", {
+			index: index + 1,
+			heads: HEADS[field]
+		}) }
+	});
+	input.step = "any";
+	input.addEventListener("change", () => marking.type(side, index, { [field]: input.valueAsNumber }));
+	return input;
+}
+function removeButton(side, marking, index) {
+	const remove = button("×", `remove-fiducial-${side}-${String(index)}`, () => marking.remove(side, index));
+	remove.className = "icon";
+	remove.setAttribute("aria-label", say("remove-mark", { index: index + 1 }));
+	return remove;
+}
+function showMarks(table, fiducials, residuals) {
+	const parts = fiducials.map((mark, i) => isWhole$1(mark) ? residuals[fiducials.slice(0, i).filter(isWhole$1).length] : void 0);
+	table.querySelectorAll("tbody tr").forEach((line, i) => {
+		line.querySelectorAll("input").forEach((input, f) => {
+			const field = FIELDS$1[f];
+			const value = field === void 0 ? void 0 : fiducials[i]?.[field];
+			if (value === void 0 || Object.is(input.valueAsNumber, value)) return;
+			input.value = Number.isFinite(value) ? String(value) : "";
+		});
+		const cell = line.querySelector(".residual");
+		const [vx, vy] = parts[i] ?? [];
+		if (cell !== null) cell.textContent = vx === void 0 ? "" : `${fixed(1e3 * vx, 0)}, ${fixed(1e3 * (vy ?? NaN), 0)}`;
+	});
+}
+function originFields(side, store) {
+	const problem = problemLine(`origin-${side}`);
+	const change = () => {
+		const origin = readPair(inputs, problem, allowedOfOrigin);
+		if (origin !== void 0) store.dispatch({
+			type: "photo",
+			side,
+			photo: { origin }
+		});
+		store.dispatch({
+			type: "refused",
+			part: "photos",
+			label: firstRefused(inputs.map((input) => [say("origin-of-the-image-in", { side }), input]))
+		});
+	};
+	const field = (name, testid) => {
+		const input = numberInput(testid, problem, change);
+		input.setAttribute("aria-label", say("image-in-the-scan-px", {
+			side,
+			name
+		}));
+		return input;
+	};
+	const inputs = [field("column", `origin-${side}-col`), field("row", `origin-${side}-row`)];
+	store.watch((s) => [s.photos[side].origin], ([origin]) => {
+		inputs.forEach((input, axis) => {
+			showNumber({
+				input,
+				problem
+			}, origin?.[axis]);
+		});
+	});
+	return h("div", { class: "control compact origin" }, h("span", { title: say("column-and-row-of-this") }, say("origin-in-the-scan"), h("span", { class: "unit" }, say("col-row-px"))), ...inputs, problem);
+}
+// www/pair/panel/geometry.ts
+function mountGeometry(host, store) {
+	const body = h("div", {});
+	const panel = section(say("geometry-of-the-two-views"), "geometry-section", body);
+	host.append(panel);
+	store.watch([
+		"results",
+		"settings",
+		"images",
+		"camera",
+		"photos",
+		"masks"
+	], whenInSight(host, () => {
+		const { state } = store;
+		panel.hidden = state.settings === null || !comparesGradients(state.settings);
+		panel.classList.toggle("is-stale", isStale(state, "match"));
+		if (!panel.hidden) fill(body, ...content$2(state));
+	}));
+}
+function content$2(state) {
+	const { match } = shownPair(state);
+	if (match === null) return [h("p", { class: "note" }, say("not-computed-yet"))];
+	if (match.geometry === null) {
+		const none = match.no_geometry;
+		return [h("p", {
+			class: none === null ? "note" : "field-problem",
+			testid: "geometry-reason"
+		}, none === null ? say("not-computed-yet") : say("none", { message: message("no_geometry", none) }))];
+	}
+	const { degenerate } = match.geometry;
+	return [...degenerate === null ? [] : [h("p", {
+		class: "field-problem",
+		testid: `degenerate-${degenerate}`
+	}, message("degeneracy", degenerate))], facts(figures(match, match.geometry))];
+}
+function figures(match, { model: { kind }, sigma_px: sigma, threshold_px: threshold, focal }) {
+	return [
+		{
+			name: say("model"),
+			testid: "geometry-kind",
+			value: message("two_view_model", { kind }, "label"),
+			help: message("two_view_model", { kind }, "help")
+		},
+		{
+			name: say("matches-that-agree"),
+			testid: "geometry-matches",
+			value: count(match.counts.matches),
+			help: say("all-others-are-rejected-matches")
+		},
+		{
+			name: say("standard-error-of-a-coordinate"),
+			testid: "geometry-sigma",
+			value: say("px-3", { value: sigma }),
+			help: say("from-the-distances-of-these")
+		},
+		{
+			name: say("threshold"),
+			testid: "geometry-threshold",
+			value: say("px-2", { value: threshold }),
+			help: say("largest-distance-of-a-match")
+		},
+		...focal === null ? [] : [{
+			name: say("focal-length-estimated"),
+			testid: "geometry-focal",
+			value: say("px-5", {
+				focal_px: focal.focal_px,
+				standard_error_px: focal.standard_error_px
+			}),
+			help: say("of-both-cameras-from-the")
+		}]
+	];
+}
+// www/pair/files/epipolar.ts
+async function exportEpipolar(store, engine) {
+	const { state } = store;
+	const { left, right } = state.images;
+	if (left === null || right === null) return;
+	const client = engine.client("report");
+	const tell = (kind, text) => store.dispatch({
+		type: "notice",
+		notice: {
+			kind,
+			text
+		}
+	});
+	try {
+		tell("busy", say("epipolar-images-are-made"));
+		const project = await projectText(state, engine);
+		if (project === null) throw new Error(say("the-pair-is-not-matched"));
+		const { archive, geometry } = await client.call("epipolar", {
+			project,
+			images: [left.source, right.source]
+		});
+		save(new Blob([archive], { type: "application/zip" }), `${baseName(state)}-epipolar.zip`);
+		const { points = 0, y_rms_px: left_over = 0 } = geometry.parallaxes ?? {};
+		tell("info", say("epipolar-images-were-saved", {
+			points,
+			left_over
+		}));
+	} catch (error) {
+		if (!(error instanceof Cancelled)) throw error;
+		tell("info", say("cancelled-nothing-was-saved-the-epipolar"));
+	} finally {
+		client.cancel();
+	}
+}
+// www/pair/files/report.ts
+function inputOf(state) {
+	const { left, right } = state.images;
+	const { settings, camera, photos, masks, offset, fiducialModel } = state;
+	if (left === null || right === null || settings === null) return null;
+	const truth = truthOf(state);
+	const photo = (side) => ({
+		...measuredPhoto(photos[side]),
+		model: fiducialModel
+	});
+	return {
+		images: [left.source, right.source],
+		names: [left.name, right.name],
+		input: {
+			camera,
+			offset,
+			left: photo("left"),
+			right: photo("right")
+		},
+		settings,
+		truth: truth === null ? null : {
+			orientation: truth.orientation,
+			base_mm: truth.baseMm,
+			right_position: truth.rightPosition
+		},
+		masks: [masks.left?.grey ?? null, masks.right?.grey ?? null]
+	};
+}
+async function exportReport(store, engine) {
+	const input = inputOf(store.state);
+	if (input === null) return;
+	const tell = (text) => store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "busy",
+			text
+		}
+	});
+	const client = engine.client("report");
+	try {
+		tell(say("report-reading-the-images"));
+		const steps = await client.call("reportOpen", input);
+		for (const [i, step] of steps.entries()) {
+			tell(say("report-step-of-matching", {
+				i: i + 1,
+				steps: steps.length + 1,
+				step
+			}));
+			await client.call("reportStep", null);
+		}
+		tell(say("report-step-of-writing", { steps: steps.length + 1 }));
+		const page = await client.call("reportPage", null);
+		save(new Blob([page], { type: "text/html" }), `${baseName(store.state)}-report.html`);
+		const text = say("the-report-was-saved-it");
+		store.dispatch({
+			type: "notice",
+			notice: isEdited(store.state) ? {
+				kind: "info",
+				text
+			} : null
+		});
+	} catch (error) {
+		if (!(error instanceof Cancelled)) throw error;
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("the-report-was-cancelled")
+			}
+		});
+	} finally {
+		client.cancel();
+	}
+}
+// pkg/pair/at-base.js
+function atBase(orientation, baseMm, otherMm) {
+	const scale = baseMm === 0 ? NaN : otherMm / baseMm;
+	return {
+		...orientation,
+		by_mm: scale * orientation.by_mm,
+		bz_mm: scale * orientation.bz_mm
+	};
+}
+// www/pair/panel/matrix.ts
+var CELL = 44;
+var HEAD = 26;
+var FOOT = 12;
+function correlationPicture({ correlations }) {
+	const size = HEAD + CELL * UNKNOWNS.length;
+	const words = UNKNOWNS.flatMap(({ symbol }, i) => UNKNOWNS.slice(i + 1).map((other, k) => say("and", {
+		symbol,
+		symbol_2: other.symbol,
+		correlations: correlations[i]?.[i + 1 + k]
+	})));
+	const heads = UNKNOWNS.flatMap(({ symbol }, i) => [svg("text", {
+		x: HEAD + CELL * (i + .5),
+		y: 18,
+		class: "matrix-name"
+	}, symbol), svg("text", {
+		x: HEAD / 2,
+		y: HEAD + CELL * (i + .5) + 4,
+		class: "matrix-name"
+	}, symbol)]);
+	const cells = UNKNOWNS.flatMap((_, i) => UNKNOWNS.map((__, j) => cellOf(correlations[i]?.[j] ?? NaN, i, j)));
+	return h("figure", { testid: "correlations" }, h("figcaption", { title: say("from-the-inverse-of-the") }, say("correlations-of-the-unknowns")), svg("svg", {
+		viewBox: `0 0 ${String(size)} ${String(size)}`,
+		class: "correlations",
+		role: "img",
+		"aria-label": say("correlations", { join: words.join(", ") })
+	}, ...heads, ...cells));
+}
+function cellOf(value, row, column) {
+	const side = 28 * Math.sqrt(Math.min(1, Math.abs(value)));
+	const x = HEAD + CELL * (column + .5);
+	const y = HEAD + CELL * (row + .5);
+	const middle = y - FOOT / 2;
+	return svg("g", { "data-testid": `correlation-${String(row)}-${String(column)}` }, svg("rect", {
+		x: x - CELL / 2,
+		y: y - CELL / 2,
+		width: CELL,
+		height: CELL,
+		class: "matrix-cell"
+	}), svg("rect", {
+		x: x - side / 2,
+		y: middle - side / 2,
+		width: side,
+		height: side,
+		class: value < 0 ? "negative" : "positive"
+	}), svg("text", {
+		x,
+		y: y + CELL / 2 - 3,
+		class: "matrix-value"
+	}, fixed(value, 2)));
+}
+var PLOT = 150;
+function ellipsePicture(ellipse, deviation) {
+	const { semi_major: major, semi_minor: minor, bearing_deg: angle } = ellipse;
+	const reach = Math.max(2 * major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
+	const scale = PLOT / 2 / reach;
+	const words = say("standard-error-ellipse-of-by", {
+		major: significant(major),
+		minor: significant(minor),
+		angle
+	});
+	const truth = deviation === null ? [] : [svg("path", {
+		d: cross(-deviation[0] * scale, deviation[1] * scale),
+		class: "truth"
+	})];
+	return h("figure", { testid: "ellipse" }, h("figcaption", { title: words }, say("by-bz-ellipse-m-dashed", {
+		major: significant(1e3 * major),
+		minor: significant(1e3 * minor),
+		what: deviation === null ? "" : say("cross-truth")
+	})), svg("svg", {
+		viewBox: `${String(-75)} ${String(-75)} ${String(PLOT)} ${String(PLOT)}`,
+		class: "ellipse",
+		role: "img",
+		"aria-label": words
+	}, svg("path", {
+		d: `M${String(-75)} 0h${String(PLOT)}M0 ${String(-75)}v${String(PLOT)}`,
+		class: "axis"
+	}), svg("ellipse", {
+		rx: major * scale,
+		ry: minor * scale,
+		transform: `rotate(${String(-angle)})`,
+		class: "outline"
+	}), svg("ellipse", {
+		rx: 2 * major * scale,
+		ry: 2 * minor * scale,
+		transform: `rotate(${String(-angle)})`,
+		class: "outline faint"
+	}), ...truth, svg("text", {
+		x: 59,
+		y: -5,
+		class: "matrix-name"
+	}, "by"), svg("text", {
+		x: 12,
+		y: -63,
+		class: "matrix-name"
+	}, "bz")));
+}
+function cross(x, y) {
+	return `M${String(x - 5)} ${String(y - 5)}l10 10M${String(x + 5)} ${String(y - 5)}l-10 10`;
+}
+// www/pair/panel/orientation.ts
+var SIGMA_CAVEAT = say("is-computed-from-y-parallaxes");
+function mountOrientation(host, store) {
+	const body = h("div", {});
+	const panel = section(say("relative-orientation"), "orientation-section", body);
+	host.append(panel);
+	store.watch([
+		"results",
+		"settings",
+		"images",
+		"failures",
+		"camera",
+		"photos",
+		"offset",
+		"fiducialModel"
+	], whenInSight(host, () => {
+		const { state } = store;
+		panel.classList.toggle("is-stale", isStale(state, "orientation"));
+		fill(body, ...content$1(state));
+	}));
+}
+function content$1(state) {
+	const reason = whyNotOriented(state);
+	if (reason !== null) return [h("p", {
+		class: "note",
+		testid: "orientation-reason"
+	}, reason)];
+	const result = state.results.orientation?.value;
+	if (result === void 0) return [h("p", {
+		class: "note",
+		testid: "orientation-reason"
+	}, say("not-computed-yet"))];
+	return [
+		...estimatedFocal(state),
+		valueTable(state, result),
+		...warnings(result),
+		precision(state, result),
+		h("p", {
+			class: "caveat",
+			testid: "sigma-caveat"
+		}, SIGMA_CAVEAT),
+		pictures(state, result)
+	];
+}
+function estimatedFocal(state) {
+	const { match } = state.results;
+	const focal = match?.value.geometry?.focal ?? null;
+	if (!("missing" in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
+	return [h("p", {
+		class: "note",
+		testid: "estimated-focal"
+	}, say("estimated-focal", {
+		focal_px: focal.focal_px,
+		error_px: focal.standard_error_px
+	}))];
+}
+var EQUAL_PX = .05;
+function areEqual(matches) {
+	let equal = 0;
+	for (let i = 0; i < matches.length; i += 5) {
+		const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = matches.subarray(i, i + 4);
+		if (Math.abs(xr - xl) < EQUAL_PX && Math.abs(yr - yl) < EQUAL_PX) equal += 1;
+	}
+	return matches.length > 0 && equal > .9 * (matches.length / 5);
+}
+function whyNotOriented(state) {
+	const keys = wantedKeys(state);
+	if (state.images.left === null || state.images.right === null) return say("two-images-are-needed");
+	const match = isCurrent(state, "match") ? state.results.match?.value ?? null : null;
+	if (match?.geometry?.degenerate === "pure-rotation") return areEqual(match.matches) ? say("not-oriented-both-images-show") : say("not-oriented-2", { message: message("no_orientation", { kind: "pure_rotation" }) });
+	if (match?.no_geometry != null) return say("not-oriented-do-both-photos", { message: message("no_geometry", match.no_geometry) });
+	const cameras = pairCameras(state);
+	if (state.results.openLeft !== void 0 && state.results.openRight !== void 0 && "missing" in cameras && keys.orientation === null) {
+		if (cameras.missing.kind === "panorama") return say("not-oriented-2", { message: message("no_orientation", cameras.missing) });
+		const untold = match?.geometry == null ? "" : say("and-the-matches-do-not");
+		return say("not-oriented-give-the-focal", {
+			message: message("no_orientation", cameras.missing),
+			untold
+		});
+	}
+	for (const stage of [
+		"interiorLeft",
+		"interiorRight",
+		"orientation"
+	]) {
+		const failure = state.failures[stage];
+		if (failure !== void 0 && failure.key === keys[stage]) return say("not-oriented-3", { message: failure.message });
+	}
+	return null;
+}
+function truthFor(state, { base_mm: base }) {
+	const truth = truthOf(state);
+	return truth === null ? null : atBase(truth.orientation, truth.baseMm, base);
+}
+function valueTable(state, result) {
+	const truth = truthFor(state, result);
+	const paper = truth === null && hasPaperCamera(state) ? state.catalogue?.paper : void 0;
+	const { standard_errors: errors, total_standard_errors: total, half_widths_95: half } = result;
+	const number = (testid, value, digits, kind = "") => h("td", {
+		testid,
+		class: `number ${kind}`
+	}, fixed(value, digits));
+	const rows = UNKNOWNS.map(({ field, symbol, unit, digits }) => {
+		const error = truth === null ? NaN : result[field] - truth[field];
+		const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
+		const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
+		const interval = number(`interval-${field}`, half?.[field], digits);
+		const printed = paper === void 0 ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], digits, "paper"), number(`paper-error-${field}`, paper.standard_errors[field], digits, "paper")];
+		const compared = truth === null ? printed : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
+		return row(h("span", {}, h("i", {}, symbol), h("span", { class: "unit" }, ` ${unit}`)), ...own, ...withInterior, interval, ...compared);
+	});
+	const heads = [
+		[say("value"), say("the-right-photo-relative-to")],
+		[say("std-error"), say("what-the-scatter-of-the")],
+		...total === null ? [] : [[say("in-total"), say("standard-error-including-what-does")]],
+		["95 % ±", say("half-width-of-the-interval")],
+		...paper !== void 0 ? [[
+			say("paper-2"),
+			say("the-papers-table-3-of"),
+			"paper"
+		], [
+			say("its-error"),
+			say("the-papers-table-2"),
+			"paper"
+		]] : [],
+		...truth === null ? [] : [[say("true-error"), say("value-minus-truth-by-and")], [say("in-std-errors"), say("the-true-error-divided-by")]]
+	];
+	const note = paper !== void 0 ? h("p", { class: "note" }, paperNote(state, paper)) : null;
+	return h("div", {}, h("div", { class: "scroll" }, h("table", {
+		class: "tight",
+		aria: { label: say("relative-orientation") }
+	}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("unknown")), ...heads.map(([text, title, kind = ""]) => h("th", {
+		scope: "col",
+		title,
+		class: kind
+	}, text)))), h("tbody", {}, ...rows))), note);
+}
+function paperNote({ catalogue }, { pixel_mm: pixel }) {
+	const flight = catalogue?.flights.find(({ name }) => name === "paper")?.flight;
+	return say("paper", {
+		focal_mm: flight?.focal_mm ?? null,
+		base_mm: flight?.base_mm ?? null,
+		pixel_um: 1e3 * pixel
+	});
+}
+function warnings({ warnings: found }) {
+	return found.map((warning) => h("p", {
+		class: "field-problem",
+		testid: `warning-${warning.kind}`
+	}, message("warning", warning)));
+}
+function precision(state, result) {
+	const interior = interiorInUse(state)?.left;
+	const pixel = interior === void 0 ? null : pixelMm(interior);
+	const sigma = result.sigma0_mm;
+	const { all, used } = countsOf$1(result);
+	const test = result.global_test;
+	const printed = hasPaperCamera(state) ? state.catalogue?.paper : void 0;
+	return facts([
+		{
+			name: say("of-a-photo-coordinate"),
+			testid: "sigma0",
+			value: sigma == null ? "–" : `${fixed(1e3 * sigma, 2)} µm${pixel === null ? "" : say("px-6", { sigma: sigma / pixel })}`,
+			help: say("standard-error-of-one-photo", { sigma_caveat: SIGMA_CAVEAT })
+		},
+		{
+			name: say("of-a-y-parallax-2"),
+			testid: "sigma-parallax",
+			value: sigma == null || pixel === null ? "–" : say("px-3", { value: Math.SQRT2 * sigma / pixel }),
+			help: say("standard-error-of-the-y")
+		},
+		...test === null ? [] : [{
+			name: say("global-test-2"),
+			testid: "global-test",
+			value: `${fixed(test.statistic, 1)}: ${test.passed ? say("passed") : say("failed-3")}`,
+			...test.passed ? {} : { kind: "problem" },
+			help: say("global-test", {
+				lower: test.lower,
+				upper: test.upper
+			})
+		}],
+		{
+			name: say("degrees-of-freedom"),
+			testid: "degrees-of-freedom",
+			value: count(result.degrees_of_freedom),
+			help: say("matches-used-minus-the-five")
+		},
+		{
+			name: say("matches-used"),
+			testid: "matches-used",
+			value: say("of-7", {
+				used,
+				residuals_mm: all
+			}),
+			help: say("data-snooping-rejected-the-others")
+		},
+		{
+			name: say("condition"),
+			testid: "condition",
+			value: significant(result.condition),
+			help: say("largest-by-smallest-eigenvalue-of")
+		},
+		{
+			name: say("misfit-to-a-plane"),
+			testid: "plane-misfit",
+			value: result.plane_misfit === null ? "–" : `${significant(result.plane_misfit)} σ₀`,
+			help: say("how-far-the-matches-deviate")
+		},
+		{
+			name: say("parallax-beside-a-rotation"),
+			testid: "rotation-parallax",
+			value: pixel === null ? say("mm-2", { value: significant(result.parallax_beside_rotation_mm) }) : say("px-7", { value: significant(result.parallax_beside_rotation_mm / pixel) }),
+			help: say("median-parallax-that-the-best")
+		},
+		{
+			name: say("spread"),
+			testid: "spread",
+			value: `${fixed(result.spread, 3)} f`,
+			help: say("root-mean-square-distance-of-the")
+		},
+		{
+			name: say("iterations-last-step"),
+			testid: "iterations",
+			value: `${String(result.iterations)}, ${significant(result.last_step)}`,
+			help: say("the-last-step-relative-to")
+		},
+		{
+			name: say("base-b-principal-distance"),
+			testid: "base",
+			value: say("mm-mm", {
+				base_mm: significant(result.base_mm),
+				focal_mm: significant(result.focal_mm)
+			}),
+			help: say("the-base-component-that-was")
+		},
+		...printed !== void 0 ? [{
+			name: say("paper-2"),
+			testid: "paper-sigma0",
+			value: say("paper-sigma", {
+				sigma0_mm: printed.sigma0_mm,
+				sigma0_px: printed.sigma0_mm / printed.pixel_mm
+			}),
+			help: say("what-the-paper-printed-for")
+		}] : []
+	]);
+}
+function pictures(state, result) {
+	const truth = truthFor(state, result);
+	const deviation = truth === null || Number.isNaN(truth.by_mm) ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
+	const ellipse = result.base_ellipse_mm;
+	return h("div", { class: "precision-pictures" }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
+}
+// www/pair/panel/answer.ts
+function resting(state, waiting, actions) {
+	const { images } = state;
+	const line = (kind, text, next = null) => ({
+		kind,
+		text,
+		verdict: null,
+		next
+	});
+	if (state.catalogue === null) return line("busy", say("loading-the-program"));
+	if (images.left === null && images.right === null) return line("idle", say("ready-open-two-overlapping-images"));
+	const missing = SIDES.find((side) => images[side] === null);
+	if (missing !== void 0) return line("idle", say("one-image-is-open-open", { missing }), {
+		text: say("open-the-image", { missing }),
+		act: () => actions.open(missing)
+	});
+	return waiting ? line("busy", say("waiting")) : answered(state, actions);
+}
+function answered(state, actions) {
+	const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === "inspection" || stage === "line" ? 0 : result.milliseconds), 0);
+	const matched = milliseconds === 0 ? `${summary(state)}.` : say("worked", {
+		matched: summary(state),
+		seconds: milliseconds / 1e3
+	});
+	const reason = whyNotOriented(state);
+	const oriented = reason === null && isCurrent(state, "orientation") ? state.results.orientation?.value : void 0;
+	const verdict = oriented?.verdict;
+	const hint = state.settings === null ? null : pair_hint(verdict ?? {
+		kind: "not_oriented",
+		no_orientation: whyNone(state)
+	}, state.settings);
+	const more = `${matched}${hint === null ? "" : ` ${message("pair_hint", hint)}`}`;
+	if (oriented === void 0 || verdict === void 0) {
+		const next = hint === null ? nextWithout(state, actions) : {
+			text: say("use-auto"),
+			act: actions.otherStrategy
+		};
+		if (reason === null) return {
+			kind: "partial",
+			verdict: "not_oriented",
+			text: more,
+			next
+		};
+		return {
+			kind: "partial",
+			verdict: "not_oriented",
+			text: reason,
+			more,
+			figures: figuresWithout(state),
+			next
+		};
+	}
+	const answer = {
+		text: message("pair_verdict", verdict),
+		more,
+		figures: figuresOf(state, oriented)
+	};
+	if (verdict.kind === "oriented") return {
+		...answer,
+		kind: "done",
+		verdict: "oriented",
+		next: calibrated(state, actions) ?? nextAfter(state, actions)
+	};
+	const next = verdict.kind === "weak" && asksForCamera(verdict.warning) ? cameraNext(state, actions) : {
+		text: say("show-why"),
+		act: actions.why
+	};
+	return {
+		...answer,
+		kind: "partial",
+		verdict: verdict.kind,
+		next
+	};
+}
+function figuresOf(state, result) {
+	const { used } = countsOf$1(result);
+	const interior = interiorInUse(state)?.left;
+	const half = result.half_widths_95?.kappa_deg;
+	return [
+		{
+			value: count(used),
+			label: say("points-on-both-photos")
+		},
+		...interior === void 0 || result.sigma0_mm == null ? [] : [{
+			value: say("px-2", { value: result.sigma0_mm / pixelMm(interior) }),
+			label: say("precision")
+		}],
+		...half == null ? [] : [{
+			value: `${fixed(result.kappa_deg, 2)}° ± ${half < 99 ? half.toPrecision(2) : fixed(half, 0)}°`,
+			label: say("right-photo-turned")
+		}]
+	];
+}
+function figuresWithout(state) {
+	const { match, left } = shownPair(state);
+	if (match === null || left === null) return [];
+	return [{
+		value: count(match.counts.matches),
+		label: say("points-on-both-photos")
+	}, {
+		value: count(left.length / 3),
+		label: say("points-tried")
+	}];
+}
+function asksForCamera({ kind }) {
+	return [
+		"unknown_camera",
+		"focal_length",
+		"wide_angle",
+		"contradicted_focal",
+		"doubtful_focal"
+	].includes(kind);
+}
+function nextWithout(state, actions) {
+	const { kind } = whyNone(state);
+	return kind === "no_camera" || kind === "no_focal_length" || kind === "no_pixel_size" ? cameraNext(state, actions) : {
+		text: say("show-why"),
+		act: actions.why
+	};
+}
+function calibrated(state, actions) {
+	return offeredCalibration(state) === null ? null : {
+		text: say("use-the-calibrated-camera"),
+		act: actions.calibrated
+	};
+}
+function cameraNext(state, actions) {
+	return calibrated(state, actions) ?? {
+		text: say("give-the-camera"),
+		act: actions.camera
+	};
+}
+function nextAfter({ images }, { open, save }) {
+	return SIDES.some((side) => images[side]?.source.kind === "grey") ? {
+		text: say("open-your-photos"),
+		act: () => open(null)
+	} : {
+		text: say("save-the-project"),
+		act: save
+	};
+}
+// www/pair/panel/status.ts
+var PATIENCE_MS$1 = 250;
+function mountStatus(store, actions) {
+	const show = answerCard(byId("answer"), byId("status"), byId("answer-actions"), "");
+	const bar = byId("progress");
+	const cancel = byId("cancel");
+	const run = byId("run");
+	cancel.addEventListener("click", actions.cancel);
+	run.addEventListener("click", actions.run);
+	let timer;
+	store.watch((s) => [s], ([state]) => {
+		const busy = isBusy(state);
+		const { wanted, done } = progress(state);
+		bar.max = Math.max(1, wanted);
+		bar.value = done;
+		cancel.disabled = !busy;
+		run.hidden = !(state.paused && state.images.left !== null) && currentFailure(state)?.ended !== true;
+		show(answerOf(state, actions));
+		document.body.classList.toggle("is-pending", anyStale(state));
+		if (!busy) {
+			window.clearTimeout(timer);
+			timer = void 0;
+			bar.classList.remove("is-on");
+		} else timer ??= window.setTimeout(() => bar.classList.add("is-on"), PATIENCE_MS$1);
+	});
+}
+function isBusy(state) {
+	return Object.keys(state.running).length > 0 || state.notice?.kind === "busy";
+}
+function answerOf(state, actions) {
+	const line = (kind, text) => ({
+		kind,
+		text,
+		verdict: null
+	});
+	const failure = currentFailure(state);
+	if (state.notice?.kind === "problem") return line("problem", state.notice.text);
+	const { running, wanted, done } = progress(state);
+	if (running.length > 0) return line("busy", say("step", {
+		step: Math.min(done + 1, wanted),
+		steps: wanted,
+		stages: running.map((stage) => STAGES[stage].label).join("; ")
+	}));
+	if (state.notice?.kind === "busy") return line("busy", state.notice.text);
+	if (state.paused) return line("idle", say("cancelled-results-on-the-screen"));
+	if (failure !== null && !isOrientation(failure)) return line("problem", `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
+	const [refused] = Object.values(state.refused);
+	if (refused !== void 0) return line("problem", refusedText(refused));
+	const answer = resting(state, done < wanted, actions);
+	if (state.notice === null) return answer;
+	if (answer.verdict === null) return line("idle", state.notice.text);
+	return {
+		...answer,
+		more: `${answer.more ?? ""} ${state.notice.text}`.trimStart()
+	};
+}
+function isOrientation({ stage, ended }) {
+	return !ended && stage === "orientation";
+}
+function matchedAllTheSame(state, failed) {
+	const matches = summary(state);
+	return (failed === "interiorLeft" || failed === "interiorRight") && matches !== "" ? say("not-oriented-4", { matches }) : "";
+}
+// www/pair/panel/header.ts
+function pickerOf(files) {
+	const input = byId("file-input");
+	let wanted = {
+		side: null,
+		what: "any"
+	};
+	input.addEventListener("change", () => {
+		if (!files.isReady) return;
+		const given = [...input.files ?? []];
+		const [first] = given;
+		if (wanted.what === "mask" && wanted.side !== null && first !== void 0) files.takeMask(first, wanted.side);
+		else files.take(given, wanted.side);
+		input.value = "";
+		input.multiple = true;
+		wanted = {
+			side: null,
+			what: "any"
+		};
+	});
+	files.ready.then(() => {
+		if ((input.files?.length ?? 0) > 0) input.dispatchEvent(new Event("change"));
+	});
+	return (side, what = "any") => {
+		wanted = {
+			side,
+			what
+		};
+		input.multiple = side === null;
+		input.click();
+	};
+}
+function mountHeader({ store, engine, view, files, pick, attempt, sampleBlock }) {
+	const on = (id, action) => {
+		byId(id).addEventListener("click", () => void attempt(action));
+	};
+	for (const id of ["open", "open-first"]) on(id, () => pick(null));
+	for (const id of ["sample", "sample-first"]) on(id, () => files.takeSample());
+	on("sample-block-first", sampleBlock);
+	mountMenu(byId("export-menu"), byId("exports"));
+	on("swap", () => swap(store, engine));
+	on("export-csv", () => exportMatches(store.state, engine));
+	on("export-json", () => exportEverything(store.state));
+	on("export-project", () => exportProject(store, engine));
+	on("export-report", () => exportReport(store, engine));
+	on("export-epipolar", () => exportEpipolar(store, engine));
+	on("export-png", () => exportPicture(store.state, view));
+	store.watch([
+		"images",
+		"results",
+		"catalogue",
+		"notice",
+		"running"
+	], ([images, , catalogue]) => {
+		const both = images.left !== null && images.right !== null;
+		const none = images.left === null && images.right === null;
+		const set = (id, disabled) => {
+			byId(id).disabled = disabled;
+		};
+		set("swap", none);
+		set("sample", catalogue === null);
+		set("sample-first", catalogue === null);
+		set("sample-block-first", catalogue === null);
+		set("export-csv", !both || shownPair(store.state).match === null);
+		set("export-json", !both || store.state.results.pointsLeft === void 0);
+		set("export-project", !both || isBusy(store.state) || !isCurrent(store.state, "match"));
+		const absent = Object.values(images).some((image) => image?.source.kind === "project");
+		set("export-report", !both || absent || isBusy(store.state));
+		set("export-epipolar", !both || absent || isBusy(store.state) || shownPair(store.state).orientation === null);
+		set("export-png", none);
+		leaveWelcome(!none);
+	});
+}
+function swap(store, engine) {
+	const known = truthOf(store.state) !== null;
+	engine.swap();
+	if (known) store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "info",
+			text: say("the-truth-of-the-simulated-pair")
+		}
+	});
+}
+function leaveWelcome(left) {
+	const welcome = byId("welcome");
+	const { activeElement } = document;
+	const focused = welcome.contains(activeElement) || !welcome.hidden && [
+		byId("open"),
+		byId("sample"),
+		byId("menu")
+	].some((press) => press === activeElement);
+	welcome.hidden = left;
+	if (left && focused) byId("view").focus({ preventScroll: true });
+}
+// www/pair/state/histogram.ts
+function quantile(sorted, q) {
+	return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? NaN;
+}
+function columnOf(values, stride, at) {
+	const column = new Float64Array(Math.floor(values.length / stride));
+	for (let i = 0; i < column.length; i++) column[i] = values[i * stride + at] ?? NaN;
+	return column;
+}
+function sortedFinite(values) {
+	const sorted = values.slice().sort();
+	let end = sorted.length;
+	while (end > 0 && !((sorted[end - 1] ?? NaN) < Infinity)) end -= 1;
+	let start = 0;
+	while (start < end && sorted[start] === -Infinity) start += 1;
+	return sorted.subarray(start, end);
+}
+function histogram(values, bins, { symmetric = false, from } = {}) {
+	const sorted = sortedFinite(values);
+	let low = from ?? quantile(sorted, .005);
+	let high = quantile(sorted, .995);
+	if (symmetric) {
+		high = Math.max(Math.abs(low), Math.abs(high));
+		low = -high;
+	}
+	if (!(high > low)) high = low + 1;
+	const counts = new Array(bins).fill(0);
+	let outside = 0;
+	for (const value of sorted) {
+		if (value < low || value > high) outside += 1;
+		const bin = Math.min(bins - 1, Math.max(0, Math.floor((value - low) / (high - low) * bins)));
+		counts[bin] = (counts[bin] ?? 0) + 1;
+	}
+	return {
+		low,
+		high,
+		counts,
+		outside,
+		total: sorted.length,
+		median: quantile(sorted, .5)
+	};
+}
+// www/pair/panel/histograms.ts
+var BINS = 40;
+var WIDTH = 320;
+var HEIGHT = 84;
+var measures = remember((matches) => {
+	return histogram(columnOf(matches, 5, 4).filter((measure) => measure !== -1), BINS, { from: 0 });
+});
+var residuals = remember((values) => histogram(values, BINS, { symmetric: true }));
+var interestLeft = remember((points) => histogram(columnOf(points, 3, 2), BINS));
+var interestRight = remember((points) => histogram(columnOf(points, 3, 2), BINS));
+function mountHistograms(host, store) {
+	const body = h("div", { class: "histograms" });
+	const panel = section(say("histograms"), "histograms-section", body);
+	host.append(panel);
+	let round = 0;
+	store.watch([
+		"results",
+		"history",
+		"images",
+		"settings",
+		"camera",
+		"photos",
+		"offset",
+		"fiducialModel",
+		"failures"
+	], whenInSight(host, () => {
+		panel.classList.toggle("is-stale", isStale(store.state, "match"));
+		round += 1;
+		update(body, store, () => round, round);
+	}));
+}
+async function update(body, store, round, own) {
+	const charts = [];
+	for (const make of CHARTS) {
+		await new Promise((resolve) => window.setTimeout(resolve, 0));
+		if (round() !== own) return;
+		const made = make(store.state);
+		if (made !== null) charts.push(made);
+	}
+	fill(body, ...charts.length > 0 ? charts : [h("p", { class: "note" }, say("no-points-yet"))]);
+}
+var CHARTS = [
+	(state) => {
+		const { match } = shownPair(state);
+		return match === null || match.counts.matches === 0 ? null : chart(say("measure-of-the-matches"), "", measures(match.matches), "histogram-measure");
+	},
+	(state) => {
+		const { orientation } = shownPair(state);
+		const interior = interiorInUse(state)?.left;
+		if (orientation === null || interior === void 0) return null;
+		const figure = chart(say("y-parallax-residuals-of-the"), "px", residuals(parallaxResiduals(orientation, interior)), "histogram-residuals");
+		return markStale(figure, isStale(state, "orientation") && !isStale(state, "match"));
+	},
+	(state) => {
+		const { left } = shownPair(state);
+		return left === null || left.length === 0 ? null : chart(say("interest-value-left"), "", interestLeft(left), "histogram-interest-left");
+	},
+	(state) => {
+		const { right } = shownPair(state);
+		return right === null || right.length === 0 ? null : chart(say("interest-value-right"), "", interestRight(right), "histogram-interest-right");
+	}
+];
+function chart(title, unit, data, testid) {
+	const most = Math.max(...data.counts, 1);
+	const width = WIDTH / data.counts.length;
+	const bars = data.counts.map((n, i) => {
+		const bar = Math.round(HEIGHT * n / most * 100) / 100;
+		return n === 0 ? "" : `M${String(i * width + .5)} ${String(HEIGHT)}v-${String(bar)}h${String(width - 1)}v${String(bar)}z`;
+	}).join("");
+	const at = (value) => WIDTH * (value - data.low) / (data.high - data.low);
+	const suffix = unit === "" ? "" : ` ${unit}`;
+	const words = say("values-median-shown-from-to", {
+		title,
+		total: data.total,
+		median: significant(data.median),
+		suffix,
+		low: significant(data.low),
+		high: significant(data.high),
+		most
+	});
+	const picture = svg("svg", {
+		viewBox: `0 0 ${String(WIDTH)} ${String(85)}`,
+		class: "histogram",
+		role: "img",
+		"aria-label": words,
+		preserveAspectRatio: "none"
+	}, svg("path", {
+		d: bars,
+		class: "bars"
+	}), svg("path", {
+		d: `M0 ${String(84.5)}h${String(WIDTH)}`,
+		class: "axis"
+	}), svg("path", {
+		d: `M${String(at(data.median))} 0v${String(HEIGHT)}`,
+		class: "median"
+	}));
+	return h("figure", { testid }, h("figcaption", {}, title, h("span", { class: "unit" }, `${suffix} · n = ${count(data.total)}`)), picture, h("div", { class: "scale" }, h("span", {}, significant(data.low)), h("span", {}, say("median", { median: significant(data.median) })), h("span", {}, significant(data.high))));
+}
+// www/pair/panel/masking.ts
+function mountMasking(host, bar, store, masking, paint) {
+	const tool = button(say("mask-areas"), "tool-mask", () => masking.toggle(), say("outline-areas-in-which-no"));
+	const text = h("span", {
+		testid: "mask-text",
+		role: "status"
+	});
+	const mask = button(say("mask-it"), "mask-area", () => paint(true), say("no-points-in-the-outlined"));
+	const unmask = button(say("unmask-it"), "unmask-area", () => paint(false), say("points-in-the-outlined-area"));
+	const undo = button(say("undo-sign"), "mask-undo", () => masking.step(-1));
+	const redo = button(say("redo-sign"), "mask-redo", () => masking.step(1));
+	const keep = button(say("save-masks"), "mask-save", () => saveMasks(store.state), say("masks-as-png-files-for"));
+	const end = button(say("end-masking"), "mask-end", () => masking.toggle());
+	const buttons = h("div", {
+		class: "drafting",
+		testid: "masking",
+		role: "group",
+		aria: { label: say("masks-of-the-pictures") }
+	}, text, mask, unmask, undo, redo, keep, end);
+	host.append(tool);
+	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask" && !marksHaveKeys(store.state), (by) => masking.step(by));
+	bar.append(buttons);
+	store.watch((s) => [
+		s.tool,
+		s.outline,
+		s.images,
+		s.masks
+	], () => {
+		const { state } = store;
+		const held = document.activeElement;
+		tool.setAttribute("aria-pressed", String(state.tool === "mask"));
+		tool.disabled = !masking.can();
+		buttons.hidden = state.tool !== "mask";
+		mask.disabled = !masking.isArea();
+		unmask.disabled = mask.disabled;
+		showSteps(undo, redo, masking.history, ({ name }) => name);
+		keep.disabled = SIDES.every((side) => fileOf(state, side) === null);
+		if (buttons.contains(held)) passFocus(held, [byId("view")]);
+		const corners = state.outline?.corners.length ?? 0;
+		const now = masking.isArea() ? say("the-area-is-outlined", { corners }) : say("draw-round-an-area-or", { corners });
+		if (text.textContent !== now) text.textContent = now;
+	});
+}
+function fileOf(state, side) {
+	const source = state.masks[side]?.source;
+	return source?.kind === "file" ? source.file : null;
+}
+function saveMasks(state) {
+	for (const side of SIDES) {
+		const file = fileOf(state, side);
+		if (file !== null) save(file, state.masks[side]?.name ?? "mask.png");
+	}
+}
+// www/pair/panel/panes.ts
+function mountPanes(view, store, actions) {
+	const labels = {
+		left: label("left", actions),
+		right: label("right", actions)
+	};
+	view.host.append(labels.left.element, labels.right.element);
+	const place = () => {
+		const panes = panesOf(view.host.clientWidth, view.host.clientHeight);
+		for (const side of SIDES) {
+			const { style } = labels[side].element;
+			const { left, top, width, height } = panes[side];
+			Object.assign(style, {
+				left: `${String(left)}px`,
+				top: `${String(top)}px`,
+				width: `${String(width)}px`,
+				height: `${String(height)}px`
+			});
+		}
+	};
+	place();
+	new ResizeObserver(place).observe(view.host);
+	store.watch((s) => [
+		s.images,
+		s.masks,
+		s.results.openLeft,
+		s.results.openRight,
+		s.activeSide
+	], () => {
+		for (const side of SIDES) {
+			labels[side].element.classList.toggle("is-active", store.state.activeSide === side);
+			labels[side].element.classList.toggle("is-empty", store.state.images[side] === null);
+			labels[side].show(store.state);
+		}
+	});
+}
+function label(side, actions) {
+	const name = h("span", {
+		class: "pane-name",
+		testid: `name-${side}`
+	});
+	const replace = button(say("replace"), `replace-${side}`, () => actions.open(side));
+	replace.setAttribute("aria-label", say("replace-the-image", { side }));
+	const empty = button(say("open-the-image-2", { side }), `open-${side}`, () => actions.open(side));
+	empty.className = "invitation";
+	const mask = button(say("mask"), `mask-${side}`, () => actions.mask(side), say("an-image-of-the-same"));
+	const unmask = button(say("mask-2"), `unmask-${side}`, () => actions.unmask(side));
+	unmask.setAttribute("aria-label", say("remove-the-mask-of-the", { side }));
+	const head = h("div", { class: "pane-head" }, name, replace, mask, unmask);
+	const element = h("div", {
+		class: "pane-frame",
+		testid: `pane-${side}`
+	}, head, empty);
+	const show = (state) => {
+		const image = state.images[side];
+		const opened = state.results[side === "left" ? "openLeft" : "openRight"];
+		const given = state.masks[side];
+		head.hidden = image === null;
+		mask.hidden = given !== null;
+		unmask.hidden = given === null;
+		unmask.title = given === null ? "" : say("remove-3", { name: given.name });
+		empty.hidden = image !== null;
+		const size = opened === void 0 || image === null ? "" : say("px-8", {
+			width: opened.value.info.width,
+			height: opened.value.info.height
+		});
+		name.title = image === null ? "" : `${image.name}${size}`;
+		fill(name, h("span", {}, image?.name ?? ""), h("span", {}, size));
+	};
+	return {
+		element,
+		show
+	};
+}
+// www/pair/state/statistics.ts
+var POSITION = [{
+	key: "x",
+	label: "x",
+	unit: "px",
+	digits: 1,
+	help: say("column-of-the-left-point")
+}, {
+	key: "y",
+	label: "y",
+	unit: "px",
+	digits: 1,
+	help: say("row-of-the-left-point")
+}];
+var MEASURE = {
+	key: "measure",
+	label: say("measure-2"),
+	unit: "",
+	digits: 4,
+	help: say("dissimilarity-of-the-points-by")
+};
+var FIT = {
+	key: "standard_error",
+	label: "s(x, y)",
+	unit: "px",
+	digits: 3,
+	help: say("standard-error-of-the-right")
+};
+var ADJUSTED = [
+	{
+		key: "v",
+		label: say("y-parallax"),
+		unit: "px",
+		digits: 3,
+		inPixels: true,
+		help: say("residual-y-parallax-the-distance")
+	},
+	{
+		key: "r",
+		label: "r",
+		unit: "",
+		digits: 3,
+		help: say("redundancy-number-the-share-of")
+	},
+	{
+		key: "w",
+		label: "w",
+		unit: "",
+		digits: 2,
+		help: say("w-statistic-standardised-residual-data")
+	},
+	{
+		key: "detectable",
+		label: "∇",
+		unit: "px",
+		digits: 3,
+		inPixels: true,
+		help: say("minimal-detectable-bias-mdb-across")
+	},
+	{
+		key: "influence",
+		label: "δ",
+		unit: "",
+		digits: 2,
+		help: say("external-reliability-the-largest-effect")
+	},
+	{
+		key: "weight",
+		label: say("weight"),
+		unit: "",
+		digits: 2,
+		help: say("weight-in-the-adjustment-0")
+	},
+	{
+		key: "model_x",
+		label: "X",
+		unit: "mm",
+		digits: 2,
+		help: say("model-coordinate-at-photo-scale")
+	},
+	{
+		key: "model_y",
+		label: "Y",
+		unit: "mm",
+		digits: 2,
+		help: say("model-coordinate-at-photo-scale-across")
+	},
+	{
+		key: "model_z",
+		label: "Z",
+		unit: "mm",
+		digits: 2,
+		help: say("model-coordinate-at-photo-scale-upwards")
+	}
+];
+function worstError(fits, match) {
+	if (5 * match >= fits.length) return NaN;
+	const [xx = NaN, xy = NaN, yy = NaN] = fits.subarray(5 * match + 1, 5 * match + 4);
+	return Math.sqrt(.5 * (xx + yy) + Math.hypot(.5 * (xx - yy), xy));
+}
+var statisticsOf = remember((left, match, orientation, score, pixel) => {
+	const used = match.matches.length / 5;
+	const off = Uint32Array.from(match.rules, (_, left) => left).filter((left) => match.rules[left] === BY_HAND);
+	const count = used + off.length;
+	const lefts = Uint32Array.from({ length: count }, (_, i) => i < used ? match.indices[2 * i] ?? 0 : off[i - used] ?? 0);
+	const at = (i, k) => (i < used ? match.matches[5 * i + k] : left?.[3 * (lefts[i] ?? 0) + k]) ?? NaN;
+	const measure = (i) => {
+		const own = (i < used ? match.matches[5 * i + 4] : match.measures[2 * (lefts[i] ?? 0)]) ?? NaN;
+		return own === -1 || !Number.isFinite(own) ? NaN : own;
+	};
+	const figure = (described, value) => ({
+		...described,
+		value,
+		text: (i) => fixed(value(i), described.digits)
+	});
+	const columns = POSITION.map((column, k) => figure(column, (i) => at(i, k)));
+	columns.push(figure(MEASURE, measure));
+	if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+	const codes = new Uint8Array(count).fill(BY_HAND);
+	codes.set(matchCodes(match, orientation));
+	if (orientation !== null) {
+		const { points } = orientation;
+		ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
+			const scale = inPixels ? pixel ?? NaN : 1;
+			columns.push(figure(column, (i) => (points[9 * i + k] ?? NaN) / scale));
+		});
+	}
+	return {
+		count,
+		columns,
+		codes,
+		lefts,
+		rightness: score !== null && score.rightness.length === used ? score.rightness : null
+	};
+});
+function isKept({ codes, rightness }, filter, match) {
+	switch (filter) {
+		case "all": return true;
+		case "used": return codes[match] === MATCHED || codes[match] === MANUAL;
+		case "rejected": return codes[match] === GROSS_ERROR;
+		case "by-hand": return codes[match] === BY_HAND || codes[match] === MANUAL;
+		case "wrong": return rightness?.[match] === 0;
+	}
+}
+// www/pair/panel/feature.ts
+var PIXEL = 3;
+var SIZE = 112 * PIXEL;
+var STAR = "#ffd400";
+var GRID = "rgb(255 212 0 / 0.55)";
+var featurePictures = remember(({ features }) => {
+	if (features === null) return [];
+	const both = (name, testid, picture, text) => {
+		const one = (side, label) => {
+			const feature = features[side];
+			if (feature === null) return h("figure", {}, h("p", { class: "note" }, say("no-point")), h("figcaption", {}, label));
+			const canvas = picture(feature);
+			canvas.setAttribute("aria-label", say("point-2", {
+				label,
+				name
+			}));
+			return h("figure", {}, canvas, h("figcaption", {}, `${label}${text(feature)}`));
+		};
+		return [h("h4", {}, name), h("div", {
+			class: "windows",
+			testid
+		}, one("left", say("left")), one("right", say("right")))];
+	};
+	return [...both(say("turned-and-scaled-to-the"), "point-patches", turnedPicture, () => ""), ...both(say("descriptor-as-it-lies-in"), "point-descriptors", uprightPicture, ({ scale, direction, reach }) => say("scale-px-direction-px-wide", {
+		scale,
+		direction: direction * 180 / Math.PI,
+		reach
+	}))];
+});
+function stretched(grey) {
+	const [low, high] = grey.reduce(([least, most], value) => [Math.min(least, value), Math.max(most, value)], [255, 0]);
+	return grey.map((value) => 255 * (value - low) / Math.max(1, high - low));
+}
+function canvasOf(grey) {
+	const canvas = h("canvas", {
+		class: "window",
+		role: "img"
+	});
+	canvas.width = SIZE;
+	canvas.height = SIZE;
+	const context = canvas.getContext("2d");
+	if (context === null) return [canvas, context];
+	const samples = stretched(grey);
+	const pixels = context.createImageData(SIZE, SIZE);
+	for (let i = 0; i < SIZE * SIZE; i++) {
+		const sample = 112 * Math.floor(i / SIZE / PIXEL) + Math.floor(i % SIZE / PIXEL);
+		pixels.data.fill(samples[sample] ?? 0, 4 * i, 4 * i + 3);
+		pixels.data[4 * i + 3] = 255;
+	}
+	context.putImageData(pixels, 0, 0);
+	return [canvas, context];
+}
+function turnedPicture({ turned }) {
+	return canvasOf(turned)[0];
+}
+function uprightPicture({ upright, descriptor, direction }) {
+	const [canvas, context] = canvasOf(upright);
+	if (context === null) return canvas;
+	context.translate(SIZE / 2, SIZE / 2);
+	context.rotate(direction);
+	drawGrid(context, SIZE / SURROUNDINGS);
+	drawStars(context, SIZE / SURROUNDINGS, descriptor);
+	return canvas;
+}
+function drawGrid(context, side) {
+	context.strokeStyle = GRID;
+	context.lineWidth = 1.5;
+	context.beginPath();
+	for (let k = 0; k <= 4; k++) {
+		const at = side * (k / 4 - .5);
+		context.moveTo(at, -side / 2);
+		context.lineTo(at, side / 2);
+		context.moveTo(-side / 2, at);
+		context.lineTo(side / 2, at);
+	}
+	context.moveTo(side / 2, 0);
+	context.lineTo(side / 2 + 14, 0);
+	context.stroke();
+}
+function drawStars(context, side, descriptor) {
+	const cell = side / 4;
+	const most = descriptor.reduce((a, b) => Math.max(a, b), 1);
+	context.strokeStyle = STAR;
+	context.lineWidth = 2.5;
+	context.beginPath();
+	descriptor.forEach((value, i) => {
+		const place = Math.floor(i / 8);
+		const x = (place % 4 + .5) * cell - side / 2;
+		const y = (Math.floor(place / 4) + .5) * cell - side / 2;
+		const angle = i % 8 * 2 * Math.PI / 8;
+		const length = .5 * cell * value / most;
+		context.moveTo(x, y);
+		context.lineTo(x + length * Math.cos(angle), y + length * Math.sin(angle));
+	});
+	context.stroke();
+}
+// www/pair/panel/window.ts
+function windowPicture(report, col, row, axis) {
+	const { side } = report;
+	const canvas = h("canvas", {
+		class: "window",
+		role: "img",
+		aria: { label: say("px-window-enlarged", { side }) }
+	});
+	const pixel = Math.max(2, Math.floor(264 / side));
+	canvas.width = side * pixel;
+	canvas.height = side * pixel;
+	const context = canvas.getContext("2d");
+	if (context === null) return canvas;
+	for (let i = 0; i < side * side; i++) {
+		const grey = String(report.grey[i] ?? 0);
+		context.fillStyle = report.mask[i] === false ? `rgb(${grey} ${grey} ${grey} / 0.25)` : `rgb(${grey} ${grey} ${grey})`;
+		context.fillRect(i % side * pixel, Math.floor(i / side) * pixel, pixel, pixel);
+	}
+	if (axis) drawAxis(context, report, [report.centroid_px[0] - col - .5, report.centroid_px[1] - row - .5], pixel);
+	return canvas;
+}
+function drawAxis(context, report, [dx, dy], pixel) {
+	const middle = report.side * pixel / 2;
+	const x = middle + dx * pixel;
+	const y = middle + dy * pixel;
+	const angle = report.axis_angle_deg * Math.PI / 180;
+	const reach = .45 * report.side * pixel;
+	context.strokeStyle = "#ffd400";
+	context.lineWidth = 2;
+	context.beginPath();
+	context.moveTo(x - reach * Math.cos(angle), y - reach * Math.sin(angle));
+	context.lineTo(x + reach * Math.cos(angle), y + reach * Math.sin(angle));
+	context.stroke();
+	context.beginPath();
+	context.arc(x, y, 5, 0, 2 * Math.PI);
+	context.stroke();
+}
+// www/pair/panel/point.ts
+var MOST_ROWS = 50;
+function mountPoint(host, store, select) {
+	const body = h("div", { testid: "point-panel" });
+	host.append(body);
+	store.watch([
+		"selection",
+		"results",
+		"history",
+		"images",
+		"settings",
+		"failures"
+	], whenInSight(host, () => {
+		const { state } = store;
+		body.classList.toggle("is-stale", state.selection !== null && state.results.match !== void 0 && !isCurrent(state, "match"));
+		const focused = body.contains(document.activeElement);
+		fill(body, ...content(state, select));
+		if (focused) host.focus({ preventScroll: true });
+	}));
+}
+function content(state, select) {
+	const { selection } = state;
+	const shown = shownPair(state);
+	const points = selection === null ? null : shown[selection.side];
+	if (selection === null || points === null || 3 * selection.index >= points.length) return [h("p", { class: "note" }, say("click-a-point-in-an"))];
+	const at = points.subarray(3 * selection.index, 3 * selection.index + 3);
+	const parts = [h("h3", {}, say("point-3", {
+		what: selection.side === "left" ? say("left") : say("right"),
+		index: selection.index + 1
+	})), h("p", {
+		class: "facts-line",
+		testid: "point-position"
+	}, say("x-px-y-px-interest", {
+		at: at[0],
+		at_2: at[1],
+		significant: significant(at[2] ?? 0)
+	}))];
+	if (shown.match === null) return [...parts, h("p", { class: "note" }, say("not-matched-yet"))];
+	parts.push(verdict(state, shown, shown.match));
+	const inspection = state.results.inspection?.value;
+	if (inspection === void 0 || !isCurrent(state, "inspection")) return [...parts, h("p", { class: "note" }, problemOr(state, say("loading-the-window-and-the")))];
+	const byGrey = state.settings !== null && comparesGreyValues(state.settings);
+	const compared = state.settings !== null && comparesGradients(state.settings) ? featurePictures(inspection) : [windows(inspection, !byGrey), ...byGrey ? [] : moments(inspection)];
+	return [
+		...parts,
+		...compared,
+		...lineNote(inspection, shown.match),
+		...matchStatistics(state, shown, shown.match),
+		...candidateTable(state, shown.match, inspection, select)
+	];
+}
+function lineNote({ line }, { geometry }) {
+	if (line === null || geometry === null) return [];
+	const text = "fundamental" in geometry.model ? say("the-dashed-line-in-the", { side: line.side }) : say("the-cross-in-the-image", { side: line.side });
+	return [h("p", {
+		class: "note",
+		testid: "point-line"
+	}, line.positions.length === 0 ? say("by-the-geometry-of-the", { side: line.side }) : text)];
+}
+function problemOr(state, text) {
+	return state.failures.inspection?.message ?? text;
+}
+function verdict(state, shown, match) {
+	const { code, text } = verdictOf(state, shown, match);
+	return h("p", {
+		class: "verdict",
+		testid: "point-verdict"
+	}, swatch(code), h("span", {}, text));
+}
+function windows({ left, right }, axes) {
+	const one = (name, window) => {
+		const report = window?.report ?? null;
+		const picture = window === null || report === null ? h("p", { class: "note" }, window?.problem ?? say("no-point")) : windowPicture(report, window.col, window.row, axes);
+		return h("figure", {}, picture, h("figcaption", {}, name, report === null || !axes ? "" : say("axis", { axis_angle_deg: report.axis_angle_deg })));
+	};
+	return h("div", {
+		class: "windows",
+		testid: "point-windows"
+	}, one(say("left-window"), left), one(say("right-window"), right));
+}
+var MOMENTS = [
+	["mu20", "µ′₂₀"],
+	["mu11", "µ′₁₁"],
+	["mu02", "µ′₀₂"],
+	["mu30", "µ′₃₀"],
+	["mu21", "µ′₂₁"],
+	["mu12", "µ′₁₂"],
+	["mu03", "µ′₀₃"]
+];
+function moments({ left, right }) {
+	if ((left?.report ?? right?.report ?? null) === null) return [];
+	const value = (number) => h("td", { class: "number" }, number === void 0 ? "–" : significant(number));
+	const head = (text) => h("thead", {}, h("tr", {}, h("th", { scope: "col" }, text), h("th", { scope: "col" }, say("left")), h("th", { scope: "col" }, say("right"))));
+	return [h("div", { class: "moments" }, h("table", {
+		testid: "point-moments",
+		aria: { label: say("normalised-central-moments") }
+	}, head(say("moment")), h("tbody", {}, ...MOMENTS.map(([field, name]) => row(name, value(left?.report?.normalized[field]), value(right?.report?.normalized[field]))))), h("table", {
+		testid: "point-invariants",
+		aria: { label: say("invariants") }
+	}, head(say("invariant")), h("tbody", {}, ...MOMENTS.map((_, i) => row(`I${"₀₁₂₃₄₅₆".charAt(i)}`, value(left?.report?.invariants[i]), value(right?.report?.invariants[i]))))))];
+}
+function matchStatistics(state, shown, match) {
+	const index = matchOfLeft(match)[leftIndexOf(state, match.best, match.rules)] ?? -1;
+	if (index < 0) return [];
+	const interior = interiorInUse(state)?.left;
+	const { columns } = statisticsOf(shown.left, match, shown.orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
+	const right = match.matches.subarray(5 * index + 2, 5 * index + 4);
+	const list = [{
+		name: say("right-position"),
+		testid: "match-right",
+		value: say("px-9", {
+			right: right[0],
+			right_2: right[1]
+		}),
+		help: say("where-the-match-lies-in")
+	}, ...columns.filter(({ key }) => key !== "x" && key !== "y").map(({ key, label, unit, digits, help, value }) => ({
+		name: label,
+		testid: `match-${key}`,
+		value: `${fixed(value(index), digits)}${unit === "" ? "" : ` ${unit}`}`,
+		help
+	}))];
+	return [h("h4", {}, say("match", { index: index + 1 })), facts(list)];
+}
+function candidateTable(state, match, { candidates }, select) {
+	const points = state.results.pointsRight?.value.points;
+	const total = candidates.length / 2;
+	const leftIndex = leftIndexOf(state, match.best, match.rules);
+	if (points === void 0 || leftIndex < 0 || total === 0) return [];
+	const rows = Array.from({ length: Math.min(total, MOST_ROWS) }, (_, i) => {
+		const index = candidates[2 * i] ?? 0;
+		const go = h("button", {
+			type: "button",
+			class: "link",
+			aria: { label: say("select-right-point", { index: index + 1 }) }
+		}, count(index + 1));
+		go.addEventListener("click", () => select("right", index));
+		const cells = [points[3 * index], points[3 * index + 1]].map((v) => h("td", { class: "number" }, fixed(v, 1)));
+		const [least = NaN, own = NaN] = [candidates[1], candidates[2 * i + 1]];
+		return h("tr", { class: index === match.best[leftIndex] ? "best" : "" }, h("td", {}, String(i + 1)), h("td", {}, go), ...cells, h("td", { class: "number" }, fixed(own, 4)), h("td", { class: "number" }, i === 0 ? "" : fixed(least / own, 3)));
+	});
+	const measure = state.settings !== null && comparesGradients(state.settings) ? say("distance-2") : say("measure");
+	const heads = [
+		say("rank"),
+		say("right-point"),
+		"x px",
+		"y px",
+		measure
+	].map((text) => h("th", { scope: "col" }, text));
+	heads.push(h("th", {
+		scope: "col",
+		title: say("the-smallest-measure-divided-by")
+	}, say("ratio-2")));
+	const caption = say("of-left-point", {
+		total,
+		left_index: leftIndex + 1,
+		what: total > MOST_ROWS ? say("the-best", { most_rows: MOST_ROWS }) : ""
+	});
+	return [h("h4", {}, caption), h("div", { class: "scroll candidates" }, h("table", {
+		testid: "point-candidates",
+		aria: { label: caption }
+	}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows)))];
+}
+// www/pair/panel/simulate.ts
+var PREVIEW_SIDE = 240;
+var DEBOUNCE_MS = 120;
+var PRESETS = {
+	sample: say("sample-the-built-in-pair"),
+	paper: say("paper-its-geometry-and-angles"),
+	hard: say("hard-high-relief-blur-noise"),
+	lively: say("lively-river-traffic-grain-haze")
+};
+function mountSimulate(host, store, engine, render) {
+	store.watch(["catalogue"], ([catalogue]) => {
+		if (catalogue !== null) whenQuiet(() => new SimulatePanel(host, store, engine, catalogue, render));
+	});
+}
+var SimulatePanel = class {
+	host;
+	store;
+	engine;
+	catalogue;
+	preset = h("select", {
+		id: "flight-preset",
+		testid: "flight-preset"
+	});
+	problem = h("p", {
+		class: "field-problem",
+		role: "alert",
+		testid: "flight-problem"
+	});
+	pictures = [h("canvas", {
+		class: "preview",
+		testid: "preview-left"
+	}), h("canvas", {
+		class: "preview",
+		testid: "preview-right"
+	})];
+	sections;
+	timer;
+	rendering = false;
+	shown = null;
+	constructor(host, store, engine, catalogue, render) {
+		this.host = host;
+		this.store = store;
+		this.engine = engine;
+		this.catalogue = catalogue;
+		for (const { name } of catalogue.flights) this.preset.append(new Option(PRESETS[name] ?? name, name));
+		this.preset.addEventListener("change", () => store.dispatch({
+			type: "flight",
+			flight: this.standard()
+		}));
+		this.sections = makeSections(catalogue.flightParameters, {
+			change: (key, value) => {
+				const { flight } = store.state;
+				if (flight !== null) store.dispatch({
+					type: "flight",
+					flight: withSetting(flight, key, value)
+				});
+			},
+			defaults: () => this.standard()
+		});
+		const go = button(say("render-this-pair"), "render-flight", () => {
+			const { flight } = store.state;
+			if (flight !== null) render(this.preset.value, flight);
+		});
+		go.className = "primary";
+		const another = button(say("another-town"), "flight-reseed", () => {
+			const { flight } = store.state;
+			if (flight !== null) store.dispatch({
+				type: "flight",
+				flight: {
+					...flight,
+					seed: (flight.seed + 1) % 2 ** 32
+				}
+			});
+		}, say("the-next-seed"));
+		host.append(h("p", { class: "note" }, say("a-flight-over-a-synthetic")), h("div", { class: "control" }, h("label", { for: "flight-preset" }, say("preset")), this.preset), h("div", { class: "previews" }, ...this.pictures), this.problem, h("div", { class: "buttons" }, go, another), ...this.sections.elements);
+		store.watch(["flight"], ([flight]) => {
+			if (flight === null) return;
+			this.sections.show(flight);
+			this.later();
+		});
+		new IntersectionObserver(() => this.later()).observe(host);
+	}
+	standard() {
+		const found = this.catalogue.flights.find(({ name }) => name === this.preset.value) ?? this.catalogue.flights[0];
+		if (found === void 0) throw new Error("the program names no flight");
+		return found.flight;
+	}
+	later() {
+		window.clearTimeout(this.timer);
+		this.timer = window.setTimeout(() => void this.preview(), DEBOUNCE_MS);
+	}
+	async preview() {
+		const { flight } = this.store.state;
+		if (this.rendering || flight === null || flight === this.shown || this.host.offsetParent === null) return;
+		this.shown = flight;
+		const problem = problemOfFlight(flight);
+		this.tell(problem?.text ?? null);
+		if (problem !== null) {
+			this.sections.controls.find(({ parameter }) => parameter.key === problem.field)?.refuse(`${readable(this.catalogue, problem.text)}.`);
+			return;
+		}
+		this.rendering = true;
+		try {
+			const { left, right } = await this.engine.client("preview").call("simulate", reduced(flight, this.catalogue));
+			paint(this.pictures[0], left, say("preview-of-the-left-image"));
+			paint(this.pictures[1], right, say("preview-of-the-right-image"));
+		} catch (error) {
+			if (error instanceof CallError) this.tell(say("no-preview", { message: error.message }));
+			else if (!(error instanceof Cancelled)) throw error;
+		} finally {
+			this.rendering = false;
+		}
+		if (this.store.state.flight !== flight) this.later();
+	}
+	tell(problem) {
+		this.problem.textContent = problem === null ? "" : `${readable(this.catalogue, problem)}.`;
+	}
+};
+function reduced(flight, { flightParameters }) {
+	const { pixel_mm: pixel, width_px: width, height_px: height } = flight;
+	const range = (field) => {
+		const parameter = flightParameters.find(({ key }) => key === `flight.${field}`);
+		return parameter?.kind === "integer" || parameter?.kind === "real" ? parameter : {
+			min: 1,
+			max: Infinity
+		};
+	};
+	const thinnest = Math.min(width / range("width_px").min, height / range("height_px").min);
+	const factor = Math.max(1, Math.floor(Math.min(Math.ceil(Math.max(width, height) / PREVIEW_SIDE), range("pixel_mm").max / pixel, thinnest)));
+	return {
+		...flight,
+		pixel_mm: pixel * factor,
+		width_px: Math.floor(width / factor),
+		height_px: Math.floor(height / factor)
+	};
+}
+function paint(canvas, { width, height, grey }, words) {
+	canvas.width = width;
+	canvas.height = height;
+	canvas.setAttribute("role", "img");
+	canvas.setAttribute("aria-label", words);
+	const pixels = new ImageData(width, height);
+	grey.forEach((value, i) => {
+		pixels.data.fill(value, 4 * i, 4 * i + 3);
+		pixels.data[4 * i + 3] = 255;
+	});
+	canvas.getContext("2d")?.putImageData(pixels, 0, 0);
+}
+// www/pair/panel/statistics.ts
+var FILTERS = [
+	["all", say("all-matches")],
+	["used", say("used")],
+	["rejected", say("gross-errors")],
+	["by-hand", say("by-hand")],
+	["wrong", say("wrong-by-the-truth")]
+];
+var STATES = {
+	[GROSS_ERROR]: say("gross-error"),
+	[BY_HAND]: say("rejected-by-hand-2"),
+	[MANUAL]: say("by-hand")
+};
+var RIGHTNESS = [
+	say("wrong"),
+	say("at-an-edge"),
+	say("correct")
+];
+function mountStatistics(host, store, editing, select) {
+	const filter = h("select", {
+		testid: "statistics-filter",
+		aria: { label: say("matches-to-show") }
+	});
+	const caption = h("p", {
+		class: "note",
+		testid: "statistics-caption"
+	});
+	const sideways = h("p", {
+		class: "note",
+		hidden: true,
+		testid: "statistics-sideways"
+	}, say("scroll-sideways-for-more-columns"));
+	const all = button(say("choose-all"), "choose-listed", () => chooseListed(), say("choose-the-matches-that-the"));
+	host.append(h("div", { class: "statistics-head" }, filter, caption, all), sideways);
+	const table = new Table(host, {
+		testid: "statistics",
+		words: {
+			table: say("matches-with-their-statistics"),
+			region: say("table-of-matches")
+		},
+		choose: (match) => {
+			const left = statistics?.lefts[match];
+			editing.chooseNone();
+			if (left !== void 0) select("left", left);
+		},
+		chooseMore: (rows) => editing.chooseLefts(leftsOf(rows)),
+		isChosen: (match) => chosen.has(statistics?.lefts[match] ?? -1)
+	});
+	new ResizeObserver(() => {
+		sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
+	}).observe(table.head);
+	let chosen = new Set();
+	let statistics = null;
+	let found = null;
+	let columns = [];
+	const leftsOf = (rows) => [...rows].flatMap((row) => statistics?.lefts[row] ?? []);
+	const chooseListed = () => {
+		editing.chooseNone();
+		editing.chooseLefts(leftsOf(table.listed));
+	};
+	const show = () => {
+		const shown = table.show(statistics?.count ?? 0, columns, (match) => statistics !== null && isKept(statistics, filter.value, match));
+		all.disabled = shown === 0;
+		fill(caption, statistics === null ? say("no-matches-yet") : say("of-matches", {
+			shown,
+			count: statistics.count
+		}));
+	};
+	filter.addEventListener("change", show);
+	const follow = () => {
+		const { state } = store;
+		table.scroller.classList.toggle("is-stale", isStale(state, "match") || shownPair(state).orientation !== null && isStale(state, "orientation"));
+		const now = statistics !== null && isAwaited(state, found) ? statistics : statisticsOfState(state);
+		const lefts = chosenLefts(state);
+		const isOther = lefts.length !== chosen.size || !lefts.every((left) => chosen.has(left));
+		if (isOther) chosen = new Set(lefts);
+		if (now !== statistics || filter.options.length === 0) {
+			statistics = now;
+			found = shownPair(state).edited?.found ?? null;
+			columns = now === null ? [] : columnsOf(now);
+			const { value } = filter;
+			const offered = FILTERS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
+			if (filter.options.length !== offered.length) fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
+			show();
+		} else if (isOther) table.redraw();
+		table.mark(selectedMatch(state, statistics));
+	};
+	const seen = whenInSight(host, follow);
+	store.watch(["selection", "chosen"], seen);
+	store.watch([
+		"results",
+		"running",
+		"history",
+		"images",
+		"settings",
+		"camera",
+		"photos",
+		"offset",
+		"fiducialModel",
+		"failures"
+	], afterFrame(seen));
+}
+function columnsOf({ columns, codes, rightness }) {
+	const word = (key, label, help, text) => ({
+		key,
+		label,
+		unit: "",
+		help,
+		value: text,
+		text,
+		words: true
+	});
+	return [
+		{
+			key: "",
+			label: say("match-2"),
+			unit: "",
+			help: say("number-of-the-match-in"),
+			value: (match) => match,
+			text: (match) => count(match + 1)
+		},
+		...columns,
+		word("state", say("state-2"), say("whether-the-adjustment-used-the"), (match) => STATES[codes[match] ?? 0] ?? say("used")),
+		...rightness === null ? [] : [word("truth", say("truth"), say("whether-the-match-is-right"), (match) => RIGHTNESS[rightness[match] ?? 0] ?? "")]
+	];
+}
+function statisticsOfState(state) {
+	const { left, match, orientation, edited } = shownPair(state);
+	if (match === null || edited?.found.counts.matches === 0) return null;
+	const interior = interiorInUse(state)?.left;
+	return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
+}
+function isAwaited(state, found) {
+	const { edited } = shownPair(state);
+	const { orientation, score } = state.running;
+	return (orientation !== void 0 || score !== void 0) && edited !== null && edited.found === found;
+}
+function selectedMatch(state, statistics) {
+	const { match } = shownPair(state);
+	if (match === null || statistics === null || state.selection === null) return -1;
+	return statistics.lefts.indexOf(leftIndexOf(state, match.best, match.rules));
+}
+// www/pair/view/frames.ts
+var SCALES = 2;
+var LEAST_RADIUS = 6;
+var MOST_DRAWN = 250;
+var LEAST_SCALE = 1;
+function haveDirections(settings) {
+	return settings !== null && comparesGradients(settings) && !settings.gradient.upright;
+}
+function drawFrames(context, state, pane, transform, clip) {
+	const { points, frames, codes } = pane;
+	if (points === null || frames === null || frames.length === 0 || state.display.points === "none") return;
+	if (state.display.points === "matched" && transform.scale < LEAST_SCALE) return;
+	const ticks = haveDirections(state.settings);
+	const paths = new Map();
+	let drawn = 0;
+	codes.forEach((code, i) => {
+		const radius = SCALES * (frames[2 * i] ?? 0) * transform.scale;
+		if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isCodeShown(state.display, code)) return;
+		const [x, y] = toCanvas(transform, points[3 * i] ?? 0, points[3 * i + 1] ?? 0);
+		if (x + radius < clip.left || x - radius > clip.left + clip.width || y + radius < clip.top || y - radius > clip.top + clip.height) return;
+		drawn += 1;
+		const path = paths.get(code) ?? new Path2D();
+		paths.set(code, path);
+		addFrame(path, [x, y], radius, ticks ? frames[2 * i + 1] ?? 0 : null);
+	});
+	if (drawn > MOST_DRAWN) return;
+	context.lineWidth = 1;
+	for (const [code, path] of paths) {
+		context.strokeStyle = STYLES[code]?.colour ?? "#ffffff";
+		context.stroke(path);
+	}
+}
+function addFrame(path, [x, y], radius, direction) {
+	path.moveTo(x + radius, y);
+	path.arc(x, y, radius, 0, 2 * Math.PI);
+	if (direction === null) return;
+	path.moveTo(x, y);
+	path.lineTo(x + radius * Math.cos(direction), y + radius * Math.sin(direction));
+}
+function drawSupport(context, settings, { points, frames, transform }, index) {
+	if (index < 0) return;
+	const [x, y] = points?.subarray(3 * index, 3 * index + 2) ?? [];
+	const [scale, direction = 0] = frames?.subarray(2 * index, 2 * index + 2) ?? [];
+	if (x === void 0 || y === void 0 || scale === void 0) return;
+	const half = 2 * settings.gradient.cell * scale * transform.scale;
+	context.save();
+	context.translate(...toCanvas(transform, x, y));
+	context.rotate(direction);
+	context.lineWidth = 1.5;
+	context.strokeStyle = SELECTED;
+	context.strokeRect(-half, -half, 2 * half, 2 * half);
+	context.beginPath();
+	context.moveTo(0, 0);
+	context.lineTo(half, 0);
+	context.stroke();
+	context.restore();
+}
+var ALL = 4294967295;
+var NOT_DRAWN = 255;
+function stylesAt(scale) {
+	const half = halfSize(scale);
+	const rows = DRAWN.map((code) => {
+		const matched = OF_MATCHES.includes(code);
+		return [
+			STYLES[code]?.shape ?? 0,
+			matched ? half : .75 * half,
+			matched ? 1.6 : 1.2
+		];
+	});
+	return {
+		styles: Float64Array.from(rows.flat()),
+		colours: DRAWN.map((code) => STYLES[code]?.colour ?? "#ffffff")
+	};
+}
+function makeSlots() {
+	return remember((codes, points, hidden) => {
+		const slots = Uint8Array.from(STYLES, (_, code) => isCodeShown({
+			points,
+			hidden
+		}, code) ? DRAWN.indexOf(code) : NOT_DRAWN);
+		return codes.map((code) => slots[code] ?? NOT_DRAWN);
+	});
+}
+var slotsOf = {
+	left: makeSlots(),
+	right: makeSlots()
+};
+var slotsOfPlaces = makeSlots();
+function drawPoints(context, state, scene, pane, transform, clip) {
+	const { points, hidden } = state.display;
+	if (pane.points === null || points === "none") return;
+	const { styles, colours } = stylesAt(transform.scale);
+	const view = drawView(transform, clip);
+	draw_points(context, pane.points, slotsOf[pane.side](pane.codes, points, hidden), styles, colours, view);
+	drawFrames(context, state, pane, transform, clip);
+	if (pane.side === "right") draw_points(context, scene.places.points, slotsOfPlaces(scene.places.codes, points, hidden), styles, colours, view);
+}
+function drawLines(context, state, scene) {
+	const { lines } = state.display;
+	if (scene.match === null || lines === "none") return;
+	const { left, right } = scene.panes;
+	const rejected = isCodeShown({
+		...state.display,
+		points: state.display.points === "none" ? "matched" : state.display.points
+	}, GROSS_ERROR) ? 1 : NOT_DRAWN;
+	const codes = scene.matchCodes.map((code) => code === GROSS_ERROR ? rejected : 0);
+	draw_match_lines(context, scene.match.matches, codes, Float64Array.of(1, 1), [LINE, LINE_REJECTED], drawView(left.transform, left.rect), drawView(right.transform, right.rect), lines === "all" ? ALL : 100);
+}
+function drawResiduals(context, state, scene, pane) {
+	if (pane.vectors === null || state.display.vectors === 0) return;
+	const codes = scene.matchCodes.map((code) => code === GROSS_ERROR ? 1 : 0);
+	draw_vectors(context, pane.vectors, codes, Float64Array.of(1.4, 1.4), [RESIDUAL, RESIDUAL_REJECTED], state.display.vectors, drawView(pane.transform, pane.rect));
+}
+function drawMarks(context, state, scene) {
+	drawLines(context, state, scene);
+	for (const side of SIDES) {
+		const pane = scene.panes[side];
+		within(context, pane.rect, () => {
+			drawPoints(context, state, scene, pane, pane.transform, pane.rect);
+			drawResiduals(context, state, scene, pane);
+		});
+	}
+}
+// www/pair/panel/toolbar.ts
+function mountToolbar(host, store, navigator) {
+	const set = (display) => store.dispatch({
+		type: "display",
+		display
+	});
+	const shows = (points) => set({
+		points,
+		hidden: []
+	});
+	const points = toggle(say("points"), "layer-points", say("show-the-matched-points"), (on) => shows(on ? "matched" : "none"));
+	const unmatched = toggle(say("unmatched"), "layer-unmatched", say("show-rejected-points-too-marked"), (on) => shows(on ? "all" : "matched"));
+	const [lines, lineSelect] = choice(say("lines"), "layer-lines", [
+		["none", say("no-lines")],
+		["some", `≤ ${String(100)}`],
+		["all", say("all-lines")]
+	], (value) => set({ lines: value }));
+	const [vectors, vectorSelect] = vectorChoice("layer-vectors", (vectors) => set({ vectors }));
+	const linked = toggle(say("linked"), "linked", say("pan-and-zoom-both-images"), (on) => set({ linked: on }));
+	const magnifier = toggle(say("magnifier"), "magnifier", say("enlarge-what-is-under-the-pointer"), (on) => set({ magnifier: on }));
+	const more = h("div", {
+		class: "more",
+		id: "view-more"
+	}, lines, vectors, h("span", { class: "divider" }), linked, magnifier, labelled("1:1", "zoom-actual", say("n-1-1-one-image-pixel"), () => navigator.actualSize()), h("span", { class: "divider" }), labelled("‹", "previous-point", say("previous-point-p"), () => navigator.step(-1)), labelled("›", "next-point", say("next-point-n"), () => navigator.step(1)));
+	const unfold = h("button", {
+		type: "button",
+		class: "menu-button",
+		testid: "view-menu"
+	}, say("view"));
+	mountMenu(unfold, more);
+	host.append(points, unmatched, h("span", { class: "divider" }), ...zoomButtons("", say("whole-images"), () => navigator), unfold, more);
+	store.watch(["results"], () => {
+		const { left, match } = shownPair(store.state);
+		const others = match === null || left === null ? 0 : left.length / 3 - match.counts.matches;
+		fill(unmatched, say("unmatched"), others === 0 ? null : h("span", { class: "number-of" }, ` (${count(others)})`));
+	});
+	store.watch(["display"], ([display]) => {
+		points.setAttribute("aria-pressed", String(display.points !== "none"));
+		unmatched.setAttribute("aria-pressed", String(display.points === "all"));
+		lineSelect.value = display.lines;
+		vectorSelect.value = String(display.vectors);
+		linked.setAttribute("aria-pressed", String(display.linked));
+		magnifier.setAttribute("aria-pressed", String(display.magnifier));
+	});
+}
+// www/pair/state/editing.ts
+var Editing = class {
+	store;
+	fitter;
+	constructor(store, fitter) {
+		this.store = store;
+		this.fitter = fitter;
+	}
+	edit(kind) {
+		const edit = editOfChoice(this.store.state, kind);
+		if (edit !== null) this.store.dispatch({
+			type: "edit",
+			edit
+		});
+	}
+	step(by) {
+		this.store.dispatch({
+			type: "goto",
+			done: this.store.state.history.done + by
+		});
+	}
+	choose(selection) {
+		const { state } = this.store;
+		const edited = editedPair(state);
+		if (edited === null || selection === null) return;
+		const left = leftIndexOf({ selection }, edited.match.best, edited.match.rules);
+		this.chooseAll(keysOfLefts(edited, left < 0 ? [] : [left]));
+	}
+	chooseLefts(lefts) {
+		const edited = editedPair(this.store.state);
+		if (edited !== null) this.chooseAll(keysOfLefts(edited, lefts));
+	}
+	chooseNone() {
+		if (this.store.state.chosen.length > 0) this.store.dispatch({
+			type: "choose",
+			chosen: []
+		});
+	}
+	toggle(tool) {
+		const { state } = this.store;
+		const next = state.tool === tool || editedPair(state) === null ? "look" : tool;
+		if (next !== state.tool) this.store.dispatch({
+			type: "tool",
+			tool: next
+		});
+	}
+	move() {
+		const draft = moving(this.store.state);
+		if (draft === null) return;
+		this.store.dispatch({
+			type: "tool",
+			tool: "measure"
+		});
+		this.store.dispatch({
+			type: "draft",
+			draft
+		});
+	}
+	place(side, at) {
+		const { state } = this.store;
+		const { draft } = state;
+		this.store.dispatch({
+			type: "draft",
+			draft: draft === null ? begun(state, side, at) : placed(state, draft, side, at)
+		});
+	}
+	nudge(dx, dy) {
+		const { draft } = this.store.state;
+		const at = draft === null ? null : placeOfDraft(this.store.state, draft.side);
+		if (draft !== null && at !== null) this.place(draft.side, [at[0] + dx, at[1] + dy]);
+	}
+	exchange() {
+		const { state } = this.store;
+		const { draft } = state;
+		if (draft === null) return;
+		const at = placeOfDraft(state, draft.side);
+		const settled = at === null ? draft : placed(state, draft, draft.side, at);
+		this.store.dispatch({
+			type: "draft",
+			draft: {
+				...settled,
+				side: otherSide(draft.side)
+			}
+		});
+	}
+	async fit() {
+		const { state } = this.store;
+		const { draft } = state;
+		const [left, right] = [placeOfDraft(state, "left"), placeOfDraft(state, "right")];
+		if (draft === null || left === null || right === null) return;
+		const found = await this.fitter(left, right);
+		if (this.store.state.draft !== draft) return;
+		if (found !== null) this.store.dispatch({
+			type: "draft",
+			draft: placed(state, placed(state, draft, "left", left), "right", found)
+		});
+		const text = say("least-squares-matching-confirms-no");
+		this.store.dispatch({
+			type: "notice",
+			notice: found === null ? {
+				kind: "info",
+				text
+			} : null
+		});
+	}
+	accept() {
+		const edit = editOfDraft(this.store.state);
+		if (edit === null || edit.kind !== "add" && edit.kind !== "move") return;
+		this.store.dispatch({
+			type: "edit",
+			edit
+		});
+		this.store.dispatch(edit.kind === "add" ? {
+			type: "draft",
+			draft: null
+		} : {
+			type: "tool",
+			tool: "look"
+		});
+		const edited = editedPair(this.store.state);
+		const left = edited === null ? void 0 : leftsByTarget(edited).get(keyOfTarget(edit.kind === "add" ? edit.id : edit.of));
+		if (left !== void 0) this.store.dispatch({
+			type: "select",
+			selection: {
+				side: "left",
+				index: left
+			}
+		});
+	}
+	leave() {
+		const { tool, chosen, draft, outline } = this.store.state;
+		if (draft !== null && draft.of === null) this.store.dispatch({
+			type: "draft",
+			draft: null
+		});
+		else if (outline !== null) this.store.dispatch({
+			type: "outline",
+			outline: null
+		});
+		else if (tool !== "look") this.store.dispatch({
+			type: "tool",
+			tool: "look"
+		});
+		else if (chosen.length > 0) this.chooseNone();
+		else return false;
+		return true;
+	}
+	chooseAll(keys) {
+		if (keys.length > 0) this.store.dispatch({
+			type: "choose",
+			chosen: toggled(this.store.state.chosen, keys)
+		});
+	}
+};
+// www/pair/state/undoing.ts
+function sideOf({ images: { left, right } }, imageId) {
+	return left?.id === imageId ? "left" : right?.id === imageId ? "right" : void 0;
+}
+var Undoing = class {
+	state;
+	now;
+	isSame;
+	most;
+	all = NO_HISTORY;
+	constructor(state, now, isSame, most) {
+		this.state = state;
+		this.now = now;
+		this.isSame = isSame;
+		this.most = most;
+	}
+	get history() {
+		let { edits, done } = this.all;
+		for (let last = edits[done - 1]; last !== void 0 && !this.isAt(last, last.after); last = edits[done - 1]) {
+			edits = without$1(edits, done - 1);
+			done -= 1;
+		}
+		for (let next = edits[done]; next !== void 0 && !this.isAt(next, next.before); next = edits[done]) edits = without$1(edits, done);
+		if (edits !== this.all.edits) this.all = {
+			edits,
+			done
+		};
+		return this.all;
+	}
+	get last() {
+		const { edits, done } = this.history;
+		return edits[done - 1];
+	}
+	record(step) {
+		this.keep(this.history, step);
+	}
+	amend(step) {
+		const { history } = this;
+		this.keep(wentTo(history, history.done - 1), step);
+	}
+	keep(history, step) {
+		const edits = recorded(history, step).edits.slice(-this.most);
+		this.all = {
+			edits,
+			done: edits.length
+		};
+	}
+	go(by) {
+		const { edits, done } = this.history;
+		const step = edits[by < 0 ? done - 1 : done];
+		const side = step === void 0 ? void 0 : sideOf(this.state(), step.imageId);
+		if (step === void 0 || side === void 0) return null;
+		this.all = wentTo(this.all, done + by);
+		return {
+			step,
+			side,
+			value: by < 0 ? step.before : step.after
+		};
+	}
+	isAt({ imageId }, value) {
+		const side = sideOf(this.state(), imageId);
+		return side !== void 0 && this.isSame(this.now(side), value);
+	}
+};
+function without$1(all, index) {
+	return all.filter((_, i) => i !== index);
+}
+// www/pair/state/marking.ts
+var LEAST_SIMILARITY = 2;
+var LEAST_AFFINE = 3;
+var FIELDS = [
+	"col",
+	"row",
+	"x_mm",
+	"y_mm"
+];
+var MOST_UNDONE$1 = 1e3;
+var Marking = class {
+	store;
+	orienter;
+	show;
+	steps;
+	constructor(store, orienter, show) {
+		this.store = store;
+		this.orienter = orienter;
+		this.show = show;
+		this.steps = new Undoing(() => store.state, (side) => store.state.photos[side].fiducials, (a, b) => a === b, MOST_UNDONE$1);
+		store.watch(["photos", "fiducialModel"], () => {
+			const { mark } = store.state;
+			if (mark !== null) this.take(mark.side, mark.index);
+		});
+	}
+	toggle(side) {
+		const { tool, mark, images, photos } = this.store.state;
+		const ends = tool === "fiducials" && mark?.side === side;
+		this.store.dispatch({
+			type: "tool",
+			tool: ends || images[side] === null ? "look" : "fiducials"
+		});
+		if (ends || images[side] === null) return;
+		const { fiducials } = photos[side];
+		const first = fiducials.findIndex((one) => !isMeasured(one));
+		this.goTo(side, first < 0 ? fiducials.length : first);
+		this.store.dispatch({
+			type: "activeSide",
+			side
+		});
+	}
+	place(side, at) {
+		this.put(side, at, isMeasured(markInHand(this.store.state) ?? UNMEASURED) ? "moved" : "measured");
+	}
+	nudge(dx, dy) {
+		const { mark, photos } = this.store.state;
+		const at = mark === null ? null : placeOfMark(photos[mark.side], markInHand(this.store.state));
+		if (mark !== null && at !== null) this.put(mark.side, [at[0] + dx, at[1] + dy], "nudged");
+	}
+	put(side, [x, y], deed) {
+		const { mark, photos } = this.store.state;
+		if (mark === null || mark.side !== side) return;
+		const { fiducials, origin } = photos[side];
+		const [left, top] = origin ?? [0, 0];
+		const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
+		const placed = {
+			...fiducials[mark.index] ?? UNMEASURED,
+			col,
+			row
+		};
+		this.set(side, [
+			...fiducials.slice(0, mark.index),
+			placed,
+			...fiducials.slice(mark.index + 1)
+		], deed, mark.index);
+	}
+	async go(by) {
+		const { mark, photos } = this.store.state;
+		if (mark === null) return;
+		const { side, index } = mark;
+		const last = photos[side].fiducials.length;
+		await this.goTo(side, Math.min(last, Math.max(0, index + by)));
+	}
+	clear() {
+		const { mark, photos } = this.store.state;
+		const cleared = markInHand(this.store.state);
+		if (mark === null || cleared === void 0 || !isMeasured(cleared)) return;
+		const { fiducials } = photos[mark.side];
+		this.set(mark.side, fiducials.map((one) => one === cleared ? {
+			...one,
+			col: NaN,
+			row: NaN
+		} : one), "cleared", mark.index);
+	}
+	type(side, index, numbers) {
+		const { fiducials } = this.store.state.photos[side];
+		const now = fiducials[index];
+		if (now === void 0 || FIELDS.every((field) => Object.is(numbers[field] ?? now[field], now[field]))) return;
+		this.set(side, fiducials.map((mark, i) => i === index ? {
+			...mark,
+			...numbers
+		} : mark), "typed", index);
+	}
+	add(side) {
+		const { fiducials } = this.store.state.photos[side];
+		this.set(side, [...fiducials, UNMEASURED], "added", fiducials.length);
+	}
+	remove(side, index) {
+		const { fiducials } = this.store.state.photos[side];
+		this.set(side, fiducials.filter((_, i) => i !== index), "removed", index);
+	}
+	removeAll(side) {
+		if (this.store.state.photos[side].fiducials.length > 0) this.set(side, [], "all_removed", 0);
+	}
+	get history() {
+		return this.steps.history;
+	}
+	step(by) {
+		const gone = this.steps.go(by);
+		if (gone === null) return;
+		const { side, value, step } = gone;
+		const inUse = this.store.state.tool === "fiducials";
+		this.change(side, value);
+		if (!inUse) return;
+		this.resume(side, Math.min(step.index, value.length));
+		this.store.dispatch({
+			type: "activeSide",
+			side
+		});
+	}
+	set(side, fiducials, deed, index) {
+		const { images, photos, tool, mark } = this.store.state;
+		const image = images[side];
+		const { last } = this.steps;
+		const now = photos[side].fiducials;
+		if (image !== null) {
+			const goesOn = deed === "nudged" && last?.deed === deed && last.imageId === image.id && last.index === index;
+			const step = {
+				imageId: image.id,
+				name: say("step-of-mark", {
+					deed,
+					number: index + 1
+				}),
+				before: goesOn ? last.before : now,
+				after: fiducials,
+				deed,
+				index
+			};
+			if (goesOn) this.steps.amend(step);
+			else this.steps.record(step);
+		}
+		this.change(side, fiducials);
+		if (tool === "fiducials" && mark?.side === side && this.store.state.mark === null) this.resume(side, Math.min(index, fiducials.length));
+	}
+	change(side, fiducials) {
+		this.store.dispatch({
+			type: "photo",
+			side,
+			photo: { fiducials }
+		});
+	}
+	resume(side, index) {
+		if (this.store.state.tool !== "fiducials") this.store.dispatch({
+			type: "tool",
+			tool: "fiducials"
+		});
+		this.goTo(side, index);
+	}
+	async goTo(side, index) {
+		const at = await this.take(side, index);
+		if (at !== null) this.show(side, at);
+	}
+	async take(side, index) {
+		this.store.dispatch({
+			type: "mark",
+			mark: {
+				side,
+				index,
+				expected: null
+			}
+		});
+		const photo = this.store.state.photos[side];
+		const wanted = photo.fiducials[index];
+		const at = placeOfMark(photo, wanted);
+		const known = wholeMarks(photo);
+		if (at !== null || wanted === void 0 || known.length < LEAST_SIMILARITY) return at;
+		const model = known.length < LEAST_AFFINE ? "similarity" : this.store.state.fiducialModel;
+		const found = await this.orienter(known, model);
+		const expected = found === null ? null : positionOf(photo, found, wanted);
+		const { mark, photos } = this.store.state;
+		if (expected === null || photos[side] !== photo || mark?.side !== side || mark.index !== index) return null;
+		this.store.dispatch({
+			type: "mark",
+			mark: {
+				side,
+				index,
+				expected
+			}
+		});
+		return expected;
+	}
+};
+function positionOf({ origin }, { parameters }, { x_mm, y_mm }) {
+	const [[a, b, tx], [d, e, ty]] = parameters;
+	const [u, v, determinant] = [
+		x_mm - tx,
+		y_mm - ty,
+		a * e - b * d
+	];
+	const [left, top] = origin ?? [0, 0];
+	const at = [(e * u - b * v) / determinant - left, (a * v - d * u) / determinant - top];
+	return at.every(Number.isFinite) ? at : null;
+}
+// www/pair/state/masking.ts
+var LEAST_CORNERS = 3;
+var MOST_UNDONE = 10;
+var Masking = class {
+	store;
+	painter;
+	steps;
+	former = null;
+	isTraced = false;
+	isTracing = false;
+	painting = Promise.resolve();
+	constructor(store, painter) {
+		this.store = store;
+		this.painter = painter;
+		this.steps = new Undoing(() => store.state, (side) => store.state.masks[side], (a, b) => a?.id === b?.id, MOST_UNDONE);
+	}
+	can() {
+		return Object.values(this.store.state.images).some((image) => image !== null && image.source.kind !== "project");
+	}
+	toggle() {
+		const next = this.store.state.tool === "mask" || !this.can() ? "look" : "mask";
+		this.store.dispatch({
+			type: "tool",
+			tool: next
+		});
+	}
+	place(side, at) {
+		const { outline } = this.store.state;
+		const before = outline?.side === side ? outline.corners : [];
+		this.isTraced = false;
+		this.store.dispatch({
+			type: "outline",
+			outline: {
+				side,
+				corners: [...before, at]
+			}
+		});
+	}
+	trace(side, corners, ended) {
+		if (!this.isTracing) this.former = this.store.state.outline;
+		this.isTracing = !ended;
+		this.isTraced = true;
+		this.store.dispatch({
+			type: "outline",
+			outline: {
+				side,
+				corners
+			}
+		});
+	}
+	giveUp() {
+		if (!this.isTracing) return;
+		this.isTracing = false;
+		this.isTraced = false;
+		this.store.dispatch({
+			type: "outline",
+			outline: this.former
+		});
+	}
+	back() {
+		const { outline } = this.store.state;
+		if (outline === null) return;
+		const corners = this.isTraced ? [] : outline.corners.slice(0, -1);
+		this.store.dispatch({
+			type: "outline",
+			outline: corners.length === 0 ? null : {
+				...outline,
+				corners
+			}
+		});
+	}
+	isArea() {
+		return (this.store.state.outline?.corners.length ?? 0) >= LEAST_CORNERS;
+	}
+	paint(masked) {
+		const { outline, images } = this.store.state;
+		const image = outline === null ? null : images[outline.side];
+		if (outline === null || image === null || !this.isArea()) return Promise.resolve();
+		this.store.dispatch({
+			type: "outline",
+			outline: null
+		});
+		this.painting = this.painting.catch(() => {}).then(() => this.painted(image.id, outline.corners, masked));
+		return this.painting;
+	}
+	get history() {
+		return this.steps.history;
+	}
+	step(by) {
+		const gone = this.steps.go(by);
+		if (gone !== null) this.store.dispatch({
+			type: "mask",
+			side: gone.side,
+			mask: gone.value
+		});
+	}
+	async painted(imageId, corners, masked) {
+		const { state } = this.store;
+		const side = sideOf(this.store.state, imageId);
+		if (side === void 0) return;
+		const before = state.masks[side];
+		const tell = (kind, text) => this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind,
+				text
+			}
+		});
+		if (before?.source.kind === "project") {
+			tell("problem", say("the-mask-is-not-here", { name: before.name }));
+			this.outlinedAgain(imageId, corners);
+			return;
+		}
+		let mask = null;
+		try {
+			mask = await this.painter(state, side, corners, masked);
+		} finally {
+			if (mask === null) this.outlinedAgain(imageId, corners);
+		}
+		const now = sideOf(this.store.state, imageId);
+		if (mask === null || now === void 0 || this.store.state.masks[now] !== before) {
+			tell("info", say("no-area-was-painted"));
+			this.outlinedAgain(imageId, corners);
+			return;
+		}
+		this.steps.record({
+			imageId,
+			name: say("step-of-mask", { masked: masked ? "yes" : "no" }),
+			before,
+			after: mask
+		});
+		this.store.dispatch({
+			type: "mask",
+			side: now,
+			mask
+		});
+		tell("info", say("masks-of-the-image", {
+			name: mask.name,
+			left_out: 100 * mask.leftOut,
+			side: now
+		}));
+	}
+	outlinedAgain(imageId, corners) {
+		const side = sideOf(this.store.state, imageId);
+		const { outline, tool } = this.store.state;
+		if (side !== void 0 && outline === null && tool === "mask") this.store.dispatch({
+			type: "outline",
+			outline: {
+				side,
+				corners
+			}
+		});
+	}
+};
+// www/pair/state/reducer.ts
+var NO_DATA = {
+	fiducials: [],
+	origin: null
+};
+var DEEDS = new Set([
+	"images",
+	"simulated",
+	"opened",
+	"restored",
+	"cleared",
+	"found",
+	"flight",
+	"swap",
+	"settings",
+	"camera",
+	"photo",
+	"mask",
+	"fiducialModel",
+	"offset",
+	"display",
+	"resume",
+	"edit",
+	"goto"
+]);
+function reduce(state, action) {
+	const next = withTool(withShown(state, changed(state, action)), action);
+	return DEEDS.has(action.type) && next.notice !== null && next.notice.kind !== "busy" ? {
+		...next,
+		notice: null
+	} : next;
+}
+function withTool(next, action) {
+	return next.tool === "fiducials" && next.mark === null && action.type !== "tool" ? {
+		...next,
+		tool: "look"
+	} : next;
+}
+function markAmong({ mark, photos }, side, { fiducials }) {
+	if (mark?.side !== side || fiducials === void 0) return mark;
+	return fiducials.length < photos[side].fiducials.length || mark.index > fiducials.length ? null : mark;
+}
+function withShown(state, next) {
+	const shown = TYPED_PARTS.filter((part) => part in next.refused && next[part] !== state[part]);
+	return shown.length === 0 ? next : {
+		...next,
+		refused: shown.reduce(without, next.refused)
+	};
+}
+function changed(state, action) {
+	switch (action.type) {
+		case "ready": return {
+			...state,
+			catalogue: action.catalogue,
+			settings: action.catalogue.defaults,
+			flight: action.catalogue.flights[0]?.flight ?? null
+		};
+		case "images": return withImages(state, action.images);
+		case "simulated": return withSimulated(state, action);
+		case "opened": return withProject(state, action.opened);
+		case "restored": return withKept(state, action.restored);
+		case "cleared": return state.catalogue === null ? state : changed(INITIAL, {
+			type: "ready",
+			catalogue: state.catalogue
+		});
+		case "found": return withFiles(state, action.images);
+		case "flight": return {
+			...state,
+			flight: action.flight
+		};
+		case "swap": return swapped(state);
+		case "settings": return {
+			...state,
+			settings: action.settings,
+			paused: false
+		};
+		case "refused": return {
+			...state,
+			refused: action.label === null ? without(state.refused, action.part) : {
+				...state.refused,
+				[action.part]: action.label
+			}
+		};
+		case "camera": return {
+			...state,
+			camera: action.camera,
+			paused: false
+		};
+		case "photo": return {
+			...state,
+			photos: {
+				...state.photos,
+				[action.side]: {
+					...state.photos[action.side],
+					...action.photo
+				}
+			},
+			mark: markAmong(state, action.side, action.photo),
+			paused: false
+		};
+		case "mask": return {
+			...state,
+			masks: {
+				...state.masks,
+				[action.side]: action.mask
+			},
+			paused: false
+		};
+		case "fiducialModel": return {
+			...state,
+			fiducialModel: action.model,
+			paused: false
+		};
+		case "offset": return {
+			...state,
+			offset: action.offset,
+			paused: false
+		};
+		case "select": return {
+			...state,
+			selection: action.selection,
+			activeSide: action.selection?.side ?? state.activeSide
+		};
+		case "edit": return withHistory(state, recorded(state.history, action.edit));
+		case "goto": return withHistory(state, wentTo(state.history, action.done));
+		case "choose": return {
+			...state,
+			chosen: action.chosen
+		};
+		case "tool": return {
+			...state,
+			tool: action.tool,
+			draft: null,
+			outline: null,
+			mark: null
+		};
+		case "draft": return {
+			...state,
+			draft: action.draft
+		};
+		case "mark": return {
+			...state,
+			mark: action.mark
+		};
+		case "outline": return {
+			...state,
+			outline: action.outline
+		};
+		case "activeSide": return {
+			...state,
+			activeSide: action.side
+		};
+		case "views": return {
+			...state,
+			views: {
+				...state.views,
+				...action.views
+			}
+		};
+		case "display": return {
+			...state,
+			display: {
+				...state.display,
+				...action.display
+			}
+		};
+		case "notice": return {
+			...state,
+			notice: action.notice
+		};
+		default: return withRun(state, action);
+	}
+}
+function withRun(state, action) {
+	switch (action.type) {
+		case "stageStarted": return {
+			...state,
+			running: {
+				...state.running,
+				[action.stage]: action.key
+			}
+		};
+		case "stageDone": return withKeptEdits(action.stage, {
+			...state,
+			running: without(state.running, action.stage),
+			failures: without(state.failures, action.stage),
+			results: {
+				...state.results,
+				[action.stage]: action.result
+			},
+			selection: action.stage === (state.selection?.side === "left" ? "pointsLeft" : "pointsRight") ? null : state.selection
+		});
+		case "stageFailed": return {
+			...state,
+			running: without(state.running, action.stage),
+			failures: {
+				...state.failures,
+				[action.stage]: action.failure
+			}
+		};
+		case "stageStopped": return {
+			...state,
+			running: without(state.running, action.stage)
+		};
+		case "cancelled": return {
+			...state,
+			running: {},
+			paused: state.paused || Object.keys(state.running).length > 0
+		};
+		case "resume": return {
+			...state,
+			paused: false,
+			failures: {}
+		};
+	}
+}
+function without(object, key) {
+	if (!(key in object)) return object;
+	const copy = { ...object };
+	delete copy[key];
+	return copy;
+}
+function withKeptEdits(stage, state) {
+	const edited = stage === "match" ? editedPair(state) : null;
+	const text = edited === null ? null : keptText(edited);
+	return text === null || state.notice?.kind === "problem" ? state : {
+		...state,
+		notice: {
+			kind: "info",
+			text
+		}
+	};
+}
+function withHistory(state, history) {
+	if (history.done === state.history.done && history.edits === state.history.edits) return state;
+	const before = isCurrent(state, "orientation") ? state.results.orientation?.value ?? null : state.before;
+	return {
+		...state,
+		history,
+		before,
+		paused: false
+	};
+}
+function withImages(state, images) {
+	const before = state.truth === null ? state : withoutTruth(state);
+	const all = {
+		...before.images,
+		...images
+	};
+	return {
+		...before,
+		images: all,
+		masks: {
+			left: images.left === void 0 ? before.masks.left : null,
+			right: images.right === void 0 ? before.masks.right : null
+		},
+		selection: null,
+		paused: false,
+		failures: {},
+		views: {
+			left: null,
+			right: null
+		},
+		...UNEDITED,
+		...exchangedPair(state, all)
+	};
+}
+function withoutTruth(state) {
+	return {
+		...state,
+		settings: withBase(state, state.catalogue?.defaults.orientation.base_mm ?? null),
+		truth: null,
+		camera: null,
+		photos: {
+			left: NO_DATA,
+			right: NO_DATA
+		},
+		offset: null
+	};
+}
+function withBase({ settings }, base) {
+	return settings === null ? null : {
+		...settings,
+		orientation: {
+			...settings.orientation,
+			base_mm: base
+		}
+	};
+}
+function withSimulated(state, { left, right, pair }) {
+	const given = withImages({
+		...state,
+		truth: null
+	}, {
+		left,
+		right
+	});
+	return {
+		...given,
+		settings: withBase(given, pair.base_mm === 0 ? null : pair.base_mm),
+		camera: pair.camera,
+		photos: {
+			left: {
+				fiducials: pair.left_fiducials,
+				origin: pair.left_origin
+			},
+			right: {
+				fiducials: pair.right_fiducials,
+				origin: pair.right_origin
+			}
+		},
+		offset: null,
+		truth: {
+			leftId: left.id,
+			rightId: right.id,
+			orientation: pair.truth,
+			baseMm: pair.base_mm,
+			rightPosition: pair.right_position,
+			leftWidth: pair.left.width,
+			leftHeight: pair.left.height
+		}
+	};
+}
+function swapped(state) {
+	const results = { ...state.results };
+	exchange(results, "openLeft", "openRight");
+	exchange(results, "pointsLeft", "pointsRight");
+	exchange(results, "descriptorsLeft", "descriptorsRight");
+	return {
+		...state,
+		results,
+		images: {
+			left: state.images.right,
+			right: state.images.left
+		},
+		photos: {
+			left: state.photos.right,
+			right: state.photos.left
+		},
+		masks: {
+			left: state.masks.right,
+			right: state.masks.left
+		},
+		offset: state.offset === null ? null : [-state.offset[0], -state.offset[1]],
+		views: {
+			left: state.views.right,
+			right: state.views.left
+		},
+		...UNEDITED,
+		history: exchanged(state.history),
+		selection: null,
+		failures: {},
+		paused: false
+	};
+}
+function exchange(results, a, b) {
+	const kept = results[a];
+	results[a] = results[b];
+	results[b] = kept;
+}
+// www/pair/state/store.ts
+var Store = class extends Holder {
+	constructor() {
+		super(INITIAL, reduce);
+	}
+};
+// www/pair/view/scene.ts
+function pictureOf(state, side) {
+	const stage = side === "left" ? "openLeft" : "openRight";
+	const image = state.images[side];
+	const opened = state.results[stage];
+	if (image === null || opened === void 0 || opened.key !== wantedKeys(state)[stage]) return null;
+	const { info, overview } = opened.value;
+	return {
+		imageId: image.id,
+		width: info.width,
+		height: info.height,
+		overview
+	};
+}
+function marksOf(state) {
+	const { left, right, match, orientation } = shownPair(state);
+	const interior = state.display.vectors === 0 ? null : interiorInUse(state);
+	const vectors = (side) => match === null || orientation === null || interior === null ? null : residualVectors[side](match, orientation, interior[side]);
+	const ofMatches = matchCodes(match, orientation);
+	return {
+		points: {
+			left,
+			right
+		},
+		codes: {
+			left: leftCodes(left, match, orientation),
+			right: rightCodes(right, match, orientation)
+		},
+		match,
+		matchCodes: ofMatches,
+		places: loosePlaces(match, ofMatches),
+		vectors: {
+			left: vectors("left"),
+			right: vectors("right")
+		}
+	};
+}
+function sceneOf(state, width, height) {
+	const rects = panesOf(width, height);
+	const marks = marksOf(state);
+	const pane = (side) => {
+		const picture = pictureOf(state, side);
+		const own = state.views[side];
+		const whole = picture === null ? {
+			x: 0,
+			y: 0,
+			scale: 1
+		} : fitView(rects[side], picture.width, picture.height);
+		const view = own === null ? whole : inPane(own, rects[side]);
+		return {
+			side,
+			rect: rects[side],
+			transform: transformOf(rects[side], view),
+			picture,
+			points: picture === null ? null : marks.points[side],
+			frames: state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.frames ?? null,
+			codes: marks.codes[side],
+			vectors: marks.vectors[side]
+		};
+	};
+	const { match, matchCodes: ofMatches, places } = marks;
+	return {
+		panes: {
+			left: pane("left"),
+			right: pane("right")
+		},
+		match,
+		matchCodes: ofMatches,
+		places
+	};
+}
+function paneAt(scene, x, y) {
+	const side = SIDES.find((s) => contains(scene.panes[s].rect, x, y));
+	return side === void 0 ? null : scene.panes[side];
+}
+var middleOf = ({ rect, transform }) => toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2);
+// www/pair/view/input.ts
+function mountInput(view, store, navigator, { editing, masking, marking, paint }) {
+	const { host } = view;
+	const activate = (side) => {
+		if (store.state.activeSide !== side) store.dispatch({
+			type: "activeSide",
+			side
+		});
+	};
+	const measuring = declare({
+		where: say("pictures-of-a-pair-while"),
+		host,
+		list: measuringKeys(store, navigator, editing)
+	});
+	const masks = declare({
+		where: say("pictures-of-a-pair-while-masking"),
+		host,
+		list: maskingKeys(store, navigator, masking, paint)
+	});
+	const marks = declare({
+		where: say("pictures-of-a-pair-while-marking"),
+		host,
+		list: markingKeys(store, navigator, marking)
+	});
+	const look = declare({
+		where: say("pictures-of-a-pair"),
+		host,
+		list: pictureKeys(store, navigator, editing, masking)
+	});
+	listen(host, {
+		at: (x, y) => {
+			const pane = paneAt(view.scene(), x, y);
+			return pane?.picture == null ? null : pane.side;
+		},
+		focused: () => store.state.activeSide,
+		pan: (side, dx, dy) => navigator.pan(side, dx, dy),
+		zoom: (side, factor, x, y) => navigator.zoom(side, factor, x, y),
+		zoomMiddle: (factor) => navigator.zoomMiddle(factor),
+		fit: () => navigator.fit(),
+		grabbed: activate,
+		pressed: (x, y, more) => {
+			if (store.state.tool === "measure") measure(view, x, y, editing, navigator);
+			else if (store.state.tool === "mask") corner(view, x, y, masking);
+			else if (store.state.tool === "fiducials") mark(view, x, y, marking);
+			else press(view.hit(x, y), more, editing, navigator);
+		},
+		encloses: (shift) => shift || store.state.tool === "choose" || store.state.tool === "mask",
+		enclosed: (side, from, to, ended, path) => {
+			if (store.state.tool === "mask") outline(view, side, path, ended, masking);
+			else enclose(view, store, side, from, to, ended);
+		},
+		pointed: (at) => view.point(at),
+		command: (key, shift) => measuring(key, shift) || masks(key, shift) || marks(key, shift) || look(key, shift)
+	}, host.closest(".stage") ?? host);
+}
+function press(hit, more, editing, navigator) {
+	if (more) {
+		editing.choose(hit);
+		return;
+	}
+	editing.chooseNone();
+	navigator.select(hit);
+}
+function enclose(view, store, side, from, to, ended) {
+	const rect = to === null ? null : between(from, to);
+	view.enclose(ended ? null : rect);
+	const edited = editedPair(store.state);
+	if (!ended || rect === null || edited === null) return;
+	const { transform, codes } = view.scene().panes[side];
+	const [left, top] = toPosition(transform, rect.left, rect.top);
+	const [right, bottom] = toPosition(transform, rect.left + rect.width, rect.top + rect.height);
+	const { display } = store.state;
+	const ofLefts = side === "left" ? codes : view.scene().panes.left.codes;
+	store.dispatch({
+		type: "choose",
+		chosen: keysWithin(edited, side, [
+			left,
+			top,
+			right,
+			bottom
+		], (index) => isCodeShown(display, ofLefts[index] ?? 0))
+	});
+}
+function between([x, y], [u, v]) {
+	return {
+		left: Math.min(x, u),
+		top: Math.min(y, v),
+		width: Math.abs(u - x),
+		height: Math.abs(v - y)
+	};
+}
+function measure(view, x, y, editing, navigator) {
+	const pane = paneAt(view.scene(), x, y);
+	if (pane?.picture == null) return;
+	editing.place(pane.side, toPosition(pane.transform, x, y));
+	navigator.followDraft();
+}
+function corner(view, x, y, masking) {
+	const pane = paneAt(view.scene(), x, y);
+	if (pane?.picture != null) masking.place(pane.side, toPosition(pane.transform, x, y));
+}
+function outline(view, side, path, ended, masking) {
+	const { transform } = view.scene().panes[side];
+	const corners = path.map(([x, y]) => toPosition(transform, x, y));
+	if (corners.length === 0) masking.giveUp();
+	else masking.trace(side, corners, ended);
+}
+function mark(view, x, y, marking) {
+	const pane = paneAt(view.scene(), x, y);
+	if (pane?.picture != null) marking.place(pane.side, toPosition(pane.transform, x, y));
+}
+function markingKeys(store, navigator, marking) {
+	const marks = () => store.state.tool === "fiducials" && store.state.mark !== null;
+	const isMeasured = () => marks() && placeOfMark(store.state.photos[store.state.mark?.side ?? "left"], markInHand(store.state)) !== null;
+	const nudge = (key, dx, dy) => ({
+		keys: [key],
+		does: say("moves-the-mark-by"),
+		can: isMeasured,
+		run: (shift) => marking.nudge((shift ? COARSE : FINE) * dx, (shift ? COARSE : FINE) * dy)
+	});
+	const middle = () => {
+		const at = navigator.middle(store.state.mark?.side);
+		if (at !== null) marking.place(...at);
+	};
+	return [
+		nudge("ArrowLeft", -1, 0),
+		nudge("ArrowRight", 1, 0),
+		nudge("ArrowUp", 0, -1),
+		nudge("ArrowDown", 0, 1),
+		{
+			keys: ["Enter"],
+			does: say("goes-to-the-next-mark"),
+			can: isMeasured,
+			run: () => void marking.go(1)
+		},
+		{
+			keys: ["Enter"],
+			does: say("measures-the-mark-in-the-middle"),
+			can: marks,
+			run: middle
+		},
+		{
+			keys: ["n"],
+			does: say("goes-to-the-next-mark"),
+			can: marks,
+			run: () => void marking.go(1)
+		},
+		{
+			keys: ["p"],
+			does: say("goes-to-the-mark-before"),
+			can: marks,
+			run: () => void marking.go(-1)
+		},
+		{
+			keys: ["Backspace", "Delete"],
+			does: say("takes-the-mark-back"),
+			can: marks,
+			run: () => marking.clear()
+		}
+	];
+}
+function maskingKeys(store, navigator, masking, paint) {
+	const masks = () => store.state.tool === "mask";
+	const encloses = () => masks() && masking.isArea();
+	const place = () => {
+		const middle = navigator.middle();
+		if (middle !== null) masking.place(...middle);
+	};
+	return [
+		{
+			keys: ["Enter"],
+			does: say("places-a-corner-in-the-middle"),
+			can: masks,
+			run: place
+		},
+		{
+			keys: ["Backspace", "Delete"],
+			does: say("takes-the-last-corner-back"),
+			can: masks,
+			run: () => masking.back()
+		},
+		{
+			keys: ["k"],
+			does: say("masks-the-outlined-area"),
+			can: encloses,
+			run: () => paint(true)
+		},
+		{
+			keys: ["u"],
+			does: say("unmasks-the-outlined-area"),
+			can: encloses,
+			run: () => paint(false)
+		}
+	];
+}
+var FINE = .1;
+var COARSE = 1;
+function measuringKeys(store, navigator, editing) {
+	const measures = () => store.state.tool === "measure";
+	const drafts = () => measures() && store.state.draft !== null;
+	const nudge = (key, dx, dy) => ({
+		keys: [key],
+		does: say("moves-the-measured-point-by"),
+		can: drafts,
+		run: (shift) => {
+			const step = shift ? COARSE : FINE;
+			editing.nudge(step * dx, step * dy);
+			navigator.followDraft();
+		}
+	});
+	const begin = () => {
+		const middle = navigator.middle();
+		if (middle === null) return;
+		editing.place(...middle);
+		navigator.followDraft();
+	};
+	const exchange = () => {
+		editing.exchange();
+		navigator.followDraft();
+	};
+	return [
+		{
+			keys: ["Enter"],
+			does: say("takes-the-middle-of-the-picture"),
+			can: () => measures() && !drafts() && navigator.middle() !== null,
+			run: begin
+		},
+		nudge("ArrowLeft", -1, 0),
+		nudge("ArrowRight", 1, 0),
+		nudge("ArrowUp", 0, -1),
+		nudge("ArrowDown", 0, 1),
+		{
+			keys: ["Enter"],
+			does: say("accepts-the-measured-match"),
+			can: drafts,
+			run: () => editing.accept()
+		},
+		{
+			keys: ["o"],
+			does: say("goes-to-the-point-in"),
+			can: drafts,
+			run: exchange
+		},
+		{
+			keys: ["f"],
+			does: say("fits-the-point-by-least"),
+			can: drafts,
+			run: () => void editing.fit()
+		}
+	];
+}
+function pictureKeys(store, navigator, editing, masking) {
+	const show = (display) => store.dispatch({
+		type: "display",
+		display
+	});
+	const move = () => {
+		editing.move();
+		navigator.followDraft();
+	};
+	const leave = () => {
+		if (!editing.leave()) navigator.select(null);
+	};
+	return [
+		{
+			keys: ["n"],
+			does: say("selects-the-next-point"),
+			run: () => navigator.step(1)
+		},
+		{
+			keys: ["p"],
+			does: say("selects-the-previous-point"),
+			run: () => navigator.step(-1)
+		},
+		{
+			keys: ["1"],
+			does: say("shows-one-image-pixel-as"),
+			run: () => navigator.actualSize()
+		},
+		{
+			keys: ["o"],
+			does: say("goes-to-the-other-picture"),
+			run: () => store.dispatch({
+				type: "activeSide",
+				side: otherSide(store.state.activeSide)
+			})
+		},
+		{
+			keys: ["l"],
+			does: say("links-both-pictures-or-no"),
+			run: () => show({ linked: !store.state.display.linked })
+		},
+		{
+			keys: ["m"],
+			does: say("shows-the-magnifier-or-no"),
+			run: () => show({ magnifier: !store.state.display.magnifier })
+		},
+		{
+			keys: ["x"],
+			does: say("chooses-the-selected-match-beside"),
+			run: () => editing.choose(store.state.selection)
+		},
+		{
+			keys: ["s"],
+			does: say("chooses-matches-by-rectangles"),
+			run: () => editing.toggle("choose")
+		},
+		{
+			keys: ["Delete", "Backspace"],
+			does: say("rejects-the-chosen-matches"),
+			run: () => editing.edit("reject")
+		},
+		{
+			keys: ["r"],
+			does: say("restores-the-chosen-matches"),
+			run: () => editing.edit("restore")
+		},
+		{
+			keys: ["a"],
+			does: say("adds-a-match-by-measuring"),
+			run: () => editing.toggle("measure")
+		},
+		{
+			keys: ["w"],
+			does: say("outlines-areas-to-be-masked"),
+			run: () => masking.toggle()
+		},
+		{
+			keys: ["e"],
+			does: say("measures-the-selected-match-anew"),
+			run: move
+		},
+		{
+			keys: ["Escape"],
+			does: say("gives-up-or-selects-nothing"),
+			run: leave
+		}
+	];
+}
+// www/pair/state/offset.ts
+function along(position, spacing, nodes) {
+	const place = Math.min(nodes - 1, Math.max(0, position / spacing));
+	const first = Math.min(Math.floor(place), Math.max(0, nodes - 2));
+	return [
+		first,
+		Math.min(first + 1, nodes - 1),
+		place - first
+	];
+}
+function expectedPosition(field, [x, y]) {
+	const [left, right, u] = along(x, field.spacing_px, field.columns);
+	const [top, bottom, v] = along(y, field.spacing_px, field.rows);
+	const node = (column, row, axis) => field.offsets[row * field.columns + column]?.[axis] ?? 0;
+	const offset = (axis) => {
+		const above = node(left, top, axis) * (1 - u) + node(right, top, axis) * u;
+		const below = node(left, bottom, axis) * (1 - u) + node(right, bottom, axis) * u;
+		return above * (1 - v) + below * v;
+	};
+	return [x + offset(0), y + offset(1)];
+}
+function expectedOrigin(field, [x, y]) {
+	let at = [x - field.median_px[0], y - field.median_px[1]];
+	for (let i = 0; i < 3; i++) {
+		const [ex, ey] = expectedPosition(field, at);
+		at = [at[0] + x - ex, at[1] + y - ey];
+	}
+	return at;
+}
+// www/pair/state/follow.ts
+var LEAST_MATCHES = 10;
+var affineOf = remember((matches) => {
+	const count = matches.length / 5;
+	if (count < LEAST_MATCHES) return null;
+	const [mx = NaN, my = NaN, mu = NaN, mv = NaN] = [
+		0,
+		1,
+		2,
+		3
+	].map((k) => {
+		let sum = 0;
+		for (let i = k; i < matches.length; i += 5) sum += matches[i] ?? 0;
+		return sum / count;
+	});
+	let [xx, xy, yy, xu, yu, xv, yv] = [
+		0,
+		0,
+		0,
+		0,
+		0,
+		0,
+		0
+	];
+	for (let i = 0; i < matches.length; i += 5) {
+		const [x, y] = [(matches[i] ?? 0) - mx, (matches[i + 1] ?? 0) - my];
+		const [u, v] = [(matches[i + 2] ?? 0) - mu, (matches[i + 3] ?? 0) - mv];
+		xx += x * x;
+		xy += x * y;
+		yy += y * y;
+		xu += x * u;
+		yu += y * u;
+		xv += x * v;
+		yv += y * v;
+	}
+	const determinant = xx * yy - xy * xy;
+	if (!(determinant > 1e-6 * xx * yy)) return null;
+	const [a, b] = [(yy * xu - xy * yu) / determinant, (xx * yu - xy * xu) / determinant];
+	const [d, e] = [(yy * xv - xy * yv) / determinant, (xx * yv - xy * xv) / determinant];
+	return [
+		a,
+		b,
+		mu - a * mx - b * my,
+		d,
+		e,
+		mv - d * mx - e * my
+	];
+});
+function mapped([a, b, c, d, e, f], [x, y]) {
+	return [a * x + b * y + c, d * x + e * y + f];
+}
+function mappedBack([a, b, c, d, e, f], [x, y]) {
+	const determinant = a * e - b * d;
+	return [(e * (x - c) - b * (y - f)) / determinant, (a * (y - f) - d * (x - c)) / determinant];
+}
+function sameGround(state, side, at) {
+	const { settings, results } = state;
+	if (settings !== null && comparesGradients(settings)) {
+		const map = results.match !== void 0 && isCurrent(state, "match") ? affineOf(results.match.value.matches) : null;
+		if (map === null) return null;
+		return side === "left" ? mapped(map, at) : mappedBack(map, at);
+	}
+	const field = isCurrent(state, "offset") ? results.offset?.value : void 0;
+	if (field === void 0) return null;
+	return side === "left" ? expectedPosition(field, at) : expectedOrigin(field, at);
+}
+// www/pair/view/navigate.ts
+var Navigator = class {
+	store;
+	view;
+	constructor(store, view) {
+		this.store = store;
+		this.view = view;
+	}
+	pan(side, dx, dy) {
+		this.change(side, (pane, own) => ({
+			...own,
+			x: own.x - dx / pane.transform.scale,
+			y: own.y - dy / pane.transform.scale
+		}));
+	}
+	zoom(side, factor, x, y) {
+		const origin = this.view.scene().panes[side].rect;
+		this.change(side, (pane, own, least) => zoomed(pane.rect, own, factor, x - origin.left + pane.rect.left, y - origin.top + pane.rect.top, least));
+	}
+	zoomMiddle(factor) {
+		const pane = this.activePane();
+		const { rect } = pane;
+		const middle = [rect.left + rect.width / 2, rect.top + rect.height / 2];
+		this.zoom(pane.side, factor, ...this.selectedPlace(pane) ?? middle);
+	}
+	fit() {
+		this.store.dispatch({
+			type: "views",
+			views: {
+				left: null,
+				right: null
+			}
+		});
+	}
+	actualSize() {
+		this.zoomMiddle(1 / this.activePane().transform.scale);
+	}
+	step(by) {
+		const { state } = this.store;
+		const pane = this.activePane();
+		const count = pane.codes.length;
+		const start = state.selection?.side === pane.side ? state.selection.index : by > 0 ? -1 : count;
+		for (let i = start + by; i >= 0 && i < count; i += by) if (isCodeShown(state.display, pane.codes[i] ?? 0)) {
+			this.select({
+				side: pane.side,
+				index: i
+			});
+			return;
+		}
+	}
+	select(selection) {
+		this.store.dispatch({
+			type: "select",
+			selection
+		});
+		if (selection === null) return;
+		const scene = this.view.scene();
+		this.bringIntoView(scene, selection);
+		const partner = partnerOf(scene, selection);
+		if (partner !== null) this.bringIntoView(scene, partner);
+	}
+	followDraft() {
+		const { state } = this.store;
+		const scene = this.view.scene();
+		const scale = Math.max(...SIDES.map((side) => scene.panes[side].transform.scale));
+		const views = SIDES.flatMap((side) => {
+			const { rect, transform } = scene.panes[side];
+			const at = placeOfDraft(state, side);
+			if (at === null || contains(inner(rect), ...toCanvas(transform, ...at)) && transform.scale === scale) return [];
+			return [[side, {
+				x: at[0],
+				y: at[1],
+				scale
+			}]];
+		});
+		if (views.length > 0) this.store.dispatch({
+			type: "views",
+			views: Object.fromEntries(views)
+		});
+	}
+	show(side, at) {
+		const { rect, transform } = this.view.scene().panes[side];
+		if (contains(inner(rect), ...toCanvas(transform, ...at))) return;
+		this.store.dispatch({
+			type: "views",
+			views: { [side]: {
+				x: at[0],
+				y: at[1],
+				scale: transform.scale
+			} }
+		});
+	}
+	middle(of) {
+		const { side, ...pane } = of === void 0 ? this.activePane() : this.view.scene().panes[of];
+		return pane.picture === null ? null : [side, middleOf(pane)];
+	}
+	activePane() {
+		return this.view.scene().panes[this.store.state.activeSide];
+	}
+	selectedPlace(pane) {
+		const { selection } = this.store.state;
+		if (selection?.side !== pane.side) return null;
+		const x = pane.points?.[3 * selection.index];
+		const y = pane.points?.[3 * selection.index + 1];
+		if (x === void 0 || y === void 0) return null;
+		const place = toCanvas(pane.transform, x, y);
+		return contains(pane.rect, ...place) ? place : null;
+	}
+	bringIntoView(scene, { side, index }) {
+		const pane = scene.panes[side];
+		const x = pane.points?.[3 * index];
+		const y = pane.points?.[3 * index + 1];
+		if (x === void 0 || y === void 0 || contains(pane.rect, ...toCanvas(pane.transform, x, y))) return;
+		this.store.dispatch({
+			type: "views",
+			views: { [side]: {
+				x,
+				y,
+				scale: pane.transform.scale
+			} }
+		});
+	}
+	change(side, next) {
+		const scene = this.view.scene();
+		const { state } = this.store;
+		const move = (pane) => {
+			if (pane.picture === null) return [];
+			const whole = fitView(pane.rect, pane.picture.width, pane.picture.height);
+			const own = state.views[pane.side];
+			return [[pane.side, clamped(next(pane, own === null ? whole : inPane(own, pane.rect), whole.scale / 4), pane.picture)]];
+		};
+		const own = move(scene.panes[side]);
+		const other = state.display.linked ? move(scene.panes[otherSide(side)]) : [];
+		this.store.dispatch({
+			type: "views",
+			views: Object.fromEntries([...own, ...other.map((entry) => this.followed(side, own[0]?.[1], entry))])
+		});
+	}
+	followed(side, leader, [other, view]) {
+		const ground = leader === void 0 ? null : sameGround(this.store.state, side, [leader.x, leader.y]);
+		return ground === null ? [other, view] : [other, {
+			x: ground[0],
+			y: ground[1],
+			scale: view.scale
+		}];
+	}
+};
+function inner({ left, top, width, height }) {
+	return {
+		left: left + width / 8,
+		top: top + height / 8,
+		width: .75 * width,
+		height: .75 * height
+	};
+}
+function partnerOf(scene, { side, index }) {
+	const best = scene.match?.best;
+	if (best === void 0) return null;
+	const found = side === "left" ? best[index] ?? -1 : best.findIndex((right, left) => right === index && scene.match?.rules[left] === 0);
+	return found < 0 ? null : {
+		side: otherSide(side),
+		index: found
+	};
+}
+// www/pair/view/chosen.ts
+var RADIUS = 6;
+function drawChosen(context, state, scene) {
+	const edited = editedPair(state);
+	const lefts = chosenLefts(state);
+	if (edited === null || lefts.length === 0) return;
+	for (const side of SIDES) {
+		const { rect, transform } = scene.panes[side];
+		const path = new Path2D();
+		for (const left of lefts) {
+			const place = placeOfLeft(edited, left);
+			const [x, y] = toCanvas(transform, ...side === "left" ? [place[0], place[1]] : [place[2], place[3]]);
+			path.moveTo(x + RADIUS, y);
+			path.arc(x, y, RADIUS, 0, 2 * Math.PI);
+		}
+		within(context, rect, () => {
+			context.lineWidth = 3.5;
+			context.strokeStyle = "rgb(0 0 0 / 0.6)";
+			context.stroke(path);
+			context.lineWidth = 1.8;
+			context.strokeStyle = SELECTED;
+			context.stroke(path);
+		});
+	}
+}
+function drawRectangle(context, { left, top, width, height }) {
+	context.fillStyle = "rgb(255 212 0 / 0.12)";
+	context.fillRect(left, top, width, height);
+	context.lineWidth = 3;
+	context.strokeStyle = "rgb(0 0 0 / 0.5)";
+	context.strokeRect(left, top, width, height);
+	context.setLineDash([6, 4]);
+	context.lineWidth = 1.5;
+	context.strokeStyle = SELECTED;
+	context.strokeRect(left, top, width, height);
+	context.setLineDash([]);
+}
+// www/pair/view/tilecache.ts
+var MOST_TILES = 96;
+var MOST_REQUESTS = 3;
+var TileCache = class {
+	fetch;
+	arrived;
+	tiles = new Map();
+	requested = new Set();
+	constructor(fetch, arrived) {
+		this.fetch = fetch;
+		this.arrived = arrived;
+	}
+	get(imageId, level, column, row) {
+		const name = [
+			imageId,
+			level,
+			column,
+			row
+		].join("/");
+		const tile = this.tiles.get(name);
+		if (tile !== void 0) {
+			this.tiles.delete(name);
+			this.tiles.set(name, tile);
+			return tile;
+		}
+		if (!this.requested.has(name) && this.requested.size < MOST_REQUESTS) {
+			this.requested.add(name);
+			this.fetch(imageId, level, column, row).then((bitmap) => this.keep(name, bitmap), () => this.requested.delete(name));
+		}
+		return null;
+	}
+	keep(name, bitmap) {
+		this.requested.delete(name);
+		this.tiles.set(name, bitmap);
+		for (const [oldest, old] of this.tiles) {
+			if (this.tiles.size <= MOST_TILES) break;
+			old.close();
+			this.tiles.delete(oldest);
+		}
+		this.arrived();
+	}
+};
+// www/pair/view/picture.ts
+function paintPicture(context, picture, t, clip, ratio, tiles) {
+	within(context, clip, () => {
+		smooth(context, t.scale, ratio);
+		const part = visiblePart(picture, t, clip);
+		paintBitmap(context, picture.overview.bitmap, 0, 0, 2 ** picture.overview.halvings, part, t);
+		const level = wantedLevel(t.scale, ratio);
+		if (tiles === null || level >= picture.overview.halvings) return;
+		const step = 2 ** level;
+		const side = 512 * step;
+		for (let row = Math.floor(part[1] / side); row * side < part[3]; row++) for (let column = Math.floor(part[0] / side); column * side < part[2]; column++) {
+			const tile = tiles.get(picture.imageId, level, column, row);
+			if (tile !== null) paintBitmap(context, tile, column * side, row * side, step, part, t);
+		}
+	});
+}
+function paintMask(context, { overlay, width, height }, t, clip) {
+	within(context, clip, () => {
+		context.imageSmoothingEnabled = false;
+		context.drawImage(overlay, t.x, t.y, t.scale * width, t.scale * height);
+	});
+}
+// www/pair/view/overlay.ts
+var MOST_CANDIDATES_DRAWN = 200;
+var MOST_GRADIENT_CANDIDATES_DRAWN = 10;
+function pointOf(pane, index) {
+	const x = pane.points?.[3 * index];
+	const y = pane.points?.[3 * index + 1];
+	return x === void 0 || y === void 0 ? null : [x, y];
+}
+function square(context, pane, [x, y], side, colour, dash) {
+	const [left, top] = toCanvas(pane.transform, x - side / 2, y - side / 2);
+	context.setLineDash(dash);
+	context.lineWidth = 1.5;
+	context.strokeStyle = colour;
+	context.strokeRect(left, top, side * pane.transform.scale, side * pane.transform.scale);
+	context.setLineDash([]);
+}
+function drawSelection(context, state, scene) {
+	const { selection, settings } = state;
+	if (selection === null || settings === null) return;
+	const own = scene.panes[selection.side];
+	const at = pointOf(own, selection.index);
+	if (at === null) return;
+	within(context, own.rect, () => {
+		if (comparesGradients(settings)) drawSupport(context, settings, own, selection.index);
+		else square(context, own, at, comparesGreyValues(settings) ? settings.matching.template : settings.window.side, SELECTED, []);
+		ring(context, own, at, 9, SELECTED, 2.5);
+	});
+	if (scene.match === null) return;
+	const line = isCurrent(state, "inspection") ? state.results.inspection?.value.line : void 0;
+	if (line != null) drawLine(context, scene.panes[line.side], line.positions);
+	const leftIndex = leftIndexOf(state, scene.match.best, scene.match.rules);
+	const leftAt = pointOf(scene.panes.left, leftIndex);
+	if (leftAt === null) return;
+	if (selection.side === "right") within(context, scene.panes.left.rect, () => ring(context, scene.panes.left, leftAt, 9, SELECTED, 2));
+	drawCandidates(context, state, scene, leftIndex, leftAt, placeOf(scene.match.places, leftIndex));
+}
+function drawCandidates(context, state, scene, leftIndex, leftAt, best) {
+	const pane = scene.panes.right;
+	within(context, pane.rect, () => {
+		const { settings } = state;
+		const gradients = settings !== null && comparesGradients(settings);
+		const field = isCurrent(state, "offset") ? state.results.offset?.value : void 0;
+		if (field !== void 0) square(context, pane, expectedPosition(field, leftAt), state.settings?.matching.search ?? 0, CANDIDATE, [5, 4]);
+		if (isCurrent(state, "inspection")) {
+			const list = state.results.inspection?.value.candidates ?? new Float64Array();
+			const most = gradients ? MOST_GRADIENT_CANDIDATES_DRAWN : MOST_CANDIDATES_DRAWN;
+			for (let i = 0; i < Math.min(list.length / 2, most); i++) {
+				const at = pointOf(pane, list[2 * i] ?? -1);
+				if (at !== null) ring(context, pane, at, 4, CANDIDATE, 1.2);
+			}
+		}
+		if (gradients) drawSupport(context, settings, pane, scene.match?.best[leftIndex] ?? -1);
+		if (best !== null) ring(context, pane, best, 9, SELECTED, state.selection?.side === "right" ? 2.5 : 2);
+	});
+}
+function drawLens(context, state, scene, at, ratio, tiles, bounds) {
+	const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
+	if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
+	const scale = Math.min(48, Math.max(4, pane.transform.scale * 4));
+	paintLens(context, state, scene, pane, toPosition(pane.transform, at[0], at[1]), lensRect(at, bounds), scale, ratio, tiles);
+}
+function paintLens(context, state, scene, pane, at, rect, scale, ratio, tiles) {
+	const { picture } = pane;
+	if (picture === null) return;
+	const transform = lensTransform(rect, at, scale);
+	within(context, rect, () => {
+		context.fillStyle = "#000000";
+		context.fillRect(rect.left, rect.top, rect.width, rect.height);
+		paintPicture(context, picture, transform, rect, ratio, tiles);
+		drawPoints(context, state, scene, pane, transform, rect);
+		crosshair(context, rect);
+	});
+	lensFrame(context, rect);
+}
+// www/pair/view/draft.ts
+var LENS_SIDE = 168;
+var LENS_SCALE = 12;
+var EDGE = 8;
+function drawDraft(context, state, scene) {
+	const { draft } = state;
+	if (draft === null) return;
+	const line = lineOfDraft(state);
+	if (line !== null) drawLine(context, scene.panes[line.side], line.positions);
+	const expected = expectedPlace(state);
+	if (expected !== null && draft.places[draft.side] !== null) drawExpected(context, scene.panes[draft.side], expected);
+	for (const side of SIDES) {
+		const at = placeOfDraft(state, side);
+		if (at !== null) drawCross(context, scene.panes[side], at, side === draft.side);
+	}
+}
+function drawDraftLenses(context, state, scene, ratio, tiles) {
+	for (const side of SIDES) {
+		const at = placeOfDraft(state, side);
+		if (at !== null) drawCornerLens(context, state, scene, side, at, ratio, tiles);
+	}
+}
+function drawCornerLens(context, state, scene, side, at, ratio, tiles) {
+	const pane = scene.panes[side];
+	paintLens(context, state, scene, pane, at, cornerOf(pane), Math.max(LENS_SCALE, pane.transform.scale), ratio, tiles);
+}
+function cornerOf({ rect, side }) {
+	const length = Math.max(40, Math.min(LENS_SIDE, rect.width * .45, rect.height * .45));
+	return {
+		left: side === "left" ? rect.left + EDGE : rect.left + rect.width - EDGE - length,
+		top: rect.top + rect.height - EDGE - length,
+		width: length,
+		height: length
+	};
+}
+// www/pair/view/fiducials.ts
+function drawFiducials(context, state, scene, ratio, tiles) {
+	const { tool, mark, photos } = state;
+	if (tool !== "fiducials") return;
+	for (const side of SIDES) for (const [index, one] of photos[side].fiducials.entries()) {
+		const at = placeOfMark(photos[side], one);
+		if (at !== null) drawCross(context, scene.panes[side], at, mark?.side === side && mark.index === index);
+	}
+	if (mark === null) return;
+	const at = placeOfMark(photos[mark.side], markInHand(state));
+	if (at !== null) {
+		drawCornerLens(context, state, scene, mark.side, at, ratio, tiles);
+		return;
+	}
+	const pane = scene.panes[mark.side];
+	drawCross(context, pane, middleOf(pane), false);
+	if (mark.expected !== null) drawExpected(context, pane, [mark.expected[0], mark.expected[1]]);
+}
+// www/pair/view/outline.ts
+var CORNER = 3;
+function drawOutline(context, { outline, tool, activeSide }, scene) {
+	const active = scene.panes[activeSide];
+	if (tool === "mask" && active.picture !== null) drawCross(context, active, middleOf(active), false);
+	if (outline === null) return;
+	const { rect, transform } = scene.panes[outline.side];
+	const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));
+	const path = new Path2D();
+	for (const [i, [x, y]] of corners.entries()) if (i === 0) path.moveTo(x, y);
+	else path.lineTo(x, y);
+	path.closePath();
+	within(context, rect, () => {
+		context.fillStyle = "rgb(255 212 0 / 0.2)";
+		context.fill(path);
+		context.lineWidth = 3;
+		context.strokeStyle = "rgb(0 0 0 / 0.6)";
+		context.stroke(path);
+		context.lineWidth = 1.5;
+		context.strokeStyle = SELECTED;
+		context.stroke(path);
+		context.fillStyle = SELECTED;
+		if (corners.length <= 64) for (const [x, y] of corners) context.fillRect(x - CORNER, y - CORNER, 6, 6);
+	});
+}
+// www/pair/view/view.ts
+var LAYERS = [
+	"pictures",
+	"marks",
+	"overlay"
+];
+var CLICK_RADIUS = 14;
+var gridOf = {
+	left: remember((points, width, height) => new PointGrid(points, width, height)),
+	right: remember((points, width, height) => new PointGrid(points, width, height))
+};
+var gridOfPlaces = remember((points, width, height) => new PointGrid(points, width, height));
+var View = class {
+	host;
+	store;
+	layers;
+	tiles;
+	pointer = null;
+	rectangle = null;
+	constructor(host, store, engine) {
+		this.host = host;
+		this.store = store;
+		this.layers = new Layers(host, LAYERS, (name, context) => this.draw(name, context));
+		this.tiles = new TileCache(async (imageId, level, column, row) => {
+			const side = SIDES.find((s) => store.state.images[s]?.id === imageId);
+			if (side === void 0) throw new Error("the image is no longer shown");
+			return (await engine.withImage(side, store.state)).call("tile", {
+				level,
+				column,
+				row,
+				side: 512
+			});
+		}, () => this.layers.redraw("pictures", "overlay"));
+		store.watch((s) => [
+			s.views,
+			s.images,
+			s.masks,
+			s.results.openLeft,
+			s.results.openRight
+		], () => this.layers.redraw());
+		store.watch((s) => {
+			const { points, codes, match, matchCodes, places, vectors } = marksOf(s);
+			const { left, right } = vectors;
+			return [
+				points.left,
+				points.right,
+				codes.left,
+				codes.right,
+				match,
+				matchCodes,
+				places,
+				left,
+				right,
+				s.display,
+				s.catalogue
+			];
+		}, () => this.layers.redraw("marks", "overlay"));
+		store.watch((s) => [
+			s.selection,
+			s.chosen,
+			s.draft,
+			s.outline,
+			s.mark,
+			s.photos,
+			s.tool,
+			s.activeSide,
+			s.results.line,
+			s.results.inspection,
+			s.settings,
+			s.results.offset
+		], () => this.layers.redraw("overlay"));
+	}
+	scene() {
+		return sceneOf(this.store.state, this.layers.width, this.layers.height);
+	}
+	point(at) {
+		this.pointer = at;
+		if (this.store.state.display.magnifier) this.layers.redraw("overlay");
+	}
+	enclose(rectangle) {
+		this.rectangle = rectangle;
+		this.layers.redraw("overlay");
+	}
+	hit(x, y) {
+		const { state } = this.store;
+		const scene = this.scene();
+		const pane = paneAt(scene, x, y);
+		if (pane?.picture == null || pane.points === null) return null;
+		const { width, height } = pane.picture;
+		const at = toPosition(pane.transform, x, y);
+		const radius = CLICK_RADIUS / pane.transform.scale;
+		const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, pane.codes[i] ?? 0));
+		const index = found < 0 ? null : {
+			side: pane.side,
+			index: found
+		};
+		if (pane.side === "left" || scene.match === null) return index;
+		const { places } = scene;
+		const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, places.codes[i] ?? 0));
+		return place < 0 ? index : {
+			side: "left",
+			index: places.lefts[place] ?? 0
+		};
+	}
+	snapshot() {
+		return this.layers.snapshot();
+	}
+	draw(name, context) {
+		const { state } = this.store;
+		const scene = this.scene();
+		switch (name) {
+			case "pictures":
+				for (const side of SIDES) this.drawPicture(context, scene.panes[side]);
+				break;
+			case "marks":
+				if (state.catalogue !== null) drawMarks(context, state, scene);
+				break;
+			case "overlay":
+				drawChosen(context, state, scene);
+				drawSelection(context, state, scene);
+				drawDraft(context, state, scene);
+				drawOutline(context, state, scene);
+				drawFiducials(context, state, scene, this.layers.ratio, this.tiles);
+				if (this.rectangle !== null) drawRectangle(context, this.rectangle);
+				drawDraftLenses(context, state, scene, this.layers.ratio, this.tiles);
+				if (state.draft === null) this.drawMagnifier(context, state, scene);
+		}
+	}
+	drawMagnifier(context, state, scene) {
+		const at = this.pointer ?? selectedPlace(state, scene);
+		if (!state.display.magnifier || at === null || state.catalogue === null) return;
+		const { width, height, ratio } = this.layers;
+		drawLens(context, state, scene, at, ratio, this.tiles, {
+			left: 0,
+			top: 0,
+			width,
+			height
+		});
+	}
+	drawPicture(context, pane) {
+		if (pane.picture === null) return;
+		const current = wantedKeys(this.store.state)[pane.side === "left" ? "openLeft" : "openRight"] !== null;
+		paintPicture(context, pane.picture, pane.transform, pane.rect, this.layers.ratio, current ? this.tiles : null);
+		const mask = this.store.state.masks[pane.side];
+		if (mask !== null) paintMask(context, mask, pane.transform, pane.rect);
+	}
+};
+function selectedPlace(state, scene) {
+	if (state.selection === null) return null;
+	const { points, transform } = scene.panes[state.selection.side];
+	const x = points?.[3 * state.selection.index];
+	const y = points?.[3 * state.selection.index + 1];
+	return x === void 0 || y === void 0 ? null : toCanvas(transform, x, y);
+}
+// www/pair/mount.ts
+async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAside }) {
+	const store = new Store();
+	const { element: left, panels: [settings, camera, simulate] } = tabbed("settings", say("settings"), [
+		["settings", say("settings")],
+		["camera", say("camera")],
+		["simulate", say("simulate")]
+	]);
+	const { element: right, panels: [results, point, matches] } = tabbed("details", say("results"), [
+		["results", say("results")],
+		["point", say("point")],
+		["matches", say("matches-2")]
+	]);
+	byId("stage").before(left);
+	byId("stage").after(right);
+	const settingsButton = drawerButton("settings", say("settings"), "settings", left);
+	byId("menu").before(h("div", {
+		class: "drawers",
+		aria: { label: say("settings-of-the-pair") },
+		role: "group"
+	}, settingsButton));
+	byId("answer-actions").append(drawerButton("details", say("details"), "details", right));
+	const engine = new Engine(store);
+	const view = new View(byId("view"), store, engine);
+	const navigator = new Navigator(store, view);
+	await breath();
+	const kept = new KeptPairs(store, engine, catalogue);
+	const files = new Files(store, engine, openProject, toBlock, () => putAside(kept));
+	const attempt = async (action) => {
+		try {
+			await action();
+		} catch (error) {
+			store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "problem",
+					text: `${readable(store.state.catalogue, messageOf(error))}.`
+				}
+			});
+		}
+	};
+	const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
+	const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
+	const paint = (masked) => void attempt(() => masking.paint(masked));
+	const marking = new Marking(store, (fiducials, model) => engine.client("preview").call("orientMarks", {
+		fiducials: [...fiducials],
+		model
+	}).catch(() => null), (side, at) => navigator.show(side, at));
+	mountInput(view, store, navigator, {
+		editing,
+		masking,
+		marking,
+		paint
+	});
+	mountToolbar(byId("toolbar"), store, navigator);
+	mountEditTools(byId("view-more"), byId("toolbar"), store, editing);
+	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft());
+	mountMasking(byId("view-more"), byId("toolbar"), store, masking, paint);
+	mountMarking(byId("toolbar"), store, marking);
+	await breath();
+	const pick = pickerOf(files);
+	mountPanes(view, store, {
+		open: (side) => pick(side),
+		mask: (side) => pick(side, "mask"),
+		unmask: (side) => store.dispatch({
+			type: "mask",
+			side,
+			mask: null
+		})
+	});
+	await breath();
+	mountControls(settings, store, settingsButton);
+	mountCamera(camera, store, () => pick(null));
+	await breath();
+	mountFiducials(camera, store, (side) => pick(side), marking, (side) => {
+		marking.toggle(side);
+		if (store.state.tool !== "fiducials") return;
+		uncoverPictures();
+		byId("view").focus();
+	});
+	await breath();
+	mountCounts(results, store);
+	mountGeometry(results, store);
+	mountOrientation(results, store);
+	mountHistograms(results, store);
+	await breath();
+	mountPoint(point, store, (side, index) => navigator.select({
+		side,
+		index
+	}));
+	mountEdits(matches, store, editing, () => navigator.followDraft());
+	mountEditKeys(matches, store, editing);
+	mountStatistics(matches, store, editing, (side, index) => navigator.select({
+		side,
+		index
+	}));
+	await breath();
+	mountSimulate(simulate, store, engine, (name, flight) => void attempt(() => files.takeFlight(name, flight)));
+	mountAnnouncements(byId("announce"), store, () => {
+		showTab("tab-point");
+		setDrawer("details", true);
+		reveal$1(right);
+	});
+	mountStatus(store, {
+		cancel: () => engine.cancel(),
+		run: () => store.dispatch({ type: "resume" }),
+		open: (side) => pick(side),
+		camera: () => {
+			setDrawer("settings", true);
+			showTab("tab-camera");
+		},
+		calibrated: () => useCalibration(store),
+		otherStrategy: () => {
+			const { settings: wanted } = store.state;
+			if (wanted !== null) store.dispatch({
+				type: "settings",
+				settings: withSetting(wanted, "matching.strategy", readSetting(catalogue.defaults, "matching.strategy"))
+			});
+		},
+		why: () => {
+			showTab("tab-results");
+			setDrawer("details", true);
+			const oriented = shownPair(store.state).orientation !== null;
+			if (!oriented) store.dispatch({
+				type: "display",
+				display: {
+					points: "all",
+					hidden: []
+				}
+			});
+			queueMicrotask(() => results.querySelector(`[data-testid="${oriented ? "orientation" : "matches"}-section"]`)?.scrollIntoView({ block: "start" }));
+		},
+		save: () => void attempt(() => exportProject(store, engine))
+	});
+	mountHeader({
+		store,
+		engine,
+		view,
+		files,
+		pick,
+		attempt,
+		sampleBlock
+	});
+	store.watch(["selection"], ([selection]) => {
+		if (selection !== null && matches.hidden) showTab("tab-point");
+	});
+	return {
+		store,
+		engine,
+		kept,
+		begin: () => files.begin(),
+		taker: takerOf(view, files),
+		open: (file) => files.takeProject(file)
+	};
+}
+// www/shared/engine/release.ts
+var SCRIPT = "service-worker.js";
+var ASK_AGAIN_MS = 36e5;
+async function keepRelease({ ready, replaced }) {
+	const { serviceWorker } = navigator;
+	if (serviceWorker === void 0 || !besideFiles() || false) return;
+	const isKept = serviceWorker.controller !== null;
+	const registration = await serviceWorker.register(scriptAddress(new URL(SCRIPT, document.baseURI).href), { updateViaCache: "none" });
+	const offer = () => {
+		const { waiting } = registration;
+		if (waiting !== null && isKept) ready(() => waiting.postMessage("take over"));
+	};
+	offer();
+	registration.addEventListener("updatefound", () => registration.installing?.addEventListener("statechange", offer));
+	serviceWorker.addEventListener("controllerchange", () => {
+		if (isKept) replaced();
+	});
+	let asked = Date.now();
+	document.addEventListener("visibilitychange", () => {
+		if (document.visibilityState !== "visible" || Date.now() - asked < ASK_AGAIN_MS) return;
+		asked = Date.now();
+		registration.update().catch(() => void 0);
+	});
+}
+function watchLaunches(open) {
+	if (typeof launchQueue === "undefined") return;
+	launchQueue.setConsumer(({ files }) => {
+		for (const file of files) file.getFile().then(open);
+	});
+}
+// www/shared/engine/start.ts
+async function loadCatalogue() {
+	await __wbg_init({ module_or_path: await wasmModule() });
+	return catalogueInLanguage(readCatalogue());
+}
+// node_modules/idb/build/index.js
+var instanceOfAny = (object, constructors) => constructors.some((c) => object instanceof c);
+var idbProxyableTypes;
+var cursorAdvanceMethods;
+function getIdbProxyableTypes() {
+	return idbProxyableTypes || (idbProxyableTypes = [
+		IDBIndex,
+		IDBObjectStore,
+		IDBCursor,
+		IDBDatabase,
+		IDBTransaction
+	]);
+}
+function getCursorAdvanceMethods() {
+	return cursorAdvanceMethods || (cursorAdvanceMethods = [
+		"advance",
+		"continue",
+		"continuePrimaryKey"
+	].map((method) => IDBCursor.prototype[method]));
+}
+var transactionDoneMap = new WeakMap();
+var transformCache = new WeakMap();
+var reverseTransformCache = new WeakMap();
+function promisifyRequest(request) {
+	const promise = new Promise((resolve, reject) => {
+		const unlisten = () => {
+			request.removeEventListener("success", success);
+			request.removeEventListener("error", error);
+		};
+		const success = () => {
+			resolve(wrap(request.result));
+			unlisten();
+		};
+		const error = () => {
+			reject(request.error);
+			unlisten();
+		};
+		request.addEventListener("success", success);
+		request.addEventListener("error", error);
+	});
+	reverseTransformCache.set(promise, request);
+	return promise;
+}
+function cacheDonePromiseForTransaction(tx) {
+	if (transactionDoneMap.has(tx)) return;
+	const done = new Promise((resolve, reject) => {
+		const unlisten = () => {
+			tx.removeEventListener("complete", complete);
+			tx.removeEventListener("error", error);
+			tx.removeEventListener("abort", error);
+		};
+		const complete = () => {
+			resolve();
+			unlisten();
+		};
+		const error = () => {
+			reject(tx.error || new DOMException("AbortError", "AbortError"));
+			unlisten();
+		};
+		tx.addEventListener("complete", complete);
+		tx.addEventListener("error", error);
+		tx.addEventListener("abort", error);
+	});
+	transactionDoneMap.set(tx, done);
+}
+var idbProxyTraps = {
+	get(target, prop, receiver) {
+		if (target instanceof IDBTransaction) {
+			if (prop === "done") return transactionDoneMap.get(target);
+			if (prop === "store") return receiver.objectStoreNames[1] ? void 0 : receiver.objectStore(receiver.objectStoreNames[0]);
+		}
+		return wrap(target[prop]);
+	},
+	set(target, prop, value) {
+		target[prop] = value;
+		return true;
+	},
+	has(target, prop) {
+		if (target instanceof IDBTransaction && (prop === "done" || prop === "store")) return true;
+		return prop in target;
+	}
+};
+function replaceTraps(callback) {
+	idbProxyTraps = callback(idbProxyTraps);
+}
+function wrapFunction(func) {
+	if (getCursorAdvanceMethods().includes(func)) return function(...args) {
+		func.apply(unwrap(this), args);
+		return wrap(this.request);
+	};
+	return function(...args) {
+		return wrap(func.apply(unwrap(this), args));
+	};
+}
+function transformCachableValue(value) {
+	if (typeof value === "function") return wrapFunction(value);
+	if (value instanceof IDBTransaction) cacheDonePromiseForTransaction(value);
+	if (instanceOfAny(value, getIdbProxyableTypes())) return new Proxy(value, idbProxyTraps);
+	return value;
+}
+function wrap(value) {
+	if (value instanceof IDBRequest) return promisifyRequest(value);
+	if (transformCache.has(value)) return transformCache.get(value);
+	const newValue = transformCachableValue(value);
+	if (!Object.is(newValue, value)) {
+		transformCache.set(value, newValue);
+		reverseTransformCache.set(newValue, value);
+	}
+	return newValue;
+}
+var unwrap = (value) => reverseTransformCache.get(value);
+function openDB(name, version, { blocked, upgrade, blocking, terminated } = {}) {
+	const request = indexedDB.open(name, version);
+	const openPromise = wrap(request);
+	if (upgrade) request.addEventListener("upgradeneeded", (event) => {
+		upgrade(wrap(request.result), event.oldVersion, event.newVersion, wrap(request.transaction), event);
+	});
+	if (blocked) request.addEventListener("blocked", (event) => blocked(event.oldVersion, event.newVersion, event));
+	openPromise.then((db) => {
+		if (terminated) db.addEventListener("close", () => terminated());
+		if (blocking) db.addEventListener("versionchange", (event) => blocking(event.oldVersion, event.newVersion, event));
+	}).catch(() => {});
+	return openPromise;
+}
+var readMethods = [
+	"get",
+	"getKey",
+	"getAll",
+	"getAllKeys",
+	"count"
+];
+var writeMethods = [
+	"put",
+	"add",
+	"delete",
+	"clear"
+];
+var cachedMethods = {};
+function getMethod(target, prop) {
+	if (!(target instanceof IDBDatabase && !(prop in target) && typeof prop === "string")) return;
+	if (cachedMethods[prop]) return cachedMethods[prop];
+	const targetFuncName = prop.replace(/FromIndex$/, "");
+	const useIndex = prop !== targetFuncName;
+	const isWrite = writeMethods.includes(targetFuncName);
+	if (!(targetFuncName in (useIndex ? IDBIndex : IDBObjectStore).prototype) || !(isWrite || readMethods.includes(targetFuncName))) return;
+	const method = async function(storeName, ...args) {
+		const tx = this.transaction(storeName, isWrite ? "readwrite" : "readonly");
+		let target = tx.store;
+		if (useIndex) target = target.index(args.shift());
+		return (await Promise.all([target[targetFuncName](...args), isWrite && tx.done]))[0];
+	};
+	return cachedMethods[prop] = method;
+}
+replaceTraps((oldTraps) => ({
+	...oldTraps,
+	get: (target, prop, receiver) => getMethod(target, prop) || oldTraps.get(target, prop, receiver),
+	has: (target, prop) => !!getMethod(target, prop) || oldTraps.has(target, prop)
+}));
+var advanceMethodProps = [
+	"advance",
+	"continue",
+	"continuePrimaryKey"
+];
+var methodMap = {};
+var advanceResults = new WeakMap();
+var ittrProxiedCursorToOriginalProxy = new WeakMap();
+var cursorIteratorTraps = { get(target, prop) {
+	if (!advanceMethodProps.includes(prop)) return target[prop];
+	let cachedFunc = methodMap[prop];
+	if (!cachedFunc) cachedFunc = methodMap[prop] = function(...args) {
+		advanceResults.set(this, ittrProxiedCursorToOriginalProxy.get(this)[prop](...args));
+	};
+	return cachedFunc;
+} };
+async function* iterate(...args) {
+	let cursor = this;
+	if (!(cursor instanceof IDBCursor)) cursor = await cursor.openCursor(...args);
+	if (!cursor) return;
+	cursor = cursor;
+	const proxiedCursor = new Proxy(cursor, cursorIteratorTraps);
+	ittrProxiedCursorToOriginalProxy.set(proxiedCursor, cursor);
+	reverseTransformCache.set(proxiedCursor, unwrap(cursor));
+	while (cursor) {
+		yield proxiedCursor;
+		cursor = await (advanceResults.get(proxiedCursor) || cursor.continue());
+		advanceResults.delete(proxiedCursor);
+	}
+}
+function isIteratorProp(target, prop) {
+	return prop === Symbol.asyncIterator && instanceOfAny(target, [
+		IDBIndex,
+		IDBObjectStore,
+		IDBCursor
+	]) || prop === "iterate" && instanceOfAny(target, [IDBIndex, IDBObjectStore]);
+}
+replaceTraps((oldTraps) => ({
+	...oldTraps,
+	get(target, prop, receiver) {
+		if (isIteratorProp(target, prop)) return iterate;
+		return oldTraps.get(target, prop, receiver);
+	},
+	has(target, prop) {
+		return isIteratorProp(target, prop) || oldTraps.has(target, prop);
+	}
+}));
+// www/shared/files/database.ts
+var NAME$1 = "tiepoint";
+var VERSION = 1;
+var PATIENCE_MS = 5e3;
+var KeepError = class extends Error {
+	kind;
+	name = "KeepError";
+	constructor(kind, message) {
+		super(message);
+		this.kind = kind;
+	}
+};
+var partsOf = (project) => IDBKeyRange.bound([project], [project, []]);
+var Database = class Database {
+	db;
+	constructor(db) {
+		this.db = db;
+	}
+	static async open() {
+		const opening = openDB(NAME$1, VERSION, {
+			upgrade: (db) => {
+				db.createObjectStore("projects", { keyPath: "id" });
+				db.createObjectStore("parts", { keyPath: ["project", "part"] }).createIndex("sizes", ["project", "bytes"]);
+			},
+			blocking: (_, __, event) => event.target.close()
+		});
+		const late = new Promise((_, reject) => setTimeout(() => setTimeout(() => reject(new Error(say("the-storage-does-not-answer")))), PATIENCE_MS));
+		return new Database(await Promise.race([opening, late]));
+	}
+	async projects() {
+		return (await this.db.getAll("projects")).sort((a, b) => b.changed - a.changed);
+	}
+	project(id) {
+		return this.db.get("projects", id);
+	}
+	async parts(id) {
+		const rows = await this.db.getAll("parts", partsOf(id));
+		return new Map(rows.map(({ part, value }) => [part, value]));
+	}
+	async bytesOf(id) {
+		let sum = 0;
+		let cursor = await this.db.transaction("parts").store.index("sizes").openKeyCursor(IDBKeyRange.bound([id], [id, []]));
+		while (cursor !== null) {
+			sum += cursor.key[1];
+			cursor = await cursor.continue();
+		}
+		return sum;
+	}
+	async write(row, { put, drop }, isNew) {
+		await this.change(async (projects, parts) => {
+			const there = await projects.get(row.id);
+			if (there !== void 0 && there.writer !== row.writer) throw new KeepError("taken", say("another-tab-has-taken-the"));
+			if (there !== void 0 && there.form > row.form) throw new KeepError("other", say("a-later-version-of-this"));
+			if (there === void 0 && !isNew) throw new KeepError("gone", say("the-project-is-no-longer"));
+			await Promise.all([
+				projects.put(row),
+				...[...put].map(([part, { value, bytes }]) => parts.put({
+					project: row.id,
+					part,
+					bytes,
+					value
+				})),
+				...drop.map((part) => parts.delete([row.id, part]))
+			]);
+		});
+	}
+	async edit(id, changed) {
+		await this.change(async (projects) => {
+			const there = await projects.get(id);
+			if (there === void 0) throw new KeepError("gone", say("the-project-is-no-longer"));
+			await projects.put({
+				...there,
+				...changed
+			});
+		});
+	}
+	async duplicate(id, row) {
+		await this.change(async (projects, parts) => {
+			const there = await projects.get(id);
+			if (there === void 0) throw new KeepError("gone", say("the-project-is-no-longer"));
+			await projects.put({
+				...there,
+				...row,
+				writer: ""
+			});
+			for (const part of await parts.getAll(partsOf(id))) await parts.put({
+				...part,
+				project: row.id
+			});
+		});
+	}
+	async remove(id) {
+		await this.change(async (projects, parts) => {
+			await Promise.all([projects.delete(id), parts.delete(partsOf(id))]);
+		});
+	}
+	async change(work) {
+		let done = null;
+		let abort = () => {};
+		try {
+			const transaction = this.db.transaction(["projects", "parts"], "readwrite", { durability: "strict" });
+			done = transaction.done;
+			done.catch(() => {});
+			abort = () => transaction.abort();
+			await work(transaction.objectStore("projects"), transaction.objectStore("parts"));
+			await done;
+		} catch (error) {
+			const reason = await ended(error, done, abort);
+			if (reason instanceof KeepError) throw reason;
+			throw new KeepError(isFull(reason) ? "full" : "other", reason instanceof Error ? reason.message : String(reason));
+		}
+	}
+};
+async function ended(error, done, abort) {
+	try {
+		abort();
+		return error;
+	} catch {
+		return done === null ? error : done.then(() => error, (reason) => reason ?? error);
+	}
+}
+function isFull(error) {
+	return error instanceof DOMException && error.name === "QuotaExceededError";
+}
+// www/shared/files/drop.ts
+var FILES = "Files";
+function mountDrop() {
+	let serving = null;
+	const waiting = [];
+	const loading = {
+		isActive: () => true,
+		markAt: () => "page",
+		take: (found) => void waiting.push(...found)
+	};
+	const active = () => (serving ?? [loading]).find(({ isActive }) => isActive());
+	const unmark = () => {
+		delete document.body.dataset.drop;
+	};
+	document.addEventListener("dragover", (event) => {
+		const taker = active();
+		if (!hasFiles(event) || taker === void 0) return;
+		event.preventDefault();
+		document.body.dataset.drop = taker.markAt(event);
+	});
+	document.addEventListener("dragleave", (event) => {
+		if (event.relatedTarget === null) unmark();
+	});
+	document.addEventListener("drop", (event) => {
+		unmark();
+		const taker = active();
+		if (!hasFiles(event) || taker === void 0) return;
+		event.preventDefault();
+		const at = taker.markAt(event);
+		const items = [...event.dataTransfer?.items ?? []].map((item) => ({
+			entry: item.webkitGetAsEntry(),
+			file: item.getAsFile()
+		}));
+		Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => {
+			const late = taker === loading && serving !== null;
+			(late ? active() : taker)?.take(lists.flat(), late ? null : at);
+		});
+	});
+	document.addEventListener("paste", (event) => {
+		const pasted = [...event.clipboardData?.files ?? []];
+		const taker = active();
+		if (pasted.length === 0 || taker === void 0) return;
+		event.preventDefault();
+		taker.take(pasted.map((file) => ({
+			file,
+			path: ""
+		})), null);
+	});
+	return (takers) => {
+		serving = takers;
+		if (waiting.length > 0) active()?.take(waiting.splice(0), null);
+	};
+}
+function hasFiles(event) {
+	return event.dataTransfer?.types.includes(FILES) === true;
+}
+async function found(entry, file) {
+	if (entry?.isDirectory !== true) return file === null ? [] : [{
+		file,
+		path: ""
+	}];
+	return below(entry);
+}
+async function below(folder) {
+	return (await Promise.all((await entriesOf(folder)).map(async (entry) => {
+		if (entry.isDirectory) return below(entry);
+		const file = await new Promise((resolve) => entry.file(resolve, () => resolve(null)));
+		return file === null ? [] : [{
+			file,
+			path: entry.fullPath.replace(/^\//u, "")
+		}];
+	}))).flat();
+}
+async function entriesOf(folder) {
+	const reader = folder.createReader();
+	const all = [];
+	for (;;) {
+		const portion = await new Promise((resolve) => reader.readEntries(resolve, () => resolve([])));
+		if (portion.length === 0) return all;
+		all.push(...portion);
+	}
+}
+// www/shared/files/claim.ts
+var LEAVING_MS = 1e3;
+var ANSWER_MS = 1500;
+var Claims = class {
+	tab;
+	held = new Map();
+	channel = typeof BroadcastChannel === "undefined" ? null : new BroadcastChannel("tiepoint-projects");
+	constructor(tab) {
+		this.tab = tab;
+		this.channel?.addEventListener("message", ({ data }) => {
+			if (data.from === tab || !this.held.has(data.project)) return;
+			if (data.kind === "ask") this.post("here", data.project);
+			if (data.kind === "taken") this.lose(data.project);
+		});
+	}
+	async take(project, steal, lost) {
+		const held = this.held.get(project);
+		if (held !== void 0) return held.claim;
+		const release = await this.claimed(project, steal);
+		if (release === null) return null;
+		const claim = { release: () => {
+			this.held.delete(project);
+			release();
+		} };
+		this.held.set(project, {
+			claim,
+			lost
+		});
+		if (steal) this.post("taken", project);
+		return claim;
+	}
+	async elsewhere(project) {
+		if (this.held.has(project)) return false;
+		const release = await this.claimed(project, false);
+		release?.();
+		return release === null;
+	}
+	lose(project) {
+		const held = this.held.get(project);
+		held?.claim.release();
+		held?.lost();
+	}
+	post(kind, project) {
+		this.channel?.postMessage({
+			kind,
+			project,
+			from: this.tab
+		});
+	}
+	claimed(project, steal) {
+		const locks = navigator.locks;
+		if (locks === void 0) return steal ? Promise.resolve(() => void 0) : this.asked(project);
+		return new Promise((resolve) => {
+			let granted = false;
+			const how = steal ? { steal } : { signal: AbortSignal.timeout(LEAVING_MS) };
+			locks.request(`tiepoint-project-${project}`, how, () => {
+				granted = true;
+				return new Promise((release) => resolve(release));
+			}).catch(() => {
+				resolve(null);
+				if (granted) this.lose(project);
+			});
+		});
+	}
+	asked(project) {
+		const { channel } = this;
+		if (channel === null) return Promise.resolve(() => void 0);
+		return new Promise((resolve) => {
+			const answer = (release) => {
+				channel.removeEventListener("message", listen);
+				resolve(release);
+			};
+			const listen = ({ data }) => {
+				if (data.kind === "here" && data.project === project) answer(null);
+			};
+			channel.addEventListener("message", listen);
+			this.post("ask", project);
+			setTimeout(() => answer(() => void 0), ANSWER_MS);
+		});
+	}
+};
+// www/shared/files/keeper.ts
+var GATHER_MS = 200;
+var HANDOVER_MS = 400;
+var PORTION_BYTES = 32e6;
+var TAB_PROJECT = "tiepoint-project";
+var BROKE_OFF = "tiepoint-broke-off";
+var MOST_BREAKS = 2;
+var CALM_MS = 15e3;
+var Keeper = class {
+	keepables;
+	mode;
+	keeping = new Holder({
+		project: "",
+		name: null,
+		trouble: null,
+		works: false,
+		opening: null
+	}, (state, changed) => ({
+		...state,
+		...changed
+	}));
+	tab = randomName();
+	claims = new Claims(this.tab);
+	claim = null;
+	database = null;
+	written = new Map();
+	writtenMode = "";
+	isNew = true;
+	timer;
+	saving = Promise.resolve();
+	constructor(keepables, mode) {
+		this.keepables = keepables;
+		this.mode = mode;
+	}
+	async start(opening, ready) {
+		let show = () => {};
+		try {
+			this.database = await opening;
+			this.keeping.dispatch({ works: true });
+			show = await this.first(this.database);
+		} catch (error) {
+			this.database = null;
+			this.keeping.dispatch({
+				works: false,
+				trouble: {
+					kind: "absent",
+					reason: messageOf(error),
+					project: null
+				}
+			});
+		}
+		await ready();
+		await this.shown(show);
+		this.keeping.dispatch({ opening: null });
+		if (this.claim === null) await this.begin();
+		this.writtenMode = this.mode.now();
+		for (const keepable of this.keepables) keepable.watch(() => this.later());
+		this.mode.watch(() => this.later());
+		document.addEventListener("visibilitychange", () => {
+			if (document.visibilityState === "hidden") this.flush();
+		});
+		window.addEventListener("pagehide", () => {
+			forgetBreaks();
+			this.flush();
+		});
+	}
+	get isLost() {
+		const { works, trouble } = this.keeping.state;
+		if (trouble?.kind === "reading") return this.isChanged();
+		return !(works && trouble?.kind !== "full" && trouble?.kind !== "failed" && trouble?.kind !== "taken") && this.keepables.some((keepable) => keepable.parts().size > 0);
+	}
+	async projects() {
+		const { database } = this;
+		if (database === null) return [];
+		await this.flush();
+		const rows = await database.projects();
+		return Promise.all(rows.map(async (row) => ({
+			...row,
+			bytes: await database.bytesOf(row.id)
+		})));
+	}
+	async open(id, how = "claim") {
+		await this.settle();
+		const show = await this.read(id, how);
+		if (show === null) return;
+		await this.settle();
+		for (const keepable of this.keepables) keepable.clear();
+		await this.shown(show);
+		this.writtenMode = this.mode.now();
+	}
+	async shown(show) {
+		try {
+			show();
+		} catch (error) {
+			const { project } = this.keeping.state;
+			this.keeping.dispatch({ project: "" });
+			for (const keepable of this.keepables) keepable.clear();
+			await this.begin();
+			this.keeping.dispatch({ trouble: {
+				kind: "unreadable",
+				reason: messageOf(error),
+				project: {
+					id: project,
+					title: say("the-project")
+				}
+			} });
+		}
+	}
+	async anew() {
+		await this.settle();
+		await this.begin();
+		for (const keepable of this.keepables) keepable.clear();
+		this.keeping.dispatch({ trouble: null });
+	}
+	async putAside(part, twice = false) {
+		await this.settle();
+		const { trouble } = this.keeping.state;
+		const others = this.keepables.some((keepable) => keepable !== part && keepable.parts().size > 0);
+		if (this.isNew || trouble !== null || others && !twice) return false;
+		await this.begin();
+		return true;
+	}
+	async keepAsNew() {
+		await this.begin();
+		this.keeping.dispatch({ trouble: null });
+		await this.flush();
+	}
+	async rename(id, name) {
+		await this.database?.edit(id, { name });
+		if (id === this.keeping.state.project) this.keeping.dispatch({ name });
+	}
+	async duplicate(id, name) {
+		await this.flush();
+		await this.database?.duplicate(id, {
+			id: randomName(),
+			name,
+			changed: Date.now()
+		});
+	}
+	async remove(id) {
+		if (await this.claims.elsewhere(id)) throw new Error(say("another-tab-has-this-project"));
+		if (id === this.keeping.state.project) await this.anew();
+		await this.database?.remove(id);
+	}
+	async partsOf(id) {
+		return await this.database?.parts(id) ?? new Map();
+	}
+	dismiss() {
+		this.keeping.dispatch({ trouble: null });
+	}
+	async settle() {
+		await Promise.all(this.keepables.map((keepable) => keepable.settled?.()));
+		await this.flush();
+	}
+	flush() {
+		window.clearTimeout(this.timer);
+		this.timer = void 0;
+		this.saving = this.saving.then(() => this.save());
+		return this.saving;
+	}
+	later() {
+		this.timer ??= window.setTimeout(() => void this.flush(), GATHER_MS);
+	}
+	async first(database) {
+		const remembered = rememberedProject();
+		const rows = await database.projects();
+		const row = remembered === null ? rows[0] : rows.find(({ id }) => id === remembered);
+		const nothing = () => {};
+		if (row === void 0) return nothing;
+		if (breaks(row.id) >= MOST_BREAKS) {
+			this.keeping.dispatch({ trouble: {
+				kind: "broke-off",
+				reason: "",
+				project: {
+					id: row.id,
+					title: titleOf(row)
+				}
+			} });
+			return nothing;
+		}
+		countBreak(row.id);
+		window.setTimeout(forgetBreaks, CALM_MS);
+		this.keeping.dispatch({ opening: titleOf(row) });
+		return await this.read(row.id, "claim") ?? nothing;
+	}
+	async read(id, how) {
+		const { database } = this;
+		const row = await database?.project(id);
+		if (database === null || row === void 0) return null;
+		const project = {
+			id,
+			title: titleOf(row)
+		};
+		const refuse = (kind, reason) => {
+			this.keeping.dispatch({ trouble: {
+				kind,
+				reason,
+				project
+			} });
+			return null;
+		};
+		if (row.form > 1) return refuse("unreadable", say("a-later-version-of-this-page"));
+		const looks = how === "look";
+		const claim = looks ? null : await this.claims.take(id, how === "steal", () => this.lost(id));
+		if (claim === null && !looks) return refuse("elsewhere", "");
+		try {
+			if (how === "steal") await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
+			if (!looks) await database.edit(id, { writer: this.tab });
+			const parts = await database.parts(id);
+			const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
+			return () => {
+				if (this.claim !== claim) this.claim?.release();
+				this.claim = claim;
+				this.isNew = false;
+				this.written = new Map(parts);
+				this.keeping.dispatch({
+					project: id,
+					name: row.name,
+					trouble: looks ? {
+						kind: "reading",
+						reason: "",
+						project
+					} : null
+				});
+				rememberProject(id);
+				for (const show of shows) show();
+				this.mode.show(row.mode);
+			};
+		} catch (error) {
+			if (claim !== null && this.claim !== claim) claim.release();
+			return refuse("unreadable", messageOf(error));
+		}
+	}
+	async begin() {
+		const project = randomName();
+		this.claim?.release();
+		this.claim = await this.claims.take(project, true, () => this.lost(project));
+		this.isNew = true;
+		this.written = new Map();
+		this.keeping.dispatch({
+			project,
+			name: null
+		});
+		if (this.database !== null) rememberProject(project);
+	}
+	lost(id) {
+		if (id !== this.keeping.state.project) return;
+		const taken = () => this.keeping.dispatch({ trouble: {
+			kind: "taken",
+			reason: "",
+			project: {
+				id,
+				title: this.title()
+			}
+		} });
+		this.flush().then(taken);
+	}
+	title() {
+		return titleOf({
+			name: this.keeping.state.name,
+			images: this.images()
+		});
+	}
+	images() {
+		return this.keepables.map((keepable) => keepable.images()).find((images) => images.length > 0) ?? [];
+	}
+	changes() {
+		const parts = new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
+		return {
+			put: new Map([...parts].filter(([part, { value }]) => !this.written.has(part) || this.written.get(part) !== value)),
+			drop: [...this.written.keys()].filter((part) => !parts.has(part))
+		};
+	}
+	isChanged() {
+		const { put, drop } = this.changes();
+		return drop.length > 0 || [...put.values()].some(({ again }) => again !== true);
+	}
+	async save() {
+		const { database, keeping } = this;
+		const { project, name, trouble } = keeping.state;
+		if (database === null || project === "" || trouble?.kind === "taken" || trouble?.kind === "reading") return;
+		const { put, drop } = this.changes();
+		const mode = this.mode.now();
+		if (put.size === 0 && drop.length === 0 && (this.isNew || mode === this.writtenMode)) return;
+		const row = {
+			id: project,
+			form: 1,
+			name,
+			images: this.images(),
+			mode,
+			changed: Date.now(),
+			writer: this.tab
+		};
+		try {
+			await this.write(database, row, put, drop);
+			this.writtenMode = mode;
+			if (trouble?.kind === "full" || trouble?.kind === "failed") keeping.dispatch({ trouble: null });
+		} catch (error) {
+			this.failed(error, project);
+		}
+	}
+	async write(database, row, put, drop) {
+		const write = async (some, gone) => {
+			await database.write(row, {
+				put: some,
+				drop: gone
+			}, this.isNew);
+			this.isNew = false;
+			for (const [part, { value }] of some) this.written.set(part, value);
+			for (const part of gone) this.written.delete(part);
+		};
+		for (const portion of portionsOf(put)) await write(portion, []);
+		const rest = new Map([...put].filter(([part]) => this.written.get(part) !== put.get(part)?.value || !this.written.has(part)));
+		try {
+			await write(rest, drop);
+		} catch (error) {
+			const needed = new Map([...rest].filter(([, { again }]) => again !== true));
+			if (!(error instanceof KeepError) || error.kind !== "full" || needed.size === rest.size) throw error;
+			await write(needed, drop);
+			throw error;
+		}
+	}
+	failed(error, id) {
+		const kind = error instanceof KeepError ? error.kind : "other";
+		if (kind === "taken") {
+			this.keeping.dispatch({ trouble: {
+				kind: "taken",
+				reason: "",
+				project: {
+					id,
+					title: this.title()
+				}
+			} });
+			return;
+		}
+		if (kind === "gone") {
+			this.isNew = true;
+			this.written = new Map();
+			this.later();
+			return;
+		}
+		const project = {
+			id,
+			title: this.title()
+		};
+		this.keeping.dispatch({ trouble: {
+			kind: kind === "full" ? "full" : "failed",
+			reason: messageOf(error),
+			project
+		} });
+	}
+};
+function portionsOf(put) {
+	const portions = [];
+	let room = 0;
+	for (const [part, kept] of put) {
+		if (kept.alone !== true) continue;
+		if (room < kept.bytes) {
+			portions.push(new Map());
+			room = PORTION_BYTES;
+		}
+		portions.at(-1)?.set(part, kept);
+		room -= kept.bytes;
+	}
+	return portions;
+}
+function allowed(action, otherwise) {
+	try {
+		return action();
+	} catch {
+		return otherwise;
+	}
+}
+var rememberedProject = () => allowed(() => sessionStorage.getItem(TAB_PROJECT), null);
+var rememberProject = (id) => allowed(() => sessionStorage.setItem(TAB_PROJECT, id), void 0);
+function breaks(id) {
+	const [project, count] = (allowed(() => localStorage.getItem(BROKE_OFF), null) ?? "").split(" ");
+	return project === id ? Number(count) || 0 : 0;
+}
+var countBreak = (id) => allowed(() => localStorage.setItem(BROKE_OFF, `${id} ${String(breaks(id) + 1)}`), void 0);
+var forgetBreaks = () => allowed(() => localStorage.removeItem(BROKE_OFF), void 0);
+// www/shared/files/late.ts
+var LateKeepable = class {
+	prefix;
+	load;
+	part = null;
+	changed = null;
+	constructor(prefix, load) {
+		this.prefix = prefix;
+		this.load = load;
+	}
+	arrive(part) {
+		this.part = part;
+		if (this.changed !== null) part.watch(this.changed);
+	}
+	watch(changed) {
+		this.changed = changed;
+		this.part?.watch(changed);
+	}
+	settled() {
+		return this.part?.settled?.() ?? Promise.resolve();
+	}
+	parts() {
+		return this.part?.parts() ?? new Map();
+	}
+	images() {
+		return this.part?.images() ?? [];
+	}
+	async read(parts) {
+		if ([...parts.keys()].some((name) => name.startsWith(this.prefix))) await this.load();
+		return await this.part?.read(parts) ?? (() => void 0);
+	}
+	clear() {
+		this.part?.clear();
+	}
+};
+// www/shared/panel/version.ts
+function nameVersion(press, version) {
+	const name = `Tiepoint ${version}`;
+	press.textContent = name;
+	press.title = say("version-and-licences");
+	const dialog = new LatePart(async () => {
+		const { aboutDialog } = await loadPart("about.js", () => __vitePreload(() => import("./about.js"), [], import.meta.url));
+		const made = aboutDialog(name);
+		document.body.append(made);
+		return made;
+	});
+	press.addEventListener("click", () => {
+		dialog.get().then((made) => {
+			press.textContent = name;
+			made.showModal();
+		}, (error) => {
+			press.textContent = `${name}: ${sentence(messageOf(error))}`;
+		});
+	});
+}
+// www/shared/panel/reach.ts
+function reachable(element) {
+	if (element.closest("[hidden]:not([role=\"tabpanel\"])") !== null) return false;
+	return element.closest("main")?.checkVisibility() !== false;
+}
+function reveal(element) {
+	const side = element.closest(".side");
+	if (side !== null) setDrawer(side.classList.contains("of-settings") ? "settings" : "details", true);
+	if (element.closest(".dock") !== null) setDrawer("table", true);
+	const tab = element.closest("[role=\"tabpanel\"][hidden]")?.getAttribute("aria-labelledby");
+	if (tab != null) showTab(tab);
+	for (let fold = element.closest("details"); fold !== null; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
+}
+// www/shared/panel/actions.ts
+function mountActions(press) {
+	const keys = new KeyList();
+	const search = new Search(() => keys.open());
+	document.body.append(keys.dialog, search.dialog);
+	press.addEventListener("click", () => search.open());
+	const everywhere = declare({
+		where: say("anywhere"),
+		host: document.body,
+		list: [{
+			keys: ["Ctrl+K"],
+			does: say("finds-any-action"),
+			run: () => search.open()
+		}, {
+			keys: ["?"],
+			does: say("lists-all-keys"),
+			run: () => keys.open()
+		}]
+	});
+	document.addEventListener("keydown", (event) => {
+		const typing = event.target instanceof Element && event.target.closest("input, textarea, select, dialog") !== null;
+		const held = event.ctrlKey || event.metaKey;
+		if (event.altKey || typing && !held || document.querySelector("dialog[open]") !== null) return;
+		if (everywhere(held ? `Ctrl+${event.key.toUpperCase()}` : event.key, event.shiftKey)) event.preventDefault();
+	});
+}
+function actions() {
+	const commands = declared().filter(({ host, list }) => host.checkVisibility() && list.length > 0).flatMap(({ where, list }) => list.filter(({ can }) => can?.() !== false).map(({ keys, does, run }) => ({
+		name: sentenceOf(does),
+		more: where,
+		keys,
+		run: () => run(false)
+	})));
+	const buttons = [...document.querySelectorAll("button")].filter((made) => !made.disabled && made.closest("dialog, table, .control, .history, .facts") === null && !made.matches(UNNAMED) && reachable(made)).map((made) => ({
+		name: nameOf(made),
+		more: [groupOf(made), made.title].filter((text) => text !== "" && text !== nameOf(made)).join(" · "),
+		keys: [],
+		run: () => {
+			reveal(made);
+			made.click();
+		}
+	}));
+	const settings = [...document.querySelectorAll(".control label")].filter(reachable).map((label) => ({
+		name: label.textContent,
+		more: [say("setting"), label.closest("fieldset, details")?.querySelector("legend, summary")?.firstChild?.textContent ?? ""].filter((text) => text !== "").join(" · "),
+		keys: [],
+		run: () => {
+			reveal(label);
+			label.control?.focus();
+		}
+	}));
+	return [
+		...buttons,
+		...commands,
+		...settings
+	];
+}
+var UNNAMED = ".close, .menu-button, #export-menu";
+function nameOf(made) {
+	const shown = made.getAttribute("aria-label") ?? made.textContent;
+	return /\p{L}|\d/u.test(shown) || made.title === "" ? shown : made.title;
+}
+var sentenceOf = (does) => does.charAt(0).toUpperCase() + does.slice(1);
+var groupOf = (made) => made.parentElement?.closest("[aria-label]")?.getAttribute("aria-label") ?? "";
+var Search = class {
+	dialog = h("dialog", {
+		class: "dialog search",
+		testid: "search",
+		aria: { label: say("find-an-action") }
+	});
+	input = h("input", {
+		type: "text",
+		id: "search-text",
+		testid: "search-text",
+		role: "combobox"
+	});
+	list = h("ul", {
+		id: "search-list",
+		class: "found",
+		testid: "search-list",
+		role: "listbox",
+		aria: { label: say("actions") }
+	});
+	said = h("p", {
+		class: "note",
+		role: "status",
+		testid: "search-said"
+	});
+	all = [];
+	found = [];
+	active = 0;
+	constructor(keys) {
+		const close = button(say("close-2"), "search-close", () => this.dialog.close());
+		const list = button(say("all-keys"), "search-keys", () => {
+			this.dialog.close();
+			keys();
+		});
+		this.input.autocomplete = "off";
+		for (const [name, value] of [
+			["controls", this.list.id],
+			["expanded", "true"],
+			["autocomplete", "list"]
+		]) this.input.setAttribute(`aria-${name}`, value);
+		this.dialog.append(h("label", { for: this.input.id }, say("what-do-you-want-to")), this.input, this.list, h("div", { class: "dialog-head" }, this.said, h("div", { class: "buttons" }, list, close)));
+		this.input.addEventListener("input", () => this.narrow());
+		this.input.addEventListener("keydown", (event) => {
+			const by = {
+				ArrowDown: 1,
+				ArrowUp: -1
+			}[event.key];
+			if (event.key === "Enter") this.run(this.active);
+			else if (by !== void 0) this.mark(this.active + by);
+			else return;
+			event.preventDefault();
+		});
+	}
+	open() {
+		hasten();
+		this.all = actions();
+		this.input.value = "";
+		this.dialog.showModal();
+		this.narrow();
+		this.input.focus();
+	}
+	narrow() {
+		const words = this.input.value.toLowerCase().split(/\s+/u);
+		const text = ({ name, more }) => `${name} ${more}`.toLowerCase();
+		const rank = ({ name }) => words.every((word) => name.toLowerCase().includes(word)) ? 0 : 1;
+		this.found = this.all.filter((action) => words.every((word) => text(action).includes(word))).sort((a, b) => rank(a) - rank(b));
+		const rows = this.found.map(({ name, more, keys }, place) => {
+			const row = h("li", {
+				role: "option",
+				id: `search-${String(place)}`
+			}, h("span", {}, name), h("small", {}, more), keys.length === 0 ? null : keysOf(keys));
+			row.addEventListener("click", () => this.run(place));
+			return row;
+		});
+		fill(this.list, ...rows);
+		const { length } = this.found;
+		this.said.textContent = length === 0 ? say("no-action-has-these-words") : say("so-many-actions", { actions: length });
+		this.mark(0);
+	}
+	mark(wanted) {
+		const rows = [...this.list.children];
+		this.active = rows.length === 0 ? 0 : (wanted + rows.length) % rows.length;
+		for (const [place, option] of rows.entries()) option.setAttribute("aria-selected", String(place === this.active));
+		const row = rows[this.active];
+		if (row === void 0) this.input.removeAttribute("aria-activedescendant");
+		else this.input.setAttribute("aria-activedescendant", row.id);
+		row?.scrollIntoView({ block: "nearest" });
+	}
+	run(place) {
+		const action = this.found[place];
+		if (action === void 0) return;
+		this.dialog.close();
+		action.run();
+	}
+};
+function rowsOf(list) {
+	const rows = new Map();
+	for (const does of new Set(list.map((one) => one.does))) {
+		const keys = [...new Set(list.filter((one) => one.does === does).flatMap((one) => one.keys))];
+		const row = rows.get(keys.join(" "));
+		if (row === void 0) rows.set(keys.join(" "), {
+			keys,
+			does: [does]
+		});
+		else row.does.push(does);
+	}
+	return [...rows.values()];
+}
+function keysOf(keys) {
+	const between = keys.every((key) => /^Arrow/u.test(key)) ? " " : say("or");
+	return h("span", { class: "keys-of" }, ...keys.flatMap((key, i) => [...i === 0 ? [] : [between], h("kbd", {}, keyText(key))]));
+}
+var KeyList = class {
+	dialog = h("dialog", {
+		class: "dialog",
+		testid: "keys-dialog",
+		aria: { labelledby: "keys-heading" }
+	});
+	open() {
+		const own = declared().map(({ where, host, list }) => ({
+			where,
+			seen: host.checkVisibility(),
+			list
+		}));
+		const all = [
+			...own.filter(({ seen }) => seen),
+			{
+				where: say("every-picture"),
+				seen: true,
+				list: MOVES
+			},
+			...own.filter(({ seen }) => !seen)
+		];
+		const tables = [...new Set(all.map(({ where }) => where))].map((name) => {
+			const rows = rowsOf(all.filter(({ where }) => where === name).flatMap((of) => [...of.list])).map(({ keys, does }) => h("div", {}, h("dt", {}, keysOf(keys)), h("dd", {}, does.join("; "))));
+			return h("section", {}, h("h3", {}, name), h("dl", { class: "key-list" }, ...rows));
+		});
+		const close = button(say("close-2"), "keys-close", () => this.dialog.close());
+		fill(this.dialog, h("div", { class: "dialog-head" }, h("h2", { id: "keys-heading" }, say("keys")), close), h("div", { class: "key-lists" }, ...tables));
+		this.dialog.showModal();
+	}
+};
+// www/shared/files/rescue.ts
+async function archiveOf(parts) {
+	const chunks = [];
+	const archive = new Zip((error, chunk) => {
+		if (error !== null) throw error;
+		chunks.push(chunk);
+	});
+	for (const [part, value] of parts) for (const [name, content] of filesOf(part, value)) {
+		const entry = new ZipPassThrough(name);
+		archive.add(entry);
+		entry.push(await bytesOf(content), true);
+	}
+	archive.end();
+	return new Blob(chunks, { type: "application/zip" });
+}
+function filesOf(part, value) {
+	if (value instanceof Blob) return [[part, value]];
+	const { project, file } = typeof value === "object" && value !== null ? value : {};
+	const held = [];
+	if (file instanceof Blob) held.push([`${part}/${file instanceof File ? file.name : "file"}`, file]);
+	if (typeof project === "string" || project instanceof Blob) held.push([`${part}.tiepoint`, project]);
+	const text = JSON.stringify(value, (name, one) => ArrayBuffer.isView(one) || name === "project" && typeof one === "string" ? void 0 : one);
+	return [...held, [`${part}.json`, text ?? ""]];
+}
+async function bytesOf(content) {
+	if (typeof content === "string") return new TextEncoder().encode(content);
+	try {
+		return new Uint8Array(await content.arrayBuffer());
+	} catch (error) {
+		return new TextEncoder().encode(String(error));
+	}
+}
+// www/shared/panel/keeping.ts
+function mountKeeping(host, keeper, actions) {
+	keeper.keeping.watch(["trouble"], ([trouble]) => {
+		const held = host.contains(document.activeElement);
+		host.hidden = trouble === null;
+		fill(host, ...trouble === null ? [] : [h("p", {}, textOf(trouble)), ...buttonsFor(trouble, keeper, actions)]);
+		if (held) byId("projects").focus();
+	});
+}
+function textOf({ kind, reason, project }) {
+	const title = `“${project?.title ?? ""}”`;
+	switch (kind) {
+		case "absent": return say("this-browser-keeps-nothing-of", { reason });
+		case "full": return say("the-storage-of-this-browser");
+		case "failed": return say("the-last-changes-could-not", { reason });
+		case "elsewhere": return say("is-open-in-another-tab", { title });
+		case "reading": return say("is-open-in-another-tab-this", { title });
+		case "taken": return say("another-tab-has-taken-over", { title });
+		case "unreadable": return say("cannot-be-restored-it-stays", {
+			title,
+			reason
+		});
+		case "broke-off": return say("was-not-opened-the-page", { title });
+	}
+}
+function buttonsFor({ kind, project }, keeper, { projects, saveFiles }) {
+	const id = project?.id ?? "";
+	const take = () => void keeper.open(id, "steal");
+	const look = () => void keeper.open(id, "look");
+	const asNew = () => void keeper.keepAsNew();
+	const list = button(say("projects"), "keeping-projects", projects);
+	const close = button(say("close-2"), "keeping-close", () => keeper.dismiss());
+	switch (kind) {
+		case "elsewhere": return [
+			button(say("look-at-it"), "keeping-look", look),
+			button(say("take-it-over"), "keeping-take", take),
+			close
+		];
+		case "reading": return [
+			button(say("show-the-latest"), "keeping-look", look, say("reads-again-what-the-other")),
+			button(say("take-it-over"), "keeping-take", take, say("goes-on-with-the-project")),
+			button(say("keep-this-as-a-new"), "keeping-new", asNew)
+		];
+		case "taken": return [button(say("take-it-back"), "keeping-take", take, say("shows-the-project-as-the")), button(say("keep-this-as-a-new"), "keeping-new", asNew)];
+		case "unreadable": return [
+			button(say("save-its-files"), "keeping-save", () => saveFiles(id)),
+			list,
+			close
+		];
+		case "broke-off": return [
+			button(say("open-it"), "keeping-open", () => void keeper.open(id)),
+			button(say("save-its-files"), "keeping-save", () => saveFiles(id)),
+			close
+		];
+		case "full": return [list, close];
+		default: return [close];
+	}
+}
+// www/shared/panel/projects.ts
+var DATE = new Intl.DateTimeFormat(LANGUAGE === "en" ? "en-GB" : `${LANGUAGE}-u-nu-latn`, {
+	dateStyle: "medium",
+	timeStyle: "short"
+});
+function mountProjects(keeper) {
+	const anew = byId("anew");
+	const press = byId("projects");
+	const list = new ProjectList(keeper);
+	document.body.append(list.dialog);
+	anew.addEventListener("click", () => {
+		if (mayLeave(keeper)) keeper.anew();
+	});
+	press.addEventListener("click", () => void list.open());
+	mountKeeping(byId("keeping"), keeper, {
+		projects: () => void list.open(),
+		saveFiles: (project) => void saveFiles(keeper, project, "tiepoint-project")
+	});
+	keeper.keeping.watch(["works", "project"], ([works, project]) => {
+		anew.disabled = project === "";
+		press.disabled = !works || project === "";
+	});
+}
+function mayLeave({ isLost }) {
+	return !isLost || window.confirm(say("the-last-changes-on-the"));
+}
+async function saveFiles(keeper, project, name) {
+	save(await archiveOf(await keeper.partsOf(project)), `${name}.zip`);
+}
+var ProjectList = class {
+	keeper;
+	dialog;
+	rows = h("ul", {
+		class: "projects",
+		testid: "project-list"
+	});
+	room = h("p", {
+		class: "note",
+		testid: "project-room"
+	});
+	problem = h("p", {
+		class: "field-problem",
+		role: "alert",
+		testid: "project-problem"
+	});
+	stay = button(say("ask-the-browser-never-to"), "project-persist", () => void this.attempt(() => this.persist()));
+	constructor(keeper) {
+		this.keeper = keeper;
+		const close = button(say("close-2"), "projects-close", () => this.dialog.close());
+		const anew = button(say("new-project"), "project-new", () => void this.leave(() => keeper.anew()));
+		anew.className = "primary";
+		const heading = h("h2", { id: "projects-heading" }, say("projects-2"));
+		const note = h("p", { class: "note" }, say("this-browser-keeps-each-project"));
+		const foot = h("div", { class: "buttons" }, this.stay, close);
+		this.dialog = h("dialog", {
+			class: "dialog",
+			testid: "projects-dialog",
+			aria: { labelledby: heading.id }
+		});
+		this.dialog.append(h("div", { class: "dialog-head" }, heading, anew), note, this.rows, this.problem, this.room, foot);
+	}
+	async open() {
+		this.problem.textContent = "";
+		await this.attempt(() => this.show());
+		if (!this.dialog.open) this.dialog.showModal();
+	}
+	async leave(action) {
+		if (mayLeave(this.keeper) && await this.attempt(action)) this.dialog.close();
+	}
+	async attempt(action) {
+		this.problem.textContent = "";
+		try {
+			await action();
+			return true;
+		} catch (error) {
+			this.problem.textContent = sentence(messageOf(error));
+			return false;
+		}
+	}
+	async change(action, focus) {
+		await this.attempt(async () => {
+			await action();
+			await this.show(focus);
+		});
+	}
+	async show(focus) {
+		const projects = await this.keeper.projects();
+		const none = h("li", { class: "note" }, say("nothing-is-kept-yet"));
+		fill(this.rows, ...projects.length === 0 ? [none] : projects.map((row) => this.row(row)));
+		if (focus !== void 0) (this.rows.querySelector(`[data-testid="${focus()}"]`) ?? this.dialog.querySelector("button"))?.focus();
+		await this.showRoom(projects);
+	}
+	async showRoom(projects) {
+		const own = projects.reduce((sum, { bytes }) => sum + bytes, 0);
+		const storage = navigator.storage;
+		const { usage = 0, quota = 0 } = await storage?.estimate().catch(() => void 0) ?? {};
+		const left = quota > usage ? say("about-are-left", { quota: sizeText(quota - usage) }) : "";
+		const persisted = await storage?.persisted?.().catch(() => false) ?? false;
+		this.stay.hidden = storage === void 0 || persisted || projects.length === 0;
+		const may = persisted ? "" : say("the-browser-may-clear-it");
+		this.room.textContent = say("the-projects-take-about", {
+			own: sizeText(own),
+			left,
+			may
+		});
+	}
+	async persist() {
+		if (!await navigator.storage.persist()) throw new Error(say("the-browser-does-not-promise"));
+		await this.show();
+	}
+	row(row) {
+		const { id } = row;
+		const title = titleOf(row);
+		const current = id === this.keeper.keeping.state.project;
+		const open = button(title, `project-open-${id}`, () => void this.leave(() => current ? Promise.resolve() : this.keeper.open(id)), say("open-this-project"));
+		open.className = "link";
+		const images = say("so-many-images", { images: row.images.length });
+		const facts = h("span", { class: "note" }, `${images} · ${sizeText(row.bytes)} · ${DATE.format(row.changed)}${current ? say("on-the-page") : ""}`);
+		const named = (text, what, action) => {
+			const made = button(text, `project-${what}-${id}`, action);
+			made.setAttribute("aria-label", `${text}: ${title}`);
+			return made;
+		};
+		const element = h("li", {
+			testid: "project",
+			...current ? { aria: { current: "true" } } : {}
+		});
+		const buttons = h("div", { class: "buttons" }, named(say("rename"), "rename", () => this.rename(element, row)), named(say("duplicate"), "duplicate", () => void this.change(() => this.keeper.duplicate(id, say("copy", { title })), () => `project-duplicate-${id}`)), named(say("save-files"), "save", () => void this.attempt(() => saveFiles(this.keeper, id, "tiepoint-project"))), named(say("delete"), "delete", () => this.confirm(element, row)));
+		element.append(h("div", { class: "project-name" }, open, facts), buttons);
+		return element;
+	}
+	rename(element, { id, ...row }) {
+		const input = h("input", {
+			type: "text",
+			testid: "project-name",
+			aria: { label: say("new-name-of", { row: titleOf(row) }) }
+		});
+		input.value = titleOf(row);
+		const take = () => {
+			const name = input.value.trim();
+			this.change(() => this.keeper.rename(id, name === "" ? null : name), () => `project-rename-${id}`);
+		};
+		const cancel = () => void this.change(() => Promise.resolve(), () => `project-rename-${id}`);
+		input.addEventListener("keydown", (event) => {
+			if (event.key === "Enter") take();
+			if (event.key !== "Escape") return;
+			event.preventDefault();
+			cancel();
+		});
+		fill(element, input, h("div", { class: "buttons" }, button(say("rename"), "project-name-take", take), button(say("cancel"), "project-name-cancel", cancel)));
+		input.focus();
+		input.select();
+	}
+	confirm(element, row) {
+		const keep = button(say("keep"), "project-keep", () => void this.change(() => Promise.resolve(), () => `project-delete-${row.id}`));
+		const remove = button(say("delete"), "project-delete", () => void this.change(() => this.keeper.remove(row.id), () => ""));
+		const question = h("p", { role: "alert" }, say("delete-with-its-images-and", { row: titleOf(row) }));
+		fill(element, question, h("div", { class: "buttons" }, remove, keep));
+		keep.focus();
+	}
+};
+// www/shared/panel/releases.ts
+function mountReleases(host, keeper) {
+	const tell = (text, ...buttons) => {
+		fill(host, h("p", {}, text), ...buttons);
+		host.hidden = false;
+	};
+	const reload = () => void keeper.flush().then(() => location.reload());
+	const ready = (take) => {
+		const update = button(say("update"), "update-take", () => void keeper.flush().then(() => keeper.isLost ? lose(take) : take()));
+		tell(say("a-new-version-of-tiepoint"), update, button(say("later"), "update-later", () => {
+			host.hidden = true;
+		}));
+	};
+	const lose = (take) => {
+		tell(say("the-last-changes-on-the-page"), button(say("update-all-the-same"), "update-take", take));
+	};
+	const replaced = () => {
+		keeper.flush().then(() => {
+			if (!keeper.isLost) location.reload();
+			else tell(say("another-tab-has-updated-tiepoint"), button(say("load-again"), "update-reload", reload));
+		});
+	};
+	keepRelease({
+		ready,
+		replaced
+	}).catch(() => void 0);
+}
+// www/shared/panel/theme.ts
+var NEXT = {
+	auto: "light",
+	light: "dark",
+	dark: "auto"
+};
+var NAME = "tiepoint-theme";
+function mountTheme(button) {
+	const show = (theme) => {
+		document.documentElement.dataset.theme = theme;
+		button.textContent = {
+			auto: say("theme-auto"),
+			light: say("theme-light"),
+			dark: say("theme-dark")
+		}[theme] ?? say("theme");
+	};
+	const saved = keptChoice(NAME);
+	show(saved !== null && saved in NEXT ? saved : "auto");
+	button.addEventListener("click", () => {
+		const theme = NEXT[document.documentElement.dataset.theme ?? "auto"] ?? "auto";
+		show(theme);
+		keepChoice(NAME, theme);
+	});
+}
+// www/shared/state/mode.ts
+function isMode(text) {
+	return text === "pair" || text === "block";
+}
+function makeModes() {
+	return new Holder({ mode: "pair" }, (_, mode) => ({ mode }));
+}
+// www/program.ts
+var START_BYTES = 1024;
+var keeping = null;
+async function startProgram() {
+	mountTheme(byId("theme"));
+	mountLanguage(byId("language"), () => keeping);
+	mountActions(byId("actions"));
+	mountMenu(byId("menu"), byId("bar-menu"));
+	const opening = Database.open();
+	opening.catch(() => void 0);
+	try {
+		await startParts(opening, mountDrop());
+	} catch (error) {
+		byId("answer").dataset["kind"] = "problem";
+		byId("status").textContent = messageOf(error);
+	}
+}
+async function startParts(opening, serveDrop) {
+	const catalogue = await loadCatalogue();
+	checkRules(catalogue.rules);
+	nameVersion(byId("about"), catalogue.version);
+	await breath();
+	const modes = makeModes();
+	const takers = [];
+	const pair = await mountPair(catalogue, {
+		openProject,
+		toBlock,
+		sampleBlock,
+		putAside: (kept) => keeper.putAside(kept)
+	});
+	showIn(modes, "pair", [...document.querySelectorAll(".bar .actions, .bar .drawers, body > main")]);
+	document.querySelector(".bar h1")?.after(modeSwitch(modes, (mode) => void show(mode)));
+	await breath();
+	const blocks = new LatePart(async () => {
+		const block = await loadBlock(catalogue, pair, {
+			modes,
+			openProject,
+			putAside: (kept, twice) => keeper.putAside(kept, twice)
+		});
+		keptBlock.arrive(block.kept);
+		takers.unshift(block.taker);
+		return block;
+	});
+	const keptBlock = new LateKeepable("block", () => blocks.get());
+	async function withBlock(act) {
+		const block = await blocks.get().catch((error) => {
+			pair.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "problem",
+					text: say("the-block-was-not-loaded", { error: sentence(messageOf(error)) })
+				}
+			});
+		});
+		if (block !== void 0) await act(block);
+	}
+	async function show(mode) {
+		if (mode === "pair") modes.dispatch(mode);
+		else await withBlock(() => modes.dispatch(mode));
+	}
+	const inBlock = (act) => withBlock(async (block) => {
+		modes.dispatch("block");
+		await act(block);
+	});
+	async function openProject(file) {
+		const mode = project_kind(new Uint8Array(await file.slice(0, START_BYTES).arrayBuffer())) ?? modes.state.mode;
+		if (mode === "block") return inBlock((block) => block.open(file));
+		modes.dispatch(mode);
+		await pair.open(file);
+	}
+	function toBlock(files, masks) {
+		inBlock((block) => block.give(files, masks));
+	}
+	function sampleBlock() {
+		inBlock((block) => block.sample());
+	}
+	const keeper = new Keeper([keptBlock, pair.kept], {
+		now: () => modes.state.mode,
+		show: (kept) => {
+			if (isMode(kept)) show(kept);
+		},
+		watch: (changed) => modes.watch(["mode"], changed)
+	});
+	keeping = keeper;
+	mountProjects(keeper);
+	sayOpening(keeper, pair);
+	await keeper.start(opening, () => {
+		pair.store.dispatch({
+			type: "ready",
+			catalogue
+		});
+		return breath();
+	});
+	pair.begin();
+	takers.push({
+		...pair.taker,
+		take: (found, at) => void toPair(found, at)
+	});
+	async function toPair(found, at) {
+		if (await hasGround(found)) await inBlock((block) => block.taker.take(found, null));
+		else pair.taker.take(found, at);
+	}
+	serveDrop(takers);
+	watchLaunches(openProject);
+	mountReleases(byId("update"), keeper);
+}
+function sayOpening(keeper, { store }) {
+	let said = null;
+	keeper.keeping.watch(["opening"], ([title]) => {
+		document.body.classList.toggle("is-opening", title !== null);
+		if (title === null && (said === null || store.state.notice !== said)) return;
+		said = title === null ? null : {
+			kind: "info",
+			text: say("opening-kept-work", { title })
+		};
+		store.dispatch({
+			type: "notice",
+			notice: said
+		});
+	});
+}
+async function loadBlock(catalogue, pair, elsewhere) {
+	await learnPart("block");
+	const { blockCatalogue, mountBlock, openPair } = await loadPart("block.js", () => __vitePreload(() => import("./block.js"), [], import.meta.url));
+	const ofBlocks = blockCatalogue(catalogue);
+	const block = await mountBlock(ofBlocks, {
+		...elsewhere,
+		openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, images)
+	});
+	block.store.dispatch({
+		type: "ready",
+		catalogue: ofBlocks
+	});
+	return block;
+}
+export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isHidden, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };
