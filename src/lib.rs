@@ -52,6 +52,7 @@ pub use camera::{
     rotation_from_angles,
 };
 pub use catalogue::{Parameter, ParameterKind, acting, with_defaults};
+pub use crs::{coordinates_in_system, places_of_coordinates};
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,

@@ -119,7 +119,7 @@ test('the orthophoto shows the block that lies on its ground, unless each image 
   assert.equal(blockOnOrthophoto(after(opened)), null);
   assert.equal(blockOnOrthophoto(reduce(after(opened), { type: 'orthophoto', orthophoto: elsewhere })), null);
   assert.equal(blockOnOrthophoto(reduce(given, { type: 'purpose', purpose: 'images' })), null);
-  // Positions in the coordinate reference system are not those of the orthophoto's own system.
+  // Nothing leads from the coordinate reference system of the block to that of an orthophoto which says none.
   const inCrs = { ...linked, orthophoto: { ...linked.orthophoto, inCrs: true } };
   assert.equal(blockOnOrthophoto(reduce(after({ ...opened, view: inCrs }), { type: 'orthophoto', orthophoto: here })), null);
   // What was measured of an image is over then.

@@ -2,14 +2,25 @@
 
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { BlockScene, grey_png, OrthophotoReference } from '../pkg/node.js';
+import { BlockScene, geographic_positions, grey_png, OrthophotoReference, system_coordinates } from '../pkg/node.js';
 import { pageModules } from './www.js';
 
 /** @type {Record<string, any>} */
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/files/rasters', 'block/state/under', 'block/state/placing', 'block/state/placed', 'block/state/laid']));
+  Object.assign(
+    page,
+    await pageModules([
+      'block/files/rasters',
+      'block/state/under',
+      'block/state/placing',
+      'block/state/placed',
+      'block/state/laid',
+      'block/state/showing',
+      'block/view/orthophoto/block',
+    ]),
+  );
 });
 
 /** @param {string} name @param {Uint8Array | string} content @param {string} [type] */
@@ -218,7 +229,19 @@ test('an orthophoto lies under a block by the images that are placed on it, by o
   });
   const placed = (/** @type {string} */ kind) => new Map([[5, { key: '', problem: '', result: { verdict: { kind }, placement: { footprint } } }]]);
   const files = [{ id: 5, name: 'a.jpg', file: new Blob() }];
-  const shown = { key: 'run 1', view: { images: [{ name: 'b.jpg' }, { name: 'a.jpg' }], layout: { kind: 'oriented' } } };
+  const shown = {
+    key: 'run 1',
+    view: {
+      images: [
+        { name: 'b.jpg', position: null },
+        { name: 'a.jpg', position: null },
+      ],
+      layout: { kind: 'oriented' },
+      points: { taking: 0, positions: [] },
+      origin: null,
+      crs: null,
+    },
+  };
   const ground = { footprints: Float64Array.of(...new Array(8).fill(NaN), ...own) };
   const laid = laidUnder(orthophoto, placed('placed'), files, shown, ground, 'own');
   assert.equal(laid.images, 1);
@@ -230,9 +253,127 @@ test('an orthophoto lies under a block by the images that are placed on it, by o
   assert.equal(laidUnder(orthophoto, new Map(), files, shown, ground, 'own'), null);
   // Control points of the same system: nothing has to be placed, where it is the same ground.
   const same = { footprints: Float64Array.from(square.flat()) };
-  assert.deepEqual(laidUnder(orthophoto, new Map(), files, shown, same, 'surveyed'), { toBlock: page.under.SAME, images: 0 });
+  assert.deepEqual(laidUnder(orthophoto, new Map(), files, shown, same, 'surveyed'), { toBlock: page.under.SAME, images: 0, crs: null });
   assert.equal(laidUnder(orthophoto, new Map(), files, shown, ground, 'surveyed'), null);
   // An orthomosaic is of one block alone.
   assert.equal(laidUnder({ ...orthophoto, ofBlock: 'run 1' }, new Map(), files, shown, ground, 'own').images, 0);
   assert.equal(laidUnder({ ...orthophoto, ofBlock: 'run 0' }, new Map(), files, shown, ground, 'own'), null);
+});
+
+/** A simulated block as the page has it, its orthophoto in another system, and the pixels of its own one. @param {string} crs */
+function onEarth(crs) {
+  const scene = new BlockScene({ strips: 2, exposures: 3, width_px: 240, height_px: 180, pixel_mm: 0.3 });
+  const { images, origin } = scene.truth();
+  const reference = OrthophotoReference.open(scene.orthophoto(2).picture);
+  const info = reference.info();
+  const positions = images.flatMap((_, index) => [...scene.surface_at(index, Float64Array.of(60, 60, 120, 90, 200, 150))]);
+  reference.free();
+  scene.free();
+  const { affineOf, after, inverse, mapped } = page.under;
+  const own = affineOf(info.georeference);
+  const at = (/** @type {[number, number]} */ [x, y], height = 0) =>
+    system_coordinates(
+      crs,
+      geographic_positions(Float64Array.of(origin?.longitude_deg ?? NaN, origin?.latitude_deg ?? NaN, origin?.height_m ?? NaN, x, y, height)),
+    );
+  /** Pixels of the same picture in the other system, by its corner and what the next column and row are. */
+  const ground = positions.filter((_, i) => i % 3 === 2).sort((a, b) => a - b)[images.length] ?? NaN;
+  const [corner, right, below] = [mapped(own, 0, 0), mapped(own, info.width, 0), mapped(own, 0, info.height)].map((place) => at(place, ground));
+  const step = (/** @type {Float64Array} */ to, /** @type {number} */ count) => [0, 1].map((k) => ((to[k] ?? NaN) - (corner?.[k] ?? NaN)) / count);
+  const georeference = {
+    origin: [corner?.[0], corner?.[1]],
+    by_column: step(right ?? new Float64Array(), info.width),
+    by_row: step(below ?? new Float64Array(), info.height),
+  };
+  const view = {
+    partial: false,
+    images: images.map(({ name, pose }) => ({ name, position: pose?.position ?? null })),
+    layout: { kind: 'oriented' },
+    points: { count: positions.length / 3, taking: positions.length / 3, positions: Float64Array.from(positions) },
+    surveyed: [],
+    origin,
+    crs: null,
+  };
+  const orthophoto = { raster: {}, info: { ...info, epsg: Number(/^EPSG:(\d+)$/.exec(crs)?.[1]), georeference }, ofBlock: null };
+  return { view, orthophoto, own, toPixels: inverse(affineOf(georeference)), after, inverse, mapped };
+}
+
+const under = (/** @type {object} */ orthophoto, /** @type {object} */ view) =>
+  page.laid.laidUnder(orthophoto, new Map(), [], { key: 'run', view }, { footprints: new Float64Array() }, 'geographic');
+
+test('an orthophoto of a projected system lies under a block with GNSS positions: its centres are at their true pixels', () => {
+  for (const crs of ['EPSG:32632', 'EPSG:25832', 'EPSG:31467']) {
+    const { view, orthophoto, own, toPixels, inverse, mapped } = onEarth(crs);
+    const laid = under(orthophoto, view);
+    assert.equal(laid?.crs, crs, page.laid.whyNotLaid(orthophoto, view));
+    for (const { name, position } of view.images) {
+      const [x = NaN, y = NaN] = position ?? [];
+      const [column, row] = mapped(toPixels, ...mapped(inverse(laid.toBlock), x, y));
+      const [known, other] = mapped(inverse(own), x, y);
+      assert.ok(Math.hypot(column - known, row - other) < 0.5, `${crs}, ${name}: ${column}, ${row} for ${known}, ${other}`);
+    }
+    assert.equal(page.laid.whyNotLaid(orthophoto, view), '');
+  }
+  // Grid north of the zone lies west of true north here, 1° west of the central meridian (Torge & Müller 2012, 6.2).
+  const { view, orthophoto } = onEarth('EPSG:32632');
+  const { a, b } = under(orthophoto, view).toBlock;
+  const convergence = Math.atan(Math.tan(-Math.PI / 180) * Math.sin((50 * Math.PI) / 180));
+  assert.ok(Math.abs(Math.atan2(b, a) + convergence) < 2e-4, `${Math.atan2(b, a)}`);
+});
+
+test('an orthophoto without a code is taken in the system of the block alone; of elsewhere, of no system and of degrees it is said', () => {
+  const { view, orthophoto } = onEarth('EPSG:32632');
+  const uncoded = { ...orthophoto, info: { ...orthophoto.info, epsg: null, described: null } };
+  assert.equal(under(uncoded, view), null);
+  assert.equal(page.laid.whyNotLaid(uncoded, view), '');
+  assert.equal(under(uncoded, { ...view, crs: 'EPSG:25832' }).crs, 'EPSG:25832');
+  // One that names a system which has no code is not in that of the block, as far as is known.
+  assert.equal(under({ ...uncoded, info: { ...uncoded.info, described: 'Town grid' } }, { ...view, crs: 'EPSG:25832' }), null);
+  assert.equal(under(orthophoto, { ...view, origin: null }), null);
+  const why = (/** @type {number} */ epsg, more = {}) => {
+    const other = { ...orthophoto, info: { ...orthophoto.info, ...more, epsg } };
+    assert.equal(under(other, view), null);
+    return page.laid.whyNotLaid(other, view);
+  };
+  assert.match(why(32633), /lies elsewhere than the block \(EPSG:32633\)/);
+  assert.match(why(9999), /not laid under the block: .*EPSG:9999/);
+  assert.match(why(4326, { gsd: 1e-5 }), /its system \(EPSG:4326\) differs from that of the block by \d/);
+  const [x, y] = orthophoto.info.georeference.origin;
+  assert.match(why(32632, { georeference: { ...orthophoto.info.georeference, origin: [(x ?? NaN) + 50_000, y] } }), /lies elsewhere/);
+});
+
+test('a block in a coordinate reference system is drawn on its orthophoto where that has it', () => {
+  const { view, orthophoto, own, toPixels, inverse, mapped } = onEarth('EPSG:32632');
+  const positions = view.images.map(({ position }) => position ?? []);
+  const surveyed = [
+    {
+      name: 'orthophoto_1',
+      position: [...(positions[0] ?? [])],
+      difference_m: [1, 0, 0.5],
+      standard_errors_m: [1, 1, 1],
+      point: 0,
+      role: 'control',
+      isUsed: true,
+    },
+  ];
+  const linked = { ...view, surveyed, orthophoto: { kind: 'linked', inCrs: true, text: '' } };
+  const to = page.showing.toSystemOf(orthophoto, linked);
+  const footprints = Float64Array.from(positions.flatMap(([x = NaN, y = NaN]) => [x, y, x, y, x, y, x, y]));
+  const drawn = page.block.inSystem(linked, { footprints, gsd: [], gnss: [], origin: null }, to);
+  positions.forEach(([x = NaN, y = NaN, z], i) => {
+    const known = mapped(inverse(own), x, y);
+    const [u, v, height] = drawn.view.images[i].position;
+    for (const [east, north] of [[u, v], drawn.ground.footprints.subarray(8 * i + 4, 8 * i + 6)]) {
+      const at = mapped(toPixels, east, north);
+      assert.ok(Math.hypot(at[0] - known[0], at[1] - known[1]) < 0.5, `${at} for ${known}`);
+    }
+    assert.equal(height, z);
+  });
+  // Differences turn with it: by 0.8° here.
+  const [dx, dy, dz] = drawn.view.surveyed[0].difference_m;
+  assert.ok(Math.abs(Math.hypot(dx, dy) - 1) < 1e-3 && Math.abs(Math.abs(dy) - 0.0134) < 1e-3 && dz === 0.5, `${dx} ${dy} ${dz}`);
+  // In the orthophoto's own system nothing is converted.
+  assert.equal(page.showing.toSystemOf(orthophoto, { ...linked, orthophoto: { kind: 'linked', inCrs: false, text: '' } }), page.under.SAME);
+  const elsewhere = { ...orthophoto, info: { ...orthophoto.info, epsg: 32633 } };
+  assert.equal(page.showing.toSystemOf(elsewhere, linked), null);
 });

@@ -7,10 +7,12 @@
 mod definition;
 mod described;
 mod operation;
+mod positions;
 mod rounding;
 mod spelling;
 mod system;
 
 pub(crate) use definition::Definition;
 pub(crate) use described::{Described, Projection};
+pub use positions::{coordinates_in_system, places_of_coordinates};
 pub(crate) use system::CoordinateSystem;

@@ -145,6 +145,11 @@ impl Orthophoto {
         Ok([write_geotiff(&picture, self.epsg)?, heights?])
     }
 
+    /// What its system is called where its file describes one without a code; it may have no name.
+    pub fn described(&self) -> Option<&str> {
+        self.said.described.as_deref().filter(|_| self.epsg.is_none())
+    }
+
     /// What its file says of its system, with the code that it has now.
     pub(super) fn said(&self) -> SaidSystem {
         SaidSystem { epsg: self.epsg, ..self.said.clone() }

@@ -8,7 +8,7 @@ use super::summary::{CheckSummary, NamedReason, outcome_counts};
 use super::verdict::BlockVerdict;
 use super::warning::{OverviewWarning, overview_warnings};
 use super::with_text::WithText;
-use crate::{BlockModel, BlockRun, Camera, Error, ObjectPoint, RefinementOutcome, Remark, SurveyedPoint};
+use crate::{BlockModel, BlockRun, Camera, Error, GeographicOrigin, ObjectPoint, RefinementOutcome, Remark, SurveyedPoint};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -44,6 +44,10 @@ pub struct BlockOverview {
     pub checks: Option<CheckSummary>,
     /// The surveyed points of the model that is written.
     pub surveyed: Vec<SurveyedPoint>,
+    /// Where its system touches the earth; absent where that is not known.
+    pub origin: Option<GeographicOrigin>,
+    /// The coordinate reference system that was chosen for control points and results, as it was given.
+    pub crs: Option<String>,
     /// Changes by hand.
     pub edits: usize,
     /// What is weak about the block.
@@ -131,6 +135,8 @@ impl BlockOverview {
             sigma0_px: adjusted.and_then(|adjusted| adjusted.sigma0_px),
             checks: CheckSummary::of(surveyed(run)),
             surveyed: surveyed(run).to_vec(),
+            origin: run.model.origin,
+            crs: run.input.settings.placing.crs.clone(),
             edits: run.edits().len(),
             warnings: overview_warnings(run).into_iter().map(WithText::of).collect(),
         })

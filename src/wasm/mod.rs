@@ -8,6 +8,7 @@ mod block_files;
 mod block_scene;
 mod camera;
 mod convert;
+mod crs;
 mod descriptors;
 mod digest;
 mod draw;

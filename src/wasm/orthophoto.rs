@@ -21,6 +21,8 @@ export interface OrthophotoInfo {
     gsd: number;
     georeference: Georeference;
     epsg: number | null;
+    /** What its system is called where it has one without a code. */
+    described: string | null;
     heights: [number, number];
     /** Share of the picture that has a height, 0 to 1. */
     heights_share: number;
@@ -90,6 +92,7 @@ impl OrthophotoReference {
             ("gsd", georeference.gsd().into()),
             ("georeference", pack(georeference)),
             ("epsg", pack(epsg)),
+            ("described", pack(&self.orthophoto.described())),
             ("heights", pack(&heights.range())),
             ("heights_share", self.orthophoto.heights_share().into()),
             ("in_parts", self.orthophoto.is_in_parts().into()),

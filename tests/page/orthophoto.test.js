@@ -4,8 +4,10 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { BlockScene, grey_png } from '../../pkg/node.js';
-import { block, photos, status } from './blocks.js';
+import { block, FLIGHT, photos, status } from './blocks.js';
+import { georeferenced } from './georeferenced.js';
 import { hosted, part, saved, says, SHOTS, SKIP, upload } from './page.js';
+import { blockGround } from './rendered.js';
 
 hosted();
 
@@ -256,6 +258,106 @@ test('the orthomosaic of a block is laid under its map, saved, and there after a
   await status(page, /^(Oriented|Weak orientation): .*Restored from this browser/);
   await part(page, 'map-orthophoto').waitFor();
   await under();
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+const numbers = (/** @type {string} */ text) =>
+  (
+    text
+      .replaceAll('\u202f', '')
+      .replaceAll('−', '-')
+      .match(/-?\d+(\.\d+)?/g) ?? []
+  ).map(Number);
+
+/** From the system of the block to that of the orthophoto, by three places under the pointer.  @param {Page} page @param {string} crs */
+async function bySystem(page, crs) {
+  const box = await part(page, 'block-map').boundingBox();
+  assert.ok(box);
+  const at = [];
+  for (const [x, y] of [
+    [0.2, 0.3],
+    [0.8, 0.3],
+    [0.2, 0.8],
+  ]) {
+    await page.mouse.move(box.x + (x ?? 0) * box.width, box.y + (y ?? 0) * box.height);
+    const [own = '', there = ''] = (await says(page, 'map-place', new RegExp(`${crs} `))).split(`${crs} `);
+    at.push([...numbers(own), ...numbers(there)]);
+  }
+  const [[x0 = 0, y0 = 0, u0 = 0, v0 = 0] = [], [x1 = 0, y1 = 0, u1 = 0, v1 = 0] = [], [x2 = 0, y2 = 0, u2 = 0, v2 = 0] = []] = at;
+  const determinant = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
+  return (/** @type {number} */ x, /** @type {number} */ y) => {
+    const [p, q] = [((x - x0) * (y2 - y0) - (x2 - x0) * (y - y0)) / determinant, ((x1 - x0) * (y - y0) - (x - x0) * (y1 - y0)) / determinant];
+    return [u0 + p * (u1 - u0) + q * (u2 - u0), v0 + p * (v1 - v0) + q * (v2 - v0)];
+  };
+}
+
+test('an orthophoto in UTM lies under a block with GNSS positions, with a code or in the system that is chosen: centres are at their true pixels', {
+  skip: SKIP,
+}, async () => {
+  const { page, complaints, close } = await block();
+  const scene = new BlockScene(FLIGHT);
+  const { images, origin } = scene.truth();
+  const [, , ground = 0] = scene.surface_at(1, Float64Array.of(240, 180));
+  scene.free();
+  assert.ok(origin);
+  const picture = blockGround(FLIGHT, 1).find(({ name }) => name === 'orthophoto.tif')?.bytes ?? new Uint8Array();
+  const made = georeferenced(picture, 32632, origin, ground);
+  const [a, b, x0, d, e, y0] = made.affine;
+  /** The pixels of the projection centres of the block, by the table and what the map says, beside the true ones. */
+  const centresAreTrue = async () => {
+    const toSystem = await bySystem(page, 'EPSG:32632');
+    await part(page, 'tab-block-images').click();
+    const rows = await page
+      .locator('[data-testid="block-images"] tbody tr:not(.filler)')
+      .evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent ?? '')));
+    assert.equal(rows.length, images.length);
+    for (const row of rows) {
+      const [x = NaN, y = NaN] = row.slice(-3, -1).map((cell) => numbers(cell)[0] ?? NaN);
+      const [u = NaN, v = NaN] = toSystem(x, y);
+      const at = [((u - x0) * e - (v - y0) * b) / (a * e - b * d), ((v - y0) * a - (u - x0) * d) / (a * e - b * d)];
+      const [tx = NaN, ty = NaN] = images.find(({ name }) => `${name}.png` === row[0])?.pose?.position ?? [];
+      const { origin: corner, by_column: column, by_row: line } = made.georeference;
+      const known = [(tx - corner[0]) / column[0], (ty - corner[1]) / line[1]];
+      // GNSS positions are wrong by some metres: so is the block.
+      const off = Math.hypot((at[0] ?? NaN) - (known[0] ?? NaN), (at[1] ?? NaN) - (known[1] ?? NaN));
+      assert.ok(off < 4, `${row[0]}: ${at} for ${known}`);
+    }
+  };
+  await photos(page);
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation): /);
+  await part(page, 'tab-block-orthophoto').click();
+  await part(page, 'block-orthophoto-input').setInputFiles([upload('utm.tif', made.tif)]);
+  await says(page, 'block-orthophoto-name', /^Orthophoto utm\.tif/);
+  await part(page, 'block-show-map').click();
+  await says(page, 'block-layout', /Orthophoto laid under by the positions of both on the earth \(EPSG:32632\)/);
+  assert.equal(await part(page, 'map-orthophoto').getAttribute('aria-pressed'), 'true');
+  await isPainted(page, 'block-map', 'map');
+  await page.screenshot({ path: join(SHOTS, 'block-map-utm.png') });
+  await centresAreTrue();
+
+  // Of elsewhere it is said why nothing lies there.
+  await part(page, 'tab-block-orthophoto').click();
+  await part(page, 'block-orthophoto-input').setInputFiles([upload('zone.tif', georeferenced(picture, 32633, { ...origin, longitude_deg: 15 }, ground).tif)]);
+  await says(page, 'block-orthophoto-name', /^Orthophoto zone\.tif/);
+  await part(page, 'block-show-map').click();
+  await says(page, 'block-layout', /The orthophoto lies elsewhere than the block \(EPSG:32633\)/);
+  assert.ok(await part(page, 'map-orthophoto').isHidden());
+
+  // A picture with a world file says no system: it is taken in that which is chosen for the block.
+  await part(page, 'block-orthophoto-input').setInputFiles([
+    upload('world.png', made.png, 'image/png'),
+    upload('world.pgw', new TextEncoder().encode(made.world)),
+  ]);
+  await says(page, 'block-orthophoto-name', /^Orthophoto world\.png/);
+  await says(page, 'block-layout', /The orthophoto is in another system/);
+  await part(page, 'tab-block-settings').click();
+  await page.locator('input[data-key="placing.crs"]').first().fill('EPSG:32632');
+  await page.locator('input[data-key="placing.crs"]').first().blur();
+  await part(page, 'block-run').click();
+  await says(page, 'block-layout', /Orthophoto laid under by the positions of both on the earth \(EPSG:32632\)/);
+  await centresAreTrue();
   assert.deepEqual(complaints, []);
   await close();
 });

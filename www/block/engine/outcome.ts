@@ -27,6 +27,8 @@ export function viewOf(block: FinishedBlock): BlockView {
     verdict,
     checks,
     surveyed,
+    origin,
+    crs,
     points,
   } = block.overview();
   const connections = pairs.map(connectionOf);
@@ -105,6 +107,8 @@ export function viewOf(block: FinishedBlock): BlockView {
             inCrs: onOrthophoto.kind === 'linked' && onOrthophoto.in_crs === true,
             text: message('on_orthophoto', onOrthophoto),
           },
+    origin,
+    crs,
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     checks,
@@ -170,6 +174,8 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     oriented: 0,
     verdict: null,
     orthophoto: null,
+    origin: null,
+    crs: null,
     rmsePx: null,
     sigma0Px: null,
     checks: null,

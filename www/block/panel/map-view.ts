@@ -7,7 +7,9 @@ import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
 import type { PlacingEngine } from '../engine/placing';
 import type { System } from '../state/ground';
+import { whyNotLaid } from '../state/laid';
 import { imagesOfBlock, isBusy } from '../state/state';
+import { inverse, mapped } from '../state/under';
 import type { BlockView, Layout } from '../state/view';
 import { mostMatches } from '../state/words';
 import { colouredPoints, GRADIENT } from '../view/map/colouring';
@@ -140,8 +142,10 @@ function orthophotoNote(map: BlockMap, view: BlockView): string {
   const laid = map.laid();
   if (laid === null) {
     if (orthophoto.ofBlock !== null) return say('the-orthomosaic-is-of-an');
-    return say('the-orthophoto-is-in-another');
+    const why = whyNotLaid(orthophoto, view);
+    return why === '' ? say('the-orthophoto-is-in-another') : why;
   }
+  if (map.shows.orthophoto && laid.crs !== null) return say('orthophoto-laid-under-by-positions', { crs: laid.crs });
   if (!map.shows.orthophoto || laid.images === 0) return '';
   return say('orthophoto-laid-under-by-placed', { images: laid.images });
 }
@@ -151,7 +155,11 @@ function placeText(map: BlockMap, view: BlockView | null): string {
   if (view === null || place === null) return '';
   const system = systemOf(view, map.ground());
   const unit = system === 'own' ? '' : ' m';
-  return `${system === 'geographic' ? 'E' : 'X'} ${fixed(place[0], 2)}${unit}  ${system === 'geographic' ? 'N' : 'Y'} ${fixed(place[1], 2)}${unit}`;
+  const own = `${system === 'geographic' ? 'E' : 'X'} ${fixed(place[0], 2)}${unit}  ${system === 'geographic' ? 'N' : 'Y'} ${fixed(place[1], 2)}${unit}`;
+  const laid = map.laid();
+  if (laid === null || laid.crs === null) return own;
+  const [x, y] = mapped(inverse(laid.toBlock), place[0], place[1]);
+  return `${own}  ${laid.crs} ${fixed(x, 2)} ${fixed(y, 2)}`;
 }
 
 /** The map for those who do not see it. */

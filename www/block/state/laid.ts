@@ -1,10 +1,12 @@
 /** Where an orthophoto lies in the system of the block that is shown. */
+import { betweenSystems } from './between';
 import { remember } from '../../shared/state/remember';
 import type { System, ViewGround } from './ground';
 import type { LinkedPlacement } from './links';
 import type { GivenOrthophoto, Placed } from './placing';
 import type { BlockFile, Shown } from './state';
-import { affineOf, mapped, SAME, similarity } from './under';
+import type { BlockView } from './view';
+import { affineOf, inverse, mapped, SAME, similarity } from './under';
 import type { Affine } from './under';
 
 type Place = readonly [number, number];
@@ -14,6 +16,8 @@ export interface Laid {
   toBlock: Affine;
   /** Images of the block that are placed on it, which say so; 0 where both have one system. */
   images: number;
+  /** What the system of the orthophoto is called where both lie on the earth; null where the block says nothing of it. */
+  crs: string | null;
 }
 
 /** Null where nothing says how both systems lie to each other. */
@@ -27,9 +31,9 @@ export const laidUnder = remember(
     system: System,
   ): Laid | null => {
     if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== 'oriented') return null;
-    if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? { toBlock: SAME, images: 0 } : null;
-    if (system === 'surveyed' && overlap(orthophoto, ground.footprints)) return { toBlock: SAME, images: 0 };
-    return byImages(placed, files, shown, ground);
+    if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? { toBlock: SAME, images: 0, crs: null } : null;
+    if (system === 'surveyed' && overlap(orthophoto, ground.footprints)) return { toBlock: SAME, images: 0, crs: null };
+    return byImages(placed, files, shown, ground) ?? onEarth(orthophoto, shown);
   },
 );
 
@@ -51,7 +55,19 @@ function byImages(placed: ReadonlyMap<number, Placed>, files: readonly BlockFile
     });
   }
   const toBlock = similarity(from, to);
-  return toBlock === null ? null : { toBlock, images };
+  return toBlock === null ? null : { toBlock, images, crs: null };
+}
+
+/** Both say where they lie on the earth. */
+function onEarth(orthophoto: GivenOrthophoto, { view }: Shown): Laid | null {
+  const between = betweenSystems(orthophoto, view);
+  return between?.kind === 'similar' ? { toBlock: inverse(between.toOrthophoto), images: 0, crs: between.crs } : null;
+}
+
+/** Why the orthophoto does not lie under a block that says where it lies on the earth; empty where it does, and where one of them does not say it. */
+export function whyNotLaid(orthophoto: GivenOrthophoto, view: BlockView): string {
+  const between = betweenSystems(orthophoto, view);
+  return between?.kind === 'problem' ? between.text : '';
 }
 
 /** The places of the four corners of an image, of as many along each side of its border. */

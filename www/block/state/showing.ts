@@ -1,6 +1,8 @@
 /** What the orthophoto view shows: the block that was placed on the orthophoto, else the images that were placed by themselves. */
+import { betweenSystems } from './between';
 import { remember } from '../../shared/state/remember';
-import { mapped, affineOf, inverse } from './under';
+import { mapped, affineOf, inverse, SAME } from './under';
+import type { Affine } from './under';
 import { placedFiles } from './placed';
 import type { PlacedFile } from './placed';
 import type { GivenOrthophoto } from './placing';
@@ -15,15 +17,23 @@ export function blockOnOrthophoto(state: Given): Shown | null {
   const { shown, placing } = state;
   const { orthophoto } = placing;
   if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial) return null;
-  if (shown.view.orthophoto?.kind !== 'linked' || shown.view.orthophoto.inCrs) return null;
-  return purposeOf(state) !== 'images' && hasPlaceOn(orthophoto, shown.view) ? shown : null;
+  if (shown.view.orthophoto?.kind !== 'linked' || purposeOf(state) === 'images') return null;
+  const toOrthophoto = toSystemOf(orthophoto, shown.view);
+  return toOrthophoto !== null && hasPlaceOn(orthophoto, shown.view, toOrthophoto) ? shown : null;
+}
+
+/** From the system of a block that is linked to an orthophoto to the system of that; null where nothing leads there. */
+export function toSystemOf(orthophoto: GivenOrthophoto, view: BlockView): Affine | null {
+  if (view.orthophoto?.inCrs !== true) return SAME;
+  const between = betweenSystems(orthophoto, view);
+  return between?.kind === 'similar' ? between.toOrthophoto : null;
 }
 
 /** Whether a control or check point of the block lies on an orthophoto: one of elsewhere may be given in its place. */
-const hasPlaceOn = remember(({ info: { width, height, georeference } }: GivenOrthophoto, { surveyed }: BlockView): boolean => {
+const hasPlaceOn = remember(({ info: { width, height, georeference } }: GivenOrthophoto, { surveyed }: BlockView, toOrthophoto: Affine): boolean => {
   const toPixels = inverse(affineOf(georeference));
   return surveyed.some(({ position: [x, y] }) => {
-    const [column, row] = mapped(toPixels, x, y);
+    const [column, row] = mapped(toPixels, ...mapped(toOrthophoto, x, y));
     return column >= 0 && row >= 0 && column <= width && row <= height;
   });
 });

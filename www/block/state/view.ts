@@ -6,6 +6,7 @@ import type {
   CheckSummary,
   Connection,
   ExportFormat,
+  GeographicOrigin,
   OnOrthophoto,
   RefinementOutcome,
   SurveyedPoint,
@@ -151,6 +152,10 @@ export interface BlockView {
   verdict: { kind: BlockVerdict['kind']; text: string } | null;
   /** What came of the orthophoto that it was given, in one sentence, and whether positions are not in its system but in its coordinate reference system; null where it was given none. */
   orthophoto: { kind: OnOrthophoto['kind']; inCrs: boolean; text: string } | null;
+  /** Where its system touches the earth; null where that is not known. */
+  origin: GeographicOrigin | null;
+  /** The coordinate reference system that was chosen for control points and results; null: none. */
+  crs: string | null;
   rmsePx: number | null;
   sigma0Px: number | null;
   /** Ground control points and check points of the block. */

@@ -10,6 +10,8 @@ import { USES } from '../../state/links';
 import { isPlace } from '../../state/naming';
 import { imagesOf, pointsOf } from '../../state/selection';
 import type { Choice } from '../../state/selection';
+import { mapped, SAME } from '../../state/under';
+import type { Affine } from '../../state/under';
 import type { BlockView, ViewSurveyed } from '../../state/view';
 import { offsetsOf, paintSurveyed } from '../map/ground';
 import { footprintAt, paintCentres, paintFootprint } from './footprints';
@@ -36,6 +38,28 @@ export interface OnOrthophoto {
 }
 
 type Keeps = (row: number) => boolean;
+
+/** What is drawn of a block, and its ground, in another system: places in plan, and the differences of surveyed points. */
+export const inSystem = remember((view: BlockView, ground: ViewGround | null, to: Affine): { view: BlockView; ground: ViewGround | null } => {
+  if (to === SAME) return { view, ground };
+  const turn = { ...to, e: 0, f: 0 };
+  const footprints = ground?.footprints.slice() ?? new Float64Array();
+  for (let i = 0; i < footprints.length; i += 2) footprints.set(mapped(to, footprints[i] ?? NaN, footprints[i + 1] ?? NaN), i);
+  return {
+    view: {
+      ...view,
+      images: view.images.map((image) =>
+        image.position === null ? image : { ...image, position: [...mapped(to, image.position[0], image.position[1]), image.position[2]] },
+      ),
+      surveyed: view.surveyed.map((point) => ({
+        ...point,
+        position: [...mapped(to, point.position[0], point.position[1]), point.position[2]],
+        difference_m: [...mapped(turn, point.difference_m[0], point.difference_m[1]), point.difference_m[2]],
+      })),
+    },
+    ground: ground === null ? null : { ...ground, footprints },
+  };
+});
 
 /** Those of its images and points that filters keep. `isStale`: it was placed by other settings, or on another orthophoto. */
 export const onOrthophoto = remember(

@@ -11,7 +11,7 @@ import type { PlacingEngine } from '../../engine/placing';
 import { shownLinks } from '../../state/steps';
 import { keptBy } from '../../state/columns';
 import type { LinkedPlacement } from '../../state/links';
-import { blockOnOrthophoto } from '../../state/showing';
+import { blockOnOrthophoto, toSystemOf } from '../../state/showing';
 import { placedFiles } from '../../state/placed';
 import type { GivenOrthophoto, Looked } from '../../state/placing';
 import { isOffGround } from '../../state/purpose';
@@ -19,7 +19,7 @@ import type { Choice } from '../../state/selection';
 import { affineOf, mapped, SAME } from '../../state/under';
 import type { Looking } from '../looking';
 import { haloed, paintGrid, paintNorth, paintScale } from '../map/frame';
-import { choiceAt, onOrthophoto, paintBlock, placeOfChoice, stepped } from './block';
+import { choiceAt, inSystem, onOrthophoto, paintBlock, placeOfChoice, stepped } from './block';
 import type { OnOrthophoto } from './block';
 import { footprintAt, paintCentres, paintFootprint } from './footprints';
 import type { Footprint } from './footprints';
@@ -72,9 +72,11 @@ export class OrthophotoPlan extends LinkPicture {
   block(): OnOrthophoto | null {
     const { state } = this.store;
     const shown = blockOnOrthophoto(state);
-    if (shown === null) return null;
+    const { orthophoto } = state.placing;
+    if (shown === null || orthophoto === null) return null;
+    const drawn = inSystem(shown.view, this.facts.ground(), toSystemOf(orthophoto, shown.view) ?? SAME);
     const keeps = (subject: 'images' | 'surveyed') => keptBy(subject, shown.view, state.selection);
-    return onOrthophoto(shown.view, this.facts.ground(), isOffGround(state), keeps('images'), keeps('surveyed'));
+    return onOrthophoto(drawn.view, drawn.ground, isOffGround(state), keeps('images'), keeps('surveyed'));
   }
 
   /** What is chosen of the block elsewhere is brought into sight. */

@@ -270,6 +270,10 @@ matches = المطابقات: { COUNT($matches) }
 widest-line = أعرض الخطوط: { $widest }.
 the-orthomosaic-is-of-an = {" "}الموزاييك المصحح من تشغيل سابق.
 the-orthophoto-is-in-another = {" "}الصورة المصححة في نظام آخر: ضع الكتلة أو صورًا منها عليها فتقع تحتها.
+orthophoto-laid-under-by-positions = {" "}فُرشت الصورة المصححة تحتها بحسب موضعيهما على الأرض ({ $crs }).
+the-orthophoto-is-not-laid-under = {" "}لم تُفرش الصورة المصححة تحت الكتلة: { $reason }
+the-systems-are-not-similar = {" "}لم تُفرش الصورة المصححة تحت الكتلة: بعد الدوران والتحجيم والإزاحة يختلف نظامها ({ $crs }) عن نظام الكتلة بمقدار { FIXED($most, digits: 2) } م، وهو أكثر من { FIXED($limit, digits: 2) } م.
+the-orthophoto-lies-elsewhere = {" "}تقع الصورة المصححة في مكان غير مكان الكتلة ({ $crs }): أعط صورة للأرض نفسها.
 orthophoto-laid-under-by-placed = {" "}فُرشت الصورة المصححة تحتها بعدد { $images ->
         [one] صورة واحدة موضوعة عليها
         [two] صورتين موضوعتين عليها
@@ -617,12 +621,12 @@ residual-in-y-observed-minus = المتبقي في y: المرصود ناقص ا
 residual = المتبقي
 length-of-the-residual = طول المتبقي.
 observations-of-the-point-rejected = أرصاد النقطة، والمرفوضة منها أيضًا.
-whether-the-adjustment-accepted-the = هل قبل الضبط الرصدة، وإلا فمن رفضها.
-the-edit-was-not-made = لم يتم التعديل: { $reason } لم تتغير الكتلة.
-image-measurements-need-their-ground = تحتاج القياسات الصورية إلى نقاط ضبطها الأرضي: أعط ملفها أيضًا
 redundancy-number-of-an-observation = عدد الفائض لـ { $axis }، من 0 إلى 1: نصيب خطأ الإحداثي الذي يظهر في متبقيه. قرب 0 لا يراقبه شيء.
 w-statistic-of-an-observation = الإحصاءة w لـ { $axis }: المتبقي مقسومًا على خطئه المعياري (Baarda). يرفض تقصّي البيانات أكبرها.
 mdb-of-an-observation = أصغر انحياز يمكن كشفه (MDB) لـ { $axis }: يكشف اختبار الإحداثي خطأ بهذا القدر باحتمال 0.80. ويكبر كلما صغر عدد الفائض.
+whether-the-adjustment-accepted-the = هل قبل الضبط الرصدة، وإلا فمن رفضها.
+the-edit-was-not-made = لم يتم التعديل: { $reason } لم تتغير الكتلة.
+image-measurements-need-their-ground = تحتاج القياسات الصورية إلى نقاط ضبطها الأرضي: أعط ملفها أيضًا
 placed-2 = موضوعة
 link-use = { $use ->
         [used] مستعمل
@@ -674,12 +678,12 @@ length = الطول
 
 residuals-by-image = المتبقيات بحسب الصورة
 residuals-of-observations = متبقيات الأرصاد
+w-against-the-normal-distribution = الإحصاءات w إزاء التوزيع الطبيعي
+minimal-detectable-biases-by-image = أصغر انحياز يمكن كشفه بحسب الصورة
 tie-points-by-rays = نقاط الربط بحسب الأشعة
 standard-errors-in-plan-along = الأخطاء المعيارية الأفقية على امتداد الكتلة
 standard-errors-in-height-along = الأخطاء المعيارية الارتفاعية على امتداد الكتلة
 gnss-positions = مواضع GNSS
-w-against-the-normal-distribution = الإحصاءات w إزاء التوزيع الطبيعي
-minimal-detectable-biases-by-image = أصغر انحياز يمكن كشفه بحسب الصورة
 control-and-check-points-plan = نقاط الضبط والتحقق، أفقيًا
 control-and-check-points-height = نقاط الضبط والتحقق، ارتفاعًا
 rmse-of-the-residuals = ‏RMSE المتبقيات
@@ -690,12 +694,12 @@ adjusted-minus-surveyed-place = الموضع المضبوط ناقص الممس�
 adjusted-minus-surveyed-height = الارتفاع المضبوط ناقص الممسوح
 residual-vx = المتبقي vx
 residual-vy = المتبقي vy
-
-## state
-
 w-of-normal-errors = ‏w لأخطاء موزعة توزيعًا طبيعيًا
 w-statistic = الإحصاءة w
 minimal-detectable-bias = أصغر انحياز يمكن كشفه
+
+## state
+
 by-hand-kept = { $edits ->
         [one] بقي تعديل يدوي واحد.
         [two] بقي تعديلان يدويان.

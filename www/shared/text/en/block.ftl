@@ -298,6 +298,10 @@ matches = { COUNT($matches) } matches
 widest-line = Widest line: { $widest }.
 the-orthomosaic-is-of-an = {" "}The orthomosaic is of an earlier run.
 the-orthophoto-is-in-another = {" "}The orthophoto is in another system: place the block on it, or images of it, and it lies under them.
+orthophoto-laid-under-by-positions = {" "}Orthophoto laid under by the positions of both on the earth ({ $crs }).
+the-orthophoto-is-not-laid-under = {" "}The orthophoto is not laid under the block: { $reason }
+the-systems-are-not-similar = {" "}The orthophoto is not laid under the block: turned, scaled and shifted, its system ({ $crs }) differs from that of the block by { FIXED($most, digits: 2) } m, more than { FIXED($limit, digits: 2) } m.
+the-orthophoto-lies-elsewhere = {" "}The orthophoto lies elsewhere than the block ({ $crs }): give one of the same ground.
 orthophoto-laid-under-by-placed = {" "}Orthophoto laid under by { COUNT($images) } { $images ->
         [one] image
        *[other] images
@@ -678,13 +682,13 @@ residual-in-y-observed-minus = Residual in y: observed minus computed.
 residual = Residual
 length-of-the-residual = Length of the residual.
 observations-of-the-point-rejected = Observations of the point, rejected ones too.
+redundancy-number-of-an-observation = Redundancy number of { $axis }, 0 to 1: the share of an error of the coordinate that shows in its residual. Near 0 nothing checks it.
+w-statistic-of-an-observation = w-statistic of { $axis }: residual by its standard error (Baarda). Data snooping rejects the largest.
+mdb-of-an-observation = Minimal detectable bias (MDB) of { $axis }: the test of the coordinate finds an error of this size with a probability of 0.80. It grows as the redundancy number falls.
 whether-the-adjustment-accepted-the = Whether the adjustment accepted the observation, and if not, who rejected it.
 
 ## state/editing
 
-redundancy-number-of-an-observation = Redundancy number of { $axis }, 0 to 1: the share of an error of the coordinate that shows in its residual. Near 0 nothing checks it.
-w-statistic-of-an-observation = w-statistic of { $axis }: residual by its standard error (Baarda). Data snooping rejects the largest.
-mdb-of-an-observation = Minimal detectable bias (MDB) of { $axis }: the test of the coordinate finds an error of this size with a probability of 0.80. It grows as the redundancy number falls.
 the-edit-was-not-made = The edit was not made: { $reason } The block is unchanged.
 
 ## state/given
@@ -745,12 +749,12 @@ length = Length
 
 residuals-by-image = Residuals by image
 residuals-of-observations = Residuals of observations
+w-against-the-normal-distribution = w-statistics against the normal distribution
+minimal-detectable-biases-by-image = Minimal detectable biases by image
 tie-points-by-rays = Tie points by rays
 standard-errors-in-plan-along = Standard errors in plan, along the block
 standard-errors-in-height-along = Standard errors in height, along the block
 gnss-positions = GNSS positions
-w-against-the-normal-distribution = w-statistics against the normal distribution
-minimal-detectable-biases-by-image = Minimal detectable biases by image
 control-and-check-points-plan = Control and check points, plan
 control-and-check-points-height = Control and check points, height
 rmse-of-the-residuals = RMSE of the residuals
@@ -761,10 +765,10 @@ adjusted-minus-surveyed-place = Adjusted minus surveyed place
 adjusted-minus-surveyed-height = Adjusted minus surveyed height
 residual-vx = Residual vx
 residual-vy = Residual vy
-
 w-of-normal-errors = w of normally distributed errors
 w-statistic = w-statistic
 minimal-detectable-bias = Minimal detectable bias
+
 by-hand-kept = { $edits } { $edits ->
         [one] edit
        *[other] edits

@@ -1,0 +1,86 @@
+//! Many positions at once, into a coordinate reference system and out of it.
+
+use super::{CoordinateSystem, Definition};
+use crate::Error;
+use crate::math::median;
+
+/// Coordinates in a system of places on the earth.
+///
+/// `crs`: an EPSG code, PROJ text or WKT. `places`: longitude and latitude on WGS 84 in degrees, height above its ellipsoid in m. Coordinates are
+/// those of the system: x, east or longitude, first; heights in its unit, above the ellipsoid still. They are rounded to 0.1 mm, or 1e-9°.
+/// Of the operations that lead to the system the one that holds about the median of the places takes all of them. A place that is no number, or
+/// lies outside the system, has none. No places give no coordinates, once the system was read.
+///
+/// # Errors
+/// [`Error::InvalidInput`] for a system that cannot be read, and one that nothing leads to there.
+pub fn coordinates_in_system(crs: &str, places: &[[f64; 3]]) -> Result<Vec<Option<[f64; 3]>>, Error> {
+    let definition = Definition::read(crs)?;
+    let Some(about) = middle(places) else { return Ok(vec![None; places.len()]) };
+    let system = CoordinateSystem::new(definition, None, about)?;
+    Ok(converted(places, |place| system.coordinates(place)))
+}
+
+/// The inverse of [`coordinates_in_system`].
+///
+/// # Errors
+/// As [`coordinates_in_system`], and for coordinates the median of which lies outside the system.
+pub fn places_of_coordinates(crs: &str, coordinates: &[[f64; 3]]) -> Result<Vec<Option<[f64; 3]>>, Error> {
+    let definition = Definition::read(crs)?;
+    let Some(about) = middle(coordinates) else { return Ok(vec![None; coordinates.len()]) };
+    let system = CoordinateSystem::about(definition, None, about)?;
+    Ok(converted(coordinates, |position| system.geographic(position)))
+}
+
+fn converted(all: &[[f64; 3]], of: impl Fn([f64; 3]) -> Option<[f64; 3]>) -> Vec<Option<[f64; 3]>> {
+    all.iter().map(|one| Some(*one).filter(is_known).and_then(&of)).collect()
+}
+
+fn is_known(position: &[f64; 3]) -> bool {
+    position.iter().all(|value| value.is_finite())
+}
+
+/// The medians of both coordinates of the plane; absent without positions.
+fn middle(positions: &[[f64; 3]]) -> Option<[f64; 2]> {
+    let of = |k: usize| median(&mut positions.iter().filter(|position| is_known(position)).map(|position| position[k]).collect::<Vec<_>>());
+    Some([of(0)?, of(1)?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_positions_go_into_a_system_and_come_back() {
+        let places: Vec<[f64; 3]> =
+            (0..200).map(|i| [11.0 + 0.001 * f64::from(i % 20), 48.0 + 0.001 * f64::from(i / 20), 500.0 + f64::from(i)]).collect();
+        for crs in ["EPSG:32632", "EPSG:31468", "EPSG:4326"] {
+            let there = coordinates_in_system(crs, &places).unwrap();
+            let back = places_of_coordinates(crs, &there.iter().map(|one| one.unwrap()).collect::<Vec<_>>()).unwrap();
+            for (place, again) in places.iter().zip(back) {
+                let again = again.unwrap();
+                assert!(
+                    (0..2).all(|k| (place[k] - again[k]).abs() < 3e-9) && (place[2] - again[2]).abs() < 1e-3,
+                    "{crs}: {place:?} {again:?}"
+                );
+            }
+        }
+        // The central meridian of the zone, and the scale on it (Snyder 1987, p. 17: the meridian to 45°).
+        let [on_meridian] = &coordinates_in_system("EPSG:32632", &[[9.0, 45.0, 7.0]]).unwrap()[..] else { unreachable!() };
+        let [x, y, z] = on_meridian.unwrap();
+        assert!((x - 500_000.0).abs() < 1e-3 && (y - 0.9996 * 4_984_944.378).abs() < 2e-3 && z == 7.0, "{x} {y} {z}");
+    }
+
+    #[test]
+    fn what_is_no_place_has_no_coordinates_and_what_is_no_system_is_refused() {
+        let places = [[11.0, 48.0, 0.0], [f64::NAN, 48.0, 0.0], [11.0, f64::INFINITY, 0.0]];
+        let found = coordinates_in_system("EPSG:32632", &places).unwrap();
+        assert_eq!(found.iter().map(Option::is_some).collect::<Vec<_>>(), [true, false, false]);
+        assert_eq!(coordinates_in_system("EPSG:32632", &[]).unwrap(), []);
+        assert_eq!(places_of_coordinates("EPSG:32632", &[[f64::NAN; 3]]).unwrap(), [None]);
+        for refused in [coordinates_in_system("EPSG:99999", &[]), places_of_coordinates("none", &[[0.0; 3]])] {
+            assert!(matches!(refused, Err(Error::InvalidInput { .. })), "{refused:?}");
+        }
+        // Longitudes beyond the earth.
+        assert!(places_of_coordinates("EPSG:4326", &[[691_000.0, 50.0, 0.0]]).is_err());
+    }
+}

@@ -1,0 +1,80 @@
+/** The orthophoto of a simulated block in a coordinate reference system, as other programs give it: for tests of the page. */
+
+import { geographic_positions, grey_png, OrthophotoReference, system_coordinates } from '../../pkg/node.js';
+
+/** @typedef {[number, number, number, number, number, number]} Affine columns and rows become (a c + b r + x, d c + e r + y): a, b, x, d, e, y */
+
+/**
+ * Grey GeoTIFF of a projected system, and the same picture as PNG with its world file.
+ * @param {Uint8Array} picture the orthophoto in the system of its flight @param {number} epsg
+ * @param {{ longitude_deg: number, latitude_deg: number, height_m: number }} origin of the flight @param {number} ground height of the ground in the flight
+ */
+export function georeferenced(picture, epsg, origin, ground) {
+  const reference = OrthophotoReference.open(picture);
+  const { width, height, georeference } = reference.info();
+  const grey = Uint8Array.from(reference.picture(0, 0, width, height, 0));
+  reference.free();
+  const { origin: corner, by_column: column, by_row: row } = georeference;
+  const place = (/** @type {number} */ c, /** @type {number} */ r) =>
+    system_coordinates(
+      `EPSG:${epsg}`,
+      geographic_positions(
+        Float64Array.of(
+          origin.longitude_deg,
+          origin.latitude_deg,
+          origin.height_m,
+          corner[0] + c * column[0] + r * row[0],
+          corner[1] + c * column[1] + r * row[1],
+          ground,
+        ),
+      ),
+    );
+  const [at, right, below] = [place(0, 0), place(width, 0), place(0, height)];
+  const part = (/** @type {Float64Array} */ to, /** @type {number} */ k, /** @type {number} */ count) => ((to[k] ?? NaN) - (at[k] ?? NaN)) / count;
+  /** @type {Affine} */
+  const affine = [part(right, 0, width), part(below, 0, height), at[0] ?? NaN, part(right, 1, width), part(below, 1, height), at[1] ?? NaN];
+  const [a, b, x, d, e, y] = affine;
+  // World files name the middle of the first pixel.
+  const world = [a, d, b, e, x + (a + b) / 2, y + (d + e) / 2].map((value) => value.toFixed(9)).join('\n');
+  return { tif: geotiff(width, height, grey, affine, epsg), png: grey_png(width, height, grey), world, affine, georeference };
+}
+
+/** An uncompressed TIFF with its GeoTIFF keys.  @param {number} width @param {number} height @param {Uint8Array} grey @param {Affine} affine @param {number} epsg */
+function geotiff(width, height, grey, [a, b, x, d, e, y], epsg) {
+  const [SHORT, LONG, DOUBLE] = [3, 4, 12];
+  const matrix = [a, b, 0, x, d, e, 0, y, 0, 0, 0, 0, 0, 0, 0, 1];
+  // Projected, pixels are areas, and the code.
+  const keys = [1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, epsg];
+  const values = 8 + grey.length + (grey.length % 2);
+  const tags = [
+    [256, LONG, 1, width],
+    [257, LONG, 1, height],
+    [258, SHORT, 1, 8],
+    [259, SHORT, 1, 1],
+    [262, SHORT, 1, 1],
+    [273, LONG, 1, 8],
+    [277, SHORT, 1, 1],
+    [278, LONG, 1, height],
+    [279, LONG, 1, grey.length],
+    [34264, DOUBLE, 16, values],
+    [34735, SHORT, keys.length, values + 128],
+  ];
+  const directory = values + 128 + 2 * keys.length;
+  const bytes = new Uint8Array(directory + 2 + 12 * tags.length + 4);
+  const view = new DataView(bytes.buffer);
+  bytes.set([0x49, 0x49, 42, 0]);
+  view.setUint32(4, directory, true);
+  bytes.set(grey, 8);
+  for (const [i, value] of matrix.entries()) view.setFloat64(values + 8 * i, value, true);
+  for (const [i, value] of keys.entries()) view.setUint16(values + 128 + 2 * i, value, true);
+  view.setUint16(directory, tags.length, true);
+  tags.forEach(([tag = 0, type = 0, count = 0, value = 0], i) => {
+    const entry = directory + 2 + 12 * i;
+    view.setUint16(entry, tag, true);
+    view.setUint16(entry + 2, type, true);
+    view.setUint32(entry + 4, count, true);
+    if (type === SHORT && count === 1) view.setUint16(entry + 8, value, true);
+    else view.setUint32(entry + 8, value, true);
+  });
+  return bytes;
+}
