@@ -1,4 +1,4 @@
-import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -2185,18 +2185,122 @@ function middle(places) {
 	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
 	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
 }
+// www/block/state/between.ts
+var MOST_PIXELS = 3;
+var MOST_SHARE = .001;
+var ENOUGH = 4e3;
+var BEYOND$1 = .02;
+function crsOf({ epsg, described }, chosen) {
+	if (epsg !== null) return `EPSG:${String(epsg)}`;
+	return (described ?? null) === null ? chosen : null;
+}
+var betweenSystems = remember((orthophoto, view) => {
+	const { origin } = view;
+	const crs = crsOf(orthophoto.info, view.crs);
+	const places = placesOf$2(view);
+	if (origin === null || crs === null || places === null) return null;
+	const { from, height } = places;
+	try {
+		const local = from.flatMap(([x, y]) => [
+			x,
+			y,
+			height
+		]);
+		const onEarth = geographic_positions(Float64Array.from([
+			origin.longitude_deg,
+			origin.latitude_deg,
+			origin.height_m,
+			...local
+		]));
+		const there = system_coordinates(crs, onEarth);
+		return judged(orthophoto, crs, from, from.map((_, i) => [there[3 * i] ?? NaN, there[3 * i + 1] ?? NaN]));
+	} catch (error) {
+		return {
+			kind: "problem",
+			text: say("the-orthophoto-is-not-laid-under", { reason: messageOf(error) })
+		};
+	}
+});
+function judged({ info }, crs, from, to) {
+	const toOrthophoto = similarity$1(from, to);
+	const apart = from.map(([x, y], i) => {
+		const [u, v] = toOrthophoto === null ? [NaN, NaN] : mapped(toOrthophoto, x, y);
+		return Math.hypot(u - (to[i]?.[0] ?? NaN), v - (to[i]?.[1] ?? NaN));
+	});
+	const most = Math.max(...apart);
+	const limit = Math.max(MOST_PIXELS * info.gsd, MOST_SHARE * Math.hypot(span(to, 0), span(to, 1)));
+	if (toOrthophoto === null || !(most <= limit)) return {
+		kind: "problem",
+		text: say("the-systems-are-not-similar", {
+			crs,
+			most,
+			limit
+		})
+	};
+	const toPixels = inverse(affineOf(info.georeference));
+	const pixels = to.map(([x, y]) => mapped(toPixels, x, y));
+	return [0, 1].every((axis) => {
+		const own = pixels.map((place) => place[axis]);
+		return Math.max(...own) >= 0 && Math.min(...own) <= (axis === 0 ? info.width : info.height);
+	}) ? {
+		kind: "similar",
+		toOrthophoto,
+		crs
+	} : {
+		kind: "problem",
+		text: say("the-orthophoto-lies-elsewhere", { crs })
+	};
+}
+function span(places, axis) {
+	const own = places.map((place) => place[axis]);
+	return Math.max(...own) - Math.min(...own);
+}
+function placesOf$2({ images, points }) {
+	const centres = images.flatMap(({ position }) => position === null ? [] : [position]);
+	const step = Math.ceil(points.taking / ENOUGH);
+	const coordinates = [
+		0,
+		1,
+		2
+	].map((axis) => Float64Array.from({ length: Math.ceil(points.taking / step) || 0 }, (_, i) => points.positions[3 * step * i + axis] ?? NaN).filter((value) => !Number.isNaN(value)).sort());
+	const at = (axis, share) => coordinates[axis]?.[Math.round(share * (coordinates[axis].length - 1))] ?? NaN;
+	const height = at(2, .5);
+	if (centres.length === 0 || Number.isNaN(height)) return null;
+	const [columns, rows] = [0, 1].map((axis) => {
+		const [low, high] = [
+			...centres.map((centre) => centre[axis]),
+			at(axis, BEYOND$1),
+			at(axis, .98)
+		].reduce(([least, largest], value) => [Math.min(least, value), Math.max(largest, value)], [Infinity, -Infinity]);
+		return [
+			low,
+			(low + high) / 2,
+			high
+		];
+	});
+	return {
+		from: (rows ?? []).flatMap((y) => (columns ?? []).map((x) => [x, y])),
+		height
+	};
+}
 // www/block/state/showing.ts
 function blockOnOrthophoto(state) {
 	const { shown, placing } = state;
 	const { orthophoto } = placing;
 	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial) return null;
-	if (shown.view.orthophoto?.kind !== "linked" || shown.view.orthophoto.inCrs) return null;
-	return purposeOf(state) !== "images" && hasPlaceOn(orthophoto, shown.view) ? shown : null;
+	if (shown.view.orthophoto?.kind !== "linked" || purposeOf(state) === "images") return null;
+	const toOrthophoto = toSystemOf(orthophoto, shown.view);
+	return toOrthophoto !== null && hasPlaceOn(orthophoto, shown.view, toOrthophoto) ? shown : null;
 }
-var hasPlaceOn = remember(({ info: { width, height, georeference } }, { surveyed }) => {
+function toSystemOf(orthophoto, view) {
+	if (view.orthophoto?.inCrs !== true) return SAME$1;
+	const between = betweenSystems(orthophoto, view);
+	return between?.kind === "similar" ? between.toOrthophoto : null;
+}
+var hasPlaceOn = remember(({ info: { width, height, georeference } }, { surveyed }, toOrthophoto) => {
 	const toPixels = inverse(affineOf(georeference));
 	return surveyed.some(({ position: [x, y] }) => {
-		const [column, row] = mapped(toPixels, x, y);
+		const [column, row] = mapped(toPixels, ...mapped(toOrthophoto, x, y));
 		return column >= 0 && row >= 0 && column <= width && row <= height;
 	});
 });
@@ -3136,6 +3240,13 @@ function known$2(value) {
 var PROJECT = /\.tiepoint$/iu;
 var TABLE = /\.(?:csv|txt)$/iu;
 var CAMERAS$1 = /\.json$/iu;
+function rowsOf$1(text, parse) {
+	try {
+		return parse(text);
+	} catch {
+		return null;
+	}
+}
 var TEXTS = {
 	cameras: say("cameras"),
 	control: say("ground-control-points"),
@@ -3180,9 +3291,14 @@ var BlockFiles = class {
 		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
 		if (project !== void 0) await this.openProject(project.file);
 		if (cameras !== void 0) await this.takeText("cameras", cameras.file);
-		const tables = alone.filter(({ file }) => TABLE.test(file.name));
-		for (const { file } of tables) await this.takeText(await this.tableKind(file), file);
-		const aside = found.length - photos.length - tables.length - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
+		let tables = 0;
+		for (const { file } of alone.filter(({ file }) => TABLE.test(file.name))) {
+			const kind = await this.tableKind(file);
+			if (kind === null) continue;
+			await this.takeText(kind, file);
+			tables += 1;
+		}
+		const aside = found.length - photos.length - tables - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "));
 		else await this.said(said);
 	}
@@ -3288,13 +3404,11 @@ var BlockFiles = class {
 		}
 	}
 	async tableKind(file) {
-		try {
-			const names = new Set(this.store.state.files.map(({ name }) => name));
-			const marks = parse_image_measurements(await file.text());
-			return marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image)) ? "marks" : "control";
-		} catch {
-			return "control";
-		}
+		const text = await file.text();
+		const names = new Set(this.store.state.files.map(({ name }) => name));
+		const marks = rowsOf$1(text, parse_image_measurements);
+		if (marks !== null && marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image))) return "marks";
+		return /\.csv$/iu.test(file.name) || rowsOf$1(text, parse_ground_control_points) !== null ? "control" : null;
 	}
 	async takeText(given, file) {
 		this.store.dispatch({
@@ -7231,6 +7345,77 @@ var MATRIX_VIEW = {
 		};
 	}
 };
+// www/block/state/laid.ts
+var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
+	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
+	if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? {
+		toBlock: SAME$1,
+		images: 0,
+		crs: null
+	} : null;
+	if (system === "surveyed" && overlap(orthophoto, ground.footprints)) return {
+		toBlock: SAME$1,
+		images: 0,
+		crs: null
+	};
+	return byImages(placed, files, shown, ground) ?? onEarth(orthophoto, shown);
+});
+function byImages(placed, files, shown, { footprints }) {
+	const [from, to] = [[], []];
+	let images = 0;
+	const index = new Map(shown.view.images.map(({ name }, i) => [name, i]));
+	for (const { id, name } of files) {
+		const result = placed.get(id)?.result ?? null;
+		const image = index.get(name);
+		if (image === void 0 || result?.verdict.kind !== "placed" || result.placement === null) continue;
+		const corners = footprints.subarray(8 * image, 8 * image + 8);
+		if (corners.length < 8 || Number.isNaN(corners[0])) continue;
+		images += 1;
+		cornersOf$2(result.placement).forEach((corner, i) => {
+			from.push(corner);
+			to.push([corners[2 * i] ?? 0, corners[2 * i + 1] ?? 0]);
+		});
+	}
+	const toBlock = similarity$1(from, to);
+	return toBlock === null ? null : {
+		toBlock,
+		images,
+		crs: null
+	};
+}
+function onEarth(orthophoto, { view }) {
+	const between = betweenSystems(orthophoto, view);
+	return between?.kind === "similar" ? {
+		toBlock: inverse(between.toOrthophoto),
+		images: 0,
+		crs: between.crs
+	} : null;
+}
+function whyNotLaid(orthophoto, view) {
+	const between = betweenSystems(orthophoto, view);
+	return between?.kind === "problem" ? between.text : "";
+}
+function cornersOf$2({ footprint }) {
+	return [
+		0,
+		1,
+		2,
+		3
+	].map((corner) => footprint[Math.round(corner * footprint.length / 4)] ?? [NaN, NaN]);
+}
+function overlap({ info: { width, height, georeference } }, footprints) {
+	const toGround = affineOf(georeference);
+	const corners = [
+		mapped(toGround, 0, 0),
+		mapped(toGround, width, 0),
+		mapped(toGround, 0, height),
+		mapped(toGround, width, height)
+	];
+	const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
+	const within = (value, all) => value >= Math.min(...all) && value <= Math.max(...all);
+	for (let i = 0; i < footprints.length; i += 2) if (within(footprints[i] ?? NaN, xs) && within(footprints[i + 1] ?? NaN, ys)) return true;
+	return false;
+}
 // www/block/view/map/colouring.ts
 var VIRIDIS = [
 	"#440154",
@@ -7525,62 +7710,6 @@ function arrow(context, t, { x, y, dx, dy }, factor) {
 	context.lineTo(...end);
 	context.stroke();
 	return end;
-}
-// www/block/state/laid.ts
-var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
-	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
-	if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? {
-		toBlock: SAME$1,
-		images: 0
-	} : null;
-	if (system === "surveyed" && overlap(orthophoto, ground.footprints)) return {
-		toBlock: SAME$1,
-		images: 0
-	};
-	return byImages(placed, files, shown, ground);
-});
-function byImages(placed, files, shown, { footprints }) {
-	const [from, to] = [[], []];
-	let images = 0;
-	const index = new Map(shown.view.images.map(({ name }, i) => [name, i]));
-	for (const { id, name } of files) {
-		const result = placed.get(id)?.result ?? null;
-		const image = index.get(name);
-		if (image === void 0 || result?.verdict.kind !== "placed" || result.placement === null) continue;
-		const corners = footprints.subarray(8 * image, 8 * image + 8);
-		if (corners.length < 8 || Number.isNaN(corners[0])) continue;
-		images += 1;
-		cornersOf$2(result.placement).forEach((corner, i) => {
-			from.push(corner);
-			to.push([corners[2 * i] ?? 0, corners[2 * i + 1] ?? 0]);
-		});
-	}
-	const toBlock = similarity$1(from, to);
-	return toBlock === null ? null : {
-		toBlock,
-		images
-	};
-}
-function cornersOf$2({ footprint }) {
-	return [
-		0,
-		1,
-		2,
-		3
-	].map((corner) => footprint[Math.round(corner * footprint.length / 4)] ?? [NaN, NaN]);
-}
-function overlap({ info: { width, height, georeference } }, footprints) {
-	const toGround = affineOf(georeference);
-	const corners = [
-		mapped(toGround, 0, 0),
-		mapped(toGround, width, 0),
-		mapped(toGround, 0, height),
-		mapped(toGround, width, height)
-	];
-	const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
-	const within = (value, all) => value >= Math.min(...all) && value <= Math.max(...all);
-	for (let i = 0; i < footprints.length; i += 2) if (within(footprints[i] ?? NaN, xs) && within(footprints[i + 1] ?? NaN, ys)) return true;
-	return false;
 }
 // www/block/view/orthophoto/tiles.ts
 var MOST_TILES = 400;
@@ -8578,8 +8707,10 @@ function orthophotoNote(map, view) {
 	const laid = map.laid();
 	if (laid === null) {
 		if (orthophoto.ofBlock !== null) return say("the-orthomosaic-is-of-an");
-		return say("the-orthophoto-is-in-another");
+		const why = whyNotLaid(orthophoto, view);
+		return why === "" ? say("the-orthophoto-is-in-another") : why;
 	}
+	if (map.shows.orthophoto && laid.crs !== null) return say("orthophoto-laid-under-by-positions", { crs: laid.crs });
 	if (!map.shows.orthophoto || laid.images === 0) return "";
 	return say("orthophoto-laid-under-by-placed", { images: laid.images });
 }
@@ -8588,7 +8719,11 @@ function placeText(map, view) {
 	if (view === null || place === null) return "";
 	const system = systemOf(view, map.ground());
 	const unit = system === "own" ? "" : " m";
-	return `${system === "geographic" ? "E" : "X"} ${fixed(place[0], 2)}${unit}  ${system === "geographic" ? "N" : "Y"} ${fixed(place[1], 2)}${unit}`;
+	const own = `${system === "geographic" ? "E" : "X"} ${fixed(place[0], 2)}${unit}  ${system === "geographic" ? "N" : "Y"} ${fixed(place[1], 2)}${unit}`;
+	const laid = map.laid();
+	if (laid === null || laid.crs === null) return own;
+	const [x, y] = mapped(inverse(laid.toBlock), place[0], place[1]);
+	return `${own}  ${laid.crs} ${fixed(x, 2)} ${fixed(y, 2)}`;
 }
 function inWords$1(map, view) {
 	const ground = map.ground();
@@ -9378,6 +9513,37 @@ function paintCentre(context, colours, t, of, chosen, hasName) {
 	context.restore();
 }
 // www/block/view/orthophoto/block.ts
+var inSystem = remember((view, ground, to) => {
+	if (to === SAME$1) return {
+		view,
+		ground
+	};
+	const turn = {
+		...to,
+		e: 0,
+		f: 0
+	};
+	const footprints = ground?.footprints.slice() ?? new Float64Array();
+	for (let i = 0; i < footprints.length; i += 2) footprints.set(mapped(to, footprints[i] ?? NaN, footprints[i + 1] ?? NaN), i);
+	return {
+		view: {
+			...view,
+			images: view.images.map((image) => image.position === null ? image : {
+				...image,
+				position: [...mapped(to, image.position[0], image.position[1]), image.position[2]]
+			}),
+			surveyed: view.surveyed.map((point) => ({
+				...point,
+				position: [...mapped(to, point.position[0], point.position[1]), point.position[2]],
+				difference_m: [...mapped(turn, point.difference_m[0], point.difference_m[1]), point.difference_m[2]]
+			}))
+		},
+		ground: ground === null ? null : {
+			...ground,
+			footprints
+		}
+	};
+});
 var onOrthophoto = remember((view, ground, isStale, keepsImage, keepsPoint) => ({
 	view,
 	images: view.images.flatMap(({ name, position }, image) => position === null || !keepsImage(image) ? [] : [{
@@ -9554,9 +9720,11 @@ var OrthophotoPlan = class extends LinkPicture {
 	block() {
 		const { state } = this.store;
 		const shown = blockOnOrthophoto(state);
-		if (shown === null) return null;
+		const { orthophoto } = state.placing;
+		if (shown === null || orthophoto === null) return null;
+		const drawn = inSystem(shown.view, this.facts.ground(), toSystemOf(orthophoto, shown.view) ?? SAME$1);
 		const keeps = (subject) => keptBy(subject, shown.view, state.selection);
-		return onOrthophoto(shown.view, this.facts.ground(), isOffGround(state), keeps("images"), keeps("surveyed"));
+		return onOrthophoto(drawn.view, drawn.ground, isOffGround(state), keeps("images"), keeps("surveyed"));
 	}
 	follow(chosen) {
 		this.layers.redraw("marks");

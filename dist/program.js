@@ -912,6 +912,13 @@ function flight_preset(name) {
 function flight_presets() {
 	return wasm.flight_presets();
 }
+function geographic_positions(positions) {
+	const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.geographic_positions(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
 function interior$1(camera, photo) {
 	const ret = wasm.interior(camera, photo);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -1020,6 +1027,22 @@ function resolved(settings) {
 }
 function rule_names() {
 	return wasm.rule_names();
+}
+function system_coordinates(crs, geographic) {
+	let ptr0, len0, ptr1, len1;
+	try {
+		ptr0 = passStringToWasm0(crs, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+		throw e;
+	}
+	const ret = wasm.system_coordinates(ptr0, len0, ptr1, len1);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
 }
 function version() {
 	let deferred1_0;
@@ -1216,6 +1239,9 @@ function __wbg_get_imports() {
 			},
 			__wbg_new_from_slice_e0c60a796e12bb7c: function(arg0, arg1) {
 				return new Int32Array(getArrayI32FromWasm0(arg0, arg1));
+			},
+			__wbg_new_with_length_07edd8a7019b8c30: function(arg0) {
+				return new Float64Array(arg0 >>> 0);
 			},
 			__wbg_parse_c3f72b5a24f83c01: function() {
 				return handleError(function(arg0, arg1) {
@@ -4195,7 +4221,7 @@ var PointGrid = class {
 		return [clamp(centre - radius), clamp(centre + radius)];
 	}
 };
-// node_modules/fflate/esm/browser.js
+// ../main/node_modules/fflate/esm/browser.js
 var u8 = Uint8Array;
 var u16 = Uint16Array;
 var i32 = Int32Array;
@@ -13655,7 +13681,7 @@ async function loadCatalogue() {
 	await __wbg_init({ module_or_path: await wasmModule() });
 	return catalogueInLanguage(readCatalogue());
 }
-// node_modules/idb/build/index.js
+// ../main/node_modules/idb/build/index.js
 var instanceOfAny = (object, constructors) => constructors.some((c) => object instanceof c);
 var idbProxyableTypes;
 var cursorAdvanceMethods;
@@ -15245,4 +15271,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, halfSize, inPane, isHidden, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };

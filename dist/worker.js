@@ -1165,6 +1165,9 @@
 				__wbg_new_from_slice_e0c60a796e12bb7c: function(arg0, arg1) {
 					return new Int32Array(getArrayI32FromWasm0(arg0, arg1));
 				},
+				__wbg_new_with_length_07edd8a7019b8c30: function(arg0) {
+					return new Float64Array(arg0 >>> 0);
+				},
 				__wbg_parse_c3f72b5a24f83c01: function() {
 					return handleError(function(arg0, arg1) {
 						return JSON.parse(getStringFromWasm0(arg0, arg1));
@@ -2242,7 +2245,7 @@
 	// www/block/engine/outcome.ts
 	function viewOf(block) {
 		const onOrthophoto = block.on_orthophoto();
-		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, points } = block.overview();
+		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, origin, crs, points } = block.overview();
 		const connections = pairs.map(connectionOf);
 		const ids = block.point_ids();
 		const controls = ids.flatMap((id, point) => "ground_control" in id ? [{
@@ -2309,6 +2312,8 @@
 				inCrs: onOrthophoto.kind === "linked" && onOrthophoto.in_crs === true,
 				text: message("on_orthophoto", onOrthophoto)
 			},
+			origin,
+			crs,
 			rmsePx: rmse_px,
 			sigma0Px: sigma0_px,
 			checks,
@@ -2386,6 +2391,8 @@
 			oriented: 0,
 			verdict: null,
 			orthophoto: null,
+			origin: null,
+			crs: null,
 			rmsePx: null,
 			sigma0Px: null,
 			checks: null,
@@ -2542,7 +2549,7 @@
 			...recorded
 		])).subarray(3);
 	}
-	// node_modules/fflate/esm/browser.js
+	// ../main/node_modules/fflate/esm/browser.js
 	var u8 = Uint8Array;
 	var u16 = Uint16Array;
 	var i32 = Int32Array;

@@ -38,6 +38,8 @@ export interface OrthophotoInfo {
     gsd: number;
     georeference: Georeference;
     epsg: number | null;
+    /** What its system is called where it has one without a code. */
+    described: string | null;
     heights: [number, number];
     /** Share of the picture that has a height, 0 to 1. */
     heights_share: number;
@@ -4074,6 +4076,14 @@ export interface BlockOverview {
      */
     surveyed: SurveyedPoint[];
     /**
+     * Where its system touches the earth; absent where that is not known.
+     */
+    origin: GeographicOrigin | null;
+    /**
+     * The coordinate reference system that was chosen for control points and results, as it was given.
+     */
+    crs: string | null;
+    /**
      * Changes by hand.
      */
     edits: number;
@@ -5025,6 +5035,11 @@ export function flight_preset(name: Preset): Flight;
 export function flight_presets(): Preset[];
 
 /**
+ * Longitudes, latitudes and heights (stride 3) of positions in m east, north and up of an origin, which is their first row: of the others alone.
+ */
+export function geographic_positions(positions: Float64Array | number[]): Float64Array;
+
+/**
  * The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
  */
 export function gradient_candidates(index: number, left_gradients: Uint8Array | number[], right_gradients: Uint8Array | number[], most: number): Float64Array;
@@ -5276,6 +5291,17 @@ export function sha256(bytes: Uint8Array | number[]): Uint8Array;
 export function simulate(flight: Given<Flight>): SamplePair;
 
 /**
+ * Coordinates in a system (an EPSG code, PROJ text or WKT) of longitudes, latitudes in degrees and heights in m (stride 3): x, east or longitude,
+ * first; NaN outside the system.
+ */
+export function system_coordinates(crs: string, geographic: Float64Array | number[]): Float64Array;
+
+/**
+ * The way back: longitudes, latitudes and heights of coordinates in a system (stride 3).
+ */
+export function system_positions(crs: string, coordinates: Float64Array | number[]): Float64Array;
+
+/**
  * Throws a panic as an error named `Panic`, which is a bug: a trap without one is memory that ran out.
  */
 export function throw_panics(): void;
@@ -5373,6 +5399,7 @@ export interface InitOutput {
     readonly flight_parameters: () => any;
     readonly flight_preset: (a: any) => [number, number, number];
     readonly flight_presets: () => any;
+    readonly geographic_positions: (a: number, b: number) => [number, number, number];
     readonly gradient_candidates: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly grey_png: (a: number, b: number, c: number, d: number, e: any) => [number, number, number, number];
     readonly interior: (a: any, b: any) => [number, number, number];
@@ -5461,6 +5488,8 @@ export interface InitOutput {
     readonly score_matches: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
     readonly sha256: (a: number, b: number) => [number, number];
     readonly simulate: (a: any) => [number, number, number];
+    readonly system_coordinates: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly system_positions: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly throw_panics: () => void;
     readonly two_view: (a: number, b: number, c: any) => [number, number, number];
     readonly version: () => [number, number];

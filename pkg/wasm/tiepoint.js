@@ -1807,6 +1807,21 @@ export function flight_presets() {
 }
 
 /**
+ * Longitudes, latitudes and heights (stride 3) of positions in m east, north and up of an origin, which is their first row: of the others alone.
+ * @param {Float64Array | number[]} positions
+ * @returns {Float64Array}
+ */
+export function geographic_positions(positions) {
+    const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.geographic_positions(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
  * @param {number} index
  * @param {Uint8Array | number[]} left_gradients
@@ -2753,6 +2768,57 @@ export function simulate(flight) {
 }
 
 /**
+ * Coordinates in a system (an EPSG code, PROJ text or WKT) of longitudes, latitudes in degrees and heights in m (stride 3): x, east or longitude,
+ * first; NaN outside the system.
+ * @param {string} crs
+ * @param {Float64Array | number[]} geographic
+ * @returns {Float64Array}
+ */
+export function system_coordinates(crs, geographic) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passStringToWasm0(crs, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.system_coordinates(ptr0, len0, ptr1, len1);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The way back: longitudes, latitudes and heights of coordinates in a system (stride 3).
+ * @param {string} crs
+ * @param {Float64Array | number[]} coordinates
+ * @returns {Float64Array}
+ */
+export function system_positions(crs, coordinates) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passStringToWasm0(crs, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArrayF64ToWasm0(coordinates, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.system_positions(ptr0, len0, ptr1, len1);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Throws a panic as an error named `Panic`, which is a bug: a trap without one is memory that ran out.
  */
 export function throw_panics() {
@@ -3021,6 +3087,10 @@ function __wbg_get_imports() {
         },
         __wbg_new_from_slice_e0c60a796e12bb7c: function(arg0, arg1) {
             const ret = new Int32Array(getArrayI32FromWasm0(arg0, arg1));
+            return ret;
+        },
+        __wbg_new_with_length_07edd8a7019b8c30: function(arg0) {
+            const ret = new Float64Array(arg0 >>> 0);
             return ret;
         },
         __wbg_parse_c3f72b5a24f83c01: function() { return handleError(function (arg0, arg1) {
