@@ -1,7 +1,7 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import type { FoundFile } from '../../shared/files/drop';
 import { Cancelled } from '../../shared/engine/client';
-import { parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
+import { parse_ground_control_points, parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
 import { keepChoice, keptChoice } from '../../shared/choices';
 import { sentence } from '../../shared/text/format';
@@ -28,6 +28,15 @@ import { messageOf } from '../../shared/text/messages';
 const PROJECT = /\.tiepoint$/iu;
 const TABLE = /\.(?:csv|txt)$/iu;
 const CAMERAS = /\.json$/iu;
+
+/** The rows of a table, or null where it cannot be read as one. */
+function rowsOf<Row>(text: string, parse: (text: string) => Row[]): Row[] | null {
+  try {
+    return parse(text);
+  } catch {
+    return null;
+  }
+}
 
 const TEXTS: Readonly<Record<GivenText, string>> = { cameras: say('cameras'), control: say('ground-control-points'), marks: say('image-measurements') };
 
@@ -77,9 +86,14 @@ export class BlockFiles {
     const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.openProject(project.file);
     if (cameras !== undefined) await this.takeText('cameras', cameras.file);
-    const tables = alone.filter(({ file }) => TABLE.test(file.name));
-    for (const { file } of tables) await this.takeText(await this.tableKind(file), file);
-    const aside = found.length - photos.length - tables.length - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
+    let tables = 0;
+    for (const { file } of alone.filter(({ file }) => TABLE.test(file.name))) {
+      const kind = await this.tableKind(file);
+      if (kind === null) continue;
+      await this.takeText(kind, file);
+      tables += 1;
+    }
+    const aside = found.length - photos.length - tables - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '));
     else await this.said(said);
   }
@@ -178,15 +192,14 @@ export class BlockFiles {
     }
   }
 
-  /** Whether a table says where images show points, or where points lie: the former names images. */
-  private async tableKind(file: File): Promise<GivenText> {
-    try {
-      const names = new Set(this.store.state.files.map(({ name }) => name));
-      const marks = parse_image_measurements(await file.text());
-      return marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image)) ? 'marks' : 'control';
-    } catch {
-      return 'control';
-    }
+  /** Whether a table says where images show points, or where points lie: the former names images. Null for a text of something else, such as notes. */
+  private async tableKind(file: File): Promise<GivenText | null> {
+    const text = await file.text();
+    const names = new Set(this.store.state.files.map(({ name }) => name));
+    const marks = rowsOf(text, parse_image_measurements);
+    if (marks !== null && marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image))) return 'marks';
+    // What is wrong with a table is said of it; any other text is no table.
+    return /\.csv$/iu.test(file.name) || rowsOf(text, parse_ground_control_points) !== null ? 'control' : null;
   }
 
   /** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
