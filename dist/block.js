@@ -3136,6 +3136,13 @@ function known$2(value) {
 var PROJECT = /\.tiepoint$/iu;
 var TABLE = /\.(?:csv|txt)$/iu;
 var CAMERAS$1 = /\.json$/iu;
+function rowsOf$1(text, parse) {
+	try {
+		return parse(text);
+	} catch {
+		return null;
+	}
+}
 var TEXTS = {
 	cameras: say("cameras"),
 	control: say("ground-control-points"),
@@ -3180,9 +3187,14 @@ var BlockFiles = class {
 		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
 		if (project !== void 0) await this.openProject(project.file);
 		if (cameras !== void 0) await this.takeText("cameras", cameras.file);
-		const tables = alone.filter(({ file }) => TABLE.test(file.name));
-		for (const { file } of tables) await this.takeText(await this.tableKind(file), file);
-		const aside = found.length - photos.length - tables.length - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
+		let tables = 0;
+		for (const { file } of alone.filter(({ file }) => TABLE.test(file.name))) {
+			const kind = await this.tableKind(file);
+			if (kind === null) continue;
+			await this.takeText(kind, file);
+			tables += 1;
+		}
+		const aside = found.length - photos.length - tables - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "));
 		else await this.said(said);
 	}
@@ -3288,13 +3300,11 @@ var BlockFiles = class {
 		}
 	}
 	async tableKind(file) {
-		try {
-			const names = new Set(this.store.state.files.map(({ name }) => name));
-			const marks = parse_image_measurements(await file.text());
-			return marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image)) ? "marks" : "control";
-		} catch {
-			return "control";
-		}
+		const text = await file.text();
+		const names = new Set(this.store.state.files.map(({ name }) => name));
+		const marks = rowsOf$1(text, parse_image_measurements);
+		if (marks !== null && marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image))) return "marks";
+		return /\.csv$/iu.test(file.name) || (rowsOf$1(text, parse_ground_control_points)?.length ?? 0) > 0 ? "control" : null;
 	}
 	async takeText(given, file) {
 		this.store.dispatch({

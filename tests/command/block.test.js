@@ -260,7 +260,7 @@ test('surveyed points place the block', () => {
   const strange = file(at, 'strange.csv', `absent.png,P0,1,1\n${marks.join('\n')}\n`);
   assert.match(
     tiepoint(...BLOCK.call, '--out', half(), ...known, '--control', control, '--marks', strange).stderr,
-    /the marks name absent\.png, which is none of the images/,
+    /the image measurements name absent\.png, which is none of the images/,
   );
   const other = file(at, 'other.csv', marks.join('\n').replaceAll('.png', '.PNG'));
   assert.match(

@@ -199,7 +199,7 @@ export class BlockFiles {
     const marks = rowsOf(text, parse_image_measurements);
     if (marks !== null && marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image))) return 'marks';
     // What is wrong with a table is said of it; any other text is no table.
-    return /\.csv$/iu.test(file.name) || rowsOf(text, parse_ground_control_points) !== null ? 'control' : null;
+    return /\.csv$/iu.test(file.name) || (rowsOf(text, parse_ground_control_points)?.length ?? 0) > 0 ? 'control' : null;
   }
 
   /** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
