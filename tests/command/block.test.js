@@ -162,24 +162,29 @@ test('an image that cannot be read is skipped and listed', () => {
   assert.match(alone.stderr, /images of the block: got 1 that could be read, of 2 \(a_text\.jpg: /);
 });
 
-test('images of the same content share what is kept of them', () => {
+test('copies of an image are left out of a block and named', () => {
   const twins = folder();
-  const [name = ''] = readdirSync(BLOCK.photos);
+  const [name = '', other = ''] = readdirSync(BLOCK.photos);
   for (const copy of ['img_10.png', 'img_9.png', 'IMG.png', 'img_9b.png']) copyFileSync(join(BLOCK.photos, name), join(twins, copy));
+  copyFileSync(join(BLOCK.photos, other), join(twins, 'other.png'));
   const out = folder();
-  const { code, stdout, stderr } = tiepoint('block', twins, ...BLOCK.call.slice(2), '--out', out, '--pairs', 'sequence', '--sequence', '1', '--json');
+  const { stdout, stderr } = tiepoint('block', twins, ...BLOCK.call.slice(2), '--out', out, '--json');
   const summary = JSON.parse(stdout);
-  // Without any base between them there is nothing to orient.
-  assert.equal(code, 4);
-  assert.equal(stderr, '');
-  assert.equal(summary.verdict.text, 'Not oriented: no image could be oriented.');
-  assert.deepEqual([summary.orientation.oriented, summary.orientation.unoriented.length], [0, 4]);
-  assert.equal(records(out, 'features'), 1);
-  assert.equal(summary.images.read, 4);
+  const copies = ['img_9.png', 'img_9b.png', 'img_10.png'];
+  assert.deepEqual(
+    stderr.trimEnd().split('\n'),
+    copies.map((copy) => `tiepoint: ${copy} is skipped: image of the block: got the same file as IMG.png; allowed: each image once`),
+  );
+  assert.equal(summary.images.read, 2);
+  assert.deepEqual(
+    summary.images.left_out.map((/** @type {{name: string}} */ image) => image.name),
+    copies,
+  );
+  assert.equal(records(out, 'features'), 2);
   const rows = readFileSync(join(out, 'images.csv'), 'utf8').trimEnd().split('\n').slice(1);
   assert.deepEqual(
     rows.map((row) => row.split(',')[1]),
-    ['IMG.png', 'img_9.png', 'img_9b.png', 'img_10.png'],
+    ['IMG.png', 'other.png'],
   );
 });
 
@@ -260,7 +265,7 @@ test('surveyed points place the block', () => {
   const strange = file(at, 'strange.csv', `absent.png,P0,1,1\n${marks.join('\n')}\n`);
   assert.match(
     tiepoint(...BLOCK.call, '--out', half(), ...known, '--control', control, '--marks', strange).stderr,
-    /the marks name absent\.png, which is none of the images/,
+    /the image measurements name absent\.png, which is none of the images/,
   );
   const other = file(at, 'other.csv', marks.join('\n').replaceAll('.png', '.PNG'));
   assert.match(
