@@ -51,7 +51,7 @@ var policy = typeof trustedTypes === "undefined" ? void 0 : trustedTypes.createP
 function scriptAddress(address) {
 	return policy === void 0 ? own(address) : policy.createScriptURL(address);
 }
-// ../main/node_modules/@fluent/bundle/esm/types.js
+// node_modules/@fluent/bundle/esm/types.js
 var FluentType = class {
 	constructor(value) {
 		this.value = value;
@@ -129,7 +129,7 @@ var FluentDateTime = class FluentDateTime extends FluentType {
 		return this.value.toString();
 	}
 };
-// ../main/node_modules/@fluent/bundle/esm/resolver.js
+// node_modules/@fluent/bundle/esm/resolver.js
 var MAX_PLACEABLES = 100;
 var FSI = "⁨";
 var PDI$1 = "⁩";
@@ -280,7 +280,7 @@ function resolvePattern(scope, value) {
 	if (typeof value === "string") return scope.bundle._transform(value);
 	return resolveComplexPattern(scope, value);
 }
-// ../main/node_modules/@fluent/bundle/esm/scope.js
+// node_modules/@fluent/bundle/esm/scope.js
 var Scope = class {
 	constructor(bundle, errors, args) {
 		this.dirty = new WeakSet();
@@ -305,7 +305,7 @@ var Scope = class {
 		return cache[id];
 	}
 };
-// ../main/node_modules/@fluent/bundle/esm/builtins.js
+// node_modules/@fluent/bundle/esm/builtins.js
 function values(opts, allowed) {
 	const unwrapped = Object.create(null);
 	for (const [name, opt] of Object.entries(opts)) if (allowed.includes(name)) unwrapped[name] = opt.valueOf();
@@ -353,7 +353,7 @@ function DATETIME(args, opts) {
 	if (arg instanceof FluentDateTime || arg instanceof FluentNumber) return new FluentDateTime(arg, values(opts, DATETIME_ALLOWED));
 	throw new TypeError("Invalid argument to DATETIME");
 }
-// ../main/node_modules/@fluent/bundle/esm/memoizer.js
+// node_modules/@fluent/bundle/esm/memoizer.js
 var cache = new Map();
 function getMemoizerForLocale(locales) {
 	const stringLocale = Array.isArray(locales) ? locales.join(" ") : locales;
@@ -364,7 +364,7 @@ function getMemoizerForLocale(locales) {
 	}
 	return memoizer;
 }
-// ../main/node_modules/@fluent/bundle/esm/bundle.js
+// node_modules/@fluent/bundle/esm/bundle.js
 var FluentBundle = class {
 	constructor(locales, { functions, useIsolating = true, transform = (v) => v } = {}) {
 		this._terms = new Map();
@@ -419,7 +419,7 @@ var FluentBundle = class {
 		}
 	}
 };
-// ../main/node_modules/@fluent/bundle/esm/resource.js
+// node_modules/@fluent/bundle/esm/resource.js
 var RE_MESSAGE_START = /^(-?[a-zA-Z][\w-]*) *= */gm;
 var RE_ATTRIBUTE_START = /\.([a-zA-Z][\w-]*) *= */y;
 var RE_VARIANT_START = /\*?\[/y;

@@ -4221,7 +4221,7 @@ var PointGrid = class {
 		return [clamp(centre - radius), clamp(centre + radius)];
 	}
 };
-// ../main/node_modules/fflate/esm/browser.js
+// node_modules/fflate/esm/browser.js
 var u8 = Uint8Array;
 var u16 = Uint16Array;
 var i32 = Int32Array;
@@ -13681,7 +13681,7 @@ async function loadCatalogue() {
 	await __wbg_init({ module_or_path: await wasmModule() });
 	return catalogueInLanguage(readCatalogue());
 }
-// ../main/node_modules/idb/build/index.js
+// node_modules/idb/build/index.js
 var instanceOfAny = (object, constructors) => constructors.some((c) => object instanceof c);
 var idbProxyableTypes;
 var cursorAdvanceMethods;

@@ -2549,7 +2549,7 @@
 			...recorded
 		])).subarray(3);
 	}
-	// ../main/node_modules/fflate/esm/browser.js
+	// node_modules/fflate/esm/browser.js
 	var u8 = Uint8Array;
 	var u16 = Uint16Array;
 	var i32 = Int32Array;
