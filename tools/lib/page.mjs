@@ -49,7 +49,13 @@ const plainImports = {
 /** @param {string} out folder that receives the page; emptied first */
 export async function buildPage(out) {
   // Packages may be linked into the checkout: what is built does not say from where.
-  const common = /** @type {import('vite').InlineConfig} */ ({ configFile: false, root: WWW, base: './', logLevel: 'warn', resolve: { preserveSymlinks: true } });
+  const common = /** @type {import('vite').InlineConfig} */ ({
+    configFile: false,
+    root: WWW,
+    base: './',
+    logLevel: 'warn',
+    resolve: { preserveSymlinks: true },
+  });
   await build({
     ...common,
     plugins: [policy, icon, early, plainImports, licences],
