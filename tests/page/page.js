@@ -175,6 +175,16 @@ export const SMALL = { width_px: 270, height_px: 400 };
 /** Two simulated photos as PNG files: small ones, or others than these.  @param {object} [flight] */
 export const pngs = (flight = SMALL) => pairPhotos(flight).map(({ name, bytes }) => upload(name, bytes, 'image/png'));
 
+/** Files as they are dropped.  @param {import('playwright-core').Page} page @param {{ name: string, mimeType: string, buffer: Buffer }[]} files */
+export function transferOf(page, files) {
+  const plain = files.map(({ name, mimeType, buffer }) => ({ name, mimeType, bytes: [...buffer] }));
+  return page.evaluateHandle((given) => {
+    const data = new DataTransfer();
+    for (const { name, mimeType, bytes } of given) data.items.add(new File([new Uint8Array(bytes)], name, { type: mimeType }));
+    return data;
+  }, plain);
+}
+
 /** The camera of the simulated photos. */
 export const CAMERA = upload('camera.json', Buffer.from('{"focal_mm": 153.38, "pixel_mm": 0.2542}'), 'application/json');
 
