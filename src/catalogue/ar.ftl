@@ -644,6 +644,11 @@ remark-unknown-columns =
         [0] {""}
        *[other] {" "}و{ $columns_more } أخرى
     }
+remark-doubled-columns =
+    أعمدة في جدول نقاط الضبط تعطي ما يعطيه عمود آخر (بين قوسين) ولا تُقرأ: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}و{ $columns_more } أخرى
+    }
 remark-unused-camera = كاميرا { $images } لا توافق اسم أي صورة
 remark-doubtful-focal =
     البعد البؤري لـ{ $label } هو { $focal_px } بكسل، أي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }{ $in_mm ->

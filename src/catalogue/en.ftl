@@ -1010,6 +1010,11 @@ remark-unknown-columns =
         [0] {""}
        *[other] {" "}and { $columns_more } more
     }
+remark-doubled-columns =
+    columns of the table of control points give what another column gives (in brackets) and are not read: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}and { $columns_more } more
+    }
 remark-unused-camera = the camera of { $images } fits the name of no image
 remark-doubtful-focal =
     the focal length of { $label } is { $focal_px } px, { SIGNIFICANT($sides, digits: 2) } of the longer side of the image, where { $least } to { $most } are usual{ $in_mm ->
