@@ -132,6 +132,8 @@ take-what-is-chosen-out = يخرج المختار من الضبط (Delete)
 reject-point = رفض النقطة
 take-the-point-with-all = يخرج النقطة بجميع أرصادها (Shift+Delete)
 use-what-is-chosen-again = يستعمل المختار من جديد (R)
+remove-image = إزالة الصورة
+take-the-chosen-image-out = يخرج الصورة المختارة من الكتلة، ولا يحسب من جديد إلا ما يعتمد عليها
 measure-it = قياس
 measure-the-chosen-point-in = قياس النقطة المختارة في الصور المعروضة (E)
 add-point = إضافة نقطة
@@ -921,6 +923,12 @@ given-point = { $name }: X Y Z { $place }؛ { $use }.
 measured = مقيسة
 marks-by-hand = القياسات الصورية اليدوية
 mark-of = { $point } في { $image }
+step-remove-images = إزالة { $images ->
+        [one] صورة واحدة
+        [two] صورتين
+        [few] { $images } صور
+       *[other] { COUNT($images) } صورة
+    }
 step-unmark = إزالة قياس { $what } في { $images }
 control-waits = لا تشارك نقاط الضبط بعد: { $twice ->
     [zero] لم تُقَس أي منها
