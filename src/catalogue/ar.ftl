@@ -511,7 +511,7 @@ block-warning-position-errors-relative = إزاحات مواضع GNSS وانجر
 block-warning-control-refused =
     رُفض { $axis } لنقطة الضبط الأرضي { $point }: تختلف عنه الأرصاد الأخرى بمقدار { FIXED($difference_m, digits: 3) } م ± { FIXED($error_m, digits: 3) } م{ $detectable_m ->
         [none] {""}
-       *[other] {" "}(أصغر خطأ قابل للكشف { FIXED($detectable_m, digits: 3) } م)
+       *[other] {" "}(أصغر انحياز يمكن كشفه { FIXED($detectable_m, digits: 3) } م)
     }. { $used ->
         [true] تبقى مستعملة، لأن ما بقي من نقاط الضبط الأرضي أقل من أن يبيّن أيها خاطئ.
        *[false] لا تشارك النقطة.
@@ -527,7 +527,7 @@ block-warning-few-control =
        *[other] { $points } من نقاط الضبط الأرضي فقط
     } دون مواضع GNSS تضع الكتلة: { $detectable_m ->
         [none] لا شيء يتحقق من بعض الإحداثيات، ولا يظهر خطأ فيها.
-       *[other] لا تكاد تتحقق إحداها من الأخرى، وأصغر خطأ قابل للكشف في إحداثي هو { FIXED($detectable_m, digits: 2) } م.
+       *[other] لا تكاد تتحقق إحداها من الأخرى، وأصغر انحياز يمكن كشفه في إحداثي هو { FIXED($detectable_m, digits: 2) } م.
     }
 block-warning-control-span = تغطي نقاط الضبط الأرضي، وعددها { $points }، { FIXED($span_percent, digits: 0) } % من أرض الكتلة: تكبر الأخطاء خارجها مع المسافة.
 block-warning-control-on-line =

@@ -882,7 +882,7 @@ block-warning-position-errors-relative = Offsets and drifts of GNSS positions ar
 block-warning-control-refused =
     The { $axis } of the GCP { $point } is refused: the other observations differ from it by { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m{ $detectable_m ->
         [none] {""}
-       *[other] {" "}(minimal detectable error { FIXED($detectable_m, digits: 3) } m)
+       *[other] {" "}(minimal detectable bias { FIXED($detectable_m, digits: 3) } m)
     }. { $used ->
         [true] It stays used, since too few GCPs are left to tell which one is wrong.
        *[false] The point takes no part.
@@ -897,7 +897,7 @@ block-warning-few-control =
        *[other] Only { $points } GCPs
     } and no GNSS positions place the block: { $detectable_m ->
         [none] nothing checks some of the coordinates, and an error in them does not show.
-       *[other] they hardly check each other, and the minimal detectable error of a coordinate is { FIXED($detectable_m, digits: 2) } m.
+       *[other] they hardly check each other, and the minimal detectable bias of a coordinate is { FIXED($detectable_m, digits: 2) } m.
     }
 block-warning-control-span = The { $points } GCPs span { FIXED($span_percent, digits: 0) } % of the ground of the block: beyond them errors grow with the distance.
 block-warning-control-on-line =
