@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { block, FLIGHT, status } from './blocks.js';
-import { hosted, keptEdits, part, says, SHOTS, SKIP, until, upload } from './page.js';
+import { hosted, keptEdits, part, partsKept, says, SHOTS, SKIP, until, upload } from './page.js';
 import { blockPhotos } from './rendered.js';
 
 hosted('/removing/');
@@ -16,20 +16,7 @@ const undoIs = (page, name) =>
   page.waitForFunction((wanted) => document.querySelector('[data-testid="block-undo"]')?.getAttribute('title') === `Undo: ${wanted} (Ctrl+Z)`, name);
 
 /** Of how many images the block is that the browser keeps: that of the run before is kept until the next one takes its place.  @param {Page} page */
-const imagesKept = (page) =>
-  page.evaluate(
-    () =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('tiepoint');
-        opening.onsuccess = () => {
-          const reading = opening.result.transaction('parts').objectStore('parts').getAll();
-          reading.onsuccess = () => {
-            opening.result.close();
-            resolve(reading.result.find((kept) => kept.part === 'block/shown')?.value.files.length ?? 0);
-          };
-        };
-      }),
-  );
+const imagesKept = async (page) => (await partsKept(page, 'block/shown')).get('block/shown')?.files.length ?? 0;
 
 test('an image is removed, which is undone after a reload, and images are added: no feature and no pair is computed twice', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block({ options: { viewport: { width: 1366, height: 768 } } });
