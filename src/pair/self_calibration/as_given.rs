@@ -1,6 +1,7 @@
 //! Cameras that stay as they were given: what is not known of them does to the observations what their priors say.
 
 use super::constants::{CAMERA, cameras_of, effects, is_uncertain, priors_of_constants};
+use super::decentring::decentring_errors;
 use super::result::{cameras_with, in_threes};
 use crate::pair::geometry::PairInterior;
 use crate::{EstimatedCamera, SharedErrors};
@@ -14,7 +15,10 @@ pub fn errors_as_given(given: &PairInterior, positions: &[[f64; 4]]) -> Vec<Shar
     let cameras = cameras_of(given);
     let priors = priors_of_constants(given, cameras);
     let by_constants = effects(positions, given, &DVector::zeros(cameras * CAMERA), cameras);
-    in_threes(positions.len(), priors.len(), |index, k| by_constants[k][index].map(|effect| given.focal_mm * effect * priors[k]))
+    let mut errors =
+        in_threes(positions.len(), priors.len(), |index, k| by_constants[k][index].map(|effect| given.focal_mm * effect * priors[k]));
+    errors.extend(decentring_errors(given, positions, cameras));
+    errors
 }
 
 /// What is known of the left and the right camera; `None` where they are known without error.

@@ -97,19 +97,23 @@ pub fn rays(positions: &[[f64; 4]], interior: &PairInterior) -> Vec<Ray> {
     positions.iter().map(ray).collect()
 }
 
-/// The change of the coordinates of all rays by each constant: differences, which hold for any distortion.
+/// The change of the coordinates of all rays by each constant.
 pub fn effects(positions: &[[f64; 4]], given: &PairInterior, values: &DVector<f64>, cameras: usize) -> Vec<Vec<[f64; 4]>> {
-    const STEP: f64 = 1e-6;
     let by_constant = |k: usize| {
-        let at = |sign: f64| {
+        differences(positions, |step| {
             let mut changed = values.clone();
-            changed[k] += sign * STEP;
-            rays(positions, &with_constants(given, &changed, cameras))
-        };
-        let difference = |(plus, minus): (&Ray, &Ray)| std::array::from_fn(|c| (plus[c] - minus[c]) / (2.0 * STEP));
-        at(1.0).iter().zip(&at(-1.0)).map(difference).collect()
+            changed[k] += step;
+            with_constants(given, &changed, cameras)
+        })
     };
     (0..cameras * CAMERA).map(by_constant).collect()
+}
+
+/// The change of the coordinates of all rays by a change of the cameras, in its unit: differences, which hold for any distortion.
+pub fn differences(positions: &[[f64; 4]], changed: impl Fn(f64) -> PairInterior) -> Vec<[f64; 4]> {
+    const STEP: f64 = 1e-6;
+    let difference = |(plus, minus): (&Ray, &Ray)| std::array::from_fn(|c| (plus[c] - minus[c]) / (2.0 * STEP));
+    rays(positions, &changed(STEP)).iter().zip(&rays(positions, &changed(-STEP))).map(difference).collect()
 }
 
 #[cfg(test)]

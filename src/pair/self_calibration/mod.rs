@@ -7,6 +7,7 @@
 mod adjustment;
 mod as_given;
 mod constants;
+mod decentring;
 mod measured;
 mod result;
 

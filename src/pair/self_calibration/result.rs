@@ -1,6 +1,7 @@
 //! The cameras of a pair as it calibrates them, and what their errors do to its observations.
 
 use super::constants::{CAMERA, effects, rays};
+use super::decentring::decentring_errors;
 use crate::orientation::{Extent, MODES, Ray, RelativePose};
 use crate::pair::geometry::PairInterior;
 use crate::{EstimatedCamera, SharedErrors};
@@ -37,7 +38,9 @@ impl SelfCalibration {
                 .zip(cause.iter())
                 .fold([0.0; 4], |sum, (effect, change)| std::array::from_fn(|c| sum[c] + focal_mm * effect[c] * change))
         };
-        in_threes(positions.len(), causes.len(), |index, cause| of(index, &causes[cause]))
+        let mut errors = in_threes(positions.len(), causes.len(), |index, cause| of(index, &causes[cause]));
+        errors.extend(decentring_errors(&self.interior, positions, self.cameras));
+        errors
     }
 
     /// The change of the coordinates of a ray by each mode, which lies across the epipolar line.
