@@ -57,7 +57,7 @@ pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,
 };
-pub use editing::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
+pub use editing::{BlockEdit, EditedMatch, HandMeasurement, MeasuredBy, PairEdit, PointImage};
 pub use epipolar_images::{EpipolarGeometry, EpipolarImages, Parallaxes, StereoPair, StereoView, write_anaglyph};
 pub use error::{
     Allowed, CameraParameter, Cause, Computation, Damage, DescribedBy, Document, Element, Error, Failure, Few, FileFault, FilePlace,
@@ -96,8 +96,8 @@ pub use orthophoto::{
 pub use outputs::{
     AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,
     Coverage, Expected, ExportOutcome, FoundPoints, ImagePlace, ImagePoint, ImageReason, ImageRow, ObservationDetail, ObservationPart,
-    OverviewWarning, PROJECT_VERSION, PairPhoto, PairRow, PairRun, PairTruth, PointColumns, PointDetail, Project, ProjectKind, RayCount,
-    ResultSystem, Summary, SystematicSummary, WithText, accuracy_map, block_covariances, block_epipolar_line, block_files,
+    OverviewWarning, PROJECT_VERSION, PairEdits, PairPhoto, PairRow, PairRun, PairTruth, PointColumns, PointDetail, Project, ProjectKind,
+    RayCount, ResultSystem, Summary, SystematicSummary, WithText, accuracy_map, block_covariances, block_epipolar_line, block_files,
     covariance_table, coverage, image_points, planned_files, point_detail, point_ids, project_kind, read_project, write_block_project,
     write_pair_project,
 };

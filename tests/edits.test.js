@@ -57,9 +57,9 @@ function sampleProject() {
 
 const TEXT = sampleProject();
 
-/** The state of the page that shows the sample pair. */
-function opened() {
-  const project = open_pair_project(new TextEncoder().encode(TEXT));
+/** The state of the page that shows a pair, the sample without another. */
+function opened(text = TEXT) {
+  const project = open_pair_project(new TextEncoder().encode(text));
   const image = (/** @type {number} */ id) => ({ id, name: id === 1 ? 'left' : 'right', source: { kind: 'project', content: null } });
   const catalogue = { version: version(), defaults: defaults(), flights: [], rules: [] };
   const ready = page.reducer.reduce(page.state.INITIAL, { type: 'ready', catalogue });
@@ -135,9 +135,17 @@ function check(state) {
   }
   assert.equal(found, state.results.match.value);
   // The file can be written and read, and has as many matches.
-  const back = open_pair_project(new TextEncoder().encode(written(state)));
+  const text = written(state);
+  const back = open_pair_project(new TextEncoder().encode(text));
   assert.equal(back.output.match.counts.matches, counted);
-  assert.deepEqual(page.project.editsOfFile(back), page.edited.countsByHand(match));
+  // Opened elsewhere the edits do what they did, and can be undone one by one.
+  const elsewhere = opened(text);
+  assert.deepEqual(page.edited.editedPair(elsewhere).match, match);
+  assert.deepEqual(elsewhere.history.edits, state.history.edits.slice(0, state.history.done));
+  assert.ok(written(elsewhere) === text, 'opened elsewhere the project file has other bytes');
+  // A file of a former version has none of them.
+  const former = open_pair_project(new TextEncoder().encode(write_pair_project({ ...back, edited: null })));
+  assert.deepEqual(page.project.editsOfFile(former), page.edited.countsByHand(match));
 }
 
 test('after thousands of random edits, undone, the pair is what it was: the same objects, and the same bytes of its project file', () => {

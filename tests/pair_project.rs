@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use tiepoint::{
-    DenseTruth, Error, GreyImage, Match, NoOrientation, PairImage, PairInput, PairPhoto, PairResult, PairRun, PairSettings, PairTruth,
-    PhotoInput, Project, ProjectKind, Refinement, Sample, Strategy, match_pair, project_kind, read_project, sample_pair, score_matches,
-    write_pair_project,
+    DenseTruth, EditedMatch, Error, GreyImage, Match, NoOrientation, PairEdit, PairEdits, PairImage, PairInput, PairPhoto, PairResult,
+    PairRun, PairSettings, PairTruth, PhotoInput, Project, ProjectKind, Refinement, Sample, Strategy, match_pair, project_kind,
+    read_project, sample_pair, score_matches, write_pair_project,
 };
 
 fn sample() -> &'static Sample {
@@ -236,4 +236,61 @@ fn the_kind_of_a_file_is_known_from_its_start() {
     for other in [&b""[..], b"\n", b"{\"pair\":", b"no project\n{}", &[0xff, b'\n', 0xfe]] {
         assert_eq!(project_kind(other), None);
     }
+}
+
+/// The pair with its first match rejected by hand, which its result has no more, and one that was measured.
+fn edited() -> PairRun {
+    let found = refined().result.matching.clone();
+    let mut run = PairRun { truth: None, ..refined().clone() };
+    let PairResult { left, matching, orientation, .. } = &mut run.result;
+    let of = |m: &Match| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]];
+    let (first, last) = (found.matches[0], found.matches[1]);
+    matching.matches.remove(0);
+    matching.verdicts[first.left].rule = tiepoint::Rule::NoCandidate;
+    left.points.push(left.points[last.left]);
+    matching.verdicts.push(tiepoint::Verdict { best: None, fit: None, ..matching.verdicts[last.left] });
+    matching.matches.push(Match { left: left.points.len() - 1, right: None, measure: -1.0, fit: None, ..last });
+    *orientation = Err(NoOrientation::PureRotation);
+    let edits = vec![
+        PairEdit::Reject { of: vec![EditedMatch::Found(of(&first))] },
+        PairEdit::Add { id: 1, at: of(&last) },
+        PairEdit::Move { of: EditedMatch::Measured(1), to: of(&last) },
+        PairEdit::Restore { of: vec![EditedMatch::Measured(1)] },
+    ];
+    run.edited(PairEdits { edits, found }).unwrap()
+}
+
+#[test]
+fn edits_are_kept_with_the_matches_that_were_found() {
+    let run = edited();
+    let text = write_pair_project(&run).unwrap();
+    assert!(text.starts_with("{\"format\":\"tiepoint-project\",\"version\":3,"), "{}", &text[..60]);
+    assert!(text.contains(r#"{"kind":"move","of":1,"to":["#));
+    let back = read(&text);
+    assert_eq!(back, run);
+    assert_eq!(back.edited.as_ref().unwrap().found, refined().result.matching);
+    assert_eq!(write_pair_project(&back).unwrap(), text);
+    // Without any it is the file of a pair that was never edited, which older versions read.
+    let none = PairEdits { edits: Vec::new(), found: refined().result.matching.clone() };
+    let plain = refined().clone().edited(none).unwrap();
+    assert_eq!(write_pair_project(&plain).unwrap(), write_pair_project(refined()).unwrap());
+}
+
+#[test]
+fn edits_of_another_pair_are_refused() {
+    let PairEdits { edits, found } = edited().edited.unwrap();
+    let told = |edits: Vec<PairEdit>, found: tiepoint::MatchSet| {
+        refined().clone().edited(PairEdits { edits, found }).expect_err("it does not fit").to_string()
+    };
+    let mut more = found.clone();
+    more.verdicts.extend(found.verdicts.iter().filter(|verdict| verdict.rule != tiepoint::Rule::Matched).take(1));
+    assert!(told(edits.clone(), more).contains("found matches of the pair: got verdicts"));
+    let mut beyond = found.clone();
+    beyond.matches[0].right = Some(9_999_999);
+    assert!(told(edits.clone(), beyond).contains("match of the pair"));
+    let mut fewer = found.clone();
+    fewer.matches.pop();
+    assert!(told(edits, fewer).contains("matched points of the pair"));
+    let nowhere = PairEdit::Add { id: 2, at: [1.0, f64::NAN, 1.0, 1.0] };
+    assert!(told(vec![nowhere], found).contains("place of an edited match: got NaN"));
 }

@@ -1015,6 +1015,8 @@ refusal-truth-size = الحقيقة: أُعطي { $positions } من المواض
 
 # Projects.
 refusal-pair-match = مطابقة الزوج: أُعطي { $left } و{ $right }؛ المسموح: نقاط دون { $points } و{ $others }
+refusal-pair-found = المطابقات المعثور عليها في الزوج: أُعطيت أحكام { $found } نقطة؛ المسموح: { $points } على الأكثر
+refusal-pair-place = موضع مطابقة معدَّلة: أُعطي { $got }؛ المسموح: أعداد منتهية من px
 refusal-pair-rejected = مطابقة مرفوضة من الزوج: أُعطي { $index }؛ المسموح: مطابقات دون { $matches }
 refusal-project-connection = وصلة المشروع: أُعطي [{ $images }]؛ المسموح: صورتان دون { $count } بترتيب تصاعدي
 refusal-project-edits = تعديلات المشروع: أُعطيت تعديلات كتلة غير موجَّهة؛ المسموح: تعديلات كتلة موجَّهة

@@ -482,6 +482,8 @@ refusal-covariance-name = name of a covariance: got { $name }; allowed: names of
 
 # Projects.
 refusal-pair-match = match of the pair: got { $left } and { $right }; allowed: points below { $points } and { $others }
+refusal-pair-found = found matches of the pair: got verdicts on { $found } points; allowed: at most { $points }
+refusal-pair-place = place of an edited match: got { $got }; allowed: finite numbers of px
 refusal-pair-rejected = rejected match of the pair: got { $index }; allowed: matches below { $matches }
 refusal-project-connection = connection of the project: got [{ $images }]; allowed: two images below { $count } in ascending order
 refusal-project-edits = edits of the project: got those of a block that is not oriented; allowed: edits of an oriented block

@@ -1,9 +1,11 @@
-//! Changes of a finished block by hand: observations, points and images rejected and restored, measured and added.
+//! Changes by hand: of a finished block (observations, points and images rejected and restored, measured and added), and of the matches of a pair.
 //!
-//! Edits are a list that is applied to the block as it was found: a pure function. Undoing one is the list without it.
+//! Edits are a list that is applied to what was found: a pure function. Undoing one is the list without it.
 
 mod apply;
 mod edit;
+mod pair_edit;
 
 pub(crate) use apply::edited_model;
 pub use edit::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
+pub use pair_edit::{EditedMatch, PairEdit};

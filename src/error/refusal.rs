@@ -243,6 +243,8 @@ messages! {
 
         // Projects.
         PairMatch { left: usize, right: Option<usize>, points: usize, others: usize },
+        PairFound { found: usize, points: usize },
+        PairPlace { #[serde(with = "number")] got: f64 },
         PairRejected { index: usize, matches: usize },
         ProjectConnection { images: [u32; 2], count: usize },
         ProjectEdits,

@@ -32,7 +32,7 @@ pub use inspection::{
     ImagePlace, ImagePoint, ObservationDetail, ObservationPart, PointDetail, block_epipolar_line, image_points, point_detail, point_ids,
 };
 pub use overview::{BlockOverview, CameraRow, FoundPoints, PointColumns, RayCount};
-pub use pair::{PairPhoto, PairRun, PairTruth};
+pub use pair::{PairEdits, PairPhoto, PairRun, PairTruth};
 pub use pairs::PairRow;
 pub use project::{PROJECT_VERSION, Project, ProjectKind, project_kind, read_project, write_block_project, write_pair_project};
 pub use summary::{CheckSummary, ExportOutcome, Summary, SystematicSummary};

@@ -269,7 +269,7 @@ pub(super) fn set_geometry(object: &JsValue, geometry: Option<&Result<TwoView, N
     set(object, "no_geometry", &pack(&geometry.and_then(|geometry| geometry.as_ref().err())));
 }
 
-fn pack_matches(set: &MatchSet) -> JsValue {
+pub(super) fn pack_matches(set: &MatchSet) -> JsValue {
     let code = |rule: Rule| Rule::ALL.iter().position(|r| *r == rule).expect("all rules are there") as u8;
     let rules: Vec<u8> = set.verdicts.iter().map(|v| code(v.rule)).collect();
     let best: Vec<i32> = set.verdicts.iter().map(|v| v.best.map_or(-1, |best| best as i32)).collect();

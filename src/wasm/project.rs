@@ -1,10 +1,10 @@
 //! The project file of a pair, which is plain data on either side; that of a block is written and opened by `FinishedBlock`.
 
 use super::convert::{JsResult, object, pack, read, read_options, rows, set, thrown, wrong_project};
-use super::matching::{pack_pair, read_points};
+use super::matching::{pack_matches, pack_pair, read_points};
 use super::simulate::{pack_score, read_score};
 use crate::{
-    Error, FileFault, Fit, Match, MatchSet, PairPhoto, PairResult, PairRun, PairTruth, PointSet, PointStatistics, Project,
+    Error, FileFault, Fit, Match, MatchSet, PairEdits, PairPhoto, PairResult, PairRun, PairTruth, PointSet, PointStatistics, Project,
     RelativeOrientation, Rule, TwoView, Verdict, project_kind as kind_of, read_project, write_pair_project as write,
 };
 use js_sys::{Array, Float64Array, Int32Array, Object, Reflect, Uint8Array, Uint32Array};
@@ -22,6 +22,16 @@ export interface PairProject {
     output: PairOutput;
     /** What is known of a simulated pair. */
     truth: PairTruth | null;
+    /** What was changed by hand; null where nothing was. */
+    edited?: PairEdits | null;
+}
+
+/** Edits of the matches of a pair, and the matches that were found: the output has the edited ones. */
+export interface PairEdits {
+    /** In their order. */
+    edits: readonly PairEdit[];
+    /** Of the left points before those that were measured by hand, which come last. */
+    found: Omit<MatchResult, "geometry" | "no_geometry">;
 }
 
 /** The truth of a simulated pair. */
@@ -45,7 +55,12 @@ pub fn write_pair_project(#[wasm_bindgen(unchecked_param_type = "PairProject")] 
     let images: [PairPhoto; 2] = read("images", &field(project, "images"))?;
     let given = (read_options("input", &field(project, "input"))?, read_options("settings", &field(project, "settings"))?);
     let truth = present(project, "truth").map(|truth| read_truth(&truth)).transpose()?;
-    PairRun::new(images, given, read_result(&field(project, "output"))?, truth).and_then(|run| write(&run)).map_err(thrown)
+    let run = PairRun::new(images, given, read_result(&field(project, "output"))?, truth).map_err(thrown)?;
+    let run = match present(project, "edited") {
+        Some(edited) => run.edited(read_edits(&edited)?).map_err(thrown)?,
+        None => run,
+    };
+    write(&run).map_err(thrown)
 }
 
 /// Opens the project file of a pair; one that is damaged or of another kind is refused whole.
@@ -58,9 +73,18 @@ pub fn open_pair_project(bytes: &[u8]) -> JsResult<JsValue> {
             ("settings", pack(&run.settings)),
             ("output", pack_pair(&run.result)),
             ("truth", run.truth.as_ref().map_or(JsValue::NULL, pack_truth)),
+            ("edited", run.edited.as_ref().map_or(JsValue::NULL, pack_edits)),
         ])),
         Project::Block(_) => Err(thrown(wrong_project(FileFault::HoldsBlock))),
     }
+}
+
+fn pack_edits(edited: &PairEdits) -> JsValue {
+    object([("edits", pack(&edited.edits)), ("found", pack_matches(&edited.found))])
+}
+
+fn read_edits(value: &JsValue) -> JsResult<PairEdits> {
+    Ok(PairEdits { edits: read("edits", &field(value, "edits"))?, found: read_matches(&field(value, "found"))? })
 }
 
 fn pack_truth(truth: &PairTruth) -> JsValue {

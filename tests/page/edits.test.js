@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { open_pair_project } from '../../pkg/node.js';
+import { open_pair_project, write_pair_project } from '../../pkg/node.js';
 import { again, done, enabled, hosted, keptEdits, number, open, pair, part, sample, saved, says, SKIP, until, upload } from './page.js';
 
 hosted();
@@ -229,7 +229,7 @@ test('matches are chosen, rejected, restored, undone and done again by the keybo
   await close();
 });
 
-test('a file holds the edited matches and says that it has no history; a new run keeps the rejections', { skip: SKIP }, async () => {
+test('a file holds the edits, which are undone elsewhere; one of a former version says that it does not; a new run keeps the rejections', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await pair(page);
   await enclose(page);
@@ -240,18 +240,24 @@ test('a file holds the edited matches and says that it has no history; a new run
   const left = await number(page, 'count-matches');
   const rejected = await number(page, 'count-rejected-by-hand');
   const project = await saved(page, 'export-project');
-  const { output } = open_pair_project(project);
+  const kept = open_pair_project(project);
+  const { output } = kept;
   assert.equal(output.match.matches.length, 5 * left);
   assert.equal(output.orientation?.residuals_mm.length, 4 * left);
   const fresh = await open();
   await enabled(fresh.page, 'sample');
   await part(fresh.page, 'file-input').setInputFiles([upload('pair.tiepoint', project)]);
-  const told = await says(fresh.page, 'status', /was opened/);
-  assert.match(told, new RegExp(`It holds ${rejected} matches rejected by hand; the history of these edits is not in the file`));
+  assert.doesNotMatch(await says(fresh.page, 'status', /was opened/), /history/);
   assert.equal(await number(fresh.page, 'count-matches'), left);
   assert.equal(await number(fresh.page, 'count-rejected-by-hand'), rejected);
   assert.equal((await lastMatch(fresh.page)).edits.rejected_by_hand.length, rejected);
   assert.equal((await saved(fresh.page, 'export-project')).toString(), project.toString());
+  await part(fresh.page, 'undo').click();
+  await until(async () => (await number(fresh.page, 'count-matches')) === left + rejected);
+  assert.ok(await part(fresh.page, 'count-rejected-by-hand').isHidden());
+  await part(fresh.page, 'file-input').setInputFiles([upload('former.tiepoint', Buffer.from(write_pair_project({ ...kept, edited: null })))]);
+  const told = await says(fresh.page, 'status', /former.tiepoint was opened/);
+  assert.match(told, new RegExp(`It holds ${rejected} matches rejected by hand; the history of these edits is not in the file`));
   assert.deepEqual(fresh.complaints, []);
   await fresh.close();
   // Another rule, other matches: what was rejected stays so where it is found again.

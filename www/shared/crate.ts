@@ -38,6 +38,7 @@ export type {
   OrientedPair,
   PairInput,
   PairInterior,
+  PairEdit,
   PairProject,
   PairTruth,
   PhotoInfo,

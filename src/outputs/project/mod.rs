@@ -11,8 +11,11 @@ use crate::{
 };
 use serde::{Deserialize, Serialize};
 
-/// The version that is written, and the newest one that is read.
-pub const PROJECT_VERSION: u32 = 2;
+/// The newest version that is read. A file has the oldest version that holds all that is in it: older readers open what they can.
+pub const PROJECT_VERSION: u32 = 3;
+
+/// Of all but pairs whose matches were edited by hand.
+const PLAIN_VERSION: u32 = 2;
 
 const FORMAT: &str = "tiepoint-project";
 
@@ -59,7 +62,7 @@ struct Header {
 /// As [`BlockModel::check`](crate::BlockModel::check); [`Error::InvalidInput`] for parts of the block that do not fit together.
 pub fn write_block_project(run: &BlockRun) -> Result<String, Error> {
     check(run)?;
-    written("block", run)
+    written(PLAIN_VERSION, "block", run)
 }
 
 /// Writes the project of a pair: the same pair gives the same text.
@@ -67,7 +70,8 @@ pub fn write_block_project(run: &BlockRun) -> Result<String, Error> {
 /// # Errors
 /// [`Error::InvalidInput`] for parts of the pair that do not fit together.
 pub fn write_pair_project(run: &PairRun) -> Result<String, Error> {
-    written("pair", &run.clone().in_order()?)
+    let version = if run.edited.is_some() { PROJECT_VERSION } else { PLAIN_VERSION };
+    written(version, "pair", &run.clone().in_order()?)
 }
 
 /// Reads a project; one of an older version is brought forward. Nothing is passed over: a file that this version does not understand in full is
@@ -118,11 +122,11 @@ pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
     }
 }
 
-fn written(kind: &str, content: &impl Serialize) -> Result<String, Error> {
+fn written(version: u32, kind: &str, content: &impl Serialize) -> Result<String, Error> {
     let content =
         serde_json::to_string(content).map_err(|error| Error::InvalidJson { document: Document::Project, json_fault: error.into() })?;
     let body = format!("{{\"{kind}\":{content}}}\n");
-    Ok(header_line(PROJECT_VERSION, &body)? + &body)
+    Ok(header_line(version, &body)? + &body)
 }
 
 fn header_line(version: u32, body: &str) -> Result<String, Error> {

@@ -46,7 +46,7 @@ type Told = { kind: 'info' | 'problem'; text: string } | null;
 const problem = (text: string): Told => ({ kind: 'problem', text });
 const info = (text: string): Told => ({ kind: 'info', text });
 
-/** A file holds the matches as the edits left them, and not the edits. */
+/** A file of a former version holds the matches as the edits left them, and not the edits. */
 function editsToldOf({ project }: OpenedProject): Told {
   const { rejected, manual } = editsOfFile(project);
   const of = (number: number, what: string) => (number === 0 ? [] : [say('matches-by-hand', { number, what })]);

@@ -1,7 +1,8 @@
 /** A pair as a project file holds it: of the state, and back. */
-import type { MatchResult, NoOrientation, PairInterior, PairProject, PairTruth } from '../../shared/crate';
+import type { MatchResult, NoOrientation, PairEdit, PairInterior, PairProject, PairTruth } from '../../shared/crate';
 import { BY_HAND, codeOf, UNDECIDED } from './codes';
 import { countsByHand, editedPair } from './edited';
+import type { Edited } from './edited';
 import { interiorInUse } from './interior';
 import { isCurrent, pairCameras, wantedKeys } from './keys';
 import { measuredPhoto } from './marks';
@@ -59,7 +60,13 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
       verdict: oriented?.verdict ?? { kind: 'not_oriented', no_orientation: none ?? whyNone(state) },
     },
     truth: truthFor(state),
+    edited: editsFor(state, edited),
   };
+}
+
+/** The edits that hold, with what was found before them; null where there are none. */
+function editsFor({ history: { edits, done } }: State, { found }: Edited): PairProject['edited'] {
+  return done === 0 ? null : { edits: edits.slice(0, done) as PairEdit[], found };
 }
 
 /** Points with those measured by hand, at the one scale of points that have none. */
@@ -92,9 +99,9 @@ function unfiled<M extends MatchResult>(match: M): M {
   return { ...match, rules, counts: { ...match.counts, no_candidate: match.counts.no_candidate - own } };
 }
 
-/** How many matches of a file were rejected and measured by hand. */
-export function editsOfFile({ output }: PairProject): { rejected: number; manual: number } {
-  return countsByHand(unfiled(output.match));
+/** How many matches of a file were rejected and measured by hand that does not hold the edits themselves: those of former versions do not. */
+export function editsOfFile({ output, edited }: PairProject): { rejected: number; manual: number } {
+  return edited == null ? countsByHand(unfiled(output.match)) : { rejected: 0, manual: 0 };
 }
 
 /** Why there is no orientation, in the order in which the crate's `match_pair` asks. */
@@ -117,7 +124,7 @@ function truthFor(state: State): PairTruth | null {
 
 /** The state that shows a project: its results stand as if they had just been computed. What costs nothing and needs no image is computed. */
 export function withProject(state: State, { project, images, overviews, masks, estimated }: OpenedProject): State {
-  const { input, settings, truth } = project;
+  const { input, settings, truth, edited } = project;
   const [left] = project.images;
   const photo = (side: Side) => ({ fiducials: input[side]?.fiducials ?? [], origin: input[side]?.origin ?? null });
   const given: State = {
@@ -149,6 +156,7 @@ export function withProject(state: State, { project, images, overviews, masks, e
     selection: null,
     ...UNEDITED,
     ...exchangedPair(state, images),
+    ...(edited == null ? {} : { history: { edits: edited.edits, done: edited.edits.length } }),
     views: { left: null, right: null },
   };
   return withResults(given, { project, estimated }, standingFor({ project, overviews }), {});
@@ -174,9 +182,9 @@ export type Beside = Partial<Pick<StageValues, 'openLeft' | 'openRight' | 'inter
 /** The times that the stages took, in ms. */
 export type Times = Partial<Record<StageName, number>>;
 
-/** The state with the results of a project, which it was made from: they are kept under the keys of what the state has now. */
+/** The state with the results of a project, which it was made from: they are kept under the keys of what the state has now. Its history is that of the project. */
 export function withResults(state: State, { project, estimated }: Pick<OpenedProject, 'project' | 'estimated'>, beside: Beside, times: Times): State {
-  const { output, truth } = project;
+  const { output, truth, edited } = project;
   let next: State = { ...state, results: {} };
   const put = <S extends StageName>(stage: S, value: StageValues[S] | null | undefined, of?: MatchesInUse) => {
     const key = wantedKeys(next)[stage];
@@ -186,18 +194,27 @@ export function withResults(state: State, { project, estimated }: Pick<OpenedPro
   const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
   put('openLeft', beside.openLeft);
   put('openRight', beside.openRight);
-  put('pointsLeft', { ...output.left, gradients: descriptorsLeft.gradients });
+  const match = { ...(edited == null ? unfiled(output.match) : { ...output.match, ...edited.found }), estimated };
+  put('pointsLeft', { ...firstOf(output.left, match.rules.length), gradients: descriptorsLeft.gradients });
   put('pointsRight', { ...output.right, gradients: descriptorsRight.gradients });
   put('descriptorsLeft', descriptorsLeft);
   put('descriptorsRight', descriptorsRight);
   put('offset', output.offset);
   put('interiorLeft', beside.interiorLeft);
   put('interiorRight', beside.interiorRight);
-  const match = { ...unfiled(output.match), estimated };
   put('match', match);
-  put('orientation', output.orientation, { match, found: match });
-  put('score', truth?.score);
+  const used = editedPair(next) ?? { match, found: match };
+  // What another version of the page makes of the edits is oriented anew.
+  if (used.match.matches.length === output.match.matches.length) {
+    put('orientation', output.orientation, used);
+    put('score', truth?.score);
+  }
   return next;
+}
+
+/** Points without those that were measured by hand, which come last. */
+function firstOf<P extends { points: Float64Array; frames: Float64Array }>(all: P, count: number): P {
+  return 3 * count === all.points.length ? all : { ...all, points: all.points.slice(0, 3 * count), frames: all.frames.slice(0, 2 * count) };
 }
 
 const nothing = () => ({ moments: new Float64Array(), gradients: new Uint8Array() });
