@@ -1,4 +1,5 @@
-//! Which camera parameters are estimated: those that the block hardly determines are fixed, one a camera and round.
+//! Which camera parameters are estimated: those that the block hardly determines are fixed, one a camera and round, unless prior information
+//! holds them: their standard errors then say how little the block determines them.
 
 use super::course::Course;
 use crate::adjustment::axis::observed_axes;
@@ -71,7 +72,8 @@ impl Course<'_> {
         }
         let Some(factored) = &self.nearby else { return Ok(Vec::new()) };
         let effects = effects(problem.network, &self.state);
-        let worst = weakest_of_each(&factored.cameras, &problem.columns.of_camera, &effects, sigma).into_iter();
+        let is_held = |column: usize| problem.known.get(column).is_some_and(|known| known.weight > 0.0);
+        let worst = weakest_of_each(&factored.cameras, &problem.columns.of_camera, &effects, sigma, is_held).into_iter();
         Ok(worst.filter(|(_, effect)| !(*effect <= limit)).map(|(column, effect)| (column, Some(effect))).collect())
     }
 

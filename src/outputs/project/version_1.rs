@@ -79,6 +79,7 @@ impl From<Project> for BlockRun {
             tangential: [0.0; 2],
             pixel_mm: camera.pixel_mm,
             fixed: false,
+            uncertainty: None,
         });
         let images = model.images.iter().map(|image| {
             // Indices are judged with the whole project.
