@@ -4,8 +4,8 @@ use crate::normal::Normal;
 use crate::sampling::{about_one, runs};
 use crate::scene::{Scene, scene, selected};
 use tiepoint::{
-    AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, CameraUncertainty, ControlRole, Datum, FreeParameters,
-    GnssErrors, GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,
+    AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, CameraUncertainty, ControlRole, Datum,
+    FreeParameters, GnssErrors, GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,
     ReconstructionOptions, TiePoints, UnorientedReason, adjust_block, geographic_from_local, local_from_geographic, reconstruct_block,
     simulate_block, tie_points,
 };

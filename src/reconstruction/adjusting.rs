@@ -1,8 +1,8 @@
 //! Adjustments of a growing model: of all its images, or of some that the others hold.
 
 use super::net::Net;
-use crate::adjustment::{Block, BlockImage, BlockObservation, Start, adjust_start};
 use crate::KnownCamera;
+use crate::adjustment::{Block, BlockImage, BlockObservation, Start, adjust_start};
 use crate::camera::CAMERA_PARAMETERS;
 
 /// Beyond so many images adjustments of all cost more than the rest, and images are held from many sides: they are made more seldom and
