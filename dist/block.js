@@ -1,4 +1,4 @@
-import { ACCEPTED, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, Zip, ZipPassThrough, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -310,7 +310,7 @@ function reducePlacing(placing, action) {
 function isSameLooked(a, b) {
 	return a.image === b.image && a.link === b.link;
 }
-var LEAST_IMAGES = 2;
+var LEAST_IMAGES$1 = 2;
 var pointsOfFile = remember((control) => readOr(control, parse_ground_control_points));
 var marksOfFile = remember((marks) => readOr(marks, parse_image_measurements));
 function readOr(file, read) {
@@ -323,9 +323,12 @@ function readOr(file, read) {
 var keyOf = ({ image, point }) => JSON.stringify([image, point]);
 var marksByHand = remember(({ edits, done }) => {
 	const held = new Map();
-	for (const { kind, marks } of edits.slice(0, done)) for (const mark of marks) {
-		held.delete(keyOf(mark));
-		if (kind === "measure") held.set(keyOf(mark), mark);
+	for (const step of edits.slice(0, done)) {
+		if (step.kind === "remove_images") continue;
+		for (const mark of step.marks) {
+			held.delete(keyOf(mark));
+			if (step.kind === "measure") held.set(keyOf(mark), mark);
+		}
 	}
 	return [...held.values()];
 });
@@ -354,7 +357,7 @@ var collected = remember((control, file, history, files) => {
 	const marks = allMarks(file, history).filter((mark) => !ofHand.has(mark) || names.has(mark.point) && images.has(mark.image));
 	const seen = new Map();
 	for (const { point, image } of marks) if (images.has(image)) seen.set(point, (seen.get(point) ?? 0) + 1);
-	const twice = points.filter(({ name, role }) => role === "control" && (seen.get(name) ?? 0) >= LEAST_IMAGES).length;
+	const twice = points.filter(({ name, role }) => role === "control" && (seen.get(name) ?? 0) >= LEAST_IMAGES$1).length;
 	return {
 		twice,
 		run: twice < 3 ? null : {
@@ -419,6 +422,15 @@ var placesOfGiven = remember((name, view, file, history) => {
 		return point === name && at !== void 0 ? [[at, [x_px, y_px]]] : [];
 	}));
 });
+function besideEdits(marks, edits) {
+	return marks.edits.every(({ after }) => after <= edits) ? marks : {
+		...marks,
+		edits: marks.edits.map((step) => step.after <= edits ? step : {
+			...step,
+			after: edits
+		})
+	};
+}
 function nextBack(history, marks) {
 	const mark = marks.edits[marks.done - 1];
 	if (mark !== void 0 && mark.after >= history.done) return "mark";
@@ -525,6 +537,7 @@ function moved(choice, before, after) {
 var BLOCK_INITIAL = {
 	catalogue: null,
 	files: [],
+	removed: [],
 	truth: null,
 	options: {
 		settings: null,
@@ -1713,7 +1726,9 @@ function nameOfStep(step, names = NO_NAMES) {
 	}
 	return say("step-edits", { edits: step.length });
 }
-function nameOfMarks({ kind, marks }) {
+function nameOfMarks(step) {
+	if (step.kind === "remove_images") return say("step-remove-images", { images: step.files.length });
+	const { kind, marks } = step;
 	const [first] = marks;
 	if (first === void 0) return say("nothing");
 	const images = marks.length === 1 ? first.image : say("so-many-images", { images: marks.length });
@@ -1792,6 +1807,32 @@ function inImage(image, { images }) {
 	const name = images[image];
 	return name === void 0 ? "" : say("in-image", { name });
 }
+// www/block/state/removing.ts
+var LEAST_IMAGES = 2;
+var idsRemoved = remember(({ edits, done }) => new Set(edits.slice(0, done).flatMap((step) => step.kind === "remove_images" ? step.files : [])));
+function removesOthers(before, after) {
+	const [a, b] = [idsRemoved(before), idsRemoved(after)];
+	return a.size !== b.size || [...a].some((id) => !b.has(id));
+}
+function withRemoved(state) {
+	const { files, removed, marks } = state;
+	const out = idsRemoved(marks);
+	const stay = files.filter(({ id }) => !out.has(id));
+	const names = new Set(stay.map(({ name }) => name));
+	const back = removed.filter(({ id, name }) => !out.has(id) && !names.has(name));
+	if (stay.length === files.length && back.length === 0) return state;
+	const aside = [...files.filter(({ id }) => out.has(id)), ...removed.filter((file) => !back.includes(file))];
+	return {
+		...state,
+		files: [...stay, ...back].sort((a, b) => a.name < b.name ? -1 : 1),
+		removed: aside
+	};
+}
+function removable(files, choice, names) {
+	if (choice?.kind !== "image" || files.length <= LEAST_IMAGES) return null;
+	const name = names[choice.image]?.name;
+	return files.find((file) => file.name === name) ?? null;
+}
 // www/block/state/editing.ts
 function isEditable({ shown, running }) {
 	return shown !== null && !shown.view.partial && shown.view.oriented > 0 && running.kind !== "yes";
@@ -1849,19 +1890,19 @@ function reduceEdits(state, action) {
 			};
 		}
 		case "mark":
-			if (action.step.kind === "measure" && !isEditable(state)) return state;
-			return {
+			if (action.step.kind !== "remove" && !isEditable(state)) return state;
+			return withRemoved({
 				...state,
 				marks: recorded(state.marks, action.step),
 				draft: null,
 				notice: afterEdit(state)
-			};
-		case "gotoMark": return {
+			});
+		case "gotoMark": return withRemoved({
 			...state,
 			marks: wentTo(state.marks, action.done),
 			draft: null,
 			notice: afterEdit(state)
-		};
+		});
 		case "draft": return {
 			...state,
 			draft: isEditable(state) ? action.draft : null,
@@ -2418,9 +2459,35 @@ function step(store, by) {
 		type: "goto",
 		done: history.done + by
 	});
+	if (next === "mark" && changesImages(store.state, by) && isBusy(store.state)) {
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("edits-wait-for-the-run"),
+				beside: true
+			}
+		});
+		return;
+	}
 	if (next === "mark") store.dispatch({
 		type: "gotoMark",
 		done: marks.done + by
+	});
+}
+function changesImages({ marks }, by) {
+	return marks.edits[by < 0 ? marks.done - 1 : marks.done]?.kind === "remove_images";
+}
+function removeImage(store) {
+	const { files, selection, shown, history } = store.state;
+	const file = removable(files, selection.chosen, shown?.view.images ?? []);
+	if (file !== null) store.dispatch({
+		type: "mark",
+		step: {
+			kind: "remove_images",
+			files: [file.id],
+			after: history.done
+		}
 	});
 }
 function stepsOf({ history, marks }, names) {
@@ -2451,6 +2518,7 @@ function mountEditBar(store, facts, measures) {
 	const reject = button(say("reject"), "block-reject", () => make(store, editOf(store.state, "reject")), say("take-what-is-chosen-out"));
 	const whole = button(say("reject-point"), "block-reject-point", () => make(store, editOf(store.state, "reject", true)), say("take-the-point-with-all"));
 	const restore = button(say("restore"), "block-restore", () => make(store, editOf(store.state, "restore")), say("use-what-is-chosen-again"));
+	const remove = button(say("remove-image"), "block-remove-image", () => removeImage(store), say("take-the-chosen-image-out"));
 	const measure = button(say("measure-it"), "block-measure", () => {
 		if (store.state.onStage !== "images") store.dispatch({
 			type: "stage",
@@ -2490,6 +2558,7 @@ function mountEditBar(store, facts, measures) {
 		reject,
 		whole,
 		restore,
+		remove,
 		join,
 		apart,
 		measure,
@@ -2525,6 +2594,7 @@ function mountEditBar(store, facts, measures) {
 		reject.hidden = drafting || off === null && on !== null;
 		restore.hidden = drafting || on === null;
 		whole.hidden = drafting || chosen?.kind !== "observation" || point === null;
+		remove.hidden = drafting || removable(state.files, chosen, state.shown?.view.images ?? []) === null;
 		const inImages = state.onStage === "images";
 		const given = chosen?.kind === "given";
 		measure.hidden = drafting || !(inImages || given);
@@ -2554,6 +2624,7 @@ function mountEditBar(store, facts, measures) {
 	store.watch([
 		"history",
 		"marks",
+		"files",
 		"selection",
 		"shown",
 		"running",
@@ -3271,6 +3342,12 @@ var BlockFiles = class {
 		this.openProject = openProject;
 		this.putAside = putAside;
 		this.ground = new GroundFiles(store, placing);
+		let before = store.state;
+		store.watch(["marks", "shown"], ([marks, shown]) => {
+			const others = shown !== null && shown.found === before.shown?.found && removesOthers(before.marks, marks);
+			before = store.state;
+			if (others && isOutdated(before)) queueMicrotask(() => void this.run());
+		});
 	}
 	get waits() {
 		return this.waiting;
@@ -3615,11 +3692,16 @@ function bytesOf(edit) {
 	const list = "observations" in edit ? edit.observations : "points" in edit ? edit.points : "images" in edit ? edit.images : [edit];
 	return OF_ONE * Math.max(1, list.length);
 }
-function bytesOfMarks({ marks }) {
-	return OF_ONE * Math.max(1, marks.length);
+function bytesOfMarks(step) {
+	return OF_ONE * Math.max(1, step.kind === "remove_images" ? step.files.length : step.marks.length);
 }
 function markStepFrom(value, name) {
-	const { kind, marks, after } = objectOf(value, name);
+	const { kind, marks, files, after } = objectOf(value, name);
+	if (kind === "remove_images") return {
+		kind,
+		files: listOf$1(files, `${name}.files`, (id, at) => likeOf(id, 0, at)),
+		after: likeOf(after, 0, `${name}.after`)
+	};
 	return {
 		kind: kind === "remove" ? kind : "measure",
 		marks: listOf$1(marks, `${name}.marks`, (one, at) => {
@@ -3860,9 +3942,9 @@ var KeptBlocks = class {
 		const { state } = this.store;
 		const parts = new Map();
 		if (isBlank(state)) return parts;
-		const { files, options, flight, truth, opened, shown, placing } = state;
+		const { files, removed, options, flight, truth, opened, shown, placing } = state;
 		parts.set(GIVEN, {
-			value: given$1(files, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.options, placing.purpose),
+			value: given$1(files, removed, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.options, placing.purpose),
 			bytes: SMALL
 		});
 		for (const [id, placed] of placing.placed) parts.set(PLACED + String(id), {
@@ -3876,6 +3958,7 @@ var KeptBlocks = class {
 		});
 		for (const { file } of [
 			...files,
+			...removed,
 			...options.masks,
 			...shown?.files ?? [],
 			...rastersOf(placing)
@@ -3902,6 +3985,7 @@ var KeptBlocks = class {
 		if (!parts.has(GIVEN)) return () => void 0;
 		const kept = givenFrom(parts.get(GIVEN), this.catalogue);
 		const files = kept.files.map((file) => fileFrom(parts, file));
+		const removed = kept.removed.map((file) => fileFrom(parts, file));
 		const masks = kept.masks.map((file) => fileFrom(parts, file));
 		const placed = new Map([...parts].flatMap(([part, value]) => part.startsWith(PLACED) ? [[Number(part.slice(13)), value]] : []));
 		const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file));
@@ -3916,6 +4000,7 @@ var KeptBlocks = class {
 		return () => {
 			passIds([
 				...files,
+				...removed,
 				...masks,
 				...shown?.files ?? [],
 				...rastersOf(placing)
@@ -3931,6 +4016,7 @@ var KeptBlocks = class {
 				type: "restored",
 				restored: {
 					files,
+					removed,
 					options: {
 						...kept.options,
 						masks
@@ -4049,8 +4135,9 @@ function keptFile({ id, name, file }) {
 		file: nameOf$1(file)
 	};
 }
-var given$1 = remember((files, { masks, ...options }, flight, truth, opened, orthophoto, heights, placing, purpose) => ({
+var given$1 = remember((files, removed, { masks, ...options }, flight, truth, opened, orthophoto, heights, placing, purpose) => ({
 	files: files.map(keptFile),
+	removed: removed.map(keptFile),
 	options,
 	masks: masks.map(keptFile),
 	flight,
@@ -4079,6 +4166,7 @@ function givenFrom(value, catalogue) {
 	const opened = orNull(kept["opened"], (pair) => listOf$1(pair, "opened", (image, name) => likeOf(image, 0, name)));
 	return {
 		files: listOf$1(kept["files"], "files", fileOf$2),
+		removed: listOf$1(kept["removed"] ?? [], "removed", fileOf$2),
 		masks: listOf$1(kept["masks"], "masks", fileOf$2),
 		options: {
 			settings: orNull(options["settings"], (settings) => fitted(settings, catalogue.defaults, "options.settings")),
@@ -5023,6 +5111,7 @@ function reduced(state, action) {
 				done: action.edits.length
 			},
 			marks: NO_HISTORY,
+			removed: [],
 			truth: null,
 			running: { kind: "no" },
 			shown: {
@@ -5159,6 +5248,7 @@ function withRun(state, action) {
 				...blank(state),
 				...inOther(state, view),
 				...edits,
+				marks: besideEdits(state.marks, edits.history.edits.length),
 				...said === "" ? {} : { notice: {
 					kind: "info",
 					text: said,
@@ -9986,23 +10076,16 @@ async function made(store, engine, kind, tell) {
 		}
 		case "all": {
 			const placed = tried.filter(({ result }) => result.placement !== null);
-			const chunks = [];
-			const archive = new Zip((error, chunk) => {
-				if (error !== null) throw error;
-				chunks.push(chunk);
-			});
+			const archive = new Archive();
 			for (const [i, { file }] of placed.entries()) {
 				tell(say("resampling-to-the-ground-of", {
 					name: file.name,
 					i: i + 1,
 					placed: placed.length
 				}));
-				const entry = new ZipPassThrough(rectifiedName(file.name));
-				archive.add(entry);
-				entry.push(await engine.rectified(file), true);
+				archive.add(rectifiedName(file.name), await engine.rectified(file), true);
 			}
-			archive.end();
-			return [new Blob(chunks, { type: "application/zip" }), "rectified.zip"];
+			return [archive.end(), "rectified.zip"];
 		}
 	}
 }

@@ -2323,7 +2323,7 @@
 					control: -1,
 					point: -1
 				},
-				isUsed: true
+				isUsed: known.refused?.is_used ?? true
 			})),
 			score: null,
 			warnings: warnings.map((warning) => message("overview_warning", warning)),
@@ -3435,6 +3435,23 @@
 	}
 	// www/shared/engine/archive.ts
 	var ARCHIVE_TIME = "1980-01-01T00:00:00";
+	var Archive = class {
+		chunks = [];
+		zip = new Zip((error, chunk) => {
+			if (error !== null) throw error;
+			this.chunks.push(chunk);
+		});
+		add(name, content, compressed) {
+			const entry = compressed ? new ZipPassThrough(name) : new ZipDeflate(name, { level: 6 });
+			entry.mtime = ARCHIVE_TIME;
+			this.zip.add(entry);
+			entry.push(content, true);
+		}
+		end() {
+			this.zip.end();
+			return new Blob(this.chunks, { type: "application/zip" });
+		}
+	};
 	// www/block/engine/made.ts
 	async function made(block, kind, name, signal) {
 		const files = new Map();
@@ -3468,23 +3485,15 @@
 				bytes: encoder.encode(text)
 			};
 		}
-		const chunks = [];
-		const archive = new Zip((error, chunk) => {
-			if (error !== null) throw error;
-			chunks.push(chunk);
-		});
+		const archive = new Archive();
 		for (const [at, content] of files) {
 			await pause(signal);
-			const entry = new ZipDeflate(at, { level: 6 });
-			entry.mtime = ARCHIVE_TIME;
-			archive.add(entry);
-			entry.push(encoder.encode(content), true);
+			archive.add(at, encoder.encode(content), false);
 		}
-		archive.end();
 		return {
 			name: `${name}.zip`,
 			type: "application/zip",
-			bytes: new Uint8Array(await new Blob(chunks).arrayBuffer())
+			bytes: new Uint8Array(await archive.end().arrayBuffer())
 		};
 	}
 	// www/block/engine/rejected.ts

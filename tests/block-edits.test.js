@@ -314,3 +314,28 @@ test('a surveyed point that was left out comes back with its use', () => {
   assert.deepEqual([...standingOf([off]).unused], [2]);
   assert.deepEqual([...standingOf([off, { kind: 'restore_points', points: [{ ground_control: 2 }] }]).unused], []);
 });
+
+test('an image that is removed stays beside the block, is named, kept, and comes back where it was', () => {
+  const { reduceBlock } = page.reducer;
+  const files = ['a', 'b', 'c', 'd'].map((name, i) => ({ id: i + 1, name, file: new Blob([name]) }));
+  const found = after({ type: 'files', files, truth: null });
+  const step = { kind: 'remove_images', files: [2], after: 0 };
+  const removed = reduceBlock(found, { type: 'mark', step });
+  const names = (/** @type {any} */ state) => state.files.map((/** @type {any} */ { name }) => name).join('');
+  assert.equal(names(removed), 'acd');
+  assert.deepEqual(removed.removed, [files[1]]);
+  assert.equal(page.naming.nameOfMarks(step), 'remove 1 image');
+  assert.equal(page.naming.nameOfMarks({ ...step, files: [1, 2] }), 'remove 2 images');
+  const back = reduceBlock(removed, { type: 'gotoMark', done: 0 });
+  assert.deepEqual([names(back), back.removed], ['abcd', []]);
+  assert.equal(page.state.wantedKey(back), page.state.wantedKey(found));
+  assert.equal(names(reduceBlock(back, { type: 'gotoMark', done: 1 })), 'acd');
+  // An image of its name that was given meanwhile stays.
+  const other = { id: 9, name: 'b', file: new Blob(['other']) };
+  const given = reduceBlock(removed, { type: 'files', files: [...removed.files, other], truth: null });
+  assert.ok(reduceBlock(given, { type: 'gotoMark', done: 0 }).files.includes(other));
+  assert.equal(names(reduceBlock(given, { type: 'gotoMark', done: 0 })).length, 4);
+  const { markStepFrom } = page.edit;
+  assert.deepEqual(markStepFrom(structuredClone(step), 'marks[0]'), step);
+  assert.throws(() => markStepFrom({ ...step, files: ['b'] }, 'marks[0]'), /marks\[0\]\.files\[0\] is damaged/);
+});

@@ -1,9 +1,9 @@
 /** Finds texts for people that stand in the code of the page, where only the catalogues may hold them. */
 
-import { parseSync } from 'vite';
+import { walk } from './syntax.js';
 
 /**
- * @typedef {{ type: string, start: number, end: number, [key: string]: any }} AstNode
+ * @typedef {import('./syntax.js').AstNode} AstNode
  * @typedef {{ line: number, text: string }} Found
  */
 
@@ -45,17 +45,12 @@ export const SAME =
 export function englishIn(name, code) {
   /** @type {Found[]} */
   const found = [];
-  const visit = (/** @type {any} */ node, /** @type {AstNode[]} */ path) => {
-    if (Array.isArray(node)) {
-      for (const one of node) visit(one, path);
-      return;
-    }
-    if (node === null || typeof node !== 'object' || typeof node.type !== 'string' || isNoCode(node)) return;
+  walk(name, code, (node, path) => {
+    if (isNoCode(node)) return false;
     const text = textOf(node);
     if (text !== null && isForPeople(node, text, path)) found.push({ line: code.slice(0, node.start).split('\n').length, text });
-    for (const value of Object.values(node)) visit(value, [...path, node]);
-  };
-  visit(parseSync(name, code, { lang: 'ts' }).program.body, []);
+    return true;
+  });
   return found;
 }
 

@@ -5,6 +5,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join, posix } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { importsOf } from './syntax.js';
 
 const WWW = join(dirname(dirname(fileURLToPath(import.meta.url))), 'www');
 
@@ -24,22 +25,21 @@ const files = readdirSync(WWW, { recursive: true, encoding: 'utf8' })
   .map((file) => file.replaceAll('\\', '/'))
   .filter((file) => /\.ts$/.test(file));
 
-/**
- * The files of the page that each file names in certain ways.
- * @param {RegExp} way
- */
-const namedBy = (way) =>
+const named = new Map(files.map((file) => [file, importsOf(file, readFileSync(join(WWW, file), 'utf8'))]));
+
+/** The files of the page that each file imports; `isLoaded`: only those that are loaded before it.  @param {boolean} isLoaded */
+const importedBy = (isLoaded) =>
   new Map(
-    files.map((file) => {
-      const named = [...readFileSync(join(WWW, file), 'utf8').matchAll(way)].map(([, name = '']) => posix.join(posix.dirname(file), name));
-      return [file, named.map((name) => [name, `${name}.ts`, `${name}.d.ts`].find((path) => files.includes(path))).filter((path) => path !== undefined)];
+    [...named].map(([file, all]) => {
+      const paths = all.filter((one) => one.isLoaded || !isLoaded).map(({ from }) => posix.join(posix.dirname(file), from));
+      return [file, paths.map((name) => [name, `${name}.ts`, `${name}.d.ts`].find((path) => files.includes(path))).filter((path) => path !== undefined)];
     }),
   );
 
 /** All that each file imports, types too. */
-const imports = namedBy(/(?:\bfrom |\bimport |\bimport\()'(\.[^']+)'/g);
+const imports = importedBy(false);
 /** What each file has loaded before itself. */
-const loads = namedBy(/^(?:import|export) (?!type )(?:[^;]*? from )?'(\.[^']+)';/gm);
+const loads = importedBy(true);
 
 const partOf = (/** @type {string} */ file) => file.split('/')[0] ?? '';
 const roomOf = (/** @type {string} */ file) => (SEAMS.has(file) ? 'mount' : (file.split('/')[1] ?? '').replace(/\.ts$/, ''));

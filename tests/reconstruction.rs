@@ -97,7 +97,7 @@ fn focal_lengths_of_flat_nadir_blocks_err_by_as_much_as_told() {
         assert!(off.abs() < 3.0 * error && moved.abs() < CameraUncertainty::EXIF.focal, "{off} {error} {moved}");
         // A calibrated one is held as firmly as it is known.
         let [_, error, moved] = focal_error(flat(seed), 1.003, CameraUncertainty::GIVEN);
-        assert!(moved.abs() < 2.0 * CameraUncertainty::GIVEN.focal && error <= CameraUncertainty::GIVEN.focal, "{error} {moved}");
+        assert!(moved.abs() < 2.0 * CameraUncertainty::GIVEN.focal && error <= 1.003 * CameraUncertainty::GIVEN.focal, "{error} {moved}");
     }
 }
 

@@ -135,6 +135,25 @@ fn true_errors_do_not_depend_on_the_base_but_by_scale() {
 }
 
 #[test]
+fn sigma0_without_rejection_stands_beside_that_with_it() {
+    let of = |robust: bool| report_with(&small(), "small", |settings, _| settings.orientation.robust = robust).html().unwrap();
+    let row = |html: &str, title: &str| -> Vec<f64> {
+        let row = &html[html.find(&format!("<th>{title}</th>")).unwrap()..];
+        let cells = row[..row.find("</tr>").unwrap()].split("<td>").skip(1).map(|cell| cell[..cell.find('<').unwrap()].parse());
+        cells.map(|number| number.unwrap_or(f64::NAN)).collect()
+    };
+    let robust = of(true);
+    let (kept, all) = (row(&robust, "σ₀, px"), row(&robust, "σ₀ of all matches, px"));
+    assert_eq!(all.len(), 6);
+    assert!(kept.iter().zip(&all).all(|(kept, all)| all >= kept), "{kept:?} {all:?}");
+    assert!(kept.iter().zip(&all).any(|(kept, all)| *all > 1.1 * kept), "{kept:?} {all:?}");
+    // Of all matches it is what an orientation without rejection estimates.
+    let plain = of(false);
+    assert_eq!(row(&plain, "σ₀, px"), row(&plain, "σ₀ of all matches, px"));
+    assert_eq!(row(&plain, "σ₀, px"), all);
+}
+
+#[test]
 fn what_sets_the_report_apart_from_the_paper_follows_the_settings() {
     let mut report = report_with(&small(), "small", |settings, _| {
         settings.matching.denominator = Denominator::Floor;

@@ -7,6 +7,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { FluentBundle, FluentResource } from '@fluent/bundle';
 import { englishIn } from './english.js';
+import { saidIn } from './syntax.js';
 
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 const WWW = join(ROOT, 'www');
@@ -16,7 +17,14 @@ const SOURCES = new Map(
     .filter((file) => file.endsWith('.ts') && !file.endsWith('.d.ts'))
     .map((file) => [file.replaceAll('\\', '/'), readFileSync(join(WWW, file), 'utf8')]),
 );
-const ALL = [...SOURCES.values(), readFileSync(join(WWW, 'index.html'), 'utf8')].join('\n');
+const PAGE = readFileSync(join(WWW, 'index.html'), 'utf8');
+const ALL = [...SOURCES.values(), PAGE].join('\n');
+
+/** The texts that the code says by name, with their figures and files. */
+const SAID = [...SOURCES].flatMap(([file, code]) => saidIn(file, code).map((said) => ({ file, ...said })));
+
+/** The texts that the document says by name. */
+const MARKED = [...PAGE.matchAll(/\bdata-say(?:-[a-z]+)?="([a-z0-9-]+)"/gu)].map(([, name = '']) => name);
 
 /** The files of a language, one after the other.  @param {string} language */
 const catalogueOf = (language) => readdirSync(join(TEXTS, language)).map((file) => readFileSync(join(TEXTS, language, file), 'utf8'));
@@ -102,7 +110,7 @@ test('a text for people is found wherever it is put', () => {
 });
 
 test('every text that the page names stands in the catalogue', () => {
-  const named = [...ALL.matchAll(/\bsay\(\s*'([a-z0-9_-]+)'|\bdata-say(?:-[a-z]+)?="([a-z0-9-]+)"/gu)].map(([, said, marked]) => said ?? marked ?? '');
+  const named = [...SAID.map(({ name }) => name), ...MARKED];
   assert.ok(named.length > 1000, `only ${named.length} texts were found`);
   assert.deepEqual(
     named.filter((name) => !entries.has(name)),
@@ -112,9 +120,7 @@ test('every text that the page names stands in the catalogue', () => {
 
 test('a text that is said without the block stands in a file that is loaded without it', () => {
   const block = new Set([...readFileSync(join(TEXTS, 'en', 'block.ftl'), 'utf8').matchAll(/^([a-z0-9][a-z0-9-]*) =/gmu)].map(([, name]) => name));
-  const others = [...SOURCES].filter(([file]) => !file.startsWith('block/')).map(([, code]) => code);
-  const said = [...others, readFileSync(join(WWW, 'index.html'), 'utf8')].join('\n');
-  const named = [...said.matchAll(/\bsay\(\s*'([a-z0-9_-]+)'|\bdata-say(?:-[a-z]+)?="([a-z0-9-]+)"/gu)].map(([, own, marked]) => own ?? marked ?? '');
+  const named = [...SAID.filter(({ file }) => !file.startsWith('block/')).map(({ name }) => name), ...MARKED];
   assert.deepEqual(
     named.filter((name) => block.has(name)),
     [],
@@ -129,12 +135,20 @@ test('every text of the page is named by it, or by another text', () => {
 
 test('the figures of a text are given where it is named', () => {
   const own = (/** @type {string} */ text) => [...text.matchAll(/\$([a-z0-9_]+)/gu)].map(([, name = '']) => name);
-  const missing = [...entries].flatMap(([name, text]) =>
-    own(text)
-      .filter((figure) => !new RegExp(`\\b${figure}\\b`, 'u').test(ALL))
-      .map((figure) => `${name}: ${figure}`),
-  );
+  const missing = SAID.flatMap(({ file, name, figures }) => {
+    const given = new Set(figures ?? own(entries.get(name) ?? ''));
+    return own(entries.get(name) ?? '').flatMap((figure) => (given.has(figure) ? [] : [`${file}: ${name} without ${figure}`]));
+  });
   assert.deepEqual(missing, []);
+  assert.deepEqual(saidIn('planted.ts', "say(isLong ? 'a' : 'b', { one, two: 2 })"), [
+    { name: 'a', figures: ['one', 'two'] },
+    { name: 'b', figures: ['one', 'two'] },
+  ]);
+  // Where figures are handed on as a whole they are looked for by their names.
+  const elsewhere = new Set(entries.keys());
+  for (const { name, figures } of SAID) if (figures !== null) elsewhere.delete(name);
+  const unknown = [...elsewhere].flatMap((name) => own(entries.get(name) ?? '').filter((figure) => !new RegExp(`\\b${figure}\\b`, 'u').test(ALL)));
+  assert.deepEqual(unknown, []);
 });
 
 test('the document says the same in English before the program is there', () => {

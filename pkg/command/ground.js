@@ -49,7 +49,7 @@ export function openReference(file, ground, placing) {
 const MOST_BYTES = 4096;
 
 /** The text of the world file beside a picture, where there is one: of `a.tif` a.tfw, a.wld or a.tifw, in capitals or not.  @param {string} picture */
-export function worldOf(picture) {
+function worldOf(picture) {
   const end = extname(picture);
   const [folder, name] = [dirname(picture), basename(picture).toLowerCase()];
   if (end === '' || !isFolder(folder)) return undefined;

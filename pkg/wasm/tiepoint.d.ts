@@ -376,6 +376,30 @@ export interface RelativeOrientation {
 
 
 /**
+ * A [`KnownCamera`] by its name, as results and project files hold it.
+ */
+export interface InitialCamera {
+    /**
+     * Make, model, focal length and size, or the pattern of the rule and the size.
+     */
+    label: string;
+    width_px: number;
+    height_px: number;
+    /**
+     * Absent where it is not known.
+     */
+    focal_px: number | null;
+    principal_point_px: [number, number];
+    radial: [number, number, number];
+    tangential: [number, number];
+    pixel_mm: number | null;
+    /**
+     * Whether the block takes it as it is.
+     */
+    fixed: boolean;
+}
+
+/**
  * A block before its run: files by their names, whose bytes come with the jobs that need them.
  */
 export interface RunInput {
@@ -438,31 +462,8 @@ export interface CameraSummary extends InitialCamera {
 }
 
 /**
- * A camera before its calibration.
- */
-export interface InitialCamera {
-    /**
-     * Make, model, focal length and size, or the pattern of the rule and the size.
-     */
-    label: string;
-    width_px: number;
-    height_px: number;
-    /**
-     * Absent where it is not known.
-     */
-    focal_px: number | null;
-    principal_point_px: [number, number];
-    radial: [number, number, number];
-    tangential: [number, number];
-    pixel_mm: number | null;
-    /**
-     * Whether the block takes it as it is.
-     */
-    fixed: boolean;
-}
-
-/**
- * A camera before its calibration; symbols as at [`Camera`](crate::Camera).
+ * A camera before its calibration; symbols as at [`Camera`](crate::Camera). Rules of files (`CameraRule`) and rows of a run (`InitialCamera`)
+ * are this camera as they write it.
  */
 export interface KnownCamera {
     width_px: number;
@@ -4325,7 +4326,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.

@@ -509,9 +509,9 @@ block-warning-position-errors-undetermined =
     }: تحدد نقاط الضبط الأرضي الإزاحات، وتحدد الصور الملتقطة في عدة اتجاهات طيران أذرع الهوائي.
 block-warning-position-errors-relative = إزاحات مواضع GNSS وانجرافاتها نسبية بعضها إلى بعض: نقاط الضبط الأرضي أقل من أن تحدد { $motions } من المعاملات السبعة التي تضع الكتلة كلها وتدورها وتقيسها.
 block-warning-control-refused =
-    رُفض { $axis } لنقطة الضبط الأرضي { $point }: تضعه الأرصاد الأخرى على بعد { FIXED($difference_m, digits: 3) } م ± { FIXED($error_m, digits: 3) } م مما مُسح{ $detectable_m ->
+    رُفض { $axis } لنقطة الضبط الأرضي { $point }: تختلف عنه الأرصاد الأخرى بمقدار { FIXED($difference_m, digits: 3) } م ± { FIXED($error_m, digits: 3) } م{ $detectable_m ->
         [none] {""}
-       *[other] {" "}(تُكشف الأخطاء من { FIXED($detectable_m, digits: 3) } م فأكثر باحتمال 80 %)
+       *[other] {" "}(أصغر انحياز يمكن كشفه { FIXED($detectable_m, digits: 3) } م)
     }. { $used ->
         [true] تبقى مستعملة، لأن ما بقي من نقاط الضبط الأرضي أقل من أن يبيّن أيها خاطئ.
        *[false] لا تشارك النقطة.
@@ -527,7 +527,7 @@ block-warning-few-control =
        *[other] { $points } من نقاط الضبط الأرضي فقط
     } دون مواضع GNSS تضع الكتلة: { $detectable_m ->
         [none] لا شيء يتحقق من بعض الإحداثيات، ولا يظهر خطأ فيها.
-       *[other] لا تكاد تتحقق إحداها من الأخرى، وقد يبلغ خطأ إحداثي { FIXED($detectable_m, digits: 2) } م قبل أن يُكشف باحتمال 80 %.
+       *[other] لا تكاد تتحقق إحداها من الأخرى، وأصغر انحياز يمكن كشفه في إحداثي هو { FIXED($detectable_m, digits: 2) } م.
     }
 block-warning-control-span = تغطي نقاط الضبط الأرضي، وعددها { $points }، { FIXED($span_percent, digits: 0) } % من أرض الكتلة: تكبر الأخطاء خارجها مع المسافة.
 block-warning-control-on-line =
@@ -641,6 +641,11 @@ remark-orthophoto-units = شرق الصورة المصححة وشمالها بو
 remark-unsupported-edits = كُتب ملف المشروع قبل أن تُحفظ جميع النقاط المضبوطة: مع التعديلات تُضبط الكتلة بالنقاط المختارة وحدها، وهي أقل دقة
 remark-unknown-columns =
     أعمدة في جدول نقاط الضبط غير مفهومة ولا تُقرأ: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}و{ $columns_more } أخرى
+    }
+remark-doubled-columns =
+    أعمدة في جدول نقاط الضبط تعطي ما يعطيه عمود آخر (بين قوسين) ولا تُقرأ: { $columns }{ $columns_more ->
         [0] {""}
        *[other] {" "}و{ $columns_more } أخرى
     }
@@ -785,8 +790,8 @@ refusal-camera-of-image = كاميرا صورة: أُعطي الرقم { $camera
 refusal-point-numbers = نقطة الكتلة: أُعطي { $position } بمتبقيات قدرها { $rmse_px } بكسل للنقطة { $point } (العد من 0)؛ المسموح: أعداد منتهية
 refusal-confidence = نقطة الكتلة: ثقة النقطة { $point } (العد من 0) خارج المجال من 0 إلى 1؛ المسموح: من 0 إلى 1
 refusal-image-of-point = نقطة الكتلة: أُعطيت الصورة { $image } للنقطة { $point } (العد من 0)؛ المسموح: أرقام دون { $images }
-refusal-ray-outside = نقطة الكتلة: يقع شعاع النقطة { $point } (العد من 0) عند ({ $x_px }, { $y_px }) في '{ $name }'؛ المسموح: مواضع ضمن { $width_px } × { $height_px } بكسل
-refusal-two-rays = نقطة الكتلة: أُعطي للنقطة { $point } (العد من 0) شعاعان في '{ $name }'؛ المسموح: شعاع واحد في الصورة
+refusal-ray-outside = نقطة الكتلة: تقع رصدة النقطة { $point } (العد من 0) عند ({ $x_px }, { $y_px }) في '{ $name }'؛ المسموح: مواضع ضمن { $width_px } × { $height_px } بكسل
+refusal-two-rays = نقطة الكتلة: أُعطيت للنقطة { $point } (العد من 0) رصدتان في '{ $name }'؛ المسموح: رصدة واحدة في الصورة
 refusal-rotation = صورة الكتلة: أُعطي { $rotation } دورانًا للصورة '{ $name }'؛ المسموح: مصفوفة دوران
 refusal-image-position = صورة الكتلة: أُعطي { $position } موضعًا للصورة '{ $name }'؛ المسموح: أعداد منتهية
 refusal-origin = مبدأ الكتلة: أُعطي خط الطول { $longitude_deg }° والعرض { $latitude_deg }° والارتفاع { $height_m } م؛ المسموح: خط طول وعرض وارتفاع حتى 1000 كم
@@ -837,23 +842,23 @@ refusal-features-of-images = { $input }: أُعطيت سمات { $images } من 
 refusal-no-feature = نقاط الكتلة: أُعطيت السمة { $feature } للصورة { $image }؛ المسموح: سمات موجودة
 refusal-no-tie-point = نقاط الكتلة: أُعطيت النقطة { $point }؛ المسموح: نقاط دون { $points }
 refusal-feature-outside = سمات الصور: أُعطي { $position } في الصورة { $image } ذات { $width_px } × { $height_px } بكسل؛ المسموح: مواضع داخل صورتها
-refusal-lost-feature = سمات الصور: لم يُعط موضع للسمة { $feature } من الصورة { $image }؛ المسموح: موضع لكل شعاع من أشعة النقاط
-refusal-ray-numbers = شعاع: أُعطي الموضع { $position } بمقياس { $scale_px }؛ المسموح: أعداد منتهية، ومقياس أكبر من 0 بكسل
-refusal-ray-direction = اتجاه شعاع: أُعطي { $direction_rad }؛ المسموح: أعداد منتهية
-refusal-ray-place = شعاع: أُعطي الموضع { $position }؛ المسموح: مواضع داخل الصورة ذات { $width } × { $height } بكسل
-refusal-window-values = نوافذ الأشعة: أُعطي { $values } من القيم الرمادية لعدد { $windows } من النوافذ؛ المسموح: { $side } × { $side } من القيم لكل نافذة
-refusal-window-halvings = نوافذ الأشعة: أُعطي { $halvings } من التنصيفات؛ المسموح: من 0 إلى { $most }
-refusal-window-order = نوافذ الأشعة: أُعطيت بترتيب آخر؛ المسموح: نوافذ مرتبة بالشعاع ثم بالتنصيفات، كل منها مرة واحدة
+refusal-lost-feature = سمات الصور: لم يُعط موضع للسمة { $feature } من الصورة { $image }؛ المسموح: موضع لكل رصدة من أرصاد النقاط
+refusal-ray-numbers = رصدة: أُعطي الموضع { $position } بمقياس { $scale_px }؛ المسموح: أعداد منتهية، ومقياس أكبر من 0 بكسل
+refusal-ray-direction = اتجاه رصدة: أُعطي { $direction_rad }؛ المسموح: أعداد منتهية
+refusal-ray-place = رصدة: أُعطي الموضع { $position }؛ المسموح: مواضع داخل الصورة ذات { $width } × { $height } بكسل
+refusal-window-values = نوافذ الأرصاد: أُعطي { $values } من القيم الرمادية لعدد { $windows } من النوافذ؛ المسموح: { $side } × { $side } من القيم لكل نافذة
+refusal-window-halvings = نوافذ الأرصاد: أُعطي { $halvings } من التنصيفات؛ المسموح: من 0 إلى { $most }
+refusal-window-order = نوافذ الأرصاد: أُعطيت بترتيب آخر؛ المسموح: نوافذ مرتبة بالرصدة ثم بالتنصيفات، كل منها مرة واحدة
 
 # Adjustment and reconstruction.
 refusal-rotation-as = دوران صورة: أُعطي { $rotation } في { $location }؛ المسموح: صفوف متعامدة، طول كل منها 1، في نظام يميني
 refusal-axis-direction = اتجاه محور: أُعطي { $direction } في { $location }؛ المسموح: متجه طوله 1
 refusal-prior-again = القيم المسبقة للكاميرات: أُعطيت الكاميرا { $camera } (العد من 0) مرتين؛ المسموح: كل كاميرا مرة واحدة
 refusal-control-again = نقاط الضبط: أُعطيت النقطة { $point } (العد من 0) مرتين؛ المسموح: كل نقطة مرة واحدة
-refusal-ray-again = الأشعة: أُعطي شعاعان من الصورة { $image } إلى النقطة { $point } (العد من 0)؛ المسموح: شعاع واحد على الأكثر لكل صورة ونقطة
+refusal-ray-again = الأرصاد: أُعطيت رصدتان للنقطة { $point } (العد من 0) في الصورة { $image }؛ المسموح: رصدة واحدة على الأكثر لكل صورة ونقطة
 refusal-mixed-positions = المواضع المرصودة: أُعطي { $geographic } من المواضع الجغرافية و{ $local } من المحلية؛ المسموح: كلها محلية أو كلها جغرافية، أو مواضع الصور وحدها ومواضع { $placing } من نقاط الضبط الأرضي أو أكثر
 refusal-no-model = نموذج إعادة البناء: أُعطي النموذج { $model }؛ المسموح: نماذج دون { $models }
-refusal-no-intersection = أرصاد نقطة: أُعطي { $rays } من أشعة { $point_name }، ولا تلتقي، أو تلتقي بزاوية صغيرة جدًا؛ المسموح: أشعة تلتقي ضمن { $largest_px } بكسل، بزاوية { $least_angle_deg }° أو أكثر
+refusal-no-intersection = أرصاد نقطة: أُعطي { $rays } من أرصاد { $point_name }، ولا تلتقي أشعتها، أو تلتقي بزاوية صغيرة جدًا؛ المسموح: أشعة تلتقي ضمن { $largest_px } بكسل، بزاوية { $least_angle_deg }° أو أكثر
 
 # Edits.
 refusal-no-observation = صورة رصدة: أُعطيت { $location }، وليس فيها رصدة لـ{ $point_name }؛ المسموح: صور تُظهر النقطة
@@ -1037,7 +1042,7 @@ input-free-radial = المعاملات الشعاعية الحرة
 input-height = الارتفاع
 input-image = الصورة
 input-image-coordinates = إحداثيات الصورة
-input-image-of-ray = صورة شعاع
+input-image-of-ray = صورة رصدة
 input-image-size = أبعاد الصور
 input-geometries-of-project = هندسات المشروع
 input-images-of-project = صور المشروع
@@ -1067,17 +1072,17 @@ input-photo-of-block = صورة من الكتلة
 input-pixel-side = ضلع بكسل
 input-point = النقطة
 input-point-of-control = نقطة لنقطة ضبط
-input-point-of-ray = نقطة شعاع
+input-point-of-ray = نقطة رصدة
 input-points-of-block = نقاط الكتلة
 input-position = الموضع
 input-position-sigma = الخطأ المعياري لموضع
 input-mark-sigma = الخطأ المعياري لقياس في الصورة
-input-ray-sigma = الخطأ المعياري لشعاع
+input-ray-sigma = الخطأ المعياري لرصدة
 input-right-descriptors = الواصفات اليمنى
 input-right-features = السمات اليمنى
 input-right-points = النقاط اليمنى
-input-surveyed-point = نقطة ممسوحة
-input-surveyed-point-of-block = نقطة ممسوحة من الكتلة
+input-surveyed-point = نقطة ضبط أرضي أو تحقق
+input-surveyed-point-of-block = نقطة ضبط أرضي أو تحقق من الكتلة
 input-text = النص
 input-weight = الوزن
 
@@ -1091,7 +1096,7 @@ location-camera-of-prior = كاميرا قيمة مسبقة
 location-control = نقطة الضبط الأرضي { $name }
 location-element-of-control = { $element } في نقطة الضبط { $control } (العد من 0)
 location-element-of-image = { $element } في الصورة { $image } (العد من 0)
-location-element-of-ray = { $element } في الشعاع { $ray } (العد من 0)
+location-element-of-ray = { $element } في الرصدة { $ray } (العد من 0)
 location-geometry = هندسة الصورة { $side }
 location-image = { $name }
 location-image-index = الرقم { $image }
@@ -1111,7 +1116,7 @@ element-rotation = الدوران
 element-sigma = الخطأ المعياري
 element-weight = الوزن
 point-name-control = { $name }
-point-name-control-index = النقطة الممسوحة { $point }
+point-name-control-index = نقطة الضبط الأرضي أو التحقق { $point }
 point-name-manual = النقطة اليدوية { $point }
 point-name-tie-point = نقطة الربط { $point }
 described-none = لا شيء
@@ -1128,6 +1133,6 @@ refusal-covariance-again = اسم تباين مشترك: أُعطي { $name } م
 refusal-accuracy-images = خريطة الدقة المتوقعة: أُعطيت كتلة فيها { $images } صورة؛ المسموح: حتى { $most }
 refusal-accuracy-sigma = الخطأ المعياري لإحداثي الصورة: أُعطي { $sigma_px } بكسل؛ المسموح: أكبر من 0، حتى 1000 بكسل
 refusal-accuracy-cell = ضلع خلية الخريطة: أُعطي { $cell }؛ المسموح: من { FIXED($least, digits: 4) } إلى { FIXED($most, digits: 4) }، بوحدة الكتلة
-refusal-covariance-name = اسم تباين مشترك: أُعطي { $name }؛ المسموح: أسماء صور موجَّهة ونقاط ممسوحة مضبوطة، وpoint:N كما في points.csv، وcamera:N كما في images.csv
+refusal-covariance-name = اسم تباين مشترك: أُعطي { $name }؛ المسموح: أسماء صور موجَّهة ونقاط ضبط أرضي وتحقق مضبوطة، وpoint:N كما في points.csv، وcamera:N كما في images.csv
 
 ## What is computed.

@@ -880,9 +880,9 @@ block-warning-position-errors-undetermined =
     }: ground control points determine offsets, and images flown in several directions lever arms.
 block-warning-position-errors-relative = Offsets and drifts of GNSS positions are relative to each other: there are too few ground control points to determine { $motions } of the 7 parameters that position, rotate and scale the whole block.
 block-warning-control-refused =
-    The { $axis } of the GCP { $point } is refused: the other observations have it { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m from where it was surveyed{ $detectable_m ->
+    The { $axis } of the GCP { $point } is refused: the other observations differ from it by { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m{ $detectable_m ->
         [none] {""}
-       *[other] {" "}(errors from { FIXED($detectable_m, digits: 3) } m on are found with a probability of 80 %)
+       *[other] {" "}(minimal detectable bias { FIXED($detectable_m, digits: 3) } m)
     }. { $used ->
         [true] It stays used, since too few GCPs are left to tell which one is wrong.
        *[false] The point takes no part.
@@ -897,7 +897,7 @@ block-warning-few-control =
        *[other] Only { $points } GCPs
     } and no GNSS positions place the block: { $detectable_m ->
         [none] nothing checks some of the coordinates, and an error in them does not show.
-       *[other] they hardly check each other, and an error of a coordinate may reach { FIXED($detectable_m, digits: 2) } m before it is found with a probability of 80 %.
+       *[other] they hardly check each other, and the minimal detectable bias of a coordinate is { FIXED($detectable_m, digits: 2) } m.
     }
 block-warning-control-span = The { $points } GCPs span { FIXED($span_percent, digits: 0) } % of the ground of the block: beyond them errors grow with the distance.
 block-warning-control-on-line =
@@ -1007,6 +1007,11 @@ remark-orthophoto-units = the orthophoto has eastings and northings in units of 
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unknown-columns =
     columns of the table of control points are not understood and not read: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}and { $columns_more } more
+    }
+remark-doubled-columns =
+    columns of the table of control points give what another column gives (in brackets) and are not read: { $columns }{ $columns_more ->
         [0] {""}
        *[other] {" "}and { $columns_more } more
     }

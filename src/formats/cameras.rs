@@ -2,7 +2,7 @@
 
 use crate::error::refuse;
 use crate::json;
-use crate::{Camera, Document, Error, Location, Refusal};
+use crate::{Camera, CameraUncertainty, Document, Error, FreeParameters, KnownCamera, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// A camera, and the images that it took.
@@ -45,12 +45,19 @@ impl CameraRule {
         self.camera_named(width_px, height_px, || Location::CameraOfImages { images: self.images.clone() })
     }
 
-    /// The same, by its name where it is refused.
+    /// What the rule says of the camera of images of a size.
+    pub(crate) fn known(&self, width_px: u32, height_px: u32) -> KnownCamera {
+        let Self { focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, .. } = *self;
+        let free = if fixed { FreeParameters::default() } else { FreeParameters::USUAL };
+        // Approximate values are as good as those of EXIF.
+        let uncertainty = Some(if fixed { CameraUncertainty::NONE } else { CameraUncertainty::EXIF });
+        let plain = KnownCamera::of_size(width_px, height_px, Some(focal_px));
+        KnownCamera { principal_point_px, radial, tangential, pixel_mm, free, uncertainty, ..plain }
+    }
+
+    /// The camera as it is given, by its name where it is refused.
     fn camera_named(&self, width_px: u32, height_px: u32, name: impl Fn() -> Location) -> Result<Camera, Error> {
-        let plain = Camera::without_distortion(width_px, height_px, self.focal_px);
-        let principal_point_px = self.principal_point_px.unwrap_or(plain.principal_point_px);
-        let Self { radial, tangential, pixel_mm, .. } = *self;
-        let camera = Camera { principal_point_px, radial, tangential, pixel_mm, ..plain };
+        let camera = self.known(width_px, height_px).held();
         camera.check(name).map(|()| camera)
     }
 }

@@ -30,7 +30,7 @@ pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
 pub use control::{GroundControlRow, parse_ground_control_points};
-pub(crate) use control::{ground_control_table, unknown_columns};
+pub(crate) use control::{UnreadColumns, ground_control_table, unread_columns};
 pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub use export::{ExportFormat, export_block};
 pub(crate) use marks::image_measurement_table;

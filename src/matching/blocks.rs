@@ -3,7 +3,7 @@
 //! d² = |a|² + |b|² - 2 a·b in whole numbers. Sums start at -|a|² - |b|² and take up 2a·b pair by pair of bytes, so that they end at -d²: the
 //! largest is the nearest. Right descriptors lie side by side, one a lane; left ones are spread over all lanes.
 
-use super::quad::{Pairs, Quad};
+use crate::math::{Pairs, Whole};
 use std::ops::Range;
 
 /// Bytes of a descriptor.
@@ -89,14 +89,14 @@ impl Rows {
 
     /// -d² of the four from the eight of a group.
     #[inline(always)]
-    fn sums(&self, columns: &[[[i16; 8]; 2]; PAIRS], start: &[[i32; 4]; 2]) -> [[Quad; 2]; ROWS] {
-        let mut sums: [[Quad; 2]; ROWS] = self.start.map(|square| start.map(|group| Quad::load(&group).plus(Quad::splat(square))));
+    fn sums(&self, columns: &[[[i16; 8]; 2]; PAIRS], start: &[[i32; 4]; 2]) -> [[Whole; 2]; ROWS] {
+        let mut sums: [[Whole; 2]; ROWS] = self.start.map(|square| start.map(|group| Whole::load(&group) + Whole::splat(square)));
         for (pair, [low, high]) in columns.iter().enumerate() {
             let (low, high) = (Pairs::load(low), Pairs::load(high));
             for (sum, row) in sums.iter_mut().zip(&self.values) {
                 let own = Pairs::splat(&row[pair]);
-                sum[0] = sum[0].plus(own.dot(low));
-                sum[1] = sum[1].plus(own.dot(high));
+                sum[0] = sum[0] + own.dot(low);
+                sum[1] = sum[1] + own.dot(high);
             }
         }
         sums
@@ -132,16 +132,16 @@ pub(super) fn nearest_in_blocks(
 
 /// Whether any sum changes what is known: after the first few blocks this is rare.
 #[inline(always)]
-fn news(sums: &[[Quad; 2]; ROWS], tops: &[Top; ROWS], of_right: &[[i32; 4]; 2]) -> bool {
-    let for_left = sums.iter().zip(tops).map(|(sum, top)| sum[0].max(sum[1]).exceeds(Quad::splat(top.second)));
+fn news(sums: &[[Whole; 2]; ROWS], tops: &[Top; ROWS], of_right: &[[i32; 4]; 2]) -> bool {
+    let for_left = sums.iter().zip(tops).map(|(sum, top)| sum[0].max(sum[1]).exceeds(Whole::splat(top.second)));
     let for_right = of_right.iter().enumerate().map(|(half, best)| {
         let largest = sums[0][half].max(sums[1][half]).max(sums[2][half].max(sums[3][half]));
-        largest.exceeds(Quad::load(best))
+        largest.exceeds(Whole::load(best))
     });
-    for_left.chain(for_right).reduce(Quad::or).is_some_and(Quad::any)
+    for_left.chain(for_right).reduce(Whole::or).is_some_and(Whole::any)
 }
 
-fn note(sums: &[[Quad; 2]; ROWS], tops: &mut [Top; ROWS], group: usize) {
+fn note(sums: &[[Whole; 2]; ROWS], tops: &mut [Top; ROWS], group: usize) {
     for (sum, top) in sums.iter().zip(tops) {
         for (place, value) in sum.iter().flat_map(|half| half.to_array()).enumerate() {
             top.meet(value, group * GROUP + place);
@@ -156,7 +156,7 @@ struct Reverse {
 }
 
 impl Reverse {
-    fn note(&mut self, sums: &[[Quad; 2]; ROWS], group: usize, first_row: usize) {
+    fn note(&mut self, sums: &[[Whole; 2]; ROWS], group: usize, first_row: usize) {
         let (best, index) = (&mut self.best[group], &mut self.index[group]);
         for (row, sum) in sums.iter().enumerate() {
             for (half, values) in sum.iter().map(|half| half.to_array()).enumerate() {

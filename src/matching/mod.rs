@@ -20,7 +20,6 @@ mod outcome;
 mod parallax;
 mod parallax_gradient;
 mod products;
-mod quad;
 mod refine;
 mod region;
 mod rules;

@@ -5,6 +5,7 @@ mod distribution;
 mod geodesy;
 mod lanes;
 mod null_space;
+mod pairs;
 mod polynomial;
 mod random;
 mod statistics;
@@ -19,6 +20,7 @@ pub(crate) use distribution::{
 pub use geodesy::{geographic_from_local, local_from_geographic};
 pub(crate) use lanes::Lanes;
 pub(crate) use null_space::null_space;
+pub(crate) use pairs::Pairs;
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
 pub(crate) use statistics::{MEDIAN_LENGTH, median, smallest, weighted_median};

@@ -6,7 +6,7 @@ use std::arch::wasm32::*;
 
 /// Four whole numbers, or four pairs of 16 bits: the first of a pair is the lower half.
 #[derive(Clone, Copy)]
-pub(crate) struct Whole(Vector);
+pub(crate) struct Whole(pub(super) Vector);
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 type Vector = v128;
@@ -15,6 +15,13 @@ type Vector = [i32; 4];
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 impl Whole {
+    #[inline(always)]
+    pub fn load(values: &[i32; 4]) -> Self {
+        // SAFETY: the array holds the 16 bytes that are read; the instruction needs no alignment.
+        Self(unsafe { v128_load(values.as_ptr().cast()) })
+    }
+
+    #[inline(always)]
     pub fn splat(value: i32) -> Self {
         Self(i32x4_splat(value))
     }
@@ -30,8 +37,32 @@ impl Whole {
         Lanes(f32x4_convert_i32x4(self.0))
     }
 
+    #[inline(always)]
     pub fn to_array(self) -> [i32; 4] {
         [i32x4_extract_lane::<0>(self.0), i32x4_extract_lane::<1>(self.0), i32x4_extract_lane::<2>(self.0), i32x4_extract_lane::<3>(self.0)]
+    }
+
+    /// The larger one of each two.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        Self(i32x4_max(self.0, other.0))
+    }
+
+    /// All bits of a number set where it exceeds the other one, else none.
+    #[inline(always)]
+    pub fn exceeds(self, other: Self) -> Self {
+        Self(i32x4_gt(self.0, other.0))
+    }
+
+    #[inline(always)]
+    pub fn or(self, other: Self) -> Self {
+        Self(v128_or(self.0, other.0))
+    }
+
+    /// Whether any bit is set.
+    #[inline(always)]
+    pub fn any(self) -> bool {
+        v128_any_true(self.0)
     }
 
     /// Not below `least` nor above `most`.
@@ -65,6 +96,12 @@ impl Whole {
 
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
 impl Whole {
+    #[inline(always)]
+    pub fn load(values: &[i32; 4]) -> Self {
+        Self(*values)
+    }
+
+    #[inline(always)]
     pub fn splat(value: i32) -> Self {
         Self([value; 4])
     }
@@ -80,8 +117,37 @@ impl Whole {
         Lanes(self.0.map(|v| v as f32))
     }
 
+    #[inline(always)]
     pub fn to_array(self) -> [i32; 4] {
         self.0
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, by: impl Fn(i32, i32) -> i32) -> Self {
+        Self(std::array::from_fn(|k| by(self.0[k], other.0[k])))
+    }
+
+    /// The larger one of each two.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        self.zip(other, i32::max)
+    }
+
+    /// All bits of a number set where it exceeds the other one, else none.
+    #[inline(always)]
+    pub fn exceeds(self, other: Self) -> Self {
+        self.zip(other, |a, b| -i32::from(a > b))
+    }
+
+    #[inline(always)]
+    pub fn or(self, other: Self) -> Self {
+        self.zip(other, |a, b| a | b)
+    }
+
+    /// Whether any bit is set.
+    #[inline(always)]
+    pub fn any(self) -> bool {
+        self.0 != [0; 4]
     }
 
     /// Not below `least` nor above `most`.
@@ -123,7 +189,7 @@ macro_rules! operator {
             #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Self(std::array::from_fn(|k| self.0[k].$plain(other.0[k])))
+                self.zip(other, i32::$plain)
             }
         }
     };
@@ -156,6 +222,18 @@ mod tests {
                 assert_eq!((x + y).to_array(), each(&i32::wrapping_add));
                 assert_eq!((x - y).to_array(), each(&i32::wrapping_sub));
                 assert_eq!((x * y).to_array(), each(&i32::wrapping_mul));
+            }
+        }
+        let rows: [[i32; 4]; 4] = [[1, -2, 3, i32::MAX], [i32::MIN + 1, 0, -7, 40_000], [5, 5, -5, 1 << 30], [0, -1, 2, -(1 << 29)]];
+        for a in rows {
+            for b in rows {
+                let (x, y) = (Whole::load(&a), Whole::load(&b));
+                let each = |by: fn(i32, i32) -> i32| std::array::from_fn::<i32, 4, _>(|k| by(a[k], b[k]));
+                assert_eq!((x + y).to_array(), each(i32::wrapping_add));
+                assert_eq!(x.max(y).to_array(), each(i32::max));
+                assert_eq!(x.exceeds(y).to_array(), each(|a, b| if a > b { -1 } else { 0 }));
+                assert_eq!(x.or(y).to_array(), each(|a, b| a | b));
+                assert_eq!(x.exceeds(y).any(), (0..4).any(|k| a[k] > b[k]));
             }
         }
         let values = [5i16, -7, 32_767, -32_768, 100, 3, 9];

@@ -121,7 +121,8 @@ impl Message for NamedCamera {
     const KINDS: &'static [(&'static str, &'static [&'static str])] = &[("", &["only", "number", "first", "more"])];
 }
 
-/// A camera before its calibration; symbols as at [`Camera`](crate::Camera).
+/// A camera before its calibration; symbols as at [`Camera`](crate::Camera). Rules of files (`CameraRule`) and rows of a run (`InitialCamera`)
+/// are this camera as they write it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -186,6 +187,11 @@ impl KnownCamera {
             ..self.free
         };
         Camera { principal_point_px, radial, tangential, pixel_mm, free, ..plain }
+    }
+
+    /// The same, of which nothing is estimated.
+    pub(crate) fn held(&self) -> Camera {
+        Camera { free: FreeParameters::default(), ..self.approximate() }
     }
 }
 

@@ -11,7 +11,8 @@ use crate::{Allowed, Error, Refusal};
 pub struct ErrorModel {
     /// Errors that all observations share.
     pub shared: Vec<SharedErrors>,
-    /// Standard deviation of each of the modes 1, x, y, xy, x², y² of a y-parallax that matches share, in standard errors of a coordinate; 0: none.
+    /// Standard deviation of each of the modes 1, x, y, xy, x², y² of a y-parallax that matches share, in standard errors of a coordinate (σ₀
+    /// a priori where it is given and the residuals do not contradict it); 0: none.
     /// x and y count from the middle of the matches in the left photo; 1 is half the longer side of what they cover.
     pub shared_parallax: [f64; MODES],
     /// Points nearer to each other than this in the left photo, in mm, have errors that depend on each other, as matches whose windows

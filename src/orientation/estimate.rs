@@ -70,6 +70,12 @@ impl Estimate {
         Ok(Self { weights, adjusted, accepted, behind, solved, factors, ..self })
     }
 
+    /// σ₀ in mm of the accepted observations; `None` without redundancy.
+    pub fn sigma0_mm(&self) -> Option<f64> {
+        let accepted = self.accepted.iter().filter(|accepted| **accepted).count();
+        (accepted > 5).then_some(self.adjusted.sigma * self.focal_mm)
+    }
+
     /// Residual y-parallaxes in mm of all observations; `None` of one that says nothing.
     pub fn parallaxes_mm(&self) -> Vec<Option<f64>> {
         let conditions = Condition::all(&self.adjusted.pose, &self.rays);

@@ -29,6 +29,7 @@ mod robust_start;
 mod shared;
 mod shared_covariance;
 mod shared_parallax;
+mod sigma;
 mod warning;
 mod weighting;
 

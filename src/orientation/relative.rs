@@ -11,12 +11,13 @@ use super::observed::Weighted;
 use super::plane::PlaneFit;
 use super::precision::{derivatives, parameters, propagated, signed_base, standard_errors};
 use super::reliability::Judgement;
-use super::result::{ErrorEllipse, GlobalTest, PointStatistics, Warning};
+use super::result::{ErrorEllipse, PointStatistics, Warning};
 use super::robust_start::median_parallax;
+use super::sigma::Sigma;
 use super::warning::{condition, parallax_beside_rotation, spread, warnings};
 use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared_covariance};
 use crate::Error;
-use crate::math::{chi_square_quantile, joint_limit, normal_quantile, student_limit};
+use crate::math::{joint_limit, normal_quantile, student_limit};
 
 /// Orients the right photo relative to the left one, which stays fixed: ω φ κ, by and bz for a given b.
 ///
@@ -79,13 +80,15 @@ impl Estimate {
         let base_mm = signed_base(&adjusted.pose, options.base_mm.unwrap_or_else(|| focal_mm * default_base(&kept)));
         let taken: Vec<bool> = different.spread(&accepted).iter().zip(&different.is_first).map(|(kept, first)| *kept && *first).collect();
         let in_normals: Vec<f64> = kept_solved.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
-        let by_shared =
-            shared_covariance::covariance_of(errors, &adjusted, (&kept, &kept_conditions, &in_normals, &taken), base_mm, focal_mm);
+        let sigma = Sigma::of(adjusted.sigma, kept.len() - 5, options.sigma0_mm.map(|sigma0_mm| sigma0_mm / focal_mm));
+        let observed_kept = (&kept[..], &kept_conditions[..], &in_normals[..], &taken[..]);
+        let used = sigma.used().unwrap_or(adjusted.sigma);
+        let by_shared = shared_covariance::covariance_of(errors, &adjusted, observed_kept, used, base_mm, focal_mm);
         let side = errors.neighbourhood_mm / focal_mm;
         let by_groups = (side > 0.0)
             .then(|| neighbours::covariance_of(&adjusted, (&kept, &kept_conditions), &kept_solved, &factors, side, base_mm))
             .flatten();
-        let outcome = Outcome { adjusted, accepted, factors, solved, by_shared, by_groups, behind, base_mm, focal_mm };
+        let outcome = Outcome { adjusted, accepted, factors, solved, sigma, by_shared, by_groups, behind, base_mm, focal_mm };
         Ok(for_all(outcome.describe((observed, &conditions), (&kept, &kept_solved), &options), &different))
     }
 }
@@ -120,6 +123,7 @@ struct Outcome {
     factors: Vec<f64>,
     /// The weights of all in the normal equations, before that.
     solved: Vec<f64>,
+    sigma: Sigma,
     /// How many points were left out behind a camera.
     behind: usize,
     /// Covariance of ω φ κ by bz by errors that all observations share.
@@ -141,12 +145,8 @@ impl Outcome {
         let propagated = propagated(&adjusted.pose, self.base_mm, &adjusted.precision);
         let correlations = correlations(&propagated);
         let degrees_of_freedom = kept.len() - 5;
-        let estimated = (degrees_of_freedom > 0).then_some(adjusted.sigma);
-        let given = options.sigma0_mm.map(|sigma0_mm| sigma0_mm / focal_mm);
-        let global_test = estimated.zip(given).map(|(estimated, given)| global_test(estimated / given, degrees_of_freedom));
-        let contradicted = global_test.is_some_and(|test| !test.passed);
-        let known = given.filter(|_| !contradicted);
-        let sigma = known.or(estimated);
+        let Sigma { estimated, given, global_test } = self.sigma;
+        let (known, sigma) = (self.sigma.known(), self.sigma.used());
         let freedom = known.is_none().then_some(degrees_of_freedom);
         let noncentrality = options.noncentrality(freedom);
         let total = sigma.map(|sigma| self.total(&propagated, sigma));
@@ -160,7 +160,7 @@ impl Outcome {
         if self.behind > 0 {
             warnings.push(Warning::Behind { points: self.behind });
         }
-        if let Some((estimated, given)) = estimated.zip(given).filter(|_| contradicted) {
+        if let Some((estimated, given)) = estimated.zip(given).filter(|_| self.sigma.is_contradicted()) {
             let [estimated_um, given_um] = [estimated, given].map(|sigma| 1000.0 * focal_mm * sigma);
             warnings.push(Warning::Sigma { estimated_um, given_um });
         }
@@ -243,12 +243,4 @@ impl Outcome {
 /// The correction of an observation's coordinates, in mm.
 fn correction(ray: &Ray, condition: &Condition, focal_mm: f64) -> [f64; 4] {
     std::array::from_fn(|k| (condition.at[k] - ray[k]) * focal_mm)
-}
-
-/// The two-sided test of σ₀ by σ₀ a priori at 5 %.
-fn global_test(ratio: f64, degrees_of_freedom: usize) -> GlobalTest {
-    let freedom = degrees_of_freedom as f64;
-    let (lower, upper) = (chi_square_quantile(0.025, freedom), chi_square_quantile(0.975, freedom));
-    let statistic = freedom * ratio * ratio;
-    GlobalTest { statistic, lower, upper, passed: statistic >= lower && statistic <= upper }
 }

@@ -12,10 +12,12 @@ use nalgebra::SMatrix;
 /// Covariance of ω φ κ (radians), by bz (mm) that shared errors give the adjusted unknowns, by first-order propagation; `None` without any.
 ///
 /// `rays`, their `conditions` and their `weights` in the normal equations are those of the accepted observations, `accepted` tells which of all they are.
+/// `sigma`: σ₀ in focal lengths that scales the standard errors, of which the modes of the y-parallax are shares.
 pub(super) fn covariance_of(
     errors: &ErrorModel,
     adjusted: &Adjusted,
     (rays, conditions, weights, accepted): (&[Ray], &[Condition], &[f64], &[bool]),
+    sigma: f64,
     base_mm: f64,
     focal_mm: f64,
 ) -> Option<Matrix5> {
@@ -47,7 +49,7 @@ pub(super) fn covariance_of(
             response.iter_mut().zip(extent.modes(ray)).for_each(|(sum, mode)| *sum -= line.by_unknowns * (weight * mode));
         }
         for (sum, deviation) in response.iter().zip(&errors.shared_parallax) {
-            let effect = to_parameters * sum * (deviation * adjusted.sigma);
+            let effect = to_parameters * sum * (deviation * sigma);
             total += effect * effect.transpose();
         }
     }

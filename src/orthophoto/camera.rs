@@ -2,7 +2,7 @@
 
 use super::adjusting::PlacingCamera;
 use crate::pipeline::CameraRules;
-use crate::{BlockRun, Camera, CameraUncertainty, ExifImage};
+use crate::{BlockRun, CameraUncertainty, ExifImage, KnownCamera};
 
 impl PlacingCamera {
     /// By the rules that the image's name fits, as in blocks: those with `fixed` are taken as calibrated. Else by its EXIF and XMP, else a usual
@@ -11,14 +11,8 @@ impl PlacingCamera {
         let (_, known) = rules.camera_of(name, size, exif);
         let uncertainty = known.to_be_calibrated().known_within();
         let assumed = CameraUncertainty::ASSUMED_FOCAL * f64::from(size[0].max(size[1]));
-        let camera = Camera {
-            principal_point_px: known.principal_point_px,
-            radial: known.radial,
-            tangential: known.tangential,
-            pixel_mm: known.pixel_mm,
-            ..Camera::without_distortion(size[0], size[1], known.focal_px.unwrap_or(assumed))
-        };
-        Self { camera, uncertainty }
+        let with_focal = KnownCamera { focal_px: known.focal_px.or(Some(assumed)), ..known.to_be_calibrated() };
+        Self { camera: with_focal.held(), uncertainty }
     }
 
     /// That of an image of a block as the block adjusted it, with its standard errors; `None` where the image is not oriented.

@@ -7,7 +7,7 @@ use crate::math::median;
 use crate::orientation::{Estimate, MODES, RelativePose, SHARED_BY_FEATURES, SHARED_BY_FITS};
 use crate::{
     Cause, Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,
-    Warning,
+    Warning, Weighting,
 };
 
 /// Largest standard error of a photo coordinate that matches of one scene have, in px of the left photo. They reach 0.1 to 0.4 px on the
@@ -69,16 +69,8 @@ pub(super) fn are_of_one_photo(matches: &[Match]) -> bool {
 }
 
 fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
-    let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
-    let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
-    let mut weights = match_weights(&fits);
-    let with_fit = fits.iter().flatten().count();
-    let shared = if 2 * with_fit > fits.len() { SHARED_BY_FITS } else { SHARED_BY_FEATURES };
-    let mut estimate = estimated(&positions, &weights, interior, options)?;
-    if let Some(weight) = weight_without_fit(&fits, &weights, &estimate) {
-        weights.iter_mut().zip(&fits).filter(|(_, fit)| fit.is_none()).for_each(|(own, _)| *own = weight);
-        estimate = estimate.reweighted(&weights)?;
-    }
+    let WeightedMatches { positions, weights, with_fit, estimate } = WeightedMatches::of(matches, interior, options)?;
+    let shared = if 2 * with_fit > matches.len() { SHARED_BY_FITS } else { SHARED_BY_FEATURES };
     let mut found = described_as_given(estimate, &positions, shared, interior)?;
     if self_calibration::tells_more(interior) {
         // Estimated cameras decide which matches are gross errors, and these the cameras.
@@ -92,6 +84,40 @@ fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &Orientat
         found.warnings.retain(|warning| !matches!(warning, Warning::FocalLength { .. }));
     }
     Ok(found)
+}
+
+/// σ₀ in mm of all matches: least squares of the same weights from the vertical pair, without rejection and without robust weights. Cameras
+/// are as given. `None` where that does not converge, and without redundancy. `turn_deg`: as of the orientation with rejection.
+pub(crate) fn sigma0_of_all_mm(matches: &[Match], interior: &PairInterior, turn_deg: f64, options: &OrientationOptions) -> Option<f64> {
+    let turned = (turn_deg != 0.0).then(|| interior.turned());
+    let options = OrientationOptions { robust: false, weighting: Weighting::None, ..options.clone() };
+    WeightedMatches::of(matches, turned.as_ref().unwrap_or(interior), &options).ok()?.estimate.sigma0_mm()
+}
+
+/// Matches with their weights, and the orientation that these give.
+struct WeightedMatches {
+    positions: Vec<[f64; 4]>,
+    weights: Vec<f64>,
+    /// How many least squares matching confirmed.
+    with_fit: usize,
+    estimate: Estimate,
+}
+
+impl WeightedMatches {
+    /// # Errors
+    /// As [`orient_relative`](crate::orient_relative).
+    fn of(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<Self, Error> {
+        let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
+        let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
+        let mut weights = match_weights(&fits);
+        let with_fit = fits.iter().flatten().count();
+        let mut estimate = estimated(&positions, &weights, interior, options)?;
+        if let Some(weight) = weight_without_fit(&fits, &weights, &estimate) {
+            weights.iter_mut().zip(&fits).filter(|(_, fit)| fit.is_none()).for_each(|(own, _)| *own = weight);
+            estimate = estimate.reweighted(&weights)?;
+        }
+        Ok(Self { positions, weights, with_fit, estimate })
+    }
 }
 
 /// The weight of the matches that least squares matching did not confirm, beside those that it did: the ratio of the variances of their

@@ -7,7 +7,7 @@ use crate::{Camera, CameraRule, CameraUncertainty, Error, ExifImage, FreeParamet
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 
-/// A camera before its calibration.
+/// A [`KnownCamera`] by its name, as results and project files hold it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct InitialCamera {
@@ -29,10 +29,17 @@ pub struct InitialCamera {
 }
 
 impl InitialCamera {
+    /// The row of a camera. It is taken as it is where nothing of it is estimated.
+    pub(crate) fn new(label: String, known: &KnownCamera) -> Self {
+        let KnownCamera { width_px, height_px, focal_px, radial, tangential, pixel_mm, free, uncertainty, .. } = *known;
+        let Camera { principal_point_px, .. } = known.approximate();
+        let fixed = free == FreeParameters::default();
+        Self { label, width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, uncertainty }
+    }
+
     /// As a model holds it; absent where its focal length is not known.
     pub fn known(&self) -> Option<Camera> {
-        self.focal_px?;
-        Some(Camera { free: FreeParameters::default(), ..self.to_be_calibrated().approximate() })
+        self.focal_px.map(|_| self.to_be_calibrated().held())
     }
 
     /// As the reconstruction takes it.
@@ -159,49 +166,27 @@ impl OwnCamera {
     }
 }
 
-fn plain([width_px, height_px]: [u32; 2]) -> InitialCamera {
-    InitialCamera {
-        label: String::new(),
-        width_px,
-        height_px,
-        focal_px: None,
-        principal_point_px: [0.5 * f64::from(width_px), 0.5 * f64::from(height_px)],
-        radial: [0.0; 3],
-        tangential: [0.0; 2],
-        pixel_mm: None,
-        fixed: false,
-        uncertainty: Some(CameraUncertainty::ASSUMED),
-    }
-}
-
 fn of_exif(size: [u32; 2], exif: &ExifImage) -> InitialCamera {
     // No focal length makes a panorama a photograph: its camera is unknown.
     let camera = exif.camera.as_ref().filter(|camera| !camera.is_panorama());
     let label = camera_label(exif.make.as_deref(), exif.model.as_deref(), camera.map(|camera| camera.focal_mm), size);
     let pixel_mm = camera.and_then(|camera| camera.pixel_mm);
     let focal_px = camera.zip(pixel_mm).map(|(camera, pixel)| camera.focal_mm / pixel);
-    let known = camera.filter(|_| focal_px.is_some()).map_or(CameraUncertainty::ASSUMED, |camera| CameraUncertainty::of(camera.origin));
-    let plain = InitialCamera { label, focal_px, pixel_mm, uncertainty: Some(known), ..plain(size) };
-    match camera.and_then(|camera| camera.lens.as_deref()) {
-        Some(&Camera { principal_point_px, radial, tangential, .. }) => InitialCamera { principal_point_px, radial, tangential, ..plain },
+    let within = camera.filter(|_| focal_px.is_some()).map_or(CameraUncertainty::ASSUMED, |camera| CameraUncertainty::of(camera.origin));
+    let plain = KnownCamera { pixel_mm, uncertainty: Some(within), ..KnownCamera::of_size(size[0], size[1], focal_px) };
+    let known = match camera.and_then(|camera| camera.lens.as_deref()) {
+        Some(&Camera { principal_point_px, radial, tangential, .. }) => {
+            KnownCamera { principal_point_px: Some(principal_point_px), radial, tangential, ..plain }
+        }
         None => plain,
-    }
+    };
+    InitialCamera::new(label, &known)
 }
 
-fn of_rule(rule: &CameraRule, size: [u32; 2], exif: &ExifImage) -> InitialCamera {
-    let camera = plain(size);
-    InitialCamera {
-        label: format!("{}, {} x {} px", rule.images, size[0], size[1]),
-        focal_px: Some(rule.focal_px),
-        principal_point_px: rule.principal_point_px.unwrap_or(camera.principal_point_px),
-        radial: rule.radial,
-        tangential: rule.tangential,
-        pixel_mm: rule.pixel_mm.or_else(|| exif.camera.as_ref()?.pixel_mm),
-        fixed: rule.fixed,
-        // Approximate values are as good as those of EXIF.
-        uncertainty: Some(if rule.fixed { CameraUncertainty::NONE } else { CameraUncertainty::EXIF }),
-        ..camera
-    }
+fn of_rule(rule: &CameraRule, [width_px, height_px]: [u32; 2], exif: &ExifImage) -> InitialCamera {
+    let known = rule.known(width_px, height_px);
+    let pixel_mm = known.pixel_mm.or_else(|| exif.camera.as_ref()?.pixel_mm);
+    InitialCamera::new(format!("{}, {width_px} x {height_px} px", rule.images), &KnownCamera { pixel_mm, ..known })
 }
 
 /// Cameras whose focal length is hardly one in px.
@@ -256,6 +241,25 @@ pub(super) fn pair_cameras(cameras: [&InitialCamera; 2]) -> [PairCamera; 2] {
 mod tests {
     use super::*;
     use crate::ExifCamera;
+
+    #[test]
+    fn a_row_holds_all_that_is_known_of_its_camera() {
+        for free in [FreeParameters::default(), FreeParameters::USUAL] {
+            let known = KnownCamera {
+                principal_point_px: Some([310.0, 250.0]),
+                radial: [0.1, -0.02, 0.003],
+                tangential: [1e-4, -2e-4],
+                free,
+                pixel_mm: Some(0.004),
+                ..KnownCamera::of_size(640, 480, Some(700.0))
+            };
+            let row = InitialCamera::new("a".into(), &known);
+            assert_eq!(row.to_be_calibrated(), known);
+            assert_eq!(row.known(), Some(known.held()));
+        }
+        let unknown = InitialCamera::new(String::new(), &KnownCamera::of_size(640, 480, None));
+        assert_eq!((unknown.principal_point_px, unknown.fixed, unknown.known()), ([320.0, 240.0], false, None));
+    }
 
     fn exif(make: &str, model: &str, focal_mm: f64) -> ExifImage {
         let [make, model] = [make, model].map(|text| Some(text.to_string()));

@@ -3,7 +3,7 @@
 use super::system::{middle, system_of};
 use crate::crs::CoordinateSystem;
 use crate::error::refuse;
-use crate::formats::unknown_columns;
+use crate::formats::{UnreadColumns, unread_columns};
 use crate::{
     BlockDescription, ControlRole, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
     ImageObservation, KnownCamera, KnownImage, ObservedPosition, Refusal, RtkSolution, parse_ground_control_points,
@@ -23,7 +23,7 @@ pub struct ControlTables {
     points: Vec<GroundControlRow>,
     marks: Vec<ImageMeasurementRow>,
     /// Columns of the points that are not read.
-    pub(super) unknown_columns: Vec<String>,
+    pub(super) unread_columns: UnreadColumns,
 }
 
 impl ControlTables {
@@ -32,8 +32,8 @@ impl ControlTables {
     /// # Errors
     /// As [`parse_ground_control_points`] and [`parse_image_measurements`].
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
-        let unknown_columns = unknown_columns(points)?;
-        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)?, unknown_columns })
+        let unread_columns = unread_columns(points)?;
+        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)?, unread_columns })
     }
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the

@@ -7,6 +7,7 @@ use super::system::{check_near, system_of};
 use super::{BlockRun, ControlTables, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
 use crate::crs::CoordinateSystem;
 use crate::error::refuse;
+use crate::formats::UnreadColumns;
 use crate::{
     BlockDescription, BlockModel, CameraCaution, Connection, Error, ExifImage, ExifPosition, Failure, FeatureMatch, ImageFeatures,
     KnownImage, Reconstruction, Refusal, TiePoints, TwoView, local_from_geographic,
@@ -102,8 +103,11 @@ impl State {
         self.cameras = cameras;
         self.images.iter_mut().zip(of).for_each(|(image, camera)| image.camera = camera);
         self.remarks.extend(self.input.unused_cameras.drain(..).map(|images| Remark::UnusedCamera { images }));
-        let unknown = self.input.control.iter_mut().map(|control| std::mem::take(&mut control.unknown_columns));
-        self.remarks.extend(unknown.filter(|columns| !columns.is_empty()).map(|columns| Remark::UnknownColumns { columns }));
+        if let Some(control) = &mut self.input.control {
+            let UnreadColumns { unknown, doubled } = std::mem::take(&mut control.unread_columns);
+            self.remarks.extend(Some(unknown).filter(|columns| !columns.is_empty()).map(|columns| Remark::UnknownColumns { columns }));
+            self.remarks.extend(Some(doubled).filter(|columns| !columns.is_empty()).map(|columns| Remark::DoubledColumns { columns }));
+        }
         self.remarks.extend(doubtful(&self.cameras));
         let known = self.images.iter().map(|image| (image.name.as_str(), [image.width_px, image.height_px], &image.exif));
         self.remarks.extend(contradicted(&self.input.rules, known));

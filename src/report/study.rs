@@ -2,6 +2,7 @@
 
 use super::input::ReportTruth;
 use super::unknowns::five;
+use crate::pair::sigma0_of_all_mm;
 use crate::{
     DenseTruth, Error, MatchScore, Operator, PairImage, PairInput, PairResult, PairSettings, Refinement, Strategy, match_pair,
     score_matches,
@@ -75,6 +76,15 @@ impl Study {
     pub fn sigma0_px(&self) -> Option<f64> {
         let pixel = self.result.interior.as_ref()?.left.pixel_mm();
         self.result.orientation.as_ref().ok()?.sigma0_mm.map(|sigma| sigma / pixel)
+    }
+
+    /// σ₀ in px of the left image of all matches, without rejection of gross errors and robust weights. `None` where cameras were estimated
+    /// together with the orientation: as given they would be taken for errors of the matches.
+    pub fn sigma0_of_all_px(&self) -> Option<f64> {
+        let interior = self.result.interior.as_ref()?;
+        let found = self.result.orientation.as_ref().ok().filter(|found| found.cameras.is_none())?;
+        let sigma0_mm = sigma0_of_all_mm(&self.result.matching.matches, interior, found.turn_deg, &self.settings.orientation)?;
+        Some(sigma0_mm / interior.left.pixel_mm())
     }
 
     /// Matches that the adjustment used.

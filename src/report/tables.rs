@@ -108,6 +108,7 @@ pub fn standard_errors(report: &Report) -> Markup {
                     @for study in &report.studies { td { (fixed(study.sigma0_px(), 3)) } }
                     td.paper { (fixed(PAPER.sigma0_mm / PAPER.pixel_mm, 1)) }
                 }
+                tr { th { "σ₀ of all matches, px" } @for study in &report.studies { td { (fixed(study.sigma0_of_all_px(), 3)) } } td.paper {} }
                 tr { th { "matches used" } @for study in &report.studies { td { (count(study.used())) } } td.paper { (count(PAPER.points[2][0])) } }
             }
             @if with_interior {
@@ -120,6 +121,10 @@ pub fn standard_errors(report: &Report) -> Markup {
                 tr.subhead { th colspan=(report.studies.len() + 2) { "half-widths of the intervals that hold the unknowns in 95 % of cases" } }
                 (parameter_rows(&report.studies, half_widths, None))
             }
+        }
+        p.note {
+            "σ₀ of all matches: least squares from the vertical pair without rejection of gross errors and without robust weights. It is absent where that "
+            "does not converge, and where cameras were estimated."
         }
     }
 }
@@ -264,7 +269,9 @@ fn inconsistent(options: &MatchOptions) -> &'static str {
 fn difference_of_precision(moments: &Study) -> Markup {
     let scaled = moments.standard_errors_at(PAPER.sigma0_mm, PAPER.points[2][0]);
     html! {
-        "Table 2. The paper's σ₀ of 0.150 mm is 0.6 px; by moments it is " (fixed(moments.sigma0_px(), 2)) " px here, after robust estimation and data snooping. "
+        "Table 2. The paper's σ₀ of 0.150 mm is 0.6 px; by moments it is " (fixed(moments.sigma0_px(), 2)) " px here, after robust estimation and data snooping"
+        @if let Some(of_all) = moments.sigma0_of_all_px() { ", and " (fixed(of_all, 2)) " px of all matches without either" }
+        ". "
         @if let Some(scaled) = scaled {
             "Standard errors grow with σ₀ and fall with the root of the number of matches. With the paper's σ₀ and number of matches, the "
             "geometry of this pair gives "

@@ -88,3 +88,23 @@ fn neighbours_never_make_an_orientation_more_precise_than_independent_observatio
     }
     assert!(larger > 0);
 }
+
+#[test]
+fn errors_of_a_shared_parallax_are_scaled_by_the_given_sigma0() {
+    let seen = NADIR.observe(40, 0.01, 7);
+    let errors = ErrorModel { shared_parallax: [0.4, 0.3, 0.1, 0.25, 0.3, 0.13], ..ErrorModel::default() };
+    let total = |sigma0_mm: f64| {
+        let options = OrientationOptions { robust: false, sigma0_mm: Some(sigma0_mm), ..NADIR.options() };
+        let found = orient_relative_with(&seen, &errors, FOCAL_MM, &options).unwrap();
+        assert!(found.global_test.unwrap().passed, "{sigma0_mm}: {:?}", found.global_test);
+        assert!(found.total_standard_errors.unwrap().kappa_deg > 1.05 * found.standard_errors.unwrap().kappa_deg);
+        let total = found.total_standard_errors.unwrap();
+        [total.omega_deg, total.phi_deg, total.kappa_deg, total.by_mm, total.bz_mm]
+    };
+    let sigma0_mm = orient_relative_with(&seen, &errors, FOCAL_MM, &OrientationOptions { robust: false, ..NADIR.options() }).unwrap();
+    let sigma0_mm = sigma0_mm.sigma0_mm.unwrap();
+    let (less, more) = (total(0.9 * sigma0_mm), total(1.1 * sigma0_mm));
+    for (less, more) in less.into_iter().zip(more) {
+        assert!((more / less - 1.1 / 0.9).abs() < 1e-9, "{}", more / less);
+    }
+}

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { again, choose, done, hosted, number, open, pair, part, pngs, ROOT, sample, saved, SHOTS, SKIP, upload, verdicts } from './page.js';
+import { again, choose, done, hosted, number, open, pair, part, pngs, ROOT, sample, saved, SHOTS, SKIP, transferOf, upload, verdicts } from './page.js';
 
 hosted('/some/folder/');
 
@@ -206,12 +206,7 @@ test('two files are opened, matched, and a parameter recomputes what depends on 
 
 test('dropped files are opened', { skip: SKIP }, async () => {
   const { page, close } = await open();
-  const files = pngs().map(({ name, mimeType, buffer }) => ({ name, mimeType, bytes: [...buffer] }));
-  const transfer = await page.evaluateHandle((given) => {
-    const data = new DataTransfer();
-    for (const { name, mimeType, bytes } of given) data.items.add(new File([new Uint8Array(bytes)], name, { type: mimeType }));
-    return data;
-  }, files);
+  const transfer = await transferOf(page, pngs());
   for (const type of ['dragenter', 'dragover', 'drop']) await part(page, 'view').dispatchEvent(type, { dataTransfer: transfer });
   await done(page);
   assert.ok((await number(page, 'count-matches')) > 500);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
 import { block, photoFolder, photos, status } from './blocks.js';
-import { done, hosted, number, open, part, partsNamed, pngs, SKIP, until, upload } from './page.js';
+import { done, hosted, number, open, part, partsNamed, pngs, SKIP, transferOf, until, upload } from './page.js';
 
 hosted('/kept-block/');
 
@@ -112,12 +112,7 @@ test('files that are dropped before the program has loaded are opened when it ha
     await route.continue();
   });
   await page.goto(url);
-  const files = pngs().map(({ name, mimeType, buffer }) => ({ name, mimeType, bytes: [...buffer] }));
-  const transfer = await page.evaluateHandle((given) => {
-    const data = new DataTransfer();
-    for (const { name, mimeType, bytes } of given) data.items.add(new File([new Uint8Array(bytes)], name, { type: mimeType }));
-    return data;
-  }, files);
+  const transfer = await transferOf(page, pngs());
   for (const type of ['dragover', 'drop']) await part(page, 'view').dispatchEvent(type, { dataTransfer: transfer });
   load();
   await page.waitForFunction(() => /matches/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));

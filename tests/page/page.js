@@ -175,6 +175,16 @@ export const SMALL = { width_px: 270, height_px: 400 };
 /** Two simulated photos as PNG files: small ones, or others than these.  @param {object} [flight] */
 export const pngs = (flight = SMALL) => pairPhotos(flight).map(({ name, bytes }) => upload(name, bytes, 'image/png'));
 
+/** Files as they are dropped.  @param {import('playwright-core').Page} page @param {{ name: string, mimeType: string, buffer: Buffer }[]} files */
+export function transferOf(page, files) {
+  const plain = files.map(({ name, mimeType, buffer }) => ({ name, mimeType, bytes: [...buffer] }));
+  return page.evaluateHandle((given) => {
+    const data = new DataTransfer();
+    for (const { name, mimeType, bytes } of given) data.items.add(new File([new Uint8Array(bytes)], name, { type: mimeType }));
+    return data;
+  }, plain);
+}
+
 /** The camera of the simulated photos. */
 export const CAMERA = upload('camera.json', Buffer.from('{"focal_mm": 153.38, "pixel_mm": 0.2542}'), 'application/json');
 
@@ -222,25 +232,31 @@ export async function says(page, id, pattern) {
   return (await part(page, id).textContent()) ?? '';
 }
 
-/** The edits that the browser keeps under a name.  @param {import('playwright-core').Page} page @param {string} name @returns {Promise<{ done: number, edits: any[] }>} */
-export const journal = (page, name) =>
-  page.evaluate(
-    (of) =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('tiepoint');
-        opening.onsuccess = () => {
-          const reading = opening.result.transaction('parts').objectStore('parts').getAll();
-          reading.onsuccess = () => {
-            opening.result.close();
-            const value = (/** @type {string} */ at) => reading.result.find((kept) => kept.part === at)?.value;
-            const head = value(of) ?? { done: 0, pieces: 0 };
-            const edits = Array.from({ length: head.pieces }, (_, i) => value(`${of}/${i}`)).flat();
-            resolve({ done: head.done, edits });
+/** What the browser keeps as parts whose names begin so: files as empty objects.  @param {import('playwright-core').Page} page @param {string} start @returns {Promise<Map<string, any>>} */
+export const partsKept = async (page, start) =>
+  new Map(
+    await page.evaluate(
+      (from) =>
+        new Promise((resolve) => {
+          const opening = indexedDB.open('tiepoint');
+          opening.onsuccess = () => {
+            const reading = opening.result.transaction('parts').objectStore('parts').getAll();
+            reading.onsuccess = () => {
+              opening.result.close();
+              resolve(reading.result.filter(({ part }) => part.startsWith(from)).map(({ part, value }) => [part, value]));
+            };
           };
-        };
-      }),
-    name,
+        }),
+      start,
+    ),
   );
+
+/** The edits that the browser keeps under a name.  @param {import('playwright-core').Page} page @param {string} name @returns {Promise<{ done: number, edits: any[] }>} */
+export async function journal(page, name) {
+  const kept = await partsKept(page, name);
+  const head = kept.get(name) ?? { done: 0, pieces: 0 };
+  return { done: head.done, edits: Array.from({ length: head.pieces }, (_, i) => kept.get(`${name}/${i}`)).flat() };
+}
 
 /** Waits until so many edits are kept under a name.  @param {import('playwright-core').Page} page @param {string} name @param {number} edits @param {number} held */
 export async function keptEdits(page, name, edits, held) {

@@ -4,6 +4,7 @@ import { chromium } from 'playwright-core';
 import { findChromium } from '../lib/setup.mjs';
 import { servePage } from '../lib/page-server.mjs';
 import { editBlock } from './edit-block.mjs';
+import { median } from './median.mjs';
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const EDITS = 15;
@@ -90,8 +91,6 @@ const pressRow = () => {
   const rows = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-testid="statistics-row"]'));
   rows[rows.length >> 1]?.click();
 };
-
-const median = (/** @type {number[]} */ values) => values.toSorted((a, b) => a - b)[values.length >> 1] ?? NaN;
 
 export async function edit() {
   console.log('An edit of a pair by hand, in Chromium');

@@ -8,6 +8,7 @@ import { servePage } from '../lib/page-server.mjs';
 import { readJson } from '../lib/paths.mjs';
 import { run } from '../lib/process.mjs';
 import { ensurePackages, findChromium } from '../lib/setup.mjs';
+import { median } from './median.mjs';
 
 const RUNS = 5;
 
@@ -25,8 +26,6 @@ const FIGURES = [
   ['total-blocking-time', 'TBT', (value) => `${value.toFixed(0)} ms`],
   ['cumulative-layout-shift', 'CLS', (value) => value.toFixed(3)],
 ];
-
-const median = (/** @type {number[]} */ values) => values.toSorted((a, b) => a - b)[values.length >> 1] ?? NaN;
 
 /** What one run reports. @typedef {{ categories: Record<string, { score: number | null }>, audits: Record<string, { numericValue?: number }>, environment: { benchmarkIndex: number } }} Judged */
 

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { DATA, readJson, ROOT } from '../lib/paths.mjs';
 import { must, run } from '../lib/process.mjs';
 import { have } from './data.mjs';
+import { median } from './median.mjs';
 import { PYTHON, pythonLacks } from './python.mjs';
 
 const NAME = 'block_caliterra';
@@ -116,12 +117,6 @@ function tell(what, found, truth, started) {
     `    median in plan ${median(plan).toFixed(2)}, in height ${median(height).toFixed(2)}; mean square of error by standard error, X Y Z: ${squares.map((v) => v.toFixed(1)).join(' ')}, ` +
       `their sizes in the median ${median(rows.flatMap(({ ratio }) => ratio.map(Math.abs))).toFixed(2)}`,
   );
-}
-
-/** @param {number[]} values */
-function median(values) {
-  const sorted = values.toSorted((a, b) => a - b);
-  return ((sorted[(sorted.length - 1) >> 1] ?? NaN) + (sorted[sorted.length >> 1] ?? NaN)) / 2;
 }
 
 /** @param {string[]} ground */

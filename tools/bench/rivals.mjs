@@ -5,6 +5,7 @@
 
 import { writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
+import { median } from './median.mjs';
 import { recorded } from './rivals/aliked.mjs';
 import { kept, missing, nativeSift, scores } from './rivals/opencv.mjs';
 import { byOpenCvJs } from './rivals/opencvjs.mjs';
@@ -15,12 +16,6 @@ import { knownPairs } from './rivals/pairs.mjs';
 const figure = (value, digits) => (value === null || value === undefined ? '-' : value.toFixed(digits));
 
 const ASKED_SHARE = 0.98;
-
-/** @param {number[]} values */
-function median(values) {
-  const sorted = values.toSorted((a, b) => a - b);
-  return ((sorted[(sorted.length - 1) >> 1] ?? NaN) + (sorted[sorted.length >> 1] ?? NaN)) / 2;
-}
 
 /** @param {string} what @param {import('./rivals/opencv.mjs').Score} score @param {import('./rivals/ours.mjs').Entry} entry */
 function tell(what, score, { seconds, points, note }) {

@@ -3,7 +3,7 @@
  */
 
 import { readdirSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import { build } from 'vite';
 import { TEXTS } from './compose.mjs';
 import { iconSvg } from './icon.mjs';
@@ -61,7 +61,8 @@ export async function buildPage(out) {
     plugins: [policy, icon, early, plainImports, licences],
     build: {
       ...READABLE,
-      outDir: out,
+      // Vite takes a relative folder from the sources of the page.
+      outDir: resolve(out),
       emptyOutDir: true,
       cssCodeSplit: false,
       // Parts give and take names as they stand in the sources: another one renames none.

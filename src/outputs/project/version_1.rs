@@ -2,8 +2,8 @@
 
 use crate::catalogue::read_options;
 use crate::{
-    BlockModel, BlockOptions, BlockRun, BlockSettings, Connection, ExifImage, Failure, InitialCamera, NoGeometry, PairOutcome, PairRule,
-    Reconstruction, Remark, RunImage, RunInput, SelectOptions,
+    BlockModel, BlockOptions, BlockRun, BlockSettings, Camera, Connection, ExifImage, Failure, InitialCamera, KnownCamera, NoGeometry,
+    PairOutcome, PairRule, Reconstruction, Remark, RunImage, RunInput, SelectOptions,
 };
 use serde::Deserialize;
 
@@ -69,17 +69,11 @@ fn no_geometry(sentence: &str) -> Option<NoGeometry> {
 impl From<Project> for BlockRun {
     /// What the older file does not hold is absent.
     fn from(Project { block: model, connections, joining, selection }: Project) -> Self {
-        let cameras = model.cameras.iter().map(|camera| InitialCamera {
-            label: format!("{} x {} px", camera.width_px, camera.height_px),
-            width_px: camera.width_px,
-            height_px: camera.height_px,
-            focal_px: None,
-            principal_point_px: camera.principal_point_px,
-            radial: [0.0; 3],
-            tangential: [0.0; 2],
-            pixel_mm: camera.pixel_mm,
-            fixed: false,
-            uncertainty: None,
+        let cameras = model.cameras.iter().map(|camera| {
+            let Camera { width_px, height_px, principal_point_px, pixel_mm, .. } = *camera;
+            let known =
+                KnownCamera { principal_point_px: Some(principal_point_px), pixel_mm, ..KnownCamera::of_size(width_px, height_px, None) };
+            InitialCamera::new(format!("{width_px} x {height_px} px"), &known)
         });
         let images = model.images.iter().map(|image| {
             // Indices are judged with the whole project.

@@ -1,8 +1,7 @@
 /** The files that a block is saved as: one by itself, several as one archive. */
-import { Zip, ZipDeflate } from 'fflate';
 import { export_formats } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockWriting, Emit, FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
-import { ARCHIVE_TIME } from '../../shared/engine/archive';
+import { Archive } from '../../shared/engine/archive';
 import type { ExportKind, MadeFile } from './calls';
 
 /** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
@@ -38,18 +37,10 @@ async function packed(files: ReadonlyMap<string, string>, name: string, signal: 
     const plain = path.split('/').at(-1) ?? path;
     return { name: plain.startsWith(name.replace(/-[^-]*$/u, '')) ? plain : `${name}-${plain}`, type: 'text/plain', bytes: encoder.encode(text) };
   }
-  const chunks: Uint8Array<ArrayBuffer>[] = [];
-  const archive = new Zip((error, chunk) => {
-    if (error !== null) throw error;
-    chunks.push(chunk as Uint8Array<ArrayBuffer>);
-  });
+  const archive = new Archive();
   for (const [at, content] of files) {
     await pause(signal);
-    const entry = new ZipDeflate(at, { level: 6 });
-    entry.mtime = ARCHIVE_TIME;
-    archive.add(entry);
-    entry.push(encoder.encode(content), true);
+    archive.add(at, encoder.encode(content), false);
   }
-  archive.end();
-  return { name: `${name}.zip`, type: 'application/zip', bytes: new Uint8Array(await new Blob(chunks).arrayBuffer()) };
+  return { name: `${name}.zip`, type: 'application/zip', bytes: new Uint8Array(await archive.end().arrayBuffer()) };
 }

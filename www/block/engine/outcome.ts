@@ -112,7 +112,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     checks,
-    surveyed: surveyed.map((known, i) => ({ ...known, ...(controls[i] ?? { control: -1, point: -1 }), isUsed: true })),
+    surveyed: surveyed.map((known, i) => ({ ...known, ...(controls[i] ?? { control: -1, point: -1 }), isUsed: known.refused?.is_used ?? true })),
     score: null,
     warnings: warnings.map((warning) => message('overview_warning', warning)),
     formats: export_formats(),

@@ -18,13 +18,14 @@ function bytesOf(edit: BlockEdit): number {
   return OF_ONE * Math.max(1, list.length);
 }
 
-export function bytesOfMarks({ marks }: MarkStep): number {
-  return OF_ONE * Math.max(1, marks.length);
+export function bytesOfMarks(step: MarkStep): number {
+  return OF_ONE * Math.max(1, step.kind === 'remove_images' ? step.files.length : step.marks.length);
 }
 
 /** @throws Error naming the field that is damaged */
 export function markStepFrom(value: unknown, name: string): MarkStep {
-  const { kind, marks, after } = objectOf(value, name);
+  const { kind, marks, files, after } = objectOf(value, name);
+  if (kind === 'remove_images') return { kind, files: listOf(files, `${name}.files`, (id, at) => likeOf(id, 0, at)), after: likeOf(after, 0, `${name}.after`) };
   return {
     kind: kind === 'remove' ? kind : 'measure',
     marks: listOf(marks, `${name}.marks`, (one, at) => {

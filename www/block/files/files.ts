@@ -5,6 +5,8 @@ import { parse_ground_control_points, parse_image_measurements } from '../../../
 import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
 import { keepChoice, keptChoice } from '../../shared/choices';
 import { sentence } from '../../shared/text/format';
+import { isOutdated } from '../state/state';
+import { removesOthers } from '../state/removing';
 import type { BlockFile, BlockState } from '../state/state';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
@@ -61,6 +63,13 @@ export class BlockFiles {
     private readonly putAside: (twice: boolean) => Promise<boolean>,
   ) {
     this.ground = new GroundFiles(store, placing);
+    let before = store.state;
+    store.watch(['marks', 'shown'], ([marks, shown]) => {
+      // What the browser kept, and another block, are shown as they are.
+      const others = shown !== null && shown.found === before.shown?.found && removesOthers(before.marks, marks);
+      before = store.state;
+      if (others && isOutdated(before)) queueMicrotask(() => void this.run());
+    });
   }
 
   get waits(): boolean {

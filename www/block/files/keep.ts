@@ -73,14 +73,14 @@ export class KeptBlocks implements Keepable {
     const { state } = this.store;
     const parts = new Map<string, Kept>();
     if (isBlank(state)) return parts;
-    const { files, options, flight, truth, opened, shown, placing } = state;
+    const { files, removed, options, flight, truth, opened, shown, placing } = state;
     parts.set(GIVEN, {
-      value: given(files, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.options, placing.purpose),
+      value: given(files, removed, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.options, placing.purpose),
       bytes: SMALL,
     });
     for (const [id, placed] of placing.placed) parts.set(PLACED + String(id), { value: placed, bytes: sizeOfPlaced(placed) });
     if (truth !== null) parts.set(FILE + nameOf(truth), { value: truth, bytes: SMALL, alone: true });
-    for (const { file } of [...files, ...options.masks, ...(shown?.files ?? []), ...rastersOf(placing)])
+    for (const { file } of [...files, ...removed, ...options.masks, ...(shown?.files ?? []), ...rastersOf(placing)])
       parts.set(FILE + nameOf(file), { value: file, bytes: file.size, alone: true });
     const { made } = this;
     for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
@@ -98,6 +98,7 @@ export class KeptBlocks implements Keepable {
     if (!parts.has(GIVEN)) return () => undefined;
     const kept = givenFrom(parts.get(GIVEN), this.catalogue);
     const files = kept.files.map((file) => fileFrom(parts, file));
+    const removed = kept.removed.map((file) => fileFrom(parts, file));
     const masks = kept.masks.map((file) => fileFrom(parts, file));
     const placed = new Map([...parts].flatMap(([part, value]) => (part.startsWith(PLACED) ? [[Number(part.slice(PLACED.length)), value] as const] : [])));
     const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
@@ -112,14 +113,14 @@ export class KeptBlocks implements Keepable {
     const count = shown?.view.images.length ?? 0;
     const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
     return () => {
-      passIds([...files, ...masks, ...(shown?.files ?? []), ...rastersOf(placing)].map(({ id }) => id));
+      passIds([...files, ...removed, ...masks, ...(shown?.files ?? []), ...rastersOf(placing)].map(({ id }) => id));
       this.engine.takeRecords(records);
       this.made = finished === null ? null : { found: finished.shown.found, kept: finished.kept };
       finished?.hold();
       this.engine.keepSpare(finished?.kept.project ?? null);
       this.store.dispatch({
         type: 'restored',
-        restored: { files, options: { ...kept.options, masks }, flight: kept.flight, truth, shown, opened, history, marks, placing },
+        restored: { files, removed, options: { ...kept.options, masks }, flight: kept.flight, truth, shown, opened, history, marks, placing },
       });
       const names = this.images();
       if (names.length === 0) return;
@@ -201,6 +202,7 @@ function keptFile({ id, name, file }: BlockFile): KeptFile {
 const given = remember(
   (
     files: BlockState['files'],
+    removed: BlockState['removed'],
     { masks, ...options }: BlockState['options'],
     flight: BlockState['flight'],
     truth: BlockState['truth'],
@@ -211,6 +213,7 @@ const given = remember(
     purpose: BlockState['placing']['purpose'],
   ): KeptBlock => ({
     files: files.map(keptFile),
+    removed: removed.map(keptFile),
     options,
     masks: masks.map(keptFile),
     flight,
@@ -237,6 +240,8 @@ function givenFrom(value: unknown, catalogue: BlockCatalogue): Omit<KeptBlock, '
   const opened = orNull(kept['opened'], (pair) => listOf(pair, 'opened', (image, name) => likeOf(image, 0, name)));
   return {
     files: listOf(kept['files'], 'files', fileOf),
+    // Earlier releases kept none.
+    removed: listOf(kept['removed'] ?? [], 'removed', fileOf),
     masks: listOf(kept['masks'], 'masks', fileOf),
     options: {
       settings: orNull(options['settings'], (settings) => fitted(settings, catalogue.defaults, 'options.settings')),

@@ -83,7 +83,7 @@ export function kindOfTiff(tags: ReadonlyMap<number, number>, hasWorld: boolean)
 const MOST_ENTRIES = 4096;
 
 /** The tags of the first image of a TIFF or BigTIFF with their first values, where these stand in the directory itself (0 elsewhere); none where it is damaged. */
-export async function tiffTags(file: Blob): Promise<ReadonlyMap<number, number>> {
+async function tiffTags(file: Blob): Promise<ReadonlyMap<number, number>> {
   const read = async (from: number, length: number) => new DataView(await file.slice(from, from + length).arrayBuffer());
   const tags = new Map<number, number>();
   try {

@@ -24,6 +24,8 @@ import { blockOnOrthophoto } from '../state/showing';
 import { joined, split } from '../state/joining';
 import { shownImages } from '../state/panes';
 import { pointsOf } from '../state/selection';
+import { removable } from '../state/removing';
+import { isBusy } from '../state/state';
 import type { BlockState } from '../state/state';
 import type { BlockView } from '../state/view';
 import { say } from '../../shared/text/words';
@@ -79,7 +81,23 @@ function step(store: BlockStore, by: 1 | -1): void {
   }
   const next = by < 0 ? nextBack(history, marks) : nextAgain(history, marks);
   if (next === 'edit') store.dispatch({ type: 'goto', done: history.done + by });
+  if (next === 'mark' && changesImages(store.state, by) && isBusy(store.state)) {
+    store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('edits-wait-for-the-run'), beside: true } });
+    return;
+  }
   if (next === 'mark') store.dispatch({ type: 'gotoMark', done: marks.done + by });
+}
+
+/** Whether the step that undo takes back, or redo makes again, takes images out. */
+function changesImages({ marks }: BlockState, by: 1 | -1): boolean {
+  return marks.edits[by < 0 ? marks.done - 1 : marks.done]?.kind === 'remove_images';
+}
+
+/** Takes the chosen image out of the block; the keyboard stays with what is chosen. */
+function removeImage(store: BlockStore): void {
+  const { files, selection, shown, history } = store.state;
+  const file = removable(files, selection.chosen, shown?.view.images ?? []);
+  if (file !== null) store.dispatch({ type: 'mark', step: { kind: 'remove_images', files: [file.id], after: history.done } });
 }
 
 /** What undo and redo would do: edits of the block and measurements of control points in the order in which they were made. */
@@ -114,6 +132,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
   const reject = button(say('reject'), 'block-reject', () => make(store, editOf(store.state, 'reject')), say('take-what-is-chosen-out'));
   const whole = button(say('reject-point'), 'block-reject-point', () => make(store, editOf(store.state, 'reject', true)), say('take-the-point-with-all'));
   const restore = button(say('restore'), 'block-restore', () => make(store, editOf(store.state, 'restore')), say('use-what-is-chosen-again'));
+  const remove = button(say('remove-image'), 'block-remove-image', () => removeImage(store), say('take-the-chosen-image-out'));
   const measure = button(
     say('measure-it'),
     'block-measure',
@@ -138,7 +157,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
   const bar = h(
     'div',
     { class: 'toolbar edit-bar', testid: 'block-edit-bar', role: 'toolbar', aria: { label: say('edits-by-hand') } },
-    ...[undo, redo, reject, whole, restore, join, apart, measure, add, match, accept, leave, use, text],
+    ...[undo, redo, reject, whole, restore, remove, join, apart, measure, add, match, accept, leave, use, text],
   );
   const counterparts = new Map<Element | null, readonly HTMLElement[]>([
     [reject, [restore]],
@@ -161,6 +180,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     reject.hidden = drafting || (off === null && on !== null);
     restore.hidden = drafting || on === null;
     whole.hidden = drafting || chosen?.kind !== 'observation' || point === null;
+    remove.hidden = drafting || removable(state.files, chosen, state.shown?.view.images ?? []) === null;
     const inImages = state.onStage === 'images';
     // A point that no image shows yet is measured in the images, whatever view it was chosen in.
     const given = chosen?.kind === 'given';
@@ -182,7 +202,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     // What is pressed to take the last press back comes first.
     passFocus(held, [...(counterparts.get(held) ?? []), measure, add, undo, redo, byId('block-view')]);
   };
-  store.watch(['history', 'marks', 'selection', 'shown', 'running', 'adjusting', 'before', 'draft', 'onStage', 'panes'], show);
+  store.watch(['history', 'marks', 'files', 'selection', 'shown', 'running', 'adjusting', 'before', 'draft', 'onStage', 'panes'], show);
   facts.watch(show);
   return bar;
 }

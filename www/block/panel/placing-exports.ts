@@ -1,5 +1,5 @@
 /** Saving what was placed on an orthophoto: tables, all of it, and images on the ground. */
-import { Zip, ZipPassThrough } from 'fflate';
+import { Archive } from '../../shared/engine/archive';
 import { Cancelled } from '../../shared/engine/client';
 import { button, fill, h } from '../../shared/panel/dom';
 import { save } from '../../shared/files/save';
@@ -80,20 +80,12 @@ async function made(store: BlockStore, engine: PlacingEngine, kind: PlacedExport
     }
     case 'all': {
       const placed = tried.filter(({ result }) => result.placement !== null);
-      const chunks: Uint8Array<ArrayBuffer>[] = [];
-      const archive = new Zip((error, chunk) => {
-        if (error !== null) throw error;
-        chunks.push(chunk as Uint8Array<ArrayBuffer>);
-      });
+      const archive = new Archive();
       for (const [i, { file }] of placed.entries()) {
         tell(say('resampling-to-the-ground-of', { name: file.name, i: i + 1, placed: placed.length }));
-        // They are compressed already.
-        const entry = new ZipPassThrough(rectifiedName(file.name));
-        archive.add(entry);
-        entry.push(await engine.rectified(file), true);
+        archive.add(rectifiedName(file.name), await engine.rectified(file), true);
       }
-      archive.end();
-      return [new Blob(chunks, { type: 'application/zip' }), 'rectified.zip'];
+      return [archive.end(), 'rectified.zip'];
     }
   }
 }

@@ -7,6 +7,7 @@ import { choiceAfterEdit, indexOfSource } from './edits';
 import type { EditStep } from './edits';
 import { namesOf, NO_NAMES, withoutPlaces } from './naming';
 import type { Choice } from './selection';
+import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
 import type { Draft, Edits } from './edited';
 import type { BlockEdit } from '../../../pkg/wasm/tiepoint.js';
@@ -25,7 +26,7 @@ export type EditsAction =
   /** The block cannot be with all edits: those that it has stay. */
   | { type: 'editRefused'; reason: string }
   | { type: 'draft'; draft: Draft | null }
-  /** Measurements of control points are taken, or taken away. */
+  /** Measurements of control points are taken, or taken away, or images taken out. */
   | { type: 'mark'; step: MarkStep }
   /** So many of these steps hold. */
   | { type: 'gotoMark'; done: number };
@@ -73,10 +74,10 @@ export function reduceEdits(state: BlockState, action: EditsAction): BlockState 
       return { ...state, history: withoutRefused(state.history, state.shown?.edits ?? []), notice };
     }
     case 'mark':
-      if (action.step.kind === 'measure' && !isEditable(state)) return state;
-      return { ...state, marks: recorded(state.marks, action.step), draft: null, notice: afterEdit(state) };
+      if (action.step.kind !== 'remove' && !isEditable(state)) return state;
+      return withRemoved({ ...state, marks: recorded(state.marks, action.step), draft: null, notice: afterEdit(state) });
     case 'gotoMark':
-      return { ...state, marks: wentTo(state.marks, action.done), draft: null, notice: afterEdit(state) };
+      return withRemoved({ ...state, marks: wentTo(state.marks, action.done), draft: null, notice: afterEdit(state) });
     case 'draft':
       // What was said of the draft goes with it.
       return { ...state, draft: isEditable(state) ? action.draft : null, notice: action.draft === null && state.notice?.beside === true ? null : state.notice };

@@ -9,7 +9,7 @@ import type { BlockView } from './view';
 export type EditStep = readonly BlockEdit[];
 
 /** A name of a point: the same for the same one. */
-export function keyOfPoint(point: PointSource): string {
+function keyOfPoint(point: PointSource): string {
   const [[kind, number] = []] = Object.entries(point);
   return `${kind ?? ''} ${String(number)}`;
 }

@@ -20,6 +20,8 @@ export interface KeptPlacing {
 /** All but the files and the finished block. */
 export interface KeptBlock {
   files: readonly KeptFile[];
+  /** Images that were taken out. */
+  removed: readonly KeptFile[];
   options: Omit<BlockOptions, 'masks'>;
   masks: readonly KeptFile[];
   flight: BlockState['flight'];
@@ -42,7 +44,7 @@ export interface KeptShown {
 }
 
 /** What was kept, ready to be shown. */
-export type RestoredBlock = Pick<BlockState, 'files' | 'options' | 'flight' | 'truth' | 'shown' | 'opened' | 'history' | 'marks' | 'placing'>;
+export type RestoredBlock = Pick<BlockState, 'files' | 'removed' | 'options' | 'flight' | 'truth' | 'shown' | 'opened' | 'history' | 'marks' | 'placing'>;
 
 /** Whether there is nothing yet that would have to be kept. */
 export function isBlank({ catalogue, files, shown, options, flight, placing }: BlockState): boolean {

@@ -11,13 +11,12 @@ import type { BlockView, ViewGiven } from './view';
 export const LEAST_POINTS = 3;
 const LEAST_IMAGES = 2;
 
-/** What is done and undone at once: measurements of a point that are taken, or taken away. Images and points by their names. */
-export interface MarkStep {
-  kind: 'measure' | 'remove';
-  marks: readonly ImageMeasurementRow[];
-  /** So many edits of the block held then: what was done last is undone first. */
-  after: number;
-}
+/** What is done and undone at once to what a run is given. `after`: so many edits of the block held then; what was done last is undone first. */
+export type MarkStep =
+  /** Measurements of a point that are taken, or taken away. Images and points by their names. */
+  | { kind: 'measure' | 'remove'; marks: readonly ImageMeasurementRow[]; after: number }
+  /** Images that are taken out of the block, by the ids of their files. */
+  | { kind: 'remove_images'; files: readonly number[]; after: number };
 
 interface Named {
   name: string;
@@ -46,10 +45,11 @@ const keyOf = ({ image, point }: ImageMeasurementRow): string => JSON.stringify(
 /** The measurements by hand that hold. */
 export const marksByHand = remember(({ edits, done }: History<MarkStep>): readonly ImageMeasurementRow[] => {
   const held = new Map<string, ImageMeasurementRow>();
-  for (const { kind, marks } of edits.slice(0, done)) {
-    for (const mark of marks) {
+  for (const step of edits.slice(0, done)) {
+    if (step.kind === 'remove_images') continue;
+    for (const mark of step.marks) {
       held.delete(keyOf(mark));
-      if (kind === 'measure') held.set(keyOf(mark), mark);
+      if (step.kind === 'measure') held.set(keyOf(mark), mark);
     }
   }
   return [...held.values()];
@@ -144,6 +144,13 @@ export const placesOfGiven = remember((name: string, view: BlockView, file: Text
     }),
   );
 });
+
+/** The steps beside a block that has so many edits: none was made after more. */
+export function besideEdits(marks: History<MarkStep>, edits: number): History<MarkStep> {
+  return marks.edits.every(({ after }) => after <= edits)
+    ? marks
+    : { ...marks, edits: marks.edits.map((step) => (step.after <= edits ? step : { ...step, after: edits })) };
+}
 
 /** What undo takes back, or redo makes again: an edit of the block, or a measurement of a control point. */
 export function nextBack(history: History<unknown>, marks: History<MarkStep>): 'edit' | 'mark' | null {

@@ -43,8 +43,10 @@ export function nameOfStep(step: EditStep, names: Names = NO_NAMES): string {
   return say('step-edits', { edits: step.length });
 }
 
-/** What was done to measurements of control points. */
-export function nameOfMarks({ kind, marks }: MarkStep): string {
+/** What was done to measurements of control points, or to the images. */
+export function nameOfMarks(step: MarkStep): string {
+  if (step.kind === 'remove_images') return say('step-remove-images', { images: step.files.length });
+  const { kind, marks } = step;
   const [first] = marks;
   if (first === undefined) return say('nothing');
   const images = marks.length === 1 ? first.image : say('so-many-images', { images: marks.length });

@@ -22,7 +22,7 @@ function words(key: string, label: string, value: (row: number) => string, help:
 const VERDICTS: Readonly<Record<PlacingVerdict['kind'], string>> = { placed: say('placed-2'), weak: say('with-doubt-2'), not_placed: say('not-placed-2') };
 
 /** What became of an image, in a word or two. */
-export function placedWord({ result }: Pick<PlacedFile, 'result'>): string {
+function placedWord({ result }: Pick<PlacedFile, 'result'>): string {
   return result === null ? say('not-read-2') : VERDICTS[result.verdict.kind];
 }
 

@@ -8,7 +8,7 @@ import { BLOCK_INITIAL } from './state';
 import { UNEDITED } from './edited';
 import { carried, carriedToGround, reduceEdits } from './editing';
 import type { EditsAction } from './editing';
-import { withGiven } from './marks';
+import { besideEdits, withGiven } from './marks';
 import { panesInOtherView, reducePanes } from './panes';
 import type { PanesAction } from './panes';
 import type { RestoredBlock } from './kept';
@@ -143,6 +143,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
         ...UNEDITED,
         history: { edits: action.edits.map((edit) => [edit]), done: action.edits.length },
         marks: NO_HISTORY,
+        removed: [],
         // The truth is that of the photos that were simulated, not of this block.
         truth: null,
         running: { kind: 'no' },
@@ -226,6 +227,7 @@ function withRun(state: BlockState, action: RunAction): BlockState {
         ...blank(state),
         ...inOther(state, view),
         ...edits,
+        marks: besideEdits(state.marks, edits.history.edits.length),
         ...(said === '' ? {} : { notice: { kind: 'info', text: said, beside: true } }),
         running: { kind: 'no' },
         shown: { key, view, found: view, edits: [], files, seconds, steps: running.kind === 'yes' ? running.steps : {}, ground: null },

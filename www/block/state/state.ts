@@ -75,6 +75,8 @@ export interface Shown {
 export interface BlockState extends Edits {
   catalogue: BlockCatalogue | null;
   files: readonly BlockFile[];
+  /** Images that were taken out, and come back when that is undone. */
+  removed: readonly BlockFile[];
   /** Of photos that were simulated. */
   truth: BlockModel | null;
   options: BlockOptions;
@@ -85,7 +87,7 @@ export interface BlockState extends Edits {
   /** The block on the screen. */
   shown: Shown | null;
   selection: Selection;
-  /** Image measurements of control and check points by hand. */
+  /** Image measurements of control and check points by hand, and images that were taken out. */
   marks: History<MarkStep>;
   /** What the images view shows. */
   panes: Panes;
@@ -101,6 +103,7 @@ export interface BlockState extends Edits {
 export const BLOCK_INITIAL: BlockState = {
   catalogue: null,
   files: [],
+  removed: [],
   truth: null,
   options: { settings: null, gps: 'use', cameras: null, control: null, marks: null, masks: [] },
   refused: null,

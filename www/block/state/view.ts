@@ -110,7 +110,7 @@ export interface ViewSurveyed extends SurveyedPoint {
   control: number;
   /** Index of the point. */
   point: number;
-  /** Whether it takes part; else it was left out by hand. */
+  /** Whether it takes part; else it was left out by hand, or contradicts the other observations. */
   isUsed: boolean;
 }
 

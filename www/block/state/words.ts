@@ -19,7 +19,7 @@ function pairKey(a: number, b: number): string {
 const CONNECTIONS = new WeakMap<BlockView, ReadonlyMap<string, ViewConnection>>();
 
 /** All connections by their images. */
-export function connectionsOf(view: BlockView): ReadonlyMap<string, ViewConnection> {
+function connectionsOf(view: BlockView): ReadonlyMap<string, ViewConnection> {
   const known = CONNECTIONS.get(view);
   if (known !== undefined) return known;
   const made = new Map(view.connections.map((connection) => [pairKey(...connection.images), connection]));

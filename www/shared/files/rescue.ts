@@ -1,21 +1,12 @@
 /** The parts of a kept project as files in one archive, whatever state they are in. */
-import { Zip, ZipPassThrough } from 'fflate';
+import { Archive } from '../engine/archive';
 
 export async function archiveOf(parts: ReadonlyMap<string, unknown>): Promise<Blob> {
-  const chunks: Uint8Array<ArrayBuffer>[] = [];
-  const archive = new Zip((error, chunk) => {
-    if (error !== null) throw error;
-    chunks.push(chunk as Uint8Array<ArrayBuffer>);
-  });
+  const archive = new Archive();
   for (const [part, value] of parts) {
-    for (const [name, content] of filesOf(part, value)) {
-      const entry = new ZipPassThrough(name);
-      archive.add(entry);
-      entry.push(await bytesOf(content), true);
-    }
+    for (const [name, content] of filesOf(part, value)) archive.add(name, await bytesOf(content), true);
   }
-  archive.end();
-  return new Blob(chunks, { type: 'application/zip' });
+  return archive.end();
 }
 
 /** Files that a part holds, and the part itself as JSON. */

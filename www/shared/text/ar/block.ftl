@@ -132,6 +132,8 @@ take-what-is-chosen-out = يخرج المختار من الضبط (Delete)
 reject-point = رفض النقطة
 take-the-point-with-all = يخرج النقطة بجميع أرصادها (Shift+Delete)
 use-what-is-chosen-again = يستعمل المختار من جديد (R)
+remove-image = إزالة الصورة
+take-the-chosen-image-out = يخرج الصورة المختارة من الكتلة، ولا يحسب من جديد إلا ما يعتمد عليها
 measure-it = قياس
 measure-the-chosen-point-in = قياس النقطة المختارة في الصور المعروضة (E)
 add-point = إضافة نقطة
@@ -259,7 +261,7 @@ small-photos-where-they-have = صور صغيرة حيث تتسع المساحة
 footprints = الآثار الأرضية
 what-each-image-covers-of = ما تغطيه كل صورة من أرض مستوية على ارتفاع نقاطها
 offsets = الفروق
-gnss-positions-and-differences-of = مواضع GNSS وفروق النقاط الممسوحة، مرسومة أطول مما هي
+gnss-positions-and-differences-of = مواضع GNSS وفروق نقاط الضبط الأرضي والتحقق، مرسومة أطول مما هي
 the-orthophoto-that-is-given = الصورة المصححة المعطاة، تحت كل ما سواها
 lasso = التطويق
 shift-and-a-drag-chooses = Shift مع السحب يختار نقاط الربط داخل محيط حر بدل مستطيل
@@ -284,7 +286,7 @@ and-rejected-by-hand = {" "}و{ COUNT($gone) } مرفوضة يدويًا
 tie-points-from-to = نقاط الربط: { COUNT($taking) }{ $what }؛ { $title } من { $from } إلى { $to } { $unit }
 ground-sample-distance = مسافة العينة الأرضية { $reduce }
 gnss-positions-differ-by-up = تختلف مواضع GNSS حتى { $gnss }
-surveyed-points-differ-by-up = تختلف النقاط الممسوحة، وعددها { COUNT($surveyed) }، حتى { $surveyed_2 }
+surveyed-points-differ-by-up = تختلف نقاط الضبط الأرضي والتحقق، وعددها { COUNT($surveyed) }، حتى { $surveyed_2 }
 the-images-lie-within-by = تقع الصور ضمن { $length_text } في { $length_text_2 }
 length-in-units-of-the-block = { $length } من وحدات الكتلة
 matrix = المصفوفة
@@ -601,7 +603,7 @@ probability = الاحتمال
 probability-that-all-its-observations = احتمال أن تُظهر أرصادها كلها نقطة واحدة، من المطابقات وحدها.
 part = المشاركة
 whether-the-point-takes-part = هل تشارك النقطة في الضبط.
-name-of-the-surveyed-point = اسم النقطة الممسوحة. اضغط صفًا لاختيارها في جميع العروض.
+name-of-the-surveyed-point = اسم نقطة الضبط الأرضي أو التحقق. اضغط صفًا لاختيارها في جميع العروض.
 use = الاستعمال
 control-points-place-the-block = نقاط الضبط تضع الكتلة؛ ونقاط التحقق تحكم عليها ولا تشارك.
 image-measurements-that-took-part = القياسات الصورية التي شاركت.
@@ -773,7 +775,7 @@ step-use = { $use ->
         [control] استعمال { $name } نقطة ضبط
        *[check] استعمال { $name } نقطة تحقق
     }
-one-surveyed-point = نقطة ممسوحة
+one-surveyed-point = نقطة ضبط أرضي أو تحقق واحدة
 in-image = {" "}في { $name }
 rejected-as-a-gross-error = مرفوض خطأً جسيمًا
 add-a-link = إضافة رابط
@@ -921,6 +923,12 @@ given-point = { $name }: X Y Z { $place }؛ { $use }.
 measured = مقيسة
 marks-by-hand = القياسات الصورية اليدوية
 mark-of = { $point } في { $image }
+step-remove-images = إزالة { $images ->
+        [one] صورة واحدة
+        [two] صورتين
+        [few] { $images } صور
+       *[other] { COUNT($images) } صورة
+    }
 step-unmark = إزالة قياس { $what } في { $images }
 control-waits = لا تشارك نقاط الضبط بعد: { $twice ->
     [zero] لم تُقَس أي منها

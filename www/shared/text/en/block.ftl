@@ -160,6 +160,8 @@ take-what-is-chosen-out = Take what is chosen out of the adjustment (Delete)
 reject-point = Reject point
 take-the-point-with-all = Take the point with all its observations out (Shift+Delete)
 use-what-is-chosen-again = Use what is chosen again (R)
+remove-image = Remove image
+take-the-chosen-image-out = Take the chosen image out of the block; only what depends on it is computed again
 measure-it = Measure
 measure-the-chosen-point-in = Measure the chosen point in the images that are shown (E)
 add-point = Add point
@@ -989,6 +991,10 @@ given-point = { $name }: X Y Z { $place }; { $use }.
 measured = measured
 marks-by-hand = Image measurements by hand
 mark-of = { $point } in { $image }
+step-remove-images = remove { $images ->
+        [one] 1 image
+       *[other] { COUNT($images) } images
+    }
 step-unmark = remove { $what } in { $images }
 control-waits = The control points take no part yet: { $twice ->
     [0] none is

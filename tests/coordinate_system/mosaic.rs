@@ -1,0 +1,113 @@
+//! Mosaics and accuracy maps in a coordinate reference system, beside their truth.
+
+use super::flown::{GEOID_M, both, by_gnss, flown, in_utm};
+use super::orthophoto::in_system;
+use crate::shown::shown;
+use std::fs;
+use tiepoint::{
+    BlockRun, DecodeLimits, GreyImage, HeightModel, Heights, Mosaic, Orthophoto, Rectified, accuracy_map, decode, write_geotiff,
+    write_heights,
+};
+
+/// The block in UTM with the true orientations of its photos, whose heights are those above the geoid.
+fn true_block() -> BlockRun {
+    let mut run = both().clone();
+    let truth = flown().scene.truth();
+    run.input.settings.placing.geoid_m = Some(GEOID_M);
+    (run.model.origin, run.model.cameras) = (truth.origin, truth.cameras);
+    for (own, image) in run.model.images.iter_mut().zip(truth.images) {
+        (own.camera, own.pose) = (image.camera, image.pose);
+    }
+    run
+}
+
+/// A photo that shows a single spot.
+fn spotted([x, y]: [f64; 2]) -> GreyImage {
+    let grey = |column: usize, row: usize| {
+        let [dx, dy] = [column as f64 + 0.5 - x, row as f64 + 0.5 - y];
+        (20.0 + 200.0 * (-(dx * dx + dy * dy) / (2.0 * 9.0)).exp()).round() as u8
+    };
+    GreyImage::from_fn(480, 360, grey).unwrap()
+}
+
+/// Where a picture shows its spot, in px.
+fn spot(picture: &Rectified, about: [f64; 2]) -> [f64; 2] {
+    let mut sums = [0.0; 3];
+    for row in 0..picture.grey.height() {
+        for column in 0..picture.grey.width() {
+            let at = [column as f64 + 0.5, row as f64 + 0.5];
+            let near = (0..2).all(|k| (at[k] - about[k]).abs() < 15.0);
+            let weight = if near { (f64::from(picture.grey.view().at(column, row)) - 22.0).max(0.0) } else { 0.0 };
+            sums = [sums[0] + weight, sums[1] + weight * at[0], sums[2] + weight * at[1]];
+        }
+    }
+    [sums[1] / sums[0], sums[2] / sums[0]]
+}
+
+#[test]
+fn a_mosaic_has_known_ground_at_its_pixels_in_the_coordinate_reference_system() {
+    let run = true_block();
+    let mut seen = 0;
+    for (place, images) in shown(&flown().scene, &[0, 3, 6], &[[150.0, 120.0], [330.0, 240.0]]) {
+        let [x, y, z] = in_utm(place);
+        let mut mosaic = Mosaic::of_block(&run, Some(Heights::Level(z)), None).unwrap();
+        assert_eq!(mosaic.epsg(), Some(25_832));
+        // Whole, not cut by the edge of the photo.
+        let (image, at) = *images.iter().find(|(_, [x, y])| (40.0..440.0).contains(x) && (40.0..320.0).contains(y)).unwrap();
+        mosaic.add(image, spotted(at).view()).unwrap();
+        let made = mosaic.finish().unwrap();
+        let expected = made.georeference.pixel([x, y]);
+        let found = spot(&made, expected);
+        assert!((0..2).all(|k| (found[k] - expected[k]).abs() < 0.1), "{found:?}, expected {expected:?}");
+        seen += 1;
+    }
+    assert!(seen >= 4, "{seen}");
+}
+
+#[test]
+fn a_mosaic_on_the_heights_of_tie_points_covers_what_the_block_shows_and_says_its_system() {
+    let run = both();
+    let mut mosaic = Mosaic::of_block(run, None, None).unwrap();
+    let photo = decode(&fs::read(&flown().photos[0]).unwrap(), &DecodeLimits::default()).unwrap().grey;
+    mosaic.add(0, photo.view()).unwrap();
+    let epsg = mosaic.epsg();
+    let Heights::Model(heights) = mosaic.heights() else { panic!("the tie points give heights") };
+    let [x, y, z] = in_utm(flown().scene.surface_at(0, &[[240.0, 180.0]]).unwrap()[0]);
+    let ground = heights.at([x, y]).unwrap();
+    // The zero of the heights is that of the control points, where nothing says another.
+    assert!((ground - z).abs() < 25.0, "{ground} {z}");
+    let read = HeightModel::read(&write_heights(heights, epsg).unwrap(), None).unwrap();
+    assert_eq!(read.epsg(), Some(25_832));
+    let made = mosaic.finish().unwrap();
+    let at = made.georeference.pixel([x, y]);
+    assert_eq!(made.mask.view().at(at[0] as usize, at[1] as usize), 255);
+    let file = write_geotiff(&made, epsg).unwrap();
+    let read = Orthophoto::read(&file, None, Heights::Level(0.0), &DecodeLimits::default()).unwrap();
+    assert_eq!((read.epsg, read.georeference), (Some(25_832), made.georeference));
+}
+
+#[test]
+fn heights_of_another_system_and_systems_in_degrees_are_refused_for_a_mosaic() {
+    let Heights::Model(model) = in_system().heights.clone() else { panic!("the scene has heights") };
+    let of = |epsg: u16| Heights::Model(HeightModel::read(&write_heights(&model, Some(epsg)).unwrap(), None).unwrap());
+    assert!(Mosaic::of_block(both(), Some(of(25_832)), Some(5.0)).is_ok());
+    let told = Mosaic::of_block(both(), Some(of(25_833)), None).err().unwrap().to_string();
+    assert!(told.contains("EPSG:25833") && told.contains("EPSG:25832"), "{told}");
+    let mut degrees = by_gnss().clone();
+    degrees.input.settings.placing.crs = Some("EPSG:4258".into());
+    let told = Mosaic::of_block(&degrees, None, None).err().unwrap().to_string();
+    assert!(told.contains("ETRS89") && told.contains("degrees"), "{told}");
+    assert_eq!(accuracy_map(&degrees, None, None).err().unwrap().to_string(), told);
+}
+
+#[test]
+fn accuracy_maps_are_in_the_coordinate_reference_system() {
+    let map = accuracy_map(both(), None, None).unwrap();
+    let [x, y, z] = in_utm(flown().scene.surface_at(0, &[[240.0, 180.0]]).unwrap()[0]);
+    let at = map.georeference.pixel([x, y]);
+    assert!(at[0] >= 0.0 && at[1] >= 0.0 && at[0] < map.width as f64 && at[1] < map.height as f64, "{at:?}");
+    let cell = map.cells[at[1] as usize * map.width + at[0] as usize];
+    assert!(cell.images >= 2 && (cell.ground - z).abs() < 25.0 && cell.plan > 0.0 && cell.height > cell.plan, "{cell:?}");
+    let [plan, ..] = map.rasters().unwrap();
+    assert_eq!(HeightModel::read(&plan, None).unwrap().epsg(), Some(25_832));
+}
