@@ -4,8 +4,8 @@ use crate::normal::Normal;
 use crate::sampling::{about_one, runs};
 use crate::scene::{Scene, scene, selected};
 use tiepoint::{
-    AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, ControlRole, Datum, FreeParameters,
-    GnssErrors, GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,
+    AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, CameraUncertainty, ControlRole, Datum,
+    FreeParameters, GnssErrors, GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,
     ReconstructionOptions, TiePoints, UnorientedReason, adjust_block, geographic_from_local, local_from_geographic, reconstruct_block,
     simulate_block, tie_points,
 };
@@ -65,6 +65,40 @@ fn a_block_of_two_heights_finds_its_focal_length() {
     let (found, error) = (model.adjusted.block.cameras[0].focal_px, model.adjusted.cameras[0].standard_errors[0].unwrap());
     assert!((found - wanted).abs() < 4.0 * error && error < 0.02 * wanted, "{found} ± {error}, {wanted}");
     assert!(model.warnings.iter().any(|warning| matches!(warning, BlockWarning::FocalEstimated { .. })), "{:?}", model.warnings);
+}
+
+/// The error of the focal length of a small block, its standard error, and what moved from the given value, as shares of the true one.
+fn focal_error(flight: BlockFlight, factor: f64, within: CameraUncertainty) -> [f64; 3] {
+    let mut scene = scene(&BlockFlight { strips: 3, exposures: 4, features: 600, ..flight }, factor);
+    scene.description.cameras.iter_mut().for_each(|camera| camera.uncertainty = Some(within));
+    let model = scene.reconstruct(&selected()).models.swap_remove(0);
+    let wanted = scene.description.cameras[0].focal_px.unwrap() / factor;
+    let found = model.adjusted.block.cameras[0].focal_px / wanted;
+    let error = model.adjusted.cameras[0].standard_errors[0].unwrap_or(0.0) / wanted;
+    println!("f x {factor:.3}: {:+.2} % ± {:.2} %", 100.0 * (found - 1.0), 100.0 * error);
+    [found - 1.0, error, found - factor]
+}
+
+#[test]
+fn focal_lengths_of_flat_nadir_blocks_err_by_as_much_as_told() {
+    let flat = |seed| BlockFlight { relief_m: 0.0, seed, ..BlockFlight::default() };
+    // Quantiles of the normal distribution: the given focal lengths err as EXIF does.
+    let deviates = [-1.53, -0.89, -0.49, -0.16, 0.16, 0.49, 0.89, 1.53];
+    let errors = deviates.iter().enumerate().map(|(seed, deviate)| {
+        let factor = 1.0 + CameraUncertainty::EXIF.focal * deviate;
+        focal_error(flat(seed as u32 + 1), factor, CameraUncertainty::EXIF)
+    });
+    let ratios: Vec<f64> = errors.map(|[off, error, _]| off * off / (error * error)).collect();
+    let mean = (ratios.iter().sum::<f64>() / ratios.len() as f64).sqrt();
+    println!("error by standard error: {mean:.2}");
+    assert!((0.5..1.5).contains(&mean), "{ratios:?}");
+    for seed in [11, 12] {
+        let [off, error, moved] = focal_error(flat(seed), 1.03, CameraUncertainty::EXIF);
+        assert!(off.abs() < 3.0 * error && moved.abs() < CameraUncertainty::EXIF.focal, "{off} {error} {moved}");
+        // A calibrated one is held as firmly as it is known.
+        let [_, error, moved] = focal_error(flat(seed), 1.003, CameraUncertainty::GIVEN);
+        assert!(moved.abs() < 2.0 * CameraUncertainty::GIVEN.focal && error <= 1.003 * CameraUncertainty::GIVEN.focal, "{error} {moved}");
+    }
 }
 
 #[test]

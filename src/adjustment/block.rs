@@ -3,7 +3,7 @@
 //! The system of the images is that of the whole crate: photo = M·(X - X₀), x to the right, y up, the viewing direction -z. Lengths of the
 //! object space have one unit throughout, metres say.
 
-use crate::camera::{Camera, FreeParameters, Pose};
+use crate::camera::{Camera, CameraUncertainty, FreeParameters, Pose};
 use crate::{BlockModel, Error};
 use serde::{Deserialize, Serialize};
 
@@ -94,6 +94,17 @@ pub struct CameraPrior {
     pub values: [f64; 8],
     /// Standard errors of these, above 0; absent for what is not known: its place in `values` means nothing.
     pub sigma: [Option<f64>; 8],
+}
+
+impl CameraPrior {
+    /// Of a camera with its values before the adjustment. What has a standard deviation of 0 is known without error: it must not be free.
+    pub fn of(camera: usize, known: &Camera, uncertainty: CameraUncertainty) -> Self {
+        let CameraUncertainty { focal, principal_point, k1 } = uncertainty;
+        let f = known.focal_px;
+        let sigma = |sigma: f64| (sigma > 0.0).then_some(sigma);
+        let point = sigma(principal_point * f);
+        Self { camera, values: known.values(), sigma: [sigma(focal * f), point, point, sigma(k1), None, None, None, None] }
+    }
 }
 
 /// An observed position with the standard error of each of its coordinates.

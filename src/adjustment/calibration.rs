@@ -7,19 +7,20 @@ use crate::CameraParameter;
 use crate::camera::CAMERA_PARAMETERS;
 
 /// Of each camera that has any the column of the parameter that is determined worst, and by how much in px its standard error moves a ray at
-/// the edge. `of_camera` are the parameters of each camera with their columns.
+/// the edge. `of_camera` are the parameters of each camera with their columns; those that `is_held` names do not count.
 pub(super) fn weakest_of_each(
     cameras: &DenseFactor,
     of_camera: &[Vec<(usize, usize)>],
     effects: &[[f64; CAMERA_PARAMETERS]],
     sigma: f64,
+    is_held: impl Fn(usize) -> bool,
 ) -> Vec<(usize, f64)> {
     let (q, cofactors) = (cameras.side(), cameras.inverse());
     let effect = |camera: usize, (parameter, column): (usize, usize)| {
         (column, sigma * cofactors[column * q + column].max(0.0).sqrt() * effects[camera][parameter])
     };
     let worst = |(camera, own): (usize, &Vec<(usize, usize)>)| {
-        own.iter().map(|parameter| effect(camera, *parameter)).max_by(|a, b| a.1.total_cmp(&b.1))
+        own.iter().filter(|(_, column)| !is_held(*column)).map(|parameter| effect(camera, *parameter)).max_by(|a, b| a.1.total_cmp(&b.1))
     };
     of_camera.iter().enumerate().filter_map(worst).collect()
 }

@@ -5,8 +5,8 @@ use crate::catalogue::refuse;
 use crate::{Allowed, Error};
 use serde::{Deserialize, Serialize};
 
-/// Standard deviations of the constants of a camera before its images are measured. They enter the adjustment of a pair as prior
-/// information: what the pair determines is estimated, what it does not determine is counted in the total standard errors.
+/// Standard deviations of the constants of a camera before its images are measured. They enter the adjustment of a pair or block as prior
+/// information: what the images determine is estimated, what they do not determine is counted in the total standard errors.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -21,7 +21,7 @@ pub struct CameraUncertainty {
 
 impl CameraUncertainty {
     /// Refuses what is no standard deviation of a camera.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         for (name, value) in [
             ("camera.uncertainty.focal", self.focal),
             ("camera.uncertainty.principal_point", self.principal_point),

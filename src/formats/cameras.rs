@@ -2,7 +2,7 @@
 
 use crate::error::refuse;
 use crate::json;
-use crate::{Camera, Document, Error, FreeParameters, KnownCamera, Location, Refusal};
+use crate::{Camera, CameraUncertainty, Document, Error, FreeParameters, KnownCamera, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// A camera, and the images that it took.
@@ -49,7 +49,10 @@ impl CameraRule {
     pub(crate) fn known(&self, width_px: u32, height_px: u32) -> KnownCamera {
         let Self { focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, .. } = *self;
         let free = if fixed { FreeParameters::default() } else { FreeParameters::USUAL };
-        KnownCamera { principal_point_px, radial, tangential, pixel_mm, free, ..KnownCamera::of_size(width_px, height_px, Some(focal_px)) }
+        // Approximate values are as good as those of EXIF.
+        let uncertainty = Some(if fixed { CameraUncertainty::NONE } else { CameraUncertainty::EXIF });
+        let plain = KnownCamera::of_size(width_px, height_px, Some(focal_px));
+        KnownCamera { principal_point_px, radial, tangential, pixel_mm, free, uncertainty, ..plain }
     }
 
     /// The camera as it is given, by its name where it is refused.

@@ -2,7 +2,7 @@
 
 use super::block::seen_twice;
 use super::{BlockModel, ControlRole, GroundControlPoint, ModelImage, ObservedPosition};
-use crate::camera::{Camera, FreeParameters};
+use crate::camera::{Camera, CameraUncertainty, FreeParameters};
 use crate::catalogue::check_values;
 use crate::error::refuse;
 use crate::message::{Message, written};
@@ -40,6 +40,7 @@ impl BlockDescription {
             }
         };
         self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.approximate().check(named(index)))?;
+        self.cameras.iter().filter_map(|camera| camera.uncertainty).try_for_each(|uncertainty| uncertainty.check())?;
         for image in &self.images {
             if image.camera >= self.cameras.len() {
                 return refuse(Refusal::CameraOfImage { camera: image.camera, name: image.name.clone(), cameras: self.cameras.len() });
@@ -144,6 +145,10 @@ pub struct KnownCamera {
     /// Side of a pixel in mm, for exports in photo coordinates.
     #[serde(default)]
     pub pixel_mm: Option<f64>,
+    /// Standard deviations of the values above, which enter the adjustment as prior information; absent: as
+    /// [`known_within`](Self::known_within) says.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<CameraUncertainty>,
 }
 
 impl KnownCamera {
@@ -158,7 +163,14 @@ impl KnownCamera {
             tangential: [0.0; 2],
             free: FreeParameters::USUAL,
             pixel_mm: None,
+            uncertainty: None,
         }
+    }
+
+    /// How well its values are known: as stated; else a focal length is taken for one of EXIF, and a guessed one for hardly known.
+    pub fn known_within(&self) -> CameraUncertainty {
+        let usual = if self.focal_px.is_some() { CameraUncertainty::EXIF } else { CameraUncertainty::ASSUMED };
+        self.uncertainty.unwrap_or(usual)
     }
 
     /// The camera with what is known of it, and guesses for the rest; a guessed focal length is estimated.
@@ -167,7 +179,13 @@ impl KnownCamera {
         let longer_side_px = f64::from(width_px.max(height_px));
         let plain = Camera::without_distortion(width_px, height_px, self.focal_px.unwrap_or(GUESSED_FOCAL * longer_side_px));
         let principal_point_px = self.principal_point_px.unwrap_or(plain.principal_point_px);
-        let free = FreeParameters { focal: self.free.focal || self.focal_px.is_none(), ..self.free };
+        let known = self.known_within();
+        let free = FreeParameters {
+            focal: (self.free.focal || self.focal_px.is_none()) && known.focal > 0.0,
+            principal_point: self.free.principal_point && known.principal_point > 0.0,
+            radial: if known.k1 > 0.0 { self.free.radial } else { 0 },
+            ..self.free
+        };
         Camera { principal_point_px, radial, tangential, pixel_mm, free, ..plain }
     }
 

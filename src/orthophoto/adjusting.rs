@@ -3,7 +3,7 @@
 use super::links::Found;
 use super::options::PlacingOptions;
 use crate::adjustment::linearise;
-use crate::camera::{CAMERA_PARAMETERS, CameraUncertainty};
+use crate::camera::CameraUncertainty;
 use crate::{
     AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, Camera, CameraPrior, ControlPoint, Datum, Error,
     FreeParameters, Pose, adjust_block,
@@ -40,12 +40,7 @@ const NO_LIMIT_PX: f64 = 1000.0;
 
 impl PlacingCamera {
     pub(super) fn prior(&self) -> CameraPrior {
-        let CameraUncertainty { focal, principal_point, k1 } = self.uncertainty;
-        let f = self.camera.focal_px;
-        let sigma = |share: f64| (share > 0.0).then_some(share);
-        let point = sigma(principal_point * f);
-        let sigma: [Option<f64>; CAMERA_PARAMETERS] = [sigma(focal * f), point, point, sigma(k1), None, None, None, None];
-        CameraPrior { camera: 0, values: self.camera.values(), sigma }
+        CameraPrior::of(0, &self.camera, self.uncertainty)
     }
 
     /// What of it is estimated.

@@ -8,13 +8,8 @@ impl PlacingCamera {
     /// By the rules that the image's name fits, as in blocks: those with `fixed` are taken as calibrated. Else by its EXIF and XMP, else a usual
     /// focal length, each with its uncertainty.
     pub fn of(rules: &CameraRules, name: &str, size: [u32; 2], exif: &ExifImage) -> Self {
-        let (rule, known) = rules.camera_of(name, size, exif);
-        let uncertainty = match (rule, known.focal_px, &exif.camera) {
-            (Some(_), ..) if known.fixed => CameraUncertainty::NONE,
-            (Some(_), ..) => CameraUncertainty::EXIF,
-            (None, Some(_), Some(camera)) => CameraUncertainty::of(camera.origin),
-            _ => CameraUncertainty::ASSUMED,
-        };
+        let (_, known) = rules.camera_of(name, size, exif);
+        let uncertainty = known.to_be_calibrated().known_within();
         let assumed = CameraUncertainty::ASSUMED_FOCAL * f64::from(size[0].max(size[1]));
         let with_focal = KnownCamera { focal_px: known.focal_px.or(Some(assumed)), ..known.to_be_calibrated() };
         Self { camera: with_focal.held(), uncertainty }

@@ -3,7 +3,7 @@
 use super::Remark;
 use crate::camera::{USUAL_FOCAL, camera_label, contradict, is_near};
 use crate::error::refuse;
-use crate::{Camera, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, Refusal, parse_camera_rules};
+use crate::{Camera, CameraRule, CameraUncertainty, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, Refusal, parse_camera_rules};
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 
@@ -23,15 +23,18 @@ pub struct InitialCamera {
     pub pixel_mm: Option<f64>,
     /// Whether the block takes it as it is.
     pub fixed: bool,
+    /// How well it is known, by where it is known from; absent in blocks of former versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<CameraUncertainty>,
 }
 
 impl InitialCamera {
     /// The row of a camera. It is taken as it is where nothing of it is estimated.
     pub(crate) fn new(label: String, known: &KnownCamera) -> Self {
-        let KnownCamera { width_px, height_px, focal_px, radial, tangential, pixel_mm, free, .. } = *known;
+        let KnownCamera { width_px, height_px, focal_px, radial, tangential, pixel_mm, free, uncertainty, .. } = *known;
         let Camera { principal_point_px, .. } = known.approximate();
         let fixed = free == FreeParameters::default();
-        Self { label, width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed }
+        Self { label, width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, uncertainty }
     }
 
     /// As a model holds it; absent where its focal length is not known.
@@ -41,9 +44,10 @@ impl InitialCamera {
 
     /// As the reconstruction takes it.
     pub fn to_be_calibrated(&self) -> KnownCamera {
-        let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, .. } = *self;
+        let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, uncertainty, .. } = *self;
         let free = if fixed { FreeParameters::default() } else { FreeParameters::USUAL };
-        KnownCamera { width_px, height_px, focal_px, principal_point_px: Some(principal_point_px), radial, tangential, free, pixel_mm }
+        let principal_point_px = Some(principal_point_px);
+        KnownCamera { width_px, height_px, focal_px, principal_point_px, radial, tangential, free, pixel_mm, uncertainty }
     }
 }
 
@@ -147,7 +151,10 @@ impl OwnCamera {
 
     fn order(&self, other: &Self) -> Ordering {
         let constants = self.constants.iter().zip(&other.constants).map(|(a, b)| a.total_cmp(b));
-        self.kind().cmp(&other.kind()).then_with(|| constants.fold(Ordering::Equal, Ordering::then))
+        // Of equal constants those that are known best stand for all.
+        let share = |own: &Self| own.camera.uncertainty.map_or(1.0, |uncertainty| uncertainty.focal);
+        let order = self.kind().cmp(&other.kind()).then_with(|| constants.fold(Ordering::Equal, Ordering::then));
+        order.then_with(|| share(self).total_cmp(&share(other)))
     }
 
     fn is_same(&self, other: &Self) -> bool {
@@ -165,7 +172,8 @@ fn of_exif(size: [u32; 2], exif: &ExifImage) -> InitialCamera {
     let label = camera_label(exif.make.as_deref(), exif.model.as_deref(), camera.map(|camera| camera.focal_mm), size);
     let pixel_mm = camera.and_then(|camera| camera.pixel_mm);
     let focal_px = camera.zip(pixel_mm).map(|(camera, pixel)| camera.focal_mm / pixel);
-    let plain = KnownCamera { pixel_mm, ..KnownCamera::of_size(size[0], size[1], focal_px) };
+    let within = camera.filter(|_| focal_px.is_some()).map_or(CameraUncertainty::ASSUMED, |camera| CameraUncertainty::of(camera.origin));
+    let plain = KnownCamera { pixel_mm, uncertainty: Some(within), ..KnownCamera::of_size(size[0], size[1], focal_px) };
     let known = match camera.and_then(|camera| camera.lens.as_deref()) {
         Some(&Camera { principal_point_px, radial, tangential, .. }) => {
             KnownCamera { principal_point_px: Some(principal_point_px), radial, tangential, ..plain }

@@ -1,8 +1,9 @@
 //! Adjustments of a growing model: of all its images, or of some that the others hold.
 
 use super::net::Net;
+use crate::KnownCamera;
 use crate::adjustment::{Block, BlockImage, BlockObservation, Start, adjust_start};
-use crate::camera::{CAMERA_PARAMETERS, Camera};
+use crate::camera::CAMERA_PARAMETERS;
 
 /// Beyond so many images adjustments of all cost more than the rest, and images are held from many sides: they are made more seldom and
 /// end sooner.
@@ -14,9 +15,7 @@ const LEAST_CALIBRATING: usize = 3;
 /// Iterations of an adjustment on the way, and of one of many images.
 const ITERATIONS: usize = 12;
 const ITERATIONS_OF_MANY: usize = 4;
-/// Standard errors of a focal length that is known approximately and of a guessed one, as shares, and of k1 and k2.
-const KNOWN_FOCAL_SHARE: f64 = 0.03;
-const GUESSED_FOCAL_SHARE: f64 = 0.3;
+/// Standard error of k2.
 const RADIAL: f64 = 0.05;
 
 /// What is known of the cameras beforehand.
@@ -26,12 +25,12 @@ pub(super) struct KnownParameters {
     pub known: [(f64, f64); CAMERA_PARAMETERS],
 }
 
-/// What is known of a camera: of a given focal length within some percent, of a guessed one hardly anything.
-pub(super) fn known_parameters(camera: &Camera, is_guessed: bool) -> KnownParameters {
+/// What is known of a camera, as the adjustment of the finished block takes it.
+pub(super) fn known_parameters(known: &KnownCamera) -> KnownParameters {
+    let (camera, within) = (known.approximate(), known.known_within());
     let (values, free) = (camera.values(), camera.free.flags());
-    let focal = camera.focal_px * if is_guessed { GUESSED_FOCAL_SHARE } else { KNOWN_FOCAL_SHARE };
     // The principal point waits for the adjustment of the finished block.
-    let sigmas = [focal, 0.0, 0.0, RADIAL, RADIAL, 0.0, 0.0, 0.0];
+    let sigmas = [camera.focal_px * within.focal, 0.0, 0.0, within.k1, RADIAL, 0.0, 0.0, 0.0];
     let known = std::array::from_fn(|k| (values[k], if free[k] { sigmas[k] } else { 0.0 }));
     KnownParameters { known }
 }

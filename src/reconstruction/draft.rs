@@ -7,7 +7,7 @@ use super::placing::Placing;
 use super::result::{ObservationSource, PointSource, ReconstructedModel, RejectedObservation};
 use super::review::warnings;
 use super::surveyed::surveyed_points;
-use crate::adjustment::{AdjustmentOptions, AdjustmentResult, Block, BlockImage, ControlPoint, Datum, adjust_block};
+use crate::adjustment::{AdjustmentOptions, AdjustmentResult, Block, BlockImage, CameraPrior, ControlPoint, Datum, adjust_block};
 use crate::camera::{Camera, Pose};
 use crate::{Cause, ControlRole, Error};
 
@@ -23,12 +23,18 @@ pub(super) struct Draft {
 }
 
 impl Draft {
-    /// Images (ascending) without points; `pose_of` gives the camera of an image and its pose.
+    /// Images (ascending) without points; `pose_of` gives the camera of an image and its pose. Cameras start as `cameras` has them, held by what
+    /// was known of them before the block.
     pub fn of_images(known: &Known<'_>, images: Vec<usize>, cameras: &[Camera], pose_of: impl Fn(usize) -> (usize, Option<Pose>)) -> Self {
         let mut used: Vec<usize> = images.iter().map(|image| pose_of(*image).0).collect();
         used.sort_unstable();
         used.dedup();
         let mut block = Block { cameras: used.iter().map(|camera| cameras[*camera]).collect(), ..Block::default() };
+        let prior = |(place, camera): (usize, &usize)| {
+            let given = &known.description.cameras[*camera];
+            CameraPrior::of(place, &given.approximate(), given.known_within())
+        };
+        block.camera_priors = used.iter().enumerate().map(prior).collect();
         for image in &images {
             let (camera, Some(pose)) = pose_of(*image) else { continue };
             let camera = used.binary_search(&camera).unwrap_or_default();

@@ -46,8 +46,7 @@ pub fn reconstruct_block(
     check(description, points, features)?;
     let frame = Frame::new(description)?;
     let cameras: Vec<Camera> = description.cameras.iter().map(KnownCamera::approximate).collect();
-    let priors: Vec<KnownParameters> =
-        cameras.iter().zip(&description.cameras).map(|(camera, given)| known_parameters(camera, given.focal_px.is_none())).collect();
+    let priors: Vec<KnownParameters> = description.cameras.iter().map(known_parameters).collect();
     let camera_of: Vec<usize> = description.images.iter().map(|image| image.camera).collect();
     let longer_side = |camera: &KnownCamera| f64::from(camera.width_px.max(camera.height_px));
     let longer_side_px: Vec<f64> = description.cameras.iter().map(longer_side).collect();

@@ -169,12 +169,17 @@ fn of_measurements(model: &ReconstructedModel, description: &BlockDescription) -
     found
 }
 
+/// A focal length is determined by the block where its standard error is below this share of what was known before.
+const DETERMINED: f64 = 0.5;
+
 fn of_cameras(model: &ReconstructedModel, description: &BlockDescription) -> Vec<BlockWarning> {
     let mut found = Vec::new();
     for (index, statistics) in model.cameras.iter().zip(&model.adjusted.cameras) {
         let camera = description.named_camera(*index);
         if model.guessed_focal.contains(index) {
-            found.push(match statistics.standard_errors[0] {
+            let given = &description.cameras[*index];
+            let most_px = DETERMINED * given.known_within().focal * given.approximate().focal_px;
+            found.push(match statistics.standard_errors[0].filter(|error_px| *error_px < most_px) {
                 Some(error_px) => BlockWarning::FocalEstimated { camera: camera.clone(), error_px },
                 None => BlockWarning::FocalUndetermined { camera: camera.clone() },
             });

@@ -1,4 +1,5 @@
-//! Which camera parameters are estimated: those that the block hardly determines are fixed, one a camera and round.
+//! Which camera parameters are estimated: those that the block hardly determines are fixed, one a camera and round, unless prior information
+//! holds them: their standard errors then say how little the block determines them.
 
 use super::course::Course;
 use crate::adjustment::axis::observed_axes;
@@ -13,6 +14,15 @@ use crate::{CameraParameter, Error};
 
 /// Before the first adjustment a camera parameter is only fixed where it is this many times worse than the limit: σ₀ is not known yet.
 const FIRST_TOLERANCE: f64 = 50.0;
+
+/// Which camera parameters may be fixed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Candidates {
+    /// Those without prior information.
+    Unknown,
+    /// All, where nothing else lets the adjustment converge.
+    All,
+}
 
 impl Course<'_> {
     /// Fixes what the block does not determine at all, before anything is adjusted.
@@ -41,7 +51,7 @@ impl Course<'_> {
                 constraints: &constraints,
             };
             let limit = FIRST_TOLERANCE * self.options.calibration_limit_px;
-            let found = self.worse_than(&problem, limit, self.weighted_by())?;
+            let found = self.worse_than(&problem, limit, self.weighted_by(), Candidates::Unknown)?;
             found.iter().for_each(|(column, effect)| self.fix(columns.parameter[*column], *effect));
             if found.is_empty() && !self.fix_undetermined_error(&problem)? {
                 return Ok(());
@@ -50,18 +60,24 @@ impl Course<'_> {
     }
 
     /// Fixes of each camera the parameter that is determined worst, where its effect exceeds a limit in px; whether there were any.
-    pub fn fix_weakest(&mut self, problem: &Problem<'_>, limit_px: f64) -> Result<bool, Error> {
+    pub fn fix_weakest(&mut self, problem: &Problem<'_>, limit_px: f64, candidates: Candidates) -> Result<bool, Error> {
         if problem.columns.parameter.is_empty() {
             return Ok(false);
         }
         let sigma = self.options.sigma0_px.unwrap_or(self.sigma);
-        let found = self.worse_than(problem, limit_px, sigma)?;
+        let found = self.worse_than(problem, limit_px, sigma, candidates)?;
         found.iter().for_each(|(column, effect)| self.fix(problem.columns.parameter[*column], *effect));
         Ok(!found.is_empty())
     }
 
     /// Of each camera the column determined worst, where its effect in px (absent: unbounded) exceeds a limit.
-    fn worse_than(&mut self, problem: &Problem<'_>, limit: f64, sigma: f64) -> Result<Vec<(usize, Option<f64>)>, Error> {
+    fn worse_than(
+        &mut self,
+        problem: &Problem<'_>,
+        limit: f64,
+        sigma: f64,
+        candidates: Candidates,
+    ) -> Result<Vec<(usize, Option<f64>)>, Error> {
         match self.factor(problem) {
             Err(Singular::Column(column)) if column < problem.columns.parameter.len() => return Ok(vec![(column, None)]),
             // A systematic error of positions, which is fixed after the cameras.
@@ -71,7 +87,9 @@ impl Course<'_> {
         }
         let Some(factored) = &self.nearby else { return Ok(Vec::new()) };
         let effects = effects(problem.network, &self.state);
-        let worst = weakest_of_each(&factored.cameras, &problem.columns.of_camera, &effects, sigma).into_iter();
+        let is_held =
+            |column: usize| candidates == Candidates::Unknown && problem.known.get(column).is_some_and(|known| known.weight > 0.0);
+        let worst = weakest_of_each(&factored.cameras, &problem.columns.of_camera, &effects, sigma, is_held).into_iter();
         Ok(worst.filter(|(_, effect)| !(*effect <= limit)).map(|(column, effect)| (column, Some(effect))).collect())
     }
 

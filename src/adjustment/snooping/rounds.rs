@@ -1,6 +1,7 @@
 //! The rounds of an adjustment: adjust, check, and again until no check changes anything.
 
 use super::course::Course;
+use super::parameters::Candidates;
 use crate::adjustment::axis::observed_axes;
 use crate::adjustment::block::Block;
 use crate::adjustment::components::sums_of_groups;
@@ -240,9 +241,10 @@ impl<'a> Course<'a> {
         self.sigma = round.adjusted.sigma;
         // What creeps although it is within the limit is still what is determined worst.
         let limit_px = self.options.calibration_limit_px;
-        if self.fix_weakest(&round.problem, limit_px)?
+        if self.fix_weakest(&round.problem, limit_px, Candidates::Unknown)?
             || self.fix_undetermined_error(&round.problem)?
-            || self.fix_weakest(&round.problem, 0.0)?
+            || self.fix_weakest(&round.problem, 0.0, Candidates::Unknown)?
+            || self.fix_weakest(&round.problem, 0.0, Candidates::All)?
         {
             return Ok(Some(Outcome::Fixed));
         }
@@ -304,8 +306,8 @@ impl<'a> Course<'a> {
     }
 
     fn undetermined(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
-        let is_fixed =
-            self.fix_weakest(&round.problem, self.options.calibration_limit_px)? || self.fix_undetermined_error(&round.problem)?;
+        let is_fixed = self.fix_weakest(&round.problem, self.options.calibration_limit_px, Candidates::Unknown)?
+            || self.fix_undetermined_error(&round.problem)?;
         Ok(is_fixed.then_some(Outcome::Fixed))
     }
 
