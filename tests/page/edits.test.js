@@ -253,7 +253,7 @@ test('a file holds the edits, which are undone elsewhere; one of a former versio
   assert.equal((await lastMatch(fresh.page)).edits.rejected_by_hand.length, rejected);
   assert.equal((await saved(fresh.page, 'export-project')).toString(), project.toString());
   await part(fresh.page, 'undo').click();
-  await until(async () => (await number(fresh.page, 'count-matches')) === left + rejected);
+  await until(fresh.page, 'the rejection is undone', async () => (await number(fresh.page, 'count-matches')) === left + rejected);
   assert.ok(await part(fresh.page, 'count-rejected-by-hand').isHidden());
   await part(fresh.page, 'file-input').setInputFiles([upload('former.tiepoint', Buffer.from(write_pair_project({ ...kept, edited: null })))]);
   const told = await says(fresh.page, 'status', /former.tiepoint was opened/);

@@ -39,6 +39,7 @@ export type {
   PairInput,
   PairInterior,
   PairEdit,
+  PairEdits,
   PairProject,
   PairTruth,
   PhotoInfo,

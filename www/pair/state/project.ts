@@ -1,5 +1,5 @@
 /** A pair as a project file holds it: of the state, and back. */
-import type { MatchResult, NoOrientation, PairEdit, PairInterior, PairProject, PairTruth } from '../../shared/crate';
+import type { MatchResult, NoOrientation, PairEdit, PairEdits, PairInterior, PairProject, PairTruth } from '../../shared/crate';
 import { BY_HAND, codeOf, UNDECIDED } from './codes';
 import { countsByHand, editedPair } from './edited';
 import type { Edited } from './edited';
@@ -65,7 +65,7 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
 }
 
 /** The edits that hold, with what was found before them; null where there are none. */
-function editsFor({ history: { edits, done } }: State, { found }: Edited): PairProject['edited'] {
+function editsFor({ history: { edits, done } }: State, { found }: Edited): PairEdits | null {
   return done === 0 ? null : { edits: edits.slice(0, done) as PairEdit[], found };
 }
 
