@@ -289,7 +289,15 @@ fn covariances_of_an_opened_block_are_those_of_its_standard_errors() {
     let text = covariance_table(&found);
     assert!(text.starts_with("of,unknown,unit,value,standard_error,c.pgm omega [deg],"), "{text}");
     assert_eq!(text.lines().count(), 1 + printed.len());
-    for wrong in [&["z.pgm"][..], &["point:99999"], &["broken.pgm"], &["a.pgm", "a.pgm"], &[]] {
+    // All of the block: the same figures, each once.
+    let all = block_covariances(run, &["all".to_string()]).unwrap();
+    let points = model.adjusted.points.iter().flatten().count();
+    let parameters = model.adjusted.cameras.iter().flat_map(|camera| camera.standard_errors).flatten().count();
+    assert_eq!(all.unknowns.len(), 6 * model.images.len() + parameters + 3 * points);
+    let at = |of: &str, name: &str| all.unknowns.iter().position(|one| one.of == of && one.name == name).unwrap();
+    let (of_point, of_image) = (at("point:1", "z"), at("a.pgm", "x"));
+    assert!((all.rows[of_point][of_image] / found.rows[8][12] - 1.0).abs() < 1e-6, "{:?}", found.unknowns);
+    for wrong in [&["all", "a.pgm"][..], &["z.pgm"], &["point:99999"], &["broken.pgm"], &["a.pgm", "a.pgm"], &[]] {
         let names: Vec<String> = wrong.iter().map(ToString::to_string).collect();
         assert_eq!(block_covariances(run, &names).unwrap_err().code(), "invalid-input", "{wrong:?}");
     }

@@ -15,16 +15,16 @@ export const covariances = {
     path(
       'of',
       'NAMES',
-      'Images, ground control points and check points by their names, point:N as in points.csv, camera:N as in images.csv, with commas between; required.',
+      'Images, ground control points and check points by their names, point:N as in points.csv, camera:N as in images.csv, with commas between; or all; required.',
     ),
     path('out', 'FILE.csv', 'The table that is written; required.'),
   ],
   details:
     'PROJECT is the project.tiepoint of a block. Each row is an unknown with its unit, adjusted value and standard error, then its covariances with all others, whose unit is the product of both units. ' +
-    'They account for all that the printed standard errors account for, with respect to the same datum. A matrix has at most 1,000 unknowns: six per image, three per point.',
+    'They account for all that the printed standard errors account for, with respect to the same datum. A matrix has at most 2,000 unknowns: six per image, three per point.',
   run({ positionals: [project = ''], values }) {
     const [of, out] = [values.get('of'), values.get('out')];
-    if (typeof of !== 'string') throw new UsageError('--of is missing: name images, points or cameras, with commas between');
+    if (typeof of !== 'string') throw new UsageError('--of is missing: name images, points or cameras, with commas between, or all');
     if (typeof out !== 'string') throw new UsageError('--out is missing: name the file that receives the table');
     const text = about(project, () => FinishedBlock.open(readBytes(project)).covariances(of.split(',').filter(Boolean)));
     makeFolder(dirname(out));

@@ -1135,6 +1135,6 @@ refusal-covariance-again = اسم تباين مشترك: أُعطي { $name } م
 refusal-accuracy-images = خريطة الدقة المتوقعة: أُعطيت كتلة فيها { $images } صورة؛ المسموح: حتى { $most }
 refusal-accuracy-sigma = الخطأ المعياري لإحداثي الصورة: أُعطي { $sigma_px } بكسل؛ المسموح: أكبر من 0، حتى 1000 بكسل
 refusal-accuracy-cell = ضلع خلية الخريطة: أُعطي { $cell }؛ المسموح: من { FIXED($least, digits: 4) } إلى { FIXED($most, digits: 4) }، بوحدة الكتلة
-refusal-covariance-name = اسم تباين مشترك: أُعطي { $name }؛ المسموح: أسماء صور موجَّهة ونقاط ضبط أرضي وتحقق مضبوطة، وpoint:N كما في points.csv، وcamera:N كما في images.csv
+refusal-covariance-name = اسم تباين مشترك: أُعطي { $name }؛ المسموح: أسماء صور موجَّهة ونقاط ضبط أرضي وتحقق مضبوطة، وpoint:N كما في points.csv، وcamera:N كما في images.csv، أو all
 
 ## What is computed.

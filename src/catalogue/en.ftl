@@ -478,7 +478,7 @@ refusal-covariance-again = name of a covariance: got { $name } twice; allowed: e
 refusal-accuracy-images = map of the expected accuracy: got a block with { $images } images; allowed: up to { $most }
 refusal-accuracy-sigma = standard error of an image coordinate: got { $sigma_px } px; allowed: above 0, up to 1000 px
 refusal-accuracy-cell = side of a cell of the map: got { $cell }; allowed: { FIXED($least, digits: 4) } to { FIXED($most, digits: 4) }, in units of the block
-refusal-covariance-name = name of a covariance: got { $name }; allowed: names of oriented images and of adjusted ground control and check points, point:N as in points.csv, camera:N as in images.csv
+refusal-covariance-name = name of a covariance: got { $name }; allowed: names of oriented images and of adjusted ground control and check points, point:N as in points.csv, camera:N as in images.csv, or all
 
 # Projects.
 refusal-pair-match = match of the pair: got { $left } and { $right }; allowed: points below { $points } and { $others }

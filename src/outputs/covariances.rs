@@ -10,7 +10,9 @@ use crate::{BlockRun, CameraParameter, Error, ReconstructedModel, Refusal};
 use serde::Serialize;
 
 /// Unknowns that a matrix has at most.
-const MOST_UNKNOWNS: usize = 1000;
+const MOST_UNKNOWNS: usize = 2000;
+/// The name of everything that the block estimates.
+const ALL: &str = "all";
 
 /// An unknown of the adjustment of a block.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -34,17 +36,18 @@ pub struct Covariances {
 }
 
 /// The covariances of images, points and cameras of the model that is written, and between all of them: those whose diagonal are the squares of its standard
-/// errors. Images and surveyed points go by their names, `point:N` is a point and `camera:N` a camera by its number in `points.csv` and `images.csv`.
+/// errors. Images and surveyed points go by their names, `point:N` is a point and `camera:N` a camera by its number in `points.csv` and `images.csv`;
+/// `all` is the whole block: its images, cameras, surveyed points and tie points.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] for names that nothing has, or that stand twice, for more than 1,000 unknowns, and for a block whose project does not keep all points
+/// [`Error::InvalidInput`] for names that nothing has, or that stand twice, for more than 2,000 unknowns, and for a block whose project does not keep all points
 /// by which it was adjusted; [`Error::TooFew`] without redundancy; [`Error::Degenerate`] where the normal equations are singular.
 pub fn block_covariances(run: &BlockRun, names: &[String]) -> Result<Covariances, Error> {
     let Some(model) = written(run) else { return refuse(Refusal::CovariancesNotOriented) };
     if model.lacks_support() {
         return refuse(Refusal::CovariancesUnsupported);
     }
-    let parts = names.iter().enumerate().map(|(k, name)| part(run, model, name, &names[..k])).collect::<Result<Vec<Part>, Error>>()?;
+    let (names, parts): (Vec<String>, Vec<Part>) = parts(run, model, names)?.into_iter().unzip();
     let unknowns: usize = parts.iter().map(|part| size(model, *part)).sum();
     if !(1..=MOST_UNKNOWNS).contains(&unknowns) {
         return refuse(Refusal::CovarianceUnknowns { unknowns, most: MOST_UNKNOWNS });
@@ -75,11 +78,39 @@ pub fn covariance_table(covariances: &Covariances) -> String {
     table(&columns, rows)
 }
 
-/// What a name means; `before`: the names before it.
-fn part(run: &BlockRun, model: &ReconstructedModel, name: &str, before: &[String]) -> Result<Part, Error> {
-    if before.iter().any(|other| other == name) {
-        return refuse(Refusal::CovarianceAgain { name: shorten(name) });
+/// What the names mean, each by its own name.
+fn parts(run: &BlockRun, model: &ReconstructedModel, names: &[String]) -> Result<Vec<(String, Part)>, Error> {
+    let mut found: Vec<(String, Part)> = Vec::new();
+    for name in names {
+        match &name[..] {
+            ALL => found.extend(all_parts(run, model)),
+            _ => found.push((name.clone(), part(run, model, name)?)),
+        }
     }
+    let mut sorted: Vec<&str> = found.iter().map(|(name, _)| &name[..]).collect();
+    sorted.sort_unstable();
+    match sorted.windows(2).find(|two| two[0] == two[1]) {
+        Some(two) => refuse(Refusal::CovarianceAgain { name: shorten(two[0]) }),
+        None => Ok(found),
+    }
+}
+
+/// All that the block estimates: images, cameras, surveyed points, and the other points as `points.csv` numbers them.
+fn all_parts(run: &BlockRun, model: &ReconstructedModel) -> Vec<(String, Part)> {
+    let images = model.images.iter().enumerate().map(|(place, image)| (run.images[*image].name.clone(), Part::Image(place)));
+    let cameras = model.cameras.iter().enumerate().map(|(place, camera)| (format!("camera:{camera}"), Part::Camera(place)));
+    let written = written_points(model);
+    let point = |place: usize| written[place].map(|number| (place, number));
+    let points: Vec<(usize, usize)> = (0..model.points.len()).filter_map(point).collect();
+    let named = points.iter().filter_map(|(place, _)| Some((surveyed(model, *place)?.name.clone(), Part::Point(*place))));
+    let tie_points = points.iter().filter(|(place, _)| surveyed(model, *place).is_none());
+    let numbered = tie_points.map(|(place, number)| (format!("point:{number}"), Part::Point(*place)));
+    let estimated = cameras.filter(|(_, camera)| size(model, *camera) > 0);
+    images.chain(estimated).chain(named).chain(numbered).collect()
+}
+
+/// What a name means.
+fn part(run: &BlockRun, model: &ReconstructedModel, name: &str) -> Result<Part, Error> {
     let image = run.images.iter().position(|image| image.name == name);
     if let Some(place) = image.and_then(|image| model.images.binary_search(&image).ok()) {
         return Ok(Part::Image(place));

@@ -171,7 +171,7 @@ impl FinishedBlock {
     }
 
     /// The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
-    /// error, then its covariances with all of them.
+    /// error, then its covariances with all of them. `all` names the whole block.
     pub fn covariances(&self, #[wasm_bindgen(unchecked_param_type = "readonly string[]")] names: &JsValue) -> JsResult<String> {
         let names: Vec<String> = read("names", names)?;
         block_covariances(&self.run, &names).map(|found| covariance_table(&found)).map_err(thrown)

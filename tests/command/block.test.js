@@ -445,6 +445,9 @@ test('covariances of images and points of a project are written as a table', () 
   const sigma = Number(sigmas[1]?.[sigmas[0]?.indexOf('sigma_x') ?? -1]);
   assert.ok(Math.abs(Number(rows[3]?.[4]) / sigma - 1) < 1e-5, `${rows[3]} ${sigma}`);
   for (const [k, row] of rows.entries()) assert.ok(Math.abs(Number(row[5 + k]) / Number(row[4]) ** 2 - 1) < 1e-9);
+  const whole = tiepoint('covariances', project, '--of', 'all', '--out', out);
+  assert.equal(whole.code, 0, whole.stderr);
+  assert.ok(readFileSync(out, 'utf8').split('\n').length > 50);
   const refused = tiepoint('covariances', project, '--of', 'nobody.jpg', '--out', out);
   assert.ok(refused.code === 1 && /nobody\.jpg/.test(refused.stderr), refused.stderr);
   assert.match(tiepoint('covariances', project, '--out', out).stderr, /--of is missing/);

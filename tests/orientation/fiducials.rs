@@ -2,8 +2,8 @@
 
 use super::scene::{Dice, FOCAL_MM, NADIR};
 use tiepoint::{
-    CameraMm, ErrorModel, Fiducial, FiducialModel, Interior, Match, OrientationOptions, PairInterior, orient_fiducials, orient_matches,
-    orient_relative_with,
+    CameraMm, CameraUncertainty, ErrorModel, Fiducial, FiducialModel, Interior, Match, OrientationOptions, PairInterior, orient_fiducials,
+    orient_matches, orient_relative_with,
 };
 
 const PIXEL_MM: f64 = 0.254;
@@ -60,7 +60,8 @@ fn total_standard_errors_hold_those_of_the_marks() {
 
 #[test]
 fn without_redundancy_of_the_marks_nothing_is_claimed_of_them() {
-    let camera = CameraMm::without_distortion(FOCAL_MM, Some(PIXEL_MM));
+    let exact = Some(CameraUncertainty::NONE);
+    let camera = CameraMm { uncertainty: exact, ..CameraMm::without_distortion(FOCAL_MM, Some(PIXEL_MM)) };
     let side = Interior::from_pixel_size(&camera, 910, 910).unwrap();
     let interior = PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None };
     let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];

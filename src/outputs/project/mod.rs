@@ -361,7 +361,8 @@ mod tests {
             |version: u32, body: &str| read_project((header_line(version, body).unwrap() + body).as_bytes()).unwrap_err().to_string();
         let text = write_block_project(&run()).unwrap();
         let body = text.split_once('\n').unwrap().1;
-        assert!(message(3, body).contains("version 3; this program reads versions 1 to 2"), "{}", message(3, body));
+        let newer = message(PROJECT_VERSION + 1, body);
+        assert!(newer.contains("version 4; this program reads versions 1 to 3"), "{newer}");
         assert!(message(0, body).contains("version 0"), "{}", message(0, body));
         assert!(message(2, &body.replacen("\"input\"", "\"extra\":1,\"input\"", 1)).contains("block.extra: unknown field `extra`"));
         assert!(message(2, &body.replacen("\"connections\"", "\"connexions\"", 1)).contains("connexions"));

@@ -1,8 +1,9 @@
 //! Cameras that stay as they were given: what is not known of them does to the observations what their priors say.
 
+use super::causes::in_threes;
 use super::constants::{CAMERA, cameras_of, effects, is_uncertain, priors_of_constants};
 use super::decentring::decentring_errors;
-use super::result::{cameras_with, in_threes};
+use super::result::cameras_with;
 use crate::pair::geometry::PairInterior;
 use crate::{EstimatedCamera, SharedErrors};
 use nalgebra::DVector;

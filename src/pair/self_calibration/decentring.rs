@@ -1,8 +1,8 @@
 //! What the decentring of lenses does to the observations of a pair, which does not estimate it. Its linear part along the base is that of κ, which no
 //! other constant of a camera shares: it grows with the base, so that κ drifts along a strip.
 
+use super::causes::in_threes;
 use super::constants::{differences, is_uncertain};
-use super::result::in_threes;
 use crate::camera::CameraUncertainty;
 use crate::pair::geometry::PairInterior;
 use crate::{Interior, SharedErrors};

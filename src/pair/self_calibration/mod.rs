@@ -6,6 +6,7 @@
 
 mod adjustment;
 mod as_given;
+mod causes;
 mod constants;
 mod decentring;
 mod measured;

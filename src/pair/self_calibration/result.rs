@@ -1,5 +1,6 @@
 //! The cameras of a pair as it calibrates them, and what their errors do to its observations.
 
+use super::causes::in_threes;
 use super::constants::{CAMERA, effects, rays};
 use super::decentring::decentring_errors;
 use crate::orientation::{Extent, MODES, Ray, RelativePose};
@@ -55,16 +56,6 @@ impl SelfCalibration {
         let errors: Vec<f64> = (0..values.len()).map(|k| self.covariance[(k, k)].max(0.0).sqrt()).collect();
         cameras_with(&self.given, &self.interior, values.as_slice(), &errors)
     }
-}
-
-/// Independent causes of unit variance, three to a group; `of` is what each does to each observation.
-pub fn in_threes(observations: usize, causes: usize, of: impl Fn(usize, usize) -> [f64; 4]) -> Vec<SharedErrors> {
-    let effect = |index: usize, cause: usize| if cause < causes { of(index, cause) } else { [0.0; 4] };
-    let group = |first: usize| SharedErrors {
-        effects: (0..observations).map(|index| std::array::from_fn(|k| effect(index, first + k))).collect(),
-        covariance: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-    };
-    (0..causes).step_by(3).map(group).collect()
 }
 
 /// The left and the right camera whose constants are `values` from those given and have these standard errors; `interior`: with these constants.
