@@ -1,8 +1,9 @@
 //! Many positions at once, into a coordinate reference system and out of it.
 
 use super::{CoordinateSystem, Definition};
-use crate::Error;
+use crate::error::refuse;
 use crate::math::median;
+use crate::{Error, Refusal};
 
 /// Coordinates in a system of places on the earth.
 ///
@@ -12,11 +13,15 @@ use crate::math::median;
 /// lies outside the system, has none. No places give no coordinates, once the system was read.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] for a system that cannot be read, and one that nothing leads to there.
+/// [`Error::InvalidInput`] for a system that cannot be read, and one that nothing leads to there; for places the median of which lies outside the system.
 pub fn coordinates_in_system(crs: &str, places: &[[f64; 3]]) -> Result<Vec<Option<[f64; 3]>>, Error> {
     let definition = Definition::read(crs)?;
     let Some(about) = middle(places) else { return Ok(vec![None; places.len()]) };
     let system = CoordinateSystem::new(definition, None, about)?;
+    let [longitude_deg, latitude_deg] = about;
+    if system.coordinates([longitude_deg, latitude_deg, 0.0]).is_none() {
+        return refuse(Refusal::OutsideCrs { longitude_deg, latitude_deg, crs: system.definition().name() });
+    }
     Ok(converted(places, |place| system.coordinates(place)))
 }
 
@@ -68,6 +73,20 @@ mod tests {
         let [on_meridian] = &coordinates_in_system("EPSG:32632", &[[9.0, 45.0, 7.0]]).unwrap()[..] else { unreachable!() };
         let [x, y, z] = on_meridian.unwrap();
         assert!((x - 500_000.0).abs() < 1e-3 && (y - 0.9996 * 4_984_944.378).abs() < 2e-3 && z == 7.0, "{x} {y} {z}");
+    }
+
+    #[test]
+    fn places_outside_a_projection_have_no_coordinates_in_it() {
+        // 180° from the central meridian the projection would come back over the pole.
+        let refused = coordinates_in_system("EPSG:32632", &[[-171.0, 10.0, 0.0]]).unwrap_err();
+        assert!(matches!(&refused, Error::InvalidInput { refusal } if matches!(refusal, Refusal::OutsideCrs { .. })), "{refused}");
+        assert!(refused.to_string().contains("-171") && refused.to_string().contains("UTM zone 32N"), "{refused}");
+        let few =
+            |crs: &str, places: &[[f64; 3]]| coordinates_in_system(crs, places).unwrap().iter().map(Option::is_some).collect::<Vec<_>>();
+        // A single one of many; just within, and beyond; on the other side of the date line.
+        assert_eq!(few("EPSG:32632", &[[9.0, 50.0, 0.0], [9.5, 50.0, 0.0], [-171.0, 10.0, 0.0]]), [true, true, false]);
+        assert_eq!(few("EPSG:32632", &[[9.0, 50.0, 0.0], [50.0, 50.0, 0.0], [100.0, 50.0, 0.0]]), [true, true, false]);
+        assert_eq!(few("EPSG:32601", &[[-177.0, 52.0, 0.0], [179.0, 52.0, 0.0]]), [true, true]);
     }
 
     #[test]
