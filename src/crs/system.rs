@@ -144,7 +144,7 @@ impl CoordinateSystem {
 }
 
 /// A difference of longitudes by the shorter way around.
-fn turn(degrees: f64) -> f64 {
+pub(super) fn turn(degrees: f64) -> f64 {
     degrees - 360.0 * (degrees / 360.0).round()
 }
 
