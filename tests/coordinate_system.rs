@@ -7,9 +7,9 @@ mod mosaic;
 #[path = "coordinate_system/orthophoto.rs"]
 mod orthophoto;
 
-use flown::{GEOID_M, UTM, both, control, files, flown, in_utm, numbers, run};
+use flown::{GEOID_M, UTM, both, control, files, flown, in_utm, numbers, run, run_of};
 use proj_core::Transform;
-use tiepoint::{Axis, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning};
+use tiepoint::{Axis, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, RunInput};
 
 #[test]
 fn gnss_positions_and_control_points_of_a_map_georeference_one_block() {
@@ -165,4 +165,38 @@ fn a_mistyped_control_point_is_explained_by_the_numbers_that_were_written() {
     let state = |name: &str| files["surveyed.csv"].lines().find(|line| line.starts_with(name)).unwrap().rsplit(',').next().unwrap();
     assert_eq!([state("G4,"), state("G1,"), state("G3,")], ["refused", "used", "check"]);
     assert!(files["summary.json"].contains("control_refused") && files["report.html"].contains("<td>refused</td>"));
+}
+
+#[test]
+fn a_far_off_control_point_differs_by_its_coordinates() {
+    let mut texts = control(|place| place);
+    let row = texts.points.lines().find(|line| line.starts_with("G4,")).unwrap().to_string();
+    let [x, y] = [1, 2].map(|k| row.split(',').nth(k).unwrap().to_string());
+    texts.points = texts.points.replace(&format!("G4,{x},{y},"), &format!("G4,{y},{x},"));
+    // GNSS positions would have it refused before the images are matched.
+    let run = run_of(UTM, None, RunInput { control: Some(texts), use_gnss: false, ..RunInput::default() }).unwrap();
+    let model = &run.reconstruction.as_ref().unwrap().models[0];
+    let told = model.warnings.iter().find_map(|warning| match warning {
+        BlockWarning::ControlRefused { point, mistake, .. } if point == "G4" => Some(mistake),
+        _ => None,
+    });
+    assert_eq!(told, Some(&Some(Mistake::Exchanged)), "{:?}", model.warnings);
+    let files = files(&run);
+    let table = &files["surveyed.csv"];
+    let row = table.lines().find(|line| line.starts_with("G4,")).unwrap();
+    let columns = ["x", "y", "z", "dx", "dy", "dz", "left_out_dx", "left_out_dy", "left_out_dz"];
+    let own = &numbers(&format!("{}\n{row}\n", table.lines().next().unwrap()), &columns)[0];
+    let written: [f64; 2] = [&x, &y].map(|v| v.parse().unwrap());
+    // What is surveyed and the difference are where the point is.
+    for k in 0..2 {
+        assert!((own[k] - written[1 - k]).abs() < 2e-4 && (own[k] + own[3 + k] - written[k]).abs() < 1.0, "{own:?} {written:?}");
+        assert!((own[6 + k] - own[3 + k]).abs() < 1.0, "{own:?}");
+    }
+    assert!(own[5].abs() < 5.0, "{own:?}");
+    // The report has the residual, which is the other way around.
+    let report = &files["report.html"];
+    let row = report.split("<tr>").find(|row| row.contains(">G4<") && row.contains(">refused<")).unwrap();
+    let cells: Vec<f64> =
+        row.split("<td>").skip(2).take(2).map(|cell| cell.split('<').next().unwrap().replace('\u{2212}', "-").parse().unwrap()).collect();
+    assert!((0..2).all(|k| (cells[k] + own[3 + k]).abs() < 1e-3 * own[3 + k].abs()), "{row}");
 }

@@ -586,6 +586,7 @@ mistake-exchanged = يبدو أن x وy لها مبدَّلان.
 mistake-sign = تبدو إشارة { $axis } لها خاطئة: { $given }.
 mistake-decimal-point = تبدو الفاصلة العشرية في { $axis } لها في غير موضعها: { $given } والموافق { $likely }.
 mistake-feet = يبدو ارتفاعها بالقدم: { $given } قدم تساوي { $likely } م.
+mistake-metres = يبدو ارتفاعها بالمتر: { $given } م تساوي { $likely } قدم.
 mistake-digit = يبدو أن رقمًا في { $axis } لها كُتب خطأ: { $given } والموافق { $likely }.
 mistake-zone = تبدو إحداثياتها من المنطقة { $zone }.
 
@@ -726,7 +727,7 @@ not-linked-other-system =
         [none] {""}
        *[other] ، { $orthophoto }
     } ({ $failure }). أعطِ --crs نظام الصورة المصححة، أو أعد إسقاط الصورة المصححة
-not-linked-few-images = أمكن وضع { $placed } من { $images } من الصور على الصورة المصححة، والمطلوب { $needed }: هل تُظهر الأرض نفسها، وهل الارتفاعات ارتفاعات هذه الأرض؟
+not-linked-few-images = أمكن وضع { $placed } من { $images } من الصور على الصورة المصححة، والمطلوب { $needed }: تحقق من أنها تُظهر الأرض نفسها ومن أن الارتفاعات ارتفاعات هذه الأرض
 not-linked-few-points = { $points } من مواضع أرضها تظهر في صورتين أو أكثر، والمطلوب { $needed }
 not-linked-disagreement = تناقض { $rejected } من { $points } من مواضع أرضها الكتلة: تحقق من الارتفاعات
 not-linked-contradiction = تناقضها نقاط الضبط الأرضية. تضع الصورة المصححة الكتلة على { FIXED($x_m, digits: 2) } م في X و{ FIXED($y_m, digits: 2) } م في Y و{ FIXED($z_m, digits: 2) } م في الارتفاع مما تضعها هذه النقاط: تحقق من نظام كليهما وارتفاعاته
@@ -898,12 +899,13 @@ refusal-crs-text = نظام الإحداثيات المرجعي: أُعطي { $c
 refusal-geocentric-crs = نظام الإحداثيات المرجعي: أُعطي { $crs }، وتلتقي محاوره في مركز الأرض؛ المسموح: أنظمة جغرافية ومسقطة
 refusal-crs-axes = نظام الإحداثيات المرجعي: أُعطي { $crs }، وهو يذكر انتقال مرجع ويجعل الشمال قبل الشرق؛ المسموح: الشرق قبل الشمال مع انتقال مذكور
 refusal-no-datum-shift = نظام الإحداثيات المرجعي: أُعطي { $crs } ({ $name })، ولا يُعرف انتقال من مرجعه إلى WGS 84 دون شبكة؛ المسموح: نص PROJ مع +datum=WGS84، أو مع الانتقال في +towgs84 (+towgs84=0,0,0 حيث يساوي المرجع WGS 84 إلا بضعة ديسيمترات)
-refusal-crs-area = نظام الإحداثيات المرجعي: أُعطي { $crs } عند خط الطول { FIXED($longitude_deg, digits: 4) }° وخط العرض { FIXED($latitude_deg, digits: 4) }°، ولا يُعرف هناك انتقال من مرجعه إلى WGS 84؛ المسموح: مواضع في { $areas }. هل المنطقة وترتيب الإحداثيات صحيحان؟
+refusal-crs-area = نظام الإحداثيات المرجعي: أُعطي { $crs } عند خط الطول { FIXED($longitude_deg, digits: 4) }° وخط العرض { FIXED($latitude_deg, digits: 4) }°، ولا يُعرف هناك انتقال من مرجعه إلى WGS 84؛ المسموح: مواضع في { $areas }. تحقق من المنطقة ومن ترتيب الإحداثيات
 refusal-crs-place =
     الإحداثيات: أُعطي ({ $x }, { $y })، وهي خارج { $crs }؛ المسموح: { $degrees ->
         [true] خط الطول x من -180 إلى 180 وخط العرض y من -90 إلى 90 بالدرجات
        *[false] الشرق x والشمال y بوحدة هذا النظام
     }
+refusal-outside-crs = المواضع: أُعطي خط الطول { FIXED($longitude_deg, digits: 4) }° وخط العرض { FIXED($latitude_deg, digits: 4) }°، وهو خارج { $crs }؛ المسموح: خط طول وخط عرض لمواضع يُظهرها إسقاطه
 refusal-control-place =
     نقطة الضبط الأرضي { $point }: أُعطي ({ $x }, { $y })، وهي خارج { $crs }؛ المسموح: { $degrees ->
         [true] خط الطول x من -180 إلى 180 وخط العرض y من -90 إلى 90 بالدرجات
@@ -914,7 +916,10 @@ refusal-control-elsewhere =
     نقطة الضبط الأرضي { $point }: أُعطي موضع يبعد { FIXED($distance_km, digits: 0) } كم عن مواضع GNSS للصور كما يضعه { $crs }؛ المسموح: حتى { $most_km } كم. { $swapped ->
         [true] إذا تبادل x وy فهو قريب منها: x هو الشرق أو خط الطول
        *[false] { $zone ->
-            [none] هل المنطقة صحيحة، أم مواضع GNSS خاطئة؟ دونها تشارك النقطة كما هي
+            [none] { $likely ->
+                [none] هل المنطقة صحيحة، أم مواضع GNSS خاطئة؟ دونها تشارك النقطة كما هي
+               *[other] هو قريب منها إذا كان { $likely }
+            }
            *[other] هو قريب منها في المنطقة { $zone }
         }
     }

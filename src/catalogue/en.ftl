@@ -363,12 +363,13 @@ refusal-crs-text = coordinate reference system: got { $crs }, which cannot be re
 refusal-geocentric-crs = coordinate reference system: got { $crs }, whose axes meet in the centre of the earth; allowed: geographic and projected systems
 refusal-crs-axes = coordinate reference system: got { $crs }, which states a datum shift and has north before east; allowed: east before north beside a stated shift
 refusal-no-datum-shift = coordinate reference system: got { $crs } ({ $name }), whose datum no known shift without a grid leads to WGS 84 from; allowed: PROJ text with +datum=WGS84, or with the shift as +towgs84 (+towgs84=0,0,0 where the datum is WGS 84 but for some decimetres)
-refusal-crs-area = coordinate reference system: got { $crs } at longitude { FIXED($longitude_deg, digits: 4) }°, latitude { FIXED($latitude_deg, digits: 4) }°, where no shift of its datum to WGS 84 is known; allowed: positions in { $areas }. Are the zone and the order of the coordinates right?
+refusal-crs-area = coordinate reference system: got { $crs } at longitude { FIXED($longitude_deg, digits: 4) }°, latitude { FIXED($latitude_deg, digits: 4) }°, where no shift of its datum to WGS 84 is known; allowed: positions in { $areas }. Check the zone and the order of the coordinates
 refusal-crs-place =
     coordinates: got ({ $x }, { $y }), which lie outside { $crs }; allowed: { $degrees ->
         [true] longitude as x, -180 to 180, and latitude as y, -90 to 90, in degrees
        *[false] easting as x and northing as y in the unit of this system
     }
+refusal-outside-crs = places: got longitude { FIXED($longitude_deg, digits: 4) }°, latitude { FIXED($latitude_deg, digits: 4) }°, which lie outside { $crs }; allowed: longitude and latitude of places that its projection shows
 refusal-control-place =
     ground control point { $point }: got ({ $x }, { $y }), which lie outside { $crs }; allowed: { $degrees ->
         [true] longitude as x, -180 to 180, and latitude as y, -90 to 90, in degrees
@@ -379,7 +380,10 @@ refusal-control-elsewhere =
     ground control point { $point }: got a place { FIXED($distance_km, digits: 0) } km from the GNSS positions of the images, as { $crs } has it; allowed: up to { $most_km } km. { $swapped ->
         [true] With x and y exchanged it lies near them: x is the easting or longitude
        *[false] { $zone ->
-            [none] Is the zone right, or are the GNSS positions wrong? Without these it takes part as it is
+            [none] { $likely ->
+                [none] Is the zone right, or are the GNSS positions wrong? Without these it takes part as it is
+               *[other] With { $likely } it lies near them
+            }
            *[other] In zone { $zone } it lies near them
         }
     }
@@ -955,6 +959,7 @@ mistake-exchanged = Its x and y seem to be exchanged.
 mistake-sign = The sign of its { $axis } seems to be wrong: { $given }.
 mistake-decimal-point = The decimal point of its { $axis } seems to be misplaced: { $given } where { $likely } would fit.
 mistake-feet = Its height seems to be in feet: { $given } ft are { $likely } m.
+mistake-metres = Its height seems to be in metres: { $given } m are { $likely } ft.
 mistake-digit = A digit of its { $axis } seems to be mistyped: { $given } where { $likely } would fit.
 mistake-zone = Its coordinates seem to be those of zone { $zone }.
 
@@ -1094,7 +1099,7 @@ not-linked-other-system =
         [none] {""}
        *[other] , { $orthophoto }
     } ({ $failure }). Give --crs the system of the orthophoto, or reproject the orthophoto
-not-linked-few-images = { $placed } of { $images } images could be placed on the orthophoto, { $needed } are needed: does it show the same ground, and are the heights those of this ground?
+not-linked-few-images = { $placed } of { $images } images could be placed on the orthophoto, { $needed } are needed: check that it shows the same ground, and that the heights are those of this ground
 not-linked-few-points = { $points } places of its ground are shown by two images or more, { $needed } are needed
 not-linked-disagreement = { $rejected } of { $points } places of its ground contradict the block: check the heights
 not-linked-contradiction = the ground control points contradict it. The orthophoto has the block { FIXED($x_m, digits: 2) } m in X, { FIXED($y_m, digits: 2) } m in Y and { FIXED($z_m, digits: 2) } m in height from where they have it: check the system and the heights of both

@@ -4,7 +4,7 @@ use super::spelling::Spelling;
 use crate::error::refuse;
 use crate::text::shorten;
 use crate::{Error, Refusal};
-use proj_core::{AxisOrder, CrsDef, ProjectedCrsDef, VerticalCrsDef, VerticalCrsKind};
+use proj_core::{AxisOrder, CrsDef, ProjectedCrsDef, ProjectionMethod, VerticalCrsDef, VerticalCrsKind};
 use proj_wkt::{ParseError, parse_crs};
 
 /// The projections of PROJ texts.
@@ -120,6 +120,14 @@ impl Definition {
     pub fn plane_epsg(&self) -> Option<u16> {
         let code = self.crs.horizontal_crs()?.epsg();
         u16::try_from(code).ok().filter(|code| *code != 0)
+    }
+
+    /// The central meridian of a transverse Mercator projection.
+    pub(super) fn central_meridian_deg(&self) -> Option<f64> {
+        match self.crs.as_projected()?.method() {
+            ProjectionMethod::TransverseMercator { lon0, .. } => Some(lon0),
+            _ => None,
+        }
     }
 
     /// Whether coordinates are longitude and latitude in degrees.

@@ -11,8 +11,10 @@ mod positions;
 mod rounding;
 mod spelling;
 mod system;
+mod zones;
 
 pub(crate) use definition::Definition;
 pub(crate) use described::{Described, Projection};
 pub use positions::{coordinates_in_system, places_of_coordinates};
 pub(crate) use system::CoordinateSystem;
+pub(crate) use zones::beside as beside_in_utm;

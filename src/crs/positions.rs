@@ -1,8 +1,13 @@
 //! Many positions at once, into a coordinate reference system and out of it.
 
+use super::system::turn;
 use super::{CoordinateSystem, Definition};
-use crate::Error;
+use crate::error::refuse;
 use crate::math::median;
+use crate::{Error, Refusal};
+
+/// Longitudes are no larger.
+const HALF_TURN_DEG: f64 = 180.0;
 
 /// Coordinates in a system of places on the earth.
 ///
@@ -12,11 +17,15 @@ use crate::math::median;
 /// lies outside the system, has none. No places give no coordinates, once the system was read.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] for a system that cannot be read, and one that nothing leads to there.
+/// [`Error::InvalidInput`] for a system that cannot be read, and one that nothing leads to there; for places the median of which lies outside the system.
 pub fn coordinates_in_system(crs: &str, places: &[[f64; 3]]) -> Result<Vec<Option<[f64; 3]>>, Error> {
     let definition = Definition::read(crs)?;
-    let Some(about) = middle(places) else { return Ok(vec![None; places.len()]) };
+    let Some(about) = middle(places, true) else { return Ok(vec![None; places.len()]) };
     let system = CoordinateSystem::new(definition, None, about)?;
+    let [longitude_deg, latitude_deg] = about;
+    if system.coordinates([longitude_deg, latitude_deg, 0.0]).is_none() {
+        return refuse(Refusal::OutsideCrs { longitude_deg, latitude_deg, crs: system.definition().name() });
+    }
     Ok(converted(places, |place| system.coordinates(place)))
 }
 
@@ -26,7 +35,7 @@ pub fn coordinates_in_system(crs: &str, places: &[[f64; 3]]) -> Result<Vec<Optio
 /// As [`coordinates_in_system`], and for coordinates the median of which lies outside the system.
 pub fn places_of_coordinates(crs: &str, coordinates: &[[f64; 3]]) -> Result<Vec<Option<[f64; 3]>>, Error> {
     let definition = Definition::read(crs)?;
-    let Some(about) = middle(coordinates) else { return Ok(vec![None; coordinates.len()]) };
+    let Some(about) = middle(coordinates, definition.is_geographic()) else { return Ok(vec![None; coordinates.len()]) };
     let system = CoordinateSystem::about(definition, None, about)?;
     Ok(converted(coordinates, |position| system.geographic(position)))
 }
@@ -39,10 +48,14 @@ fn is_known(position: &[f64; 3]) -> bool {
     position.iter().all(|value| value.is_finite())
 }
 
-/// The medians of both coordinates of the plane; absent without positions.
-fn middle(positions: &[[f64; 3]]) -> Option<[f64; 2]> {
-    let of = |k: usize| median(&mut positions.iter().filter(|position| is_known(position)).map(|position| position[k]).collect::<Vec<_>>());
-    Some([of(0)?, of(1)?])
+/// The medians of both coordinates of the plane; absent without positions. Longitudes on either side of the date line are near each other.
+fn middle(positions: &[[f64; 3]], in_degrees: bool) -> Option<[f64; 2]> {
+    let known = || positions.iter().filter(|position| is_known(position));
+    let first = known().map(|[x, ..]| *x).find(|x| in_degrees && x.abs() <= HALF_TURN_DEG);
+    let near = |x: f64| first.filter(|_| x.abs() <= HALF_TURN_DEG).map_or(x, |first| first + turn(x - first));
+    let x = median(&mut known().map(|[x, ..]| near(*x)).collect::<Vec<_>>())?;
+    let y = median(&mut known().map(|[_, y, _]| *y).collect::<Vec<_>>())?;
+    Some([if first.is_some() && x.abs() <= 2.0 * HALF_TURN_DEG { turn(x) } else { x }, y])
 }
 
 #[cfg(test)]
@@ -68,6 +81,20 @@ mod tests {
         let [on_meridian] = &coordinates_in_system("EPSG:32632", &[[9.0, 45.0, 7.0]]).unwrap()[..] else { unreachable!() };
         let [x, y, z] = on_meridian.unwrap();
         assert!((x - 500_000.0).abs() < 1e-3 && (y - 0.9996 * 4_984_944.378).abs() < 2e-3 && z == 7.0, "{x} {y} {z}");
+    }
+
+    #[test]
+    fn places_outside_a_projection_have_no_coordinates_in_it() {
+        // 180° from the central meridian the projection would come back over the pole.
+        let refused = coordinates_in_system("EPSG:32632", &[[-171.0, 10.0, 0.0]]).unwrap_err();
+        assert!(matches!(&refused, Error::InvalidInput { refusal } if matches!(refusal, Refusal::OutsideCrs { .. })), "{refused}");
+        assert!(refused.to_string().contains("-171") && refused.to_string().contains("UTM zone 32N"), "{refused}");
+        let few =
+            |crs: &str, places: &[[f64; 3]]| coordinates_in_system(crs, places).unwrap().iter().map(Option::is_some).collect::<Vec<_>>();
+        // A single one of many; just within, and beyond; on the other side of the date line.
+        assert_eq!(few("EPSG:32632", &[[9.0, 50.0, 0.0], [9.5, 50.0, 0.0], [-171.0, 10.0, 0.0]]), [true, true, false]);
+        assert_eq!(few("EPSG:32632", &[[9.0, 50.0, 0.0], [50.0, 50.0, 0.0], [100.0, 50.0, 0.0]]), [true, true, false]);
+        assert_eq!(few("EPSG:32601", &[[-177.0, 52.0, 0.0], [179.0, 52.0, 0.0]]), [true, true]);
     }
 
     #[test]

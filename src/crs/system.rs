@@ -11,9 +11,16 @@ use proj_core::{Coord3D, Transform};
 const RETURN: f64 = 1e-3;
 const RETURN_DEG: f64 = 1e-8;
 
+/// What the inverse of a datum shift may miss of the way back: more is a place outside the projection.
+const LOST_DEG: f64 = 1e-4;
+/// A transverse Mercator projection shows the hemisphere about its central meridian; beyond it the meridians run over the pole.
+const HEMISPHERE_DEG: f64 = 90.0;
+
 /// Half the length over which the direction of an axis is taken, in m, in the unit of the system or in parts of a degree about as long as m.
 const STEP: f64 = 1000.0;
 const STEP_DEG: f64 = 0.01;
+/// Over which the length of a degree is taken.
+const LENGTH_DEG: f64 = 1e-3;
 
 /// A coordinate reference system with the operation to WGS 84 that holds at a place.
 #[derive(Clone)]
@@ -88,6 +95,19 @@ impl CoordinateSystem {
         Some([round(x), round(y), rounding::metres(z)])
     }
 
+    /// Differences of coordinates, these minus others, in m: degrees as long as they are at the first, longitudes by the shorter way around.
+    pub fn difference_m(&self, position: [f64; 3], from: [f64; 3]) -> [f64; 3] {
+        let [x, y, z] = minus(&position, &from);
+        let z = z * self.definition.height_unit_m();
+        if let Some(unit_m) = self.definition.unit_m() {
+            return [x * unit_m, y * unit_m, z];
+        }
+        let [longitude, latitude, _] = position;
+        let of_step = |east: f64, north: f64| local_from_geographic([longitude + east, latitude + north, 0.0], [longitude, latitude, 0.0]);
+        let [east, north] = [of_step(LENGTH_DEG, 0.0)[0], of_step(0.0, LENGTH_DEG)[1]].map(|length| length / LENGTH_DEG);
+        [turn(x) * east, y * north, z]
+    }
+
     /// The directions of its x, y and z at a place, in the system that touches the ellipsoid at `origin`: z is the vertical of the ellipsoid, y the
     /// direction in which x stays the same (grid north), x at right angles to both.
     pub fn axes(&self, place: [f64; 3], origin: [f64; 3]) -> Option<[[f64; 3]; 3]> {
@@ -109,16 +129,23 @@ impl CoordinateSystem {
 
     /// The inverse of a datum shift in the plane is not quite its way back, since heights are kept on both: what is missing is added.
     fn exact_coordinates(&self, place: [f64; 3]) -> Option<[f64; 3]> {
+        if self.definition.central_meridian_deg().is_some_and(|meridian| turn(place[0] - meridian).abs() > HEMISPHERE_DEG) {
+            return None;
+        }
         let first = converted(&self.from_wgs84, place)?;
         let again = converted(&self.to_wgs84, first)?;
-        // Longitudes on either side of the date line are one turn apart.
-        let missing = |k: usize| {
-            let apart = place[k] - again[k];
-            apart - 360.0 * (apart / 360.0).round()
-        };
-        let [x, y, z] = converted(&self.from_wgs84, [place[0] + missing(0), place[1] + missing(1), place[2]])?;
+        let [east, north] = [turn(place[0] - again[0]), place[1] - again[1]];
+        if !((east * libm::cos(place[1].to_radians())).abs() <= LOST_DEG && north.abs() <= LOST_DEG) {
+            return None;
+        }
+        let [x, y, z] = converted(&self.from_wgs84, [place[0] + east, place[1] + north, place[2]])?;
         Some([x, y, (z - self.geoid_m.unwrap_or(0.0)) / self.definition.height_unit_m()])
     }
+}
+
+/// A difference of longitudes by the shorter way around.
+pub(super) fn turn(degrees: f64) -> f64 {
+    degrees - 360.0 * (degrees / 360.0).round()
 }
 
 fn converted(transform: &Transform, [x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
@@ -308,6 +335,18 @@ mod tests {
             (north[0] + turn).abs() < 2e-4 && (up[0] - 1f64.to_radians() * libm::cos(50f64.to_radians())).abs() < 2e-4,
             "{north:?} {up:?}"
         );
+    }
+
+    #[test]
+    fn differences_of_coordinates_are_lengths_in_every_unit() {
+        let apart = |crs: &str, at: [f64; 2], to: [f64; 3], from: [f64; 3]| system(crs, None, at).difference_m(to, from);
+        assert_eq!(apart("EPSG:25832", [5e5, 5e6], [5e5, 5e6, 20.0], [5e6, 5e5, 30.0]), [-4.5e6, 4.5e6, -10.0]);
+        let feet =
+            apart("EPSG:2227+6360", [6_048_000.0, 2_120_000.0], [6_048_003.937, 2_120_000.0, 3.937], [6_048_000.0, 2_120_000.0, 0.0]);
+        assert!((feet[0] - 1.2).abs() < 1e-6 && feet[1] == 0.0 && (feet[2] - 1.2).abs() < 1e-9, "{feet:?}");
+        // Torge & Müller 2012, 4.1: at 60° a degree of GRS 80 is 55.80 km long along the parallel and 111.41 km along the meridian; over the date line.
+        let degrees = apart("EPSG:4326", [179.5, 60.0], [179.5, 60.0, 1.0], [-179.5, 59.0, 0.0]);
+        assert!((degrees[0] + 55_800.0).abs() < 5.0 && (degrees[1] - 111_412.0).abs() < 5.0 && degrees[2] == 1.0, "{degrees:?}");
     }
 
     #[test]

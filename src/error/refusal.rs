@@ -157,9 +157,10 @@ messages! {
         NoDatumShift { crs: String, name: String },
         CrsArea { crs: String, #[serde(with = "number")] longitude_deg: f64, #[serde(with = "number")] latitude_deg: f64, areas: String },
         CrsPlace { #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String, degrees: bool },
+        OutsideCrs { #[serde(with = "number")] longitude_deg: f64, #[serde(with = "number")] latitude_deg: f64, crs: String },
         ControlPlace { point: String, #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String, degrees: bool },
         ControlDegrees { point: String, #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String },
-        ControlElsewhere { point: String, #[serde(with = "number")] distance_km: f64, crs: String, #[serde(with = "number")] most_km: f64, swapped: bool, zone: Option<u32> },
+        ControlElsewhere { point: String, #[serde(with = "number")] distance_km: f64, crs: String, #[serde(with = "number")] most_km: f64, swapped: bool, zone: Option<u32>, likely: Option<String> },
         GeoidOfEllipsoid { crs: String, #[serde(with = "number")] geoid_m: f64 },
 
         // The run of a block.

@@ -2,6 +2,7 @@
 
 use super::footprint::Footprint;
 use super::georeference::Georeference;
+use super::ground::Ground;
 use super::heights::{HeightModel, Heights};
 use crate::crs::CoordinateSystem;
 use crate::error::refuse;
@@ -40,6 +41,12 @@ impl BlockMap {
     /// Of a place of the map; absent outside the system.
     pub fn to_adjustment(&self, place: [f64; 3]) -> Option<[f64; 3]> {
         self.system.geographic(place).map(|place| local_from_geographic(place, self.origin))
+    }
+
+    /// The ground that it shows, about where the adjustment touches the earth.
+    pub(super) fn ground(&self) -> Ground {
+        let known = self.system.coordinates(self.origin);
+        Ground::of(self.system.definition(), known.map(|known| [self.origin, known]))
     }
 
     /// The name of the system.

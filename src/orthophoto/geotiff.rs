@@ -80,13 +80,9 @@ impl SaidSystem {
         self.epsg.map(name_of).or_else(described)
     }
 
-    /// Whether what two files say names two systems of the plane: another projection, or another datum. One that says nothing contradicts none.
-    pub fn contradicts(&self, other: &Self) -> bool {
-        match (self.definition(), other.definition()) {
-            (Some(own), Some(others)) => !own.has_plane_of(&others),
-            // Codes that are not known here.
-            _ => self.epsg.zip(other.epsg).is_some_and(|(own, others)| own != others),
-        }
+    /// The unit of eastings and northings in m: the one that the file names, or that of the system.
+    pub fn plane_unit_m(&self) -> Option<f64> {
+        self.unit_m.or_else(|| self.definition()?.unit_m())
     }
 
     /// Absent for a code that is unknown here, and for a system of which not all is said.

@@ -2,9 +2,11 @@
 
 use super::georeference::Georeference;
 use super::geotiff::{GeoTags, SaidSystem};
+use super::ground::Ground;
 use crate::error::refuse;
 use crate::image::{checked_directory, tiff_error, with_rows_of_image};
 use crate::{Error, Refusal};
+use std::borrow::Cow;
 use std::io::Cursor;
 use std::sync::Arc;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
@@ -52,17 +54,27 @@ impl Heights {
         }
     }
 
-    /// These heights for ground in a system: that of their file is none other.
+    /// These heights for ground in a system, in its unit where their file says theirs: that of their file is none other.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for heights of a system with another projection or datum, which names both.
-    pub(super) fn in_system(self, ground: &SaidSystem) -> Result<Self, Error> {
-        match &self {
-            Self::Model(HeightModel { said, .. }) if said.contradicts(ground) => {
-                let name = |said: &SaidSystem| said.name().unwrap_or_default();
-                refuse(Refusal::HeightsSystem { heights: name(said), ground: name(ground) })
-            }
-            _ => Ok(self),
+    pub(super) fn for_ground(self, ground: &Ground) -> Result<Self, Error> {
+        let Self::Model(model) = self else { return Ok(self) };
+        if ground.is_contradicted_by(&model.said) {
+            let (heights, ground) = (model.said.name().unwrap_or_default(), ground.name.clone().unwrap_or_default());
+            return refuse(Refusal::HeightsSystem { heights, ground });
+        }
+        let Some(own_m) = model.unit_m else { return Ok(Self::Model(model)) };
+        // Ground that says no unit is in that of the plane of its heights.
+        let unit_m = ground.height_unit_m.or_else(|| model.said.plane_unit_m()).unwrap_or(1.0);
+        Ok(Self::Model(HeightModel { unit_m: Some(unit_m), ..model.times(own_m / unit_m) }))
+    }
+
+    /// The unit in m that their file says; metres where it says none.
+    pub(super) fn said_unit_m(&self) -> f64 {
+        match self {
+            Self::Level(_) => 1.0,
+            Self::Model(model) => model.said.height_unit_m.unwrap_or(1.0),
         }
     }
 
@@ -81,10 +93,8 @@ impl Heights {
             Self::Level(height) => Self::Level(*height),
             Self::Model(model) => Self::Model(HeightModel {
                 georeference: model.georeference.enlarged(plane_m),
-                range: model.range.map(|height| height_m * height),
-                factor: height_m * model.factor,
                 unit_m: None,
-                ..model.clone()
+                ..model.clone().times(height_m)
             }),
         }
     }
@@ -146,9 +156,18 @@ impl HeightModel {
         self.said.epsg
     }
 
-    /// Width and height, and the heights row by row, as they were given.
-    pub(crate) fn raster(&self) -> ([usize; 2], &[f32]) {
-        ([self.width, self.height], &self.values)
+    /// Width and height, and the heights row by row.
+    pub(crate) fn raster(&self) -> ([usize; 2], Cow<'_, [f32]>) {
+        let values = match self.factor {
+            1.0 => Cow::Borrowed(&self.values[..]),
+            factor => self.values.iter().map(|value| (factor * f64::from(*value)) as f32).collect(),
+        };
+        ([self.width, self.height], values)
+    }
+
+    /// The same of heights that are so many times as large.
+    fn times(self, factor: f64) -> Self {
+        Self { range: self.range.map(|height| factor * height), factor: factor * self.factor, ..self }
     }
 
     fn read_tiff(file: &[u8], world_file: Option<&str>) -> Result<Self, Error> {

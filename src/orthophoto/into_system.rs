@@ -103,7 +103,7 @@ impl IntoSystem {
     }
 
     fn remarks(&self, orthophoto: &Orthophoto, conversion: Option<&Conversion>) -> Vec<Remark> {
-        let height_unit_m = orthophoto.heights.unit_m();
+        let height_unit_m = orthophoto.heights.said_unit_m();
         let assumed = || Remark::OrthophotoSystemAssumed { crs: self.block.name() };
         let units = || Remark::OrthophotoUnits { unit_m: self.unit_m, height_unit_m };
         let converted = |Conversion { from, to }: &Conversion| Remark::OrthophotoConverted {

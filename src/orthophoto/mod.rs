@@ -19,6 +19,7 @@ mod first_place;
 mod footprint;
 mod georeference;
 mod geotiff;
+mod ground;
 mod heights;
 mod into_system;
 mod links;

@@ -3,7 +3,7 @@
 use super::block_map::{BlockMap, borders, epsg_of};
 use super::footprint::Footprint;
 use super::georeference::Georeference;
-use super::geotiff::SaidSystem;
+use super::ground::Ground;
 use super::heights::{HeightModel, Heights};
 use super::links::reduced;
 use super::map_nodes::MapNodes;
@@ -168,8 +168,8 @@ impl Mosaic {
         Self::of(images, heights, gsd)
     }
 
-    /// The same of a block, in the system of its results: its coordinate reference system, where it has one. Heights count as the coordinates there do;
-    /// absent: those of the tie points.
+    /// The same of a block, in the system of its results: its coordinate reference system, where it has one. Heights count as the coordinates there do,
+    /// in the unit of their own that their file says, or in that of the system; absent: those of the tie points.
     ///
     /// # Errors
     /// As [`new`](Self::new) and [`heights_of_points`]; [`Error::InvalidInput`] for a coordinate reference system in degrees, and for heights of another
@@ -178,7 +178,7 @@ impl Mosaic {
         let map = BlockMap::of(run)?;
         let epsg = epsg_of(run, map.as_ref());
         let heights = match heights {
-            Some(heights) => heights.in_system(&SaidSystem { epsg, ..SaidSystem::default() })?,
+            Some(heights) => heights.for_ground(&map.as_ref().map_or_else(|| Ground::of_plane(epsg), BlockMap::ground))?,
             None => Heights::Model(heights_on_map(&run.model, map.as_ref())?),
         };
         let Some(map) = map else { return Ok(Self { epsg, ..Self::new(&run.model, heights, gsd)? }) };
@@ -194,8 +194,11 @@ impl Mosaic {
     /// # Errors
     /// As [`of_block`](Self::of_block).
     pub fn in_adjustment(run: &BlockRun, heights: Option<Heights>, gsd: Option<f64>) -> Result<Self, Error> {
-        let heights = heights.map_or_else(|| heights_of_points(&run.model).map(Heights::Model), Ok)?;
         let epsg = if run.system().is_some() { None } else { epsg_of(run, None) };
+        let heights = match heights {
+            Some(heights) => heights.for_ground(&Ground::of_plane(epsg))?,
+            None => Heights::Model(heights_of_points(&run.model)?),
+        };
         Ok(Self { epsg, ..Self::new(&run.model, heights, gsd)? })
     }
 

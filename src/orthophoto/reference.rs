@@ -2,6 +2,7 @@
 
 use super::georeference::Georeference;
 use super::geotiff::{GeoTags, SaidSystem, refuse_degrees};
+use super::ground::Ground;
 use super::heights::{HeightModel, Heights};
 use super::parts::Parts;
 use super::picture::Picture;
@@ -89,7 +90,7 @@ impl Orthophoto {
         if georeference.is_in_degrees(picture.size()) {
             return refuse_degrees();
         }
-        let heights = heights.in_system(&tags.system)?;
+        let heights = heights.for_ground(&Ground::said(&tags.system))?;
         Ok(Self { picture, georeference: georeference.checked()?, heights, epsg: tags.system.epsg, said: tags.system })
     }
 
@@ -98,7 +99,7 @@ impl Orthophoto {
     /// # Errors
     /// [`Error::InvalidInput`] for a model of another system, and one that has no height under the orthophoto.
     pub fn set_heights(&mut self, heights: Heights) -> Result<(), Error> {
-        let heights = heights.in_system(&self.said())?;
+        let heights = heights.for_ground(&Ground::said(&self.said()))?;
         let earlier = std::mem::replace(&mut self.heights, heights);
         if self.heights_share() == 0.0 {
             self.heights = earlier;

@@ -33,7 +33,7 @@ pub fn write_geotiff(rectified: &Rectified, epsg: Option<u16>) -> Result<Vec<u8>
 /// As [`write_geotiff`].
 pub fn write_heights(model: &HeightModel, epsg: Option<u16>) -> Result<Vec<u8>, Error> {
     let (size, values) = model.raster();
-    encoded::<Gray32Float>(size, values, &model.georeference, epsg, "nan")
+    encoded::<Gray32Float>(size, &values, &model.georeference, epsg, "nan")
 }
 
 /// Writes numbers of a grid on the ground as GeoTIFF of floating-point numbers, Deflate; NaN stands for nothing. `epsg`: the code of its system.

@@ -1,7 +1,8 @@
 //! A finished block in the coordinate reference system that was chosen: the adjustment has a Cartesian one, that touches the earth at the block.
 //!
 //! Positions are converted one by one. Angles, differences and standard errors turn into the axes of the system at their place, so that κ holds the
-//! convergence of the meridians; lengths stay those on the ground, without the scale of the projection.
+//! convergence of the meridians; lengths stay those on the ground, without the scale of the projection. A difference as large as a gross error is one
+//! of coordinates: its two places have other axes.
 
 use super::precision::{ImageErrors, image_errors, point_errors, written};
 use crate::crs::CoordinateSystem;
@@ -10,6 +11,9 @@ use crate::text::shorten;
 use crate::{BlockModel, BlockRun, LeftOut, Pose, Remark, SurveyedPoint, geographic_from_local};
 use serde::Serialize;
 use std::borrow::Cow;
+
+/// Larger differences are gross errors, in m.
+const GROSS_M: f64 = 10.0;
 
 /// Rows of directions in another system.
 type Axes = [[f64; 3]; 3];
@@ -72,21 +76,33 @@ impl<'a> InSystem<'a> {
     }
 
     fn surveyed_point(&self, point: &SurveyedPoint) -> SurveyedPoint {
-        let axes = self.axes(point.position);
+        // What is adjusted has the standard errors, wherever the point was surveyed.
+        let axes = self.axes(sum(point.position, point.difference_m));
         let errors = |sigma: [f64; 3]| turned_errors(&axes, sigma, [0.0; 3]);
         let known = |errors: [Option<f64>; 3]| Some([errors[0]?, errors[1]?, errors[2]?]);
-        let left_out = point
-            .left_out
-            .map(|left| LeftOut { difference: turned(&axes, left.difference), standard_errors: errors(left.standard_errors) });
+        let left_out = point.left_out.map(|left| LeftOut {
+            difference: self.difference(point.position, left.difference),
+            standard_errors: errors(left.standard_errors),
+        });
         SurveyedPoint {
             position: self.place(point.position),
-            difference_m: turned(&axes, point.difference_m),
+            difference_m: self.difference(point.position, point.difference_m),
             // One that is absent is part of no other.
             standard_errors_m: known(point.standard_errors_m).map_or(point.standard_errors_m, |sigma| errors(sigma).map(Some)),
             left_out,
             detectable_m: known(point.detectable_m).map_or(point.detectable_m, |detectable| errors(detectable).map(Some)),
             ..point.clone()
         }
+    }
+
+    /// What leads from a place to another one along the axes there, or of gross errors by its coordinates; in m.
+    fn difference(&self, from: [f64; 3], apart: [f64; 3]) -> [f64; 3] {
+        let to = sum(from, apart);
+        let of_coordinates = self.chosen.as_ref().filter(|_| dot3(&apart, &apart).sqrt() > GROSS_M).and_then(|(system, origin)| {
+            let [to, from] = [to, from].map(|place| system.coordinates(geographic_from_local(place, *origin)));
+            Some(system.difference_m(to?, from?))
+        });
+        of_coordinates.unwrap_or_else(|| turned(&self.axes(to), apart))
     }
 
     /// What is said of the system; absent where none was chosen.
@@ -142,6 +158,10 @@ impl<'a> InSystem<'a> {
         let axes = chosen.and_then(|(system, origin)| system.axes(geographic_from_local(position, *origin), *origin));
         axes.unwrap_or([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
     }
+}
+
+fn sum(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|k| a[k] + b[k])
 }
 
 /// A vector in the axes.

@@ -221,11 +221,16 @@ fn written(run: &BlockRun) -> Option<(&ReconstructedModel, Vec<usize>)> {
 
 /// The surveyed point that a point of the adjusted block is.
 pub(super) fn surveyed(model: &ReconstructedModel, place: usize) -> Option<&crate::SurveyedPoint> {
+    model.surveyed.get(surveyed_index(model, place)?)
+}
+
+/// The index of a point of the model among the surveyed ones; absent for a tie point.
+pub(super) fn surveyed_index(model: &ReconstructedModel, place: usize) -> Option<usize> {
     // Surveyed points stand in the order of the model's, without those that are lost.
     let PointSource::GroundControl(_) = model.points[place] else { return None };
     let before =
         (0..place).filter(|other| matches!(model.points[*other], PointSource::GroundControl(_)) && model.adjusted.points[*other].is_some());
-    model.surveyed.get(before.count())
+    Some(before.count())
 }
 
 fn adjusted_observations(run: &BlockRun, model: &ReconstructedModel, place: usize) -> Vec<ObservationDetail> {

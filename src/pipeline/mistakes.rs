@@ -24,8 +24,9 @@ pub(super) fn explain_control(model: &mut ReconstructedModel, origin: Option<Geo
         let Some(likely) = system.coordinates(geographic_from_local(place, origin)) else { continue };
         let across = left.standard_errors[0].max(left.standard_errors[1]);
         let errors = [across, across, left.standard_errors[2]];
-        let apart = [0, 1, 2].map(|k| (likely[k] - given[k]) * units[k]);
-        let doubted = Doubted { given, likely, within: [0, 1, 2].map(|k| limit * errors[k] / units[k]) };
+        let apart = system.difference_m(likely, given);
+        let within = [0, 1, 2].map(|k| limit * errors[k] / units[k]);
+        let doubted = Doubted { given, likely, height_unit_m: units[2], within };
         let zone = in_other_zone(&system, given, |place| doubted.explains(place));
         *mistake = zone.map(|zone| Mistake::Zone { zone }).or_else(|| doubted.mistake());
         *axis = doubted.axis();

@@ -1,12 +1,19 @@
 //! The coordinate reference system of a block's control points and results, and whether its control points can be in it.
 
-use crate::crs::{CoordinateSystem, Definition};
+use crate::crs::{CoordinateSystem, beside_in_utm};
 use crate::error::refuse;
 use crate::math::{dot3, median};
-use crate::{Error, GeoreferencingOptions, GroundControlPoint, ObservedPosition, Refusal, local_from_geographic};
+use crate::reconstruction::Doubted;
+use crate::{Axis, Error, GeoreferencingOptions, GroundControlPoint, Mistake, ObservedPosition, Refusal, local_from_geographic};
 
 /// No block has ground control points farther from its images.
 const MOST_KM: f64 = 100.0;
+/// What explains a control point elsewhere brings it to the block: within so many times the distance from its middle that half of the images have, and
+/// what a control point may lie beside them, in m.
+const REACH: f64 = 3.0;
+const BESIDE_M: f64 = 5_000.0;
+/// Of a system, over which its units are taken.
+const UNITS: f64 = 1e-3;
 
 /// The system at these coordinates in it or, without any, at these longitudes and latitudes; absent where none was chosen, and where nothing says
 /// where the block is.
@@ -41,42 +48,59 @@ pub(super) fn check_near(control: &[GroundControlPoint], gnss: &[[f64; 2]], syst
     };
     let far = control.iter().filter_map(|point| Some((point, geographic(&point.position)?))).find(|(_, place)| km_from(*place) > MOST_KM);
     let Some((point, place)) = far else { return Ok(()) };
-    let exchanged = system.coordinates(place).and_then(|[x, y, z]| system.geographic([y, x, z]));
-    let swapped = exchanged.is_some_and(|place| km_from(place) <= MOST_KM);
-    let given = system.coordinates(place);
-    let is_near = |own: [f64; 3]| system.geographic(own).is_some_and(|place| km_from(place) <= MOST_KM);
-    let zone = given.filter(|_| !swapped).and_then(|given| in_other_zone(system, given, is_near));
+    let slip = doubted(system, place, [longitude, latitude], reach_m(gnss, [longitude, latitude])).map(|doubted| slip_of(system, &doubted));
+    let Slip { swapped, zone, likely } = slip.unwrap_or_default();
     let (point, distance_km, crs) = (point.name.clone(), km_from(place), system.definition().name());
-    refuse(Refusal::ControlElsewhere { point, distance_km, crs, most_km: MOST_KM, swapped, zone })
+    refuse(Refusal::ControlElsewhere { point, distance_km, crs, most_km: MOST_KM, swapped, zone, likely })
 }
 
-/// Zones beside its own whose coordinates are taken for those of a system.
-const ZONES_BESIDE: i64 = 2;
+/// How a control point that lies elsewhere may have come there.
+#[derive(Default)]
+struct Slip {
+    swapped: bool,
+    zone: Option<u32>,
+    /// The coordinate that would be right.
+    likely: Option<String>,
+}
+
+fn slip_of(system: &CoordinateSystem, doubted: &Doubted) -> Slip {
+    let zone = in_other_zone(system, doubted.given, |place| doubted.explains(place));
+    let mistake = doubted.mistake().filter(|_| zone.is_none());
+    let likely = match &mistake {
+        Some(Mistake::Sign { axis, given }) => Some((axis, given.strip_prefix('-').map_or_else(|| format!("-{given}"), String::from))),
+        Some(Mistake::DecimalPoint { axis, likely, .. } | Mistake::Digit { axis, likely, .. }) => Some((axis, likely.clone())),
+        _ => None,
+    };
+    let likely = likely.map(|(axis, value)| format!("{} = {value}", if *axis == Axis::X { "x" } else { "y" }));
+    Slip { swapped: mistake == Some(Mistake::Exchanged), zone, likely }
+}
+
+/// How far the images of a block reach from its middle, with what a control point may lie beside them: a far-off position counts for nothing.
+fn reach_m(gnss: &[[f64; 2]], [longitude, latitude]: [f64; 2]) -> f64 {
+    let from_middle = gnss.iter().map(|place| {
+        let [east, north, _] = local_from_geographic([place[0], place[1], 0.0], [longitude, latitude, 0.0]);
+        libm::hypot(east, north)
+    });
+    REACH * median(&mut from_middle.collect::<Vec<_>>()).unwrap_or(0.0) + BESIDE_M
+}
+
+/// The coordinates of a place beside those of the middle of a block, whose heights are not known; absent where one lies outside the system.
+fn doubted(system: &CoordinateSystem, place: [f64; 3], [longitude, latitude]: [f64; 2], reach_m: f64) -> Option<Doubted> {
+    let given = system.coordinates(place)?;
+    let [x, y, _] = system.coordinates([longitude, latitude, place[2]])?;
+    let likely = [x, y, given[2]];
+    let [east, north, _] = system.difference_m(likely, [x - UNITS, y - UNITS, given[2]]).map(|length_m| length_m / UNITS);
+    Some(Doubted {
+        given,
+        likely,
+        height_unit_m: system.definition().height_unit_m(),
+        within: [reach_m / east, reach_m / north, f64::INFINITY],
+    })
+}
 
 /// The other zone of a system of UTM whose coordinates these are, where `is_right` holds for them in the system itself: the nearest one.
-pub(super) fn in_other_zone(system: &CoordinateSystem, given: [f64; 3], is_right: impl Fn([f64; 3]) -> bool) -> Option<u32> {
-    let own = |text: String| {
-        let other = CoordinateSystem::about(Definition::read(&text).ok()?, system.geoid_m(), [given[0], given[1]]).ok()?;
-        system.coordinates(other.geographic(given)?)
-    };
-    other_zones(system.definition().text()).into_iter().find(|(_, text)| own(text.clone()).is_some_and(&is_right)).map(|(zone, _)| zone)
-}
-
-/// The zones beside that of a system, each with its definition, the nearest first; none where it names no zone of UTM.
-fn other_zones(text: &str) -> Vec<(u32, String)> {
-    let Some((before, zone, after)) = zone_in(text) else { return Vec::new() };
-    let beside = (1..=ZONES_BESIDE).flat_map(|off| [-off, off]).map(|off| (i64::from(zone) - 1 + off).rem_euclid(60) + 1);
-    beside.filter_map(|zone| u32::try_from(zone).ok()).map(|zone| (zone, format!("{before}{zone:02}{after}"))).collect()
-}
-
-/// The zone of UTM that a definition names, with the text before and after its digits: `EPSG:32632` of WGS 84, `EPSG:25832` of ETRS89, `+zone=32`.
-fn zone_in(text: &str) -> Option<(&str, u32, &str)> {
-    const BEFORE: [&str; 4] = ["EPSG:326", "EPSG:327", "EPSG:258", "+zone="];
-    let upper = text.to_ascii_uppercase();
-    let at = BEFORE.iter().find_map(|before| Some(upper.find(&before.to_ascii_uppercase())? + before.len()))?;
-    let digits = text.get(at..)?.bytes().take_while(u8::is_ascii_digit).count();
-    let zone = text.get(at..at + digits)?.parse().ok()?;
-    ((1..=2).contains(&digits) && (1..=60).contains(&zone)).then(|| (&text[..at], zone, &text[at + digits..]))
+pub(super) fn in_other_zone(system: &CoordinateSystem, [x, y, z]: [f64; 3], is_right: impl Fn([f64; 3]) -> bool) -> Option<u32> {
+    beside_in_utm(system.definition(), [x, y]).into_iter().find(|(_, [x, y])| is_right([*x, *y, z])).map(|(zone, _)| zone)
 }
 
 fn geographic(position: &ObservedPosition) -> Option<[f64; 3]> {
@@ -91,15 +115,41 @@ fn geographic(position: &ObservedPosition) -> Option<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ControlRole;
+    use crate::crs::Definition;
+
+    const UTM: &str = "EPSG:32632";
+
+    /// What is refused of a control point with these coordinates in a system beside images over some hundred metres at 8° and 50°.
+    fn refused(crs: &str, [x, y]: [f64; 2]) -> String {
+        let gnss: Vec<[f64; 2]> = (0..9).map(|k| [8.0 + 0.002 * f64::from(k % 3), 50.0 + 0.002 * f64::from(k / 3)]).collect();
+        let system = CoordinateSystem::new(Definition::read(crs).unwrap(), None, [8.0, 50.0]).unwrap();
+        let [longitude_deg, latitude_deg, height] = system.geographic([x, y, 100.0]).unwrap();
+        let position = ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height), sigma_m: [0.02; 3] };
+        let control =
+            GroundControlPoint { name: "G1".into(), position, role: ControlRole::Control, measurements: Vec::new(), sigma_px: None };
+        check_near(&[control], &gnss, &system).unwrap_err().to_string()
+    }
 
     #[test]
-    fn the_zones_beside_a_zone_are_those_of_the_same_datum() {
-        let texts = |text: &str| other_zones(text).into_iter().map(|(_, text)| text).collect::<Vec<_>>();
-        assert_eq!(texts("EPSG:25832"), ["EPSG:25831", "EPSG:25833", "EPSG:25830", "EPSG:25834"]);
-        assert_eq!(texts("epsg:32601+5773")[..2], ["epsg:32660+5773", "epsg:32602+5773"]);
-        assert_eq!(texts("+proj=utm +zone=9 +datum=WGS84")[1], "+proj=utm +zone=10 +datum=WGS84");
-        for none in ["EPSG:4326", "EPSG:31467", "EPSG:326", "EPSG:32699", "+proj=tmerc +lon_0=9"] {
-            assert!(other_zones(none).is_empty(), "{none}");
+    fn what_brings_a_control_point_to_the_block_is_named_and_nothing_that_does_not() {
+        let system = CoordinateSystem::new(Definition::read(UTM).unwrap(), None, [8.0, 50.0]).unwrap();
+        let [x, y, _] = system.coordinates([8.003, 50.001, 0.0]).unwrap();
+        let coordinate = |name: &str, value: f64| format!("With {name} = {value} it lies near them");
+        // A decimal point beside which another zone lies within 100 km.
+        let [told, negative, digit] = [refused(UTM, [x / 10.0, y]), refused(UTM, [-x, y]), refused(UTM, [x + 400_000.0, y])];
+        assert!(told.contains("With x = 428") && told.contains("it lies near them") && !told.contains("zone 33 it lies"), "{told}");
+        assert!(negative.contains(&coordinate("x", x)), "{negative}");
+        assert!(digit.contains("With x = 428"), "{digit}");
+        assert!(refused(UTM, [y, x]).contains("exchanged"), "{}", refused(UTM, [y, x]));
+        let other = CoordinateSystem::new(Definition::read("EPSG:32631").unwrap(), None, [8.0, 50.0]).unwrap();
+        let [x, y, _] = other.coordinates([8.003, 50.001, 0.0]).unwrap();
+        for crs in [UTM, "+proj=utm +zone=32 +datum=WGS84", "EPSG:25832"] {
+            let told = refused(crs, [x, y]);
+            assert!(told.contains("In zone 31 it lies near them"), "{told}");
         }
+        // 60 km beside it in that zone it is not near.
+        let told = refused(UTM, [x + 60_000.0, y]);
+        assert!(!told.contains("lies near them") && told.contains("zone right"), "{told}");
     }
 }

@@ -37,6 +37,8 @@ messages! {
         DecimalPoint { axis: Axis, given: String, likely: String },
         /// A height that is in feet where metres are needed.
         Feet { given: String, likely: String },
+        /// A height that is in metres where the system has feet.
+        Metres { given: String, likely: String },
         /// One digit is another.
         Digit { axis: Axis, given: String, likely: String },
         /// The coordinates are those of another zone of the same system.
@@ -47,9 +49,11 @@ messages! {
 /// Coordinates that are explained beside where the other observations have the point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Doubted {
-    /// As they were written, in m.
+    /// As they were written, in the units of their system.
     pub given: [f64; 3],
     pub likely: [f64; 3],
+    /// The unit of heights in m.
+    pub height_unit_m: f64,
     /// How far what explains them may lie from `likely`, coordinate by coordinate: a limit of chance times standard errors.
     pub within: [f64; 3],
 }
@@ -58,8 +62,10 @@ pub(crate) struct Doubted {
 const LEAST_TIMES: f64 = 10.0;
 /// Powers of ten by which a decimal point is misplaced.
 const POWERS: [i32; 6] = [1, -1, 2, -2, 3, -3];
-/// Feet in a metre, international ones; those of the US survey differ by two millionths.
-const FEET: f64 = 0.3048;
+/// An international foot in m; that of the US survey differs by two millionths.
+const FOOT_M: f64 = 0.3048;
+/// A unit is a foot, or a metre, where it differs by less than this share.
+const SAME_UNIT: f64 = 1e-5;
 /// Decimals of a coordinate that may be mistyped.
 const DECIMALS: i32 = 3;
 
@@ -84,10 +90,22 @@ impl Doubted {
         if let Some(likely) = POWERS.iter().map(moved).find(|moved| self.fits(k, *moved)) {
             return Some(Mistake::DecimalPoint { axis, given: written(given), likely: written(likely) });
         }
-        if axis == Axis::Z && self.fits(k, given * FEET) {
-            return Some(Mistake::Feet { given: written(given), likely: format!("{:.3}", given * FEET) });
+        if let Some(mistake) = Some(axis).filter(|axis| *axis == Axis::Z).and_then(|_| self.other_unit()) {
+            return Some(mistake);
         }
         self.digit(k).map(|likely| Mistake::Digit { axis, given: written(given), likely })
+    }
+
+    /// A height in feet of a system in metres, or the other way around.
+    fn other_unit(&self) -> Option<Mistake> {
+        let is = |unit_m: f64| (self.height_unit_m / unit_m - 1.0).abs() < SAME_UNIT;
+        let (k, given) = (Axis::Z.index(), self.given[Axis::Z.index()]);
+        let converted = if is(1.0) { given * FOOT_M } else { given / self.height_unit_m };
+        if !(is(1.0) || is(FOOT_M)) || !self.fits(k, converted) {
+            return None;
+        }
+        let (given, likely) = (written(given), format!("{converted:.3}"));
+        Some(if is(1.0) { Mistake::Feet { given, likely } } else { Mistake::Metres { given, likely } })
     }
 
     /// The coordinate that is farthest off, in what it may be off.
@@ -156,7 +174,11 @@ mod tests {
 
     /// Where the block has them: what was surveyed, but for 3 cm.
     fn mistake(given: [f64; 3], truth: [f64; 3]) -> Option<Mistake> {
-        Doubted { given, likely: [truth[0] + 0.03, truth[1] - 0.02, truth[2] + 0.03], within: [0.1; 3] }.mistake()
+        mistake_in(1.0, given, truth)
+    }
+
+    fn mistake_in(height_unit_m: f64, given: [f64; 3], truth: [f64; 3]) -> Option<Mistake> {
+        Doubted { given, likely: [truth[0] + 0.03, truth[1] - 0.02, truth[2] + 0.03], height_unit_m, within: [0.1; 3] }.mistake()
     }
 
     const TRUE: [f64; 3] = [412_630.42, 5_316_020.17, 431.25];
@@ -205,6 +227,17 @@ mod tests {
         assert_eq!(mistake([TRUE[1], TRUE[0], TRUE[2]], TRUE), Some(Mistake::Exchanged));
         // Equal to what may be left, x and y tell nothing by their exchange.
         assert_eq!(mistake([10.0, 10.2, 4.0], [10.2, 10.0, 4.0]), None);
+    }
+
+    #[test]
+    fn heights_in_the_other_unit_are_found_in_metres_and_in_feet() {
+        const FOOT_US: f64 = 1200.0 / 3937.0;
+        let metres = |given: &str, likely: &str| Some(Mistake::Metres { given: given.into(), likely: likely.into() });
+        assert_eq!(mistake_in(FOOT_M, with(2, 131.445), TRUE), metres("131.445", "431.250"));
+        assert_eq!(mistake_in(FOOT_US, with(2, 131.445), TRUE), metres("131.445", "431.249"));
+        // Feet of a system in feet are no slip, and a rod is neither.
+        assert_eq!(mistake_in(FOOT_M, with(2, 1414.862), TRUE), None);
+        assert_eq!(mistake_in(5.0292, with(2, 131.445), TRUE), None);
     }
 
     #[test]

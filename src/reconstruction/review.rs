@@ -125,7 +125,7 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
                 point.left_out.map_or([test.difference, test.errors], |left| [left.difference, left.standard_errors]);
             let limit = known.options.adjustment.limit();
             let likely = [0, 1, 2].map(|k| point.position[k] + difference[k]);
-            Doubted { given: point.position, likely, within: errors.map(|error| limit * error) }.mistake()
+            Doubted { given: point.position, likely, height_unit_m: 1.0, within: errors.map(|error| limit * error) }.mistake()
         });
         Some(BlockWarning::ControlRefused {
             point: known.description.control[control].name.clone(),

@@ -6,7 +6,7 @@ use js_sys::Float64Array;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Coordinates in a system (an EPSG code, PROJ text or WKT) of longitudes, latitudes in degrees and heights in m (stride 3): x, east or longitude,
-/// first; NaN outside the system.
+/// first; NaN outside the system, an error where the median of the places lies there.
 #[wasm_bindgen]
 pub fn system_coordinates(crs: &str, geographic: &[f64]) -> JsResult<Float64Array> {
     flat(coordinates_in_system(crs, rows("geographic positions", geographic)?))

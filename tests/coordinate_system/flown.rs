@@ -82,6 +82,11 @@ pub fn control(write: impl Fn([f64; 3]) -> [f64; 3]) -> ControlTexts {
 pub static FOLDER: Mutex<()> = Mutex::new(());
 
 pub fn run<'a>(crs: impl Into<Option<&'a str>>, geoid_m: Option<f64>, control: Option<ControlTexts>) -> Result<BlockRun, Error> {
+    run_of(crs, geoid_m, RunInput { control, ..RunInput::default() })
+}
+
+/// The same of other input.
+pub fn run_of<'a>(crs: impl Into<Option<&'a str>>, geoid_m: Option<f64>, input: RunInput) -> Result<BlockRun, Error> {
     let Flown { photos, folder, scene } = flown();
     // Over ground that is nearly flat a focal length that is estimated takes the height with it.
     let focal_px = scene.truth().cameras[0].focal_px;
@@ -91,7 +96,7 @@ pub fn run<'a>(crs: impl Into<Option<&'a str>>, geoid_m: Option<f64>, control: O
     (settings.placing.crs, settings.placing.geoid_m) = (crs.into().map(String::from), geoid_m);
     // One run at a time has the folder.
     let _folder = FOLDER.lock().unwrap_or_else(PoisonError::into_inner);
-    run_block(photos, &[], RunInput { settings, cameras, control, ..RunInput::default() }, &folder.join("work"), 2, drop)
+    run_block(photos, &[], RunInput { settings, cameras, ..input }, &folder.join("work"), 2, drop)
 }
 
 /// The block with control points in UTM.

@@ -93,11 +93,57 @@ fn heights_of_another_system_and_systems_in_degrees_are_refused_for_a_mosaic() {
     assert!(Mosaic::of_block(both(), Some(of(25_832)), Some(5.0)).is_ok());
     let told = Mosaic::of_block(both(), Some(of(25_833)), None).err().unwrap().to_string();
     assert!(told.contains("EPSG:25833") && told.contains("EPSG:25832"), "{told}");
+    // A system without a code of its own contradicts them as well.
+    let mut by_text = both().clone();
+    by_text.input.settings.placing.crs = Some("+proj=utm +zone=32 +datum=WGS84".into());
+    assert!(Mosaic::of_block(&by_text, Some(of(32_632)), Some(5.0)).is_ok());
+    for other in [25_833, 31_467] {
+        let told = Mosaic::of_block(&by_text, Some(of(other)), None).err().unwrap().to_string();
+        assert!(told.contains(&format!("EPSG:{other}")) && told.contains("+proj=utm +zone=32"), "{told}");
+    }
     let mut degrees = by_gnss().clone();
     degrees.input.settings.placing.crs = Some("EPSG:4258".into());
     let told = Mosaic::of_block(&degrees, None, None).err().unwrap().to_string();
     assert!(told.contains("ETRS89") && told.contains("degrees"), "{told}");
     assert_eq!(accuracy_map(&degrees, None, None).err().unwrap().to_string(), told);
+}
+
+/// Heights whose file says that they are feet of the US survey.
+fn in_feet(model: &HeightModel, epsg: u16) -> Heights {
+    let mut file = write_heights(model, Some(epsg)).unwrap();
+    let [raster_type, height_unit] = [[1025_u16, 0, 1, 1], [4099, 0, 1, 9003]].map(|key| key.map(u16::to_le_bytes).concat());
+    let at = file.windows(8).position(|window| window == raster_type).unwrap();
+    file[at..at + 8].copy_from_slice(&height_unit);
+    Heights::Model(HeightModel::read(&file, None).unwrap())
+}
+
+#[test]
+fn heights_in_feet_are_those_of_the_ground_in_metres() {
+    const FOOT_US: f64 = 1200.0 / 3937.0;
+    let Heights::Model(model) = in_system().heights.clone() else { panic!("the scene has heights") };
+    let read = |epsg: u16| HeightModel::read(&write_heights(&model, Some(epsg)).unwrap(), None).unwrap();
+    let [x, y, _] = in_utm(flown().scene.surface_at(0, &[[240.0, 180.0]]).unwrap()[0]);
+    let own = model.at([x, y]).unwrap();
+    // The model has metres; as feet it is so much lower.
+    let lower = own * FOOT_US;
+    let mosaic = Mosaic::of_block(both(), Some(in_feet(&model, 25_832)), Some(5.0)).unwrap();
+    assert!((mosaic.heights().at([x, y]).unwrap() - lower).abs() < 1e-3, "{:?} {lower}", mosaic.heights().at([x, y]));
+    let Heights::Model(converted) = mosaic.heights() else { panic!("a model stays one") };
+    // What is written has the converted heights, and no unit of its own.
+    let again = HeightModel::read(&write_heights(converted, Some(25_832)).unwrap(), None).unwrap();
+    assert!((again.at([x, y]).unwrap() - lower).abs() < 1e-3);
+    // In a system that has feet itself, they stay what they are.
+    let mut feet = both().clone();
+    feet.input.settings.placing.crs = Some("+proj=utm +zone=32 +ellps=GRS80 +towgs84=0,0,0 +vunits=us-ft".into());
+    let mosaic = Mosaic::of_block(&feet, Some(in_feet(&model, 25_832)), Some(5.0)).unwrap();
+    assert!((mosaic.heights().at([x, y]).unwrap() - own).abs() < 1e-9);
+    // Under an orthophoto, too, be they given with it or later.
+    let mut orthophoto = in_system().clone();
+    orthophoto.epsg = Some(25_832);
+    orthophoto.set_heights(in_feet(&model, 25_832)).unwrap();
+    assert!((orthophoto.heights.at([x, y]).unwrap() - lower).abs() < 1e-3);
+    orthophoto.set_heights(Heights::Model(read(25_832))).unwrap();
+    assert_eq!(orthophoto.heights.at([x, y]), Some(own));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::interval::with_interval;
 use super::range::{range, ranges, worst};
 use super::subject::{NAMED, Subject, WORST};
 use crate::html::{count, fixed, significant};
-use crate::outputs::inspection::surveyed;
+use crate::outputs::inspection::{surveyed, surveyed_index};
 use crate::text::shorten;
 use crate::{
     ControlRole, Factors95, ObservationVerdict, PointSource, PriorStatistics, ReconstructedModel, SurveyedPoint, VarianceComponent,
@@ -65,7 +65,8 @@ pub(super) fn control(subject: &Subject<'_>, model: &ReconstructedModel) -> Mark
     if model.surveyed.is_empty() {
         return html! {};
     }
-    let all = surveyed_points(model);
+    let all = surveyed_points(subject, model);
+    let in_crs = subject.summary.crs.as_ref().map(|crs| shorten(&crs.name));
     let of = |role: ControlRole| all.iter().filter(move |(point, _)| point.role == role);
     let size = |point: &SurveyedPoint| length(point.difference_m);
     let left_out = all.iter().filter_map(|(point, _)| Some((*point, point.left_out?)));
@@ -91,6 +92,7 @@ pub(super) fn control(subject: &Subject<'_>, model: &ReconstructedModel) -> Mark
                 "Residual: surveyed minus adjusted; w is that of a new observation where a point was refused, since the other observations contradict it. A point that is doubtful contradicts them, too, and is used since too few are left to tell which is wrong. "
                 "r, ∇, moves and influence as for GNSS positions: what an undetected error of the size ∇ moves the point by, and the most that it moves any unknown by, in standard errors. Points beyond "
                 (NAMED) " are in surveyed.csv."
+                @if let Some(crs) = &in_crs { " Residuals of points that are used count along the axes of the adjustment, those of refused points, and all differences, along those of " (crs) "." }
             }
             @if !alone.is_empty() {
                 h3 { "The same points without themselves" }
@@ -101,7 +103,7 @@ pub(super) fn control(subject: &Subject<'_>, model: &ReconstructedModel) -> Mark
         @if of(ControlRole::Check).next().is_some() {
             h2 { "Check points" }
             (differences(subject.factors_95(), worst(of(ControlRole::Check), NAMED, |(point, _)| Some(size(point))).into_iter().map(|(point, _)| (*point, point.difference_m, point.standard_errors_m))))
-            p.note { "Differences: adjusted minus surveyed. They took no part in the adjustment." }
+            p.note { "Differences: adjusted minus surveyed" @if let Some(crs) = &in_crs { ", along the axes of " (crs) } ". They took no part in the adjustment." }
         }
         (measurements(subject, model))
     }
@@ -205,14 +207,15 @@ fn differences<'a>(factors: Option<Factors95>, rows: impl Iterator<Item = Differ
     }
 }
 
-/// The surveyed points with what the adjustment says of them: nothing of check points, which took no part.
-fn surveyed_points(model: &ReconstructedModel) -> Vec<(&SurveyedPoint, Option<&PriorStatistics>)> {
+/// The surveyed points in the system of the tables, with what the adjustment says of them: nothing of check points, which took no part.
+fn surveyed_points<'a>(subject: &'a Subject<'_>, model: &'a ReconstructedModel) -> Vec<(&'a SurveyedPoint, Option<&'a PriorStatistics>)> {
     let adjusted = &model.adjusted;
     let statistics = |place: usize| {
         let control = adjusted.block.control.iter().position(|control| control.point == place)?;
         adjusted.control[control].as_ref()
     };
-    (0..model.points.len()).filter_map(|place| Some((surveyed(model, place)?, statistics(place)))).collect()
+    let surveyed = |place: usize| subject.surveyed.get(surveyed_index(model, place)?);
+    (0..model.points.len()).filter_map(|place| Some((surveyed(place)?, statistics(place)))).collect()
 }
 
 /// Image measurements of surveyed points.

@@ -1,10 +1,12 @@
 //! What a report is about.
 
+use crate::outputs::in_system::InSystem;
 use crate::outputs::pairs::PairRow;
 use crate::outputs::precision::written;
 use crate::outputs::summary::Summary;
 use crate::text::shorten;
-use crate::{BlockRun, Factors95, ReconstructedModel};
+use crate::{BlockRun, Factors95, ReconstructedModel, SurveyedPoint};
+use std::borrow::Cow;
 
 /// Rows of a list of the worst.
 pub(super) const WORST: usize = 15;
@@ -18,11 +20,13 @@ pub(super) struct Subject<'a> {
     pub pairs: &'a [PairRow],
     /// The model that is written; absent without an orientation.
     pub model: Option<&'a ReconstructedModel>,
+    /// Its surveyed points in the system of the tables.
+    pub surveyed: Cow<'a, [SurveyedPoint]>,
 }
 
 impl<'a> Subject<'a> {
     pub fn new(run: &'a BlockRun, summary: &'a Summary, pairs: &'a [PairRow]) -> Self {
-        Self { run, summary, pairs, model: written(run) }
+        Self { run, summary, pairs, model: written(run), surveyed: InSystem::of(run).surveyed() }
     }
 
     /// By what its standard errors grow for 95 %; absent without any.
