@@ -5,7 +5,7 @@ import { spawn, spawnSync } from 'node:child_process';
 import { closeSync, existsSync, mkdirSync, openSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { file, folder, image, json, PROGRAM, speckle, tiepoint } from './command.js';
+import { asProcess, file, folder, image, json, PROGRAM, samplePair, speckle, tiepoint } from './command.js';
 
 const at = folder();
 const picture = image(at, 'speckle.png', 64, 48, speckle);
@@ -32,8 +32,22 @@ test('help names every command, and every command tells its options', () => {
   assert.match(tiepoint('match', '--help').stdout, /--search PX\n.*\n?.*allowed: odd whole numbers from 1 to 1023; default: 25/s);
 });
 
+test('a process of its own gives what a call within the tests gives, whatever the exit code', () => {
+  const { at: pair, call } = samplePair();
+  const calls = [['--version'], ['help', 'match'], ['matsch'], ['points', join(pair, 'none.png')], call, ['match', picture, picture, '--json']];
+  const ended = calls.map((args) => asProcess(...args));
+  assert.deepEqual(
+    ended.map(({ code }) => code),
+    [0, 0, 2, 1, 0, 4],
+  );
+  assert.deepEqual(
+    calls.map((args) => tiepoint(...args)),
+    ended,
+  );
+});
+
 test('one version everywhere', () => {
-  const { stdout } = tiepoint('--version');
+  const { stdout } = asProcess('--version');
   const packageVersion = JSON.parse(readFileSync(new URL('../../pkg/package.json', import.meta.url), 'utf8')).version;
   const crateVersion = /^version = "(.+)"$/m.exec(readFileSync(new URL('../../Cargo.toml', import.meta.url), 'utf8'))?.[1];
   assert.deepEqual([stdout.trim(), packageVersion], [crateVersion, crateVersion]);

@@ -1,4 +1,4 @@
-/** Runs the `tiepoint` command as a user does, and makes the files the tests give it. */
+/** Calls the `tiepoint` command, and makes the files the tests give it. */
 
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -7,20 +7,29 @@ import { join } from 'node:path';
 import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { grey_png } from '../../pkg/node.js';
+import { caller } from './called.js';
 
 export const PROGRAM = fileURLToPath(new URL('../../pkg/bin/tiepoint.js', import.meta.url));
 
 /**
- * What Node runs the command with. Its processes live for a second or two, most of which Node would spend on compiling the module once more, optimised:
- * only what runs for long is worth that here. What a user's Node computes is held to the same bytes by the tests that call the package.
+ * What Node runs the processes of the command with that live for a second or two, most of which it would spend on compiling the module once more,
+ * optimised: only what runs for long is worth that here.
  */
 export const NODE = ['--wasm-tiering-budget=100000000'];
 
-/**
- * @typedef {{ code: number | null, stdout: string, stderr: string }} Ended
- * @param {string[]} args @returns {Ended}
- */
+/** @typedef {{ code: number | null, stdout: string, stderr: string }} Ended */
+
+/** @type {((args: string[]) => Ended) | undefined} */
+let called;
+
+/** Calls the command within this process: each process of its own would read and compile the module anew.  @param {string[]} args @returns {Ended} */
 export function tiepoint(...args) {
+  called ??= caller(PROGRAM);
+  return called(args);
+}
+
+/** Calls the command as a user does, as a process of its own: for what a process alone has.  @param {string[]} args @returns {Ended} */
+export function asProcess(...args) {
   const { status, stdout, stderr } = spawnSync(process.execPath, [...NODE, PROGRAM, ...args], { encoding: 'utf8', maxBuffer: 1 << 28 });
   return { code: status, stdout, stderr };
 }

@@ -43,12 +43,13 @@ const ENCODINGS = {
 
 /**
  * Serves the page on 127.0.0.1.
- * @param {{ prefix?: string, port?: number }} [options] prefix: the path below which it appears; port: the one to try first, 0 takes any free one
+ * @param {{ prefix?: string, port?: number, compresses?: boolean }} [options] prefix: the path below which it appears; port: the one to try first,
+ * 0 takes any free one; compresses: false sends files as they lie, which costs less where nothing but this machine lies between
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  */
-export async function servePage({ prefix = '/', port = 0 } = {}) {
+export async function servePage({ prefix = '/', port = 0, compresses = true } = {}) {
   const server = createServer((request, response) => {
-    answer(prefix, request, response).catch(() => {
+    answer(prefix, compresses, request, response).catch(() => {
       response.writeHead(500).end('The file could not be read.\n');
     });
   });
@@ -85,8 +86,8 @@ async function listen(server, port) {
   throw new Error('no port is free on 127.0.0.1');
 }
 
-/** @param {string} prefix @param {import('node:http').IncomingMessage} request @param {import('node:http').ServerResponse} response */
-async function answer(prefix, request, response) {
+/** @param {string} prefix @param {boolean} compresses @param {import('node:http').IncomingMessage} request @param {import('node:http').ServerResponse} response */
+async function answer(prefix, compresses, request, response) {
   for (const [name, value] of Object.entries(HEADERS)) response.setHeader(name, value);
   if (request.method !== 'GET' && request.method !== 'HEAD') {
     response.writeHead(405, { Allow: 'GET, HEAD' }).end();
@@ -101,7 +102,7 @@ async function answer(prefix, request, response) {
   }
   // The page in one file names its own scripts by their hashes; the web's policy would forbid them.
   if (name !== 'tiepoint.html') response.setHeader('Content-Security-Policy', SERVER_POLICY);
-  const encoding = encodingOf(request.headers['accept-encoding']);
+  const encoding = compresses ? encodingOf(request.headers['accept-encoding']) : null;
   const tag = `"${file.digest}${encoding === null ? '' : `-${encoding}`}"`;
   response.setHeader('ETag', tag);
   if (isNamed(request.headers['if-none-match'], tag)) {
