@@ -188,6 +188,19 @@ fn a_wrong_point_that_keeps_the_block_from_being_placed_is_found_all_the_same() 
 }
 
 #[test]
+fn the_point_that_fits_worst_is_tried_before_its_neighbours() {
+    let mut scene = flown(7, false, 22);
+    let points = control(&scene);
+    for (point, axis, error) in [(points[2], 0, 3.0), (points[3], 1, 30.0)] {
+        place(&mut scene.description.control[point])[axis] += error;
+    }
+    let model = adjusted(&scene);
+    let found: Vec<(&str, Axis, bool)> = refused(&model).into_iter().map(|(point, axis, used, _)| (point, axis, used)).collect();
+    let name = |k: usize| scene.description.control[points[k]].name.as_str();
+    assert_eq!(found, [(name(2), Axis::X, false), (name(3), Axis::Y, false)], "{:?}", model.warnings);
+}
+
+#[test]
 fn control_points_that_all_contradict_the_positions_stay_used() {
     let mut scene = flown(8, true, 8);
     for point in control(&scene) {

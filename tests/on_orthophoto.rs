@@ -3,7 +3,7 @@
 use crate::shown::shown;
 use std::fs;
 use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
     Axis, BlockEdit, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning, ControlTexts,
     DecodeLimits, Heights, MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, OverviewWarning, PlacingOptions, RunInput, SearchArea,
@@ -55,6 +55,9 @@ fn flown() -> &'static Flown {
 }
 
 fn run(control: Option<ControlTexts>) -> BlockRun {
+    // All share the records of the images: one run at a time has their folder.
+    static FOLDER: Mutex<()> = Mutex::new(());
+    let _mine = FOLDER.lock().unwrap_or_else(PoisonError::into_inner);
     let Flown { photos, folder, scene } = flown();
     let mut settings = BlockSettings::default();
     settings.features.multiscale = MultiscaleOptions { number: 2500, ..settings.features.multiscale };

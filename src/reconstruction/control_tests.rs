@@ -295,8 +295,7 @@ impl<'a> Course<'a> {
     fn next(&mut self, adjusted: &AdjustmentResult) -> Next {
         let tests = self.tests(adjusted);
         // Of a wrong coordinate and a wrong image measurement that explain each other, the one with the larger test is wrong.
-        // One that nothing tests is not known to be right.
-        let fits = |control: &usize| tests.of[*control].is_some_and(|test| test.size() <= tests.limit.max(self.rivals[*control]));
+        let fits = |control: &usize| fits(tests.of[*control].as_ref(), tests.limit.max(self.rivals[*control]));
         let may_return = |control: &usize| self.is_refused[*control] && self.last != Some(*control);
         let back: Vec<usize> = (0..self.is_refused.len()).filter(may_return).filter(fits).collect();
         if !back.is_empty() {
@@ -354,9 +353,14 @@ impl<'a> Course<'a> {
             let is_doubtful = accepted + rejected >= if is_most { 2 } else { LEAST_MARKS } && rejected > 0;
             is_doubtful.then(|| Unmeasured { control, is_lost: accepted == 0, is_most, rejected, largest: largest[point] })
         });
-        let worst = doubtful.reduce(|worst, next| if next.is_worse_than(&worst) { next } else { worst })?;
+        let worst = Unmeasured::worst(doubtful)?;
         Some((worst.control, if worst.is_most { 0.0 } else { worst.largest }))
     }
+}
+
+/// Whether the other observations have a point within chance: one that nothing tests is not known to be right.
+fn fits(test: Option<&ControlTest>, limit: f64) -> bool {
+    test.is_some_and(|test| test.size() <= limit)
 }
 
 /// A control point of which image measurements were rejected.
@@ -372,6 +376,11 @@ struct Unmeasured {
 }
 
 impl Unmeasured {
+    /// Of equal ones the first.
+    fn worst(all: impl Iterator<Item = Self>) -> Option<Self> {
+        all.reduce(|worst, next| if next.is_worse_than(&worst) { next } else { worst })
+    }
+
     fn is_worse_than(&self, other: &Self) -> bool {
         let kind = |of: &Self| (of.is_lost, of.is_most);
         let by_size = || self.largest.total_cmp(&other.largest).then(self.rejected.cmp(&other.rejected));
@@ -402,4 +411,35 @@ fn of_residuals(
     };
     let of = [0, 1, 2].map(of);
     Some(ControlTest::new(of.map(|(difference, _)| difference), of.map(|(_, error)| error), shift))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ControlTest, Unmeasured, fits};
+
+    #[test]
+    fn a_point_that_nothing_tests_does_not_fit() {
+        let test = ControlTest::new([0.02, 0.0, -0.03], [0.01; 3], 4.13);
+        assert!(fits(Some(&test), 3.29) && !fits(Some(&test), 2.9));
+        assert!(!fits(None, f64::MAX));
+    }
+
+    #[test]
+    fn the_point_whose_measurements_fit_worst_is_tried_first() {
+        let of = |control: usize, [accepted, rejected]: [usize; 2], largest: f64| Unmeasured {
+            control,
+            is_lost: accepted == 0,
+            is_most: rejected > accepted,
+            rejected,
+            largest,
+        };
+        // One wrong measurement of four, good neighbours of a wrong point, and points that nothing fits.
+        let mut all = vec![(0, [3, 1], 60.0), (1, [2, 4], 8.0), (2, [1, 3], 20.0), (3, [0, 3], 0.0), (4, [0, 5], 0.0), (5, [1, 3], 20.0)];
+        for wanted in [4, 3, 2, 5, 1, 0] {
+            let worst = Unmeasured::worst(all.iter().map(|(control, counts, largest)| of(*control, *counts, *largest)));
+            assert_eq!(worst.map(|worst| worst.control), Some(wanted));
+            all.retain(|(control, ..)| *control != wanted);
+        }
+        assert!(Unmeasured::worst(std::iter::empty()).is_none());
+    }
 }
