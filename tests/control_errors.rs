@@ -96,15 +96,17 @@ fn a_mistyped_digit_is_refused_named_and_explained_and_moves_nothing() {
     assert!(point == name && axis == Axis::X && !used, "{found:?}");
     let Some(Mistake::Digit { axis: Axis::X, given: written, likely }) = mistake else { panic!("{found:?}") };
     assert!((written.parse::<f64>().unwrap() - typed[0]).abs() < 1e-9 && (likely.parse::<f64>().unwrap() - given[0]).abs() < 1e-9);
-    let text = model.warnings.iter().map(ToString::to_string).find(|text| text.contains("is refused")).unwrap();
+    let text = model.warnings.iter().map(ToString::to_string).find(|text| text.contains("is rejected")).unwrap();
     assert!(
-        text.contains(&format!("The x of the GCP {name} is refused")) && text.contains(likely) && text.contains("takes no part"),
+        text.contains(&format!("The x of the GCP {name} is rejected")) && text.contains(likely) && text.contains("takes no part"),
         "{text}"
     );
     // It is where a check point would be, and the block lies as if it were one.
     let own = model.surveyed.iter().find(|point| point.name == name).unwrap();
     let left = own.left_out.unwrap();
-    assert!((left.difference[0] - (given[0] - typed[0])).abs() < 5.0 * left.standard_errors[0] && own.refused.unwrap().axis == Axis::X);
+    assert!(
+        (left.difference[0] - (given[0] - typed[0])).abs() < 5.0 * left.standard_errors[0] && own.refused.unwrap().axis == Some(Axis::X)
+    );
     scene.description.control[wrong].role = ControlRole::Check;
     let checked = adjusted(&scene);
     assert_eq!(checked.adjusted.block.images, model.adjusted.block.images);
@@ -175,6 +177,30 @@ fn too_few_points_all_stay_used_and_are_warned_of() {
 }
 
 #[test]
+fn a_wrong_point_that_keeps_the_block_from_being_placed_is_found_all_the_same() {
+    let mut scene = flown(5, false, 22);
+    let wrong = control(&scene)[2];
+    place(&mut scene.description.control[wrong])[0] += 30.0;
+    let model = adjusted(&scene);
+    let found: Vec<(&str, Axis, bool)> = refused(&model).into_iter().map(|(point, axis, used, _)| (point, axis, used)).collect();
+    assert_eq!(found, [(scene.description.control[wrong].name.as_str(), Axis::X, false)], "{:?}", model.warnings);
+    assert!(model.in_system && model.adjusted.block.control.len() == 4);
+}
+
+#[test]
+fn the_point_that_fits_worst_is_tried_before_its_neighbours() {
+    let mut scene = flown(7, false, 22);
+    let points = control(&scene);
+    for (point, axis, error) in [(points[2], 0, 3.0), (points[3], 1, 30.0)] {
+        place(&mut scene.description.control[point])[axis] += error;
+    }
+    let model = adjusted(&scene);
+    let found: Vec<(&str, Axis, bool)> = refused(&model).into_iter().map(|(point, axis, used, _)| (point, axis, used)).collect();
+    let name = |k: usize| scene.description.control[points[k]].name.as_str();
+    assert_eq!(found, [(name(2), Axis::X, false), (name(3), Axis::Y, false)], "{:?}", model.warnings);
+}
+
+#[test]
 fn control_points_that_all_contradict_the_positions_stay_used() {
     let mut scene = flown(8, true, 8);
     for point in control(&scene) {
@@ -202,12 +228,25 @@ fn few_or_badly_spread_control_points_are_said_with_figures() {
     let three = flown(3, false, 10);
     let model = adjusted(&three);
     let few = model.warnings.iter().find_map(|warning| match warning {
-        BlockWarning::FewControl { points, detectable_m } => Some((*points, *detectable_m)),
+        BlockWarning::FewControl { points, positions: 0, detectable_m } => Some((*points, *detectable_m)),
         _ => None,
     });
     let (points, detectable_m) = few.unwrap();
     // What checks three points is their distances: an error shows late or not at all.
     assert!(points == 3 && detectable_m.is_none_or(|error| error > 0.3), "{detectable_m:?}");
+
+    // Of three positions one is wrong: two are left beside the points.
+    let mut beside = flown(3, true, 10);
+    for (index, image) in beside.description.images.iter_mut().enumerate() {
+        match &mut image.position {
+            Some(ObservedPosition::Local { position, .. }) if index == 7 => position[0] += 500.0,
+            position if index != 0 && index != 14 => *position = None,
+            _ => {}
+        }
+    }
+    let model = adjusted(&beside);
+    let of_both = |warning: &BlockWarning| matches!(warning, BlockWarning::FewControl { points: 3, positions: 2, .. });
+    assert!(model.warnings.iter().any(of_both), "{:?}", model.warnings);
 
     let spread = |keep: &dyn Fn([f64; 3], [f64; 2]) -> bool, seed| {
         let mut scene = flown(24, false, seed);

@@ -164,7 +164,7 @@ fn a_mistyped_control_point_is_explained_by_the_numbers_that_were_written() {
     let files = files(&run);
     let state = |name: &str| files["surveyed.csv"].lines().find(|line| line.starts_with(name)).unwrap().rsplit(',').next().unwrap();
     assert_eq!([state("G4,"), state("G1,"), state("G3,")], ["refused", "used", "check"]);
-    assert!(files["summary.json"].contains("control_refused") && files["report.html"].contains("<td>refused</td>"));
+    assert!(files["summary.json"].contains("control_refused") && files["report.html"].contains("<td>rejected</td>"));
 }
 
 #[test]

@@ -3,10 +3,11 @@
 use crate::shown::shown;
 use std::fs;
 use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
-    BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, ControlTexts, DecodeLimits, Heights,
-    MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, OverviewWarning, PlacingOptions, RunInput, SearchArea, decode, run_block,
+    Axis, BlockEdit, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning, ControlTexts,
+    DecodeLimits, Heights, MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, OverviewWarning, PlacingOptions, RunInput, SearchArea,
+    decode, run_block,
 };
 
 /// Of the map, from that of the scene.
@@ -54,6 +55,9 @@ fn flown() -> &'static Flown {
 }
 
 fn run(control: Option<ControlTexts>) -> BlockRun {
+    // All share the records of the images: one run at a time has their folder.
+    static FOLDER: Mutex<()> = Mutex::new(());
+    let _mine = FOLDER.lock().unwrap_or_else(PoisonError::into_inner);
     let Flown { photos, folder, scene } = flown();
     let mut settings = BlockSettings::default();
     settings.features.multiscale = MultiscaleOptions { number: 2500, ..settings.features.multiscale };
@@ -155,12 +159,13 @@ fn an_orthophoto_of_elsewhere_leaves_the_block_as_it_was_and_says_so() {
     assert!(matches!(overview_warning, OverviewWarning::NotOnOrthophoto { .. }));
 }
 
-/// Ground control points by the truth, their heights raised.
-fn surveyed(raised_m: f64) -> ControlTexts {
+/// Ground control points by the truth, their heights raised, and the x of the third wrong.
+fn surveyed(raised_m: f64, wrong_m: f64) -> ControlTexts {
     let places = shown(&flown().scene, &[0, 2, 5, 7], &[[150.0, 120.0], [330.0, 240.0]]);
     let (mut points, mut marks) = ("name,x,y,z,sigma_xy,sigma_z,sigma_px\n".to_string(), "image,point,x,y\n".to_string());
     for (number, (place, images)) in (1..).zip(&places) {
-        points += &format!("G{number},{},{},{},0.05,0.05,0.1\n", place[0] + FAR[0], place[1] + FAR[1], place[2] + raised_m);
+        let x = place[0] + FAR[0] + if number == 3 { wrong_m } else { 0.0 };
+        points += &format!("G{number},{x},{},{},0.05,0.05,0.1\n", place[1] + FAR[1], place[2] + raised_m);
         marks += &images.iter().map(|(image, [x, y])| format!("photo_{image:05}.png,G{number},{x},{y}\n")).collect::<String>();
     }
     assert!(places.len() >= 4, "{}", places.len());
@@ -169,17 +174,49 @@ fn surveyed(raised_m: f64) -> ControlTexts {
 
 #[test]
 fn ground_control_points_take_part_beside_the_orthophoto_or_contradict_its_heights() {
-    let both = linked(&run(Some(surveyed(0.0))));
+    let both = linked(&run(Some(surveyed(0.0, 0.0))));
     let OnOrthophoto::Linked { points, .. } = outcome(&both) else { panic!("{}", outcome(&both)) };
     let model = &both.reconstruction.as_ref().unwrap().models[0];
     let control = |begins: &str| model.surveyed.iter().filter(|point| point.name.starts_with(begins)).count();
     assert!(control("G") >= 4 && control("orthophoto_") >= points, "{points}");
     // Heights of the model that are 5 m lower than those that were surveyed.
-    let low = run(Some(surveyed(5.0)));
+    let low = run(Some(surveyed(5.0, 0.0)));
     let found = linked(&low);
     let OnOrthophoto::NotLinked { not_linked: NotLinked::Contradiction { x_m, y_m, z_m } } = outcome(&found) else {
         panic!("{}", outcome(&found))
     };
     assert!(x_m.abs() < 0.5 && y_m.abs() < 0.5 && (z_m + 5.0).abs() < 0.5, "{x_m} {y_m} {z_m}");
     assert_eq!(found.model, low.model);
+}
+
+/// The control points that a block rejected, as its warnings name them.
+fn rejected(run: &BlockRun) -> Vec<String> {
+    let of = |warning: &BlockWarning| match warning {
+        BlockWarning::ControlRefused { point, axis: Axis::X, used: false, .. } => Some(point.clone()),
+        _ => None,
+    };
+    run.reconstruction.as_ref().unwrap().models[0].warnings.iter().filter_map(of).collect()
+}
+
+#[test]
+fn a_wrong_ground_control_point_is_rejected_beside_an_orthophoto_as_alone() {
+    let alone = run(Some(surveyed(0.0, 30.0)));
+    assert_eq!(rejected(&alone), ["G3"], "{}", BlockVerdict::of(&alone));
+    let both = linked(&alone);
+    let OnOrthophoto::Linked { .. } = outcome(&both) else { panic!("{}", outcome(&both)) };
+    let is_right = |run: &BlockRun| {
+        let model = &run.reconstruction.as_ref().unwrap().models[0];
+        println!("{:?}", model.warnings);
+        assert_eq!(rejected(run), ["G3"], "{:?}", model.warnings);
+        assert!(matches!(BlockVerdict::of(run), BlockVerdict::Weak { .. }), "{}", BlockVerdict::of(run));
+        let own = model.surveyed.iter().find(|point| point.name == "G3").unwrap();
+        let left = own.left_out.unwrap();
+        assert!((left.difference[0] + 30.0).abs() < 5.0 * left.standard_errors[0], "{left:?}");
+        // Its image measurements are good.
+        let is_blamed = |warning: &BlockWarning| matches!(warning, BlockWarning::MeasurementsRejected { point, .. } | BlockWarning::PointRejected { point, .. } if point == "G3");
+        assert!(!model.warnings.iter().any(is_blamed), "{:?}", model.warnings);
+    };
+    is_right(&both);
+    let tie_point = both.reconstruction.as_ref().unwrap().models[0].points[0];
+    is_right(&both.with_edits(&[BlockEdit::RejectPoints { points: vec![tie_point] }]).unwrap());
 }

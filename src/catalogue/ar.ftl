@@ -519,13 +519,24 @@ block-warning-control-refused =
         [none] {""}
        *[other] {" "}{ $mistake }
     }
+block-warning-control-untested =
+    رُفضت نقطة الضبط الأرضي { $point } ولا تشارك: { $measurements ->
+        [one] قياسها الصوري، دون إحداثياتها، لا يوافق
+        [two] قياساها الصوريان، دون إحداثياتها، لا يوافقان
+       *[other] قياساتها الصورية، وعددها { $measurements }، دون إحداثياتها، لا توافق
+    } الأرصاد الأخرى، فلا شيء يختبر الإحداثيات. تحقق من كليهما.
 block-warning-control-contradicts = يناقض { $refused } من { $points } من نقاط الضبط الأرضي الأرصادَ الأخرى، وهي أكثر من أن يُعرف أيها خاطئ: تبقى كلها مستعملة. تحقق من نظامها ووحداتها ومن مواضع GNSS.
 block-warning-few-control =
     { $points ->
         [one] نقطة ضبط أرضي واحدة فقط
         [two] نقطتا ضبط أرضي فقط
        *[other] { $points } من نقاط الضبط الأرضي فقط
-    } دون مواضع GNSS تضع الكتلة: { $detectable_m ->
+    } { $positions ->
+        [0] دون مواضع GNSS
+        [one] مع موضع GNSS واحد
+        [two] مع موضعي GNSS
+       *[other] مع { $positions } من مواضع GNSS
+    } تضع الكتلة: { $detectable_m ->
         [none] لا شيء يتحقق من بعض الإحداثيات، ولا يظهر خطأ فيها.
        *[other] لا تكاد تتحقق إحداها من الأخرى، وأصغر انحياز يمكن كشفه في إحداثي هو { FIXED($detectable_m, digits: 2) } م.
     }
@@ -929,9 +940,15 @@ refusal-geoid-of-ellipsoid = ارتفاع الجيوئيد: أُعطي { $geoid_
 refusal-measured-beyond = القياسات الصورية: أُعطي ({ $x_px }, { $y_px }) للنقطة { $point } في { $name }، خارج أي صورة؛ المسموح: مواضع داخل الصورة
 refusal-measured-unknown = القياسات الصورية: أُعطيت النقطة { $point }؛ المسموح: نقاط من جدول نقاط الضبط
 refusal-few-control-points =
-    نقاط الضبط الأرضي: قيس { $seen } من { $placing } في صورتين أو أكثر{ $checks ->
-        [true] {" "}(لا تُحسب نقاط التحقق)
-       *[false] {""}
+    نقاط الضبط الأرضي: { $placing ->
+        [0] { $checks ->
+            [true] أُعطيت نقاط تحقق وحدها، وهي لا تُسند الكتلة جغرافيًا
+           *[false] لم تُعطَ أي نقطة
+        }
+       *[other] قيس { $seen } من { $placing } في صورتين أو أكثر{ $checks ->
+            [true] {" "}(لا تُحسب نقاط التحقق)
+           *[false] {""}
+        }
     }{ $images_count ->
         [0] {""}
         [one] ؛ وليست في الكتلة الصورة { $images }{ $images_more ->
@@ -946,7 +963,13 @@ refusal-few-control-points =
             [0] {""}
            *[other] {" "}…
         }
-    }؛ المسموح: { $needed } أو أكثر، أو لا شيء منها
+    }؛ المسموح: { $needed } أو أكثر{ $placing ->
+        [0] {" "}مقيسة في صورتين أو أكثر
+       *[other] {""}
+    }، أو { $checks ->
+        [true] لا نقاط ضبط ولا نقاط تحقق
+       *[false] لا شيء منها
+    }
 refusal-job-inputs = مدخلات مهمة: أُعطي { $inputs }؛ المسموح: المدخلات التي تسميها
 refusal-mask-of-image = قناعها: أُعطي { $name } ذو { $width } × { $height } بكسل؛ المسموح: أبعاد الصورة { $image_width } × { $image_height } بكسل
 refusal-file-name-again = صور الكتلة: أُعطيت صورتان بالاسم { $name }؛ المسموح: كل اسم مرة واحدة

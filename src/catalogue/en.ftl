@@ -393,16 +393,28 @@ refusal-geoid-of-ellipsoid = height of the geoid: got { $geoid_m } m beside { $c
 refusal-measured-beyond = image measurements: got ({ $x_px }, { $y_px }) for { $point } in { $name }, outside any image; allowed: positions within the image
 refusal-measured-unknown = image measurements: got the point { $point }; allowed: points of the table of control points
 refusal-few-control-points =
-    ground control points: got { $seen } of { $placing }{ $checks ->
-        [true] {" "}(check points do not count)
-       *[false] {""}
-    } measured in two images or more{ $images_count ->
+    ground control points: got { $placing ->
+        [0] { $checks ->
+            [true] check points alone, which do not georeference the block
+           *[false] none
+        }
+       *[other] { $seen } of { $placing }{ $checks ->
+            [true] {" "}(check points do not count)
+           *[false] {""}
+        } measured in two images or more
+    }{ $images_count ->
         [0] {""}
        *[other] ; the block does not have the images { $images }{ $images_more ->
             [0] {""}
            *[other] {" "}…
         }
-    }; allowed: { $needed } or more, or none at all
+    }; allowed: { $needed } or more{ $placing ->
+        [0] {" "}measured in two images or more
+       *[other] {""}
+    }, or { $checks ->
+        [true] neither ground control points nor check points
+       *[false] none at all
+    }
 refusal-job-inputs = inputs of a job: got { $inputs }; allowed: those that it names
 refusal-mask-of-image = its mask: got { $name } with { $width } x { $height } px; allowed: the image's { $image_width } x { $image_height } px
 refusal-file-name-again = images of the block: got two with the name { $name }; allowed: each name once
@@ -886,7 +898,7 @@ block-warning-position-errors-undetermined =
     }: ground control points determine offsets, and images flown in several directions lever arms.
 block-warning-position-errors-relative = Offsets and drifts of GNSS positions are relative to each other: there are too few ground control points to determine { $motions } of the 7 parameters that position, rotate and scale the whole block.
 block-warning-control-refused =
-    The { $axis } of the GCP { $point } is refused: the other observations differ from it by { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m{ $detectable_m ->
+    The { $axis } of the GCP { $point } is rejected: the other observations differ from it by { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m{ $detectable_m ->
         [none] {""}
        *[other] {" "}(minimal detectable bias { FIXED($detectable_m, digits: 3) } m)
     }. { $used ->
@@ -896,12 +908,21 @@ block-warning-control-refused =
         [none] {""}
        *[other] {" "}{ $mistake }
     }
+block-warning-control-untested =
+    The GCP { $point } is rejected and takes no part: without its coordinates { $measurements ->
+        [one] its image measurement does
+       *[other] its { $measurements } image measurements do
+    } not fit the other observations, so that nothing tests the coordinates. Check both.
 block-warning-control-contradicts = { $refused } of { $points } GCPs contradict the other observations, too many to tell which are wrong: all stay used. Check their system and units, and the GNSS positions.
 block-warning-few-control =
     { $points ->
         [one] Only 1 GCP
        *[other] Only { $points } GCPs
-    } and no GNSS positions place the block: { $detectable_m ->
+    } and { $positions ->
+        [0] no GNSS positions
+        [one] 1 GNSS position
+       *[other] { $positions } GNSS positions
+    } place the block: { $detectable_m ->
         [none] nothing checks some of the coordinates, and an error in them does not show.
        *[other] they hardly check each other, and the minimal detectable bias of a coordinate is { FIXED($detectable_m, digits: 2) } m.
     }

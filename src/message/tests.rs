@@ -158,6 +158,14 @@ fn figures_are_written_in_one_way() {
     let few = |n: usize| BlockWarning::FewObservations { images: names(n), least: 20 }.to_string();
     assert_eq!(few(1), "1 image has fewer than 20 observations: 0.jpg.");
     assert_eq!(few(7), "7 images have fewer than 20 observations: 0.jpg, 1.jpg, 2.jpg, 3.jpg, 4.jpg and 2 more.");
+    let control = |positions: usize| BlockWarning::FewControl { points: 3, positions, detectable_m: None }.to_string();
+    for (positions, said) in [(0, "no GNSS positions"), (1, "1 GNSS position"), (2, "2 GNSS positions")] {
+        assert!(
+            control(positions).starts_with(&format!("Only 3 GCPs and {said} place the block: nothing checks")),
+            "{}",
+            control(positions)
+        );
+    }
     let condition = Warning::IllConditioned { condition: f64::INFINITY, most: 2e4 };
     assert!(condition.to_string().contains("condition –; up to 2e4"), "{condition}");
 }

@@ -229,6 +229,14 @@ mod tests {
         let checked = ControlTables::read(rows, "1.png,a,1,1\n1.png,c,2,2\n").unwrap();
         let checked = checked.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap_err().to_string();
         assert!(checked.contains("0 of 1 (check points do not count) measured in two images"), "{checked}");
+        let alone = ControlTables::read(&rows.replace("control", "check"), "1.png,a,1,1\n").unwrap();
+        let alone = alone.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap_err().to_string();
+        assert!(
+            alone.contains(
+                "got check points alone, which do not georeference the block; allowed: 3 or more measured in two images or more, or neither"
+            ),
+            "{alone}"
+        );
         let off = ControlTables::read(&rows.replace("control", "off").replace("check", "off"), "1.png,a,1,1\n").unwrap();
         assert_eq!(off.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap(), (Vec::new(), Vec::new()));
         assert!(few.contains("0 of 3 measured in two images or more; the block does not have the images 9.png;"), "{few}");

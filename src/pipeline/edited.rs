@@ -1,5 +1,6 @@
 //! A finished block with edits by hand: the block as it was found, and a new adjustment by what the edits leave.
 
+use super::ground::own_control;
 use super::mistakes::explain_control;
 use super::points::reconstruction_options;
 use super::state::describe;
@@ -42,8 +43,9 @@ impl BlockRun {
         let input = found.input.clone().checked()?;
         let (description, _) = describe(&input, &found.images, &found.cameras)?;
         // Places of an orthophoto were judged when the block was linked to it.
-        let tests_control = !matches!(found.orthophoto, Some(OnOrthophoto::Linked { .. }));
-        let options = ReconstructionOptions { tests_control, ..reconstruction_options(&input.settings) };
+        let is_linked = matches!(found.orthophoto, Some(OnOrthophoto::Linked { .. }));
+        let tested_control = is_linked.then(|| own_control(&description));
+        let options = ReconstructionOptions { tested_control, ..reconstruction_options(&input.settings) };
         let (mut model, gone) = edited_model(model, edits, &description, &options)?;
         let confidence = confidences(&found);
         let before = found.reconstruction.clone().unwrap_or_default();

@@ -1,6 +1,7 @@
 //! A finished block in the system of an orthophoto: places of its ground that images show become ground control points.
 
 use super::edited::confidences;
+use super::mistakes::explain_control;
 use super::points::reconstruction_options;
 use super::state::describe;
 use super::system::system_of;
@@ -171,7 +172,7 @@ impl<'a> Ground<'a> {
             Err(error) => return Err(error),
         };
         // Points of an orthophoto are judged below, many at a time.
-        let options = ReconstructionOptions { tests_control: false, ..reconstruction_options(&settings) };
+        let options = ReconstructionOptions { tested_control: Some(own_control(&description)), ..reconstruction_options(&settings) };
         Ok(match with_further_control(model, &description, &options) {
             Ok(model) if model.in_system => Ok(Attempt { input, description, model }),
             Ok(_) => Err(NotLinked::Disagreement { rejected: self.added.len(), points: self.added.len() }),
@@ -211,8 +212,11 @@ impl<'a> Ground<'a> {
 
     /// The block of an adjustment.
     fn run(&self, attempt: Attempt) -> Result<BlockRun, Error> {
-        let Attempt { input, description, model } = attempt;
+        let Attempt { input, description, mut model } = attempt;
         let found = self.found;
+        let origin = origin_of(&description)?;
+        let checked = input.clone().checked()?;
+        explain_control(&mut model, origin, &checked, reconstruction_options(&checked.settings).adjustment.limit());
         let role = |role| self.added.iter().filter(move |row| row.role == role).map(|row| row.name.as_str());
         let names: BTreeSet<&str> = role(Some(ControlRole::Control)).chain(role(Some(ControlRole::Check))).collect();
         let seeing = self.measurements.iter().filter(|seen| names.contains(seen.point.as_str()));
@@ -233,10 +237,15 @@ impl<'a> Ground<'a> {
         for other in &mut reconstruction.models[1..] {
             (other.in_system, other.surveyed) = (false, Vec::new());
         }
-        reconstruction.origin = origin_of(&description)?;
+        reconstruction.origin = origin;
         let model = reconstruction.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
         Ok(BlockRun { input, reconstruction: Ok(reconstruction), model, orthophoto: Some(outcome), ..found.clone() })
     }
+}
+
+/// How many control points of a block that is linked to an orthophoto were given: the first of all.
+pub(super) fn own_control(description: &BlockDescription) -> usize {
+    description.control.iter().take_while(|point| !point.name.starts_with(NAME)).count()
 }
 
 fn has_crs(input: &RunInput) -> bool {

@@ -34,7 +34,7 @@ pub(super) fn explain_control(model: &mut ReconstructedModel, origin: Option<Geo
         *detectable_m = detectable_m.map(|detectable| detectable / *error_m * errors[axis.index()]);
         *error_m = errors[axis.index()];
         if let Some(refused) = &mut surveyed.refused {
-            refused.axis = *axis;
+            refused.axis = Some(*axis);
         }
     }
 }

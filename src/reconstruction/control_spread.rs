@@ -25,7 +25,8 @@ pub(super) fn of_spread(model: &ReconstructedModel) -> Vec<BlockWarning> {
     let places: Vec<[f64; 3]> = taking.map(|(control, _)| adjusted.block.points[control.point]).collect();
     let points = places.len();
     let gnss = adjusted.images.iter().filter(|image| image.gnss.is_some_and(|gnss| gnss.accepted)).count();
-    let few = (points > 0 && points <= FEW && gnss < FEW).then(|| BlockWarning::FewControl { points, detectable_m: detectable(model) });
+    let is_few = points > 0 && points <= FEW && gnss < FEW;
+    let few = is_few.then(|| BlockWarning::FewControl { points, positions: gnss, detectable_m: detectable(model) });
     few.into_iter().chain(if held_by_gnss(model) { None } else { narrow(model, &places).or_else(|| small(model, &places)) }).collect()
 }
 

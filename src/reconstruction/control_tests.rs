@@ -27,6 +27,8 @@ const MEDIAN_ERROR: f64 = 1.166;
 const BEYOND: f64 = 2.0;
 /// Image measurements of a point that tell a wrong one among them from wrong coordinates.
 const LEAST_MARKS: usize = 3;
+/// Up to so many control points each is left out alone where all of them do not place the block.
+const MOST_ALONE: usize = 12;
 /// Below this redundancy nothing checks a coordinate.
 const LEAST_REDUNDANCY: f64 = 1e-6;
 
@@ -67,7 +69,8 @@ impl ControlTest {
 pub(super) struct Refused {
     /// Index of its point in the adjusted block.
     pub point: usize,
-    pub test: ControlTest,
+    /// Absent where too few of its image measurements fit: nothing tells where the other observations have it.
+    pub test: Option<ControlTest>,
     /// Whether it takes part all the same.
     pub is_used: bool,
 }
@@ -77,35 +80,50 @@ pub(super) struct Refused {
 pub(super) struct ControlTests {
     /// In the order of the block's control points.
     pub refused: Vec<Refused>,
-    /// How many contradict the rest of the block where nothing tells which are wrong.
-    pub contradicting: Option<usize>,
+    /// Where nothing tells which are wrong: how many contradict the rest of the block, of how many that were tested.
+    pub contradicting: Option<[usize; 2]>,
 }
 
 type Adjusted = (AdjustmentResult, Placing);
 
-/// Adjusts a block without the control points that contradict the other observations. `adjust` adjusts it with those that it is given.
+/// Adjusts a block without the control points that contradict the other observations, of those that are to be tested. `adjust` adjusts it with those
+/// that it is given.
 ///
 /// # Errors
 /// Those of `adjust`.
 pub(super) fn tested_control(
     block: &Block,
+    is_tested: &[bool],
     known: &Known<'_>,
     adjust: impl Fn(&Block) -> Result<Adjusted, Error>,
 ) -> Result<(AdjustmentResult, Placing, ControlTests), Error> {
     let whole = |tests: ControlTests| adjust(block).map(|(adjusted, placing)| (adjusted, placing, tests));
     let options = known.options;
     let datum = options.datum.unwrap_or(Datum::GnssAndControl);
-    let is_tested = options.tests_control && options.adjustment.snooping && options.adjustment.statistics;
-    if !is_tested || block.control.is_empty() || !datum.uses_control() {
+    if !is_tested.contains(&true) || !options.adjustment.snooping || !options.adjustment.statistics || !datum.uses_control() {
         return whole(ControlTests::default());
     }
-    let mut course = Course::new(block, known, datum);
+    let mut course = Course::new(block, is_tested, known, datum);
+    // A wrong point may keep the block from being placed at all: then all are tried, and after that each is left out alone.
+    let mut is_whole_tried = false;
+    let mut is_each_tried = false;
     loop {
         let (adjusted, placing) = match adjust(&course.taking()) {
-            Ok(found) if found.0.datum.uses_control() && !matches!(found.1, Placing::Free { .. }) => found,
-            Ok((adjusted, placing)) if !course.is_refused.contains(&true) => return Ok((adjusted, placing, ControlTests::default())),
-            Err(error) if !course.is_refused.contains(&true) => return Err(error),
-            Ok(_) | Err(_) => return whole(ControlTests::default()),
+            Ok(found) if is_placed(&found) => found,
+            Ok(_) | Err(_) if course.is_refused.contains(&true) && !is_whole_tried => {
+                is_whole_tried = true;
+                course.start_with(None);
+                continue;
+            }
+            Ok(_) | Err(_) if course.is_refused.contains(&true) => return whole(ControlTests::default()),
+            of_all => {
+                let found = if is_each_tried { None } else { course.without_one(&adjust) };
+                (is_whole_tried, is_each_tried) = (true, true);
+                match found {
+                    Some(found) => found,
+                    None => return of_all.map(|(adjusted, placing)| (adjusted, placing, ControlTests::default())),
+                }
+            }
         };
         match course.next(&adjusted) {
             Next::Again => {}
@@ -113,11 +131,16 @@ pub(super) fn tested_control(
             Next::Contradiction => {
                 let (adjusted, placing) = adjust(block)?;
                 course.is_refused.fill(false);
-                let contradicting = course.beyond(&course.tests(&adjusted)).count();
+                let contradicting = [course.beyond(&course.tests(&adjusted)).count(), course.tested()];
                 return Ok((adjusted, placing, ControlTests { refused: Vec::new(), contradicting: Some(contradicting) }));
             }
         }
     }
+}
+
+/// Whether control points place a block.
+fn is_placed((adjusted, placing): &Adjusted) -> bool {
+    adjusted.datum.uses_control() && !matches!(placing, Placing::Free { .. })
 }
 
 enum Next {
@@ -131,7 +154,10 @@ enum Next {
 /// What changes from one adjustment to the next; control points by their indices in the block.
 struct Course<'a> {
     block: &'a Block,
+    /// The others take part as they are.
+    is_tested: &'a [bool],
     known: &'a Known<'a>,
+    datum: Datum,
     is_refused: Vec<bool>,
     /// What was tried takes part to the end.
     is_settled: Vec<bool>,
@@ -148,16 +174,59 @@ struct Tests {
 }
 
 impl<'a> Course<'a> {
-    fn new(block: &'a Block, known: &'a Known<'a>, datum: Datum) -> Self {
+    fn new(block: &'a Block, is_tested: &'a [bool], known: &'a Known<'a>, datum: Datum) -> Self {
         let number = block.control.len();
-        let mut course =
-            Self { block, known, is_refused: vec![false; number], is_settled: vec![false; number], last: None, rivals: vec![0.0; number] };
-        let far = far_control(block, datum);
-        let images = block.images.iter().filter(|image| image.gnss.is_some() && datum.uses_gnss()).count();
-        if far.len() <= course.most() && number - far.len() + images >= LEAST_LEFT {
+        let (is_refused, is_settled, rivals) = (vec![false; number], vec![false; number], vec![0.0; number]);
+        let mut course = Self { block, is_tested, known, datum, is_refused, is_settled, last: None, rivals };
+        let far: Vec<usize> = far_control(block, datum).into_iter().filter(|control| is_tested[*control]).collect();
+        if far.len() <= course.most() && number - far.len() + course.images() >= LEAST_LEFT {
             far.into_iter().for_each(|control| course.is_refused[control] = true);
         }
         course
+    }
+
+    /// Forgets what was tried; begins without one of them, or with all.
+    fn start_with(&mut self, without: Option<usize>) {
+        self.is_refused.fill(false);
+        self.is_settled.fill(false);
+        self.rivals.fill(0.0);
+        self.last = without;
+        without.into_iter().for_each(|control| self.is_refused[control] = true);
+    }
+
+    /// Begins without the one beside which the others fit best: the fewest of their image measurements are rejected, and then their largest test is
+    /// smallest. `None` where nothing tells which, and all take part again.
+    fn without_one(&mut self, adjust: impl Fn(&Block) -> Result<Adjusted, Error>) -> Option<Adjusted> {
+        let number = self.is_refused.len();
+        let images = self.images();
+        let may_go = self.most() > 0 && number + images > LEAST_LEFT;
+        let mut best: Option<(usize, f64, usize, Adjusted)> = None;
+        let is_open = |control: &usize| may_go && self.is_tested[*control] && self.tested() <= MOST_ALONE;
+        for control in (0..number).filter(is_open).collect::<Vec<_>>() {
+            self.start_with(Some(control));
+            let Ok(found) = adjust(&self.taking()) else { continue };
+            if !is_placed(&found) {
+                continue;
+            }
+            let rejected = self.rejected(&found.0);
+            let tests = self.tests(&found.0);
+            let largest =
+                tests.of.iter().zip(&self.is_refused).filter(|(_, refused)| !**refused).filter_map(|(test, _)| Some(test.as_ref()?.size()));
+            let largest = largest.fold(0.0, f64::max);
+            if best.as_ref().is_none_or(|(fewest, least, ..)| rejected < *fewest || rejected == *fewest && largest < *least) {
+                best = Some((rejected, largest, control, found));
+            }
+        }
+        self.start_with(best.as_ref().map(|(_, _, control, _)| *control));
+        best.map(|(.., found)| found)
+    }
+
+    /// How many image measurements of those that take part were rejected.
+    fn rejected(&self, adjusted: &AdjustmentResult) -> usize {
+        let mut takes_part = vec![false; adjusted.block.points.len()];
+        adjusted.block.control.iter().for_each(|control| takes_part[control.point] = true);
+        let of_rays = adjusted.block.rays.iter().zip(&adjusted.rays);
+        of_rays.filter(|(ray, statistics)| takes_part[ray.point] && statistics.verdict != ObservationVerdict::Accepted).count()
     }
 
     /// The block with the control points that take part.
@@ -171,9 +240,18 @@ impl<'a> Course<'a> {
         Cow::Owned(block)
     }
 
+    /// Images with a GNSS position that may take part.
+    fn images(&self) -> usize {
+        self.block.images.iter().filter(|image| image.gnss.is_some() && self.datum.uses_gnss()).count()
+    }
+
+    fn tested(&self) -> usize {
+        self.is_tested.iter().filter(|tested| **tested).count()
+    }
+
     /// How many may be refused.
     fn most(&self) -> usize {
-        let number = self.is_refused.len();
+        let number = self.tested();
         (number.saturating_sub(1) / 2).min(FEW_WRONG).max((MANY_WRONG * number as f64) as usize)
     }
 
@@ -182,7 +260,8 @@ impl<'a> Course<'a> {
     }
 
     fn tests(&self, adjusted: &AdjustmentResult) -> Tests {
-        let of: Vec<Option<ControlTest>> = (0..self.is_refused.len()).map(|control| self.test(adjusted, control)).collect();
+        let of: Vec<Option<ControlTest>> =
+            (0..self.is_refused.len()).map(|control| self.test(adjusted, control).filter(|_| self.is_tested[control])).collect();
         let taking = of.iter().zip(&self.is_refused).filter(|(_, refused)| !**refused).filter_map(|(test, _)| test.as_ref());
         let mut sizes: Vec<f64> = taking.flat_map(ControlTest::values).filter(|value| *value > 0.0).collect();
         let limit = self.known.options.adjustment.limit();
@@ -216,7 +295,7 @@ impl<'a> Course<'a> {
     fn next(&mut self, adjusted: &AdjustmentResult) -> Next {
         let tests = self.tests(adjusted);
         // Of a wrong coordinate and a wrong image measurement that explain each other, the one with the larger test is wrong.
-        let fits = |control: &usize| tests.of[*control].is_none_or(|test| test.size() <= tests.limit.max(self.rivals[*control]));
+        let fits = |control: &usize| fits(tests.of[*control].as_ref(), tests.limit.max(self.rivals[*control]));
         let may_return = |control: &usize| self.is_refused[*control] && self.last != Some(*control);
         let back: Vec<usize> = (0..self.is_refused.len()).filter(may_return).filter(fits).collect();
         if !back.is_empty() {
@@ -247,13 +326,14 @@ impl<'a> Course<'a> {
         let refused = |control: usize| {
             let (point, is_used) = (self.block.control[control].point, !self.is_refused[control]);
             let is_named = !is_used || beyond.binary_search(&control).is_ok();
-            tests.of[control].filter(|_| is_named).map(|test| Refused { point, test, is_used })
+            is_named.then_some(Refused { point, test: tests.of[control], is_used })
         };
         ControlTests { refused: (0..self.is_refused.len()).filter_map(refused).collect(), contradicting: None }
     }
 
-    /// The first control point that takes part and whose image measurements were rejected, most of them or one of three and more, where it was not
-    /// tried without its coordinates; with the largest test of those where the others fitted.
+    /// The control point that takes part and whose image measurements were rejected, most of them or one of three and more, where it was not tried
+    /// without its coordinates; with the largest test of those where the others fitted. Of several the one of which all were rejected, then one of which
+    /// most were, then the one with the largest test: a wrong point pulls the block off the measurements of its neighbours.
     fn unmeasured(&self, adjusted: &AdjustmentResult) -> Option<(usize, f64)> {
         let mut counts = vec![[0_usize; 2]; adjusted.block.points.len()];
         let mut largest = vec![0.0_f64; adjusted.block.points.len()];
@@ -265,14 +345,46 @@ impl<'a> Course<'a> {
                 largest[ray.point] = largest[ray.point].max(size);
             }
         }
-        let is_open = |control: &usize| !self.is_refused[*control] && !self.is_settled[*control];
-        (0..self.is_refused.len()).filter(is_open).find_map(|control| {
+        let is_open = |control: &usize| self.is_tested[*control] && !self.is_refused[*control] && !self.is_settled[*control];
+        let doubtful = (0..self.is_refused.len()).filter(is_open).filter_map(|control| {
             let point = self.block.control[control].point;
             let [accepted, rejected] = counts[point];
             let is_most = rejected > accepted;
             let is_doubtful = accepted + rejected >= if is_most { 2 } else { LEAST_MARKS } && rejected > 0;
-            is_doubtful.then(|| (control, if is_most { 0.0 } else { largest[point] }))
-        })
+            is_doubtful.then(|| Unmeasured { control, is_lost: accepted == 0, is_most, rejected, largest: largest[point] })
+        });
+        let worst = Unmeasured::worst(doubtful)?;
+        Some((worst.control, if worst.is_most { 0.0 } else { worst.largest }))
+    }
+}
+
+/// Whether the other observations have a point within chance: one that nothing tests is not known to be right.
+fn fits(test: Option<&ControlTest>, limit: f64) -> bool {
+    test.is_some_and(|test| test.size() <= limit)
+}
+
+/// A control point of which image measurements were rejected.
+struct Unmeasured {
+    control: usize,
+    /// Whether all were.
+    is_lost: bool,
+    /// Whether most were.
+    is_most: bool,
+    rejected: usize,
+    /// Their largest test; 0 where none fitted, which leaves nothing to test them by.
+    largest: f64,
+}
+
+impl Unmeasured {
+    /// Of equal ones the first.
+    fn worst(all: impl Iterator<Item = Self>) -> Option<Self> {
+        all.reduce(|worst, next| if next.is_worse_than(&worst) { next } else { worst })
+    }
+
+    fn is_worse_than(&self, other: &Self) -> bool {
+        let kind = |of: &Self| (of.is_lost, of.is_most);
+        let by_size = || self.largest.total_cmp(&other.largest).then(self.rejected.cmp(&other.rejected));
+        kind(self).cmp(&kind(other)).then_with(by_size).is_gt()
     }
 }
 
@@ -299,4 +411,35 @@ fn of_residuals(
     };
     let of = [0, 1, 2].map(of);
     Some(ControlTest::new(of.map(|(difference, _)| difference), of.map(|(_, error)| error), shift))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ControlTest, Unmeasured, fits};
+
+    #[test]
+    fn a_point_that_nothing_tests_does_not_fit() {
+        let test = ControlTest::new([0.02, 0.0, -0.03], [0.01; 3], 4.13);
+        assert!(fits(Some(&test), 3.29) && !fits(Some(&test), 2.9));
+        assert!(!fits(None, f64::MAX));
+    }
+
+    #[test]
+    fn the_point_whose_measurements_fit_worst_is_tried_first() {
+        let of = |control: usize, [accepted, rejected]: [usize; 2], largest: f64| Unmeasured {
+            control,
+            is_lost: accepted == 0,
+            is_most: rejected > accepted,
+            rejected,
+            largest,
+        };
+        // One wrong measurement of four, good neighbours of a wrong point, and points that nothing fits.
+        let mut all = vec![(0, [3, 1], 60.0), (1, [2, 4], 8.0), (2, [1, 3], 20.0), (3, [0, 3], 0.0), (4, [0, 5], 0.0), (5, [1, 3], 20.0)];
+        for wanted in [4, 3, 2, 5, 1, 0] {
+            let worst = Unmeasured::worst(all.iter().map(|(control, counts, largest)| of(*control, *counts, *largest)));
+            assert_eq!(worst.map(|worst| worst.control), Some(wanted));
+            all.retain(|(control, ..)| *control != wanted);
+        }
+        assert!(Unmeasured::worst(std::iter::empty()).is_none());
+    }
 }

@@ -61,7 +61,10 @@ impl Draft {
     /// the whole block open; tells how it is placed.
     /// Control points that contradict the other observations take no part.
     pub fn adjust(&self, known: &Known<'_>) -> Result<(AdjustmentResult, Placing, ControlTests), Error> {
-        tested_control(&self.block, known, |block| self.adjust_by(block, known))
+        let tested = known.options.tested_control.unwrap_or(usize::MAX);
+        let is_tested = |control: &ControlPoint| matches!(self.points[control.point], PointSource::GroundControl(index) if index < tested);
+        let is_tested: Vec<bool> = self.block.control.iter().map(is_tested).collect();
+        tested_control(&self.block, &is_tested, known, |block| self.adjust_by(block, known))
     }
 
     /// Adjusts by some of the control points.

@@ -41,8 +41,8 @@ options! {
 
         beside;
 
-        /// Whether control points that contradict the other observations are refused and named.
-        tests_control: bool = true;
+        /// Control points, the first so many of the description, that are rejected and named where they contradict the other observations; absent: all.
+        tested_control: Option<usize> = None;
 
         /// The points that are given of the adjusted block; absent: all are adjusted and given.
         selection: Option<SelectOptions> = None;

@@ -103,7 +103,7 @@ impl SurveyedPoint {
             (ControlRole::Check, _) => "check",
             (ControlRole::Control, None) => "used",
             (ControlRole::Control, Some(RefusedControl { is_used: true, .. })) => "doubtful",
-            (ControlRole::Control, Some(_)) => "refused",
+            (ControlRole::Control, Some(_)) => "rejected",
         }
     }
 }
@@ -112,8 +112,8 @@ impl SurveyedPoint {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct RefusedControl {
-    /// The coordinate whose test is largest.
-    pub axis: Axis,
+    /// The coordinate whose test is largest; absent where nothing tests them.
+    pub axis: Option<Axis>,
     /// Whether it takes part all the same, since too few points are left to tell which of them is wrong.
     pub is_used: bool,
 }

@@ -116,9 +116,14 @@ fn of_position_errors(model: &ReconstructedModel) -> Vec<BlockWarning> {
 fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTests) -> Vec<BlockWarning> {
     let of_point = |refused: &Refused| {
         let PointSource::GroundControl(control) = model.points[refused.point] else { return None };
-        let (test, axis) = (&refused.test, refused.test.axis());
+        let point = known.description.control[control].name.clone();
+        let Some(test) = &refused.test else {
+            let measurements = model.adjusted.block.rays.iter().filter(|ray| ray.point == refused.point).count();
+            return Some(BlockWarning::ControlUntested { point, measurements });
+        };
+        let axis = test.axis();
         let k = axis.index();
-        let surveyed = model.surveyed.iter().find(|point| point.name == known.description.control[control].name);
+        let surveyed = model.surveyed.iter().find(|surveyed| surveyed.name == point);
         // Coordinates on the earth were written in a system that is not known here.
         let mistake = surveyed.filter(|_| known.frame.origin.is_none()).and_then(|point| {
             let [difference, errors] =
@@ -128,7 +133,7 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
             Doubted { given: point.position, likely, height_unit_m: 1.0, within: errors.map(|error| limit * error) }.mistake()
         });
         Some(BlockWarning::ControlRefused {
-            point: known.description.control[control].name.clone(),
+            point,
             axis,
             difference_m: test.difference[k],
             error_m: test.errors[k],
@@ -137,8 +142,7 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
             mistake,
         })
     };
-    let points = model.adjusted.block.control.len();
-    let contradicting = tests.contradicting.map(|refused| BlockWarning::ControlContradicts { refused, points });
+    let contradicting = tests.contradicting.map(|[refused, points]| BlockWarning::ControlContradicts { refused, points });
     tests.refused.iter().filter_map(of_point).chain(contradicting).collect()
 }
 

@@ -47,10 +47,10 @@ pub(super) fn surveyed_points(model: &ReconstructedModel, known: &Known<'_>, tes
             standard_errors_m,
             left_out: if control.is_some() { statistics.and_then(|statistics| statistics.left_out) } else { without() },
             detectable_m: match refused {
-                Some(refused) => refused.test.detectable,
+                Some(refused) => refused.test.map_or([None; 3], |test| test.detectable),
                 None => statistics.map_or([None; 3], |statistics| statistics.detectable),
             },
-            refused: refused.map(|refused| RefusedControl { axis: refused.test.axis(), is_used: refused.is_used }),
+            refused: refused.map(|refused| RefusedControl { axis: refused.test.map(|test| test.axis()), is_used: refused.is_used }),
         })
     };
     model.points.iter().enumerate().filter_map(of_point).collect()

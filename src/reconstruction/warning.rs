@@ -44,11 +44,18 @@ messages! {
             used: bool,
             mistake: Option<Mistake>,
         },
+        /// A GCP that takes no part and whose coordinates nothing tests: fewer than two of its image measurements fit the other observations without them.
+        ControlUntested { point: String, measurements: usize },
         /// So many of the GCPs contradict the rest of the block that nothing tells which of them are wrong: all take part.
         ControlContradicts { refused: usize, points: usize },
-        /// So few GCPs that they hardly check each other. `detectable_m`: the error of a coordinate that its test finds, of that where it is largest;
-        /// absent where one is not checked at all.
-        FewControl { points: usize, detectable_m: Option<f64> },
+        /// So few GCPs, beside so few GNSS positions, that they hardly check each other. `detectable_m`: the error of a coordinate that its test finds, of
+        /// that where it is largest; absent where one is not checked at all.
+        FewControl {
+            points: usize,
+            #[serde(default)]
+            positions: usize,
+            detectable_m: Option<f64>,
+        },
         /// GCPs that span little of the ground of the block.
         ControlSpan { points: usize, span_percent: f64 },
         /// GCPs almost on a line: so wide across it as a share of how long they are along it. `error_deg`: the angles of no image are known better.
@@ -90,6 +97,7 @@ impl BlockWarning {
             | Self::UncertainRotation { .. }
             | Self::Imprecise { .. }
             | Self::ControlRefused { .. }
+            | Self::ControlUntested { .. }
             | Self::ControlContradicts { .. }
             | Self::Scale { .. }
             | Self::Degrees

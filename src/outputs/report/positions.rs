@@ -89,7 +89,7 @@ pub(super) fn control(subject: &Subject<'_>, model: &ReconstructedModel) -> Mark
                 }
             }
             p.note {
-                "Residual: surveyed minus adjusted; w is that of a new observation where a point was refused, since the other observations contradict it. A point that is doubtful contradicts them, too, and is used since too few are left to tell which is wrong. "
+                "Residual: surveyed minus adjusted; w is that of a new observation where a point was rejected, since the other observations contradict it. A point that is doubtful contradicts them, too, and is used since too few are left to tell which is wrong. "
                 "r, ∇, moves and influence as for GNSS positions: what an undetected error of the size ∇ moves the point by, and the most that it moves any unknown by, in standard errors. Points beyond "
                 (NAMED) " are in surveyed.csv."
                 @if let Some(crs) = &in_crs { " Residuals of points that are used count along the axes of the adjustment, those of refused points, and all differences, along those of " (crs) "." }
