@@ -5,7 +5,7 @@ import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import { remember } from '../../shared/state/remember';
 import type { TextFile } from './file';
-import type { BlockView, ViewGiven } from './view';
+import type { BlockView } from './view';
 
 /** So many control points place a block, each measured in so many images. */
 export const LEAST_POINTS = 3;
@@ -56,7 +56,7 @@ export const marksByHand = remember(({ edits, done }: History<MarkStep>): readon
 });
 
 /** All measurements, those by hand in place of those of the file. */
-const allMarks = remember((file: TextFile | null, history: History<MarkStep>): readonly ImageMeasurementRow[] => {
+export const allMarks = remember((file: TextFile | null, history: History<MarkStep>): readonly ImageMeasurementRow[] => {
   const all = [...marksOfFile(file), ...marksByHand(history)];
   return [...new Map(all.map((mark) => [keyOf(mark), mark])).values()];
 });
@@ -114,24 +114,6 @@ export function givenToRun(state: WithMarks): Given {
 function tableOf(marks: readonly ImageMeasurementRow[]): string {
   const quoted = (text: string) => `"${text.replaceAll('"', '""')}"`;
   return `image,point,x_px,y_px\n${marks.map(({ image, point, x_px, y_px }) => `${quoted(image)},${quoted(point)},${String(x_px)},${String(y_px)}\n`).join('')}`;
-}
-
-const NONE: readonly ViewGiven[] = [];
-
-const givenBeside = remember(
-  (control: TextFile | null, file: TextFile | null, history: History<MarkStep>, surveyed: BlockView['surveyed']): readonly ViewGiven[] => {
-    const known = new Set(surveyed.map(({ name }) => name));
-    const images = new Map<string, number>();
-    for (const { point } of allMarks(file, history)) images.set(point, (images.get(point) ?? 0) + 1);
-    const rows = pointsOfFile(control).filter(({ name }) => !known.has(name));
-    return rows.length === 0 ? NONE : rows.map(({ name, position, role }) => ({ name, position, role: role ?? null, images: images.get(name) ?? 0 }));
-  },
-);
-
-/** A view with the points that were given and are not in its block; the same one where there are none. */
-export function withGiven(view: BlockView, { options, marks }: Pick<WithMarks, 'options' | 'marks'>): BlockView {
-  const given = view.partial || options.control === null ? NONE : givenBeside(options.control, options.marks, marks, view.surveyed);
-  return given === (view.given ?? NONE) ? view : { ...view, given };
 }
 
 /** Where images show a given point, by their indices in the view. */

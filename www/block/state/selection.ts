@@ -107,7 +107,7 @@ export function inOtherView(selection: Selection, before: BlockView | null, afte
 }
 
 function moved(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
-  if (choice?.kind === 'given') return after.given?.some(({ name }) => name === choice.name) === true ? choice : null;
+  if (choice?.kind === 'given') return choice;
   if (choice?.kind !== 'image' && choice?.kind !== 'pair') return null;
   const place = (image: number) => after.images.findIndex(({ name }) => name === before.images[image]?.name);
   if (choice.kind === 'image') return place(choice.image) < 0 ? null : { kind: 'image', image: place(choice.image) };

@@ -3,6 +3,7 @@ import { count, fixed } from '../../shared/text/format';
 import { collectedOf, LEAST_POINTS } from './marks';
 import type { WithMarks } from './marks';
 import type { Choice } from './selection';
+import type { Listed } from './state';
 import type { BlockView, ViewConnection, ViewGeometry, ViewGiven } from './view';
 import { message } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
@@ -36,7 +37,7 @@ export function mostMatches({ connections }: BlockView): number {
   return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
 }
 
-export function describe(view: BlockView, choice: Choice): string {
+export function describe({ view, given }: Listed, choice: Choice): string {
   switch (choice.kind) {
     case 'image':
       return describeImage(view, choice.image);
@@ -49,7 +50,7 @@ export function describe(view: BlockView, choice: Choice): string {
     case 'points':
       return describePoints(view, choice.points);
     case 'given':
-      return describeGiven(view, choice.name);
+      return describeGiven(given, choice.name);
   }
 }
 
@@ -112,11 +113,11 @@ function describePoint({ points, surveyed }: BlockView, point: number): string {
 }
 
 /** A point that was given and is not in the block. */
-function describeGiven({ given = [] }: BlockView, name: string): string {
+function describeGiven(given: readonly ViewGiven[], name: string): string {
   const point = given.find((own) => own.name === name);
   if (point === undefined) return name;
-  const place = point.position.map((value) => fixed(value, 3)).join(' ');
-  return say('given-point', { name, place, use: givenUse(point) });
+  const said = { name, place: (point.place ?? point.position).map((value) => fixed(value, 3)).join(' '), use: givenUse(point) };
+  return point.place === null ? say('given-point-of-file', said) : say('given-point', said);
 }
 
 /** Why control points take no part, and what they lack. */

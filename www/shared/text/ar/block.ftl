@@ -608,6 +608,8 @@ use = الاستعمال
 control-points-place-the-block = نقاط الضبط تضع الكتلة؛ ونقاط التحقق تحكم عليها ولا تشارك.
 image-measurements-that-took-part = القياسات الصورية التي شاركت.
 surveyed-in-the-system-of = ‏{ $axis } الممسوح، في نظام الكتلة.
+as-given = ‏{ $axis } كما أُعطي
+in-the-unit-and-the = ‏{ $axis } كما يعطيه الملف، بوحدته وفي نظامه: لا شيء يقود منه إلى نظام الكتلة.
 adjusted-minus-surveyed = المضبوط ناقص الممسوح، { $axis }.
 standard-error-of = الخطأ المعياري لـΔ{ $axis }.
 difference-left-out = ‏Δ{ $axis } دونها
@@ -920,6 +922,7 @@ given-use = { $role ->
    *[other] مقيسة في { $images } صورة
   }
 given-point = { $name }: X Y Z { $place }؛ { $use }.
+given-point-of-file = { $name }: X Y Z كما أُعطيت { $place }؛ { $use }.
 measured = مقيسة
 marks-by-hand = القياسات الصورية اليدوية
 mark-of = { $point } في { $image }

@@ -669,6 +669,8 @@ use = Use
 control-points-place-the-block = Control points place the block; check points judge it, and take no part.
 image-measurements-that-took-part = Image measurements that took part.
 surveyed-in-the-system-of = Surveyed { $axis }, in the system of the block.
+as-given = { $axis } as given
+in-the-unit-and-the = { $axis } as the file gives it, in its unit and system: nothing leads from there to the system of the block.
 adjusted-minus-surveyed = Adjusted minus surveyed { $axis }.
 standard-error-of = Standard error of Δ{ $axis }.
 difference-left-out = Δ{ $axis } left out
@@ -988,6 +990,7 @@ given-use = { $role ->
    *[other] measured in { $images } images
   }
 given-point = { $name }: X Y Z { $place }; { $use }.
+given-point-of-file = { $name }: X Y Z as given { $place }; { $use }.
 measured = measured
 marks-by-hand = Image measurements by hand
 mark-of = { $point } in { $image }
