@@ -56,6 +56,10 @@ cannot-be-kept-in-this = لا يمكن في هذا المتصفح حفظ: { $edi
     }؟
 in-the-block = { $sorted } في الكتلة.
 skipped-their-names-are-in = تُخطّيت { $twice }: أسماؤها في الكتلة من قبل.
+is-no-table-of = نُحّي { $name } جانبًا، فليس نقاط ضبط أرضي ولا قياسات صورية: { $why }
+it-has-no-rows = لا صفوف فيه
+its-rows-are-images = صفوفه صور، لا نقاط ممسوحة
+its-rows-are-tie-points = صفوفه نقاط ربط من نتيجة، لا نقاط ممسوحة
 skipped-not-an-image-by = { $aside ->
         [one] تُخطّي ملف واحد
         [two] تُخطّي ملفان

@@ -71,6 +71,10 @@ cannot-be-kept-in-this = { $edits } cannot be kept in this browser. { $step } wi
     }?
 in-the-block = { $sorted } in the block.
 skipped-their-names-are-in = { $twice } skipped: their names are in the block already.
+is-no-table-of = { $name } is put aside, neither control points nor image measurements: { $why }
+it-has-no-rows = it has no rows
+its-rows-are-images = its rows are images, not surveyed points
+its-rows-are-tie-points = its rows are tie points of a result, not surveyed points
 skipped-not-an-image-by = { $aside } { $aside ->
         [one] file
        *[other] files
