@@ -279,6 +279,7 @@ the-orthophoto-is-in-another = {" "}الصورة المصححة في نظام آ
 orthophoto-laid-under-by-positions = {" "}فُرشت الصورة المصححة تحتها بحسب موضعيهما على الأرض ({ $crs }).
 the-orthophoto-is-not-laid-under = {" "}لم تُفرش الصورة المصححة تحت الكتلة: { $reason }
 the-systems-are-not-similar = {" "}لم تُفرش الصورة المصححة تحت الكتلة: بعد الدوران والتحجيم والإزاحة يختلف نظامها ({ $crs }) عن نظام الكتلة بمقدار { FIXED($most, digits: 2) } م، وهو أكثر من { FIXED($limit, digits: 2) } م.
+the-block-is-outside-the-system = {" "}لم تُفرش الصورة المصححة تحت الكتلة: تقع الكتلة خارج نظامها ({ $crs }).
 the-orthophoto-lies-elsewhere = {" "}تقع الصورة المصححة في مكان غير مكان الكتلة ({ $crs }): أعط صورة للأرض نفسها.
 orthophoto-laid-under-by-placed = {" "}فُرشت الصورة المصححة تحتها بعدد { $images ->
         [one] صورة واحدة موضوعة عليها

@@ -307,6 +307,7 @@ the-orthophoto-is-in-another = {" "}The orthophoto is in another system: place t
 orthophoto-laid-under-by-positions = {" "}Orthophoto laid under by the positions of both on the earth ({ $crs }).
 the-orthophoto-is-not-laid-under = {" "}The orthophoto is not laid under the block: { $reason }
 the-systems-are-not-similar = {" "}The orthophoto is not laid under the block: turned, scaled and shifted, its system ({ $crs }) differs from that of the block by { FIXED($most, digits: 2) } m, more than { FIXED($limit, digits: 2) } m.
+the-block-is-outside-the-system = {" "}The orthophoto is not laid under the block: the block lies outside its system ({ $crs }).
 the-orthophoto-lies-elsewhere = {" "}The orthophoto lies elsewhere than the block ({ $crs }): give one of the same ground.
 orthophoto-laid-under-by-placed = {" "}Orthophoto laid under by { COUNT($images) } { $images ->
         [one] image
