@@ -438,6 +438,10 @@ saves-the-values-of-the = يحفظ قيم المخطط
 there-are-no-such-values = لا قيم كهذه: تأتي مع الكتلة الموجَّهة.
 n--2 = {" "}{ $unit }
 values-over-median-from-to = عدد القيم { COUNT($sorted) } مقابل { $to_lower_case }. { $label }: الوسيط { $at }، من { $at_2 } إلى { $at_3 }{ $what }.
+unchecked-at-the-top = وفي الأعلى { COUNT($unchecked) } { $unchecked ->
+        [one] أخرى
+       *[other] غيرها
+    }: لا شيء يتحقق من إحدى الإحداثيتين.
 seconds = { $value } ث
 hours = { $value } س
 images-features = الصور: السمات

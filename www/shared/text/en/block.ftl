@@ -491,6 +491,10 @@ saves-the-values-of-the = Saves the values of the plot
 there-are-no-such-values = There are no such values: they come with the oriented block.
 n--2 = {" "}{ $unit }
 values-over-median-from-to = { COUNT($sorted) } values over { $to_lower_case }. { $label }: median { $at }, from { $at_2 } to { $at_3 }{ $what }.
+unchecked-at-the-top = { COUNT($unchecked) } { $unchecked ->
+        [one] more stands
+       *[other] more stand
+    } at the top: nothing checks one of the two coordinates.
 
 ## panel/progress
 
