@@ -79,7 +79,7 @@ test('plots show what is known, and choose what their values are about', () => {
   const { plotOf } = page.plots;
   const images = plotOf('images', VIEW, FACTS);
   assert.deepEqual(images.choice(1), { kind: 'image', image: 2 });
-  assert.equal(images.together([0, 1]), null);
+  assert.deepEqual(images.together([0, 1]), { kind: 'images', images: [0, 2] });
   assert.deepEqual([0, 1].map(images.chosen({ kind: 'pair', images: [1, 2] })), [false, true]);
   const rays = plotOf('rays', VIEW, FACTS);
   assert.deepEqual(rays.choice(0), { kind: 'points', points: Uint32Array.of(0, 2) });

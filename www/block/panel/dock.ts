@@ -11,7 +11,7 @@ import type { Facts } from '../engine/facts';
 import { choiceOfRow, keptBy, NO_ROWS, observationRows, observationsOf, rowsOf, rowsOfChoice } from '../state/columns';
 import type { Rows, Tabled } from '../state/columns';
 import { blockOnOrthophoto } from '../state/showing';
-import { isSame, pointsOf, withMore } from '../state/selection';
+import { isSame, pointsOf, withMore, withMoreImages } from '../state/selection';
 import type { Choice, Selection, Subject } from '../state/selection';
 import type { Listed } from '../state/state';
 import type { Looking } from '../view/looking';
@@ -148,6 +148,7 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
     const { shown } = store.state;
     return shown === null || row < 0 ? null : source.choice(shown, row);
   };
+  const isInBlock = (row: number) => row < (store.state.shown?.view.images.length ?? 0);
   /** What was chosen here last: that is in sight. */
   let own: Choice | null = null;
   /** What is chosen is still to be brought into sight. */
@@ -167,6 +168,7 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
     choose: (row) => choose(ofRow(row)),
     isChosen: (row) => chosen.has(row),
     ...(subject === 'points' ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {}),
+    ...(subject === 'images' ? { chooseMore: (rows) => choose(withMoreImages(store.state.selection.chosen, rows.filter(isInBlock))) } : {}),
   });
   let shownRows = NO_ROWS;
   // It is drawn when it comes into sight.

@@ -15,6 +15,7 @@ import type { Figures } from '../state/edited';
 import { isEditable } from '../state/editing';
 import { editOfChoice, standingOf } from '../state/edits';
 import { marksByHand, nextAgain, nextBack } from '../state/marks';
+import type { MarkStep } from '../state/marks';
 import { nameOfEdit, nameOfMarks, nameOfStep, namesOf, NO_NAMES } from '../state/naming';
 import type { History } from '../../shared/state/history';
 import type { BlockEdit, PointDetail } from '../../../pkg/wasm/tiepoint.js';
@@ -93,11 +94,16 @@ function changesImages({ marks }: BlockState, by: 1 | -1): boolean {
   return marks.edits[by < 0 ? marks.done - 1 : marks.done]?.kind === 'remove_images';
 }
 
-/** Takes the chosen image out of the block; the keyboard stays with what is chosen. */
-function removeImage(store: BlockStore): void {
-  const { files, selection, shown, history } = store.state;
-  const file = removable(files, selection.chosen, shown?.view.images ?? []);
-  if (file !== null) store.dispatch({ type: 'mark', step: { kind: 'remove_images', files: [file.id], after: history.done } });
+/** Takes the chosen images out of the block; null where they cannot be. */
+function removalOf({ files, selection, shown, history }: BlockState): Extract<MarkStep, { kind: 'remove_images' }> | null {
+  const out = removable(files, selection.chosen, shown?.view.images ?? []);
+  return out.length === 0 ? null : { kind: 'remove_images', files: out.map(({ id }) => id), after: history.done };
+}
+
+/** The keyboard stays with what is chosen. */
+function removeImages(store: BlockStore): void {
+  const step = removalOf(store.state);
+  if (step !== null) store.dispatch({ type: 'mark', step });
 }
 
 /** What undo and redo would do: edits of the block and measurements of control points in the order in which they were made. */
@@ -121,8 +127,11 @@ function namesIn({ shown }: BlockState): Names {
 
 /** "Reject 14 points", with the noun of what is chosen. */
 function titleOf(edit: BlockEdit | null, otherwise: string, names: Names): string {
-  const name = edit === null ? otherwise : nameOfEdit(edit, names);
-  return name.charAt(0).toUpperCase() + name.slice(1).replace(/ 1 /u, ' ');
+  return capital(edit === null ? otherwise : nameOfEdit(edit, names)).replace(/ 1 /u, ' ');
+}
+
+function capital(name: string): string {
+  return name.charAt(0).toUpperCase() + name.slice(1);
 }
 
 /** Over the views: what can be done to what is chosen, and what the latest edit did. */
@@ -132,7 +141,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
   const reject = button(say('reject'), 'block-reject', () => make(store, editOf(store.state, 'reject')), say('take-what-is-chosen-out'));
   const whole = button(say('reject-point'), 'block-reject-point', () => make(store, editOf(store.state, 'reject', true)), say('take-the-point-with-all'));
   const restore = button(say('restore'), 'block-restore', () => make(store, editOf(store.state, 'restore')), say('use-what-is-chosen-again'));
-  const remove = button(say('remove-image'), 'block-remove-image', () => removeImage(store), say('take-the-chosen-image-out'));
+  const remove = button(say('remove-image'), 'block-remove-image', () => removeImages(store), say('take-the-chosen-image-out'));
   const measure = button(
     say('measure-it'),
     'block-measure',
@@ -180,7 +189,9 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     reject.hidden = drafting || (off === null && on !== null);
     restore.hidden = drafting || on === null;
     whole.hidden = drafting || chosen?.kind !== 'observation' || point === null;
-    remove.hidden = drafting || removable(state.files, chosen, state.shown?.view.images ?? []) === null;
+    const removal = removalOf(state);
+    remove.hidden = drafting || removal === null;
+    set(remove, removal === null || removal.files.length === 1 ? say('remove-image') : capital(nameOfMarks(removal)), false);
     const inImages = state.onStage === 'images';
     // A point that no image shows yet is measured in the images, whatever view it was chosen in.
     const given = chosen?.kind === 'given';

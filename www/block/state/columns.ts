@@ -227,7 +227,7 @@ const raysOf = remember((of: ViewObservations): Uint16Array => {
 export function observationsOf(of: ViewObservations, choice: Choice | null): (row: number) => boolean {
   if (choice === null) return () => true;
   const images = new Set(imagesOf(choice));
-  if (choice.kind === 'image' || choice.kind === 'pair') {
+  if (choice.kind === 'image' || choice.kind === 'images' || choice.kind === 'pair') {
     const seen = choice.kind === 'pair' ? commonPoints(of, choice.images) : null;
     return (row) => images.has(of.images[row] ?? -1) && (seen === null || seen.has(of.points[row] ?? -1));
   }

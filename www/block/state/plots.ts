@@ -3,7 +3,7 @@ import { remember } from '../../shared/state/remember';
 import type { ViewObservations } from './facts';
 import type { ViewGround } from './ground';
 import { normalQuantiles } from './normal';
-import { choiceOfPoints, imagesOf, pointsOf } from './selection';
+import { choiceOfImages, choiceOfPoints, imagesOf, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockView } from './view';
 import { say } from '../../shared/text/words';
@@ -97,7 +97,7 @@ function ofImages({ images }: BlockView, y: Omit<Axis, 'values'>, value: (image:
       const chosen = new Set(imagesOf(choice));
       return (row) => chosen.has(rows[row] ?? -1);
     },
-    together: ([only, ...more]) => (only === undefined || more.length > 0 || rows[only] === undefined ? null : { kind: 'image', image: rows[only] }),
+    together: (chosen) => choiceOfImages(chosen.flatMap((row) => rows[row] ?? [])),
   };
 }
 

@@ -41,6 +41,8 @@ export function describe({ view, given }: Listed, choice: Choice): string {
   switch (choice.kind) {
     case 'image':
       return describeImage(view, choice.image);
+    case 'images':
+      return describeImages(view, choice.images);
     case 'pair':
       return describePair(view, choice.images);
     case 'point':
@@ -72,6 +74,14 @@ function describeImage(view: BlockView, index: number): string {
     image.exifOrientation === null || image.exifOrientation === 1 ? '' : say('used-as-stored-exif-orientation', { exif_orientation: image.exifOrientation }),
   ];
   return `${parts.filter((part) => part !== '').join('; ')}.`;
+}
+
+/** So many images are named. */
+const MOST_NAMES = 6;
+
+function describeImages({ images }: BlockView, chosen: readonly number[]): string {
+  const names = chosen.slice(0, MOST_NAMES).map((image) => images[image]?.name ?? '');
+  return say('several-images', { images: chosen.length, names: [...names, ...(chosen.length > MOST_NAMES ? ['…'] : [])].join(', ') });
 }
 
 const GEOMETRIES = new WeakMap<ViewGeometry, string>();

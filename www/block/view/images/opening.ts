@@ -131,7 +131,7 @@ export class Opening {
   /** Shows the images that were chosen. */
   private showChosenImages(chosen: Choice | null, view: BlockView): void {
     this.shownFor = chosen;
-    const images = chosen?.kind === 'image' || chosen?.kind === 'pair' ? imagesOf(chosen) : [];
+    const images = chosen?.kind === 'image' || chosen?.kind === 'images' || chosen?.kind === 'pair' ? imagesOf(chosen).slice(0, MOST_PANES) : [];
     const shown = shownImages(this.seen.store.state.panes, view);
     // An image that is shown beside others stays among them.
     const is = images.every((image) => shown.includes(image)) && (chosen?.kind === 'image' || shown.length === images.length);

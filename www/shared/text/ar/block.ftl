@@ -137,7 +137,7 @@ reject-point = رفض النقطة
 take-the-point-with-all = يخرج النقطة بجميع أرصادها (Shift+Delete)
 use-what-is-chosen-again = يستعمل المختار من جديد (R)
 remove-image = إزالة الصورة
-take-the-chosen-image-out = يخرج الصورة المختارة من الكتلة، ولا يحسب من جديد إلا ما يعتمد عليها
+take-the-chosen-image-out = يخرج ما اختير من الصور من الكتلة، ولا يحسب من جديد إلا ما يعتمد عليه
 measure-it = قياس
 measure-the-chosen-point-in = قياس النقطة المختارة في الصور المعروضة (E)
 add-point = إضافة نقطة
@@ -581,7 +581,7 @@ role = { $role ->
     }
 projection-centre-in-m-where = مركز الإسقاط، { $key }؛ بالمتر حيث للكتلة مقياس.
 image-2 = الصورة
-file-name-press-it-to = اسم الملف. اضغطه لاختيار الصورة في جميع العروض.
+file-name-press-it-to = اسم الملف. اضغطه لاختيار الصورة في جميع العروض؛ ومع Shift أو Ctrl عدة صور.
 no = الرقم
 row-and-column-in-the = الصف والعمود في المصفوفة.
 features = السمات
@@ -937,6 +937,12 @@ given-point-of-file = { $name }: X Y Z كما أُعطيت { $place }؛ { $use }
 measured = مقيسة
 marks-by-hand = القياسات الصورية اليدوية
 mark-of = { $point } في { $image }
+several-images =
+    { $images ->
+        [two] صورتان
+        [few] { COUNT($images) } صور
+       *[other] { COUNT($images) } صورة
+    }: { $names }.
 step-remove-images = إزالة { $images ->
         [one] صورة واحدة
         [two] صورتين

@@ -165,7 +165,7 @@ reject-point = Reject point
 take-the-point-with-all = Take the point with all its observations out (Shift+Delete)
 use-what-is-chosen-again = Use what is chosen again (R)
 remove-image = Remove image
-take-the-chosen-image-out = Take the chosen image out of the block; only what depends on it is computed again
+take-the-chosen-image-out = Take what is chosen of the images out of the block; only what depends on it is computed again
 measure-it = Measure
 measure-the-chosen-point-in = Measure the chosen point in the images that are shown (E)
 add-point = Add point
@@ -642,7 +642,7 @@ role = { $role ->
 
 projection-centre-in-m-where = Projection centre, { $key }; in m where the block has a scale.
 image-2 = Image
-file-name-press-it-to = File name. Press it to choose the image in all views.
+file-name-press-it-to = File name. Press it to choose the image in all views; with Shift or Ctrl several.
 no = No.
 row-and-column-in-the = Row and column in the matrix.
 features = Features
@@ -1005,6 +1005,7 @@ given-point-of-file = { $name }: X Y Z as given { $place }; { $use }.
 measured = measured
 marks-by-hand = Image measurements by hand
 mark-of = { $point } in { $image }
+several-images = { COUNT($images) } images: { $names }.
 step-remove-images = remove { $images ->
         [one] 1 image
        *[other] { COUNT($images) } images
