@@ -254,8 +254,8 @@ const BESIDE = 0.8;
 /** The larger minimal detectable bias of column and row, image by image, each as far to the right as it lies in its image. An error of any size stays undetected where nothing checks a coordinate. */
 const detectable = remember(({ images }: BlockView, of: ViewObservations): PlotData => {
   const larger = (row: number) => {
-    const [column, line] = [of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN];
-    return Number.isNaN(column) || Number.isNaN(line) ? Infinity : Math.max(column, line);
+    const largest = Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
+    return Number.isNaN(largest) ? Infinity : largest;
   };
   // What has no redundancy number was not tested at all.
   const rows = rowsWith(of, (row) => of.redundancy[2 * row]);
