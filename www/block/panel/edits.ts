@@ -14,10 +14,9 @@ import { figuresOf } from '../state/edited';
 import type { Figures } from '../state/edited';
 import { isEditable } from '../state/editing';
 import { editOfChoice, standingOf } from '../state/edits';
-import { marksByHand, nextAgain, nextBack } from '../state/marks';
+import { marksByHand } from '../state/marks';
 import type { MarkStep } from '../state/marks';
 import { nameOfEdit, nameOfMarks, nameOfStep, namesOf, NO_NAMES } from '../state/naming';
-import type { History } from '../../shared/state/history';
 import type { BlockEdit, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import type { Standing } from '../state/edits';
 import type { Names } from '../state/naming';
@@ -25,7 +24,9 @@ import { blockOnOrthophoto } from '../state/showing';
 import { joined, split } from '../state/joining';
 import { shownImages } from '../state/panes';
 import { pointsOf } from '../state/selection';
-import { removable } from '../state/removing';
+import { removable, removesOthers } from '../state/removing';
+import { heldAt, timelineOf } from '../state/timeline';
+import type { Held, TimedStep } from '../state/timeline';
 import { isBusy } from '../state/state';
 import type { BlockState } from '../state/state';
 import type { BlockView } from '../state/view';
@@ -75,23 +76,24 @@ function splitOf({ selection, shown, panes }: BlockState, facts: Facts): readonl
 
 /** A point that is being measured is given up first. */
 function step(store: BlockStore, by: 1 | -1): void {
-  const { draft, history, marks } = store.state;
-  if (draft !== null) {
+  if (store.state.draft !== null) {
     store.dispatch({ type: 'draft', draft: null });
     return;
   }
-  const next = by < 0 ? nextBack(history, marks) : nextAgain(history, marks);
-  if (next === 'edit') store.dispatch({ type: 'goto', done: history.done + by });
-  if (next === 'mark' && changesImages(store.state, by) && isBusy(store.state)) {
+  go(store, heldAt(store.state, timelineOf(store.state).done + by));
+}
+
+/** Goes to where so many edits and so many steps beside them hold. */
+function go(store: BlockStore, { edits, marks: steps }: Held): void {
+  const { state } = store;
+  if (edits !== state.history.done && !isEditable(state)) return;
+  // The block is run for other images.
+  if (removesOthers(state.marks, { ...state.marks, done: steps }) && isBusy(state)) {
     store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('edits-wait-for-the-run'), beside: true } });
     return;
   }
-  if (next === 'mark') store.dispatch({ type: 'gotoMark', done: marks.done + by });
-}
-
-/** Whether the step that undo takes back, or redo makes again, takes images out. */
-function changesImages({ marks }: BlockState, by: 1 | -1): boolean {
-  return marks.edits[by < 0 ? marks.done - 1 : marks.done]?.kind === 'remove_images';
+  if (edits !== state.history.done) store.dispatch({ type: 'goto', done: edits });
+  if (steps !== state.marks.done) store.dispatch({ type: 'gotoMark', done: steps });
 }
 
 /** Takes the chosen images out of the block; null where they cannot be. */
@@ -106,18 +108,10 @@ function removeImages(store: BlockStore): void {
   if (step !== null) store.dispatch({ type: 'mark', step });
 }
 
-/** What undo and redo would do: edits of the block and measurements of control points in the order in which they were made. */
-function stepsOf({ history, marks }: BlockState, names: Names): History<string> {
-  const nameIn = <E>({ edits }: History<E>, place: number, nameOf: (edit: E) => string): string[] => {
-    const edit = edits[place];
-    return edit === undefined ? [] : [nameOf(edit)];
-  };
-  const named = (kind: 'edit' | 'mark' | null, back: 0 | 1): string[] => {
-    if (kind === 'mark') return nameIn(marks, marks.done - back, nameOfMarks);
-    return kind === 'edit' ? nameIn(history, history.done - back, (one) => nameOfStep(one, names)) : [];
-  };
-  const before = named(nextBack(history, marks), 1);
-  return { edits: [...before, ...named(nextAgain(history, marks), 0)], done: before.length };
+function nameOfTimed({ history, marks }: Pick<BlockState, 'history' | 'marks'>, { of, at }: TimedStep, names: Names): string {
+  const [edit, mark] = [history.edits[at], marks.edits[at]];
+  if (of === 'edits') return edit === undefined ? '' : nameOfStep(edit, names);
+  return mark === undefined ? '' : nameOfMarks(mark);
 }
 
 /** Of the block as it was found. */
@@ -181,7 +175,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     const { chosen } = state.selection;
     bar.hidden = !isEditable(state);
     const names = namesIn(state);
-    showSteps(undo, redo, stepsOf(state, names), (name) => name);
+    showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
     const [off, point, on] = [editOf(state, 'reject'), editOf(state, 'reject', true), editOf(state, 'restore')];
     const drafting = state.draft !== null;
     set(reject, titleOf(off, say('reject'), NO_NAMES), off === null);
@@ -285,15 +279,16 @@ export function mountEditPanel(host: HTMLElement, store: BlockStore): void {
   const hint = h('p', { class: 'note' }, say('choose-an-image-a-tie'));
   host.append(h('div', { class: 'edits' }, hint, compared, marked, h('h3', {}, say('rejected-by-hand')), rejected, h('h3', {}, say('history')), history));
   mountMarks(marked, store, history);
-  store.watch(['history', 'shown', 'before', 'adjusting'], ([edits, shown, before, adjusting]) => {
+  store.watch(['history', 'marks', 'shown', 'before', 'adjusting'], ([edits, marks, shown, before, adjusting]) => {
     const names = namesIn(store.state);
+    const both = { history: edits, marks };
     showHistory(
       history,
       'block-',
       say('as-found'),
-      edits,
-      (edit) => nameOfStep(edit, names),
-      (done) => store.dispatch({ type: 'goto', done }),
+      timelineOf(both),
+      (one) => nameOfTimed(both, one, names),
+      (done) => go(store, heldAt(store.state, done)),
     );
     fill(compared, ...(shown === null || before === null || shown.edits.length === 0 ? [] : [comparison(before, adjusting ? null : figuresOf(shown.view))]));
     const standing = shown === null ? [] : rejectedRows(shown.view, standingOf(shown.edits));

@@ -133,16 +133,3 @@ export function besideEdits(marks: History<MarkStep>, edits: number): History<Ma
     ? marks
     : { ...marks, edits: marks.edits.map((step) => (step.after <= edits ? step : { ...step, after: edits })) };
 }
-
-/** What undo takes back, or redo makes again: an edit of the block, or a measurement of a control point. */
-export function nextBack(history: History<unknown>, marks: History<MarkStep>): 'edit' | 'mark' | null {
-  const mark = marks.edits[marks.done - 1];
-  if (mark !== undefined && mark.after >= history.done) return 'mark';
-  return history.done > 0 ? 'edit' : mark === undefined ? null : 'mark';
-}
-
-export function nextAgain(history: History<unknown>, marks: History<MarkStep>): 'edit' | 'mark' | null {
-  const mark = marks.edits[marks.done];
-  if (mark !== undefined && mark.after <= history.done) return 'mark';
-  return history.done < history.edits.length ? 'edit' : mark === undefined ? null : 'mark';
-}
