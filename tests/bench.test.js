@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import { match_pair, Photo, score_matches, simulate } from '../pkg/node.js';
 import { calibratedInput } from '../tools/bench/calibrated.mjs';
 import { parsed } from '../tools/bench/rivals/aliked.mjs';
+import { editsShown } from '../tools/bench/shown-edits.mjs';
 import { flight } from '../tools/bench/verdict/flights.mjs';
 import { seenShare } from '../tools/bench/verdict/seen.mjs';
 import { exchanged, inputOf, reduced, turned } from '../tools/bench/verdict/views.mjs';
@@ -67,4 +68,11 @@ stereo_rectified_motorcycle  motorcycle_left. motorcycle_right matches   1775 ri
       direction_error_deg: 1.36,
     },
   ]);
+});
+
+test('of hundreds of edits, of which the page lists those about the present state, all are counted', () => {
+  assert.equal(editsShown(['history-0'], 'history'), 0);
+  assert.equal(editsShown(['history-512'], 'history'), 512);
+  assert.equal(editsShown(['block-history-73'], 'block-history'), 73);
+  assert.equal(editsShown([], 'history'), 0);
 });

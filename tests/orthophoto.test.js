@@ -337,7 +337,14 @@ test('an orthophoto without a code is taken in the system of the block alone; of
   };
   assert.match(why(32633), /lies elsewhere than the block \(EPSG:32633\)/);
   assert.match(why(9999), /not laid under the block: .*EPSG:9999/);
-  assert.match(why(4326, { gsd: 1e-5 }), /its system \(EPSG:4326\) differs from that of the block by \d/);
+  // In m, whatever the unit of the system: a degree of longitude is shorter here by a third than one of latitude.
+  const differs = /its system \(EPSG:4326\) differs from that of the block by ([\d.]+) m, more than ([\d.]+) m/.exec(why(4326, { gsd: 1e-6 }));
+  const [, most, limit] = (differs ?? []).map(Number);
+  assert.ok((most ?? 0) > 10 && (limit ?? 0) > 0.2 && (limit ?? 0) < 1, `${differs?.[0]}`);
+  // EPSG:3857 has no poles.
+  const pole = { ...view, origin: { longitude_deg: 9, latitude_deg: 90, height_m: 0 } };
+  assert.equal(under({ ...orthophoto, info: { ...orthophoto.info, epsg: 3857 } }, pole), null);
+  assert.match(page.laid.whyNotLaid({ ...orthophoto, info: { ...orthophoto.info, epsg: 3857 } }, pole), /the block lies outside its system \(EPSG:3857\)\.$/);
   const [x, y] = orthophoto.info.georeference.origin;
   assert.match(why(32632, { georeference: { ...orthophoto.info.georeference, origin: [(x ?? NaN) + 50_000, y] } }), /lies elsewhere/);
 });

@@ -8,7 +8,7 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/state/plots', 'block/view/plot/axes', 'block/state/normal']));
+  Object.assign(page, await pageModules(['block/state/plots', 'block/state/plot-words', 'block/view/plot/axes', 'block/state/normal']));
 });
 
 /** Three images of which one is not oriented; four points of which the last was rejected. */
@@ -79,7 +79,7 @@ test('plots show what is known, and choose what their values are about', () => {
   const { plotOf } = page.plots;
   const images = plotOf('images', VIEW, FACTS);
   assert.deepEqual(images.choice(1), { kind: 'image', image: 2 });
-  assert.equal(images.together([0, 1]), null);
+  assert.deepEqual(images.together([0, 1]), { kind: 'images', images: [0, 2] });
   assert.deepEqual([0, 1].map(images.chosen({ kind: 'pair', images: [1, 2] })), [false, true]);
   const rays = plotOf('rays', VIEW, FACTS);
   assert.deepEqual(rays.choice(0), { kind: 'points', points: Uint32Array.of(0, 2) });
@@ -107,9 +107,18 @@ test('w-statistics are shown over those of normal errors, minimal detectable bia
   assert.deepEqual(tests.together([0, 3]), { kind: 'point', point: 0 });
   assert.deepEqual([0, 1, 2, 3].map(tests.chosen({ kind: 'image', image: 2 })), [false, false, true, true]);
 
-  // The larger one of column and row; where nothing checks one of them, there is none.
+  // The larger one of column and row; where nothing checks one of them, it stands over all others.
   const detectable = plotOf('detectable', VIEW, FACTS);
-  assert.deepEqual([[...detectable.x.values], [...detectable.y.values]], [[0], [2]]);
+  assert.deepEqual([...detectable.y.values], [2, Infinity]);
+  assert.equal(detectable.x.values[0], 0);
+  assert.deepEqual(detectable.choice(1), { kind: 'observation', point: 0, image: 2 });
+  assert.match(
+    page.plot_words.plotText(detectable),
+    /^1 values over image\. .*: median 2\.000, from 2\.000 to 2\.000 px\. 1 more stands at the top: nothing checks one of the two coordinates\.$/,
+  );
+  const unchecked = { ...OBSERVED, detectable: new Float64Array(8).fill(NaN) };
+  assert.match(page.plot_words.plotText(plotOf('detectable', VIEW, { ...FACTS, observations: () => unchecked })), /^2 more stand at the top/);
+  assert.match(page.plot_words.plotText(plotOf('images', VIEW, FACTS)), /px\.$/);
   assert.deepEqual(detectable.x.names, ['a', 'b', 'c']);
   assert.deepEqual(detectable.choice(0), { kind: 'observation', point: 0, image: 0 });
   assert.equal(plotOf('detectable', VIEW, { ...FACTS, observations: () => null }), null);

@@ -141,14 +141,16 @@ const VIEW = {
   ],
 };
 
+const SHOWN = { view: VIEW, given: [] };
+
 test('a row is what it says, and a choice finds its row in each table', () => {
   const { choiceOfRow, rowsOfChoice, rowsOf } = page.columns;
-  assert.equal(rowsOf('images', VIEW).count, 4);
-  assert.equal(choiceOfRow('images', VIEW, 3), null);
-  assert.deepEqual(choiceOfRow('pairs', VIEW, 1), { kind: 'pair', images: [1, 2] });
-  assert.deepEqual([...rowsOfChoice('pairs', VIEW, { kind: 'pair', images: [2, 1] })], [1]);
-  assert.deepEqual([...rowsOfChoice('images', VIEW, { kind: 'pair', images: [2, 1] })], [2, 1]);
-  assert.deepEqual([...rowsOfChoice('points', VIEW, { kind: 'points', points: Uint32Array.of(4, 9) })], [4, 9]);
+  assert.equal(rowsOf('images', SHOWN).count, 4);
+  assert.equal(choiceOfRow('images', SHOWN, 3), null);
+  assert.deepEqual(choiceOfRow('pairs', SHOWN, 1), { kind: 'pair', images: [1, 2] });
+  assert.deepEqual([...rowsOfChoice('pairs', SHOWN, { kind: 'pair', images: [2, 1] })], [1]);
+  assert.deepEqual([...rowsOfChoice('images', SHOWN, { kind: 'pair', images: [2, 1] })], [2, 1]);
+  assert.deepEqual([...rowsOfChoice('points', SHOWN, { kind: 'points', points: Uint32Array.of(4, 9) })], [4, 9]);
 });
 
 test('a control point says where it would be without itself, a check point does not', () => {
@@ -159,7 +161,7 @@ test('a control point says where it would be without itself, a check point does 
     { ...shared, name: 'G1', role: 'control', difference_m: [0.001, 0.002, 0.003], left_out },
     { ...shared, name: 'G2', role: 'check', difference_m: [0.1, 0.2, 0.3] },
   ];
-  const { columns } = page.columns.rowsOf('surveyed', { ...VIEW, surveyed });
+  const { columns } = page.columns.rowsOf('surveyed', { view: { ...VIEW, surveyed }, given: [] });
   /** @type {[string, string, string, (row: number) => string][]} */
   const own = columns
     .filter((/** @type {{ key: string }} */ { key }) => key.startsWith('left-out'))

@@ -11,6 +11,7 @@ import { done, enabled, journal, openDrawers, pair, part, partsNamed, saved, unt
 import { FLIGHT, status } from '../../tests/page/blocks.js';
 import { dice } from './dice.mjs';
 import { numberOption } from './options.mjs';
+import { editsShown } from './shown-edits.mjs';
 
 /** @typedef {import('playwright-core').Page} Page @typedef {import('playwright-core').BrowserContext} Context */
 /** @typedef {{ edits: number, at: number }} Shown how many edits the page showed, and when */
@@ -59,7 +60,7 @@ const PAIR = {
     await part(page, 'tab-matches').click();
   },
   again: async (page) => {
-    await restored(page, async () => (await listed(page, 'history')) > 0);
+    await restored(page, async () => (await shownBy(page, 'history')) > 0);
     await done(page);
     await part(page, 'tab-matches').click();
   },
@@ -84,7 +85,7 @@ const BLOCK = {
     await part(page, 'block-show-images').click();
   },
   again: async (page) => {
-    await restored(page, async () => (await listed(page, 'block-history')) > 0);
+    await restored(page, async () => (await shownBy(page, 'block-history')) > 0);
     await status(page, FINISHED);
     await part(page, 'block-show-images').click();
   },
@@ -123,8 +124,11 @@ async function restored(page, isThere) {
   throw new Error(`what was kept is not on the page again: ${said}`);
 }
 
-/** How many edits the history lists.  @param {Page} page @param {string} of */
-const listed = async (page, of) => Math.max(0, (await page.locator(`[data-testid="${of}"] li`).count()) - 1);
+/** How many edits hold on the page.  @param {Page} page @param {string} of */
+const shownBy = async (page, of) => {
+  const entries = page.locator(`[data-testid="${of}"] [aria-current]`);
+  return editsShown(await entries.evaluateAll((all) => all.map((one) => one.getAttribute('data-testid') ?? '')), of);
+};
 
 /** @param {Edited} edited @param {Context} context @param {string} url @param {number} wanted @param {() => number} uniform */
 async function editing(edited, context, url, wanted, uniform) {
@@ -152,7 +156,7 @@ async function editing(edited, context, url, wanted, uniform) {
     const working = (async () => {
       for (;;) {
         await edited.edit(present);
-        shown.push({ edits: await listed(present, edited.history), at: performance.now() });
+        shown.push({ edits: await shownBy(present, edited.history), at: performance.now() });
         inStorage = Math.max(inStorage, (await journal(present, edited.journal)).edits.length);
       }
     })().catch((error) => {
@@ -170,7 +174,7 @@ async function editing(edited, context, url, wanted, uniform) {
     const least = Math.max(before.length, inStorage, ...shown.filter((one) => at - one.at > KEPT_AFTER_MS).map((one) => one.edits));
     made = Math.max(made, ...shown.map((one) => one.edits));
     acknowledged = Math.max(acknowledged, least);
-    const isWhole = held === now.length && before.every((edit, i) => now[i] === edit) && (await listed(page, edited.history)) === now.length;
+    const isWhole = held === now.length && before.every((edit, i) => now[i] === edit) && (await shownBy(page, edited.history)) === now.length;
     if (now.length < least || !isWhole) {
       lost += 1;
       console.log(`  ${edited.what}: ${now.length} edits of ${least} that were kept, after ${(moment / 1000).toFixed(1)} s`);

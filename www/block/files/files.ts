@@ -1,13 +1,13 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import type { FoundFile } from '../../shared/files/drop';
 import { Cancelled } from '../../shared/engine/client';
-import { parse_ground_control_points, parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
 import { keepChoice, keptChoice } from '../../shared/choices';
 import { sentence } from '../../shared/text/format';
 import { isOutdated } from '../state/state';
 import { removesOthers } from '../state/removing';
 import type { BlockFile, BlockState } from '../state/state';
+import type { Notice } from '../../shared/state/notice';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import { asksPurpose, lacksPlaceAlone, purposeOf } from '../state/purpose';
@@ -24,21 +24,14 @@ import { GroundFiles } from './ground';
 import { newId } from './ids';
 import { asGiven, sortRasters } from './rasters';
 import type { BlockRuns } from './runs';
+import { kindOfTable } from './tables';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
 const PROJECT = /\.tiepoint$/iu;
 const TABLE = /\.(?:csv|txt)$/iu;
+const CSV = /\.csv$/iu;
 const CAMERAS = /\.json$/iu;
-
-/** The rows of a table, or null where it cannot be read as one. */
-function rowsOf<Row>(text: string, parse: (text: string) => Row[]): Row[] | null {
-  try {
-    return parse(text);
-  } catch {
-    return null;
-  }
-}
 
 const TEXTS: Readonly<Record<GivenText, string>> = { cameras: say('cameras'), control: say('ground-control-points'), marks: say('image-measurements') };
 
@@ -83,6 +76,7 @@ export class BlockFiles {
 
   /** Adds images to the block; what a folder holds besides images is left aside. `why` is said first. */
   async take(given: readonly FoundFile[], why = ''): Promise<void> {
+    const before = this.store.state.notice;
     const { others: found, taken, ...rasters } = asGiven(await sortRasters(given));
     const ground = await this.ground.take(rasters);
     const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
@@ -95,16 +89,11 @@ export class BlockFiles {
     const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.openProject(project.file);
     if (cameras !== undefined) await this.takeText('cameras', cameras.file);
-    let tables = 0;
-    for (const { file } of alone.filter(({ file }) => TABLE.test(file.name))) {
-      const kind = await this.tableKind(file);
-      if (kind === null) continue;
-      await this.takeText(kind, file);
-      tables += 1;
-    }
-    const aside = found.length - photos.length - tables - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
+    const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
+    const aside = found.length - photos.length - tables.count - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '));
     else await this.said(said);
+    if (tables.aside !== '') this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, tables.aside);
   }
 
   /** Takes files that are given as an orthophoto with what belongs to it, or as its heights: what they hold decides where it can be told. */
@@ -201,14 +190,26 @@ export class BlockFiles {
     }
   }
 
-  /** Whether a table says where images show points, or where points lie: the former names images. Null for a text of something else, such as notes. */
-  private async tableKind(file: File): Promise<GivenText | null> {
-    const text = await file.text();
+  /** Takes tables of control points and of image measurements; what is neither is left aside, and changes nothing. `count`: those that are said something of. */
+  private async takeTables(files: readonly File[]): Promise<{ count: number; aside: string }> {
     const names = new Set(this.store.state.files.map(({ name }) => name));
-    const marks = rowsOf(text, parse_image_measurements);
-    if (marks !== null && marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image))) return 'marks';
-    // What is wrong with a table is said of it; any other text is no table.
-    return /\.csv$/iu.test(file.name) || rowsOf(text, parse_ground_control_points) !== null ? 'control' : null;
+    const aside: string[] = [];
+    let count = 0;
+    for (const file of files) {
+      const found = kindOfTable(await file.text(), names);
+      // Any other text, such as notes, is no table.
+      if (found.kind === 'neither' && !CSV.test(file.name)) continue;
+      count += 1;
+      if (found.kind === 'neither') aside.push(say('is-no-table-of', { name: file.name, why: sentence(found.why) }));
+      else await this.takeText(found.kind, file);
+    }
+    return { count, aside: aside.join(' ') };
+  }
+
+  /** Says more than what was said of the same files; where that is nothing, beside what is said of the block. */
+  private tellBeside(said: Notice | null, text: string): void {
+    const notice: Notice = said === null ? { kind: 'info', text, beside: true } : { ...said, text: `${said.text} ${text}` };
+    this.store.dispatch({ type: 'notice', notice });
   }
 
   /** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */

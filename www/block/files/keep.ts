@@ -10,6 +10,7 @@ import { titleOf } from '../../shared/text/project';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import { isBlank } from '../state/kept';
 import type { KeptBlock, KeptFile, KeptShown } from '../state/kept';
+import { NONE_GIVEN } from '../state/given-points';
 import type { BlockCatalogue, BlockFile, BlockState, Shown, TextFile } from '../state/state';
 import type { EditStep } from '../state/edits';
 import type { OnGround } from '../state/placing';
@@ -172,7 +173,7 @@ export class KeptBlocks implements Keepable {
     const { key, steps, seconds, score, ground } = kept;
     const view = { ...opened.view, score };
     return {
-      shown: { key, files, steps, seconds, view, found: view, edits: theSame(opened.edits, history.edits.flat()), ground },
+      shown: { key, files, steps, seconds, view, given: NONE_GIVEN, found: view, edits: theSame(opened.edits, history.edits.flat()), ground },
       kept: value as unknown as KeptShown,
       hold: opened.hold,
     };

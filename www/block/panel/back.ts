@@ -14,7 +14,7 @@ export function mountBack(store: BlockStore, modes: Modes): HTMLElement {
   const line = h('div', { class: 'of-block' }, back, text);
   const draw = () => {
     const { opened, shown } = store.state;
-    const of = opened === null || shown === null ? null : describe(shown.view, { kind: 'pair', images: opened });
+    const of = opened === null || shown === null ? null : describe(shown, { kind: 'pair', images: opened });
     line.hidden = of === null || modes.state.mode !== 'pair';
     fill(text, of ?? '');
   };

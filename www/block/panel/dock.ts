@@ -11,9 +11,9 @@ import type { Facts } from '../engine/facts';
 import { choiceOfRow, keptBy, NO_ROWS, observationRows, observationsOf, rowsOf, rowsOfChoice } from '../state/columns';
 import type { Rows, Tabled } from '../state/columns';
 import { blockOnOrthophoto } from '../state/showing';
-import { isSame, pointsOf, withMore } from '../state/selection';
+import { isSame, pointsOf, withMore, withMoreImages } from '../state/selection';
 import type { Choice, Selection, Subject } from '../state/selection';
-import type { BlockView } from '../state/view';
+import type { Listed } from '../state/state';
 import type { Looking } from '../view/looking';
 import type { DockTable } from './placing-tables';
 import { say } from '../../shared/text/words';
@@ -68,7 +68,7 @@ export function makeDock(store: BlockStore, looking: Looking, facts: Facts, othe
         const view = own[i - sources.length];
         tab.hidden =
           view === undefined
-            ? isOwn || (sources[i]?.subject === 'surveyed' && (shown?.view.surveyed.length ?? 0) + (shown?.view.given?.length ?? 0) === 0)
+            ? isOwn || (sources[i]?.subject === 'surveyed' && (shown?.view.surveyed.length ?? 0) + (shown?.given.length ?? 0) === 0)
             : !isOwn || view !== onStage;
       });
       // The tables of another view are not what is looked at.
@@ -82,12 +82,12 @@ export function makeDock(store: BlockStore, looking: Looking, facts: Facts, othe
 interface Source {
   subject: Subject;
   title: string;
-  rows: (view: BlockView) => Rows;
+  rows: (shown: Listed) => Rows;
   /** Tells the rows that are shown beside what the filter says. */
-  keeps: (view: BlockView, selection: Selection) => ((row: number) => boolean) | undefined;
-  choice: (view: BlockView, row: number) => Choice | null;
+  keeps: (shown: Listed, selection: Selection) => ((row: number) => boolean) | undefined;
+  choice: (shown: Listed, row: number) => Choice | null;
   /** The rows that a choice is about. */
-  chosen: (view: BlockView, choice: Choice | null) => { has: (row: number) => boolean; first: number };
+  chosen: (shown: Listed, choice: Choice | null) => { has: (row: number) => boolean; first: number };
   /** What stands over the table. */
   tools?: readonly HTMLElement[];
 }
@@ -96,11 +96,11 @@ function sourceOf(subject: Tabled, title: string): Source {
   return {
     subject,
     title,
-    rows: (view) => rowsOf(subject, view),
-    keeps: (view, selection) => (subject === 'pairs' ? keptBy(subject, view, selection) : undefined),
-    choice: (view, row) => choiceOfRow(subject, view, row),
-    chosen: (view, choice) => {
-      const rows = new Set(rowsOfChoice(subject, view, choice));
+    rows: (shown) => rowsOf(subject, shown),
+    keeps: ({ view }, selection) => (subject === 'pairs' ? keptBy(subject, view, selection) : undefined),
+    choice: (shown, row) => choiceOfRow(subject, shown, row),
+    chosen: (shown, choice) => {
+      const rows = new Set(rowsOfChoice(subject, shown, choice));
       return { has: (row) => rows.has(row), first: [...rows.values()][0] ?? -1 };
     },
   };
@@ -117,7 +117,7 @@ function observationSource(facts: Facts, redraw: () => void): Source {
   return {
     subject: 'observations',
     title: say('observations'),
-    rows: (view) => {
+    rows: ({ view }) => {
       const of = facts.observations();
       return of === null ? NO_ROWS : observationRows(view, of);
     },
@@ -146,8 +146,9 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
   const { subject, title, tools = [] } = source;
   const ofRow = (row: number): Choice | null => {
     const { shown } = store.state;
-    return shown === null || row < 0 ? null : source.choice(shown.view, row);
+    return shown === null || row < 0 ? null : source.choice(shown, row);
   };
+  const isInBlock = (row: number) => row < (store.state.shown?.view.images.length ?? 0);
   /** What was chosen here last: that is in sight. */
   let own: Choice | null = null;
   /** What is chosen is still to be brought into sight. */
@@ -167,19 +168,20 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
     choose: (row) => choose(ofRow(row)),
     isChosen: (row) => chosen.has(row),
     ...(subject === 'points' ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {}),
+    ...(subject === 'images' ? { chooseMore: (rows) => choose(withMoreImages(store.state.selection.chosen, rows.filter(isInBlock))) } : {}),
   });
   let shownRows = NO_ROWS;
   // It is drawn when it comes into sight.
   const draw = () => {
     if (isHidden(host)) return;
     const { shown, selection } = store.state;
-    shownRows = shown === null ? NO_ROWS : source.rows(shown.view);
-    table.show(shownRows.count, shownRows.columns, shown === null ? undefined : source.keeps(shown.view, selection), selection.filters[subject]);
+    shownRows = shown === null ? NO_ROWS : source.rows(shown);
+    table.show(shownRows.count, shownRows.columns, shown === null ? undefined : source.keeps(shown, selection), selection.filters[subject]);
     mark();
   };
   const mark = () => {
     const { shown, selection } = store.state;
-    if (shown !== null) chosen = source.chosen(shown.view, selection.chosen);
+    if (shown !== null) chosen = source.chosen(shown, selection.chosen);
     if (seeks && shown !== null) table.reveal(chosen.first);
     else table.redraw();
     seeks = false;
@@ -201,7 +203,7 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
   /** Draws it where its rows are others. */
   const refresh = () => {
     const { shown } = store.state;
-    if (!isHidden(host) && shown !== null && source.rows(shown.view) !== shownRows) draw();
+    if (!isHidden(host) && shown !== null && source.rows(shown) !== shownRows) draw();
   };
   return { draw, refresh };
 }

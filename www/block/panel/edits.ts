@@ -14,9 +14,9 @@ import { figuresOf } from '../state/edited';
 import type { Figures } from '../state/edited';
 import { isEditable } from '../state/editing';
 import { editOfChoice, standingOf } from '../state/edits';
-import { marksByHand, nextAgain, nextBack } from '../state/marks';
+import { marksByHand } from '../state/marks';
+import type { MarkStep } from '../state/marks';
 import { nameOfEdit, nameOfMarks, nameOfStep, namesOf, NO_NAMES } from '../state/naming';
-import type { History } from '../../shared/state/history';
 import type { BlockEdit, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import type { Standing } from '../state/edits';
 import type { Names } from '../state/naming';
@@ -24,7 +24,9 @@ import { blockOnOrthophoto } from '../state/showing';
 import { joined, split } from '../state/joining';
 import { shownImages } from '../state/panes';
 import { pointsOf } from '../state/selection';
-import { removable } from '../state/removing';
+import { removable, removesOthers } from '../state/removing';
+import { heldAt, timelineOf } from '../state/timeline';
+import type { Held, TimedStep } from '../state/timeline';
 import { isBusy } from '../state/state';
 import type { BlockState } from '../state/state';
 import type { BlockView } from '../state/view';
@@ -74,44 +76,42 @@ function splitOf({ selection, shown, panes }: BlockState, facts: Facts): readonl
 
 /** A point that is being measured is given up first. */
 function step(store: BlockStore, by: 1 | -1): void {
-  const { draft, history, marks } = store.state;
-  if (draft !== null) {
+  if (store.state.draft !== null) {
     store.dispatch({ type: 'draft', draft: null });
     return;
   }
-  const next = by < 0 ? nextBack(history, marks) : nextAgain(history, marks);
-  if (next === 'edit') store.dispatch({ type: 'goto', done: history.done + by });
-  if (next === 'mark' && changesImages(store.state, by) && isBusy(store.state)) {
+  go(store, heldAt(store.state, timelineOf(store.state).done + by));
+}
+
+/** Goes to where so many edits and so many steps beside them hold. */
+function go(store: BlockStore, { edits, marks: steps }: Held): void {
+  const { state } = store;
+  if (edits !== state.history.done && !isEditable(state)) return;
+  // The block is run for other images.
+  if (removesOthers(state.marks, { ...state.marks, done: steps }) && isBusy(state)) {
     store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('edits-wait-for-the-run'), beside: true } });
     return;
   }
-  if (next === 'mark') store.dispatch({ type: 'gotoMark', done: marks.done + by });
+  if (edits !== state.history.done) store.dispatch({ type: 'goto', done: edits });
+  if (steps !== state.marks.done) store.dispatch({ type: 'gotoMark', done: steps });
 }
 
-/** Whether the step that undo takes back, or redo makes again, takes images out. */
-function changesImages({ marks }: BlockState, by: 1 | -1): boolean {
-  return marks.edits[by < 0 ? marks.done - 1 : marks.done]?.kind === 'remove_images';
+/** Takes the chosen images out of the block; null where they cannot be. */
+function removalOf({ files, selection, shown, history }: BlockState): Extract<MarkStep, { kind: 'remove_images' }> | null {
+  const out = removable(files, selection.chosen, shown?.view.images ?? []);
+  return out.length === 0 ? null : { kind: 'remove_images', files: out.map(({ id }) => id), after: history.done };
 }
 
-/** Takes the chosen image out of the block; the keyboard stays with what is chosen. */
-function removeImage(store: BlockStore): void {
-  const { files, selection, shown, history } = store.state;
-  const file = removable(files, selection.chosen, shown?.view.images ?? []);
-  if (file !== null) store.dispatch({ type: 'mark', step: { kind: 'remove_images', files: [file.id], after: history.done } });
+/** The keyboard stays with what is chosen. */
+function removeImages(store: BlockStore): void {
+  const step = removalOf(store.state);
+  if (step !== null) store.dispatch({ type: 'mark', step });
 }
 
-/** What undo and redo would do: edits of the block and measurements of control points in the order in which they were made. */
-function stepsOf({ history, marks }: BlockState, names: Names): History<string> {
-  const nameIn = <E>({ edits }: History<E>, place: number, nameOf: (edit: E) => string): string[] => {
-    const edit = edits[place];
-    return edit === undefined ? [] : [nameOf(edit)];
-  };
-  const named = (kind: 'edit' | 'mark' | null, back: 0 | 1): string[] => {
-    if (kind === 'mark') return nameIn(marks, marks.done - back, nameOfMarks);
-    return kind === 'edit' ? nameIn(history, history.done - back, (one) => nameOfStep(one, names)) : [];
-  };
-  const before = named(nextBack(history, marks), 1);
-  return { edits: [...before, ...named(nextAgain(history, marks), 0)], done: before.length };
+function nameOfTimed({ history, marks }: Pick<BlockState, 'history' | 'marks'>, { of, at }: TimedStep, names: Names): string {
+  const [edit, mark] = [history.edits[at], marks.edits[at]];
+  if (of === 'edits') return edit === undefined ? '' : nameOfStep(edit, names);
+  return mark === undefined ? '' : nameOfMarks(mark);
 }
 
 /** Of the block as it was found. */
@@ -121,8 +121,11 @@ function namesIn({ shown }: BlockState): Names {
 
 /** "Reject 14 points", with the noun of what is chosen. */
 function titleOf(edit: BlockEdit | null, otherwise: string, names: Names): string {
-  const name = edit === null ? otherwise : nameOfEdit(edit, names);
-  return name.charAt(0).toUpperCase() + name.slice(1).replace(/ 1 /u, ' ');
+  return capital(edit === null ? otherwise : nameOfEdit(edit, names)).replace(/ 1 /u, ' ');
+}
+
+function capital(name: string): string {
+  return name.charAt(0).toUpperCase() + name.slice(1);
 }
 
 /** Over the views: what can be done to what is chosen, and what the latest edit did. */
@@ -132,7 +135,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
   const reject = button(say('reject'), 'block-reject', () => make(store, editOf(store.state, 'reject')), say('take-what-is-chosen-out'));
   const whole = button(say('reject-point'), 'block-reject-point', () => make(store, editOf(store.state, 'reject', true)), say('take-the-point-with-all'));
   const restore = button(say('restore'), 'block-restore', () => make(store, editOf(store.state, 'restore')), say('use-what-is-chosen-again'));
-  const remove = button(say('remove-image'), 'block-remove-image', () => removeImage(store), say('take-the-chosen-image-out'));
+  const remove = button(say('remove-image'), 'block-remove-image', () => removeImages(store), say('take-the-chosen-image-out'));
   const measure = button(
     say('measure-it'),
     'block-measure',
@@ -172,7 +175,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     const { chosen } = state.selection;
     bar.hidden = !isEditable(state);
     const names = namesIn(state);
-    showSteps(undo, redo, stepsOf(state, names), (name) => name);
+    showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
     const [off, point, on] = [editOf(state, 'reject'), editOf(state, 'reject', true), editOf(state, 'restore')];
     const drafting = state.draft !== null;
     set(reject, titleOf(off, say('reject'), NO_NAMES), off === null);
@@ -180,7 +183,9 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     reject.hidden = drafting || (off === null && on !== null);
     restore.hidden = drafting || on === null;
     whole.hidden = drafting || chosen?.kind !== 'observation' || point === null;
-    remove.hidden = drafting || removable(state.files, chosen, state.shown?.view.images ?? []) === null;
+    const removal = removalOf(state);
+    remove.hidden = drafting || removal === null;
+    set(remove, removal === null || removal.files.length === 1 ? say('remove-image') : capital(nameOfMarks(removal)), false);
     const inImages = state.onStage === 'images';
     // A point that no image shows yet is measured in the images, whatever view it was chosen in.
     const given = chosen?.kind === 'given';
@@ -274,15 +279,16 @@ export function mountEditPanel(host: HTMLElement, store: BlockStore): void {
   const hint = h('p', { class: 'note' }, say('choose-an-image-a-tie'));
   host.append(h('div', { class: 'edits' }, hint, compared, marked, h('h3', {}, say('rejected-by-hand')), rejected, h('h3', {}, say('history')), history));
   mountMarks(marked, store, history);
-  store.watch(['history', 'shown', 'before', 'adjusting'], ([edits, shown, before, adjusting]) => {
+  store.watch(['history', 'marks', 'shown', 'before', 'adjusting'], ([edits, marks, shown, before, adjusting]) => {
     const names = namesIn(store.state);
+    const both = { history: edits, marks };
     showHistory(
       history,
       'block-',
       say('as-found'),
-      edits,
-      (edit) => nameOfStep(edit, names),
-      (done) => store.dispatch({ type: 'goto', done }),
+      timelineOf(both),
+      (one) => nameOfTimed(both, one, names),
+      (done) => go(store, heldAt(store.state, done)),
     );
     fill(compared, ...(shown === null || before === null || shown.edits.length === 0 ? [] : [comparison(before, adjusting ? null : figuresOf(shown.view))]));
     const standing = shown === null ? [] : rejectedRows(shown.view, standingOf(shown.edits));

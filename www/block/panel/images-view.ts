@@ -168,10 +168,10 @@ function figuresOf(detail: PointDetail | null, image: number): string {
 /** The point that is chosen alone, by its figures. */
 function pointText({ state }: BlockStore, view: ImagesView): string {
   const chosen = view.seen.chosen();
-  const shown = state.shown?.view;
-  if (shown === undefined) return '';
+  if (state.shown === null) return '';
   // Figures of a point come a moment later.
-  if (chosen === null) return state.selection.chosen === null ? '' : describe(shown, state.selection.chosen);
+  if (chosen === null) return state.selection.chosen === null ? '' : describe(state.shown, state.selection.chosen);
+  const { view: shown } = state.shown;
   const { id, name, position, errors, rmse_px, observations, elsewhere } = chosen.detail;
   const panes = shownImages(state.panes, shown);
   const seen = observations.filter(({ image }) => panes.includes(image)).length;

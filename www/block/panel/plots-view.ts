@@ -4,10 +4,10 @@ import { choice } from '../../shared/panel/choice';
 import { button, h } from '../../shared/panel/dom';
 import { csvOf } from '../../shared/state/rows';
 import type { Column } from '../../shared/state/rows';
-import { fixed } from '../../shared/text/format';
 import type { Facts } from '../engine/facts';
 import { PLOTS } from '../state/plots';
-import type { Axis, PlotData, PlotName } from '../state/plots';
+import type { Axis, PlotName } from '../state/plots';
+import { plotText } from '../state/plot-words';
 import { Plot } from '../view/plot/plot';
 import { KEYS_ID } from './view';
 import type { StageView } from './view';
@@ -36,7 +36,7 @@ export function plotsView(facts: Facts): StageView {
       const values = button('CSV', 'plot-csv', () => void saveValues(plot), say('saves-the-values-of-the'));
       const show = () => {
         const data = plot.data();
-        const text = data === null ? '' : inWords(data);
+        const text = data === null ? '' : plotText(data);
         if (words.textContent !== text) words.textContent = text;
         picture.disabled = values.disabled = data === null || data.x.values.length === 0;
       };
@@ -45,22 +45,6 @@ export function plotsView(facts: Facts): StageView {
       return { element, tools: [chosen, picture, values, words], zoomable: plot, keys: KEYS };
     },
   };
-}
-
-/** What the values are like. */
-function inWords({ x, y }: PlotData): string {
-  const sorted = y.values.slice().sort();
-  const at = (share: number) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
-  if (sorted.length === 0) return say('there-are-no-such-values');
-  return say('values-over-median-from-to', {
-    sorted: sorted.length,
-    to_lower_case: x.label.toLowerCase(),
-    label: y.label,
-    at: at(0.5),
-    at_2: at(0),
-    at_3: at(1),
-    what: y.unit === '' ? '' : say('n--2', { unit: y.unit }),
-  });
 }
 
 async function savePicture(plot: Plot): Promise<void> {

@@ -98,7 +98,7 @@ function said(store: BlockStore, looking: Looking): HTMLElement {
 
 function tell(element: HTMLElement, store: BlockStore, choice: Choice | null, otherwise: string): void {
   const { shown } = store.state;
-  const text = choice === null || shown === null ? otherwise : describe(shown.view, choice);
+  const text = choice === null || shown === null ? otherwise : describe(shown, choice);
   if (element.textContent !== text) element.textContent = text;
 }
 

@@ -1,5 +1,5 @@
 /** The view and what is chosen in it, as the address of the page names them: `#view=map&point=12`. Images by their names, points by their numbers in the table. */
-import { choiceOfPoints, pointsOf } from './selection';
+import { choiceOfImages, choiceOfPoints, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockState, ViewName } from './state';
 import type { BlockView } from './view';
@@ -8,6 +8,7 @@ const VIEWS: readonly ViewName[] = ['map', 'matrix', 'images', 'plots', 'orthoph
 
 /** An address names no more points than these: a brush over all would make it longer than programs take. */
 const MOST_POINTS = 100;
+const MOST_IMAGES = 50;
 
 /** What follows the `#`; empty where no block is shown. */
 export function addressOf({ shown, onStage, selection: { chosen } }: Pick<BlockState, 'shown' | 'onStage' | 'selection'>): string {
@@ -17,6 +18,7 @@ export function addressOf({ shown, onStage, selection: { chosen } }: Pick<BlockS
   const points = pointsOf(chosen);
   if (points.length > 0 && points.length <= MOST_POINTS) named.set('point', [...points].map((point) => String(point + 1)).join(','));
   if (chosen?.kind === 'image' || chosen?.kind === 'observation') named.append('image', name(chosen.image));
+  if (chosen?.kind === 'images' && chosen.images.length <= MOST_IMAGES) for (const image of chosen.images) named.append('images', name(image));
   if (chosen?.kind === 'pair') for (const image of chosen.images) named.append('image', name(image));
   return named.toString();
 }
@@ -26,12 +28,17 @@ export function asked(address: string, view: BlockView): { view: ViewName; choic
   const named = new URLSearchParams(address.replace(/^#/u, ''));
   const wanted = VIEWS.find((name) => name === named.get('view'));
   if (wanted === undefined) return null;
-  const images = named.getAll('image').map((name) => view.images.findIndex((image) => image.name === name));
+  const indexOf = (name: string) => view.images.findIndex((image) => image.name === name);
+  const images = named.getAll('image').map(indexOf);
+  const several = named
+    .getAll('images')
+    .map(indexOf)
+    .filter((image) => image >= 0);
   const points = (named.get('point') ?? '')
     .split(',')
     .map((number) => Number(number) - 1)
     .filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count);
-  return { view: wanted, choice: choiceOf(images, points) };
+  return { view: wanted, choice: several.length > 0 ? choiceOfImages(several) : choiceOf(images, points) };
 }
 
 function choiceOf(images: readonly number[], points: readonly number[]): Choice | null {

@@ -4,7 +4,7 @@ import { remember } from '../../shared/state/remember';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 import type { GivenOrthophoto } from './placing';
-import { affineOf, inverse, mapped, similarity } from './under';
+import { affineOf, inverse, mapped, scaleOf, similarity } from './under';
 import type { Affine } from './under';
 import type { BlockView } from './view';
 
@@ -51,14 +51,17 @@ export const betweenSystems = remember((orthophoto: GivenOrthophoto, view: Block
 /** The similarity of places in both systems, unless it is wrong by too much, or the block lies elsewhere. */
 function judged({ info }: GivenOrthophoto, crs: string, from: readonly Place[], to: readonly Place[]): Between {
   const toOrthophoto = similarity(from, to);
+  // A place outside the system is no number, and leads to no similarity.
+  if (toOrthophoto === null) return { kind: 'problem', text: say('the-block-is-outside-the-system', { crs }) };
   const apart = from.map(([x, y], i) => {
-    const [u, v] = toOrthophoto === null ? [NaN, NaN] : mapped(toOrthophoto, x, y);
+    const [u, v] = mapped(toOrthophoto, x, y);
     return Math.hypot(u - (to[i]?.[0] ?? NaN), v - (to[i]?.[1] ?? NaN));
   });
-  const most = Math.max(...apart);
-  const limit = Math.max(MOST_PIXELS * info.gsd, MOST_SHARE * Math.hypot(span(to, 0), span(to, 1)));
-  // What lies outside the system is no number.
-  if (toOrthophoto === null || !(most <= limit)) return { kind: 'problem', text: say('the-systems-are-not-similar', { crs, most, limit }) };
+  // The unit of the system may be degrees or feet, that of the block is m.
+  const unitsPerMetre = scaleOf(toOrthophoto);
+  const most = Math.max(...apart) / unitsPerMetre;
+  const limit = Math.max((MOST_PIXELS * info.gsd) / unitsPerMetre, MOST_SHARE * Math.hypot(span(from, 0), span(from, 1)));
+  if (most > limit) return { kind: 'problem', text: say('the-systems-are-not-similar', { crs, most, limit }) };
   const toPixels = inverse(affineOf(info.georeference));
   const pixels = to.map(([x, y]): Place => mapped(toPixels, x, y));
   const meets = ([0, 1] as const).every((axis) => {

@@ -6,7 +6,8 @@ import { count, fixed } from '../../shared/text/format';
 import { imagesOf, isSame, pointsOf } from './selection';
 import type { ViewObservations } from './facts';
 import type { Choice, Selection, Subject } from './selection';
-import type { BlockView } from './view';
+import type { Listed } from './state';
+import type { BlockView, ViewGiven } from './view';
 import { geometryText, givenUse, matchesOf } from './words';
 import { say } from '../../shared/text/words';
 
@@ -120,8 +121,9 @@ function pointRows({ points }: BlockView): Rows {
   };
 }
 
-function surveyedRows({ surveyed, given = [] }: BlockView): Rows {
+function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Rows {
   const axes = ['X', 'Y', 'Z'];
+  const areElsewhere = given.some(({ place }) => place === null);
   // What was given and is not in the block comes last.
   const beside = (row: number) => given[row - surveyed.length];
   const useText = (row: number) => {
@@ -136,8 +138,14 @@ function surveyedRows({ surveyed, given = [] }: BlockView): Rows {
       words('use', say('use'), useText, say('control-points-place-the-block')),
       numbers('surveyed-rays', say('rays-2'), '', 0, (i) => surveyed[i]?.rays ?? NaN, say('image-measurements-that-took-part'), { total: 'sum' }),
       ...axes.map((axis, k) =>
-        numbers(`surveyed-${axis}`, axis, 'm', 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.position[k] ?? NaN, say('surveyed-in-the-system-of', { axis })),
+        numbers(`surveyed-${axis}`, axis, 'm', 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.place?.[k] ?? NaN, say('surveyed-in-the-system-of', { axis })),
       ),
+      // What nothing leads from to the system of the block stands as it was given.
+      ...(areElsewhere
+        ? axes.map((axis, k) =>
+            numbers(`given-${axis}`, say('as-given', { axis }), '', 3, (i) => beside(i)?.position[k] ?? NaN, say('in-the-unit-and-the', { axis })),
+          )
+        : []),
       ...axes.map((axis, k) =>
         numbers(`difference-${axis}`, `Δ${axis}`, 'm', 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say('adjusted-minus-surveyed', { axis }), {
           total: 'rms',
@@ -219,7 +227,7 @@ const raysOf = remember((of: ViewObservations): Uint16Array => {
 export function observationsOf(of: ViewObservations, choice: Choice | null): (row: number) => boolean {
   if (choice === null) return () => true;
   const images = new Set(imagesOf(choice));
-  if (choice.kind === 'image' || choice.kind === 'pair') {
+  if (choice.kind === 'image' || choice.kind === 'images' || choice.kind === 'pair') {
     const seen = choice.kind === 'pair' ? commonPoints(of, choice.images) : null;
     return (row) => images.has(of.images[row] ?? -1) && (seen === null || seen.has(of.points[row] ?? -1));
   }
@@ -232,25 +240,28 @@ function commonPoints({ images, points }: ViewObservations, [a, b]: readonly [nu
   return new Set(points.filter((point, row) => images[row] === b && first.has(point)));
 }
 
-const ROWS: Readonly<Record<Tabled, (view: BlockView) => Rows>> = {
-  images: remember(imageRows),
-  pairs: remember(pairRows),
-  points: remember(pointRows),
-  surveyed: remember(surveyedRows),
+const COLUMNS: Readonly<Record<Tabled, (view: BlockView, given: readonly ViewGiven[]) => Rows>> = {
+  images: imageRows,
+  pairs: pairRows,
+  points: pointRows,
+  surveyed: surveyedRows,
 };
 
-/** The rows of a table of the block; the same object for the same view. */
-export function rowsOf(subject: Tabled, view: BlockView): Rows {
-  return ROWS[subject](view);
+const ofView = { images: remember(imageRows), pairs: remember(pairRows), points: remember(pointRows) };
+const withGiven = remember(surveyedRows);
+
+/** The rows of a table of the block; the same object for the same view, and the same points beside it where it lists them. */
+export function rowsOf(subject: Tabled, { view, given }: Listed): Rows {
+  return subject === 'surveyed' ? withGiven(view, given) : ofView[subject](view);
 }
 
 /** What a row is about; null where it is nothing that can be chosen. */
-export function choiceOfRow(subject: Subject, view: BlockView, row: number): Choice | null {
+export function choiceOfRow(subject: Subject, { view, given }: Listed, row: number): Choice | null {
   if (subject === 'images') return row < view.images.length ? { kind: 'image', image: row } : null;
   if (subject === 'points') return { kind: 'point', point: row };
   if (subject === 'surveyed') {
-    const given = view.given?.[row - view.surveyed.length];
-    if (given !== undefined) return { kind: 'given', name: given.name };
+    const beside = given[row - view.surveyed.length];
+    if (beside !== undefined) return { kind: 'given', name: beside.name };
     return (view.surveyed[row]?.point ?? -1) < 0 ? null : { kind: 'point', point: view.surveyed[row]?.point ?? -1 };
   }
   const images = subject === 'pairs' ? view.connections[row]?.images : undefined;
@@ -258,11 +269,10 @@ export function choiceOfRow(subject: Subject, view: BlockView, row: number): Cho
 }
 
 /** The rows that a choice is about. */
-export function rowsOfChoice(subject: Subject, view: BlockView, choice: Choice | null): Uint32Array {
+export function rowsOfChoice(subject: Subject, { view, given }: Listed, choice: Choice | null): Uint32Array {
   if (subject === 'points') return pointsOf(choice);
   if (subject === 'surveyed') {
-    if (choice?.kind === 'given')
-      return Uint32Array.from((view.given ?? []).flatMap(({ name }, i) => (name === choice.name ? [view.surveyed.length + i] : [])));
+    if (choice?.kind === 'given') return Uint32Array.from(given.flatMap(({ name }, i) => (name === choice.name ? [view.surveyed.length + i] : [])));
     const points = new Set(pointsOf(choice));
     return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => (points.has(point) ? [row] : [])));
   }
@@ -276,7 +286,8 @@ const EMPTY: Filter = {};
 
 /** Of each row 1 where the filter keeps it; null where it keeps all. */
 function maskOf(subject: Tabled, view: BlockView, filter: Filter): Uint8Array | null {
-  const { count: rows, columns } = rowsOf(subject, view);
+  // No view shows the points beside the block.
+  const { count: rows, columns } = COLUMNS[subject](view, []);
   const meets = keeping(columns, filter);
   return meets === null ? null : Uint8Array.from({ length: rows }, (_, row) => Number(meets(row)));
 }

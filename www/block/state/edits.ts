@@ -2,7 +2,7 @@
 import type { BlockEdit, PointImage, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import type { Choice } from './selection';
-import { pointsOf } from './selection';
+import { imagesOf, pointsOf } from './selection';
 import type { BlockView } from './view';
 
 /** What is done and undone at once: one edit, or the observations of a point that were measured together. */
@@ -40,7 +40,7 @@ export function indexOfSource({ points }: BlockView, source: PointSource): numbe
 
 /** What is chosen, in the same block after other edits: points by what they are. */
 export function choiceAfterEdit(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
-  if (choice === null || choice.kind === 'image' || choice.kind === 'pair' || choice.kind === 'given') return choice;
+  if (choice === null || choice.kind === 'image' || choice.kind === 'images' || choice.kind === 'pair' || choice.kind === 'given') return choice;
   const moved = [...pointsOf(choice)].flatMap((point) => {
     const source = sourceOf(before, point);
     const index = source === null ? -1 : indexOfSource(after, source);
@@ -120,7 +120,10 @@ export function editOfChoice(kind: 'reject' | 'restore', choice: Choice | null, 
   const rejects = kind === 'reject';
   switch (choice?.kind) {
     case 'image':
-      return standing.images.has(choice.image) === rejects ? null : { kind: `${kind}_images`, images: [choice.image] };
+    case 'images': {
+      const images = imagesOf(choice).filter((image) => standing.images.has(image) !== rejects);
+      return images.length === 0 ? null : { kind: `${kind}_images`, images };
+    }
     case 'observation': {
       const point = sourceOf(view, choice.point);
       if (point === null) return null;

@@ -1,46 +1,62 @@
-/** Where given coordinates lie in the system of a block: known where the block is on an orthophoto, or has some of the points already. Pure. */
-import { remember } from '../../shared/state/remember';
-import type { GroundControlRow } from '../../../pkg/wasm/tiepoint.js';
-import type { Position } from '../../shared/state/pane';
-import { pointsOfFile } from './marks';
-import type { TextFile } from './file';
+/** Where given coordinates lie in the system of a block: known where both say where they lie on the earth, or the block has some of the points already. Pure. */
+import { local_positions, system_positions } from '../../../pkg/wasm/tiepoint.js';
+import type { GeographicOrigin, GroundControlRow } from '../../../pkg/wasm/tiepoint.js';
+import { mapped, scaleOf, similarity } from './under';
 import type { BlockView } from './view';
 
-/** From x, y as they are given to those of the block. */
-type ToBlock = (at: Position) => Position;
+type Coordinates = readonly [number, number, number];
 
-const SAME: ToBlock = (at) => at;
+/** The coordinate reference system of a file, and the height of its zero above the ellipsoid, m. */
+interface SystemOfFile {
+  crs: string | null;
+  geoid_m: number;
+}
 
-/** Null where block and coordinates share no system. */
-export const toBlock = remember((view: BlockView, control: TextFile | null): ToBlock | null => {
-  if (view.orthophoto?.kind === 'linked') return SAME;
-  const inBlock = new Map(view.surveyed.map(({ name, position }) => [name, position]));
-  const known = pointsOfFile(control).flatMap(({ name, position }: GroundControlRow): [Position, Position][] => {
-    const own = inBlock.get(name);
-    return own === undefined
-      ? []
-      : [
-          [
-            [position[0], position[1]],
-            [own[0], own[1]],
-          ],
-        ];
-  });
-  return similarity(known);
-});
+/** The coordinates of each row in the system of the block; null where nothing leads there. */
+export function inSystemOfBlock(view: BlockView, rows: readonly GroundControlRow[], { crs, geoid_m }: SystemOfFile): readonly (Coordinates | null)[] {
+  const { orthophoto, origin } = view;
+  if (orthophoto?.kind === 'linked' && !orthophoto.inCrs) return rows.map(({ position }) => position);
+  const onEarth = crs === null || origin === null ? null : byEarth(rows, crs, geoid_m, origin);
+  return onEarth ?? byCommonPoints(view, rows);
+}
 
-/** The similarity in plan by least squares; null where fewer than two different places determine it. */
-function similarity(pairs: readonly (readonly [Position, Position])[]): ToBlock | null {
-  const mean = (of: 0 | 1, axis: 0 | 1) => pairs.reduce((sum, pair) => sum + pair[of][axis], 0) / pairs.length;
-  const [mx, my, mu, mv] = [mean(0, 0), mean(0, 1), mean(1, 0), mean(1, 1)];
-  let [along, across, squares] = [0, 0, 0];
-  for (const [from, to] of pairs) {
-    const [x, y, u, v] = [from[0] - mx, from[1] - my, to[0] - mu, to[1] - mv];
-    along += x * u + y * v;
-    across += x * v - y * u;
-    squares += x * x + y * y;
+/** As a run takes them. Null where the system cannot be read, or no point lies in it. */
+function byEarth(
+  rows: readonly GroundControlRow[],
+  crs: string,
+  geoid_m: number,
+  { longitude_deg, latitude_deg, height_m }: GeographicOrigin,
+): readonly (Coordinates | null)[] | null {
+  try {
+    const geographic = system_positions(
+      crs,
+      rows.flatMap(({ position }) => position),
+    ).map((value, i) => (i % 3 === 2 ? value + geoid_m : value));
+    const local = local_positions([longitude_deg, latitude_deg, height_m, ...geographic]);
+    const places = rows.map((_, i): Coordinates | null => {
+      const [x = NaN, y = NaN, z = NaN] = local.subarray(3 * i + 3, 3 * i + 6);
+      return Number.isNaN(x + y + z) ? null : [x, y, z];
+    });
+    return places.every((place) => place === null) ? null : places;
+  } catch {
+    // What is wrong with the system is said where it is set.
+    return null;
   }
-  if (!(squares > 0)) return null;
-  const [a, b] = [along / squares, across / squares];
-  return ([x, y]) => [mu + a * (x - mx) - b * (y - my), mv + b * (x - mx) + a * (y - my)];
+}
+
+/** By the similarity in plan of the points that block and file share, and the scale and the mean difference of their heights. */
+function byCommonPoints({ surveyed }: BlockView, rows: readonly GroundControlRow[]): readonly (Coordinates | null)[] {
+  const inBlock = new Map(surveyed.map(({ name, position }) => [name, position]));
+  const common = rows.flatMap(({ name, position }): [Coordinates, Coordinates][] => {
+    const own = inBlock.get(name);
+    return own === undefined ? [] : [[position, own]];
+  });
+  const plan = similarity(
+    common.map(([[x, y]]) => [x, y]),
+    common.map(([, [x, y]]) => [x, y]),
+  );
+  if (plan === null) return rows.map(() => null);
+  const scale = scaleOf(plan);
+  const rise = common.reduce((sum, [given, own]) => sum + own[2] - scale * given[2], 0) / common.length;
+  return rows.map(({ position: [x, y, z] }) => [...mapped(plan, x, y), scale * z + rise]);
 }

@@ -5,7 +5,7 @@ import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import { remember } from '../../shared/state/remember';
 import type { TextFile } from './file';
-import type { BlockView, ViewGiven } from './view';
+import type { BlockView } from './view';
 
 /** So many control points place a block, each measured in so many images. */
 export const LEAST_POINTS = 3;
@@ -56,7 +56,7 @@ export const marksByHand = remember(({ edits, done }: History<MarkStep>): readon
 });
 
 /** All measurements, those by hand in place of those of the file. */
-const allMarks = remember((file: TextFile | null, history: History<MarkStep>): readonly ImageMeasurementRow[] => {
+export const allMarks = remember((file: TextFile | null, history: History<MarkStep>): readonly ImageMeasurementRow[] => {
   const all = [...marksOfFile(file), ...marksByHand(history)];
   return [...new Map(all.map((mark) => [keyOf(mark), mark])).values()];
 });
@@ -116,24 +116,6 @@ function tableOf(marks: readonly ImageMeasurementRow[]): string {
   return `image,point,x_px,y_px\n${marks.map(({ image, point, x_px, y_px }) => `${quoted(image)},${quoted(point)},${String(x_px)},${String(y_px)}\n`).join('')}`;
 }
 
-const NONE: readonly ViewGiven[] = [];
-
-const givenBeside = remember(
-  (control: TextFile | null, file: TextFile | null, history: History<MarkStep>, surveyed: BlockView['surveyed']): readonly ViewGiven[] => {
-    const known = new Set(surveyed.map(({ name }) => name));
-    const images = new Map<string, number>();
-    for (const { point } of allMarks(file, history)) images.set(point, (images.get(point) ?? 0) + 1);
-    const rows = pointsOfFile(control).filter(({ name }) => !known.has(name));
-    return rows.length === 0 ? NONE : rows.map(({ name, position, role }) => ({ name, position, role: role ?? null, images: images.get(name) ?? 0 }));
-  },
-);
-
-/** A view with the points that were given and are not in its block; the same one where there are none. */
-export function withGiven(view: BlockView, { options, marks }: Pick<WithMarks, 'options' | 'marks'>): BlockView {
-  const given = view.partial || options.control === null ? NONE : givenBeside(options.control, options.marks, marks, view.surveyed);
-  return given === (view.given ?? NONE) ? view : { ...view, given };
-}
-
 /** Where images show a given point, by their indices in the view. */
 export const placesOfGiven = remember((name: string, view: BlockView, file: TextFile | null, history: History<MarkStep>): ReadonlyMap<number, Position> => {
   const index = new Map(view.images.map((image, i) => [image.name, i]));
@@ -150,17 +132,4 @@ export function besideEdits(marks: History<MarkStep>, edits: number): History<Ma
   return marks.edits.every(({ after }) => after <= edits)
     ? marks
     : { ...marks, edits: marks.edits.map((step) => (step.after <= edits ? step : { ...step, after: edits })) };
-}
-
-/** What undo takes back, or redo makes again: an edit of the block, or a measurement of a control point. */
-export function nextBack(history: History<unknown>, marks: History<MarkStep>): 'edit' | 'mark' | null {
-  const mark = marks.edits[marks.done - 1];
-  if (mark !== undefined && mark.after >= history.done) return 'mark';
-  return history.done > 0 ? 'edit' : mark === undefined ? null : 'mark';
-}
-
-export function nextAgain(history: History<unknown>, marks: History<MarkStep>): 'edit' | 'mark' | null {
-  const mark = marks.edits[marks.done];
-  if (mark !== undefined && mark.after <= history.done) return 'mark';
-  return history.done < history.edits.length ? 'edit' : mark === undefined ? null : 'mark';
 }

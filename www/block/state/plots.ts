@@ -3,7 +3,7 @@ import { remember } from '../../shared/state/remember';
 import type { ViewObservations } from './facts';
 import type { ViewGround } from './ground';
 import { normalQuantiles } from './normal';
-import { choiceOfPoints, imagesOf, pointsOf } from './selection';
+import { choiceOfImages, choiceOfPoints, imagesOf, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockView } from './view';
 import { say } from '../../shared/text/words';
@@ -29,7 +29,7 @@ export interface Axis {
   values: Float64Array;
   /** The values are places of a list, or about them: so many, with these names. */
   names?: readonly string[];
-  /** Values above 0 that are told apart by their ratios. */
+  /** Values above 0 that are told apart by their ratios; what is infinite stands over all others. */
   logarithmic?: boolean;
 }
 
@@ -97,7 +97,7 @@ function ofImages({ images }: BlockView, y: Omit<Axis, 'values'>, value: (image:
       const chosen = new Set(imagesOf(choice));
       return (row) => chosen.has(rows[row] ?? -1);
     },
-    together: ([only, ...more]) => (only === undefined || more.length > 0 || rows[only] === undefined ? null : { kind: 'image', image: rows[only] }),
+    together: (chosen) => choiceOfImages(chosen.flatMap((row) => rows[row] ?? [])),
   };
 }
 
@@ -251,10 +251,14 @@ function firstAt(sorted: Float64Array, value: number): number {
 /** The width of an image among its neighbours. */
 const BESIDE = 0.8;
 
-/** The larger minimal detectable bias of column and row, image by image, each as far to the right as it lies in its image. */
+/** The larger minimal detectable bias of column and row, image by image, each as far to the right as it lies in its image. An error of any size stays undetected where nothing checks a coordinate. */
 const detectable = remember(({ images }: BlockView, of: ViewObservations): PlotData => {
-  const larger = (row: number) => Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
-  const rows = rowsWith(of, larger);
+  const larger = (row: number) => {
+    const largest = Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
+    return Number.isNaN(largest) ? Infinity : largest;
+  };
+  // What has no redundancy number was not tested at all.
+  const rows = rowsWith(of, (row) => of.redundancy[2 * row]);
   const across = (row: number) => {
     const image = of.images[row] ?? -1;
     return image + BESIDE * ((of.places[2 * row] ?? NaN) / (images[image]?.width ?? NaN) - 0.5);

@@ -8,7 +8,8 @@ import { BLOCK_INITIAL } from './state';
 import { UNEDITED } from './edited';
 import { carried, carriedToGround, reduceEdits } from './editing';
 import type { EditsAction } from './editing';
-import { besideEdits, withGiven } from './marks';
+import { givenBeside, NONE_GIVEN } from './given-points';
+import { besideEdits } from './marks';
 import { panesInOtherView, reducePanes } from './panes';
 import type { PanesAction } from './panes';
 import type { RestoredBlock } from './kept';
@@ -57,9 +58,14 @@ export function reduceBlock(state: BlockState, action: BlockAction): BlockState 
 
 /** Tables list the points that were given, whether they are in the block or not. */
 function withGivenPoints(state: BlockState): BlockState {
-  if (state.shown === null) return state;
-  const view = withGiven(state.shown.view, state);
-  return view === state.shown.view ? state : { ...state, shown: { ...state.shown, view } };
+  const { shown, selection } = state;
+  if (shown === null) return state;
+  const { chosen } = selection;
+  const given = givenBeside(shown.view, state);
+  // One that was taken into the block, or is given no longer, is chosen no longer.
+  const stays = chosen?.kind !== 'given' || given.some(({ name }) => name === chosen.name);
+  if (given === shown.given && stays) return state;
+  return { ...state, shown: { ...shown, given }, selection: stays ? selection : { ...selection, chosen: null } };
 }
 
 function reduced(state: BlockState, action: BlockAction): BlockState {
@@ -147,7 +153,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
         // The truth is that of the photos that were simulated, not of this block.
         truth: null,
         running: { kind: 'no' },
-        shown: { key: '', view: action.view, found: action.view, edits: action.edits, files: [], steps: {}, seconds: 0, ground: null },
+        shown: { key: '', view: action.view, given: NONE_GIVEN, found: action.view, edits: action.edits, files: [], steps: {}, seconds: 0, ground: null },
       };
     case 'restored':
       return { ...BLOCK_INITIAL, catalogue: state.catalogue, ...action.restored, onStage: viewOf(action.restored) };
@@ -216,7 +222,7 @@ function withRun(state: BlockState, action: RunAction): BlockState {
     case 'part': {
       if (running.kind !== 'yes' || (state.shown !== null && !state.shown.view.partial)) return state;
       const { view, files } = action;
-      const shown = { key: running.key, view, found: view, edits: [], files, seconds: 0, steps: {}, ground: null };
+      const shown = { key: running.key, view, given: NONE_GIVEN, found: view, edits: [], files, seconds: 0, steps: {}, ground: null };
       return { ...state, shown, opened: null, ...inOther(state, view) };
     }
     case 'done': {
@@ -230,7 +236,7 @@ function withRun(state: BlockState, action: RunAction): BlockState {
         marks: besideEdits(state.marks, edits.history.edits.length),
         ...(said === '' ? {} : { notice: { kind: 'info', text: said, beside: true } }),
         running: { kind: 'no' },
-        shown: { key, view, found: view, edits: [], files, seconds, steps: running.kind === 'yes' ? running.steps : {}, ground: null },
+        shown: { key, view, given: NONE_GIVEN, found: view, edits: [], files, seconds, steps: running.kind === 'yes' ? running.steps : {}, ground: null },
       };
     }
     case 'ended':

@@ -3,6 +3,7 @@ import type { History } from '../../shared/state/history';
 import { remember } from '../../shared/state/remember';
 import type { BlockFile } from './file';
 import type { MarkStep } from './marks';
+import { imagesOf } from './selection';
 import type { Choice } from './selection';
 
 /** So few images are no block any more. */
@@ -39,9 +40,10 @@ export function withRemoved<S extends WithRemoved>(state: S): S {
   return { ...state, files: [...stay, ...back].sort((a, b) => (a.name < b.name ? -1 : 1)), removed: aside };
 }
 
-/** The file of the image that is chosen, which can be taken out; null where none is, or its file is not there, or too few would be left. */
-export function removable(files: readonly BlockFile[], choice: Choice | null, names: readonly { name: string }[]): BlockFile | null {
-  if (choice?.kind !== 'image' || files.length <= LEAST_IMAGES) return null;
-  const name = names[choice.image]?.name;
-  return files.find((file) => file.name === name) ?? null;
+/** The files of the images that are chosen, which can be taken out; none where a file is not there, or too few would be left. */
+export function removable(files: readonly BlockFile[], choice: Choice | null, names: readonly { name: string }[]): readonly BlockFile[] {
+  if (choice?.kind !== 'image' && choice?.kind !== 'images') return [];
+  const chosen = new Set(imagesOf(choice).map((image) => names[image]?.name));
+  const found = files.filter(({ name }) => chosen.has(name));
+  return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }

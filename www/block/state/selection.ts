@@ -5,6 +5,8 @@ import type { BlockView } from './view';
 /** What is looked at. Numbers are those of the `BlockView`; each kind names what it is about, so that a view shows the kinds that it knows. */
 export type Choice =
   | { kind: 'image'; image: number }
+  /** Two or more images, in ascending order. */
+  | { kind: 'images'; images: readonly number[] }
   | { kind: 'pair'; images: [number, number] }
   | { kind: 'point'; point: number }
   /** A tie point as one image shows it. */
@@ -62,12 +64,30 @@ export function withMore(chosen: Choice | null, points: readonly number[]): Choi
   return choiceOfPoints(before);
 }
 
+/** Images as they are chosen together: none, one, or several. */
+export function choiceOfImages(images: Iterable<number>): Choice | null {
+  const sorted = [...new Set(images)].sort((a, b) => a - b);
+  const [first] = sorted;
+  if (first === undefined) return null;
+  return sorted.length === 1 ? { kind: 'image', image: first } : { kind: 'images', images: sorted };
+}
+
+/** Images chosen beside those that are, as with points. */
+export function withMoreImages(chosen: Choice | null, images: readonly number[]): Choice | null {
+  const before = new Set(chosen?.kind === 'image' || chosen?.kind === 'images' ? imagesOf(chosen) : []);
+  const [only] = images;
+  if (images.length === 1 && only !== undefined && before.has(only)) before.delete(only);
+  else for (const image of images) before.add(image);
+  return choiceOfImages(before);
+}
+
 /** The images that a choice names. */
 export function imagesOf(choice: Choice | null): readonly number[] {
   switch (choice?.kind) {
     case 'image':
     case 'observation':
       return [choice.image];
+    case 'images':
     case 'pair':
       return choice.images;
     default:
@@ -97,7 +117,12 @@ export function isSame(a: Choice | null, b: Choice | null): boolean {
   if (a.kind === 'given' && b.kind === 'given') return a.name === b.name;
   const [images, others] = [imagesOf(a), imagesOf(b)];
   const [points, others_] = [pointsOf(a), pointsOf(b)];
-  return images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
+  return (
+    images.length === others.length &&
+    images.every((image) => others.includes(image)) &&
+    points.length === others_.length &&
+    points.every((point, i) => point === others_[i])
+  );
 }
 
 /** The selection as another view of the same images has it: images by their names. Points are numbered anew, so that none stays chosen. */
@@ -107,9 +132,10 @@ export function inOtherView(selection: Selection, before: BlockView | null, afte
 }
 
 function moved(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
-  if (choice?.kind === 'given') return after.given?.some(({ name }) => name === choice.name) === true ? choice : null;
-  if (choice?.kind !== 'image' && choice?.kind !== 'pair') return null;
+  if (choice?.kind === 'given') return choice;
+  if (choice?.kind !== 'image' && choice?.kind !== 'images' && choice?.kind !== 'pair') return null;
   const place = (image: number) => after.images.findIndex(({ name }) => name === before.images[image]?.name);
+  if (choice.kind === 'images') return choiceOfImages(choice.images.map(place).filter((image) => image >= 0));
   if (choice.kind === 'image') return place(choice.image) < 0 ? null : { kind: 'image', image: place(choice.image) };
   const images: [number, number] = [place(choice.images[0]), place(choice.images[1])];
   return images.includes(-1) ? null : { kind: 'pair', images };

@@ -16,7 +16,7 @@ import type { History } from '../../shared/state/history';
 import type { OnGround, Placing } from './placing';
 import { NOTHING_SELECTED } from './selection';
 import type { Selection } from './selection';
-import type { BlockView } from './view';
+import type { BlockView, ViewGiven } from './view';
 
 export type { BlockFile, TextFile } from './file';
 
@@ -64,6 +64,8 @@ export interface Shown {
   /** The edits that the view is made of. */
   edits: readonly BlockEdit[];
   view: BlockView;
+  /** Control and check points that were given beside those of the view; they change while the view stays the same. */
+  given: readonly ViewGiven[];
   /** Empty for a block that was opened. */
   files: readonly BlockFile[];
   steps: Steps;
@@ -119,6 +121,9 @@ export const BLOCK_INITIAL: BlockState = {
   opened: null,
   notice: null,
 };
+
+/** A block with the points that were given beside it: what its tables list. */
+export type Listed = Pick<Shown, 'view' | 'given'>;
 
 /** Names what a run of the present files and options would be made from. */
 export function wantedKey(state: Pick<BlockState, 'files' | 'options' | 'marks'>): string {

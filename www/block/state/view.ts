@@ -119,6 +119,8 @@ export interface ViewGiven {
   name: string;
   /** In the unit and the system of its file. */
   position: readonly [number, number, number];
+  /** In the system of the block; null where nothing leads there. */
+  place: readonly [number, number, number] | null;
   /** Null of one that is not to be used. */
   role: 'control' | 'check' | null;
   /** In so many images it is measured. */
@@ -160,8 +162,6 @@ export interface BlockView {
   sigma0Px: number | null;
   /** Ground control points and check points of the block. */
   surveyed: readonly ViewSurveyed[];
-  /** Those that were given beside these; absent: none. */
-  given?: readonly ViewGiven[];
   /** What check points say of the block; null without any. */
   checks: CheckSummary | null;
   /** How near a simulated block is to its truth. */

@@ -3,6 +3,7 @@ import { count, fixed } from '../../shared/text/format';
 import { collectedOf, LEAST_POINTS } from './marks';
 import type { WithMarks } from './marks';
 import type { Choice } from './selection';
+import type { Listed } from './state';
 import type { BlockView, ViewConnection, ViewGeometry, ViewGiven } from './view';
 import { message } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
@@ -36,10 +37,12 @@ export function mostMatches({ connections }: BlockView): number {
   return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
 }
 
-export function describe(view: BlockView, choice: Choice): string {
+export function describe({ view, given }: Listed, choice: Choice): string {
   switch (choice.kind) {
     case 'image':
       return describeImage(view, choice.image);
+    case 'images':
+      return describeImages(view, choice.images);
     case 'pair':
       return describePair(view, choice.images);
     case 'point':
@@ -49,7 +52,7 @@ export function describe(view: BlockView, choice: Choice): string {
     case 'points':
       return describePoints(view, choice.points);
     case 'given':
-      return describeGiven(view, choice.name);
+      return describeGiven(given, choice.name);
   }
 }
 
@@ -71,6 +74,14 @@ function describeImage(view: BlockView, index: number): string {
     image.exifOrientation === null || image.exifOrientation === 1 ? '' : say('used-as-stored-exif-orientation', { exif_orientation: image.exifOrientation }),
   ];
   return `${parts.filter((part) => part !== '').join('; ')}.`;
+}
+
+/** So many images are named. */
+const MOST_NAMES = 6;
+
+function describeImages({ images }: BlockView, chosen: readonly number[]): string {
+  const names = chosen.slice(0, MOST_NAMES).map((image) => images[image]?.name ?? '');
+  return say('several-images', { images: chosen.length, names: [...names, ...(chosen.length > MOST_NAMES ? ['…'] : [])].join(', ') });
 }
 
 const GEOMETRIES = new WeakMap<ViewGeometry, string>();
@@ -112,11 +123,11 @@ function describePoint({ points, surveyed }: BlockView, point: number): string {
 }
 
 /** A point that was given and is not in the block. */
-function describeGiven({ given = [] }: BlockView, name: string): string {
+function describeGiven(given: readonly ViewGiven[], name: string): string {
   const point = given.find((own) => own.name === name);
   if (point === undefined) return name;
-  const place = point.position.map((value) => fixed(value, 3)).join(' ');
-  return say('given-point', { name, place, use: givenUse(point) });
+  const said = { name, place: (point.place ?? point.position).map((value) => fixed(value, 3)).join(' '), use: givenUse(point) };
+  return point.place === null ? say('given-point-of-file', said) : say('given-point', said);
 }
 
 /** Why control points take no part, and what they lack. */

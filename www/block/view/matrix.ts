@@ -120,10 +120,12 @@ export class Matrix extends Chart {
       context.strokeRect(...toCanvas(t, column, row), side, side);
       if (connectionOf(view, [row, column]) !== undefined) context.strokeRect(...toCanvas(t, row, column), side, side);
     }
-    if (chosen?.kind !== 'image') return;
+    if (chosen?.kind !== 'image' && chosen?.kind !== 'images') return;
     const length = view.images.length * side;
-    context.strokeRect(...toCanvas(t, 0, chosen.image), length, side);
-    context.strokeRect(...toCanvas(t, chosen.image, 0), side, length);
+    for (const image of imagesOf(chosen)) {
+      context.strokeRect(...toCanvas(t, 0, image), length, side);
+      context.strokeRect(...toCanvas(t, image, 0), side, length);
+    }
   }
 }
 

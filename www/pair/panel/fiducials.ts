@@ -127,10 +127,10 @@ function marksTable(side: Side, marking: Marking, rows: number): HTMLElement | s
       h(
         'tr',
         {},
-        h('th', {}, ''),
+        h('td', {}, ''),
         ...FIELDS.map((field) => h('th', { scope: 'col' }, HEADS[field])),
         h('th', { scope: 'col', title: say('residuals-vx-vy') }, 'v µm'),
-        h('th', {}, ''),
+        h('td', {}, ''),
       ),
     ),
     h('tbody', {}, ...body),

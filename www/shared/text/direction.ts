@@ -6,9 +6,9 @@ const IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === 'rtl';
 /** The beginning of a part from right to left, and its end. */
 const [RLI, PDI] = ['\u2067', '\u2069'];
 
-/** What a text writes is set apart as its first letter runs. A clause, which a space or a comma begins, goes on as the sentence does. */
-export function asClauses(text: string): string {
-  return IS_FROM_RIGHT ? text.replaceAll(/\u2068(?=[\s،؛,;:·(])/gu, RLI) : text;
+/** What a text writes is set apart as its first letter runs. A clause, which a space or a comma begins, goes on as the sentence does, also where that stands in a part of its own. */
+export function asClauses(text: string, isFromRight = IS_FROM_RIGHT): string {
+  return isFromRight ? text.replaceAll(/\u2068(?=\u2068*[\s،؛,;:·(])/gu, RLI) : text;
 }
 
 /** A sentence on a canvas, which itself runs from left to right. */

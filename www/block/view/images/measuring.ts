@@ -9,7 +9,6 @@ import { begun, isGiven, placed, stepOfDraft } from '../../state/draft';
 import type { Draft } from '../../state/edited';
 import { isEditable } from '../../state/editing';
 import { indexOfSource, sourceOf } from '../../state/edits';
-import { toBlock } from '../../state/in-common';
 import { placesOfGiven } from '../../state/marks';
 import { inOtherImage, placeOfGround } from '../../state/observed';
 import { pointsOf } from '../../state/selection';
@@ -92,13 +91,12 @@ export class Measuring {
 
   /** Where an image shows a control or check point that is chosen and not in the block, by its coordinates; null where these say nothing in the block. */
   ofGround(pane: Pane): Position | null {
-    const { shown, selection, options } = this.store.state;
+    const { shown, selection } = this.store.state;
     const { chosen } = selection;
     if (shown === null || chosen?.kind !== 'given' || pane.points === null) return null;
-    const point = shown.view.given?.find(({ name }) => name === chosen.name);
-    const ground = toBlock(shown.view, options.control);
-    if (point === undefined || ground === null) return null;
-    const at = placeOfGround(pane.points, shown.view.points, ground([point.position[0], point.position[1]]));
+    const place = shown.given.find(({ name }) => name === chosen.name)?.place;
+    if (place == null) return null;
+    const at = placeOfGround(pane.points, shown.view.points, [place[0], place[1]]);
     return at !== null && isOn(pane, at) ? at : null;
   }
 

@@ -2,12 +2,12 @@
 import type { PointDetail } from '../../../../pkg/wasm/tiepoint.js';
 import type { PaneView, Position } from '../../../shared/state/pane';
 import { contains, toCanvas } from '../../../shared/view/transform';
-import { toBlock } from '../../state/in-common';
 import { footprintsAt } from '../../state/footprints';
 import { codeOfSource } from '../../state/edits';
 import { MOST_PANES, shownImages } from '../../state/panes';
 import { imagesOf, pointsOf } from '../../state/selection';
 import type { Choice } from '../../state/selection';
+import type { Shown } from '../../state/state';
 import type { BlockView } from '../../state/view';
 import type { Measuring } from './measuring';
 import { fillScale, isOn } from './scene';
@@ -47,7 +47,7 @@ export class Opening {
     if (chosen === null) {
       if (selection.chosen === null) this.openedAt = null;
       if (selection.chosen?.kind === 'given') {
-        this.showGiven(selection.chosen, view);
+        this.showGiven(selection.chosen, shown);
         return;
       }
       if (selection.chosen !== this.shownFor) this.showChosenImages(selection.chosen, view);
@@ -90,10 +90,10 @@ export class Opening {
   }
 
   /** Shows a given point where it is measured, and else where its coordinates say; where these say nothing, in any images. */
-  private showGiven(chosen: Extract<Choice, { kind: 'given' }>, view: BlockView): void {
+  private showGiven(chosen: Extract<Choice, { kind: 'given' }>, shown: Shown): void {
     const { store } = this.seen;
     if (chosen !== this.shownFor) {
-      const images = this.imagesOfGiven(chosen.name, view);
+      const images = this.imagesOfGiven(chosen.name, shown);
       if (images === null) return;
       this.shownFor = chosen;
       this.openedAt = null;
@@ -116,16 +116,14 @@ export class Opening {
   }
 
   /** The images that may show a given point, those with a measurement first; null while it is not known which. */
-  private imagesOfGiven(name: string, view: BlockView): readonly number[] | null {
-    const { options, panes } = this.seen.store.state;
+  private imagesOfGiven(name: string, { view, given }: Shown): readonly number[] | null {
+    const { panes } = this.seen.store.state;
     const measured = [...this.measuring.marks().keys()];
-    const point = view.given?.find((own) => own.name === name);
-    const ground = toBlock(view, options.control);
-    const within = ground === null ? null : this.seen.facts.ground();
-    if (ground !== null && within === null) return null;
+    const place = given.find((own) => own.name === name)?.place ?? null;
+    const within = place === null ? null : this.seen.facts.ground();
+    if (place !== null && within === null) return null;
     const all = view.images.map((_, image) => image);
-    const at = point === undefined || ground === null ? null : ground([point.position[0], point.position[1]]);
-    const likely = at === null || within === null ? [] : footprintsAt(within.footprints, at);
+    const likely = place === null || within === null ? [] : footprintsAt(within.footprints, [place[0], place[1]]);
     const others = likely.length > 0 ? likely : [...shownImages(panes, view), ...all];
     return [...new Set([...measured, ...others])].slice(0, MOST_PANES);
   }
@@ -133,7 +131,7 @@ export class Opening {
   /** Shows the images that were chosen. */
   private showChosenImages(chosen: Choice | null, view: BlockView): void {
     this.shownFor = chosen;
-    const images = chosen?.kind === 'image' || chosen?.kind === 'pair' ? imagesOf(chosen) : [];
+    const images = chosen?.kind === 'image' || chosen?.kind === 'images' || chosen?.kind === 'pair' ? imagesOf(chosen).slice(0, MOST_PANES) : [];
     const shown = shownImages(this.seen.store.state.panes, view);
     // An image that is shown beside others stays among them.
     const is = images.every((image) => shown.includes(image)) && (chosen?.kind === 'image' || shown.length === images.length);

@@ -27,7 +27,7 @@ import { isMarked, MANY_LINES, NAME_BELOW, NAME_HEIGHT, paintImages, paintLines,
 import type { Shown } from './images';
 import { FIRST_LOOK } from './look';
 import type { MapLook } from './look';
-import { fitPlan, imageAt, lineAt, linesOf, placeOf, thumbWidth } from './plan';
+import { fitPlan, imageAt, lineAt, linesOf, nearestImages, placeOf, thumbWidth } from './plan';
 import { pointAt, PointBitmap, pointPlace, pointsWithin } from './points';
 import { Still } from './still';
 import { MOST_THUMBS, Thumbs } from './thumbs';
@@ -307,18 +307,22 @@ export class BlockMap extends Chart {
   ): number {
     const { shown, files, running } = this.store.state;
     const width = this.thumbSide(view, t, ground);
-    if (!this.look.photos || view.images.length > MOST_THUMBS || shown === null || running.kind === 'yes') return NAME_BELOW;
+    if (!this.look.photos || (ground === null && width === 0) || shown === null || running.kind === 'yes') return NAME_BELOW;
     const ofName = new Map([...files, ...shown.files].map((file) => [file.name, file]));
+    const fileOf = (image: number) => ofName.get(view.images[image]?.name ?? '');
+    const middle = [this.layers.width / 2, this.layers.height / 2] as const;
+    const near = nearestImages(view, t, (image) => keepsImage(image) && fileOf(image) !== undefined, middle, MOST_THUMBS);
+    const thumbs = new Map(near.flatMap((image) => fileOf(image) ?? []).map((file) => [file.id, this.thumbs.get(file)]));
+    this.thumbs.shows(new Set(thumbs.keys()));
     const isSound = soundness(view);
     let below = NAME_BELOW;
-    view.images.forEach(({ name }, i) => {
-      const file = ofName.get(name);
-      if (file === undefined || !keepsImage(i) || (ground === null && width === 0)) return;
-      const thumb = this.thumbs.get(file);
-      if (thumb === null) return;
+    // In their order, whichever are near.
+    for (const i of near.sort((a, b) => a - b)) {
+      const thumb = thumbs.get(fileOf(i)?.id ?? -1) ?? null;
+      if (thumb === null) continue;
       if (ground !== null) {
         paintOnGround(context, thumb, ground, t, i);
-        return;
+        continue;
       }
       const height = (width * thumb.height) / thumb.width;
       const [x, y] = placeOf(view, t, i);
@@ -328,7 +332,7 @@ export class BlockMap extends Chart {
       context.strokeStyle = on ? colours.accent : isSound(i) ? colours.surface : colours.problem;
       context.strokeRect(x - width / 2, y - height / 2, width, height);
       below = Math.max(below, height / 2 + NAME_HEIGHT);
-    });
+    }
     return below;
   }
 

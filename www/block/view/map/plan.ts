@@ -3,7 +3,6 @@ import { toCanvas } from '../../../shared/view/transform';
 import type { Transform } from '../../../shared/view/transform';
 import type { BlockView } from '../../state/view';
 import { matchesOf } from '../../state/words';
-import { MOST_THUMBS } from './thumbs';
 
 /** Room about the outermost images, whose names and photos are there, and about their footprints. */
 const MARGIN = 62;
@@ -46,14 +45,34 @@ function spacingOf(view: BlockView): number {
   const known = SPACINGS.get(view);
   if (known !== undefined) return known;
   const { places } = view.layout;
+  const across = Array.from({ length: places.length / 2 }, (_, i): [number, number] => [places[2 * i] ?? NaN, places[2 * i + 1] ?? NaN])
+    .filter(([x]) => !Number.isNaN(x))
+    .sort(([a], [b]) => a - b);
   let least = Infinity;
-  for (let i = 0; i < places.length; i += 2) {
-    for (let j = 0; j < i; j += 2) {
-      least = Math.min(least, Math.hypot((places[i] ?? 0) - (places[j] ?? 0), (places[i + 1] ?? 0) - (places[j + 1] ?? 0)));
+  across.forEach(([x, y], i) => {
+    // Those that are farther in x alone are farther.
+    for (let j = i - 1; j >= 0; j -= 1) {
+      const [u, v] = across[j] ?? [-Infinity, 0];
+      if (x - u >= least) break;
+      least = Math.min(least, Math.hypot(x - u, y - v));
     }
-  }
+  });
   SPACINGS.set(view, least);
   return least;
+}
+
+/** At most so many of the images that are kept, those nearest to a place, nearest first; all in their order where they are no more. */
+export function nearestImages(view: BlockView, plan: Transform, keeps: (image: number) => boolean, [x, y]: readonly [number, number], most: number): number[] {
+  const kept = Array.from(view.images.keys()).filter(keeps);
+  if (kept.length <= most) return kept;
+  const far = kept.flatMap((image): [number, number][] => {
+    const [px, py] = placeOf(view, plan, image);
+    return Number.isNaN(px) ? [] : [[image, Math.hypot(px - x, py - y)]];
+  });
+  return far
+    .sort(([, a], [, b]) => a - b)
+    .slice(0, most)
+    .map(([image]) => image);
 }
 
 const WIDEST_THUMB = 110;
@@ -61,7 +80,6 @@ const LEAST_THUMB = 26;
 
 /** How wide images are drawn, CSS px, so that they do not cover each other; 0 where they are too near to be more than dots. */
 export function thumbWidth(view: BlockView, plan: Transform): number {
-  if (view.images.length > MOST_THUMBS) return 0;
   const width = Math.min(WIDEST_THUMB, 0.8 * spacingOf(view) * plan.scale);
   return width < LEAST_THUMB ? 0 : width;
 }

@@ -24,7 +24,8 @@ export function endsOf({ x, y, bars, square }: PlotData, width: number, height: 
 
 function spread(values: Float64Array, zero = false): Ends {
   let [low, high] = zero ? [0, 0] : [Infinity, -Infinity];
-  for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  // What is infinite stands over all others, wherever the axis ends.
+  for (const value of values) if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)];
   if (!(high > low)) return Number.isFinite(low) && low !== 0 ? [low - Math.abs(low) / 2, low + Math.abs(low) / 2] : [0, 1];
   const beside = BESIDE * (high - low);
   return [zero && low === 0 ? 0 : low - beside, zero && high === 0 ? 0 : high + beside];

@@ -24,6 +24,8 @@ const LEAST_TICKS = 3;
 /** Up to so many points are drawn larger. */
 const FEW = 3000;
 const FONT = '11px system-ui, sans-serif';
+/** What is infinite stands so far below the upper edge, CSS px. */
+const INSIDE = 4;
 /** Bars leave so much of their place free. */
 const GAP = 0.25;
 
@@ -135,7 +137,8 @@ export class Plot extends Chart {
     const [x0, across] = [ends.x[0], width / (ends.x[1] - ends.x[0])];
     const [y0, up] = [ends.y[0], height / (ends.y[1] - ends.y[0])];
     const upwards = data.y.logarithmic === true ? Math.log10 : (y: number) => y;
-    return (x, y) => toCanvas(t, left + (x - x0) * across, top + height - (upwards(y) - y0) * up);
+    const upper = (y: number) => (y === Infinity ? top + INSIDE : top + height - (upwards(y) - y0) * up);
+    return (x, y) => toCanvas(t, left + (x - x0) * across, upper(y));
   }
 
   /** The values at the edges of what is seen. */

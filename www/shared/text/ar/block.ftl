@@ -56,6 +56,10 @@ cannot-be-kept-in-this = لا يمكن في هذا المتصفح حفظ: { $edi
     }؟
 in-the-block = { $sorted } في الكتلة.
 skipped-their-names-are-in = تُخطّيت { $twice }: أسماؤها في الكتلة من قبل.
+is-no-table-of = نُحّي { $name } جانبًا، فليس نقاط ضبط أرضي ولا قياسات صورية: { $why }
+it-has-no-rows = لا صفوف فيه
+its-rows-are-images = صفوفه صور، لا نقاط ممسوحة
+its-rows-are-tie-points = صفوفه نقاط ربط من نتيجة، لا نقاط ممسوحة
 skipped-not-an-image-by = { $aside ->
         [one] تُخطّي ملف واحد
         [two] تُخطّي ملفان
@@ -133,7 +137,7 @@ reject-point = رفض النقطة
 take-the-point-with-all = يخرج النقطة بجميع أرصادها (Shift+Delete)
 use-what-is-chosen-again = يستعمل المختار من جديد (R)
 remove-image = إزالة الصورة
-take-the-chosen-image-out = يخرج الصورة المختارة من الكتلة، ولا يحسب من جديد إلا ما يعتمد عليها
+take-the-chosen-image-out = يخرج ما اختير من الصور من الكتلة، ولا يحسب من جديد إلا ما يعتمد عليه
 measure-it = قياس
 measure-the-chosen-point-in = قياس النقطة المختارة في الصور المعروضة (E)
 add-point = إضافة نقطة
@@ -275,6 +279,7 @@ the-orthophoto-is-in-another = {" "}الصورة المصححة في نظام آ
 orthophoto-laid-under-by-positions = {" "}فُرشت الصورة المصححة تحتها بحسب موضعيهما على الأرض ({ $crs }).
 the-orthophoto-is-not-laid-under = {" "}لم تُفرش الصورة المصححة تحت الكتلة: { $reason }
 the-systems-are-not-similar = {" "}لم تُفرش الصورة المصححة تحت الكتلة: بعد الدوران والتحجيم والإزاحة يختلف نظامها ({ $crs }) عن نظام الكتلة بمقدار { FIXED($most, digits: 2) } م، وهو أكثر من { FIXED($limit, digits: 2) } م.
+the-block-is-outside-the-system = {" "}لم تُفرش الصورة المصححة تحت الكتلة: تقع الكتلة خارج نظامها ({ $crs }).
 the-orthophoto-lies-elsewhere = {" "}تقع الصورة المصححة في مكان غير مكان الكتلة ({ $crs }): أعط صورة للأرض نفسها.
 orthophoto-laid-under-by-placed = {" "}فُرشت الصورة المصححة تحتها بعدد { $images ->
         [one] صورة واحدة موضوعة عليها
@@ -432,7 +437,13 @@ saves-the-plot-as-it = يحفظ المخطط كما يُعرض، صورةً
 saves-the-values-of-the = يحفظ قيم المخطط
 there-are-no-such-values = لا قيم كهذه: تأتي مع الكتلة الموجَّهة.
 n--2 = {" "}{ $unit }
+unit-of-px = بكسل
+unit-of-m = م
 values-over-median-from-to = عدد القيم { COUNT($sorted) } مقابل { $to_lower_case }. { $label }: الوسيط { $at }، من { $at_2 } إلى { $at_3 }{ $what }.
+unchecked-at-the-top = وفي الأعلى { COUNT($unchecked) } { $unchecked ->
+        [one] أخرى
+       *[other] غيرها
+    }: لا شيء يتحقق من إحدى الإحداثيتين.
 seconds = { $value } ث
 hours = { $value } س
 images-features = الصور: السمات
@@ -570,7 +581,7 @@ role = { $role ->
     }
 projection-centre-in-m-where = مركز الإسقاط، { $key }؛ بالمتر حيث للكتلة مقياس.
 image-2 = الصورة
-file-name-press-it-to = اسم الملف. اضغطه لاختيار الصورة في جميع العروض.
+file-name-press-it-to = اسم الملف. اضغطه لاختيار الصورة في جميع العروض؛ ومع Shift أو Ctrl عدة صور.
 no = الرقم
 row-and-column-in-the = الصف والعمود في المصفوفة.
 features = السمات
@@ -608,6 +619,8 @@ use = الاستعمال
 control-points-place-the-block = نقاط الضبط تضع الكتلة؛ ونقاط التحقق تحكم عليها ولا تشارك.
 image-measurements-that-took-part = القياسات الصورية التي شاركت.
 surveyed-in-the-system-of = ‏{ $axis } الممسوح، في نظام الكتلة.
+as-given = ‏{ $axis } كما أُعطي
+in-the-unit-and-the = ‏{ $axis } كما يعطيه الملف، بوحدته وفي نظامه: لا شيء يقود منه إلى نظام الكتلة.
 adjusted-minus-surveyed = المضبوط ناقص الممسوح، { $axis }.
 standard-error-of = الخطأ المعياري لـΔ{ $axis }.
 difference-left-out = ‏Δ{ $axis } دونها
@@ -920,9 +933,16 @@ given-use = { $role ->
    *[other] مقيسة في { $images } صورة
   }
 given-point = { $name }: X Y Z { $place }؛ { $use }.
+given-point-of-file = { $name }: X Y Z كما أُعطيت { $place }؛ { $use }.
 measured = مقيسة
 marks-by-hand = القياسات الصورية اليدوية
 mark-of = { $point } في { $image }
+several-images =
+    { $images ->
+        [two] صورتان
+        [few] { COUNT($images) } صور
+       *[other] { COUNT($images) } صورة
+    }: { $names }.
 step-remove-images = إزالة { $images ->
         [one] صورة واحدة
         [two] صورتين

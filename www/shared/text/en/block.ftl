@@ -71,6 +71,10 @@ cannot-be-kept-in-this = { $edits } cannot be kept in this browser. { $step } wi
     }?
 in-the-block = { $sorted } in the block.
 skipped-their-names-are-in = { $twice } skipped: their names are in the block already.
+is-no-table-of = { $name } is put aside, neither control points nor image measurements: { $why }
+it-has-no-rows = it has no rows
+its-rows-are-images = its rows are images, not surveyed points
+its-rows-are-tie-points = its rows are tie points of a result, not surveyed points
 skipped-not-an-image-by = { $aside } { $aside ->
         [one] file
        *[other] files
@@ -161,7 +165,7 @@ reject-point = Reject point
 take-the-point-with-all = Take the point with all its observations out (Shift+Delete)
 use-what-is-chosen-again = Use what is chosen again (R)
 remove-image = Remove image
-take-the-chosen-image-out = Take the chosen image out of the block; only what depends on it is computed again
+take-the-chosen-image-out = Take what is chosen of the images out of the block; only what depends on it is computed again
 measure-it = Measure
 measure-the-chosen-point-in = Measure the chosen point in the images that are shown (E)
 add-point = Add point
@@ -303,6 +307,7 @@ the-orthophoto-is-in-another = {" "}The orthophoto is in another system: place t
 orthophoto-laid-under-by-positions = {" "}Orthophoto laid under by the positions of both on the earth ({ $crs }).
 the-orthophoto-is-not-laid-under = {" "}The orthophoto is not laid under the block: { $reason }
 the-systems-are-not-similar = {" "}The orthophoto is not laid under the block: turned, scaled and shifted, its system ({ $crs }) differs from that of the block by { FIXED($most, digits: 2) } m, more than { FIXED($limit, digits: 2) } m.
+the-block-is-outside-the-system = {" "}The orthophoto is not laid under the block: the block lies outside its system ({ $crs }).
 the-orthophoto-lies-elsewhere = {" "}The orthophoto lies elsewhere than the block ({ $crs }): give one of the same ground.
 orthophoto-laid-under-by-placed = {" "}Orthophoto laid under by { COUNT($images) } { $images ->
         [one] image
@@ -485,7 +490,13 @@ saves-the-plot-as-it = Saves the plot as it is shown, as a picture
 saves-the-values-of-the = Saves the values of the plot
 there-are-no-such-values = There are no such values: they come with the oriented block.
 n--2 = {" "}{ $unit }
+unit-of-px = px
+unit-of-m = m
 values-over-median-from-to = { COUNT($sorted) } values over { $to_lower_case }. { $label }: median { $at }, from { $at_2 } to { $at_3 }{ $what }.
+unchecked-at-the-top = { COUNT($unchecked) } { $unchecked ->
+        [one] more stands
+       *[other] more stand
+    } at the top: nothing checks one of the two coordinates.
 
 ## panel/progress
 
@@ -631,7 +642,7 @@ role = { $role ->
 
 projection-centre-in-m-where = Projection centre, { $key }; in m where the block has a scale.
 image-2 = Image
-file-name-press-it-to = File name. Press it to choose the image in all views.
+file-name-press-it-to = File name. Press it to choose the image in all views; with Shift or Ctrl several.
 no = No.
 row-and-column-in-the = Row and column in the matrix.
 features = Features
@@ -669,6 +680,8 @@ use = Use
 control-points-place-the-block = Control points place the block; check points judge it, and take no part.
 image-measurements-that-took-part = Image measurements that took part.
 surveyed-in-the-system-of = Surveyed { $axis }, in the system of the block.
+as-given = { $axis } as given
+in-the-unit-and-the = { $axis } as the file gives it, in its unit and system: nothing leads from there to the system of the block.
 adjusted-minus-surveyed = Adjusted minus surveyed { $axis }.
 standard-error-of = Standard error of Δ{ $axis }.
 difference-left-out = Δ{ $axis } left out
@@ -988,9 +1001,11 @@ given-use = { $role ->
    *[other] measured in { $images } images
   }
 given-point = { $name }: X Y Z { $place }; { $use }.
+given-point-of-file = { $name }: X Y Z as given { $place }; { $use }.
 measured = measured
 marks-by-hand = Image measurements by hand
 mark-of = { $point } in { $image }
+several-images = { COUNT($images) } images: { $names }.
 step-remove-images = remove { $images ->
         [one] 1 image
        *[other] { COUNT($images) } images

@@ -1,0 +1,88 @@
+/** Tables that are given with a block: only those that can be read as what they are for take the place of what is there. Without a browser. */
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { block_settings } from '../pkg/node.js';
+import { pageModules } from './www.js';
+
+/** @type {Record<string, any>} */
+const page = {};
+
+before(async () => {
+  Object.assign(page, await pageModules(['block/files/files', 'block/files/tables', 'block/state/reducer', 'block/state/state', 'shared/state/store']));
+});
+
+const POINTS = 'a,0,0,0\nb,100,0,0\nc,0,100,0\n';
+const MARKS = 'one.jpg,a,1,2\ntwo.jpg,a,3,4\n';
+const IMAGES = 'image,name,camera,x,y,z\n0,one.jpg,0,1,2,3\n1,two.jpg,0,4,5,6\n';
+const TIE_POINTS = 'point,x,y,z,red,green,blue,rays,confidence,rmse_px\n0,1,2,3,0,0,0,2,0.9,0.2\n';
+const PAIRS = 'first,second,first_name,second_name,matches\n0,1,one.jpg,two.jpg,70\n';
+
+test('a table is what its rows are', () => {
+  const kind = (/** @type {string} */ text, /** @type {string[]} */ ...images) => page.tables.kindOfTable(text, new Set(images));
+  assert.deepEqual(kind(POINTS), { kind: 'control' });
+  assert.deepEqual(kind('point,x,y,z\n1,2,3,4\n'), { kind: 'control' });
+  assert.deepEqual(kind(MARKS), { kind: 'marks' });
+  // Names without an ending are those of the block.
+  assert.equal(kind('A1,a,1,2\n', 'A1').kind, 'marks');
+  for (const [text, why] of /** @type {[string, RegExp][]} */ ([
+    [IMAGES, /rows are images/],
+    [TIE_POINTS, /rows are tie points/],
+    [PAIRS, /neither a column 'name' nor a point/],
+    ['name,x,y,z\nA,1,two,3\n', /'two' for y in line 2/],
+    ['name,x,y,z\n', /no rows/],
+    ['', /no rows/],
+  ])) {
+    const found = kind(text);
+    assert.equal(found.kind, 'neither', text);
+    assert.match(found.why, why);
+  }
+});
+
+/** What takes files in, beside an empty block. */
+function taking() {
+  const store = new page.store.Holder(page.state.BLOCK_INITIAL, page.reducer.reduceBlock);
+  store.dispatch({ type: 'options', options: { settings: block_settings({}) } });
+  const runs = { run: () => Promise.resolve(), placeImages: () => Promise.resolve() };
+  const files = new page.files.BlockFiles(
+    store,
+    {},
+    {},
+    runs,
+    () => Promise.resolve(),
+    () => Promise.resolve(true),
+  );
+  const take = (/** @type {Record<string, string>} */ given) =>
+    files.take(Object.entries(given).map(([name, text]) => ({ file: new File([text], name), path: '' })));
+  return { store, take };
+}
+
+test('tables of results are put aside, each with what it is, and the control points stay', async () => {
+  const { store, take } = taking();
+  await take({ 'points.csv': POINTS });
+  const { control } = store.state.options;
+  assert.equal(control.name, 'points.csv');
+  store.dispatch({ type: 'notice', notice: null });
+  await take({ 'images.csv': IMAGES, 'pairs.csv': PAIRS });
+  assert.equal(store.state.options.control, control);
+  const { notice } = store.state;
+  assert.equal(notice.kind, 'info');
+  assert.match(
+    notice.text,
+    /^images\.csv is put aside, neither control points nor image measurements: its rows are images, not surveyed points\. pairs\.csv is put aside, /,
+  );
+  // It does not take the place of what is said of the block.
+  assert.equal(notice.beside, true);
+});
+
+test('what is taken beside a table that is put aside is said first; notes are no tables', async () => {
+  const { store, take } = taking();
+  await take({ 'images.csv': IMAGES, 'points.csv': POINTS });
+  assert.match(store.state.notice.text, /^Ground control points from points\.csv\. .*images\.csv is put aside, /);
+  assert.equal(store.state.options.control.name, 'points.csv');
+  const former = store.state.options;
+  await take({ 'notes.txt': 'Weather: clear\n' });
+  assert.equal(store.state.options, former);
+  assert.equal(store.state.notice.text.includes('put aside'), false);
+  assert.match(store.state.notice.text, /1 file skipped/);
+});

@@ -1,0 +1,59 @@
+/** Texts that run from right to left: their parts go on as the sentence does, and units are in its letters. */
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { pageModules } from './www.js';
+
+const ARABIC = readFileSync(new URL('../www/shared/text/ar/block.ftl', import.meta.url), 'utf8');
+const { catalogue, direction, plot_words, units } = await pageModules([
+  'shared/text/catalogue',
+  'shared/text/direction',
+  'block/state/plot-words',
+  'block/state/units',
+]);
+
+const [LRI, RLI, FSI, PDI] = ['\u2066', '\u2067', '\u2068', '\u2069'];
+
+/** The parts of a text that no strong letter of their own gives a direction: from left to right, whatever the sentence (UAX 9, P2 and P3).  @param {string} text */
+function undirected(text) {
+  /** @type {{ mark: string, at: number, own: string }[]} */
+  const open = [];
+  /** @type {string[]} */
+  const found = [];
+  for (const [at, letter] of [...text].entries()) {
+    if ([LRI, RLI, FSI].includes(letter)) open.push({ mark: letter, at, own: '' });
+    else if (letter === PDI) {
+      const { mark = '', own = '' } = open.pop() ?? {};
+      if (mark === FSI && !/\p{L}/u.test(own) && /[.;:،؛]/u.test(own)) found.push(own);
+    } else for (const part of open.slice(-1)) part.own += letter;
+  }
+  return found;
+}
+
+test('how long a block took goes on as the sentence: its full stop stands after it, not beside that of the sentence before', () => {
+  const texts = new catalogue.Catalogue('ar', true);
+  texts.add([ARABIC]);
+  for (const found of [null, 500])
+    for (const skipped of [0, 3])
+      for (const warnings of [0, 1, 2, 5, 20]) {
+        const figures = { images: 8, verdict: '', skipped, pairs: 12, points: 100, found, time: '12 ث', warnings };
+        const text = texts.text('block-done', figures);
+        assert.deepEqual(undirected(text), ['.'], 'without marks for it');
+        assert.deepEqual(undirected(direction.asClauses(text, true)), [], JSON.stringify(text));
+      }
+  // In English nothing is set apart.
+  assert.equal(direction.asClauses(`a${FSI} b${PDI}`, false), `a${FSI} b${PDI}`);
+});
+
+test('units of legends and sentences are in the letters of the language', () => {
+  assert.deepEqual(['px', 'm', '', '%'].map(units.unitInWords), ['px', 'm', '', '%']);
+  const data = { x: { label: 'x', unit: '', values: Float64Array.of(1) }, y: { label: 'y', unit: 'px', values: Float64Array.of(0.5) } };
+  assert.match(plot_words.plotText(data), / px\.$/);
+});
+
+test('in Arabic a pixel is written out', async () => {
+  const arabic = await pageModules(['shared/text/words', 'block/state/units']);
+  arabic.words.learn([ARABIC]);
+  assert.deepEqual(['px', 'm'].map(arabic.units.unitInWords), ['بكسل', 'م']);
+});

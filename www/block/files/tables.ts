@@ -1,0 +1,32 @@
+/** What a table is for, told by its content: control and check points, where images show them, or neither. */
+import { parse_ground_control_points, parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
+import { IMAGE_FILE } from '../../../pkg/block/image-files.js';
+import { messageOf } from '../../shared/text/messages';
+import { say } from '../../shared/text/words';
+
+/** `why`: what is wrong with one that is neither. */
+export type TableKind = { kind: 'marks' | 'control' } | { kind: 'neither'; why: string };
+
+/** Columns that the results of a block have, and no table of control points: tie points are found, not surveyed. */
+const OF_TIE_POINTS = ['confidence', 'rmse_px'];
+
+/** `images`: the names of those of the block, which are told from points by them. */
+export function kindOfTable(text: string, images: ReadonlySet<string>): TableKind {
+  const areImages = (names: readonly string[]) => names.length > 0 && names.every((name) => images.has(name) || IMAGE_FILE.test(name));
+  try {
+    if (areImages(parse_image_measurements(text).map(({ image }) => image))) return { kind: 'marks' };
+  } catch {
+    // It says no image measurements: see below what else.
+  }
+  try {
+    const names = parse_ground_control_points(text).map(({ name }) => name);
+    if (names.length === 0) return { kind: 'neither', why: say('it-has-no-rows') };
+    if (areImages(names)) return { kind: 'neither', why: say('its-rows-are-images') };
+    const [head = ''] = text.split('\n', 1);
+    const columns = head.split(/[,;\t]/u).map((column) => column.trim());
+    if (OF_TIE_POINTS.every((column) => columns.includes(column))) return { kind: 'neither', why: say('its-rows-are-tie-points') };
+    return { kind: 'control' };
+  } catch (error) {
+    return { kind: 'neither', why: messageOf(error) };
+  }
+}

@@ -1,0 +1,23 @@
+/** What the values of a plot are like, in words. */
+import { fixed } from '../../shared/text/format';
+import { say } from '../../shared/text/words';
+import type { PlotData } from './plots';
+import { unitInWords } from './units';
+
+export function plotText({ x, y }: PlotData): string {
+  const sorted = y.values.filter(Number.isFinite).sort();
+  const unchecked = y.values.length - sorted.length;
+  const more = unchecked === 0 ? '' : say('unchecked-at-the-top', { unchecked });
+  if (sorted.length === 0) return unchecked === 0 ? say('there-are-no-such-values') : more;
+  const at = (share: number) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
+  const text = say('values-over-median-from-to', {
+    sorted: sorted.length,
+    to_lower_case: x.label.toLowerCase(),
+    label: y.label,
+    at: at(0.5),
+    at_2: at(0),
+    at_3: at(1),
+    what: y.unit === '' ? '' : say('n--2', { unit: unitInWords(y.unit) }),
+  });
+  return more === '' ? text : `${text} ${more}`;
+}
