@@ -4,6 +4,9 @@
 //! coordinates are in mm, x to the right, y up, origin at the principal point. Angles are in radians inside and in degrees
 //! where a name ends in `_deg`.
 
+// The runner calls the tests of wasm-bindgen by their exports. Without a `main`, which calls all others, these are not compiled to wasm.
+#![cfg_attr(all(test, target_arch = "wasm32"), no_main)]
+
 // Integration tests that run as wasm, too, name the crate as its users do.
 #[cfg(all(test, target_arch = "wasm32"))]
 extern crate self as tiepoint;
@@ -38,6 +41,7 @@ mod text;
 mod tracks;
 mod two_view;
 #[cfg(target_arch = "wasm32")]
+#[cfg_attr(test, path = "wasm/tested.rs")]
 mod wasm;
 
 pub use adjustment::{

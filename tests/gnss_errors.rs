@@ -1,6 +1,7 @@
 //! Lever arms, offsets and drifts of GNSS positions, on simulated blocks whose errors are known.
 
 use crate::normal::Normal;
+use crate::sampling::{about, about_one, runs};
 use tiepoint::{
     AdjustmentOptions, AdjustmentResult, Block, BlockFlight, BlockObservation, BlockPreset, Datum, Error, GnssErrors, Loss, PositionPrior,
     SystematicError, SystematicStatistics, SystematicVerdict, adjust_block, simulate_network,
@@ -96,7 +97,7 @@ const LARGE: Wrong = Wrong {
 fn offsets_and_drifts_of_strips_are_found_within_their_standard_errors() {
     let wrong = Wrong { lever_arm: [0.0; 3], ..LARGE };
     let mut all = Vec::new();
-    for seed in 1..=30 {
+    for seed in 1..=runs(30) as u32 {
         let found = adjust_block(&block(&flight(seed, 8), &wrong), &squares(GnssErrors::StripDrifts, false)).unwrap();
         let own = squares_of(&found, &wrong);
         assert_eq!((own.len(), found.systematic.as_ref().unwrap().constraints), (18, 0), "{seed}: {:?}", found.systematic);
@@ -104,26 +105,27 @@ fn offsets_and_drifts_of_strips_are_found_within_their_standard_errors() {
         all.extend(own);
     }
     println!("offsets and drifts: {:.3}", mean(&all));
-    assert!((0.75..1.25).contains(&mean(&all)), "{}", mean(&all));
+    assert!(about_one(0.25).contains(&mean(&all)), "{}", mean(&all));
 }
 
 #[test]
 fn a_lever_arm_and_an_offset_are_found_within_their_standard_errors() {
     let wrong = Wrong { offsets: [[0.5, -0.8, 1.2]; STRIPS], drifts: [[0.0; 3]; STRIPS], ..LARGE };
     let mut all = Vec::new();
-    for seed in 1..=30 {
+    for seed in 1..=runs(30) as u32 {
         let given = block(&flight(seed, 8), &wrong);
         let found = adjust_block(&given, &squares(GnssErrors::Offset, true)).unwrap();
         all.extend(squares_of(&found, &wrong));
     }
     println!("lever arm and offset: {:.3} of {}", mean(&all), all.len());
-    assert!((0.7..1.3).contains(&mean(&all)), "{}", mean(&all));
+    assert!(about_one(0.3).contains(&mean(&all)), "{}", mean(&all));
 }
 
 #[test]
 fn right_positions_keep_no_errors_but_by_chance() {
     let (mut kept, mut tested, mut spread) = (0, 0, Vec::new());
-    for seed in 1..=120 {
+    let blocks = runs(120).max(40);
+    for seed in 1..=blocks as u32 {
         let options = AdjustmentOptions { alpha0: 0.05, ..squares(GnssErrors::StripDrifts, false) };
         let found = adjust_block(&block(&flight(seed, 8), &Wrong::default()), &options).unwrap();
         kept += errors(&found).iter().filter(|error| error.verdict == SystematicVerdict::Kept).count();
@@ -132,13 +134,14 @@ fn right_positions_keep_no_errors_but_by_chance() {
     }
     let share = kept as f64 / tested as f64;
     println!("kept {kept} of {tested} by chance: {share:.3}; mean test {:.2}", mean(&spread));
-    assert!((0.03..0.07).contains(&share), "{share}");
+    assert!(about(0.05, 0.02, 120.0 / blocks as f64).contains(&share), "{share}");
 }
 
 #[test]
 fn right_positions_without_control_keep_no_errors_but_by_chance() {
     let (mut kept, mut tested) = (0, 0);
-    for seed in 1..=60 {
+    let blocks = runs(60).max(20);
+    for seed in 1..=blocks as u32 {
         let options = AdjustmentOptions { alpha0: 0.05, datum: Datum::Gnss, ..squares(GnssErrors::StripDrifts, false) };
         let found = adjust_block(&block(&flight(seed, 0), &Wrong::default()), &options).unwrap();
         kept += errors(&found).iter().filter(|error| error.verdict == SystematicVerdict::Kept).count();
@@ -146,7 +149,7 @@ fn right_positions_without_control_keep_no_errors_but_by_chance() {
     }
     let share = kept as f64 / tested as f64;
     println!("kept {kept} of {tested} by chance without control: {share:.3}");
-    assert!(tested > 60 * STRIPS, "{tested}");
+    assert!(tested > blocks as usize * STRIPS, "{tested}");
     assert!(share < 0.1, "{share}");
 }
 
@@ -154,7 +157,8 @@ fn right_positions_without_control_keep_no_errors_but_by_chance() {
 fn a_lever_arm_is_found_without_control_but_for_its_height() {
     let wrong = Wrong { offsets: [[0.0; 3]; STRIPS], drifts: [[0.0; 3]; STRIPS], ..LARGE };
     let mut all = Vec::new();
-    for seed in 1..=20 {
+    let blocks = runs(20).max(10);
+    for seed in 1..=blocks as u32 {
         let options = AdjustmentOptions { datum: Datum::Gnss, ..squares(GnssErrors::None, true) };
         let found = adjust_block(&block(&flight(seed, 0), &wrong), &options).unwrap();
         let [lever] = errors(&found) else { panic!("{:?}", found.systematic) };
@@ -162,8 +166,8 @@ fn a_lever_arm_is_found_without_control_but_for_its_height() {
         all.extend(squares_of(&found, &wrong));
     }
     println!("lever arm without control: {:.3}", mean(&all));
-    assert_eq!(all.len(), 40);
-    assert!((0.6..1.5).contains(&mean(&all)), "{}", mean(&all));
+    assert_eq!(all.len(), 2 * blocks as usize);
+    assert!(about(1.0, 0.45, 20.0 / blocks as f64).contains(&mean(&all)), "{}", mean(&all));
 }
 
 #[test]
@@ -185,7 +189,7 @@ fn without_control_offsets_are_those_beside_their_mean() {
     let middle = [0, 1, 2].map(|k| offsets.iter().map(|offset| offset[k]).sum::<f64>() / STRIPS as f64);
     let wrong = Wrong { offsets, ..Wrong::default() };
     let mut all = Vec::new();
-    for seed in 1..=30 {
+    for seed in 1..=runs(30) as u32 {
         let options = AdjustmentOptions { datum: Datum::Gnss, ..squares(GnssErrors::StripOffsets, false) };
         let found = adjust_block(&block(&flight(seed, 0), &wrong), &options).unwrap();
         assert_eq!(found.systematic.as_ref().unwrap().constraints, 4);
@@ -196,7 +200,7 @@ fn without_control_offsets_are_those_beside_their_mean() {
         }
     }
     println!("offsets beside their mean: {:.3}", mean(&all));
-    assert!((0.7..1.3).contains(&mean(&all)), "{}", mean(&all));
+    assert!(about_one(0.3).contains(&mean(&all)), "{}", mean(&all));
 }
 
 /// Three strips with an image in each turn between them, which has an error of its own.

@@ -4,6 +4,7 @@
 
 mod known;
 
+use std::sync::{LazyLock, Mutex, OnceLock};
 use tiepoint::{
     Denominator, DenseTruth, MatchOptions, MatchScore, PairImage, PairResult, PairSettings, PointOptions, Refinement, SAMPLE_SEED, Sample,
     Strategy, match_pair, matches_csv, sample_pair, score_matches,
@@ -36,13 +37,29 @@ fn moments() -> MatchOptions {
     MatchOptions { strategy: Strategy::Moments, ..MatchOptions::default() }
 }
 
-fn run(sample: &Sample, matching: MatchOptions) -> PairResult {
-    let input = known::input(sample);
-    let points = PointOptions { fraction: Some(0.148), ..PointOptions::default() };
-    let mut settings = PairSettings { points, matching, ..PairSettings::default() };
-    settings.orientation.base_mm = Some(sample.base_mm);
-    let image = |grey| PairImage { grey, exif: None, mask: None };
-    match_pair(image(sample.left.view()), image(sample.right.view()), &input, &settings).unwrap()
+/// The sample, made once for all tests.
+static SAMPLE: LazyLock<Sample> = LazyLock::new(|| sample_pair(SAMPLE_SEED).unwrap());
+
+/// What these options find: several tests look at the same run.
+fn run(matching: MatchOptions) -> &'static PairResult {
+    static RUNS: Mutex<Vec<(MatchOptions, &'static OnceLock<PairResult>)>> = Mutex::new(Vec::new());
+    let result = {
+        let mut runs = RUNS.lock().unwrap();
+        let known = runs.iter().find(|(options, _)| *options == matching).map(|(_, result)| *result);
+        known.unwrap_or_else(|| {
+            let result: &OnceLock<PairResult> = Box::leak(Box::default());
+            runs.push((matching.clone(), result));
+            result
+        })
+    };
+    result.get_or_init(|| {
+        let input = known::input(&SAMPLE);
+        let points = PointOptions { fraction: Some(0.148), ..PointOptions::default() };
+        let mut settings = PairSettings { points, matching, ..PairSettings::default() };
+        settings.orientation.base_mm = Some(SAMPLE.base_mm);
+        let image = |grey| PairImage { grey, exif: None, mask: None };
+        match_pair(image(SAMPLE.left.view()), image(SAMPLE.right.view()), &input, &settings).unwrap()
+    })
 }
 
 /// Matches `[x_left, y_left, x_right, y_right, measure]` in px.
@@ -51,15 +68,15 @@ fn rows(result: &PairResult) -> Vec<[f64; 5]> {
     result.matching.matches.iter().map(row).collect()
 }
 
-fn score(sample: &Sample, result: &PairResult) -> MatchScore {
+fn score(result: &PairResult) -> MatchScore {
     let matches: Vec<[f64; 4]> = rows(result).iter().map(|m| [m[0], m[1], m[2], m[3]]).collect();
     let points: Vec<[f64; 2]> = result.left.points.iter().map(|p| [p.x, p.y]).collect();
     let truth = DenseTruth {
-        right_position: &sample.right_position,
-        left_width: sample.left.width(),
-        left_height: sample.left.height(),
-        right_width: sample.right.width(),
-        right_height: sample.right.height(),
+        right_position: &SAMPLE.right_position,
+        left_width: SAMPLE.left.width(),
+        left_height: SAMPLE.left.height(),
+        right_width: SAMPLE.right.width(),
+        right_height: SAMPLE.right.height(),
     };
     score_matches(&matches, &points, &truth).unwrap()
 }
@@ -73,11 +90,11 @@ struct Reached {
     errors: [f64; 2],
 }
 
-fn reached(sample: &Sample, matching: MatchOptions) -> Reached {
-    let result = run(sample, matching);
-    let score = score(sample, &result);
+fn reached(matching: MatchOptions) -> Reached {
+    let result = run(matching);
+    let score = score(result);
     let oriented = result.orientation.as_ref().unwrap();
-    let (found, truth) = (oriented.parameters, sample.truth);
+    let (found, truth) = (oriented.parameters, SAMPLE.truth);
     let angles = [found.omega_deg - truth.omega_deg, found.phi_deg - truth.phi_deg, found.kappa_deg - truth.kappa_deg];
     let base = [found.by_mm - truth.by_mm, found.bz_mm - truth.bz_mm];
     let largest = |errors: &[f64]| errors.iter().fold(0.0, |most: f64, error| most.max(error.abs()));
@@ -92,9 +109,8 @@ fn reached(sample: &Sample, matching: MatchOptions) -> Reached {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn the_sample_is_matched_and_oriented_by_moments() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
     for denominator in [Denominator::Maxabs, Denominator::Floor] {
-        let Reached { matches, right, sigma0_px, errors } = reached(&sample, MatchOptions { denominator, ..moments() });
+        let Reached { matches, right, sigma0_px, errors } = reached(MatchOptions { denominator, ..moments() });
         assert!(matches > 1500 && right > 0.89, "{matches} matches, {right} right");
         assert!(sigma0_px < 0.45 && errors[0] < 0.05 && errors[1] < 0.13, "σ0 {sigma0_px} px, errors {errors:?}");
     }
@@ -103,29 +119,27 @@ fn the_sample_is_matched_and_oriented_by_moments() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn grey_values_match_the_sample_to_an_eighth_of_a_pixel() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
     let by = |strategy, refine| MatchOptions { strategy, refine: Some(refine), ..MatchOptions::default() };
     for options in [by(Strategy::LeastSquares, Refinement::None), by(Strategy::Correlation, Refinement::LeastSquares)] {
-        let Reached { matches, right, sigma0_px, errors } = reached(&sample, options);
+        let Reached { matches, right, sigma0_px, errors } = reached(options);
         assert!(matches > 2500 && right > 0.97, "{matches} matches, {right} right");
         assert!(sigma0_px < 0.13 && errors[0] < 0.02 && errors[1] < 0.06, "σ0 {sigma0_px} px, errors {errors:?}");
     }
-    let Reached { matches, right, sigma0_px, .. } = reached(&sample, by(Strategy::Correlation, Refinement::None));
+    let Reached { matches, right, sigma0_px, .. } = reached(by(Strategy::Correlation, Refinement::None));
     assert!(matches > 3500 && right > 0.94 && sigma0_px < 0.17, "{matches} matches, {right} right, σ0 {sigma0_px} px");
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn gradients_match_the_sample_without_an_offset() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
     let by = |refine| MatchOptions { strategy: Strategy::Gradient, refine: Some(refine), ..MatchOptions::default() };
-    let Reached { matches, right, sigma0_px, errors } = reached(&sample, by(Refinement::None));
+    let Reached { matches, right, sigma0_px, errors } = reached(by(Refinement::None));
     assert!(matches > 2500 && right > 0.985, "{matches} matches, {right} right");
     assert!(sigma0_px < 0.17 && errors[0] < 0.02 && errors[1] < 0.06, "σ0 {sigma0_px} px, errors {errors:?}");
-    let Reached { matches, right, sigma0_px: refined, .. } = reached(&sample, by(Refinement::LeastSquares));
+    let Reached { matches, right, sigma0_px: refined, .. } = reached(by(Refinement::LeastSquares));
     assert!(matches > 1500 && right > 0.97 && refined < 0.7 * sigma0_px, "{matches} matches, {right} right, σ0 {refined} px");
     // What least squares matching does not confirm stays, with its own weight, and points beside are filled in.
-    let all = reached(&sample, MatchOptions::default());
+    let all = reached(MatchOptions::default());
     assert!(all.matches > 4500 && all.right > 0.98 && all.sigma0_px < 0.7 * sigma0_px, "{} matches, {} right", all.matches, all.right);
     println!("errors {errors:?}, refined {:?}", all.errors);
     assert!(all.errors[0] < 0.02 && all.errors[1] < 0.06, "{:?}", all.errors);
@@ -134,9 +148,8 @@ fn gradients_match_the_sample_without_an_offset() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn epipolar_lines_narrow_the_search_and_lose_no_right_match() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
     let by = |epipolar| MatchOptions { epipolar, ..moments() };
-    let (wide, narrow) = (reached(&sample, by(false)), reached(&sample, by(true)));
+    let (wide, narrow) = (reached(by(false)), reached(by(true)));
     let right = |r: &Reached| r.right * r.matches as f64;
     assert!(
         narrow.right > wide.right && right(&narrow) > right(&wide),
@@ -151,12 +164,11 @@ fn epipolar_lines_narrow_the_search_and_lose_no_right_match() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn the_matches_are_the_same_to_the_last_bit() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
     for (name, golden, options) in goldens() {
-        let result = run(&sample, options);
+        let result = run(options);
         let p = result.orientation.as_ref().unwrap().parameters;
         let orientation = [p.omega_deg, p.phi_deg, p.kappa_deg, p.by_mm, p.bz_mm].map(|v| v.to_string()).join(",");
-        let text = format!("{}{orientation}\n", matches_csv(&rows(&result)));
+        let text = format!("{}{orientation}\n", matches_csv(&rows(result)));
         #[cfg(not(target_arch = "wasm32"))]
         if std::env::var("TIEPOINT_GOLDEN").is_ok_and(|v| v == "write") {
             std::fs::write(format!("{}/tests/golden/{name}", env!("CARGO_MANIFEST_DIR")), &text).unwrap();
@@ -170,7 +182,7 @@ fn the_matches_are_the_same_to_the_last_bit() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn every_refused_point_keeps_its_rule() {
-    let result = run(&sample_pair(SAMPLE_SEED).unwrap(), moments());
+    let result = run(moments());
     let c = result.matching.counts;
     let refused = c.no_descriptor + c.no_candidate + c.threshold + c.ambiguous + c.many_to_one + c.parallax;
     assert_eq!(c.matches + refused, result.left.counts.after_suppression);

@@ -63,9 +63,7 @@ const WASM_TARGETS = ['--target', WASM_TARGET, '--lib'];
 
 /** @param {Steps} steps @param {Toolchain} toolchain @param {BindgenPrograms} programs */
 async function wasmTests(steps, toolchain, programs) {
-  // They are few: compiling them less optimised, and each part of a crate by itself, takes less time than it costs them.
-  const less = { CARGO_PROFILE_TEST_OPT_LEVEL: '1', CARGO_PROFILE_TEST_LTO: 'off' };
-  const env = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: programs.runner, WASM_BINDGEN_TEST_TIMEOUT: '600', ...less };
+  const env = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: programs.runner, WASM_BINDGEN_TEST_TIMEOUT: '600' };
   await steps.check('wasm', 'clippy, wasm', mustCargo(toolchain, ['clippy', '--locked', ...WASM_TARGETS, '--', '-D', 'warnings']));
   await steps.check('wasm', 'tests, wasm under Node', () => cargoTest(toolchain, WASM_TARGETS, env));
 }
@@ -173,6 +171,8 @@ async function everything(steps, rebuilds) {
 }
 
 async function main() {
+  // A clean checkout is compiled as a whole: what serves a second compilation would only cost.
+  if (!existsSync(join(TARGET, 'debug'))) process.env.CARGO_INCREMENTAL ??= '0';
   const named = process.argv.slice(2);
   const isQuick = named.length === 1 && named[0] === 'quick';
   const unknown = named.find((group) => !GROUPS.includes(group));

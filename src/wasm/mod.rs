@@ -13,8 +13,6 @@ mod descriptors;
 mod digest;
 mod draw;
 mod epipolar_images;
-#[cfg(test)]
-mod everywhere;
 mod features;
 mod file_in_parts;
 mod finished;

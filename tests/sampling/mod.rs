@@ -16,6 +16,11 @@ pub fn runs(all: u64) -> u64 {
 
 /// What a variance of 1 may be found as: `half` to either side by all simulations, as many standard deviations of it by fewer.
 pub fn about_one(half: f64) -> Range<f64> {
-    let half = if is_full() { half } else { half * (EVERY as f64).sqrt() };
-    1.0 - half..1.0 + half
+    about(1.0, half, if is_full() { 1.0 } else { EVERY as f64 })
+}
+
+/// What a mean may be found as: `half` to either side by all simulations, as many standard deviations of it by one in so many.
+pub fn about(mean: f64, half: f64, one_in: f64) -> Range<f64> {
+    let half = half * one_in.sqrt();
+    mean - half..mean + half
 }

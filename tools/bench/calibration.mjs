@@ -7,11 +7,14 @@ import { cargo, ensureToolchain } from '../lib/rust.mjs';
 export async function calibration() {
   console.log('Calibration (simulated sets of observations)');
   const toolchain = await ensureToolchain();
-  const tests = ['--test', 'integration', '--', 'orientation::', 'adjustment::', 'reconstruction::'];
+  const tests = ['--test', 'integration', '--', 'orientation::', 'adjustment::', 'reconstruction::', 'confidence::', 'gnss_errors::'];
   const env = { TIEPOINT_STATISTICS: 'full' };
   const text = await must(...cargo(toolchain, ['test', '--locked', '--release', ...tests, '--nocapture', '--test-threads=1']), { env, quiet: true });
   for (const line of text.split('\n'))
-    if (/variance of |w-tests|blunders|global tests|observations, α|positions \d/.test(line)) console.log(`  ${line.replace(/^test .* \.\.\. /, '')}`);
+    if (
+      /variance of |w-tests|blunders|global tests|observations, α|positions \d|ellipsoids: |by chance|offsets and drifts|lever arm |offsets beside/.test(line)
+    )
+      console.log(`  ${line.replace(/^test .* \.\.\. /, '')}`);
   for (const strategy of /** @type {const} */ (['moments', 'correlation', 'least-squares'])) images(strategy);
 }
 
