@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -395,26 +395,6 @@ function tableOf(marks) {
 	const quoted = (text) => `"${text.replaceAll("\"", "\"\"")}"`;
 	return `image,point,x_px,y_px\n${marks.map(({ image, point, x_px, y_px }) => `${quoted(image)},${quoted(point)},${String(x_px)},${String(y_px)}\n`).join("")}`;
 }
-var NONE = [];
-var givenBeside = remember((control, file, history, surveyed) => {
-	const known = new Set(surveyed.map(({ name }) => name));
-	const images = new Map();
-	for (const { point } of allMarks(file, history)) images.set(point, (images.get(point) ?? 0) + 1);
-	const rows = pointsOfFile(control).filter(({ name }) => !known.has(name));
-	return rows.length === 0 ? NONE : rows.map(({ name, position, role }) => ({
-		name,
-		position,
-		role: role ?? null,
-		images: images.get(name) ?? 0
-	}));
-});
-function withGiven(view, { options, marks }) {
-	const given = view.partial || options.control === null ? NONE : givenBeside(options.control, options.marks, marks, view.surveyed);
-	return given === (view.given ?? NONE) ? view : {
-		...view,
-		given
-	};
-}
 var placesOfGiven = remember((name, view, file, history) => {
 	const index = new Map(view.images.map((image, i) => [image.name, i]));
 	return new Map(allMarks(file, history).flatMap(({ point, image, x_px, y_px }) => {
@@ -430,16 +410,6 @@ function besideEdits(marks, edits) {
 			after: edits
 		})
 	};
-}
-function nextBack(history, marks) {
-	const mark = marks.edits[marks.done - 1];
-	if (mark !== void 0 && mark.after >= history.done) return "mark";
-	return history.done > 0 ? "edit" : mark === void 0 ? null : "mark";
-}
-function nextAgain(history, marks) {
-	const mark = marks.edits[marks.done];
-	if (mark !== void 0 && mark.after <= history.done) return "mark";
-	return history.done < history.edits.length ? "edit" : mark === void 0 ? null : "mark";
 }
 // www/block/state/selection.ts
 var NOTHING_SELECTED = {
@@ -486,10 +456,30 @@ function withMore(chosen, points) {
 	else for (const point of points) before.add(point);
 	return choiceOfPoints(before);
 }
+function choiceOfImages(images) {
+	const sorted = [...new Set(images)].sort((a, b) => a - b);
+	const [first] = sorted;
+	if (first === void 0) return null;
+	return sorted.length === 1 ? {
+		kind: "image",
+		image: first
+	} : {
+		kind: "images",
+		images: sorted
+	};
+}
+function withMoreImages(chosen, images) {
+	const before = new Set(chosen?.kind === "image" || chosen?.kind === "images" ? imagesOf(chosen) : []);
+	const [only] = images;
+	if (images.length === 1 && only !== void 0 && before.has(only)) before.delete(only);
+	else for (const image of images) before.add(image);
+	return choiceOfImages(before);
+}
 function imagesOf(choice) {
 	switch (choice?.kind) {
 		case "image":
 		case "observation": return [choice.image];
+		case "images":
 		case "pair": return choice.images;
 		default: return [];
 	}
@@ -509,7 +499,7 @@ function isSame(a, b) {
 	if (a.kind === "given" && b.kind === "given") return a.name === b.name;
 	const [images, others] = [imagesOf(a), imagesOf(b)];
 	const [points, others_] = [pointsOf(a), pointsOf(b)];
-	return images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
+	return images.length === others.length && images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
 }
 function inOtherView(selection, before, after) {
 	const { chosen, filters } = selection;
@@ -520,9 +510,10 @@ function inOtherView(selection, before, after) {
 	};
 }
 function moved(choice, before, after) {
-	if (choice?.kind === "given") return after.given?.some(({ name }) => name === choice.name) === true ? choice : null;
-	if (choice?.kind !== "image" && choice?.kind !== "pair") return null;
+	if (choice?.kind === "given") return choice;
+	if (choice?.kind !== "image" && choice?.kind !== "images" && choice?.kind !== "pair") return null;
 	const place = (image) => after.images.findIndex(({ name }) => name === before.images[image]?.name);
+	if (choice.kind === "images") return choiceOfImages(choice.images.map(place).filter((image) => image >= 0));
 	if (choice.kind === "image") return place(choice.image) < 0 ? null : {
 		kind: "image",
 		image: place(choice.image)
@@ -1577,7 +1568,7 @@ function indexOfSource({ points }, source) {
 	return places$1(points.sources).get(codeOfSource(source)) ?? -1;
 }
 function choiceAfterEdit(choice, before, after) {
-	if (choice === null || choice.kind === "image" || choice.kind === "pair" || choice.kind === "given") return choice;
+	if (choice === null || choice.kind === "image" || choice.kind === "images" || choice.kind === "pair" || choice.kind === "given") return choice;
 	const moved = [...pointsOf(choice)].flatMap((point) => {
 		const source = sourceOf$1(before, point);
 		const index = source === null ? -1 : indexOfSource(after, source);
@@ -1655,10 +1646,14 @@ var standingOf = remember((edits) => {
 function editOfChoice(kind, choice, view, standing, whole = false) {
 	const rejects = kind === "reject";
 	switch (choice?.kind) {
-		case "image": return standing.images.has(choice.image) === rejects ? null : {
-			kind: `${kind}_images`,
-			images: [choice.image]
-		};
+		case "image":
+		case "images": {
+			const images = imagesOf(choice).filter((image) => standing.images.has(image) !== rejects);
+			return images.length === 0 ? null : {
+				kind: `${kind}_images`,
+				images
+			};
+		}
 		case "observation": {
 			const point = sourceOf$1(view, choice.point);
 			if (point === null) return null;
@@ -1829,9 +1824,10 @@ function withRemoved(state) {
 	};
 }
 function removable(files, choice, names) {
-	if (choice?.kind !== "image" || files.length <= LEAST_IMAGES) return null;
-	const name = names[choice.image]?.name;
-	return files.find((file) => file.name === name) ?? null;
+	if (choice?.kind !== "image" && choice?.kind !== "images") return [];
+	const chosen = new Set(imagesOf(choice).map((image) => names[image]?.name));
+	const found = files.filter(({ name }) => chosen.has(name));
+	return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }
 // www/block/state/editing.ts
 function isEditable({ shown, running }) {
@@ -1914,14 +1910,14 @@ function afterEdit({ notice }) {
 	return notice?.kind === "busy" ? notice : null;
 }
 function withoutRefused(history, made) {
-	const kept = stepsOf$1(history, made);
+	const kept = stepsOf(history, made);
 	const later = kept.length < history.done && kept.every((step, i) => step === history.edits[i]) ? history.edits.slice(kept.length + 1, history.done) : [];
 	return {
 		edits: [...kept, ...later],
 		done: kept.length + later.length
 	};
 }
-function stepsOf$1({ edits: steps }, edits) {
+function stepsOf({ edits: steps }, edits) {
 	let count = 0;
 	const kept = steps.filter((step) => {
 		const stays = count + step.length <= edits.length && step.every((edit, i) => edit === edits[count + i]);
@@ -2126,7 +2122,7 @@ function editsOfDraft({ of, places }) {
 	}];
 }
 // www/block/state/under.ts
-var SAME$1 = {
+var SAME = {
 	a: 1,
 	b: 0,
 	c: 0,
@@ -2188,7 +2184,7 @@ function inverse({ a, b, c, d, e, f }) {
 function scaleOf({ a, b, c, d }) {
 	return Math.sqrt(Math.abs(a * d - b * c));
 }
-function similarity$1(from, to) {
+function similarity(from, to) {
 	if (from.length < 2 || from.length !== to.length) return null;
 	const [fx, fy] = middle(from);
 	const [tx, ty] = middle(to);
@@ -2263,14 +2259,19 @@ var betweenSystems = remember((orthophoto, view) => {
 	}
 });
 function judged({ info }, crs, from, to) {
-	const toOrthophoto = similarity$1(from, to);
+	const toOrthophoto = similarity(from, to);
+	if (toOrthophoto === null) return {
+		kind: "problem",
+		text: say("the-block-is-outside-the-system", { crs })
+	};
 	const apart = from.map(([x, y], i) => {
-		const [u, v] = toOrthophoto === null ? [NaN, NaN] : mapped(toOrthophoto, x, y);
+		const [u, v] = mapped(toOrthophoto, x, y);
 		return Math.hypot(u - (to[i]?.[0] ?? NaN), v - (to[i]?.[1] ?? NaN));
 	});
-	const most = Math.max(...apart);
-	const limit = Math.max(MOST_PIXELS * info.gsd, MOST_SHARE * Math.hypot(span(to, 0), span(to, 1)));
-	if (toOrthophoto === null || !(most <= limit)) return {
+	const unitsPerMetre = scaleOf(toOrthophoto);
+	const most = Math.max(...apart) / unitsPerMetre;
+	const limit = Math.max(MOST_PIXELS * info.gsd / unitsPerMetre, MOST_SHARE * Math.hypot(span(from, 0), span(from, 1)));
+	if (most > limit) return {
 		kind: "problem",
 		text: say("the-systems-are-not-similar", {
 			crs,
@@ -2334,7 +2335,7 @@ function blockOnOrthophoto(state) {
 	return toOrthophoto !== null && hasPlaceOn(orthophoto, shown.view, toOrthophoto) ? shown : null;
 }
 function toSystemOf(orthophoto, view) {
-	if (view.orthophoto?.inCrs !== true) return SAME$1;
+	if (view.orthophoto?.inCrs !== true) return SAME;
 	const between = betweenSystems(orthophoto, view);
 	return between?.kind === "similar" ? between.toOrthophoto : null;
 }
@@ -2407,6 +2408,41 @@ function split(point, images) {
 		}
 	];
 }
+// www/block/state/timeline.ts
+var timeline = remember((history, marks) => {
+	const steps = [];
+	let next = 0;
+	const editsUpTo = (end) => {
+		for (; next < Math.min(end, history.edits.length); next += 1) steps.push({
+			of: "edits",
+			at: next
+		});
+	};
+	marks.edits.forEach(({ after }, at) => {
+		editsUpTo(after);
+		steps.push({
+			of: "marks",
+			at
+		});
+	});
+	editsUpTo(Infinity);
+	const holds = ({ of, at }) => at < (of === "edits" ? history : marks).done;
+	return {
+		edits: [...steps.filter(holds), ...steps.filter((step) => !holds(step))],
+		done: history.done + marks.done
+	};
+});
+function timelineOf({ history, marks }) {
+	return timeline(history, marks);
+}
+function heldAt(both, place) {
+	const first = timelineOf(both).edits.slice(0, Math.max(0, place));
+	const marks = first.filter(({ of }) => of === "marks").length;
+	return {
+		edits: first.length - marks,
+		marks
+	};
+}
 // www/block/panel/edits.ts
 function editOf({ selection, shown }, kind, whole = false) {
 	return shown === null ? null : editOfChoice(kind, selection.chosen, shown.view, standingOf(shown.edits), whole);
@@ -2446,20 +2482,22 @@ function splitOf({ selection, shown, panes }, facts) {
 	return detail === null ? null : split(detail, shownImages(panes, shown.view));
 }
 function step(store, by) {
-	const { draft, history, marks } = store.state;
-	if (draft !== null) {
+	if (store.state.draft !== null) {
 		store.dispatch({
 			type: "draft",
 			draft: null
 		});
 		return;
 	}
-	const next = by < 0 ? nextBack(history, marks) : nextAgain(history, marks);
-	if (next === "edit") store.dispatch({
-		type: "goto",
-		done: history.done + by
-	});
-	if (next === "mark" && changesImages(store.state, by) && isBusy(store.state)) {
+	go(store, heldAt(store.state, timelineOf(store.state).done + by));
+}
+function go(store, { edits, marks: steps }) {
+	const { state } = store;
+	if (edits !== state.history.done && !isEditable(state)) return;
+	if (removesOthers(state.marks, {
+		...state.marks,
+		done: steps
+	}) && isBusy(state)) {
 		store.dispatch({
 			type: "notice",
 			notice: {
@@ -2470,47 +2508,43 @@ function step(store, by) {
 		});
 		return;
 	}
-	if (next === "mark") store.dispatch({
+	if (edits !== state.history.done) store.dispatch({
+		type: "goto",
+		done: edits
+	});
+	if (steps !== state.marks.done) store.dispatch({
 		type: "gotoMark",
-		done: marks.done + by
+		done: steps
 	});
 }
-function changesImages({ marks }, by) {
-	return marks.edits[by < 0 ? marks.done - 1 : marks.done]?.kind === "remove_images";
+function removalOf({ files, selection, shown, history }) {
+	const out = removable(files, selection.chosen, shown?.view.images ?? []);
+	return out.length === 0 ? null : {
+		kind: "remove_images",
+		files: out.map(({ id }) => id),
+		after: history.done
+	};
 }
-function removeImage(store) {
-	const { files, selection, shown, history } = store.state;
-	const file = removable(files, selection.chosen, shown?.view.images ?? []);
-	if (file !== null) store.dispatch({
+function removeImages(store) {
+	const step = removalOf(store.state);
+	if (step !== null) store.dispatch({
 		type: "mark",
-		step: {
-			kind: "remove_images",
-			files: [file.id],
-			after: history.done
-		}
+		step
 	});
 }
-function stepsOf({ history, marks }, names) {
-	const nameIn = ({ edits }, place, nameOf) => {
-		const edit = edits[place];
-		return edit === void 0 ? [] : [nameOf(edit)];
-	};
-	const named = (kind, back) => {
-		if (kind === "mark") return nameIn(marks, marks.done - back, nameOfMarks);
-		return kind === "edit" ? nameIn(history, history.done - back, (one) => nameOfStep(one, names)) : [];
-	};
-	const before = named(nextBack(history, marks), 1);
-	return {
-		edits: [...before, ...named(nextAgain(history, marks), 0)],
-		done: before.length
-	};
+function nameOfTimed({ history, marks }, { of, at }, names) {
+	const [edit, mark] = [history.edits[at], marks.edits[at]];
+	if (of === "edits") return edit === void 0 ? "" : nameOfStep(edit, names);
+	return mark === void 0 ? "" : nameOfMarks(mark);
 }
 function namesIn({ shown }) {
 	return shown === null ? NO_NAMES : namesOf(shown.found);
 }
 function titleOf$1(edit, otherwise, names) {
-	const name = edit === null ? otherwise : nameOfEdit(edit, names);
-	return name.charAt(0).toUpperCase() + name.slice(1).replace(/ 1 /u, " ");
+	return capital(edit === null ? otherwise : nameOfEdit(edit, names)).replace(/ 1 /u, " ");
+}
+function capital(name) {
+	return name.charAt(0).toUpperCase() + name.slice(1);
 }
 function mountEditBar(store, facts, measures) {
 	const undo = button(say("undo-sign"), "block-undo", () => step(store, -1));
@@ -2518,7 +2552,7 @@ function mountEditBar(store, facts, measures) {
 	const reject = button(say("reject"), "block-reject", () => make(store, editOf(store.state, "reject")), say("take-what-is-chosen-out"));
 	const whole = button(say("reject-point"), "block-reject-point", () => make(store, editOf(store.state, "reject", true)), say("take-the-point-with-all"));
 	const restore = button(say("restore"), "block-restore", () => make(store, editOf(store.state, "restore")), say("use-what-is-chosen-again"));
-	const remove = button(say("remove-image"), "block-remove-image", () => removeImage(store), say("take-the-chosen-image-out"));
+	const remove = button(say("remove-image"), "block-remove-image", () => removeImages(store), say("take-the-chosen-image-out"));
 	const measure = button(say("measure-it"), "block-measure", () => {
 		if (store.state.onStage !== "images") store.dispatch({
 			type: "stage",
@@ -2582,7 +2616,7 @@ function mountEditBar(store, facts, measures) {
 		const { chosen } = state.selection;
 		bar.hidden = !isEditable(state);
 		const names = namesIn(state);
-		showSteps(undo, redo, stepsOf(state, names), (name) => name);
+		showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
 		const [off, point, on] = [
 			editOf(state, "reject"),
 			editOf(state, "reject", true),
@@ -2594,7 +2628,9 @@ function mountEditBar(store, facts, measures) {
 		reject.hidden = drafting || off === null && on !== null;
 		restore.hidden = drafting || on === null;
 		whole.hidden = drafting || chosen?.kind !== "observation" || point === null;
-		remove.hidden = drafting || removable(state.files, chosen, state.shown?.view.images ?? []) === null;
+		const removal = removalOf(state);
+		remove.hidden = drafting || removal === null;
+		set(remove, removal === null || removal.files.length === 1 ? say("remove-image") : capital(nameOfMarks(removal)), false);
 		const inImages = state.onStage === "images";
 		const given = chosen?.kind === "given";
 		measure.hidden = drafting || !(inImages || given);
@@ -2724,15 +2760,17 @@ function mountEditPanel(host, store) {
 	mountMarks(marked, store, history);
 	store.watch([
 		"history",
+		"marks",
 		"shown",
 		"before",
 		"adjusting"
-	], ([edits, shown, before, adjusting]) => {
+	], ([edits, marks, shown, before, adjusting]) => {
 		const names = namesIn(store.state);
-		showHistory(history, "block-", say("as-found"), edits, (edit) => nameOfStep(edit, names), (done) => store.dispatch({
-			type: "goto",
-			done
-		}));
+		const both = {
+			history: edits,
+			marks
+		};
+		showHistory(history, "block-", say("as-found"), timelineOf(both), (one) => nameOfTimed(both, one, names), (done) => go(store, heldAt(store.state, done)));
 		fill(compared, ...shown === null || before === null || shown.edits.length === 0 ? [] : [comparison(before, adjusting ? null : figuresOf$3(shown.view))]);
 		const standing = shown === null ? [] : rejectedRows(shown.view, standingOf(shown.edits));
 		const at = [...rejected.querySelectorAll("button")].indexOf(document.activeElement);
@@ -3179,14 +3217,15 @@ function matchesOf({ outcome }) {
 function mostMatches({ connections }) {
 	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
 }
-function describe(view, choice) {
+function describe({ view, given }, choice) {
 	switch (choice.kind) {
 		case "image": return describeImage(view, choice.image);
+		case "images": return describeImages(view, choice.images);
 		case "pair": return describePair(view, choice.images);
 		case "point": return describePoint(view, choice.point);
 		case "observation": return `${view.images[choice.image]?.name ?? ""}, ${describePoint(view, choice.point)}`;
 		case "points": return describePoints(view, choice.points);
-		case "given": return describeGiven(view, choice.name);
+		case "given": return describeGiven(given, choice.name);
 	}
 }
 function describeImage(view, index) {
@@ -3208,6 +3247,14 @@ function describeImage(view, index) {
 		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
 		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
 	].filter((part) => part !== "").join("; ")}.`;
+}
+var MOST_NAMES$2 = 6;
+function describeImages({ images }, chosen) {
+	const names = chosen.slice(0, MOST_NAMES$2).map((image) => images[image]?.name ?? "");
+	return say("several-images", {
+		images: chosen.length,
+		names: [...names, ...chosen.length > MOST_NAMES$2 ? ["…"] : []].join(", ")
+	});
 }
 var GEOMETRIES = new WeakMap();
 function geometryText(geometry) {
@@ -3255,15 +3302,15 @@ function describePoint({ points, surveyed }, point) {
 		point < points.taking ? "" : say("rejected-by-hand-2")
 	].filter((part) => part !== "").join("; ")}.`;
 }
-function describeGiven({ given = [] }, name) {
+function describeGiven(given, name) {
 	const point = given.find((own) => own.name === name);
 	if (point === void 0) return name;
-	const place = point.position.map((value) => fixed(value, 3)).join(" ");
-	return say("given-point", {
+	const said = {
 		name,
-		place,
+		place: (point.place ?? point.position).map((value) => fixed(value, 3)).join(" "),
 		use: givenUse(point)
-	});
+	};
+	return point.place === null ? say("given-point-of-file", said) : say("given-point", said);
 }
 function controlText(state) {
 	return say("control-waits", {
@@ -3307,17 +3354,42 @@ function describePoints({ points }, chosen) {
 function known$2(value) {
 	return value !== void 0 && !Number.isNaN(value);
 }
+// www/block/files/tables.ts
+var OF_TIE_POINTS = ["confidence", "rmse_px"];
+function kindOfTable(text, images) {
+	const areImages = (names) => names.length > 0 && names.every((name) => images.has(name) || IMAGE_FILE.test(name));
+	try {
+		if (areImages(parse_image_measurements(text).map(({ image }) => image))) return { kind: "marks" };
+	} catch {}
+	try {
+		const names = parse_ground_control_points(text).map(({ name }) => name);
+		if (names.length === 0) return {
+			kind: "neither",
+			why: say("it-has-no-rows")
+		};
+		if (areImages(names)) return {
+			kind: "neither",
+			why: say("its-rows-are-images")
+		};
+		const [head = ""] = text.split("\n", 1);
+		const columns = head.split(/[,;\t]/u).map((column) => column.trim());
+		if (OF_TIE_POINTS.every((column) => columns.includes(column))) return {
+			kind: "neither",
+			why: say("its-rows-are-tie-points")
+		};
+		return { kind: "control" };
+	} catch (error) {
+		return {
+			kind: "neither",
+			why: messageOf(error)
+		};
+	}
+}
 // www/block/files/files.ts
 var PROJECT = /\.tiepoint$/iu;
 var TABLE = /\.(?:csv|txt)$/iu;
+var CSV = /\.csv$/iu;
 var CAMERAS$1 = /\.json$/iu;
-function rowsOf$1(text, parse) {
-	try {
-		return parse(text);
-	} catch {
-		return null;
-	}
-}
 var TEXTS = {
 	cameras: say("cameras"),
 	control: say("ground-control-points"),
@@ -3357,6 +3429,7 @@ var BlockFiles = class {
 		keepChoice(WAITS, waits ? "yes" : "no");
 	}
 	async take(given, why = "") {
+		const before = this.store.state.notice;
 		const { others: found, taken, ...rasters } = asGiven(await sortRasters(given));
 		const ground = await this.ground.take(rasters);
 		const several = taken === 0 ? "" : say("that-say-where-they-lie", { taken: images$1(taken) });
@@ -3368,16 +3441,11 @@ var BlockFiles = class {
 		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
 		if (project !== void 0) await this.openProject(project.file);
 		if (cameras !== void 0) await this.takeText("cameras", cameras.file);
-		let tables = 0;
-		for (const { file } of alone.filter(({ file }) => TABLE.test(file.name))) {
-			const kind = await this.tableKind(file);
-			if (kind === null) continue;
-			await this.takeText(kind, file);
-			tables += 1;
-		}
-		const aside = found.length - photos.length - tables - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
+		const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
+		const aside = found.length - photos.length - tables.count - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "));
 		else await this.said(said);
+		if (tables.aside !== "") this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, tables.aside);
 	}
 	async takeGround(given, asHeights = false) {
 		const { others, ...sorted } = await sortRasters(given.map((file) => ({
@@ -3480,12 +3548,38 @@ var BlockFiles = class {
 			return false;
 		}
 	}
-	async tableKind(file) {
-		const text = await file.text();
+	async takeTables(files) {
 		const names = new Set(this.store.state.files.map(({ name }) => name));
-		const marks = rowsOf$1(text, parse_image_measurements);
-		if (marks !== null && marks.length > 0 && marks.every(({ image }) => names.has(image) || IMAGE_FILE.test(image))) return "marks";
-		return /\.csv$/iu.test(file.name) || rowsOf$1(text, parse_ground_control_points) !== null ? "control" : null;
+		const aside = [];
+		let count = 0;
+		for (const file of files) {
+			const found = kindOfTable(await file.text(), names);
+			if (found.kind === "neither" && !CSV.test(file.name)) continue;
+			count += 1;
+			if (found.kind === "neither") aside.push(say("is-no-table-of", {
+				name: file.name,
+				why: sentence(found.why)
+			}));
+			else await this.takeText(found.kind, file);
+		}
+		return {
+			count,
+			aside: aside.join(" ")
+		};
+	}
+	tellBeside(said, text) {
+		const notice = said === null ? {
+			kind: "info",
+			text,
+			beside: true
+		} : {
+			...said,
+			text: `${said.text} ${text}`
+		};
+		this.store.dispatch({
+			type: "notice",
+			notice
+		});
 	}
 	async takeText(given, file) {
 		this.store.dispatch({
@@ -3682,6 +3776,75 @@ function isBlank({ catalogue, files, shown, options, flight, placing }) {
 	const noText = cameras === null && control === null && marks === null;
 	const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === "use" && noText && masks.length === 0 && placing.options === catalogue?.placing;
 	return catalogue === null || files.length === 0 && shown === null && placing.orthophoto === null && untouched;
+}
+// www/block/state/in-common.ts
+function inSystemOfBlock(view, rows, { crs, geoid_m }) {
+	const { orthophoto, origin } = view;
+	if (orthophoto?.kind === "linked" && !orthophoto.inCrs) return rows.map(({ position }) => position);
+	return (crs === null || origin === null ? null : byEarth(rows, crs, geoid_m, origin)) ?? byCommonPoints(view, rows);
+}
+function byEarth(rows, crs, geoid_m, { longitude_deg, latitude_deg, height_m }) {
+	try {
+		const geographic = system_positions(crs, rows.flatMap(({ position }) => position)).map((value, i) => i % 3 === 2 ? value + geoid_m : value);
+		const local = local_positions([
+			longitude_deg,
+			latitude_deg,
+			height_m,
+			...geographic
+		]);
+		const places = rows.map((_, i) => {
+			const [x = NaN, y = NaN, z = NaN] = local.subarray(3 * i + 3, 3 * i + 6);
+			return Number.isNaN(x + y + z) ? null : [
+				x,
+				y,
+				z
+			];
+		});
+		return places.every((place) => place === null) ? null : places;
+	} catch {
+		return null;
+	}
+}
+function byCommonPoints({ surveyed }, rows) {
+	const inBlock = new Map(surveyed.map(({ name, position }) => [name, position]));
+	const common = rows.flatMap(({ name, position }) => {
+		const own = inBlock.get(name);
+		return own === void 0 ? [] : [[position, own]];
+	});
+	const plan = similarity(common.map(([[x, y]]) => [x, y]), common.map(([, [x, y]]) => [x, y]));
+	if (plan === null) return rows.map(() => null);
+	const scale = scaleOf(plan);
+	const rise = common.reduce((sum, [given, own]) => sum + own[2] - scale * given[2], 0) / common.length;
+	return rows.map(({ position: [x, y, z] }) => [...mapped(plan, x, y), scale * z + rise]);
+}
+// www/block/state/given-points.ts
+var NONE_GIVEN = [];
+var besideBlock = remember((view, control, crs, geoid_m) => {
+	const known = new Set(view.surveyed.map(({ name }) => name));
+	const places = inSystemOfBlock(view, pointsOfFile(control), {
+		crs,
+		geoid_m
+	});
+	return pointsOfFile(control).flatMap(({ name, position, role }, i) => known.has(name) ? [] : [{
+		name,
+		position,
+		place: places[i] ?? null,
+		role: role ?? null
+	}]);
+});
+var measured = remember((points, file, history) => {
+	if (points.length === 0) return NONE_GIVEN;
+	const images = new Map();
+	for (const { point } of allMarks(file, history)) images.set(point, (images.get(point) ?? 0) + 1);
+	return points.map((point) => ({
+		...point,
+		images: images.get(point.name) ?? 0
+	}));
+});
+function givenBeside(view, { options, marks }) {
+	if (view.partial || options.control === null) return NONE_GIVEN;
+	const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
+	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? 0), options.marks, marks);
 }
 // www/block/files/edit.ts
 var OF_ONE = 60;
@@ -4105,6 +4268,7 @@ var KeptBlocks = class {
 				steps,
 				seconds,
 				view,
+				given: NONE_GIVEN,
 				found: view,
 				edits: theSame(opened.edits, history.edits.flat()),
 				ground
@@ -4290,6 +4454,7 @@ var VIEWS = [
 	"orthophoto"
 ];
 var MOST_POINTS = 100;
+var MOST_IMAGES = 50;
 function addressOf({ shown, onStage, selection: { chosen } }) {
 	if (shown === null) return "";
 	const named = new URLSearchParams({ view: onStage });
@@ -4297,6 +4462,7 @@ function addressOf({ shown, onStage, selection: { chosen } }) {
 	const points = pointsOf(chosen);
 	if (points.length > 0 && points.length <= MOST_POINTS) named.set("point", [...points].map((point) => String(point + 1)).join(","));
 	if (chosen?.kind === "image" || chosen?.kind === "observation") named.append("image", name(chosen.image));
+	if (chosen?.kind === "images" && chosen.images.length <= MOST_IMAGES) for (const image of chosen.images) named.append("images", name(image));
 	if (chosen?.kind === "pair") for (const image of chosen.images) named.append("image", name(image));
 	return named.toString();
 }
@@ -4304,9 +4470,13 @@ function asked(address, view) {
 	const named = new URLSearchParams(address.replace(/^#/u, ""));
 	const wanted = VIEWS.find((name) => name === named.get("view"));
 	if (wanted === void 0) return null;
+	const indexOf = (name) => view.images.findIndex((image) => image.name === name);
+	const images = named.getAll("image").map(indexOf);
+	const several = named.getAll("images").map(indexOf).filter((image) => image >= 0);
+	const points = (named.get("point") ?? "").split(",").map((number) => Number(number) - 1).filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count);
 	return {
 		view: wanted,
-		choice: choiceOf$2(named.getAll("image").map((name) => view.images.findIndex((image) => image.name === name)), (named.get("point") ?? "").split(",").map((number) => Number(number) - 1).filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count))
+		choice: several.length > 0 ? choiceOfImages(several) : choiceOf$2(images, points)
 	};
 }
 function choiceOf$2(images, points) {
@@ -4451,12 +4621,13 @@ function pointRows({ points }) {
 		]
 	};
 }
-function surveyedRows({ surveyed, given = [] }) {
+function surveyedRows({ surveyed }, given) {
 	const axes = [
 		"X",
 		"Y",
 		"Z"
 	];
+	const areElsewhere = given.some(({ place }) => place === null);
 	const beside = (row) => given[row - surveyed.length];
 	const useText = (row) => {
 		const own = beside(row);
@@ -4469,7 +4640,8 @@ function surveyedRows({ surveyed, given = [] }) {
 			words$1("surveyed", say("point"), (i) => surveyed[i]?.name ?? beside(i)?.name ?? "", say("name-of-the-surveyed-point")),
 			words$1("use", say("use"), useText, say("control-points-place-the-block")),
 			numbers$1("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
-			...axes.map((axis, k) => numbers$1(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.position[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
+			...axes.map((axis, k) => numbers$1(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.place?.[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
+			...areElsewhere ? axes.map((axis, k) => numbers$1(`given-${axis}`, say("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
 			...axes.map((axis, k) => numbers$1(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers$1(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => known$1(surveyed[i]?.standard_errors_m[k]), say("standard-error-of", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers$1(`left-out-${axis}`, say("difference-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.difference[k]), say("where-the-other-observations-have", { axis }), { total: "rms" })),
@@ -4516,7 +4688,7 @@ var raysOf = remember((of) => {
 function observationsOf(of, choice) {
 	if (choice === null) return () => true;
 	const images = new Set(imagesOf(choice));
-	if (choice.kind === "image" || choice.kind === "pair") {
+	if (choice.kind === "image" || choice.kind === "images" || choice.kind === "pair") {
 		const seen = choice.kind === "pair" ? commonPoints(of, choice.images) : null;
 		return (row) => images.has(of.images[row] ?? -1) && (seen === null || seen.has(of.points[row] ?? -1));
 	}
@@ -4527,16 +4699,22 @@ function commonPoints({ images, points }, [a, b]) {
 	const first = new Set(points.filter((_, row) => images[row] === a));
 	return new Set(points.filter((point, row) => images[row] === b && first.has(point)));
 }
-var ROWS = {
+var COLUMNS = {
+	images: imageRows,
+	pairs: pairRows,
+	points: pointRows,
+	surveyed: surveyedRows
+};
+var ofView = {
 	images: remember(imageRows),
 	pairs: remember(pairRows),
-	points: remember(pointRows),
-	surveyed: remember(surveyedRows)
+	points: remember(pointRows)
 };
-function rowsOf(subject, view) {
-	return ROWS[subject](view);
+var withGiven = remember(surveyedRows);
+function rowsOf(subject, { view, given }) {
+	return subject === "surveyed" ? withGiven(view, given) : ofView[subject](view);
 }
-function choiceOfRow(subject, view, row) {
+function choiceOfRow(subject, { view, given }, row) {
 	if (subject === "images") return row < view.images.length ? {
 		kind: "image",
 		image: row
@@ -4546,10 +4724,10 @@ function choiceOfRow(subject, view, row) {
 		point: row
 	};
 	if (subject === "surveyed") {
-		const given = view.given?.[row - view.surveyed.length];
-		if (given !== void 0) return {
+		const beside = given[row - view.surveyed.length];
+		if (beside !== void 0) return {
 			kind: "given",
-			name: given.name
+			name: beside.name
 		};
 		return (view.surveyed[row]?.point ?? -1) < 0 ? null : {
 			kind: "point",
@@ -4562,10 +4740,10 @@ function choiceOfRow(subject, view, row) {
 		images
 	};
 }
-function rowsOfChoice(subject, view, choice) {
+function rowsOfChoice(subject, { view, given }, choice) {
 	if (subject === "points") return pointsOf(choice);
 	if (subject === "surveyed") {
-		if (choice?.kind === "given") return Uint32Array.from((view.given ?? []).flatMap(({ name }, i) => name === choice.name ? [view.surveyed.length + i] : []));
+		if (choice?.kind === "given") return Uint32Array.from(given.flatMap(({ name }, i) => name === choice.name ? [view.surveyed.length + i] : []));
 		const points = new Set(pointsOf(choice));
 		return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => points.has(point) ? [row] : []));
 	}
@@ -4579,7 +4757,7 @@ function rowsOfChoice(subject, view, choice) {
 }
 var EMPTY = {};
 function maskOf(subject, view, filter) {
-	const { count: rows, columns } = rowsOf(subject, view);
+	const { count: rows, columns } = COLUMNS[subject](view, []);
 	const meets = keeping(columns, filter);
 	return meets === null ? null : Uint8Array.from({ length: rows }, (_, row) => Number(meets(row)));
 }
@@ -4641,7 +4819,7 @@ function makeDock(store, looking, facts, others) {
 		const isOwn = own.includes(onStage) && !isBlockOn;
 		tabs.forEach((tab, i) => {
 			const view = own[i - sources.length];
-			tab.hidden = view === void 0 ? isOwn || sources[i]?.subject === "surveyed" && (shown?.view.surveyed.length ?? 0) + (shown?.view.given?.length ?? 0) === 0 : !isOwn || view !== onStage;
+			tab.hidden = view === void 0 ? isOwn || sources[i]?.subject === "surveyed" && (shown?.view.surveyed.length ?? 0) + (shown?.given.length ?? 0) === 0 : !isOwn || view !== onStage;
 		});
 		if (tabs.some((tab) => tab.hidden && tab.getAttribute("aria-selected") === "true")) tabs.find((tab) => !tab.hidden)?.click();
 	});
@@ -4651,11 +4829,11 @@ function sourceOf(subject, title) {
 	return {
 		subject,
 		title,
-		rows: (view) => rowsOf(subject, view),
-		keeps: (view, selection) => subject === "pairs" ? keptBy(subject, view, selection) : void 0,
-		choice: (view, row) => choiceOfRow(subject, view, row),
-		chosen: (view, choice) => {
-			const rows = new Set(rowsOfChoice(subject, view, choice));
+		rows: (shown) => rowsOf(subject, shown),
+		keeps: ({ view }, selection) => subject === "pairs" ? keptBy(subject, view, selection) : void 0,
+		choice: (shown, row) => choiceOfRow(subject, shown, row),
+		chosen: (shown, choice) => {
+			const rows = new Set(rowsOfChoice(subject, shown, choice));
 			return {
 				has: (row) => rows.has(row),
 				first: [...rows.values()][0] ?? -1
@@ -4673,7 +4851,7 @@ function observationSource(facts, redraw) {
 	return {
 		subject: "observations",
 		title: say("observations"),
-		rows: (view) => {
+		rows: ({ view }) => {
 			const of = facts.observations();
 			return of === null ? NO_ROWS : observationRows(view, of);
 		},
@@ -4710,8 +4888,9 @@ function oneTable(host, store, looking, source) {
 	const { subject, title, tools = [] } = source;
 	const ofRow = (row) => {
 		const { shown } = store.state;
-		return shown === null || row < 0 ? null : source.choice(shown.view, row);
+		return shown === null || row < 0 ? null : source.choice(shown, row);
 	};
+	const isInBlock = (row) => row < (store.state.shown?.view.images.length ?? 0);
 	let own = null;
 	let seeks = false;
 	let chosen = {
@@ -4738,19 +4917,20 @@ function oneTable(host, store, looking, source) {
 		}),
 		choose: (row) => choose(ofRow(row)),
 		isChosen: (row) => chosen.has(row),
-		...subject === "points" ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {}
+		...subject === "points" ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {},
+		...subject === "images" ? { chooseMore: (rows) => choose(withMoreImages(store.state.selection.chosen, rows.filter(isInBlock))) } : {}
 	});
 	let shownRows = NO_ROWS;
 	const draw = () => {
 		if (isHidden(host)) return;
 		const { shown, selection } = store.state;
-		shownRows = shown === null ? NO_ROWS : source.rows(shown.view);
-		table.show(shownRows.count, shownRows.columns, shown === null ? void 0 : source.keeps(shown.view, selection), selection.filters[subject]);
+		shownRows = shown === null ? NO_ROWS : source.rows(shown);
+		table.show(shownRows.count, shownRows.columns, shown === null ? void 0 : source.keeps(shown, selection), selection.filters[subject]);
 		mark();
 	};
 	const mark = () => {
 		const { shown, selection } = store.state;
-		if (shown !== null) chosen = source.chosen(shown.view, selection.chosen);
+		if (shown !== null) chosen = source.chosen(shown, selection.chosen);
 		if (seeks && shown !== null) table.reveal(chosen.first);
 		else table.redraw();
 		seeks = false;
@@ -4769,7 +4949,7 @@ function oneTable(host, store, looking, source) {
 	});
 	const refresh = () => {
 		const { shown } = store.state;
-		if (!isHidden(host) && shown !== null && source.rows(shown.view) !== shownRows) draw();
+		if (!isHidden(host) && shown !== null && source.rows(shown) !== shownRows) draw();
 	};
 	return {
 		draw,
@@ -4861,7 +5041,7 @@ function mountBack(store, modes) {
 	const line = h("div", { class: "of-block" }, back, text);
 	const draw = () => {
 		const { opened, shown } = store.state;
-		const of = opened === null || shown === null ? null : describe(shown.view, {
+		const of = opened === null || shown === null ? null : describe(shown, {
 			kind: "pair",
 			images: opened
 		});
@@ -4990,13 +5170,21 @@ function reduceBlock(state, action) {
 	return action.type === "choose" || action.type === "choosePlaced" ? together(state, after) : after;
 }
 function withGivenPoints(state) {
-	if (state.shown === null) return state;
-	const view = withGiven(state.shown.view, state);
-	return view === state.shown.view ? state : {
+	const { shown, selection } = state;
+	if (shown === null) return state;
+	const { chosen } = selection;
+	const given = givenBeside(shown.view, state);
+	const stays = chosen?.kind !== "given" || given.some(({ name }) => name === chosen.name);
+	if (given === shown.given && stays) return state;
+	return {
 		...state,
 		shown: {
-			...state.shown,
-			view
+			...shown,
+			given
+		},
+		selection: stays ? selection : {
+			...selection,
+			chosen: null
 		}
 	};
 }
@@ -5117,6 +5305,7 @@ function reduced(state, action) {
 			shown: {
 				key: "",
 				view: action.view,
+				given: NONE_GIVEN,
 				found: action.view,
 				edits: action.edits,
 				files: [],
@@ -5226,6 +5415,7 @@ function withRun(state, action) {
 			const shown = {
 				key: running.key,
 				view,
+				given: NONE_GIVEN,
 				found: view,
 				edits: [],
 				files,
@@ -5258,6 +5448,7 @@ function withRun(state, action) {
 				shown: {
 					key,
 					view,
+					given: NONE_GIVEN,
 					found: view,
 					edits: [],
 					files,
@@ -5794,44 +5985,6 @@ function cornerOf({ left, top, width, height }) {
 		height: side
 	};
 }
-// www/block/state/in-common.ts
-var SAME = (at) => at;
-var toBlock = remember((view, control) => {
-	if (view.orthophoto?.kind === "linked") return SAME;
-	const inBlock = new Map(view.surveyed.map(({ name, position }) => [name, position]));
-	return similarity(pointsOfFile(control).flatMap(({ name, position }) => {
-		const own = inBlock.get(name);
-		return own === void 0 ? [] : [[[position[0], position[1]], [own[0], own[1]]]];
-	}));
-});
-function similarity(pairs) {
-	const mean = (of, axis) => pairs.reduce((sum, pair) => sum + pair[of][axis], 0) / pairs.length;
-	const [mx, my, mu, mv] = [
-		mean(0, 0),
-		mean(0, 1),
-		mean(1, 0),
-		mean(1, 1)
-	];
-	let [along, across, squares] = [
-		0,
-		0,
-		0
-	];
-	for (const [from, to] of pairs) {
-		const [x, y, u, v] = [
-			from[0] - mx,
-			from[1] - my,
-			to[0] - mu,
-			to[1] - mv
-		];
-		along += x * u + y * v;
-		across += x * v - y * u;
-		squares += x * x + y * y;
-	}
-	if (!(squares > 0)) return null;
-	const [a, b] = [along / squares, across / squares];
-	return ([x, y]) => [mu + a * (x - mx) - b * (y - my), mv + b * (x - mx) + a * (y - my)];
-}
 // www/block/view/images/measuring.ts
 var STEP$1 = 20;
 var MOST_NAMES$1 = 3;
@@ -5903,13 +6056,12 @@ var Measuring = class {
 		return near === null || line === null ? near : onLine(line, near);
 	}
 	ofGround(pane) {
-		const { shown, selection, options } = this.store.state;
+		const { shown, selection } = this.store.state;
 		const { chosen } = selection;
 		if (shown === null || chosen?.kind !== "given" || pane.points === null) return null;
-		const point = shown.view.given?.find(({ name }) => name === chosen.name);
-		const ground = toBlock(shown.view, options.control);
-		if (point === void 0 || ground === null) return null;
-		const at = placeOfGround(pane.points, shown.view.points, ground([point.position[0], point.position[1]]));
+		const place = shown.given.find(({ name }) => name === chosen.name)?.place;
+		if (place == null) return null;
+		const at = placeOfGround(pane.points, shown.view.points, [place[0], place[1]]);
 		return at !== null && isOn(pane, at) ? at : null;
 	}
 	marks() {
@@ -6266,7 +6418,7 @@ var Opening = class {
 		if (chosen === null) {
 			if (selection.chosen === null) this.openedAt = null;
 			if (selection.chosen?.kind === "given") {
-				this.showGiven(selection.chosen, view);
+				this.showGiven(selection.chosen, shown);
 				return;
 			}
 			if (selection.chosen !== this.shownFor) this.showChosenImages(selection.chosen, view);
@@ -6319,10 +6471,10 @@ var Opening = class {
 	sourceOf({ points }, point) {
 		return points.sources[point] ?? codeOfSource({ tie_point: point });
 	}
-	showGiven(chosen, view) {
+	showGiven(chosen, shown) {
 		const { store } = this.seen;
 		if (chosen !== this.shownFor) {
-			const images = this.imagesOfGiven(chosen.name, view);
+			const images = this.imagesOfGiven(chosen.name, shown);
 			if (images === null) return;
 			this.shownFor = chosen;
 			this.openedAt = null;
@@ -6348,22 +6500,20 @@ var Opening = class {
 			views: new Map(views)
 		});
 	}
-	imagesOfGiven(name, view) {
-		const { options, panes } = this.seen.store.state;
+	imagesOfGiven(name, { view, given }) {
+		const { panes } = this.seen.store.state;
 		const measured = [...this.measuring.marks().keys()];
-		const point = view.given?.find((own) => own.name === name);
-		const ground = toBlock(view, options.control);
-		const within = ground === null ? null : this.seen.facts.ground();
-		if (ground !== null && within === null) return null;
+		const place = given.find((own) => own.name === name)?.place ?? null;
+		const within = place === null ? null : this.seen.facts.ground();
+		if (place !== null && within === null) return null;
 		const all = view.images.map((_, image) => image);
-		const at = point === void 0 || ground === null ? null : ground([point.position[0], point.position[1]]);
-		const likely = at === null || within === null ? [] : footprintsAt(within.footprints, at);
+		const likely = place === null || within === null ? [] : footprintsAt(within.footprints, [place[0], place[1]]);
 		const others = likely.length > 0 ? likely : [...shownImages(panes, view), ...all];
 		return [...new Set([...measured, ...others])].slice(0, 9);
 	}
 	showChosenImages(chosen, view) {
 		this.shownFor = chosen;
-		const images = chosen?.kind === "image" || chosen?.kind === "pair" ? imagesOf(chosen) : [];
+		const images = chosen?.kind === "image" || chosen?.kind === "images" || chosen?.kind === "pair" ? imagesOf(chosen).slice(0, 9) : [];
 		const shown = shownImages(this.seen.store.state.panes, view);
 		const is = images.every((image) => shown.includes(image)) && (chosen?.kind === "image" || shown.length === images.length);
 		if (images.length > 0 && !is) this.seen.store.dispatch({
@@ -6951,9 +7101,9 @@ function figuresOf$2(detail, image) {
 }
 function pointText({ state }, view) {
 	const chosen = view.seen.chosen();
-	const shown = state.shown?.view;
-	if (shown === void 0) return "";
-	if (chosen === null) return state.selection.chosen === null ? "" : describe(shown, state.selection.chosen);
+	if (state.shown === null) return "";
+	if (chosen === null) return state.selection.chosen === null ? "" : describe(state.shown, state.selection.chosen);
+	const { view: shown } = state.shown;
 	const { id, name, position, errors, rmse_px, observations, elsewhere } = chosen.detail;
 	const panes = shownImages(state.panes, shown);
 	const seen = observations.filter(({ image }) => panes.includes(image)).length;
@@ -7350,10 +7500,12 @@ var Matrix = class extends Chart {
 			context.strokeRect(...toCanvas(t, column, row), side, side);
 			if (connectionOf(view, [row, column]) !== void 0) context.strokeRect(...toCanvas(t, row, column), side, side);
 		}
-		if (chosen?.kind !== "image") return;
+		if (chosen?.kind !== "image" && chosen?.kind !== "images") return;
 		const length = view.images.length * side;
-		context.strokeRect(...toCanvas(t, 0, chosen.image), length, side);
-		context.strokeRect(...toCanvas(t, chosen.image, 0), side, length);
+		for (const image of imagesOf(chosen)) {
+			context.strokeRect(...toCanvas(t, 0, image), length, side);
+			context.strokeRect(...toCanvas(t, image, 0), side, length);
+		}
 	}
 };
 function choiceOf$1([row, column]) {
@@ -7439,12 +7591,12 @@ var MATRIX_VIEW = {
 var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
 	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
 	if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? {
-		toBlock: SAME$1,
+		toBlock: SAME,
 		images: 0,
 		crs: null
 	} : null;
 	if (system === "surveyed" && overlap(orthophoto, ground.footprints)) return {
-		toBlock: SAME$1,
+		toBlock: SAME,
 		images: 0,
 		crs: null
 	};
@@ -7466,7 +7618,7 @@ function byImages(placed, files, shown, { footprints }) {
 			to.push([corners[2 * i] ?? 0, corners[2 * i + 1] ?? 0]);
 		});
 	}
-	const toBlock = similarity$1(from, to);
+	const toBlock = similarity(from, to);
 	return toBlock === null ? null : {
 		toBlock,
 		images,
@@ -7505,6 +7657,11 @@ function overlap({ info: { width, height, georeference } }, footprints) {
 	const within = (value, all) => value >= Math.min(...all) && value <= Math.max(...all);
 	for (let i = 0; i < footprints.length; i += 2) if (within(footprints[i] ?? NaN, xs) && within(footprints[i + 1] ?? NaN, ys)) return true;
 	return false;
+}
+// www/block/state/units.ts
+function unitInWords(unit) {
+	if (unit === "px") return say("unit-of-px");
+	return unit === "m" ? say("unit-of-m") : unit;
 }
 // www/block/view/map/colouring.ts
 var VIRIDIS = [
@@ -7937,46 +8094,6 @@ function tilesOf(level, [left, top, right, bottom], { width, height }) {
 function nameOf({ level, column, row }) {
 	return `${String(level)} ${String(column)} ${String(row)}`;
 }
-// www/block/view/map/thumbs.ts
-var SIDE$1 = 240;
-var Thumbs = class {
-	arrived;
-	made = new Map();
-	waiting = [];
-	making = false;
-	constructor(arrived) {
-		this.arrived = arrived;
-	}
-	get(file) {
-		const found = this.made.get(file.id);
-		if (found === void 0 && !this.waiting.includes(file)) {
-			this.waiting.push(file);
-			this.make();
-		}
-		return found ?? null;
-	}
-	async make() {
-		if (this.making) return;
-		this.making = true;
-		for (let next = this.waiting[0]; next !== void 0; next = this.waiting[0]) {
-			this.made.set(next.id, await copyOf(next.file));
-			this.waiting.shift();
-			this.arrived();
-		}
-		this.making = false;
-	}
-};
-async function copyOf(file) {
-	try {
-		return await createImageBitmap(file, {
-			resizeWidth: SIDE$1,
-			resizeQuality: "medium",
-			imageOrientation: "none"
-		});
-	} catch {
-		return null;
-	}
-}
 // www/block/view/map/plan.ts
 var MARGIN = 62;
 var MARGIN_OF_GROUND = 22;
@@ -8026,15 +8143,29 @@ function spacingOf(view) {
 	const known = SPACINGS.get(view);
 	if (known !== void 0) return known;
 	const { places } = view.layout;
+	const across = Array.from({ length: places.length / 2 }, (_, i) => [places[2 * i] ?? NaN, places[2 * i + 1] ?? NaN]).filter(([x]) => !Number.isNaN(x)).sort(([a], [b]) => a - b);
 	let least = Infinity;
-	for (let i = 0; i < places.length; i += 2) for (let j = 0; j < i; j += 2) least = Math.min(least, Math.hypot((places[i] ?? 0) - (places[j] ?? 0), (places[i + 1] ?? 0) - (places[j + 1] ?? 0)));
+	across.forEach(([x, y], i) => {
+		for (let j = i - 1; j >= 0; j -= 1) {
+			const [u, v] = across[j] ?? [-Infinity, 0];
+			if (x - u >= least) break;
+			least = Math.min(least, Math.hypot(x - u, y - v));
+		}
+	});
 	SPACINGS.set(view, least);
 	return least;
+}
+function nearestImages(view, plan, keeps, [x, y], most) {
+	const kept = Array.from(view.images.keys()).filter(keeps);
+	if (kept.length <= most) return kept;
+	return kept.flatMap((image) => {
+		const [px, py] = placeOf(view, plan, image);
+		return Number.isNaN(px) ? [] : [[image, Math.hypot(px - x, py - y)]];
+	}).sort(([, a], [, b]) => a - b).slice(0, most).map(([image]) => image);
 }
 var WIDEST_THUMB = 110;
 var LEAST_THUMB = 26;
 function thumbWidth(view, plan) {
-	if (view.images.length > 150) return 0;
 	const width = Math.min(WIDEST_THUMB, .8 * spacingOf(view) * plan.scale);
 	return width < LEAST_THUMB ? 0 : width;
 }
@@ -8361,6 +8492,57 @@ var Still = class {
 		});
 	}
 };
+// www/block/view/map/thumbs.ts
+var SIDE$1 = 240;
+var MOST_KEPT = 450;
+var Thumbs = class {
+	arrived;
+	made = new Map();
+	waiting = [];
+	making = false;
+	constructor(arrived) {
+		this.arrived = arrived;
+	}
+	get(file) {
+		const found = this.made.get(file.id);
+		if (found === void 0 && !this.waiting.includes(file)) {
+			this.waiting.push(file);
+			this.make();
+		}
+		return found ?? null;
+	}
+	shows(files) {
+		this.waiting = this.waiting.filter(({ id }) => files.has(id));
+		for (const [id, copy] of this.made) {
+			if (this.made.size <= MOST_KEPT) break;
+			if (files.has(id)) continue;
+			copy?.close();
+			this.made.delete(id);
+		}
+	}
+	async make() {
+		if (this.making) return;
+		this.making = true;
+		for (let next = this.waiting[0]; next !== void 0; next = this.waiting[0]) {
+			const { id } = next;
+			this.made.set(id, await copyOf(next.file));
+			this.waiting = this.waiting.filter((file) => file.id !== id);
+			this.arrived();
+		}
+		this.making = false;
+	}
+};
+async function copyOf(file) {
+	try {
+		return await createImageBitmap(file, {
+			resizeWidth: SIDE$1,
+			resizeQuality: "medium",
+			imageOrientation: "none"
+		});
+	} catch {
+		return null;
+	}
+}
 // www/block/view/map/map.ts
 function systemOf(view, ground) {
 	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
@@ -8617,18 +8799,20 @@ var BlockMap = class extends Chart {
 	paintPhotos(context, colours, view, t, ground, { keepsImage, ...marks }) {
 		const { shown, files, running } = this.store.state;
 		const width = this.thumbSide(view, t, ground);
-		if (!this.look.photos || view.images.length > 150 || shown === null || running.kind === "yes") return 19;
+		if (!this.look.photos || ground === null && width === 0 || shown === null || running.kind === "yes") return 19;
 		const ofName = new Map([...files, ...shown.files].map((file) => [file.name, file]));
+		const fileOf = (image) => ofName.get(view.images[image]?.name ?? "");
+		const near = nearestImages(view, t, (image) => keepsImage(image) && fileOf(image) !== void 0, [this.layers.width / 2, this.layers.height / 2], 150);
+		const thumbs = new Map(near.flatMap((image) => fileOf(image) ?? []).map((file) => [file.id, this.thumbs.get(file)]));
+		this.thumbs.shows(new Set(thumbs.keys()));
 		const isSound = soundness(view);
 		let below = 19;
-		view.images.forEach(({ name }, i) => {
-			const file = ofName.get(name);
-			if (file === void 0 || !keepsImage(i) || ground === null && width === 0) return;
-			const thumb = this.thumbs.get(file);
-			if (thumb === null) return;
+		for (const i of near.sort((a, b) => a - b)) {
+			const thumb = thumbs.get(fileOf(i)?.id ?? -1) ?? null;
+			if (thumb === null) continue;
 			if (ground !== null) {
 				paintOnGround(context, thumb, ground, t, i);
-				return;
+				continue;
 			}
 			const height = width * thumb.height / thumb.width;
 			const [x, y] = placeOf(view, t, i);
@@ -8641,7 +8825,7 @@ var BlockMap = class extends Chart {
 			context.strokeStyle = on ? colours.accent : isSound(i) ? colours.surface : colours.problem;
 			context.strokeRect(x - width / 2, y - height / 2, width, height);
 			below = Math.max(below, height / 2 + 13);
-		});
+		}
 		return below;
 	}
 	thumbSide(view, t, ground) {
@@ -8716,7 +8900,7 @@ function mapView(facts, placing, mosaic) {
 				const { shown } = store.state;
 				setText(place, placeText(map, shown?.view ?? null));
 				showLegend(legend, bar, map, shown?.view ?? null);
-				setText(words, shown === null ? "" : inWords$1(map, shown.view));
+				setText(words, shown === null ? "" : inWords(map, shown.view));
 			});
 			const element = h("div", {
 				class: "map",
@@ -8774,7 +8958,7 @@ function toolsOf$1(store, map, mosaic) {
 function showLegend(legend, bar, map, view) {
 	const scale = view === null || view.layout.kind !== "oriented" ? void 0 : colouredPoints(view.points, map.shows.colouring)?.scale;
 	const text = view === null ? "" : legendText(view, map);
-	const ends = scale === void 0 ? [] : [scale.from, scale.to].map((value) => `${fixed(value, scale.digits)}${scale.unit === "" ? "" : ` ${scale.unit}`}`);
+	const ends = scale === void 0 ? [] : [scale.from, scale.to].map((value) => `${fixed(value, scale.digits)}${scale.unit === "" ? "" : ` ${unitInWords(scale.unit)}`}`);
 	const now = [text, ...ends].join("|");
 	if (legend.dataset.text === now) return;
 	legend.dataset.text = now;
@@ -8815,7 +8999,7 @@ function placeText(map, view) {
 	const [x, y] = mapped(inverse(laid.toBlock), place[0], place[1]);
 	return `${own}  ${laid.crs} ${fixed(x, 2)} ${fixed(y, 2)}`;
 }
-function inWords$1(map, view) {
+function inWords(map, view) {
 	const ground = map.ground();
 	const system = systemOf(view, ground);
 	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected").length;
@@ -8835,7 +9019,7 @@ function inWords$1(map, view) {
 			title,
 			from: fixed(from, digits),
 			to: fixed(to, digits),
-			unit
+			unit: unitInWords(unit)
 		}).trimEnd());
 	}
 	if (view.layout.kind !== "connections") parts.push(extentText(view, system));
@@ -9604,7 +9788,7 @@ function paintCentre(context, colours, t, of, chosen, hasName) {
 }
 // www/block/view/orthophoto/block.ts
 var inSystem = remember((view, ground, to) => {
-	if (to === SAME$1) return {
+	if (to === SAME) return {
 		view,
 		ground
 	};
@@ -9812,7 +9996,7 @@ var OrthophotoPlan = class extends LinkPicture {
 		const shown = blockOnOrthophoto(state);
 		const { orthophoto } = state.placing;
 		if (shown === null || orthophoto === null) return null;
-		const drawn = inSystem(shown.view, this.facts.ground(), toSystemOf(orthophoto, shown.view) ?? SAME$1);
+		const drawn = inSystem(shown.view, this.facts.ground(), toSystemOf(orthophoto, shown.view) ?? SAME);
 		const keeps = (subject) => keptBy(subject, shown.view, state.selection);
 		return onOrthophoto(drawn.view, drawn.ground, isOffGround(state), keeps("images"), keeps("surveyed"));
 	}
@@ -9915,7 +10099,7 @@ var OrthophotoPlan = class extends LinkPicture {
 		const { orthophoto } = this.store.state.placing;
 		const { width, height, ratio } = this.layers;
 		if (orthophoto === null) return;
-		this.tiles.paint(context, orthophoto, SAME$1, t, [
+		this.tiles.paint(context, orthophoto, SAME, t, [
 			width,
 			height,
 			ratio
@@ -10789,10 +10973,7 @@ function ofImages({ images }, y, value) {
 			const chosen = new Set(imagesOf(choice));
 			return (row) => chosen.has(rows[row] ?? -1);
 		},
-		together: ([only, ...more]) => only === void 0 || more.length > 0 || rows[only] === void 0 ? null : {
-			kind: "image",
-			image: rows[only]
-		}
+		together: (chosen) => choiceOfImages(chosen.flatMap((row) => rows[row] ?? []))
 	};
 }
 var byImage = remember((view) => ofImages(view, {
@@ -10950,8 +11131,11 @@ function firstAt(sorted, value) {
 }
 var BESIDE$1 = .8;
 var detectable = remember(({ images }, of) => {
-	const larger = (row) => Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
-	const rows = rowsWith(of, larger);
+	const larger = (row) => {
+		const largest = Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
+		return Number.isNaN(largest) ? Infinity : largest;
+	};
+	const rows = rowsWith(of, (row) => of.redundancy[2 * row]);
 	const across = (row) => {
 		const image = of.images[row] ?? -1;
 		return image + BESIDE$1 * ((of.places[2 * row] ?? NaN) / (images[image]?.width ?? NaN) - .5);
@@ -10968,6 +11152,24 @@ var detectable = remember(({ images }, of) => {
 		logarithmic: true
 	}, { square: false });
 });
+// www/block/state/plot-words.ts
+function plotText({ x, y }) {
+	const sorted = y.values.filter(Number.isFinite).sort();
+	const unchecked = y.values.length - sorted.length;
+	const more = unchecked === 0 ? "" : say("unchecked-at-the-top", { unchecked });
+	if (sorted.length === 0) return unchecked === 0 ? say("there-are-no-such-values") : more;
+	const at = (share) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
+	const text = say("values-over-median-from-to", {
+		sorted: sorted.length,
+		to_lower_case: x.label.toLowerCase(),
+		label: y.label,
+		at: at(.5),
+		at_2: at(0),
+		at_3: at(1),
+		what: y.unit === "" ? "" : say("n--2", { unit: unitInWords(y.unit) })
+	});
+	return more === "" ? text : `${text} ${more}`;
+}
 // www/block/view/plot/axes.ts
 var ROOM = {
 	left: 64,
@@ -10993,7 +11195,7 @@ function endsOf({ x, y, bars, square }, width, height) {
 }
 function spread(values, zero = false) {
 	let [low, high] = zero ? [0, 0] : [Infinity, -Infinity];
-	for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)];
+	for (const value of values) if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)];
 	if (!(high > low)) return Number.isFinite(low) && low !== 0 ? [low - Math.abs(low) / 2, low + Math.abs(low) / 2] : [0, 1];
 	const beside = BESIDE * (high - low);
 	return [zero && low === 0 ? 0 : low - beside, zero && high === 0 ? 0 : high + beside];
@@ -11040,6 +11242,7 @@ var APART = {
 var LEAST_TICKS = 3;
 var FEW = 3e3;
 var FONT = "11px system-ui, sans-serif";
+var INSIDE = 4;
 var Plot = class extends Chart {
 	facts;
 	name = "images";
@@ -11144,7 +11347,8 @@ var Plot = class extends Chart {
 		const [x0, across] = [ends.x[0], width / (ends.x[1] - ends.x[0])];
 		const [y0, up] = [ends.y[0], height / (ends.y[1] - ends.y[0])];
 		const upwards = data.y.logarithmic === true ? Math.log10 : (y) => y;
-		return (x, y) => toCanvas(t, left + (x - x0) * across, top + height - (upwards(y) - y0) * up);
+		const upper = (y) => y === Infinity ? top + INSIDE : top + height - (upwards(y) - y0) * up;
+		return (x, y) => toCanvas(t, left + (x - x0) * across, upper(y));
 	}
 	seen(data, t) {
 		const { left, top, width, height } = this.area();
@@ -11329,7 +11533,7 @@ function plotsView(facts) {
 			const values = button("CSV", "plot-csv", () => void saveValues(plot), say("saves-the-values-of-the"));
 			const show = () => {
 				const data = plot.data();
-				const text = data === null ? "" : inWords(data);
+				const text = data === null ? "" : plotText(data);
 				if (words.textContent !== text) words.textContent = text;
 				picture.disabled = values.disabled = data === null || data.x.values.length === 0;
 			};
@@ -11348,20 +11552,6 @@ function plotsView(facts) {
 			};
 		}
 	};
-}
-function inWords({ x, y }) {
-	const sorted = y.values.slice().sort();
-	const at = (share) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
-	if (sorted.length === 0) return say("there-are-no-such-values");
-	return say("values-over-median-from-to", {
-		sorted: sorted.length,
-		to_lower_case: x.label.toLowerCase(),
-		label: y.label,
-		at: at(.5),
-		at_2: at(0),
-		at_3: at(1),
-		what: y.unit === "" ? "" : say("n--2", { unit: y.unit })
-	});
 }
 async function savePicture(plot) {
 	const picture = plot.picture();
@@ -11870,7 +12060,7 @@ function said(store, looking) {
 }
 function tell$1(element, store, choice, otherwise) {
 	const { shown } = store.state;
-	const text = choice === null || shown === null ? otherwise : describe(shown.view, choice);
+	const text = choice === null || shown === null ? otherwise : describe(shown, choice);
 	if (element.textContent !== text) element.textContent = text;
 }
 function invited(store, { sample, placedSample, open }) {

@@ -804,8 +804,8 @@ function figureOf(value) {
 // www/shared/text/direction.ts
 var IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === "rtl";
 var [RLI, PDI] = ["⁧", "⁩"];
-function asClauses(text) {
-	return IS_FROM_RIGHT ? text.replaceAll(/\u2068(?=[\s،؛,;:·(])/gu, RLI) : text;
+function asClauses(text, isFromRight = IS_FROM_RIGHT) {
+	return isFromRight ? text.replaceAll(/\u2068(?=\u2068*[\s،؛,;:·(])/gu, RLI) : text;
 }
 function asSentence(text) {
 	return IS_FROM_RIGHT ? `${RLI}${text}${PDI}` : text;

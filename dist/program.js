@@ -924,6 +924,13 @@ function interior$1(camera, photo) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
+function local_positions(geographic) {
+	const ptr0 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.local_positions(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
 function message$1(family, message, attribute, language) {
 	let deferred5_0;
 	let deferred5_1;
@@ -1041,6 +1048,22 @@ function system_coordinates(crs, geographic) {
 		throw e;
 	}
 	const ret = wasm.system_coordinates(ptr0, len0, ptr1, len1);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function system_positions(crs, coordinates) {
+	let ptr0, len0, ptr1, len1;
+	try {
+		ptr0 = passStringToWasm0(crs, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArrayF64ToWasm0(coordinates, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+		throw e;
+	}
+	const ret = wasm.system_positions(ptr0, len0, ptr1, len1);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -6730,7 +6753,14 @@ function projectOf(state, contents) {
 				no_orientation: none ?? whyNone(state)
 			}
 		},
-		truth: truthFor$1(state)
+		truth: truthFor$1(state),
+		edited: editsFor(state, edited)
+	};
+}
+function editsFor({ history: { edits, done } }, { found }) {
+	return done === 0 ? null : {
+		edits: edits.slice(0, done),
+		found
 	};
 }
 function appendedTo({ points, frames }, left) {
@@ -6773,8 +6803,11 @@ function unfiled(match) {
 		}
 	};
 }
-function editsOfFile({ output }) {
-	return countsByHand(unfiled(output.match));
+function editsOfFile({ output, edited }) {
+	return edited == null ? countsByHand(unfiled(output.match)) : {
+		rejected: 0,
+		manual: 0
+	};
 }
 function whyNone(state) {
 	const cameras = pairCameras(state);
@@ -6808,7 +6841,7 @@ function truthFor$1(state) {
 	};
 }
 function withProject(state, { project, images, overviews, masks, estimated }) {
-	const { input, settings, truth } = project;
+	const { input, settings, truth, edited } = project;
 	const [left] = project.images;
 	const photo = (side) => ({
 		fiducials: input[side]?.fiducials ?? [],
@@ -6841,6 +6874,10 @@ function withProject(state, { project, images, overviews, masks, estimated }) {
 		selection: null,
 		...UNEDITED,
 		...exchangedPair(state, images),
+		...edited == null ? {} : { history: {
+			edits: edited.edits,
+			done: edited.edits.length
+		} },
 		views: {
 			left: null,
 			right: null
@@ -6875,7 +6912,7 @@ function standingFor$1({ project: { images }, overviews }) {
 	};
 }
 function withResults(state, { project, estimated }, beside, times) {
-	const { output, truth } = project;
+	const { output, truth, edited } = project;
 	let next = {
 		...state,
 		results: {}
@@ -6898,8 +6935,15 @@ function withResults(state, { project, estimated }, beside, times) {
 	const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
 	put("openLeft", beside.openLeft);
 	put("openRight", beside.openRight);
+	const match = {
+		...edited == null ? unfiled(output.match) : {
+			...output.match,
+			...edited.found
+		},
+		estimated
+	};
 	put("pointsLeft", {
-		...output.left,
+		...firstOf(output.left, match.rules.length),
 		gradients: descriptorsLeft.gradients
 	});
 	put("pointsRight", {
@@ -6911,17 +6955,23 @@ function withResults(state, { project, estimated }, beside, times) {
 	put("offset", output.offset);
 	put("interiorLeft", beside.interiorLeft);
 	put("interiorRight", beside.interiorRight);
-	const match = {
-		...unfiled(output.match),
-		estimated
-	};
 	put("match", match);
-	put("orientation", output.orientation, {
+	const used = editedPair(next) ?? {
 		match,
 		found: match
-	});
-	put("score", truth?.score);
+	};
+	if (used.match.matches.length === output.match.matches.length) {
+		put("orientation", output.orientation, used);
+		put("score", truth?.score);
+	}
 	return next;
+}
+function firstOf(all, count) {
+	return 3 * count === all.points.length ? all : {
+		...all,
+		points: all.points.slice(0, 3 * count),
+		frames: all.frames.slice(0, 2 * count)
+	};
 }
 var nothing = () => ({
 	moments: new Float64Array(),
@@ -9845,10 +9895,10 @@ function marksTable(side, marking, rows) {
 		class: "marks",
 		testid: `fiducials-${side}`,
 		aria: { label: say("fiducial-marks", { side }) }
-	}, h("thead", {}, h("tr", {}, h("th", {}, ""), ...FIELDS$1.map((field) => h("th", { scope: "col" }, HEADS[field])), h("th", {
+	}, h("thead", {}, h("tr", {}, h("td", {}, ""), ...FIELDS$1.map((field) => h("th", { scope: "col" }, HEADS[field])), h("th", {
 		scope: "col",
 		title: say("residuals-vx-vy")
-	}, "v µm"), h("th", {}, ""))), h("tbody", {}, ...body));
+	}, "v µm"), h("td", {}, ""))), h("tbody", {}, ...body));
 }
 function markInput(side, marking, index, field) {
 	const input = h("input", {
@@ -15716,4 +15766,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };

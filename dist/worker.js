@@ -2040,8 +2040,8 @@
 	// www/shared/text/direction.ts
 	var IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === "rtl";
 	var [RLI, PDI] = ["⁧", "⁩"];
-	function asClauses(text) {
-		return IS_FROM_RIGHT ? text.replaceAll(/\u2068(?=[\s،؛,;:·(])/gu, RLI) : text;
+	function asClauses(text, isFromRight = IS_FROM_RIGHT) {
+		return isFromRight ? text.replaceAll(/\u2068(?=\u2068*[\s،؛,;:·(])/gu, RLI) : text;
 	}
 	// www/shared/text/format.ts
 	function count(value) {

@@ -19,6 +19,16 @@ export interface PairProject {
     output: PairOutput;
     /** What is known of a simulated pair. */
     truth: PairTruth | null;
+    /** What was changed by hand; null where nothing was. */
+    edited?: PairEdits | null;
+}
+
+/** Edits of the matches of a pair, and the matches that were found: the output has the edited ones. */
+export interface PairEdits {
+    /** In their order. */
+    edits: readonly PairEdit[];
+    /** Of the left points before those that were measured by hand, which come last. */
+    found: Omit<MatchResult, "geometry" | "no_geometry">;
 }
 
 /** The truth of a simulated pair. */
@@ -397,6 +407,10 @@ export interface InitialCamera {
      * Whether the block takes it as it is.
      */
     fixed: boolean;
+    /**
+     * How well it is known, by where it is known from; absent in blocks of former versions.
+     */
+    uncertainty?: CameraUncertainty;
 }
 
 /**
@@ -486,6 +500,11 @@ export interface KnownCamera {
      * Side of a pixel in mm, for exports in photo coordinates.
      */
     pixel_mm?: number | null;
+    /**
+     * Standard deviations of the values above, which enter the adjustment as prior information; absent: as
+     * [`known_within`](Self::known_within) says.
+     */
+    uncertainty?: CameraUncertainty;
 }
 
 /**
@@ -602,6 +621,11 @@ export interface CameraRule {
 export type BlockEdit = { kind: "reject_observations"; observations: PointImage[] } | { kind: "restore_observations"; observations: PointImage[] } | { kind: "reject_points"; points: PointSource[] } | { kind: "restore_points"; points: PointSource[] } | { kind: "reject_images"; images: number[] } | { kind: "restore_images"; images: number[] } | { kind: "measure"; point: PointSource; image: number; x_px: number; y_px: number; by?: MeasuredBy } | { kind: "add_point"; observations: HandMeasurement[] } | { kind: "set_use"; point: number; use?: ControlRole | null };
 
 /**
+ * A change of the matches of a pair by hand.
+ */
+export type PairEdit = { kind: "reject"; of: EditedMatch[] } | { kind: "restore"; of: EditedMatch[] } | { kind: "add"; id: number; at: [number, number, number, number] } | { kind: "move"; of: EditedMatch; to: [number, number, number, number] };
+
+/**
  * A column of Table 3.
  */
 export interface PrintedOrientation {
@@ -679,6 +703,11 @@ export interface Job {
     id: number;
     files: FileNeeded[];
 }
+
+/**
+ * A match that an edit is about.
+ */
+export type EditedMatch = number | [number, number, number, number];
 
 /**
  * A model of a block.
@@ -1063,7 +1092,7 @@ export interface RejectedObservation {
 /**
  * A slip of writing that explains wrong coordinates. Numbers are as they were written.
  */
-export type Mistake = { kind: "exchanged" } | { kind: "sign"; axis: Axis; given: string } | { kind: "decimal_point"; axis: Axis; given: string; likely: string } | { kind: "feet"; given: string; likely: string } | { kind: "digit"; axis: Axis; given: string; likely: string } | { kind: "zone"; zone: number };
+export type Mistake = { kind: "exchanged" } | { kind: "sign"; axis: Axis; given: string } | { kind: "decimal_point"; axis: Axis; given: string; likely: string } | { kind: "feet"; given: string; likely: string } | { kind: "metres"; given: string; likely: string } | { kind: "digit"; axis: Axis; given: string; likely: string } | { kind: "zone"; zone: number };
 
 /**
  * A surveyed point as it was measured in an image.
@@ -2331,9 +2360,9 @@ export interface ReconstructionOptions {
      */
     seed: number;
     /**
-     * Whether control points that contradict the other observations are refused and named.
+     * Control points, the first so many of the description, that are rejected and named where they contradict the other observations; absent: all.
      */
-    tests_control: boolean;
+    tested_control: number | null;
     /**
      * The points that are given of the adjusted block; absent: all are adjusted and given.
      */
@@ -2783,8 +2812,8 @@ export interface RayCountRmse {
 }
 
 /**
- * Standard deviations of the constants of a camera before its images are measured. They enter the adjustment of a pair as prior
- * information: what the pair determines is estimated, what it does not determine is counted in the total standard errors.
+ * Standard deviations of the constants of a camera before its images are measured. They enter the adjustment of a pair or block as prior
+ * information: what the images determine is estimated, what they do not determine is counted in the total standard errors.
  */
 export interface CameraUncertainty {
     /**
@@ -3698,9 +3727,9 @@ export type News = ({ kind: "step" } & Step) | ({ kind: "image" } & ReadImage) |
  */
 export interface RefusedControl {
     /**
-     * The coordinate whose test is largest.
+     * The coordinate whose test is largest; absent where nothing tests them.
      */
-    axis: Axis;
+    axis: Axis | null;
     /**
      * Whether it takes part all the same, since too few points are left to tell which of them is wrong.
      */
@@ -4102,7 +4131,7 @@ export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | {
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; mistake: Mistake | null } | { kind: "control_contradicts"; refused: number; points: number } | { kind: "few_control"; points: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
@@ -4594,7 +4623,7 @@ export class FinishedBlock {
     accuracy(cell?: number | null, sigma_px?: number | null): AccuracyFiles;
     /**
      * The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
-     * error, then its covariances with all of them.
+     * error, then its covariances with all of them. `all` names the whole block.
      */
     covariances(names: readonly string[]): string;
     /**
@@ -5293,7 +5322,7 @@ export function simulate(flight: Given<Flight>): SamplePair;
 
 /**
  * Coordinates in a system (an EPSG code, PROJ text or WKT) of longitudes, latitudes in degrees and heights in m (stride 3): x, east or longitude,
- * first; NaN outside the system.
+ * first; NaN outside the system, an error where the median of the places lies there.
  */
 export function system_coordinates(crs: string, geographic: Float64Array | number[]): Float64Array;
 

@@ -332,7 +332,7 @@ export class FinishedBlock {
     }
     /**
      * The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
-     * error, then its covariances with all of them.
+     * error, then its covariances with all of them. `all` names the whole block.
      * @param {readonly string[]} names
      * @returns {string}
      */
@@ -2769,7 +2769,7 @@ export function simulate(flight) {
 
 /**
  * Coordinates in a system (an EPSG code, PROJ text or WKT) of longitudes, latitudes in degrees and heights in m (stride 3): x, east or longitude,
- * first; NaN outside the system.
+ * first; NaN outside the system, an error where the median of the places lies there.
  * @param {string} crs
  * @param {Float64Array | number[]} geographic
  * @returns {Float64Array}
@@ -3147,7 +3147,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 13, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 14, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
             return ret;
         },

@@ -229,7 +229,7 @@ test('matches are chosen, rejected, restored, undone and done again by the keybo
   await close();
 });
 
-test('a file holds the edits, which are undone elsewhere; one of a former version says that it does not; a new run keeps the rejections', { skip: SKIP }, async () => {
+test('a file holds the edits, which are undone elsewhere, or says that it does not; a new run keeps the rejections', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await pair(page);
   await enclose(page);
