@@ -5392,11 +5392,22 @@ function keyOfTarget(target) {
 	keys.set(target, key);
 	return key;
 }
-var standingOf = remember((edits, done) => {
+var stood = new WeakMap();
+function standingOf(edits, done) {
 	if (done === 0) return NOTHING;
+	const known = stood.get(edits);
+	if (known?.done === done) return known.standing;
+	const standing = after(edits.slice(0, done));
+	stood.set(edits, {
+		done,
+		standing
+	});
+	return standing;
+}
+function after(edits) {
 	const rejected = new Map();
 	const placed = new Map();
-	for (const edit of edits.slice(0, done)) switch (edit.kind) {
+	for (const edit of edits) switch (edit.kind) {
 		case "reject":
 			for (const target of edit.of) rejected.set(keyOfTarget(target), target);
 			break;
@@ -5418,7 +5429,7 @@ var standingOf = remember((edits, done) => {
 		rejected,
 		placed
 	};
-});
+}
 function isNothing({ rejected, placed }) {
 	return rejected.size === 0 && placed.size === 0;
 }

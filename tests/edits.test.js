@@ -177,6 +177,14 @@ test('after thousands of random edits, undone, the pair is what it was: the same
   assert.ok(written(state) === last, 'the project file of the edits has other bytes');
 });
 
+test('what stands after some edits is the same object, whatever is asked between', () => {
+  const edits = [{ kind: 'add', id: 1, at: [1, 2, 3, 4] }];
+  const standing = page.edits.standingOf(edits, 1);
+  assert.ok(page.edits.isNothing(page.edits.standingOf(edits, 0)) && page.edits.isNothing(page.edits.standingOf([], 0)));
+  assert.equal(page.edits.standingOf([...edits], 1).placed.size, 1);
+  assert.equal(page.edits.standingOf(edits, 1), standing);
+});
+
 test('a new edit gives up what was undone, and names say what is done', () => {
   let state = opened();
   const edited = page.edited.editedPair(state);

@@ -1,7 +1,6 @@
 /** Edits of the matches by hand: records of what was done to which match, and what stands after some of them. */
 import { NO_HISTORY } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
-import { remember } from '../../shared/state/remember';
 import { say } from '../../shared/text/words';
 
 /** Where a match lies: x and y in the left, x and y in the right image, px. */
@@ -37,12 +36,23 @@ export function keyOfTarget(target: Target): string {
   return key;
 }
 
-/** What stands after the edits that hold; the same object where none does. */
-export const standingOf = remember((edits: readonly Edit[], done: number): Standing => {
+/** Of each list of edits what stood after so many of them when it was asked last. */
+const stood = new WeakMap<readonly Edit[], { done: number; standing: Standing }>();
+
+/** What stands after the edits that hold: the same object each time, whatever else is asked between, as of the pair without its edits. */
+export function standingOf(edits: readonly Edit[], done: number): Standing {
   if (done === 0) return NOTHING;
+  const known = stood.get(edits);
+  if (known?.done === done) return known.standing;
+  const standing = after(edits.slice(0, done));
+  stood.set(edits, { done, standing });
+  return standing;
+}
+
+function after(edits: readonly Edit[]): Standing {
   const rejected = new Map<string, Target>();
   const placed = new Map<string, { target: Target; at: Place }>();
-  for (const edit of edits.slice(0, done)) {
+  for (const edit of edits) {
     switch (edit.kind) {
       case 'reject':
         for (const target of edit.of) rejected.set(keyOfTarget(target), target);
@@ -58,7 +68,7 @@ export const standingOf = remember((edits: readonly Edit[], done: number): Stand
     }
   }
   return rejected.size === 0 && placed.size === 0 ? NOTHING : { rejected, placed };
-});
+}
 
 export function isNothing({ rejected, placed }: Standing): boolean {
   return rejected.size === 0 && placed.size === 0;
