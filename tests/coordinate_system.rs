@@ -163,7 +163,7 @@ fn a_mistyped_control_point_is_explained_by_the_numbers_that_were_written() {
     assert_eq!(&block_warning, told[0]);
     let files = files(&run);
     let state = |name: &str| files["surveyed.csv"].lines().find(|line| line.starts_with(name)).unwrap().rsplit(',').next().unwrap();
-    assert_eq!([state("G4,"), state("G1,"), state("G3,")], ["refused", "used", "check"]);
+    assert_eq!([state("G4,"), state("G1,"), state("G3,")], ["rejected", "used", "check"]);
     assert!(files["summary.json"].contains("control_refused") && files["report.html"].contains("<td>rejected</td>"));
 }
 
@@ -195,7 +195,7 @@ fn a_far_off_control_point_differs_by_its_coordinates() {
     assert!(own[5].abs() < 5.0, "{own:?}");
     // The report has the residual, which is the other way around.
     let report = &files["report.html"];
-    let row = report.split("<tr>").find(|row| row.contains(">G4<") && row.contains(">refused<")).unwrap();
+    let row = report.split("<tr>").find(|row| row.contains(">G4<") && row.contains(">rejected<")).unwrap();
     let cells: Vec<f64> =
         row.split("<td>").skip(2).take(2).map(|cell| cell.split('<').next().unwrap().replace('\u{2212}', "-").parse().unwrap()).collect();
     assert!((0..2).all(|k| (cells[k] + own[3 + k]).abs() < 1e-3 * own[3 + k].abs()), "{row}");
