@@ -7,8 +7,7 @@ use super::state::describe;
 use super::{BlockRun, EditedRun, OnOrthophoto, Remark};
 use crate::editing::{BlockEdit, edited_model};
 use crate::error::refuse;
-use crate::{Error, PointSource, Reconstruction, ReconstructionOptions, Refusal};
-use std::collections::BTreeMap;
+use crate::{Error, ReconstructionOptions, Refusal};
 
 impl BlockRun {
     /// The edits that were applied to the block as it was found.
@@ -47,7 +46,7 @@ impl BlockRun {
         let tested_control = is_linked.then(|| own_control(&description));
         let options = ReconstructionOptions { tested_control, ..reconstruction_options(&input.settings) };
         let (mut model, gone) = edited_model(model, edits, &description, &options)?;
-        let confidence = confidences(&found);
+        let confidence = found.confidences();
         let before = found.reconstruction.clone().unwrap_or_default();
         explain_control(&mut model, before.origin, &input, options.adjustment.limit());
         let mut assembly = before.clone();
@@ -60,15 +59,4 @@ impl BlockRun {
         remarks.extend(is_unsupported.then_some(Remark::UnsupportedEdits));
         Ok(Self { reconstruction: Ok(assembly), model: written, edited: Some(Box::new(edited)), remarks, ..found })
     }
-}
-
-/// The probability of each tie point of the model that is written.
-pub(super) fn confidences(run: &BlockRun) -> BTreeMap<u32, f64> {
-    let model = run.reconstruction.as_ref().ok().and_then(|Reconstruction { models, .. }| models.first());
-    let written = model.iter().flat_map(|model| model.points.iter().zip(&model.adjusted.points)).filter(|(_, known)| known.is_some());
-    let of_point = written.zip(&run.model.points).filter_map(|((source, _), point)| match source {
-        PointSource::TiePoint(index) => Some((*index, point.confidence)),
-        PointSource::GroundControl(_) | PointSource::Manual(_) => None,
-    });
-    of_point.collect()
 }

@@ -1,6 +1,5 @@
 //! A finished block in the system of an orthophoto: places of its ground that images show become ground control points.
 
-use super::edited::confidences;
 use super::mistakes::explain_control;
 use super::points::reconstruction_options;
 use super::state::describe;
@@ -230,7 +229,7 @@ impl<'a> Ground<'a> {
             in_crs: has_crs(&input),
             epsg: self.epsg,
         };
-        let confidence = confidences(found);
+        let confidence = found.confidences();
         let mut reconstruction = found.reconstruction.clone().unwrap_or_default();
         reconstruction.models[0] = model;
         // Other models lie in the system that the block had.

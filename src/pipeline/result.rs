@@ -2,8 +2,12 @@
 
 use super::cameras::InitialCamera;
 use super::{OnOrthophoto, Remark, RunInput};
-use crate::{BlockEdit, BlockModel, Connection, ExifImage, Failure, JoinCounts, Reconstruction, RefinementOutcome, SharedPoints, TwoView};
+use crate::{
+    BlockEdit, BlockModel, Connection, ExifImage, Failure, JoinCounts, PointSource, Reconstruction, RefinementOutcome, SharedPoints,
+    TwoView,
+};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A block from its images to its orientation: all that is written and shown of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -39,6 +43,19 @@ pub struct BlockRun {
     /// What came of the orthophoto that it was given; absent where it was given none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orthophoto: Option<OnOrthophoto>,
+}
+
+impl BlockRun {
+    /// The probability of each tie point of the model that is written.
+    pub(super) fn confidences(&self) -> BTreeMap<u32, f64> {
+        let model = self.reconstruction.as_ref().ok().and_then(|Reconstruction { models, .. }| models.first());
+        let written = model.iter().flat_map(|model| model.points.iter().zip(&model.adjusted.points)).filter(|(_, known)| known.is_some());
+        let of_point = written.zip(&self.model.points).filter_map(|((source, _), point)| match source {
+            PointSource::TiePoint(index) => Some((*index, point.confidence)),
+            PointSource::GroundControl(_) | PointSource::Manual(_) => None,
+        });
+        of_point.collect()
+    }
 }
 
 /// Edits of a block, and what it was without them.
