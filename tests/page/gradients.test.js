@@ -121,6 +121,7 @@ test('one photo twice, photos of different ground and a photo of one pixel are t
   await page.locator('select[data-key="matching.strategy"]').selectOption('gradient');
   await part(page, 'file-input').setInputFiles([left, { ...left, name: 'copy.png' }]);
   assert.match(await done(page), /Not oriented: both images show the same at the same positions\. Is it one photo twice\?/);
+  assert.equal(await text(page, 'next'), 'Replace the right image …');
   const { width_px: width, height_px: height } = SMALL;
   const noise = Uint8Array.from({ length: width * height }, (_, i) => Math.imul(i ^ (i >>> 7), 2654435761) >>> 24);
   const replace = async (/** @type {ReturnType<typeof upload>} */ file) => {
@@ -130,6 +131,8 @@ test('one photo twice, photos of different ground and a photo of one pixel are t
   await replace(upload('noise.png', grey_png(width, height, noise), 'image/png'));
   await again(page);
   assert.match(await text(page, 'status'), /Not oriented: .*Do both photos show the same ground\?/);
+  // No camera helps them, although none is known.
+  assert.equal(await text(page, 'next'), 'Open other photos …');
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'partial');
   await replace(upload('tiny.png', grey_png(1, 1, new Uint8Array(1)), 'image/png'));
   await page.waitForFunction(() => /^Right image: the image has 1 × 1 px/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));

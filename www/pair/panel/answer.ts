@@ -12,7 +12,7 @@ import { shownPair } from '../state/select';
 import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
 import { summary } from './counts';
-import { whyNotOriented } from './orientation';
+import { areEqual, whyNotOriented } from './orientation';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
 
@@ -98,8 +98,15 @@ function asksForCamera({ kind }: Warning): boolean {
 
 function nextWithout(state: State, actions: AnswerActions): Next {
   const { kind } = whyNone(state);
+  const match = state.results.match?.value;
+  const why = { text: say('show-why'), act: actions.why };
+  // Other photographs help, nothing that could be given with these.
+  if (kind === 'no_geometry') return { text: say('open-other-photos'), act: () => actions.open(null) };
+  if (kind !== 'panorama' && match?.geometry?.degenerate === 'pure-rotation') {
+    return areEqual(match.matches) ? { text: say('replace-the-right-image'), act: () => actions.open('right') } : why;
+  }
   const camera = kind === 'no_camera' || kind === 'no_focal_length' || kind === 'no_pixel_size';
-  return camera ? cameraNext(state, actions) : { text: say('show-why'), act: actions.why };
+  return camera ? cameraNext(state, actions) : why;
 }
 
 /** Takes the camera as a block calibrated it, where it did. */

@@ -60,7 +60,7 @@ function estimatedFocal(state: State): HTMLElement[] {
 /** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
 const EQUAL_PX = 0.05;
 
-function areEqual(matches: Float64Array): boolean {
+export function areEqual(matches: Float64Array): boolean {
   let equal = 0;
   for (let i = 0; i < matches.length; i += 5) {
     const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = matches.subarray(i, i + 4);

@@ -108,8 +108,11 @@ export function editsOfFile({ output, edited }: PairProject): { rejected: number
 export function whyNone(state: State): NoOrientation {
   const cameras = pairCameras(state);
   const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
-  if ('missing' in cameras && interiorInUse(state) === null) return cameras.missing;
+  const missing = 'missing' in cameras && interiorInUse(state) === null ? cameras.missing : null;
+  if (missing?.kind === 'panorama') return missing;
+  // No camera helps photos that have no geometry.
   if (no_geometry !== null) return { kind: 'no_geometry', no_geometry };
+  if (missing !== null) return missing;
   if (geometry?.degenerate === 'pure-rotation') return { kind: 'pure_rotation' };
   const failures = (['interiorLeft', 'interiorRight', 'orientation'] as const).map((stage) => state.failures[stage]);
   const error = failures.find((failure) => failure?.error != null)?.error;
