@@ -6,9 +6,10 @@ import { test } from 'node:test';
 import { pageModules } from './www.js';
 
 const ARABIC = readFileSync(new URL('../www/shared/text/ar/block.ftl', import.meta.url), 'utf8');
-const { catalogue, direction, plot_words, units } = await pageModules([
+const { catalogue, direction, format, plot_words, units } = await pageModules([
   'shared/text/catalogue',
   'shared/text/direction',
+  'shared/text/format',
   'block/state/plot-words',
   'block/state/units',
 ]);
@@ -44,6 +45,23 @@ test('how long a block took goes on as the sentence: its full stop stands after 
       }
   // In English nothing is set apart.
   assert.equal(direction.asClauses(`a${FSI} b${PDI}`, false), `a${FSI} b${PDI}`);
+});
+
+test('a value and its error are one figure from left to right, with their degree signs', () => {
+  const text = `κ ${FSI}−16.21${PDI}° ± ${FSI}0.035${PDI}°؛ ${FSI}904${PDI} ±\u00a0${FSI}46${PDI} بكسل، ${FSI}12${PDI}°`;
+  assert.equal(direction.asClauses(text, true), `κ ${LRI}−16.21° ± 0.035°${PDI}؛ ${LRI}904 ±\u00a046${PDI} بكسل، ${FSI}12°${PDI}`);
+});
+
+test('coordinates have their unit where the block has a scale', () => {
+  const surveyed = (/** @type {string} */ role) => [{ role }];
+  assert.equal(units.inUnitOf({ origin: null, surveyed: [] }, '1 2 3'), '1 2 3');
+  assert.equal(units.inUnitOf({ origin: null, surveyed: surveyed('check') }, '1 2 3'), '1 2 3');
+  assert.equal(units.inUnitOf({ origin: null, surveyed: surveyed('control') }, '1 2 3'), '1 2 3 m');
+  assert.equal(units.inUnitOf({ origin: {}, surveyed: [] }, '1 2 3'), '1 2 3 m');
+});
+
+test('numbers of a sentence have a minus sign; hyphens of names and between digits stay', () => {
+  assert.equal(format.withMinus('IMG-12.jpg: -19.51° ± 0.2°, 3-4, 2026-05-17'), 'IMG-12.jpg: −19.51° ± 0.2°, 3-4, 2026-05-17');
 });
 
 test('units of legends and sentences are in the letters of the language', () => {

@@ -59,7 +59,10 @@ test('axe finds nothing in any state of a pair', { skip: SKIP }, async () => {
   await page.keyboard.press('Escape');
   await part(page, 'export-menu').click();
   await look('exports', '#exports');
-  await page.keyboard.press('Escape');
+  // What is chosen by keys folds the menu; the keyboard stays at its button.
+  await part(page, 'export-csv').focus();
+  await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+  assert.equal(await page.evaluate(() => document.activeElement?.id), 'export-menu');
 
   await page.locator('[data-testid="view"]').focus();
   await page.keyboard.press('?');

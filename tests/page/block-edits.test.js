@@ -124,8 +124,20 @@ test('observations and images are rejected, a point is measured by keyboard, all
 
   // Reload: what was done is there, and is undone to the last byte.
   await keptEdits(page, 'block/edits', 4, 4);
+  // The view that the address names is shown with the block, not once the edits are made again: who works on would be carried off.
+  await part(page, 'block-show-images').click();
+  await page.waitForFunction(() => /view=images/.test(window.location.hash));
+  await page.addInitScript(() => {
+    const seen = Object.assign(window, { strayed: 0 });
+    const at = (/** @type {string} */ id) => document.querySelector(`[data-testid="${id}"]`);
+    new MutationObserver(() => {
+      if (at('block-answer')?.getAttribute('data-verdict') && at('block-show-map')?.getAttribute('aria-pressed') === 'true') seen.strayed += 1;
+    }).observe(document, { subtree: true, childList: true, attributes: true });
+  });
   await page.reload();
   await status(page, /: 5 of 6 images/);
+  assert.equal(await page.evaluate(() => Number(/** @type {{ strayed?: number }} */ (/** @type {unknown} */ (window)).strayed)), 0);
+  await part(page, 'block-show-map').click();
   await undoIs(page, /^Undo: reject photo_0\.png \(/);
   await page.keyboard.press('Control+z');
   await status(page, /: 6 of 6 images/);

@@ -44,6 +44,8 @@ test('an edit asks for its orientation before anything is drawn, and moves neith
   await page.keyboard.press('Delete');
   await oriented(page);
   await done(page);
+  // What is said of the selected point is true after the edit, too.
+  await says(page, 'selected', /^Left point \d+ at [\d.]+, [\d.]+ px\. Matched, then rejected by hand\./);
   await page.evaluate(() => {
     const seen = { asked: /** @type {string[]} */ ([]), resized: 0, heads: 0, rows: 0 };
     Object.assign(window, { seen });

@@ -272,6 +272,12 @@ test('each bad file of several is told, and what was open only where something w
   await give();
   await says(page, 'status', /a\.txt holds no fiducial marks: .*bad\.jpg cannot be opened: .*worse\.jpg cannot be opened: /);
   assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /images are kept/);
+  // Of two, the one that can be read is shown: only the other is missing.
+  const [good] = pngs();
+  assert.ok(good && files[0]);
+  await part(page, 'file-input').setInputFiles([files[0], good]);
+  await says(page, 'status', /^bad\.jpg cannot be opened: [^.]*\.$/);
+  await part(page, 'replace-right').waitFor();
   await pair(page);
   await give();
   await says(page, 'status', /a\.txt .*bad\.jpg .*worse\.jpg .* The open images are kept\.$/);

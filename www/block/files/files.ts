@@ -321,7 +321,7 @@ export class BlockFiles {
     ].filter((note) => note !== '');
     // Why it cannot be run was said.
     if (notes.length === 0 || this.store.state.notice?.kind === 'problem') return;
-    this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: notes.join(' '), beside: runs } });
+    this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: notes.join(' '), beside: runs, passing: notes.length === 1 && why !== '' } });
   }
 
   private tell(kind: 'info' | 'busy' | 'problem', text: string): void {

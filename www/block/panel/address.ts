@@ -7,19 +7,25 @@ import { editsInForce, isSameList } from '../state/editing';
 export function mountAddress(store: BlockStore, modes: Modes): void {
   /** Of an address that was opened before its block was there. */
   let waiting = window.location.hash;
+  /** Whether its view is shown, which waits for no edits: who has gone on to another one meanwhile stays there. */
+  let isViewed = false;
   const follow = () => {
     const { shown, history } = store.state;
     // Edits number the points anew: the address is of the block with them.
-    if (shown === null || shown.view.partial || waiting === '' || !isSameList(editsInForce(history), shown.edits)) return;
+    if (shown === null || shown.view.partial || waiting === '') return;
     const wanted = asked(waiting, shown.view);
+    if (wanted !== null && !isViewed) {
+      isViewed = true;
+      modes.dispatch('block');
+      store.dispatch({ type: 'stage', view: wanted.view });
+    }
+    if (!isSameList(editsInForce(history), shown.edits)) return;
     waiting = '';
-    if (wanted === null) return;
-    modes.dispatch('block');
-    store.dispatch({ type: 'stage', view: wanted.view });
-    store.dispatch({ type: 'choose', choice: wanted.choice });
+    if (wanted !== null) store.dispatch({ type: 'choose', choice: wanted.choice });
   };
   window.addEventListener('hashchange', () => {
     waiting = window.location.hash;
+    isViewed = false;
     follow();
   });
   const tell = () => {

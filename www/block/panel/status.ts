@@ -106,7 +106,9 @@ function placeBlock({ run }: BlockAnswerActions): Next {
 }
 
 function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
-  const { running, notice, shown, files } = state;
+  const { running, shown, files, placing } = state;
+  const passed = state.notice?.passing === true && running.kind !== 'yes' && placing.running === null;
+  const notice = passed ? null : state.notice;
   const line = (kind: Answer['kind'], text: string): Answer => ({ kind, text, verdict: null });
   if (running.kind === 'yes') return { ...line('busy', runText(running.steps)), more: notice?.beside === true ? notice.text : '' };
   if (state.placing.running !== null) return placingRuns(state.placing.running);

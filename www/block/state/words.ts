@@ -4,6 +4,7 @@ import { collectedOf, LEAST_POINTS } from './marks';
 import type { WithMarks } from './marks';
 import type { Choice } from './selection';
 import type { Listed } from './state';
+import { inUnitOf } from './units';
 import type { BlockView, ViewConnection, ViewGeometry, ViewGiven } from './view';
 import { message } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
@@ -105,7 +106,8 @@ function describePair(view: BlockView, images: readonly [number, number]): strin
   return `${names}: ${parts.filter((part) => part !== '').join('; ')}.`;
 }
 
-function describePoint({ points, surveyed }: BlockView, point: number): string {
+function describePoint(view: BlockView, point: number): string {
+  const { points, surveyed } = view;
   const axes = [0, 1, 2].map((axis) => 3 * point + axis);
   const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(' ');
   const errors = axes.map((at) => points.errors[at] ?? NaN);
@@ -115,8 +117,8 @@ function describePoint({ points, surveyed }: BlockView, point: number): string {
       rays: points.rays[point] ?? 0,
     }),
     known(points.rmsePx[point]) ? say('rmse-px-3', { rmse_px: points.rmsePx[point] ?? NaN }) : '',
-    known(points.positions[3 * point]) ? `X Y Z ${place}` : say('not-intersected'),
-    errors.every(known) ? `± ${errors.map((error) => fixed(error, 3)).join(' ')}` : '',
+    known(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say('not-intersected'),
+    errors.every(known) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(' ')}`) : '',
     point < points.taking ? '' : say('rejected-by-hand-2'),
   ];
   return `${parts.filter((part) => part !== '').join('; ')}.`;

@@ -241,7 +241,13 @@ export class Files {
     const told: Told[] = outcomes.flatMap((outcome, i) =>
       outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? say('the-file'), outcome.reason)] : [],
     );
-    if (told.length > 0) return told;
+    if (told.length > 0) {
+      // Where nothing was open, what can be read is shown: the other one alone is missing.
+      const { left, right } = this.store.state.images;
+      const opened = entries.filter((_, i) => outcomes[i]?.status === 'fulfilled');
+      if (left === null && right === null && opened.length > 0) this.store.dispatch({ type, images: Object.fromEntries(opened) });
+      return told;
+    }
     const aside = entries.length === 2 && type === 'images' ? await this.leave() : null;
     this.store.dispatch({ type, images });
     return [aside];

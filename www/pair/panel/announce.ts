@@ -12,7 +12,8 @@ export function mountAnnouncements(host: HTMLElement, store: Store, details: () 
   const keys = byId('keys');
   const text = h('span', {});
   fill(host, text, ' ', button(say('details'), 'selected-details', details));
-  store.watch(['selection'], ([selection]) => {
+  // What became of it changes by edits and by new results, too.
+  store.watch(['selection', 'history', 'results'], ([selection]) => {
     const { state } = store;
     host.hidden = selection === null;
     keys.hidden = selection !== null;
@@ -26,6 +27,8 @@ export function mountAnnouncements(host: HTMLElement, store: Store, details: () 
     const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
     const label = textOfCode(codes[selection.index] ?? UNDECIDED, 'label');
     const why = shown.match === null ? '' : verdictOf(state, shown, shown.match).text;
-    text.textContent = say('point-at', { side: selection.side, index: selection.index + 1, x, y, what: why === '' ? say('n--4', { label }) : why });
+    const said = say('point-at', { side: selection.side, index: selection.index + 1, x, y, what: why === '' ? say('n--4', { label }) : why });
+    // What is said already would be read out again.
+    if (text.textContent !== said) text.textContent = said;
   });
 }

@@ -76,10 +76,13 @@ function figuresOf(state: State, result: OrientedPair): Figure[] {
     ...(interior === undefined || result.sigma0_mm == null
       ? []
       : [{ value: say('px-2', { value: result.sigma0_mm / pixelMm(interior) }), label: say('precision') }]),
-    ...(half == null
-      ? []
-      : [{ value: `${fixed(result.kappa_deg, 2)}° ± ${half < 99 ? half.toPrecision(2) : fixed(half, 0)}°`, label: say('right-photo-turned') }]),
+    ...(half == null ? [] : [{ value: `${fixed(result.kappa_deg, decimalsOf(half))}° ± ${fixed(half, decimalsOf(half))}°`, label: say('right-photo-turned') }]),
   ];
+}
+
+/** Decimals that show two digits of a half-width: those of the value that it belongs to. */
+function decimalsOf(half: number): number {
+  return half > 0 ? Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(half)))) : 2;
 }
 
 function figuresWithout(state: State): Figure[] {

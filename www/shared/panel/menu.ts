@@ -22,7 +22,11 @@ export function mountMenu(press: HTMLElement, panel: HTMLElement): void {
     if (isUnfolded() && target instanceof Node && !panel.contains(target) && !press.contains(target)) show(false);
   });
   panel.addEventListener('click', ({ target }) => {
-    if (target instanceof Element && target.closest('button:not([aria-expanded])') !== null) show(false);
+    if (!isUnfolded() || !(target instanceof Element) || target.closest('button:not([aria-expanded])') === null) return;
+    // What is folded cannot hold the keyboard; a choice that took it elsewhere keeps it there.
+    const held = panel.contains(document.activeElement);
+    show(false);
+    if (held) press.focus();
   });
   document.addEventListener('keydown', ({ key }) => {
     if (key !== 'Escape' || !isUnfolded()) return;

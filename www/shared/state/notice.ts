@@ -4,4 +4,6 @@ export interface Notice {
   text: string;
   /** It is said after what the line says anyway, not in its place. */
   beside?: boolean;
+  /** It is said while a run goes on, and no longer. */
+  passing?: boolean;
 }

@@ -3,12 +3,19 @@ import { LANGUAGE, LANGUAGES } from './language';
 
 const IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === 'rtl';
 
-/** The beginning of a part from right to left, and its end. */
-const [RLI, PDI] = ['\u2067', '\u2069'];
+/** The beginning of a part from left to right, of one from right to left, and the end of either. */
+const [LRI, RLI, PDI] = ['\u2066', '\u2067', '\u2069'];
+
+/** A number that is set apart, with its degree sign. */
+const NUMBER = /\u2068([^\u2066-\u2069]+)\u2069(°?)/u.source;
+/** "1.5° ± 0.2°" is one figure: it runs from left to right as a whole, or its parts would change places. */
+const WITH_ERROR = new RegExp(`${NUMBER}([ \\u00a0]±[ \\u00a0])${NUMBER}`, 'gu');
 
 /** What a text writes is set apart as its first letter runs. A clause, which a space or a comma begins, goes on as the sentence does, also where that stands in a part of its own. */
 export function asClauses(text: string, isFromRight = IS_FROM_RIGHT): string {
-  return isFromRight ? text.replaceAll(/\u2068(?=\u2068*[\s،؛,;:·(])/gu, RLI) : text;
+  if (!isFromRight) return text;
+  const figures = text.replaceAll(WITH_ERROR, `${LRI}$1$2$3$4$5${PDI}`).replaceAll(`${PDI}°`, `°${PDI}`);
+  return figures.replaceAll(/\u2068(?=\u2068*[\s،؛,;:·(])/gu, RLI);
 }
 
 /** A sentence on a canvas, which itself runs from left to right. */

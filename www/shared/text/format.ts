@@ -19,6 +19,11 @@ export function grouped(text: string): string {
   return text.replaceAll(/(?<![\p{L}\d_.,−-])\d{4,}(?![\p{L}\d_-]|[.,]\d|\.\p{L})/gu, (digits) => count(Number(digits)));
 }
 
+/** A sentence with the minus signs of its numbers as typography has them; hyphens in names and between digits stay. */
+export function withMinus(text: string): string {
+  return text.replaceAll(/(?<![\p{L}\p{N}_.,)−-])-(?=\d)/gu, '−');
+}
+
 /** With all of its digits. */
 export function plain(value: number): string {
   return String(value).replace('-', '−');

@@ -1,15 +1,15 @@
 /** Messages of the crate in the language of the page. */
 import { message as written } from '../crate';
 import { asClauses } from './direction';
-import { grouped } from './format';
+import { grouped, withMinus } from './format';
 import { LANGUAGE } from './language';
 
 type Written = Parameters<typeof written>;
 
 /** The text of a message, or, by its name, another text that belongs to it, as its `label`; its figures as the page writes them. */
 export function message(family: Written[0], of: Written[1], attribute: string | null = null): string {
-  const text = written(family, of, attribute, LANGUAGE).replaceAll('σ0', 'σ₀');
-  return asClauses(family.endsWith('verdict') ? grouped(text) : text);
+  const text = written(family, of, attribute, LANGUAGE).replaceAll('σ0', 'σ₀').replaceAll('± ', '±\u00a0');
+  return asClauses(family.endsWith('verdict') ? grouped(withMinus(text)) : text);
 }
 
 /** What is said of whatever was thrown. Errors of the crate come with their figures. */

@@ -75,7 +75,7 @@ point-at =
     النقطة { $side ->
         [left] اليسرى
        *[right] اليمنى
-    } { COUNT($index) } عند { FIXED($x, digits: 1) }، { FIXED($y, digits: 1) }. { $what }
+    } { COUNT($index) } عند { FIXED($x, digits: 1) }، { FIXED($y, digits: 1) } بكسل. { $what }
 loading-the-program = يُحمَّل البرنامج …
 ready-open-two-overlapping-images = جاهز. افتح صورتين متداخلتين، أو استعمل الزوج النموذجي.
 one-image-is-open-open = صورة واحدة مفتوحة. افتح الصورة { $missing ->

@@ -92,9 +92,9 @@ settings-of-the-pair = Settings of the pair
 n--4 = { $label }.
 point-at =
     { $side ->
-        [left] left
-       *[right] right
-    } point { COUNT($index) } at { FIXED($x, digits: 1) }, { FIXED($y, digits: 1) }. { $what }
+        [left] Left
+       *[right] Right
+    } point { COUNT($index) } at { FIXED($x, digits: 1) }, { FIXED($y, digits: 1) } px. { $what }
 
 ## panel/answer
 
