@@ -85,9 +85,10 @@ function said(store: BlockStore, looking: Looking): HTMLElement {
     const { chosen } = store.state.selection;
     if (chosen?.kind === 'pair') looking.open(chosen.images);
   });
-  store.watch(['selection', 'shown', 'running', 'notice', 'placing'], ([{ chosen, pointed }, shown]) => {
+  store.watch(['selection', 'shown', 'running', 'notice', 'placing', 'onStage'], ([{ chosen, pointed }, shown, , , , onStage]) => {
     tell(chosenNow, store, chosen, '');
-    tell(pointedAt, store, pointed, say('point-at-an-image-a'));
+    // Plots have neither lines nor cells of pairs.
+    tell(pointedAt, store, pointed, onStage === 'plots' ? '' : say('point-at-an-image-a'));
     // What is chosen is said already.
     if (pointed !== null && isSame(pointed, chosen)) pointedAt.textContent = '';
     open.hidden = chosen?.kind !== 'pair' || shown === null;

@@ -32,10 +32,11 @@ export function mountInput(view: View, store: Store, navigator: Navigator, { edi
   const activate = (side: Side) => {
     if (store.state.activeSide !== side) store.dispatch({ type: 'activeSide', side });
   };
+  // In the order of the list of keys: what is needed most comes first.
+  const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(store, navigator, editing, masking) });
   const measuring = declare({ where: say('pictures-of-a-pair-while'), host, list: measuringKeys(store, navigator, editing) });
   const masks = declare({ where: say('pictures-of-a-pair-while-masking'), host, list: maskingKeys(store, navigator, masking, paint) });
   const marks = declare({ where: say('pictures-of-a-pair-while-marking'), host, list: markingKeys(store, navigator, marking) });
-  const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(store, navigator, editing, masking) });
   listen<Side>(
     host,
     {

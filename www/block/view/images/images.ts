@@ -59,8 +59,8 @@ export class ImagesView implements Commanded {
     this.measuring = new Measuring(store, engine, facts, () => this.seen.panes());
     this.moving = new Moving(this.seen);
     this.opening = new Opening(this.seen, this.measuring);
-    const measures = declare({ where: say('images-of-a-block-measuring'), host, list: measuringKeys(this) });
     const looks = declare({ where: say('images-of-a-block'), host, list: lookingKeys(this) });
+    const measures = declare({ where: say('images-of-a-block-measuring'), host, list: measuringKeys(this) });
     listen<number>(
       host,
       {

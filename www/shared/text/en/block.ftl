@@ -956,8 +956,8 @@ block-done =
        *[other] {" "}{ $time }.
     }{ $warnings ->
         [0] {""}
-        [one] {" "}1 warning, see Results.
-       *[other] {" "}{ COUNT($warnings) } warnings, see Results.
+        [one] {" "}1 warning, see Details.
+       *[other] {" "}{ COUNT($warnings) } warnings, see Details.
     }
 block-not-oriented =
     { $why }{ $group ->
