@@ -98,13 +98,14 @@ export class Files {
       );
       return;
     }
+    const before = this.store.state.images;
     const told: Told[] = [];
     const camera = cameras[0];
     if (camera !== undefined) told.push(await this.takeCamera(camera));
     for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
     if (images.length > 0) told.push(...(await this.takeImages(images, side)));
     for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
-    this.tell(told);
+    this.tell(told, before);
   }
 
   /** Opens a pair that was saved. */
@@ -163,11 +164,10 @@ export class Files {
     if (sample !== undefined) await this.takeFlight(sample.name, sample.flight);
   }
 
-  /** Says together what came of files that were given together. */
-  private tell(told: readonly Told[]): void {
+  /** Says together what came of files that were given together; `before`: the images that were open then. */
+  private tell(told: readonly Told[], { left, right } = this.store.state.images): void {
     const said = told.filter((one) => one !== null);
     const bad = said.some(({ kind }) => kind === 'problem');
-    const { left, right } = this.store.state.images;
     // Where nothing was open there is nothing to be afraid for.
     const kept = bad && (left !== null || right !== null) ? say('the-open-images-are-kept') : '';
     const text = `${said.map((one) => one.text).join(' ')}${kept}`;
