@@ -798,6 +798,10 @@ of-points-of-the-former = { $lost } { $lost ->
         [one] does
        *[other] do
     } not apply to the new one.
+cannot-be-done-again = { $undone } undone { $undone ->
+        [one] edit
+       *[other] edits
+    } of points of the former block cannot be redone in the new one: { $steps }.
 
 ## state/naming
 
