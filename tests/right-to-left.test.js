@@ -6,11 +6,12 @@ import { test } from 'node:test';
 import { pageModules } from './www.js';
 
 const ARABIC = readFileSync(new URL('../www/shared/text/ar/block.ftl', import.meta.url), 'utf8');
-const { catalogue, direction, plot_words, units } = await pageModules([
+const { axes, catalogue, direction, plot_words, units } = await pageModules([
   'shared/text/catalogue',
   'shared/text/direction',
+  'shared/text/units',
   'block/state/plot-words',
-  'block/state/units',
+  'block/view/plot/axes',
 ]);
 
 const [LRI, RLI, FSI, PDI] = ['\u2066', '\u2067', '\u2068', '\u2069'];
@@ -46,14 +47,41 @@ test('how long a block took goes on as the sentence: its full stop stands after 
   assert.equal(direction.asClauses(`a${FSI} b${PDI}`, false), `a${FSI} b${PDI}`);
 });
 
-test('units of legends and sentences are in the letters of the language', () => {
-  assert.deepEqual(['px', 'm', '', '%'].map(units.unitInWords), ['px', 'm', '', '%']);
+test('units have their signs in English', () => {
+  assert.deepEqual(['px', 'm', '', '%', 'µm'].map(units.unitText), ['px', 'm', '', '%', 'µm']);
+  assert.deepEqual([units.withUnit('−1.5', 'px'), units.withUnit('2', '')], ['−1.5 px', '2']);
   const data = { x: { label: 'x', unit: '', values: Float64Array.of(1) }, y: { label: 'y', unit: 'px', values: Float64Array.of(0.5) } };
   assert.match(plot_words.plotText(data), / px\.$/);
+  assert.deepEqual([axes.titleOf(data.x), axes.titleOf(data.y)], ['x', 'y, px']);
 });
 
-test('in Arabic a pixel is written out', async () => {
-  const arabic = await pageModules(['shared/text/words', 'block/state/units']);
-  arabic.words.learn([ARABIC]);
-  assert.deepEqual(['px', 'm'].map(arabic.units.unitInWords), ['بكسل', 'م']);
+test('in Arabic units are in its letters in heads, after figures and on axes, and have their signs in files', async () => {
+  // As a worker is told its language.
+  Object.assign(globalThis, { name: 'test ar' });
+  const arabic = await pageModules(['shared/text/words', 'shared/text/units', 'shared/state/rows', 'block/view/plot/axes']);
+  Object.assign(globalThis, { name: '' });
+  arabic.words.learn(['block', 'options', 'pair', 'shared'].map((part) => readFileSync(new URL(`../www/shared/text/ar/${part}.ftl`, import.meta.url), 'utf8')));
+  const { unitText, withUnit } = arabic.units;
+  assert.deepEqual(['px', 'm', 'cm', 'mm', 'µm', 'km', 'grey values', '°', '%', ''].map(unitText), [
+    'بكسل',
+    'م',
+    'سم',
+    'مم',
+    'ميكرومتر',
+    'كم',
+    'قيم رمادية',
+    '°',
+    '%',
+    '',
+  ]);
+  // The sign of a figure stays before its digits, and the unit comes after both.
+  assert.deepEqual([withUnit('−1.5', 'px'), withUnit('−1.5', '°'), withUnit('3', '')], [`${RLI}${LRI}−1.5${PDI} بكسل${PDI}`, '−1.5 °', '3']);
+  const title = arabic.axes.titleOf({ label: 'الصف', unit: 'px', values: new Float64Array() });
+  assert.match(title.replaceAll(/[\u2066-\u2069]/gu, ''), /^الصف، بكسل$/u);
+  // Files for other programs.
+  const column = { key: 'v', label: 'v', unit: 'px', help: '', value: () => 1, text: () => '1' };
+  assert.equal(
+    arabic.rows.csvOf([column], [0], (/** @type {string} */ text) => text),
+    'v [px]\n1\n',
+  );
 });

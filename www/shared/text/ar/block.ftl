@@ -437,8 +437,7 @@ saves-the-plot-as-it = يحفظ المخطط كما يُعرض، صورةً
 saves-the-values-of-the = يحفظ قيم المخطط
 there-are-no-such-values = لا قيم كهذه: تأتي مع الكتلة الموجَّهة.
 n--2 = {" "}{ $unit }
-unit-of-px = بكسل
-unit-of-m = م
+axis-title = { $label }، { $unit }
 values-over-median-from-to = عدد القيم { COUNT($sorted) } مقابل { $to_lower_case }. { $label }: الوسيط { $at }، من { $at_2 } إلى { $at_3 }{ $what }.
 unchecked-at-the-top = وفي الأعلى { COUNT($unchecked) } { $unchecked ->
         [one] أخرى

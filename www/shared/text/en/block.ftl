@@ -490,8 +490,7 @@ saves-the-plot-as-it = Saves the plot as it is shown, as a picture
 saves-the-values-of-the = Saves the values of the plot
 there-are-no-such-values = There are no such values: they come with the oriented block.
 n--2 = {" "}{ $unit }
-unit-of-px = px
-unit-of-m = m
+axis-title = { $label }, { $unit }
 values-over-median-from-to = { COUNT($sorted) } values over { $to_lower_case }. { $label }: median { $at }, from { $at_2 } to { $at_3 }{ $what }.
 unchecked-at-the-top = { COUNT($unchecked) } { $unchecked ->
         [one] more stands
