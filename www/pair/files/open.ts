@@ -242,7 +242,8 @@ export class Files {
       outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? say('the-file'), outcome.reason)] : [],
     );
     if (told.length > 0) return told;
-    const aside = entries.length === 2 && type === 'images' ? await this.leave() : null;
+    // A single one takes the mask of the one before it away, and the edits of their matches.
+    const aside = type === 'images' ? await this.leave() : null;
     this.store.dispatch({ type, images });
     return [aside];
   }
