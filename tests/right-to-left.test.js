@@ -58,7 +58,7 @@ test('units have their signs in English', () => {
 test('in Arabic units are in its letters in heads, after figures and on axes, and have their signs in files', async () => {
   // As a worker is told its language.
   Object.assign(globalThis, { name: 'test ar' });
-  const arabic = await pageModules(['shared/text/words', 'shared/text/units', 'shared/state/rows', 'block/view/plot/axes']);
+  const arabic = await pageModules(['shared/text/words', 'shared/text/units', 'shared/state/rows', 'block/view/plot/axes', 'block/state/plot-words']);
   Object.assign(globalThis, { name: '' });
   arabic.words.learn(['block', 'options', 'pair', 'shared'].map((part) => readFileSync(new URL(`../www/shared/text/ar/${part}.ftl`, import.meta.url), 'utf8')));
   const { unitText, withUnit } = arabic.units;
@@ -78,6 +78,9 @@ test('in Arabic units are in its letters in heads, after figures and on axes, an
   assert.deepEqual([withUnit('−1.5', 'px'), withUnit('−1.5', '°'), withUnit('3', '')], [`${RLI}${LRI}−1.5${PDI} بكسل${PDI}`, '−1.5 °', '3']);
   const title = arabic.axes.titleOf({ label: 'الصف', unit: 'px', values: new Float64Array() });
   assert.match(title.replaceAll(/[\u2066-\u2069]/gu, ''), /^الصف، بكسل$/u);
+  // The unit stands after the last figure, and the full stop after the unit: the clause of the unit runs as its sentence does.
+  const data = { x: { label: 'x', unit: '', values: Float64Array.of(1) }, y: { label: 'y', unit: 'px', values: Float64Array.of(0.5) } };
+  assert.match(arabic.plot_words.plotText(data), new RegExp(`${PDI}${RLI}${RLI} ${PDI}${FSI}بكسل${PDI}${PDI}\\.$`, 'u'));
   // Files for other programs.
   const column = { key: 'v', label: 'v', unit: 'px', help: '', value: () => 1, text: () => '1' };
   assert.equal(

@@ -8,7 +8,7 @@ const [RLI, LRI, PDI] = ['\u2067', '\u2066', '\u2069'];
 
 /** What a text writes is set apart as its first letter runs. A clause, which a space or a comma begins, goes on as the sentence does, also where that stands in a part of its own. */
 export function asClauses(text: string, isFromRight = IS_FROM_RIGHT): string {
-  return isFromRight ? text.replaceAll(/\u2068(?=\u2068*[\s،؛,;:·(])/gu, RLI) : text;
+  return isFromRight ? text.replaceAll(/\u2068(?=[\u2067\u2068]*[\s،؛,;:·(])/gu, RLI) : text;
 }
 
 /** A sentence on a canvas, which itself runs from left to right. */
