@@ -146,13 +146,15 @@ function newPoint(edits: readonly BlockEdit[], view: BlockView): Choice | null {
   return point < 0 ? null : { kind: 'point', point };
 }
 
+const NOTHING_CARRIED: CarriedOver = { history: NO_HISTORY, left: [0], lost: 0, aside: [] };
+
 type Carried = Pick<BlockState, keyof Edits | 'marks'>;
 
 /** The edits of a block that was found anew, of what the former one had, with the steps beside them; `said`: what became of them. */
 export function carried({ history, marks, shown }: BlockState, view: BlockView): { edits: Carried; said: string } {
-  const names = shown === null ? NO_NAMES : namesOf(shown.found);
-  const none = { history: NO_HISTORY, left: [0], lost: 0, aside: [] };
-  return keptOf(shown === null ? none : carriedOver(history, names, namesOf(view)), marks, names);
+  if (shown === null || history.edits.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
+  const names = namesOf(shown.found);
+  return keptOf(carriedOver(history, names, namesOf(view)), marks, names);
 }
 
 /** The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. */
