@@ -20,6 +20,7 @@ before(async () => {
       'block/state/naming',
       'block/state/reducer',
       'block/state/state',
+      'block/state/timeline',
       'block/files/edit',
       'shared/files/journal',
       'shared/state/history',
@@ -201,7 +202,7 @@ test('after a new run what was measured by hand stays, by the names of the image
     { kind: 'measure', point: { tie_point: 7 }, ...place(3) },
     { kind: 'reject_images', images: [2] },
   ];
-  const before = after({ type: 'edit', edits });
+  const before = after(...edits.map((edit) => ({ type: 'edit', edits: [edit] })));
   // The third image is no longer there.
   const view = { ...viewOf([5]), images: ['x', 'a', 'b', 'd'].map((name) => ({ name, rays: 1 })) };
   const state = page.reducer.reduceBlock(before, { type: 'done', key: 'k', view, files: [], seconds: 1 });
@@ -210,6 +211,68 @@ test('after a new run what was measured by hand stays, by the names of the image
     [{ kind: 'measure', point: { manual: 0 }, ...place(3) }],
   ]);
   assert.match(state.notice.text, /^2 edits by hand were kept\. 4 edits/);
+});
+
+/** A block without the image c, as it is found anew. */
+const withoutC = () => ({ ...viewOf([5]), images: ['a', 'b', 'd'].map((name) => ({ name, rays: 1 })) });
+
+const anew = (/** @type {any} */ state, view = withoutC()) => page.reducer.reduceBlock(state, { type: 'done', key: 'k', view, files: [], seconds: 1 });
+
+test('after a new run steps stay steps, and those that were undone are done again where they still apply', () => {
+  const place = (/** @type {number} */ image) => ({ image, x_px: 1, y_px: 2, by: 'hand' });
+  const measure = (/** @type {number} */ point, /** @type {number} */ image) => ({ kind: 'measure', point: { manual: point }, ...place(image) });
+  const add = (/** @type {number[]} */ ...images) => ({ kind: 'add_point', observations: images.map(place) });
+  const steps = [
+    [add(0, 1)],
+    [measure(0, 2), measure(0, 3)],
+    [reject, { kind: 'reject_images', images: [0] }],
+    // From here on undone.
+    [reject],
+    [{ kind: 'reject_points', points: [{ tie_point: 10 }, { tie_point: 12 }] }, add(0, 1)],
+    [add(1, 3)],
+    [measure(1, 3)],
+    [measure(2, 0)],
+  ];
+  const state = anew(after(...steps.map((edits) => ({ type: 'edit', edits })), { type: 'goto', done: 3 }));
+  // One of both that were measured together is in the image that is gone. The point that was not added has no number.
+  const left = [[add(0, 1)], [measure(0, 2)], [{ kind: 'reject_images', images: [0] }], [add(1, 2)], [measure(1, 0)]];
+  assert.deepEqual(state.history, { edits: left, done: 3 });
+  assert.equal(
+    state.notice.text,
+    '3 edits by hand were kept. 2 edits of points of the former block do not apply to the new one. ' +
+      '3 undone edits of points of the former block cannot be redone in the new one: reject 1 point, join 2 points, measure 1 observation in d.',
+  );
+  const redone = page.reducer.reduceBlock(state, { type: 'goto', done: 5 });
+  assert.equal(page.editing.editsInForce(redone.history).length, 5);
+  // Where all were undone they are kept as well, and nothing is said where none is lost.
+  const undone = anew(after({ type: 'edit', edits: [add(0, 1)] }, { type: 'goto', done: 0 }));
+  assert.deepEqual([undone.history, undone.notice], [{ edits: [[add(0, 1)]], done: 0 }, null]);
+});
+
+test('steps beside the edits keep their places among them through a new run, a refusal, and a new edit after others were undone', () => {
+  const image = (/** @type {number} */ one) => ({ type: 'edit', edits: [{ kind: 'reject_images', images: [one] }] });
+  const mark = (/** @type {number} */ past) => ({
+    type: 'mark',
+    step: { kind: 'measure', marks: [{ image: 'a', point: 'A', x_px: 1, y_px: past }], after: past },
+  });
+  const order = (/** @type {any} */ state) =>
+    page.timeline
+      .timelineOf(state)
+      .edits.map((/** @type {any} */ { of, at }) => `${of.charAt(0)}${at}`)
+      .join(' ');
+  // The second edit is of the image that is gone.
+  assert.equal(order(after(image(0), image(2), mark(2), image(3))), 'e0 e1 m0 e2');
+  assert.equal(order(anew(after(image(0), image(2), mark(2), image(3)))), 'e0 m0 e1');
+  // Two that were measured at once are one step.
+  const both = { type: 'edit', edits: [...image(0).edits, ...image(1).edits] };
+  assert.equal(order(anew(after(both, mark(1), image(3)))), 'e0 m0 e1');
+  // The second edit is refused: one that is made then comes last.
+  const [first] = image(0).edits;
+  const refused = after(image(0), { type: 'edited', view: viewOf([10]), edits: [first] }, image(1), mark(2), { type: 'editRefused', reason: 'no' }, image(3));
+  assert.equal(order(refused), 'e0 m0 e1');
+  // What redo made last undo takes back first.
+  const redone = after(mark(0), image(0), { type: 'goto', done: 0 }, { type: 'gotoMark', done: 0 }, image(1), { type: 'gotoMark', done: 1 });
+  assert.equal(order(redone), 'e0 m0');
 });
 
 test('points that are one are joined, one that is two is split, as one step with a name', () => {
@@ -270,10 +333,15 @@ test('of many edits only the one that is refused goes; those that were to follow
   const { withoutRefused } = page.editing;
   const steps = [0, 1, 2, 3].map((image) => [{ kind: 'reject_images', images: [image] }]);
   const history = { edits: steps, done: 3 };
-  const [first = [], second = [], third = []] = steps;
-  assert.deepEqual(withoutRefused(history, []), { edits: [second, third], done: 2 });
-  assert.deepEqual(withoutRefused(history, first), { edits: [first, third], done: 2 });
-  assert.deepEqual(withoutRefused(history, [...first, ...second]), { edits: [first, second], done: 2 });
+  const [first = [], second = [], third = [], undone = []] = steps;
+  // What was undone can still be done again.
+  assert.deepEqual(withoutRefused(history, []), { edits: [second, third, undone], done: 2 });
+  assert.deepEqual(withoutRefused(history, first), { edits: [first, third, undone], done: 2 });
+  assert.deepEqual(withoutRefused(history, [...first, ...second]), { edits: [first, second, undone], done: 2 });
+  // To go back was refused.
+  assert.deepEqual(withoutRefused({ ...history, done: 1 }, [...first, ...second]), { edits: steps, done: 2 });
+  // The block has what the history does not.
+  assert.deepEqual(withoutRefused({ edits: [second], done: 1 }, first), { edits: [first], done: 1 });
 });
 
 test('a new run keeps points by hand as they stand, rejected or not', () => {
@@ -299,7 +367,10 @@ test('a new run keeps points by hand as they stand, rejected or not', () => {
     ],
   );
   // The third image is gone, and with it the first point.
-  assert.deepEqual(carriedOver(edits, before, names(['b', 'a'], [[4, 'north']])), [
+  const all = { edits: edits.map((edit) => [edit]), done: edits.length };
+  const { history, lost } = carriedOver(all, before, names(['b', 'a'], [[4, 'north']]));
+  assert.equal(lost, 3);
+  assert.deepEqual(history.edits.flat(), [
     { kind: 'add_point', observations: [place(1), place(0)] },
     { kind: 'reject_points', points: [{ manual: 0 }] },
     { kind: 'reject_observations', observations: [{ point: { manual: 0 }, image: 0 }] },

@@ -16,6 +16,7 @@ const MODULES = [
   'pair/state/select',
   'pair/state/state',
   'pair/files/journal',
+  'pair/files/open',
   'shared/state/history',
   'shared/state/neighbours',
 ];
@@ -328,6 +329,33 @@ test('a pair that is opened again has its edits again', () => {
   state = show(state, 'a.jpg', 'b.jpg');
   assert.equal(state.history, history);
   assert.equal(state.shelf.size, 0);
+});
+
+test('matched photographs stay in the list of projects when another one takes the place of one of them', async () => {
+  const file = (/** @type {string} */ name) => new File([name], name, { lastModified: 1 });
+  const store = {
+    state: opened(),
+    dispatch: (/** @type {any} */ action) => {
+      store.state = page.reducer.reduce(store.state, action);
+    },
+  };
+  const { images } = store.state;
+  const withFile = (/** @type {any} */ image) => ({ ...image, source: { kind: 'file', file: file(image.name) } });
+  store.dispatch({ type: 'found', images: { left: withFile(images.left), right: withFile(images.right) } });
+  const before = store.state;
+  /** @type {any[]} */
+  const aside = [];
+  const putAside = () => Promise.resolve(aside.push(store.state) > 0);
+  const none = () => Promise.reject(new Error('not asked'));
+  const files = new page.open.Files(store, { open: () => Promise.resolve() }, none, none, putAside);
+  files.begin();
+  await files.take([file('third')], 'right');
+  assert.deepEqual(aside, [{ ...before, notice: aside[0]?.notice }]);
+  assert.deepEqual([store.state.images.left.name, store.state.images.right.name], ['left', 'third']);
+  assert.match(store.state.notice.text, /left.* stay under Projects\.$/);
+  // Nothing is matched yet: nothing is kept twice.
+  await files.take([file('fourth')], 'right');
+  assert.equal(aside.length, 1);
 });
 
 test('the journal is read back as it was, an edit writes its last piece alone, and damage is named', () => {

@@ -187,3 +187,12 @@ test('axes end beside their values, bars stand on zero, and ticks are round', ()
   assert.ok(Math.abs(square.x[0] + square.x[1]) < 1e-12 && Math.abs(square.y[0] + square.y[1]) < 1e-12);
   assert.ok(Math.abs((square.x[1] - square.x[0]) / (464 - 80) - (square.y[1] - square.y[0]) / (300 - 54)) < 1e-12);
 });
+
+test('a title stays in sight: at the middle of its axis, beside it where it is long, and drawn narrower where it is longer than the picture', () => {
+  const { titleWithin } = page.axes;
+  assert.deepEqual(titleWithin(50, 100, 240), { middle: 100, most: 232 });
+  // The axis is nearer to the upper edge.
+  assert.deepEqual(titleWithin(200, 90, 240), { middle: 104, most: 232 });
+  assert.deepEqual(titleWithin(200, 150, 240), { middle: 136, most: 232 });
+  assert.deepEqual(titleWithin(500, 90, 240), { middle: 120, most: 232 });
+});

@@ -6,12 +6,14 @@ import { test } from 'node:test';
 import { pageModules } from './www.js';
 
 const ARABIC = readFileSync(new URL('../www/shared/text/ar/block.ftl', import.meta.url), 'utf8');
-const { catalogue, direction, format, plot_words, units } = await pageModules([
+const { axes, catalogue, direction, format, plot_words, scale, units } = await pageModules([
   'shared/text/catalogue',
   'shared/text/direction',
   'shared/text/format',
+  'shared/text/units',
+  'block/state/scale',
   'block/state/plot-words',
-  'block/state/units',
+  'block/view/plot/axes',
 ]);
 
 const [LRI, RLI, FSI, PDI] = ['\u2066', '\u2067', '\u2068', '\u2069'];
@@ -54,24 +56,54 @@ test('a value and its error are one figure from left to right, with their degree
 
 test('coordinates have their unit where the block has a scale', () => {
   const surveyed = (/** @type {string} */ role) => [{ role }];
-  assert.equal(units.inUnitOf({ origin: null, surveyed: [] }, '1 2 3'), '1 2 3');
-  assert.equal(units.inUnitOf({ origin: null, surveyed: surveyed('check') }, '1 2 3'), '1 2 3');
-  assert.equal(units.inUnitOf({ origin: null, surveyed: surveyed('control') }, '1 2 3'), '1 2 3 m');
-  assert.equal(units.inUnitOf({ origin: {}, surveyed: [] }, '1 2 3'), '1 2 3 m');
+  assert.equal(scale.inUnitOf({ origin: null, surveyed: [] }, '1 2 3'), '1 2 3');
+  assert.equal(scale.inUnitOf({ origin: null, surveyed: surveyed('check') }, '1 2 3'), '1 2 3');
+  assert.equal(scale.inUnitOf({ origin: null, surveyed: surveyed('control') }, '1 2 3'), '1 2 3 m');
+  assert.equal(scale.inUnitOf({ origin: {}, surveyed: [] }, '1 2 3'), '1 2 3 m');
 });
 
 test('numbers of a sentence have a minus sign; hyphens of names and between digits stay', () => {
   assert.equal(format.withMinus('IMG-12.jpg: -19.51° ± 0.2°, 3-4, 2026-05-17'), 'IMG-12.jpg: −19.51° ± 0.2°, 3-4, 2026-05-17');
 });
 
-test('units of legends and sentences are in the letters of the language', () => {
-  assert.deepEqual(['px', 'm', '', '%'].map(units.unitInWords), ['px', 'm', '', '%']);
+test('units have their signs in English', () => {
+  assert.deepEqual(['px', 'm', '', '%', 'µm'].map(units.unitText), ['px', 'm', '', '%', 'µm']);
+  assert.deepEqual([units.withUnit('−1.5', 'px'), units.withUnit('2', '')], ['−1.5 px', '2']);
   const data = { x: { label: 'x', unit: '', values: Float64Array.of(1) }, y: { label: 'y', unit: 'px', values: Float64Array.of(0.5) } };
   assert.match(plot_words.plotText(data), / px\.$/);
+  assert.deepEqual([axes.titleOf(data.x), axes.titleOf(data.y)], ['x', 'y, px']);
 });
 
-test('in Arabic a pixel is written out', async () => {
-  const arabic = await pageModules(['shared/text/words', 'block/state/units']);
-  arabic.words.learn([ARABIC]);
-  assert.deepEqual(['px', 'm'].map(arabic.units.unitInWords), ['بكسل', 'م']);
+test('in Arabic units are in its letters in heads, after figures and on axes, and have their signs in files', async () => {
+  // As a worker is told its language.
+  Object.assign(globalThis, { name: 'test ar' });
+  const arabic = await pageModules(['shared/text/words', 'shared/text/units', 'shared/state/rows', 'block/view/plot/axes', 'block/state/plot-words']);
+  Object.assign(globalThis, { name: '' });
+  arabic.words.learn(['block', 'options', 'pair', 'shared'].map((part) => readFileSync(new URL(`../www/shared/text/ar/${part}.ftl`, import.meta.url), 'utf8')));
+  const { unitText, withUnit } = arabic.units;
+  assert.deepEqual(['px', 'm', 'cm', 'mm', 'µm', 'km', 'grey values', '°', '%', ''].map(unitText), [
+    'بكسل',
+    'م',
+    'سم',
+    'مم',
+    'ميكرومتر',
+    'كم',
+    'قيم رمادية',
+    '°',
+    '%',
+    '',
+  ]);
+  // The sign of a figure stays before its digits, and the unit comes after both.
+  assert.deepEqual([withUnit('−1.5', 'px'), withUnit('−1.5', '°'), withUnit('3', '')], [`${RLI}${LRI}−1.5${PDI} بكسل${PDI}`, '−1.5 °', '3']);
+  const title = arabic.axes.titleOf({ label: 'الصف', unit: 'px', values: new Float64Array() });
+  assert.match(title.replaceAll(/[\u2066-\u2069]/gu, ''), /^الصف، بكسل$/u);
+  // The unit stands after the last figure, and the full stop after the unit: the clause of the unit runs as its sentence does.
+  const data = { x: { label: 'x', unit: '', values: Float64Array.of(1) }, y: { label: 'y', unit: 'px', values: Float64Array.of(0.5) } };
+  assert.match(arabic.plot_words.plotText(data), new RegExp(`${PDI}${RLI}${RLI} ${PDI}${FSI}بكسل${PDI}${PDI}\\.$`, 'u'));
+  // Files for other programs.
+  const column = { key: 'v', label: 'v', unit: 'px', help: '', value: () => 1, text: () => '1' };
+  assert.equal(
+    arabic.rows.csvOf([column], [0], (/** @type {string} */ text) => text),
+    'v [px]\n1\n',
+  );
 });

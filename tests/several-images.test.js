@@ -58,6 +58,8 @@ test('images are chosen beside those that are; one of them leaves them again, an
   const two = withMoreImages({ kind: 'image', image: 3 }, [1]);
   assert.deepEqual(two, several(1, 3));
   assert.deepEqual(withMoreImages(two, [1]), { kind: 'image', image: 3 });
+  // An image that is not in the block changes nothing.
+  assert.deepEqual(withMoreImages({ kind: 'point', point: 2 }, []), { kind: 'point', point: 2 });
   assert.deepEqual(withMoreImages(two, [1, 2, 3]), several(1, 2, 3));
   // A pair or a point is something else.
   assert.deepEqual(withMoreImages({ kind: 'pair', images: [0, 1] }, [2]), { kind: 'image', image: 2 });

@@ -159,7 +159,7 @@ async function loadBlock(
   const ofBlocks = blockCatalogue(catalogue);
   const block = await mountBlock(ofBlocks, {
     ...elsewhere,
-    openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, images),
+    openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept, true), images),
   });
   block.store.dispatch({ type: 'ready', catalogue: ofBlocks });
   return block;

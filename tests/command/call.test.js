@@ -5,6 +5,7 @@ import { spawn, spawnSync } from 'node:child_process';
 import { closeSync, existsSync, mkdirSync, openSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { caller } from './called.js';
 import { asProcess, file, folder, image, json, PROGRAM, samplePair, speckle, tiepoint } from './command.js';
 
 const at = folder();
@@ -44,6 +45,31 @@ test('a process of its own gives what a call within the tests gives, whatever th
     calls.map((args) => tiepoint(...args)),
     ended,
   );
+});
+
+test('what a call leaves to break is its own failure, and the next call gets its own answer', () => {
+  // Breaks at once, later, and by the exception of a timer.
+  const main = `export async function main([name, ms]) {
+    process.stdout.write(name);
+    if (name === 'rejects') Promise.reject(new Error('left behind'));
+    if (name === 'throws') setTimeout(() => { throw new Error('too late'); });
+    if (name === 'waits') await new Promise((resolve) => setTimeout(resolve, Number(ms)));
+    return 0;
+  }`;
+  const call = caller(PROGRAM, `data:text/javascript,${encodeURIComponent(main)}`);
+  assert.deepEqual(call(['first']), { code: 0, stdout: 'first', stderr: '' });
+  const broken = call(['rejects']);
+  assert.deepEqual([broken.code, broken.stdout], [1, 'rejects']);
+  assert.match(broken.stderr, /left behind/);
+  assert.deepEqual(call(['second']), { code: 0, stdout: 'second', stderr: '' });
+  // A call that was answered before is the next one's failure at the latest.
+  const both = [call(['throws']), call(['waits', '50'])];
+  assert.equal(
+    both.map(({ code }) => code).reduce((sum, code) => Number(sum) + Number(code)),
+    1,
+  );
+  assert.match(both.map(({ stderr }) => stderr).join(''), /too late/);
+  assert.deepEqual(call(['third']), { code: 0, stdout: 'third', stderr: '' });
 });
 
 test('one version everywhere', () => {

@@ -2,20 +2,58 @@
 import type { Engine } from '../pair/engine/engine';
 import type { CameraMm } from '../shared/crate';
 import type { Modes } from '../shared/state/mode';
+import { isWorthKeeping } from '../pair/state/kept';
 import { SIDES } from '../pair/state/state';
-import type { GivenImage, Side } from '../pair/state/state';
+import type { GivenImage, Side, State } from '../pair/state/state';
 import type { Store } from '../pair/state/store';
 import { cameraOfImages } from './state/pair-camera';
 import type { BlockFile } from './state/state';
 import type { BlockStore } from './engine/engine';
+import { titleOf } from '../shared/text/project';
 import { say } from '../shared/text/words';
 import { messageOf } from '../shared/text/messages';
 
 /** The pair's own images count up from 1: those of blocks count down. */
 let nextId = -1;
 
-/** Opens both images with the strategy that the block used; where one cannot be opened the block stays. */
-export async function openPair(block: BlockStore, modes: Modes, store: Store, engine: Engine, [a, b]: [number, number]): Promise<void> {
+/** What the user gives a pair by hand, as a pair of a block had it when it was opened: of that nothing is lost to the next one. */
+type Given = Pick<State, 'camera' | 'offset' | 'photos' | 'masks'>;
+
+const BY_HAND = ['camera', 'offset', 'photos', 'masks'] as const;
+
+let given: Given | null = null;
+
+/** Whether the pair on the page has what the next one would take away. Edits of its matches are kept by themselves; a simulated pair has its fiducial marks again. */
+function isOwn(state: State): boolean {
+  const before = given;
+  if (before !== null && BY_HAND.every((part) => state[part] === before[part])) return false;
+  const { photos, masks, truth } = state;
+  return (
+    isWorthKeeping(state) ||
+    SIDES.some((side) => masks[side] !== null || (truth === null && (photos[side].origin !== null || photos[side].fiducials.length > 0)))
+  );
+}
+
+/** Leaves the pair on the page in the list of projects; its title where it is there now, null where it cannot be and the user keeps it. */
+async function leave(block: BlockStore, state: State, putAside: () => Promise<boolean>): Promise<string | null> {
+  block.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('keeping-the-pair') } });
+  const stays = await putAside();
+  block.dispatch({ type: 'notice', notice: null });
+  if (stays) return titleOf({ name: null, images: SIDES.flatMap((side) => state.images[side]?.name ?? []) });
+  return window.confirm(say('cannot-be-kept-in-this', { edits: say('the-pair-with-its-marks'), step: say('open-the-pair-of-the-block'), length: 1 }))
+    ? ''
+    : null;
+}
+
+/** Opens both images with the strategy that the block used; where one cannot be opened the block stays. A pair that the user worked on stays in the list of projects. */
+export async function openPair(
+  block: BlockStore,
+  modes: Modes,
+  store: Store,
+  engine: Engine,
+  putAside: () => Promise<boolean>,
+  [a, b]: [number, number],
+): Promise<void> {
   const { shown } = block.state;
   if (shown === null) return;
   const files = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
@@ -24,7 +62,7 @@ export async function openPair(block: BlockStore, modes: Modes, store: Store, en
     tell(block, say('the-files-of-these-images'));
     return;
   }
-  const images: Record<Side, GivenImage> = { left: given(left), right: given(right) };
+  const images: Record<Side, GivenImage> = { left: imageOf(left), right: imageOf(right) };
   let camera: CameraMm | null;
   try {
     camera = cameraOfImages(shown.view, a, b);
@@ -33,8 +71,13 @@ export async function openPair(block: BlockStore, modes: Modes, store: Store, en
     tell(block, say('the-pair-cannot-be-shown', { error: messageOf(error) }));
     return;
   }
+  const stays = isOwn(store.state) ? await leave(block, store.state, putAside) : '';
+  if (stays === null) return;
   readyFor(store, block, camera);
   store.dispatch({ type: 'images', images });
+  const { camera: known, offset, photos, masks } = store.state;
+  given = { camera: known, offset, photos, masks };
+  if (stays !== '') store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('stay-under-projects', { title_of: stays }) } });
   block.dispatch({ type: 'openedPair', images: [a, b] });
   modes.dispatch('pair');
 }
@@ -63,7 +106,7 @@ function fileOf(block: BlockStore, name: string | undefined): BlockFile | undefi
   return [...(shown?.files ?? []), ...files].find((file) => file.name === name);
 }
 
-function given({ name, file }: BlockFile): GivenImage {
+function imageOf({ name, file }: BlockFile): GivenImage {
   return { id: nextId--, name, source: { kind: 'file', file } };
 }
 

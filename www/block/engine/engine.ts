@@ -157,6 +157,8 @@ export class BlockEngine {
   /** The block that is held with these edits, in place of those that it has; it stays as it is where they are refused. */
   async edited(edits: readonly BlockEdit[]): Promise<BlockView> {
     await this.regained();
+    // A run that was started meanwhile would get the edits of the former block when it is done.
+    if (this.port !== null) throw new Cancelled('cancelled');
     return this.block.call('blockEdited', { edits, truth: this.store.state.truth });
   }
 
@@ -179,8 +181,8 @@ export class BlockEngine {
     const { block } = this;
     const bytes = new Uint8Array(await spare.arrayBuffer());
     await block.call('blockOpen', { bytes, truth: null }, [bytes.buffer]);
-    // Another block was opened meanwhile.
-    if (block !== this.block) return;
+    // Another block was opened meanwhile, or is found.
+    if (block !== this.block || this.port !== null) return;
     this.heldIn = block.generation;
     const { shown, truth } = this.store.state;
     if (shown !== null) await this.block.call('blockEdited', { edits: shown.edits, truth });

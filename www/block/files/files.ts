@@ -12,7 +12,6 @@ import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import { asksPurpose, lacksPlaceAlone, purposeOf } from '../state/purpose';
 import { carriedOver } from '../state/carrying';
-import { editsInForce } from '../state/editing';
 import { namesOf, withoutPlaces } from '../state/naming';
 import type { Purpose } from '../state/placing';
 import { IMAGE_FILE } from '../../../pkg/block/image-files.js';
@@ -36,6 +35,8 @@ const CAMERAS = /\.json$/iu;
 const TEXTS: Readonly<Record<GivenText, string>> = { cameras: say('cameras'), control: say('ground-control-points'), marks: say('image-measurements') };
 
 const NEEDS_MORE = say('a-block-needs-two-images');
+
+const NOTHING_LOST = { lost: 0, aside: [] };
 
 const WAITS = 'tiepoint-wait';
 
@@ -261,10 +262,9 @@ export class BlockFiles {
   /** Runs the block. One with edits that do not hold for the next one stays in the list of projects. */
   async run(): Promise<void> {
     const { shown, history } = this.store.state;
-    const edits = editsInForce(history);
     const names = shown === null ? null : namesOf(shown.found);
-    const loses = names !== null && carriedOver(edits, names, withoutPlaces(names)).length < edits.length;
-    if (!loses || lacksPlaceAlone(this.store.state)) return this.runs.run();
+    const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names));
+    if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
     this.tell('busy', say('keeping-the-edited-block'));
     const stays = await this.leave(say('run-it-again'));
     this.store.dispatch({ type: 'notice', notice: null });

@@ -8,6 +8,7 @@ import { newId } from './ids';
 import type { FoundRaster, Sorted } from './rasters';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
+import { withUnit } from '../../shared/text/units';
 
 export class GroundFiles {
   constructor(
@@ -62,7 +63,7 @@ export class GroundFiles {
 
   /** Takes one height for all of the ground. */
   async takeLevel(height: number): Promise<string | null> {
-    return this.setHeights(`${fixed(height, 2)} m`, () => Promise.resolve({ kind: 'level', height }));
+    return this.setHeights(withUnit(fixed(height, 2), 'm'), () => Promise.resolve({ kind: 'level', height }));
   }
 
   private async setHeights(name: string, made: () => Promise<GivenHeights>): Promise<string | null> {

@@ -12,7 +12,7 @@ import { groundAt, photoMm } from '../state/observed';
 import { MOST_PANES, shownImages } from '../state/panes';
 import type { Look } from '../state/panes';
 import { isBusy } from '../state/state';
-import { inUnitOf } from '../state/units';
+import { inUnitOf } from '../state/scale';
 import type { BlockView } from '../state/view';
 import { describe } from '../state/words';
 import { ImagesView } from '../view/images/images';

@@ -10,7 +10,7 @@ import type { System } from '../state/ground';
 import { whyNotLaid } from '../state/laid';
 import { imagesOfBlock, isBusy } from '../state/state';
 import { inverse, mapped } from '../state/under';
-import { unitInWords } from '../state/units';
+import { unitText, withUnit } from '../../shared/text/units';
 import type { BlockView, Layout } from '../state/view';
 import { mostMatches } from '../state/words';
 import { colouredPoints, GRADIENT } from '../view/map/colouring';
@@ -115,8 +115,7 @@ function toolsOf(store: BlockStore, map: BlockMap, mosaic: () => void): HTMLElem
 function showLegend(legend: HTMLElement, bar: HTMLElement, map: BlockMap, view: BlockView | null): void {
   const scale = view === null || view.layout.kind !== 'oriented' ? undefined : colouredPoints(view.points, map.shows.colouring)?.scale;
   const text = view === null ? '' : legendText(view, map);
-  const ends =
-    scale === undefined ? [] : [scale.from, scale.to].map((value) => `${fixed(value, scale.digits)}${scale.unit === '' ? '' : ` ${unitInWords(scale.unit)}`}`);
+  const ends = scale === undefined ? [] : [scale.from, scale.to].map((value) => withUnit(fixed(value, scale.digits), scale.unit));
   const now = [text, ...ends].join('|');
   if (legend.dataset.text === now) return;
   legend.dataset.text = now;
@@ -181,7 +180,7 @@ function inWords(map: BlockMap, view: BlockView): string {
         title,
         from: fixed(from, digits),
         to: fixed(to, digits),
-        unit: unitInWords(unit),
+        unit: unitText(unit),
       }).trimEnd(),
     );
   }

@@ -12,6 +12,7 @@ import type { Purpose } from '../state/placing';
 import { purposeOf } from '../state/purpose';
 import { isBusy } from '../state/state';
 import { say } from '../../shared/text/words';
+import { unitText } from '../../shared/text/units';
 
 const ORTHOPHOTO = say('none-a-geotiff-in-a');
 const HEIGHTS = say('none-the-ground-is-level');
@@ -116,6 +117,6 @@ function levelField(store: BlockStore, files: BlockFiles): [HTMLElement, HTMLEle
       if (document.activeElement !== input) input.value = heights.kind === 'level' ? String(heights.height) : '';
     },
   );
-  const label = h('label', { for: input.id }, say('level-ground-at'), h('span', { class: 'unit' }, ' m'));
+  const label = h('label', { for: input.id }, say('level-ground-at'), h('span', { class: 'unit' }, ` ${unitText('m')}`));
   return [h('div', { class: 'control compact' }, label, input), problem];
 }

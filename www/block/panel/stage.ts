@@ -12,6 +12,7 @@ import { describe } from '../state/words';
 import { KEYS_ID } from './view';
 import type { MountedView, StageView } from './view';
 import { say } from '../../shared/text/words';
+import { byKeys } from '../../shared/panel/scrolled';
 
 /** What the invitation offers. */
 export interface Invitation {
@@ -94,7 +95,12 @@ function said(store: BlockStore, looking: Looking): HTMLElement {
     open.hidden = chosen?.kind !== 'pair' || shown === null;
     open.disabled = isBusy(store.state);
   });
-  return h('div', { class: 'said' }, h('div', {}, chosenNow, pointedAt), open);
+  const text = h('div', {}, chosenNow, pointedAt);
+  const line = h('div', { class: 'said' }, text, open);
+  // On a narrow screen long texts are scrolled.
+  const sized = new ResizeObserver(() => byKeys(line));
+  for (const element of [text, line]) sized.observe(element);
+  return line;
 }
 
 function tell(element: HTMLElement, store: BlockStore, choice: Choice | null, otherwise: string): void {

@@ -1,11 +1,36 @@
 /** Edits by hand carried to a block that was found anew: what they name must be there, by the names of images and surveyed points. */
 import type { BlockEdit, HandMeasurement, PointSource } from '../../../pkg/wasm/tiepoint.js';
+import type { History } from '../../shared/state/history';
+import type { EditStep } from './edits';
 import type { Names } from './naming';
 
-/** The edits that hold there: those of images, of surveyed points, and of points that were measured by hand; those of tie points where these are the same. */
-export function carriedOver(edits: readonly BlockEdit[], before: Names, after: Names, sameTiePoints = false): BlockEdit[] {
+/** What is left of a history there. */
+export interface CarriedOver {
+  /** Steps stay steps: what was done at once is undone at once. */
+  history: History<EditStep>;
+  /** Of the first so many former steps so many are left. */
+  left: readonly number[];
+  /** So many edits held and do not there. */
+  lost: number;
+  /** Former steps that were undone and cannot be done again there. */
+  aside: readonly EditStep[];
+}
+
+/** The edits that hold there: those of images, of surveyed points, and of points that were measured by hand; those of tie points where these are the same. A step that was undone stays where all of its edits do. */
+export function carriedOver({ edits: steps, done }: History<EditStep>, before: Names, after: Names, sameTiePoints = false): CarriedOver {
   const carrier = new Carrier(before, after, sameTiePoints);
-  return edits.flatMap((edit) => carrier.carried(edit));
+  const edits: EditStep[] = [];
+  const left = [0];
+  const aside: EditStep[] = [];
+  let lost = 0;
+  steps.forEach((step, place) => {
+    const own = carrier.step(step, place >= done);
+    if (own.length > 0) edits.push(own);
+    else if (place >= done) aside.push(step);
+    if (place < done) lost += step.length - own.length;
+    left.push(edits.length);
+  });
+  return { history: { edits, done: left[done] ?? edits.length }, left, lost, aside };
 }
 
 class Carrier {
@@ -24,7 +49,18 @@ class Carrier {
     this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
   }
 
-  carried(edit: BlockEdit): BlockEdit[] {
+  /** `whole`: nothing of it where an edit is lost. */
+  step(step: EditStep, whole: boolean): EditStep {
+    const [first, added] = [this.numbers.length, this.added];
+    const own = step.flatMap((edit) => this.carried(edit));
+    if (!whole || own.length === step.length) return own;
+    // Later steps find none of its points.
+    this.numbers.fill(-1, first);
+    this.added = added;
+    return [];
+  }
+
+  private carried(edit: BlockEdit): BlockEdit[] {
     switch (edit.kind) {
       case 'reject_images':
       case 'restore_images': {

@@ -1,16 +1,19 @@
 /** How edits by hand change the state of a block. The block that is shown follows them: its view is made of the edits that it has. */
 import { remember } from '../../shared/state/remember';
-import { recorded, wentTo } from '../../shared/state/history';
+import { NO_HISTORY, recorded, wentTo } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
 import { carriedOver } from './carrying';
+import type { CarriedOver } from './carrying';
 import { choiceAfterEdit, indexOfSource } from './edits';
 import type { EditStep } from './edits';
-import { namesOf, NO_NAMES, withoutPlaces } from './naming';
+import { nameOfStep, namesOf, NO_NAMES, withoutPlaces } from './naming';
+import type { Names } from './naming';
 import type { Choice } from './selection';
 import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
 import type { Draft, Edits } from './edited';
 import type { BlockEdit } from '../../../pkg/wasm/tiepoint.js';
+import { besideEdits } from './marks';
 import type { MarkStep } from './marks';
 import type { BlockState, Shown } from './state';
 import type { BlockView } from './view';
@@ -61,7 +64,7 @@ export function reduceEdits(state: BlockState, action: EditsAction): BlockState 
   switch (action.type) {
     case 'edit':
       if (!isEditable(state)) return state;
-      return { ...state, history: recorded(state.history, action.edits), draft: null, notice: afterEdit(state) };
+      return { ...state, ...withStep(state, action.edits), draft: null, notice: afterEdit(state) };
     case 'goto':
       if (!isEditable(state)) return state;
       return { ...state, history: wentTo(state.history, action.done), draft: null, notice: afterEdit(state) };
@@ -71,7 +74,7 @@ export function reduceEdits(state: BlockState, action: EditsAction): BlockState 
       return state.shown === null ? state : withEdited(state, state.shown, action.view, action.edits);
     case 'editRefused': {
       const notice = { kind: 'problem', text: say('the-edit-was-not-made', { reason: action.reason }) } as const;
-      return { ...state, history: withoutRefused(state.history, state.shown?.edits ?? []), notice };
+      return { ...state, ...refused(state), notice };
     }
     case 'mark':
       if (action.step.kind !== 'remove' && !isEditable(state)) return state;
@@ -89,12 +92,28 @@ function afterEdit({ notice }: BlockState): BlockState['notice'] {
   return notice?.kind === 'busy' ? notice : null;
 }
 
-/** A history without the step that was refused after those that made some edits: what was to follow it is still to be tried. */
+/** A history without the step that was refused after those that made some edits: what was to follow it is still to be tried, and what was undone can be done again. */
 export function withoutRefused(history: History<EditStep>, made: readonly BlockEdit[]): History<EditStep> {
+  const { edits, done } = history;
   const kept = stepsOf(history, made);
-  const extends_ = kept.length < history.done && kept.every((step, i) => step === history.edits[i]);
-  const later = extends_ ? history.edits.slice(kept.length + 1, history.done) : [];
-  return { edits: [...kept, ...later], done: kept.length + later.length };
+  if (kept.some((step, i) => step !== edits[i])) return { edits: kept, done: kept.length };
+  if (kept.length >= done) return { edits, done: kept.length };
+  return { edits: edits.filter((_, i) => i !== kept.length), done: done - 1 };
+}
+
+/** The state without the step that was refused. */
+function refused(state: BlockState): Pick<BlockState, 'history' | 'marks'> {
+  const history = withoutRefused(state.history, state.shown?.edits ?? []);
+  const gone = state.history.edits.findIndex((step, i) => step !== history.edits[i]);
+  const place = (after: number) => Math.min(history.edits.length, gone < 0 || after <= gone ? after : after - 1);
+  return { history, marks: besideEdits(state.marks, place) };
+}
+
+/** The state after one more step. */
+function withStep({ history, marks }: BlockState, step: EditStep): Pick<BlockState, 'history' | 'marks'> {
+  const after = recorded(history, step);
+  // What was undone beside it is done again after it, and undone before it.
+  return { history: after, marks: besideEdits(marks, (place, at) => (at < marks.done ? place : Math.max(place, after.done))) };
 }
 
 /** The steps of a history that made some edits; what else there is of them is a step each. */
@@ -127,24 +146,36 @@ function newPoint(edits: readonly BlockEdit[], view: BlockView): Choice | null {
   return point < 0 ? null : { kind: 'point', point };
 }
 
-/** The edits of a block that was found anew, of what the former one had; `said`: what became of them. */
-export function carried({ history, shown }: BlockState, view: BlockView): { edits: Edits; said: string } {
-  const before = editsInForce(history);
-  if (before.length === 0 || shown === null) return { edits: UNEDITED, said: '' };
-  return keptOf(before, carriedOver(before, namesOf(shown.found), namesOf(view)));
+const NOTHING_CARRIED: CarriedOver = { history: NO_HISTORY, left: [0], lost: 0, aside: [] };
+
+type Carried = Pick<BlockState, keyof Edits | 'marks'>;
+
+/** The edits of a block that was found anew, of what the former one had, with the steps beside them; `said`: what became of them. */
+export function carried({ history, marks, shown }: BlockState, view: BlockView): { edits: Carried; said: string } {
+  if (shown === null || history.edits.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
+  const names = namesOf(shown.found);
+  return keptOf(carriedOver(history, names, namesOf(view)), marks, names);
 }
 
 /** The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. */
-export function carriedToGround({ history, shown }: BlockState, view: BlockView): { edits: Edits; said: string } {
+export function carriedToGround({ history, marks, shown }: BlockState, view: BlockView): { edits: Carried; said: string } {
   const names = shown === null ? NO_NAMES : namesOf(shown.found);
-  if (withoutPlaces(names).surveyed.size === names.surveyed.size) return { edits: { ...UNEDITED, history }, said: '' };
-  const before = editsInForce(history);
-  if (before.length === 0) return { edits: UNEDITED, said: '' };
-  return keptOf(before, carriedOver(before, names, withoutPlaces(namesOf(view)), true));
+  if (withoutPlaces(names).surveyed.size === names.surveyed.size) return { edits: { ...UNEDITED, history, marks }, said: '' };
+  return keptOf(carriedOver(history, names, withoutPlaces(namesOf(view)), true), marks, names);
 }
 
-function keptOf(before: readonly BlockEdit[], edits: readonly BlockEdit[]): { edits: Edits; said: string } {
-  const lost = before.length - edits.length;
-  const said = [edits.length === 0 ? '' : say('by-hand-kept', { edits: edits.length }), lost === 0 ? '' : say('of-points-of-the-former', { lost })];
-  return { edits: { ...UNEDITED, history: { edits: edits.map((edit) => [edit]), done: edits.length } }, said: said.filter((part) => part !== '').join(' ') };
+/** So many steps are named. */
+const MOST_NAMED = 3;
+
+function keptOf({ history, left, lost, aside }: CarriedOver, marks: BlockState['marks'], names: Names): { edits: Carried; said: string } {
+  const held = editsInForce(history).length;
+  const named = aside.slice(0, MOST_NAMED).map((step) => nameOfStep(step, names));
+  const steps = [...named, ...(aside.length > MOST_NAMED ? ['…'] : [])].join(', ');
+  const said = [
+    held === 0 ? '' : say('by-hand-kept', { edits: held }),
+    lost === 0 ? '' : say('of-points-of-the-former', { lost }),
+    aside.length === 0 ? '' : say('cannot-be-done-again', { undone: aside.length, steps }),
+  ];
+  const moved = besideEdits(marks, (after) => left[after] ?? history.edits.length);
+  return { edits: { ...UNEDITED, history, marks: moved }, said: said.filter((part) => part !== '').join(' ') };
 }

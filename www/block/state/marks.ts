@@ -127,9 +127,9 @@ export const placesOfGiven = remember((name: string, view: BlockView, file: Text
   );
 });
 
-/** The steps beside a block that has so many edits: none was made after more. */
-export function besideEdits(marks: History<MarkStep>, edits: number): History<MarkStep> {
-  return marks.edits.every(({ after }) => after <= edits)
-    ? marks
-    : { ...marks, edits: marks.edits.map((step) => (step.after <= edits ? step : { ...step, after: edits })) };
+/** The steps beside other edits of the block: `place` says after how many of them each was made, of after how many before. */
+export function besideEdits(marks: History<MarkStep>, place: (after: number, at: number) => number): History<MarkStep> {
+  const places = marks.edits.map(({ after }, at) => place(after, at));
+  if (marks.edits.every(({ after }, at) => after === places[at])) return marks;
+  return { ...marks, edits: marks.edits.map((step, at) => ({ ...step, after: places[at] ?? step.after })) };
 }

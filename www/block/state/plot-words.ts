@@ -2,7 +2,7 @@
 import { fixed } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
 import type { PlotData } from './plots';
-import { unitInWords } from './units';
+import { unitText } from '../../shared/text/units';
 
 export function plotText({ x, y }: PlotData): string {
   const sorted = y.values.filter(Number.isFinite).sort();
@@ -17,7 +17,7 @@ export function plotText({ x, y }: PlotData): string {
     at: at(0.5),
     at_2: at(0),
     at_3: at(1),
-    what: y.unit === '' ? '' : say('n--2', { unit: unitInWords(y.unit) }),
+    what: y.unit === '' ? '' : say('n--2', { unit: unitText(y.unit) }),
   });
   return more === '' ? text : `${text} ${more}`;
 }

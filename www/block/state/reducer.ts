@@ -9,7 +9,6 @@ import { UNEDITED } from './edited';
 import { carried, carriedToGround, reduceEdits } from './editing';
 import type { EditsAction } from './editing';
 import { givenBeside, NONE_GIVEN } from './given-points';
-import { besideEdits } from './marks';
 import { panesInOtherView, reducePanes } from './panes';
 import type { PanesAction } from './panes';
 import type { RestoredBlock } from './kept';
@@ -233,7 +232,6 @@ function withRun(state: BlockState, action: RunAction): BlockState {
         ...blank(state),
         ...inOther(state, view),
         ...edits,
-        marks: besideEdits(state.marks, edits.history.edits.length),
         ...(said === '' ? {} : { notice: { kind: 'info', text: said, beside: true } }),
         running: { kind: 'no' },
         shown: { key, view, given: NONE_GIVEN, found: view, edits: [], files, seconds, steps: running.kind === 'yes' ? running.steps : {}, ground: null },

@@ -76,7 +76,8 @@ export function choiceOfImages(images: Iterable<number>): Choice | null {
 export function withMoreImages(chosen: Choice | null, images: readonly number[]): Choice | null {
   const before = new Set(chosen?.kind === 'image' || chosen?.kind === 'images' ? imagesOf(chosen) : []);
   const [only] = images;
-  if (images.length === 1 && only !== undefined && before.has(only)) before.delete(only);
+  if (only === undefined) return chosen;
+  if (images.length === 1 && before.has(only)) before.delete(only);
   else for (const image of images) before.add(image);
   return choiceOfImages(before);
 }

@@ -4,7 +4,7 @@ import { collectedOf, LEAST_POINTS } from './marks';
 import type { WithMarks } from './marks';
 import type { Choice } from './selection';
 import type { Listed } from './state';
-import { inUnitOf } from './units';
+import { inUnitOf } from './scale';
 import type { BlockView, ViewConnection, ViewGeometry, ViewGiven } from './view';
 import { message } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';

@@ -248,7 +248,8 @@ export class Files {
       if (left === null && right === null && opened.length > 0) this.store.dispatch({ type, images: Object.fromEntries(opened) });
       return told;
     }
-    const aside = entries.length === 2 && type === 'images' ? await this.leave() : null;
+    // A single one takes the mask of the one before it away, and the edits of their matches.
+    const aside = type === 'images' ? await this.leave() : null;
     this.store.dispatch({ type, images });
     return [aside];
   }

@@ -11,9 +11,10 @@ import { showSteps } from '../../shared/panel/history';
 import { fixed } from '../../shared/text/format';
 import { firstRefused, numberInput, problemLine, readPair, showNumber } from '../../shared/panel/numberfield';
 import { say } from '../../shared/text/words';
+import { unitText } from '../../shared/text/units';
 
 const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
-const HEADS: Record<(typeof FIELDS)[number], string> = { col: say('col-px'), row: say('row-px'), x_mm: 'x mm', y_mm: 'y mm' };
+const HEADS: Record<(typeof FIELDS)[number], string> = { col: say('col-px'), row: say('row-px'), x_mm: `x ${unitText('mm')}`, y_mm: `y ${unitText('mm')}` };
 
 /** `measure`: in the picture of a side. */
 export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side: Side) => void, marking: Marking, measure: (side: Side) => void): void {
@@ -129,7 +130,7 @@ function marksTable(side: Side, marking: Marking, rows: number): HTMLElement | s
         {},
         h('td', {}, ''),
         ...FIELDS.map((field) => h('th', { scope: 'col' }, HEADS[field])),
-        h('th', { scope: 'col', title: say('residuals-vx-vy') }, 'v µm'),
+        h('th', { scope: 'col', title: say('residuals-vx-vy') }, `v ${unitText('µm')}`),
         h('td', {}, ''),
       ),
     ),

@@ -13,6 +13,7 @@ import { fill, h, markStale, section, svg } from '../../shared/panel/dom';
 import { count, significant } from '../../shared/text/format';
 import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
+import { unitText } from '../../shared/text/units';
 
 const BINS = 40;
 const WIDTH = 320;
@@ -85,7 +86,7 @@ function chart(title: string, unit: string, data: Histogram, testid: string): HT
     })
     .join('');
   const at = (value: number) => (WIDTH * (value - data.low)) / (data.high - data.low);
-  const suffix = unit === '' ? '' : ` ${unit}`;
+  const suffix = unit === '' ? '' : ` ${unitText(unit)}`;
   const words = say('values-median-shown-from-to', {
     title,
     total: data.total,

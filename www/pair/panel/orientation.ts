@@ -17,6 +17,7 @@ import { UNKNOWNS } from './unknowns';
 import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
+import { unitText, withUnit } from '../../shared/text/units';
 
 const SIGMA_CAVEAT = say('is-computed-from-y-parallaxes');
 
@@ -121,7 +122,7 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
       truth === null
         ? printed
         : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
-    return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, interval, ...compared);
+    return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unitText(unit)}`)), ...own, ...withInterior, interval, ...compared);
   });
   const heads: [text: string, title: string, kind?: string][] = [
     [say('value'), say('the-right-photo-relative-to')],
@@ -189,7 +190,7 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
     {
       name: say('of-a-photo-coordinate'),
       testid: 'sigma0',
-      value: sigma == null ? '–' : `${fixed(1000 * sigma, 2)} µm${pixel === null ? '' : say('px-6', { sigma: sigma / pixel })}`,
+      value: sigma == null ? '–' : `${withUnit(fixed(1000 * sigma, 2), 'µm')}${pixel === null ? '' : say('px-6', { sigma: sigma / pixel })}`,
       help: say('standard-error-of-one-photo', { sigma_caveat: SIGMA_CAVEAT }),
     },
     {

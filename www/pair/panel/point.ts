@@ -19,6 +19,7 @@ import { verdictOf } from './verdict';
 import { windowPicture } from './window';
 import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
+import { withUnit } from '../../shared/text/units';
 
 const MOST_ROWS = 50;
 
@@ -148,7 +149,7 @@ function matchStatistics(state: State, shown: ShownPair, match: MatchResult): HT
       .map(({ key, label, unit, digits, help, value }) => ({
         name: label,
         testid: `match-${key}`,
-        value: `${fixed(value(index), digits)}${unit === '' ? '' : ` ${unit}`}`,
+        value: withUnit(fixed(value(index), digits), unit),
         help,
       })),
   ];

@@ -1,5 +1,6 @@
 /** The answer: what came of a run in one sentence, the figures that decided, and what to do next. It stands beside the picture, where nothing has to be scrolled. */
 import { button, fill, h } from './dom';
+import { byKeys } from './scrolled';
 
 export interface Figure {
   value: string;
@@ -70,10 +71,4 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
     fill(others, ...instead.map(({ text: own, act: does }, i) => button(own, `${prefix}other-${String(i + 1)}`, does)));
     others.hidden = instead.length === 0;
   };
-}
-
-/** What has too little room is scrolled, by keys too. */
-function byKeys(text: Element): void {
-  if (text.scrollHeight > text.clientHeight) text.setAttribute('tabindex', '0');
-  else text.removeAttribute('tabindex');
 }

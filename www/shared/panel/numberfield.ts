@@ -1,6 +1,7 @@
 /** Fields for numbers that are no parameters of the crate's catalogue: what is not allowed is said, and the last valid value stays. */
 import { h } from './dom';
 import { say } from '../text/words';
+import { unitText } from '../text/units';
 
 export interface NumberField {
   element: HTMLElement;
@@ -28,7 +29,7 @@ export function problemLine(testid: string): HTMLElement {
 export function numberField(label: string, unit: string, testid: string, change: () => void, problem?: HTMLElement): NumberField {
   const line = problem ?? problemLine(testid);
   const input = numberInput(testid, line, change);
-  const name = h('label', { for: input.id }, label, unit === '' ? null : h('span', { class: 'unit' }, ` ${unit}`));
+  const name = h('label', { for: input.id }, label, unit === '' ? null : h('span', { class: 'unit' }, ` ${unitText(unit)}`));
   return { input, problem: line, element: h('div', { class: 'control compact' }, name, input, problem === undefined ? line : null) };
 }
 

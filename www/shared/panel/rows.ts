@@ -2,6 +2,7 @@
 import type { Column } from '../state/rows';
 import { fill, h } from './dom';
 import { isHidden } from './sight';
+import { unitText } from '../text/units';
 
 /** Height of a row in CSS px, as in the style sheet. */
 const ROW = 24;
@@ -133,7 +134,7 @@ export function sortHead({ key, label, unit, help, words }: Column, press: () =>
     'button',
     { type: 'button', class: 'sort', testid: `sort-${key}`, title: help },
     label,
-    unit === '' ? null : h('span', { class: 'unit' }, ` ${unit}`),
+    unit === '' ? null : h('span', { class: 'unit' }, ` ${unitText(unit)}`),
   );
   button.addEventListener('click', press);
   return h('th', { scope: 'col', key, class: words === true ? 'of-words' : '' }, button);

@@ -8,6 +8,7 @@ import { button, fill, h } from './dom';
 import { RowsInSight, sortHead } from './rows';
 import { intoEnglish } from '../engine/texts';
 import { say } from '../text/words';
+import { unitText } from '../text/units';
 
 export interface TableOptions {
   testid: string;
@@ -166,7 +167,7 @@ export class Table {
       key,
       testid: `${this.options.testid}-filter-${key}`,
       title: `${label}: ${words === true ? say('rows-that-contain-this-text') : say('rows-within-these-limits-as')}`,
-      aria: { label: say('filter', { label, what: unit === '' ? '' : say('in-2', { unit }) }) },
+      aria: { label: say('filter', { label, what: unit === '' ? '' : say('in-2', { unit: unitText(unit) }) }) },
     });
     input.placeholder = hint;
     input.size = 1;
@@ -384,7 +385,7 @@ class TableBar {
           keepChoice(this.name, [...this.hidden].join(' '));
           this.doing.hide(this.hidden);
         });
-        return h('label', { class: 'choice' }, box, unit === '' ? label : `${label} ${unit}`);
+        return h('label', { class: 'choice' }, box, unit === '' ? label : `${label} ${unitText(unit)}`);
       }),
     );
     return this.hidden;

@@ -15,10 +15,15 @@ const WITH_ERROR = new RegExp(`${NUMBER}([ \\u00a0]±[ \\u00a0])${NUMBER}`, 'gu'
 export function asClauses(text: string, isFromRight = IS_FROM_RIGHT): string {
   if (!isFromRight) return text;
   const figures = text.replaceAll(WITH_ERROR, `${LRI}$1$2$3$4$5${PDI}`).replaceAll(`${PDI}°`, `°${PDI}`);
-  return figures.replaceAll(/\u2068(?=\u2068*[\s،؛,;:·(])/gu, RLI);
+  return figures.replaceAll(/\u2068(?=[\u2067\u2068]*[\s،؛,;:·(])/gu, RLI);
 }
 
 /** A sentence on a canvas, which itself runs from left to right. */
 export function asSentence(text: string): string {
   return IS_FROM_RIGHT ? `${RLI}${text}${PDI}` : text;
+}
+
+/** A figure with its sign among words from right to left. */
+export function asFigure(text: string): string {
+  return IS_FROM_RIGHT ? `${LRI}${text}${PDI}` : text;
 }

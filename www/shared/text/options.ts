@@ -1,6 +1,7 @@
 /** The options of the crate in the language of the page: their labels, helps and values. */
 import type { Catalogue, Parameter } from '../crate';
 import { known } from './words';
+import { unitText } from './units';
 
 /** An option, with what the catalogue has of it; the rest as the crate has it. */
 export function optionInLanguage<P extends Parameter>(parameter: P): P {
@@ -10,7 +11,7 @@ export function optionInLanguage<P extends Parameter>(parameter: P): P {
     label: known(name) ?? label,
     help: known(name, 'help') ?? help,
     absent: known(name, 'absent') ?? absent,
-    unit: known(`unit-${unit.replaceAll(' ', '-')}`) ?? unit,
+    unit: unitText(unit),
     section: known(`section-${section.toLowerCase().replaceAll(' ', '-')}`) ?? section,
   };
   if (parameter.kind !== 'choice') return { ...parameter, ...own };

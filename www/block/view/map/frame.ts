@@ -4,6 +4,7 @@ import { say } from '../../../shared/text/words';
 import { toCanvas, toPosition } from '../../../shared/view/transform';
 import type { Transform } from '../../../shared/view/transform';
 import type { System } from '../../state/ground';
+import { withUnit } from '../../../shared/text/units';
 
 /** About so far apart are lines of the grid, CSS px; and so long is the scale bar at most. */
 const GRID = 120;
@@ -25,7 +26,7 @@ export function lengthText(length: number, system: System): string {
   const twoDigits = (value: number) => String(Number(value.toPrecision(2)));
   if (system === 'own') return say('length-in-units-of-the-block', { length: twoDigits(length) });
   const [factor, unit] = length >= 1000 ? [0.001, 'km'] : length >= 1 ? [1, 'm'] : length >= 0.01 ? [100, 'cm'] : [1000, 'mm'];
-  return `${twoDigits(length * factor)} ${unit}`;
+  return withUnit(twoDigits(length * factor), unit);
 }
 
 export function paintGrid(context: CanvasRenderingContext2D, colours: Colours, t: Transform, width: number, height: number): void {

@@ -1,5 +1,8 @@
 /** The axes of a plot: their ends, ticks of round values, and how values lie between them. */
 import type { Axis, PlotData } from '../../state/plots';
+import { asSentence } from '../../../shared/text/direction';
+import { unitText } from '../../../shared/text/units';
+import { say } from '../../../shared/text/words';
 
 /** Room of labels and ticks about the values, CSS px. */
 export const ROOM = { left: 64, right: 16, top: 14, bottom: 40 } as const;
@@ -66,5 +69,15 @@ export function decimalsOf(ticks: readonly number[]): number {
 
 /** The title of an axis, with its unit. */
 export function titleOf({ label, unit }: Axis): string {
-  return unit === '' ? label : `${label}, ${unit}`;
+  return unit === '' ? asSentence(label) : asSentence(say('axis-title', { label, unit: unitText(unit) }));
+}
+
+/** Titles keep so far from the edges of the picture, CSS px. */
+const EDGE = 4;
+
+/** Where the middle of a title stands along a side of the picture: at that of its axis, or as near to it as the whole title is in sight. `most`: a longer one is drawn so narrow. */
+export function titleWithin(length: number, axis: number, side: number): { middle: number; most: number } {
+  const most = Math.max(1, side - 2 * EDGE);
+  const half = Math.min(length, most) / 2;
+  return { middle: Math.min(Math.max(axis, EDGE + half), side - EDGE - half), most };
 }

@@ -13,8 +13,9 @@ import type { BlockView } from '../../state/view';
 import { Chart } from '../chart';
 import type { Drawn } from '../chart';
 import type { Looking } from '../looking';
-import { decimalsOf, endsOf, ROOM, ticksBetween, ticksOfPowers, titleOf } from './axes';
+import { decimalsOf, endsOf, ROOM, ticksBetween, ticksOfPowers, titleOf, titleWithin } from './axes';
 import type { Ends } from './axes';
+import { withUnit } from '../../../shared/text/units';
 
 /** How near the pointer must be to a point, CSS px. */
 const REACH = 9;
@@ -221,11 +222,14 @@ export class Plot extends Chart {
     context.strokeRect(left, top, width, height);
     context.fillStyle = colours.text;
     context.textAlign = 'center';
-    context.fillText(titleOf(data.x), left + width / 2, top + height + 28);
+    const [titleX, titleY] = [titleOf(data.x), titleOf(data.y)];
+    const x = titleWithin(context.measureText(titleX).width, left + width / 2, this.layers.width);
+    context.fillText(titleX, x.middle, top + height + 28, x.most);
+    const y = titleWithin(context.measureText(titleY).width, top + height / 2, this.layers.height);
     context.save();
-    context.translate(12, top + height / 2);
+    context.translate(12, y.middle);
     context.rotate(-Math.PI / 2);
-    context.fillText(titleOf(data.y), 0, 0);
+    context.fillText(titleY, 0, 0, y.most);
     context.restore();
   }
 
@@ -271,8 +275,7 @@ export class Plot extends Chart {
 
   /** What the value under the pointer is. */
   private paintValue(context: CanvasRenderingContext2D, colours: Colours, { x, y }: PlotData, row: number, [px, py]: [number, number], area: Rect): void {
-    const value = ({ unit, values, names }: PlotData['x']) =>
-      names?.[Math.round(values[row] ?? NaN)] ?? `${figure(values[row] ?? NaN)}${unit === '' ? '' : ` ${unit}`}`;
+    const value = ({ unit, values, names }: PlotData['x']) => names?.[Math.round(values[row] ?? NaN)] ?? withUnit(figure(values[row] ?? NaN), unit);
     const text = `${value(x)}: ${value(y)}`;
     const wide = context.measureText(text).width + 12;
     const left = Math.max(area.left, Math.min(px + 8, area.left + area.width - wide));

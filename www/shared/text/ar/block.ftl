@@ -40,6 +40,9 @@ the-block-cannot-be-run-with = { $problem } لا يمكن تشغيل الكتل�
 open-the-other-project = افتح المشروع الآخر
 the-former-block-stays-under = {" "}الكتلة السابقة باقية في المشاريع.
 was-opened-the-file-does = فُتح { $name }. لا يحوي الملف صوره: أفلتها أيضًا لفتح الأزواج.{ $former }
+keeping-the-pair = يُحفظ الزوج …
+the-pair-with-its-marks = الزوج المعروض بعلاماته وأقنعته وكاميراه
+open-the-pair-of-the-block = افتح زوج الكتلة
 keeping-the-edited-block = تُحفظ الكتلة المعدلة …
 run-it-again = أعد التشغيل
 the-former-block-stays-under-projects = { $text } الكتلة السابقة باقية في المشاريع.
@@ -437,8 +440,7 @@ saves-the-plot-as-it = يحفظ المخطط كما يُعرض، صورةً
 saves-the-values-of-the = يحفظ قيم المخطط
 there-are-no-such-values = لا قيم كهذه: تأتي مع الكتلة الموجَّهة.
 n--2 = {" "}{ $unit }
-unit-of-px = بكسل
-unit-of-m = م
+axis-title = { $label }، { $unit }
 values-over-median-from-to = عدد القيم { COUNT($sorted) } مقابل { $to_lower_case }. { $label }: الوسيط { $at }، من { $at_2 } إلى { $at_3 }{ $what }.
 unchecked-at-the-top = وفي الأعلى { COUNT($unchecked) } { $unchecked ->
         [one] أخرى
@@ -622,11 +624,11 @@ surveyed-in-the-system-of = ‏{ $axis } الممسوح، في نظام الكت
 as-given = ‏{ $axis } كما أُعطي
 in-the-unit-and-the = ‏{ $axis } كما يعطيه الملف، بوحدته وفي نظامه: لا شيء يقود منه إلى نظام الكتلة.
 adjusted-minus-surveyed = المضبوط ناقص الممسوح، { $axis }.
-standard-error-of = الخطأ المعياري لـΔ{ $axis }.
-difference-left-out = ‏Δ{ $axis } دونها
+standard-error-of = الخطأ المعياري لـΔ{ $axis }‎.
+difference-left-out = ‏Δ{ $axis }‎ دونها
 where-the-other-observations-have = لنقطة الضبط: { $axis } حيث تضعه الأرصاد الأخرى دون إحداثياتها هي، ناقص الممسوح: قيمتها لو كانت نقطة تحقق.
-standard-error-left-out = ‏σ Δ{ $axis } دونها
-standard-error-of-where-the = الخطأ المعياري لـΔ{ $axis } دون نقطة الضبط نفسها.
+standard-error-left-out = ‏σ Δ{ $axis }‎ دونها
+standard-error-of-where-the = الخطأ المعياري لـΔ{ $axis }‎ دون نقطة الضبط نفسها.
 the-image-that-shows-the = الصورة التي تُظهر النقطة. اضغط صفًا لاختيار نقطته، كما تُظهرها هذه الصورة، في جميع العروض.
 number-of-the-point = رقم النقطة.
 column-the-centre-of-the = العمود؛ مركز البكسل الأيسر العلوي عند 0.5.
@@ -726,6 +728,12 @@ of-points-of-the-former = { $lost ->
         [two] تعديلان لنقاط الكتلة السابقة لا ينطبقان على الجديدة.
         [few] { $lost } تعديلات لنقاط الكتلة السابقة لا تنطبق على الجديدة.
        *[other] { $lost } تعديلًا لنقاط الكتلة السابقة لا تنطبق على الجديدة.
+    }
+cannot-be-done-again = { $undone ->
+        [one] تعديل واحد متراجَع عنه لنقاط الكتلة السابقة لا يُعاد في الجديدة: { $steps }.
+        [two] تعديلان متراجَع عنهما لنقاط الكتلة السابقة لا يُعادان في الجديدة: { $steps }.
+        [few] { $undone } تعديلات متراجَع عنها لنقاط الكتلة السابقة لا تُعاد في الجديدة: { $steps }.
+       *[other] { $undone } تعديلًا متراجَعًا عنها لنقاط الكتلة السابقة لا تُعاد في الجديدة: { $steps }.
     }
 nothing = لا شيء
 step-join = دمج { $points ->

@@ -22,8 +22,14 @@ section-ground = الأرض
 section-picture = الصورة
 section-placing-on-an-orthophoto = الوضع على صورة مصححة
 
-## Units that are words
+## Units: those of the options that are words, and all that the page writes in Arabic letters
 
+unit-px = بكسل
+unit-m = م
+unit-cm = سم
+unit-mm = مم
+unit-um = ميكرومتر
+unit-km = كم
 unit-grey-values = قيم رمادية
 unit-scales = مقاييس
 

@@ -215,8 +215,8 @@ point-2 = النقطة { $label }، { $name }
 turned-and-scaled-to-the = مدارة ومقيسة على النقطة، مع مدّ التباين
 descriptor-as-it-lies-in = الواصف كما يقع في الصورة
 scale-px-direction-px-wide = {" "}· المقياس { FIXED($scale, digits: 1) } بكسل، الاتجاه { FIXED($direction, digits: 0) }°، العرض { FIXED($reach, digits: 0) } بكسل
-col-px = العمود px
-row-px = الصف px
+col-px = العمود بكسل
+row-px = الصف بكسل
 affine-6-parameters = أفيني، 6 معاملات
 similarity-4-parameters = تشابه، 4 معاملات
 interior-orientation = التوجيه الداخلي
@@ -250,7 +250,7 @@ image-in-the-scan-px =
     } في المسح الضوئي، { $name }، بكسل
 column-and-row-of-this = عمود وصف الركن الأيسر العلوي لهذه الصورة في المسح الضوئي الذي قيست فيه العلامات. فارغ: الصورة هي المسح كله.
 origin-in-the-scan = المبدأ في المسح الضوئي{" "}
-col-row-px = العمود، الصف px
+col-row-px = العمود، الصف بكسل
 
 ## geometry
 

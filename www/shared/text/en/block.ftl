@@ -55,6 +55,9 @@ the-block-cannot-be-run-with = { $problem } The block cannot be run with them.
 open-the-other-project = Open the other project
 the-former-block-stays-under = {" "}The former block stays under Projects.
 was-opened-the-file-does = { $name } was opened. The file does not hold its images: drop them too to open pairs.{ $former }
+keeping-the-pair = Keeping the pair …
+the-pair-with-its-marks = The pair on the page, with its marks, masks and camera,
+open-the-pair-of-the-block = Open the pair of the block
 keeping-the-edited-block = Keeping the edited block …
 run-it-again = Run it again
 the-former-block-stays-under-projects = { $text } The former block stays under Projects.
@@ -490,8 +493,7 @@ saves-the-plot-as-it = Saves the plot as it is shown, as a picture
 saves-the-values-of-the = Saves the values of the plot
 there-are-no-such-values = There are no such values: they come with the oriented block.
 n--2 = {" "}{ $unit }
-unit-of-px = px
-unit-of-m = m
+axis-title = { $label }, { $unit }
 values-over-median-from-to = { COUNT($sorted) } values over { $to_lower_case }. { $label }: median { $at }, from { $at_2 } to { $at_3 }{ $what }.
 unchecked-at-the-top = { COUNT($unchecked) } { $unchecked ->
         [one] more stands
@@ -798,6 +800,10 @@ of-points-of-the-former = { $lost } { $lost ->
         [one] does
        *[other] do
     } not apply to the new one.
+cannot-be-done-again = { $undone } undone { $undone ->
+        [one] edit
+       *[other] edits
+    } of points of the former block cannot be redone in the new one: { $steps }.
 
 ## state/naming
 
