@@ -139,6 +139,7 @@ fn robust(
     }
     let kept = clean.accepted.iter().filter(|kept| **kept).count();
     let left = variance_left(kept, kept.saturating_sub(5), clean.beyond(), limits.share_beyond(clean.adjusted.sigma));
+    clean.adjusted.variance_left = left;
     clean.adjusted.sigma /= left.sqrt();
     // The estimate itself loses as much: least squares of those within the cut, repeated until it settles, has this much of the variance that
     // least squares of all of them would have.
