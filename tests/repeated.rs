@@ -4,6 +4,8 @@
 mod block;
 #[path = "repeated/equations.rs"]
 mod equations;
+#[path = "repeated/inner.rs"]
+mod inner;
 #[path = "repeated/pair.rs"]
 mod pair;
 #[path = "repeated/rotation.rs"]

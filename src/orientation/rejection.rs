@@ -7,6 +7,7 @@ use super::coplanarity::{Linearised, Ray, RelativePose};
 use super::normals::times;
 use super::observed::{Limits, Weighted};
 use super::robust_start::{Consensus, least_agreement};
+use super::significance::significance_of_test;
 use crate::math::{
     chi_square_quantile, median, normal_median_within, normal_outside, normal_spread_within, smallest, student_limit, tau_limit,
     variance_left,
@@ -63,7 +64,7 @@ const PARALLEL: f64 = 5.0;
 /// limit of its residuals is rejected, the largest first, until nothing does.
 ///
 /// A standardised residual is v / √q_vv; an observation has one condition, so that its four coordinates have the same. It is tested by the σ
-/// that it took part in estimating (τ), or by a known σ, normally. A σ that was known and that the result contradicts is not used.
+/// that it took part in estimating (τ), with few degrees of freedom at a significance that all tests share, or by a known σ, normally. A σ that was known and that the result contradicts is not used.
 ///
 /// # Errors
 /// Those of [`adjust`]; [`Error::TooFew`] where fewer than five observations remain; [`Error::Degenerate`] where too few agree to carry an
@@ -136,8 +137,9 @@ fn by_residuals(observed: Weighted<'_>, mut accepted: Vec<bool>, start: Relative
         let limit = match limits.known_sigma {
             Some(known) => limits.normal() * known,
             None => {
-                let sigma = adjusted.sigma / variance_left(kept.len(), freedom, rejected, limits.alpha0).sqrt();
-                (tau_limit(limits.alpha0, freedom) * sigma).max(limits.normal() * limits.least_sigma())
+                let alpha = significance_of_test(limits.alpha0, freedom);
+                let sigma = adjusted.sigma / variance_left(kept.len(), freedom, rejected, alpha).sqrt();
+                (tau_limit(alpha, freedom) * sigma).max(limits.normal() * limits.least_sigma())
             }
         };
         let standardised = standardised_residuals(observed, &accepted, &adjusted, true);
