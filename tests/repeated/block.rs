@@ -406,5 +406,5 @@ fn a_block_that_is_levelled_is_repeated_from_its_file() {
 fn a_free_network_is_repeated_from_its_file() {
     let input = RunInput { use_gnss: false, ..RunInput::default() };
     let exported = repeat("free network", &block(&[1, 2, 5], input, BlockSettings::default()));
-    assert!(exported.is_free && exported.direct.len() >= exported.parameters.len());
+    assert!(exported.is_free && !exported.direct.is_empty());
 }
