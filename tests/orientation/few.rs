@@ -12,17 +12,13 @@ fn oriented(observations: &[Observation], options: &OrientationOptions) -> Relat
 #[test]
 fn clean_observations_give_plain_least_squares_digit_for_digit() {
     let plain = OrientationOptions { robust: false, ..NADIR.options() };
-    let (mut same, mut others) = (0, Vec::new());
+    let mut same = 0;
     // Six points have one degree of freedom, as the examples of textbooks.
     for (points, seeds) in [(6, 300), (7, 300), (10, 300), (15, 300)] {
         for seed in 0..seeds {
             let observations = NADIR.observe(points, SIGMA_MM, seed);
             let (default, plain) = (oriented(&observations, &NADIR.options()), oriented(&observations, &plain));
             if !default.rejected.is_empty() {
-                continue;
-            }
-            if default.sigma0_mm.unwrap() > 2.0 * plain.sigma0_mm.unwrap() {
-                others.push((points, seed));
                 continue;
             }
             same += 1;
@@ -34,8 +30,6 @@ fn clean_observations_give_plain_least_squares_digit_for_digit() {
         }
     }
     assert!(same > 1180, "{same}");
-    // Two degrees of freedom hardly tell a consensus of six of seven points from chance: from there least squares leads to another minimum.
-    assert!(others.len() <= 1 && others.iter().all(|(points, _)| *points == 7), "{others:?}");
 }
 
 #[test]
