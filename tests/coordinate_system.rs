@@ -7,7 +7,8 @@ mod mosaic;
 #[path = "coordinate_system/orthophoto.rs"]
 mod orthophoto;
 
-use flown::{GEOID_M, UTM, both, control, files, flown, in_utm, numbers, run, run_of};
+pub use flown::{GEOID_M, UTM, control, files, flown};
+use flown::{both, in_utm, numbers, run, run_of};
 use proj_core::Transform;
 use tiepoint::{Axis, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, RunInput};
 

@@ -65,6 +65,8 @@ mod pipeline;
 mod reconstruction;
 #[path = "reconstruction_faults.rs"]
 mod reconstruction_faults;
+#[path = "repeated.rs"]
+mod repeated;
 #[path = "report.rs"]
 mod report;
 #[path = "sample.rs"]

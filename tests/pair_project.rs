@@ -65,7 +65,7 @@ fn strategy(strategy: Strategy) -> PairSettings {
 }
 
 /// The sample by moments refined by least squares matching, with its truth.
-fn refined() -> &'static PairRun {
+pub fn refined() -> &'static PairRun {
     static REFINED: OnceLock<PairRun> = OnceLock::new();
     REFINED.get_or_init(|| {
         let mut settings = strategy(Strategy::Moments);

@@ -9,7 +9,7 @@ use super::reliability::{Judged, Scale, of_position};
 use super::result::{
     AdjustmentResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PriorStatistics,
 };
-use super::scale::error_left;
+use super::scale::variance_left;
 use super::snooping::{Settled, settle};
 use super::sparse::Block6;
 use super::squares::{Squares, Sums};
@@ -58,6 +58,8 @@ struct Description<'a> {
     sigma: f64,
     /// The same for standard errors: the estimate itself loses as much by rejections as the residuals do.
     unit_error: f64,
+    /// What rejections have left of the variance.
+    variance_left: f64,
     /// The error that a test detects, in standard errors of a residual.
     shift: f64,
     residuals: Vec<[f64; 2]>,
@@ -76,7 +78,8 @@ struct Total {
 
 impl<'a> Description<'a> {
     fn new(given: &'a Block, options: &'a AdjustmentOptions, settled: Settled) -> Self {
-        let cut = error_left(&settled.verdicts, settled.redundancy, options.alpha0);
+        let variance_left = variance_left(&settled.verdicts, settled.redundancy, options.alpha0);
+        let cut = variance_left.sqrt();
         let estimated = (settled.redundancy > 0).then_some(settled.adjusted.sigma / cut);
         let sigma = options.sigma0_px.or(estimated).unwrap_or(0.0);
         let shift = options.detectable_shift(settled.redundancy);
@@ -96,7 +99,7 @@ impl<'a> Description<'a> {
         });
         let systematic = SystematicErrors::of_result(&settled.block, settled.systematic.as_ref());
         let antennas = (0..settled.block.images.len()).map(|image| systematic.antenna(state, image)).collect();
-        Self { given, options, settled, estimated, sigma, unit_error: sigma / cut, shift, residuals, antennas, total }
+        Self { given, options, settled, estimated, sigma, unit_error: sigma / cut, variance_left, shift, residuals, antennas, total }
     }
 
     fn result(&self) -> AdjustmentResult {
@@ -126,6 +129,7 @@ impl<'a> Description<'a> {
             sigma0_a_priori_px: self.options.sigma0_px,
             weighted_by_px: Some(settled.weighted_by),
             unit_error_px: Some(self.unit_error),
+            variance_left: Some(self.variance_left),
             shared_errors: self.options.shared_errors,
             degrees_of_freedom: settled.redundancy,
             rmse_px: sums.all.rmse(),

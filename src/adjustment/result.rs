@@ -28,6 +28,10 @@ pub struct AdjustmentResult {
     /// Standard error of a coordinate of weight 1 by which cofactors become the covariances of what was estimated. Absent in older projects.
     #[serde(default)]
     pub unit_error_px: Option<f64>,
+    /// What rejections have left of the variance of good observations, 1 without any: σ₀² is v'Pv by the degrees of freedom divided by it, and so is
+    /// the square of `unit_error_px` beside that of σ₀. Absent in older projects.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub variance_left: Option<f64>,
     /// Standard deviation of the shared errors that standard errors hold, in standard errors of an observation.
     #[serde(default)]
     pub shared_errors: f64,

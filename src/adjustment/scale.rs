@@ -2,7 +2,7 @@
 
 use super::reliability::Judged;
 use super::result::ObservationVerdict;
-use crate::math::{normal_median_within, variance_left, weighted_median};
+use crate::math::{self, normal_median_within, weighted_median};
 
 /// Where three of ten rays are grossly wrong, half of all lie within this many standard errors: the normal distribution holds 5/7 there.
 const MEDIAN_OF_GOOD: f64 = 1.0676;
@@ -26,14 +26,14 @@ pub(super) fn sigma_by_median(rays: &[Option<[Judged; 2]>], verdicts: &[Observat
     (weighted_median(&mut of_accepted).unwrap_or(0.0) / normal_median_within(limit)).max(least)
 }
 
-/// The share of a standard error that rejections leave of one that is estimated from residuals.
-pub(super) fn error_left(verdicts: &[ObservationVerdict], redundancy: usize, alpha0: f64) -> f64 {
+/// The share of a variance that rejections leave of one that is estimated from residuals.
+pub(super) fn variance_left(verdicts: &[ObservationVerdict], redundancy: usize, alpha0: f64) -> f64 {
     let number = |verdict| verdicts.iter().filter(|given| **given == verdict).count();
     // The four coordinates of a point with two rays are one test: no more residuals are apart from each other than there is redundancy. Of a
     // rejected observation one coordinate was beyond the limit: the other was cut by nothing.
     let kept = (2 * number(ObservationVerdict::Accepted)).min(redundancy);
     let rejected = number(ObservationVerdict::GrossError);
-    variance_left(kept, redundancy, rejected, alpha0).sqrt()
+    math::variance_left(kept, redundancy, rejected, alpha0)
 }
 
 #[cfg(test)]

@@ -15,6 +15,8 @@ pub(super) struct Adjusted {
     pub sensitivity: Matrix5,
     /// Standard error of a photo coordinate of weight 1; 0 without redundancy.
     pub sigma: f64,
+    /// What a rejection has left of the variance of good observations: σ² and the precision are divided by it already. 1 without a rejection.
+    pub variance_left: f64,
     pub iterations: usize,
     /// Size of the last step relative to [`step_tolerance`](super::adjustment::step_tolerance).
     pub last_step: f64,

@@ -77,7 +77,8 @@ pub(super) fn adjust(
         bounds(&pose).map_err(|cause| diverged(iteration, cause))?;
         if last_step < settled {
             let cofactors = solution.cofactors;
-            return Ok(Adjusted { pose, cofactors, precision: cofactors, sensitivity: cofactors, sigma, iterations: iteration, last_step });
+            let (precision, sensitivity) = (cofactors, cofactors);
+            return Ok(Adjusted { pose, cofactors, precision, sensitivity, sigma, variance_left: 1.0, iterations: iteration, last_step });
         }
     }
     // Without a base there is no direction of it to settle on.

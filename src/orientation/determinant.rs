@@ -46,6 +46,7 @@ pub(super) fn adjust_determinants(
                 precision: cofactors,
                 sensitivity: cofactors,
                 sigma: sigma / gradient,
+                variance_left: 1.0,
                 iterations: iteration,
                 last_step,
             });

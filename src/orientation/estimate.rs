@@ -138,7 +138,9 @@ fn robust(
         clean.adjusted = by_determinants(observed.rays, &clean.accepted, clean.adjusted.pose, |_| Ok(()))?;
     }
     let kept = clean.accepted.iter().filter(|kept| **kept).count();
-    let left = variance_left(kept, kept.saturating_sub(5), clean.beyond(), limits.share_beyond(clean.adjusted.sigma));
+    let freedom = kept.saturating_sub(5);
+    let left = variance_left(kept, freedom, clean.beyond(), limits.share_beyond(clean.adjusted.sigma, freedom));
+    clean.adjusted.variance_left = left;
     clean.adjusted.sigma /= left.sqrt();
     // The estimate itself loses as much: least squares of those within the cut, repeated until it settles, has this much of the variance that
     // least squares of all of them would have.

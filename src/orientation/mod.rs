@@ -30,6 +30,7 @@ mod shared;
 mod shared_covariance;
 mod shared_parallax;
 mod sigma;
+mod significance;
 mod warning;
 mod weighting;
 

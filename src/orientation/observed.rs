@@ -1,6 +1,7 @@
 //! What an adjustment is given: observations with their weights, and by what they are judged.
 
 use super::coplanarity::Ray;
+use super::significance::significance_of_test;
 use crate::math::{normal_outside, normal_quantile};
 
 /// Observations with their weights.
@@ -55,10 +56,15 @@ impl Limits {
         self.known_sigma.unwrap_or(0.0).max(self.resolution).max(LEAST_SCALE)
     }
 
-    /// The share of good observations that the limit rejects, where it is by the least σ rather than by the estimated one.
-    pub fn share_beyond(&self, estimated: f64) -> f64 {
+    /// The share of good observations that the limit rejects in an adjustment of so many degrees of freedom: less where it is by the least σ rather than
+    /// by the estimated one.
+    pub fn share_beyond(&self, estimated: f64, freedom: usize) -> f64 {
         let wider = (self.least_sigma() / estimated.max(f64::MIN_POSITIVE)).max(1.0);
-        if wider > 1.0 { normal_outside(self.normal() * wider) } else { self.alpha0 }
+        match self.known_sigma {
+            _ if wider > 1.0 => normal_outside(self.normal() * wider),
+            Some(_) => self.alpha0,
+            None => significance_of_test(self.alpha0, freedom),
+        }
     }
 
     /// σ² is at least this.

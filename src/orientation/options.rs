@@ -1,5 +1,6 @@
 //! What the user chooses of the relative orientation.
 
+use super::significance::significance_of_test;
 use crate::catalogue::{choices, options, refuse};
 use crate::math::detectable_shift;
 use crate::{Allowed, Error};
@@ -71,6 +72,7 @@ impl OrientationOptions {
     /// δ₀: the shift of a standardised residual that exceeds its limit with the probability β₀: of a σ that `freedom` degrees of freedom
     /// estimate, or of a known one.
     pub(super) fn noncentrality(&self, freedom: Option<usize>) -> f64 {
-        detectable_shift(self.alpha0, self.beta0, freedom)
+        let alpha = freedom.map_or(self.alpha0, |freedom| significance_of_test(self.alpha0, freedom));
+        detectable_shift(alpha, self.beta0, freedom)
     }
 }

@@ -6,7 +6,9 @@ use super::agreement::{agreeing, contradicting};
 use super::coplanarity::{Linearised, Ray, RelativePose};
 use super::normals::times;
 use super::observed::{Limits, Weighted};
-use super::robust_start::{Consensus, least_agreement};
+use super::refusal::near_vertical;
+use super::robust_start::{Consensus, least_agreement, median_parallax};
+use super::significance::significance_of_test;
 use crate::math::{
     chi_square_quantile, median, normal_median_within, normal_outside, normal_spread_within, smallest, student_limit, tau_limit,
     variance_left,
@@ -50,6 +52,9 @@ const FURTHEST_START: f64 = 12.0;
 /// Few observations: the order in which they agree is found one by one.
 const FEW: usize = 200;
 
+/// A minimum is another one where its σ is smaller by this factor.
+const CLEARLY_SMALLER: f64 = 0.9;
+
 /// One in so many gross errors is seen by the residuals of all: it has √50 of their σ.
 const HARDLY_ANY: usize = 50;
 
@@ -63,7 +68,7 @@ const PARALLEL: f64 = 5.0;
 /// limit of its residuals is rejected, the largest first, until nothing does.
 ///
 /// A standardised residual is v / √q_vv; an observation has one condition, so that its four coordinates have the same. It is tested by the σ
-/// that it took part in estimating (τ), or by a known σ, normally. A σ that was known and that the result contradicts is not used.
+/// that it took part in estimating (τ), with few degrees of freedom at a significance that all tests share, or by a known σ, normally. A σ that was known and that the result contradicts is not used.
 ///
 /// # Errors
 /// Those of [`adjust`]; [`Error::TooFew`] where fewer than five observations remain; [`Error::Degenerate`] where too few agree to carry an
@@ -113,9 +118,25 @@ fn clean_by(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result
         found => {
             let found = found?;
             let in_doubt = if number <= FEW { contradicting(observed, &found.accepted, start, limits) } else { None };
-            in_doubt.map_or_else(|| in_front(observed, found, limits), |agreeing| Err(weak_support(agreeing, observed)))
+            if let Some(agreeing) = in_doubt {
+                return Err(weak_support(agreeing, observed));
+            }
+            let found = in_front(observed, found, limits)?;
+            let takes_all = number <= FEW && found.accepted.iter().all(|kept| *kept);
+            Ok(if takes_all { of_smaller_minimum(observed, found, limits) } else { found })
         }
     }
+}
+
+/// Where few observations all take part, the smaller one of two minima of v'Pv: nearly all of six or seven agree by chance with many a pose, from which
+/// least squares of all leads to another minimum than from the vertical pair. A pose that has points behind a camera is none.
+fn of_smaller_minimum(observed: Weighted<'_>, found: Clean, limits: Limits) -> Clean {
+    let start = RelativePose::vertical(median_parallax(observed.rays));
+    let other = adjust(observed.rays, observed.weights, start, SETTLED, near_vertical).ok();
+    let other = other.filter(|other| other.sigma < CLEARLY_SMALLER * found.adjusted.sigma);
+    let other = other.and_then(|other| by_residuals(observed, found.accepted.clone(), other.pose, limits, observed.rays.len()).ok());
+    let other = other.and_then(|other| in_front(observed, other, limits).ok());
+    other.filter(|other| other.behind == 0).unwrap_or(found)
 }
 
 fn weak_support(agreeing: usize, observed: Weighted<'_>) -> Error {
@@ -136,8 +157,9 @@ fn by_residuals(observed: Weighted<'_>, mut accepted: Vec<bool>, start: Relative
         let limit = match limits.known_sigma {
             Some(known) => limits.normal() * known,
             None => {
-                let sigma = adjusted.sigma / variance_left(kept.len(), freedom, rejected, limits.alpha0).sqrt();
-                (tau_limit(limits.alpha0, freedom) * sigma).max(limits.normal() * limits.least_sigma())
+                let alpha = significance_of_test(limits.alpha0, freedom);
+                let sigma = adjusted.sigma / variance_left(kept.len(), freedom, rejected, alpha).sqrt();
+                (tau_limit(alpha, freedom) * sigma).max(limits.normal() * limits.least_sigma())
             }
         };
         let standardised = standardised_residuals(observed, &accepted, &adjusted, true);

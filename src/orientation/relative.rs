@@ -185,6 +185,7 @@ impl Outcome {
             sigma0_mm: estimated.map(|sigma| sigma * focal_mm),
             sigma0_a_priori_mm: options.sigma0_mm,
             global_test,
+            variance_left: Some(adjusted.variance_left),
             degrees_of_freedom,
             iterations: adjusted.iterations,
             last_step: adjusted.last_step,

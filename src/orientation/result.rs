@@ -219,6 +219,10 @@ pub struct RelativeOrientation {
     pub sigma0_mm: Option<f64>,
     /// The σ₀ that was known before.
     pub sigma0_a_priori_mm: Option<f64>,
+    /// What the rejection has left of the variance of good observations, 1 without a rejection: σ₀² and the cofactors are those of the accepted
+    /// observations divided by it. Absent in older projects.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub variance_left: Option<f64>,
     /// Present with σ₀ a priori and redundancy.
     pub global_test: Option<GlobalTest>,
     pub degrees_of_freedom: usize,

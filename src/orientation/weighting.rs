@@ -89,8 +89,8 @@ pub(super) fn reweight(
     let spread = standardised.iter().map(|w| weighting.slope(*w) - slope).map(|d| d * d).sum::<f64>() / number;
     let few = 1.0 + 5.0 / number * spread / (slope * slope);
     let ratio = few * few * influence / (slope * slope);
-    let result =
-        Adjusted { precision: adjusted.precision * ratio, sensitivity: adjusted.sensitivity / slope, sigma: adjusted.sigma, ..current };
+    let (precision, sensitivity) = (adjusted.precision * ratio, adjusted.sensitivity / slope);
+    let result = Adjusted { precision, sensitivity, sigma: adjusted.sigma, variance_left: adjusted.variance_left, ..current };
     Ok((result, factors))
 }
 

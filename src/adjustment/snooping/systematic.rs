@@ -7,7 +7,7 @@ use crate::adjustment::datum_part::{DatumConstraint, datum_constraints};
 use crate::adjustment::gauss_newton::Adjusted;
 use crate::adjustment::network::{Columns, Network};
 use crate::adjustment::reduced::Problem;
-use crate::adjustment::scale::error_left;
+use crate::adjustment::scale::variance_left;
 use crate::adjustment::shared::SharedCofactors;
 use crate::adjustment::significance::Estimates;
 use crate::adjustment::solution::Singular;
@@ -99,7 +99,7 @@ impl Course<'_> {
         let at = |k: usize| (first + k / n) * q + first + k % n;
         let redundancy = problem.redundancy().max(1) as usize;
         // As of all standard errors.
-        let left = error_left(&self.verdicts, redundancy, self.options.alpha0);
+        let left = variance_left(&self.verdicts, redundancy, self.options.alpha0).sqrt();
         let (sigma, sigmas) = (self.options.sigma0_px.unwrap_or(adjusted.sigma / left) / left, self.options.shared_errors);
         let variance = |k: usize| inverse[at(k)] + shared.map_or(0.0, |shared| sigmas * sigmas * shared.cameras[at(k)]);
         let mut estimates = Estimates {
