@@ -233,12 +233,16 @@ fn differences<'a>(factors: Option<Factors95>, rows: impl Iterator<Item = Differ
     }
 }
 
-/// The surveyed points in the system of the tables, with what the adjustment says of them: nothing of check points, which took no part.
-fn surveyed_points<'a>(subject: &'a Subject<'_>, model: &'a ReconstructedModel) -> Vec<(&'a SurveyedPoint, Option<&'a PriorStatistics>)> {
+/// The surveyed points in the system of the tables, with what the adjustment says of them: nothing of check points, which took no part. Detectable errors
+/// are those of the tests of control points, and what they do if they are not found.
+fn surveyed_points<'a>(subject: &'a Subject<'_>, model: &'a ReconstructedModel) -> Vec<(&'a SurveyedPoint, Option<PriorStatistics>)> {
     let adjusted = &model.adjusted;
     let statistics = |place: usize| {
         let control = adjusted.block.control.iter().position(|control| control.point == place)?;
-        adjusted.control[control].as_ref()
+        let prior = adjusted.control[control].as_ref()?;
+        let detectable = surveyed(model, place)?.detectable_m;
+        let times = |of: [Option<f64>; 3]| [0, 1, 2].map(|k| Some(of[k]? * (detectable[k]? / prior.detectable[k]?)));
+        Some(PriorStatistics { detectable, moves: times(prior.moves), influence: times(prior.influence), ..*prior })
     };
     let surveyed = |place: usize| subject.surveyed.get(surveyed_index(model, place)?);
     (0..model.points.len()).filter_map(|place| Some((surveyed(place)?, statistics(place)))).collect()
