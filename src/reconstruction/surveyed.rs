@@ -46,10 +46,12 @@ pub(super) fn surveyed_points(model: &ReconstructedModel, known: &Known<'_>, tes
             difference_m,
             standard_errors_m,
             left_out: if control.is_some() { statistics.and_then(|statistics| statistics.left_out) } else { without() },
-            detectable_m: match refused {
-                Some(refused) => refused.test.map_or([None; 3], |test| test.detectable),
-                None => statistics.map_or([None; 3], |statistics| statistics.detectable),
-            },
+            // Tests of control points hold what the observations of an image share; those of a block that is not tested so do not.
+            detectable_m: tests
+                .detectable
+                .get(&place)
+                .copied()
+                .unwrap_or_else(|| statistics.filter(|_| refused.is_none()).map_or([None; 3], |statistics| statistics.detectable)),
             refused: refused.map(|refused| RefusedControl { axis: refused.test.map(|test| test.axis()), is_used: refused.is_used }),
         })
     };
