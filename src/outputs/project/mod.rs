@@ -70,8 +70,8 @@ pub fn write_block_project(run: &BlockRun) -> Result<String, Error> {
 /// # Errors
 /// [`Error::InvalidInput`] for parts of the pair that do not fit together.
 pub fn write_pair_project(run: &PairRun) -> Result<String, Error> {
-    let version = if run.edited.is_some() { PROJECT_VERSION } else { PLAIN_VERSION };
-    written(version, "pair", &run.clone().in_order()?)
+    let run = run.clone().in_order()?;
+    written(if run.edited.is_some() { PROJECT_VERSION } else { PLAIN_VERSION }, "pair", &run)
 }
 
 /// Reads a project; one of an older version is brought forward. Nothing is passed over: a file that this version does not understand in full is
