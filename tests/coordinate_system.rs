@@ -9,7 +9,9 @@ mod orthophoto;
 
 use flown::{GEOID_M, UTM, both, control, files, flown, in_utm, numbers, run, run_of};
 use proj_core::Transform;
-use tiepoint::{Axis, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, RunInput};
+use tiepoint::{
+    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, RunInput,
+};
 
 #[test]
 fn gnss_positions_and_control_points_of_a_map_georeference_one_block() {
@@ -67,6 +69,83 @@ fn tables_are_in_the_system_of_the_control_points() {
     for file in ["summary.json", "orientation.json", "report.html"] {
         assert!(files[file].contains("ETRS89 / UTM zone 32N"), "{file}");
     }
+}
+
+#[test]
+fn every_given_point_has_a_row_whatever_became_of_it() {
+    let mut texts = control(|place| place);
+    let of = |name: &str| texts.points.lines().find(|line| line.starts_with(name)).unwrap()[name.len()..].to_string();
+    let [control_cells, check_cells] = [of("G1,"), of("G3,")];
+    let place: Vec<&str> = control_cells.split(',').take(3).collect();
+    let off_cells = control_cells.replace(",control", ",off");
+    // One that no image shows, one that one image shows, one of which no two image measurements fit, and one that is switched off.
+    texts.points += &format!("X1,{control_cells}\nX2,{check_cells}\nX3,{control_cells}\nX4,{off_cells}\n");
+    texts.marks += "photo_00000.png,X2,200,200\nphoto_00000.png,X3,20,30\nphoto_00001.png,X3,460,340\nphoto_00002.png,X4,100,100\n";
+    let run = run(UTM, None, Some(texts.clone())).unwrap();
+    let rows = |run: &BlockRun| -> Vec<Vec<String>> {
+        files(run)["surveyed.csv"].lines().skip(1).map(|line| line.split(',').map(String::from).collect()).collect()
+    };
+    let told = |rows: &[Vec<String>], name: &str| {
+        let own: Vec<_> = rows.iter().filter(|row| row[0] == name).collect();
+        assert_eq!(own.len(), 1, "{name}: {own:?}");
+        let row = own[0];
+        if name.starts_with('X') {
+            // Positions to 0.1 mm, and no figure of the block.
+            assert_eq!((&row[2][..], row.len()), ("0", 22), "{row:?}");
+            assert!(row[6..21].iter().all(String::is_empty), "{row:?}");
+        }
+        (row[1].clone(), row[21].clone())
+    };
+    let pair = |a: &str, b: &str| (a.to_string(), b.to_string());
+    let all = rows(&run);
+    assert_eq!(all.len(), texts.points.lines().count() - 1);
+    assert_eq!(told(&all, "G1"), pair("control", "used"));
+    assert_eq!(told(&all, "X1"), pair("control", "untested"));
+    assert_eq!(told(&all, "X2"), pair("check", "not determined"));
+    assert_eq!(told(&all, "X3"), pair("control", "untested"));
+    assert_eq!(told(&all, "X4"), pair("off", "off"));
+    let own = all.iter().find(|row| row[0] == "X1").unwrap();
+    assert!((0..3).all(|k| own[3 + k].parse::<f64>().unwrap() == place[k].parse::<f64>().unwrap()), "{own:?} {place:?}");
+    let report = &files(&run)["report.html"];
+    let section = report.split("without figures").nth(1).unwrap();
+    assert!(["X1", "X2", "X3", "X4", "untested", "not determined"].iter().all(|word| section.contains(word)));
+    assert!(!files(both())["report.html"].contains("without figures"));
+    // Those that are switched off by hand have their rows, too; G1 is the first that is not switched off.
+    let off = run.with_edits(&[BlockEdit::SetUse { point: 0, role: None }]).unwrap();
+    let edited = rows(&off);
+    assert_eq!((edited.len(), told(&edited, "G1")), (all.len(), pair("off", "off")));
+    // Two control points of a system of their own place nothing, and nothing is compared with check points.
+    let given = (0..).zip(texts.points.lines().skip(1).filter(|line| !line.ends_with("off")));
+    let control = given.filter(|(_, line)| line.ends_with("control"));
+    let edits: Vec<BlockEdit> = control.skip(2).map(|(point, _)| BlockEdit::SetUse { point, role: None }).collect();
+    let local = run_of(None, None, RunInput { control: Some(texts.clone()), ..RunInput::default() }).unwrap();
+    let free = rows(&local.with_edits(&edits).unwrap());
+    assert_eq!((free.len(), told(&free, "G1"), told(&free, "G3")), (all.len(), pair("control", "not placed"), pair("check", "not placed")));
+    assert_eq!((told(&free, "G4"), told(&free, "X4")), (pair("off", "off"), pair("off", "off")));
+}
+
+#[test]
+fn the_rmse_of_check_points_is_that_of_their_rows_in_the_table() {
+    let (run, files) = (both(), files(both()));
+    let table = &files["surveyed.csv"];
+    let checks: String =
+        table.lines().filter(|line| line.starts_with("name,") || line.contains(",check,")).map(|line| format!("{line}\n")).collect();
+    let rows = numbers(&checks, &["dx", "dy", "dz"]);
+    let rmse = |of: &dyn Fn(&[f64]) -> f64| (rows.iter().map(|row| of(row)).sum::<f64>() / rows.len() as f64).sqrt();
+    let summary: serde_json::Value = serde_json::from_str(&files["summary.json"]).unwrap();
+    let told = &summary["orientation"]["models"][0]["checks"];
+    assert!(rows.len() >= 3 && told["points"] == rows.len(), "{told}");
+    let near = |told: &serde_json::Value, own: f64| assert!((told.as_f64().unwrap() - own).abs() < 1e-9, "{told} {own}");
+    (0..3).for_each(|k| near(&told["rmse_m"][k], rmse(&|row| row[k] * row[k])));
+    near(&told["plan_rmse_m"], rmse(&|row| row[0] * row[0] + row[1] * row[1]));
+    near(&told["height_rmse_m"], rmse(&|row| row[2] * row[2]));
+    // Along the axes of the adjustment it is another one: the meridians converge by 0.8°.
+    let model = &run.reconstruction.as_ref().unwrap().models[0];
+    let own: Vec<_> = model.surveyed.iter().filter(|point| point.role == ControlRole::Check).map(|point| point.difference_m).collect();
+    let along_x = (own.iter().map(|apart| apart[0] * apart[0]).sum::<f64>() / own.len() as f64).sqrt();
+    assert!((along_x - told["rmse_m"][0].as_f64().unwrap()).abs() > 1e-6, "{along_x} {told}");
+    assert_eq!(serde_json::to_value(BlockOverview::new(run).unwrap().checks).unwrap(), *told);
+    assert!(files["report.html"].contains(", along the axes of ETRS89 / UTM zone 32N"));
 }
 
 #[test]

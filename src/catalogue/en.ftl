@@ -914,6 +914,11 @@ block-warning-control-untested =
        *[other] its { $measurements } image measurements do
     } not fit the other observations, so that nothing tests the coordinates. Check both.
 block-warning-control-contradicts = { $refused } of { $points } GCPs contradict the other observations, too many to tell which are wrong: all stay used. Check their system and units, and the GNSS positions.
+block-warning-control-tests-stopped =
+    The tests of the GCPs stopped: they were to leave out { $left_out } of { $points }, without { $left_out ->
+        [one] which
+       *[other] all of which
+    } the block cannot be adjusted. All GCPs stay used, wrong ones too. Check their coordinates and image measurements.
 block-warning-few-control =
     { $points ->
         [one] Only 1 GCP

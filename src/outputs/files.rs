@@ -1,5 +1,6 @@
 //! The files of a finished block, one after the other.
 
+use super::given_points::absent_points;
 use super::images::image_rows;
 use super::in_system::{InSystem, ResultSystem};
 use super::pairs::pair_rows;
@@ -16,7 +17,7 @@ use serde::Serialize;
 /// The name of the project file.
 const PROJECT: &str = "project.tiepoint";
 
-/// What is written of each block; `surveyed.csv` where it has surveyed points.
+/// What is written of each block; `surveyed.csv` where control or check points were given.
 const FIXED: [&str; 9] =
     [PROJECT, "report.html", "images.csv", "points.csv", "rays.csv", "orientation.json", "surveyed.csv", "pairs.csv", "summary.json"];
 
@@ -98,8 +99,10 @@ fn write_tables(run: &BlockRun, emit: Emit<'_>) -> Result<(), Error> {
         let orientation = Orientation { assembly, factors_95, crs: shown.system() };
         emit("orientation.json", &(json(&orientation, false)? + "\n"))?;
     }
-    if !shown.surveyed().is_empty() {
-        emit("surveyed.csv", &tables::control(&shown.surveyed()))?;
+    let surveyed = shown.surveyed();
+    let absent = absent_points(run, &surveyed);
+    if !surveyed.is_empty() || !absent.is_empty() {
+        emit("surveyed.csv", &tables::control(&surveyed, &absent))?;
     }
     emit("pairs.csv", &tables::pairs(run, &pair_rows(run)?.0))
 }

@@ -8,7 +8,7 @@ use super::precision::{ImageErrors, image_errors, point_errors, written};
 use crate::crs::CoordinateSystem;
 use crate::math::{dot3, median};
 use crate::text::shorten;
-use crate::{BlockModel, BlockRun, LeftOut, Pose, Remark, SurveyedPoint, geographic_from_local};
+use crate::{BlockModel, BlockRun, LeftOut, Pose, ReconstructedModel, Remark, SurveyedPoint, geographic_from_local};
 use serde::Serialize;
 use std::borrow::Cow;
 
@@ -71,8 +71,12 @@ impl<'a> InSystem<'a> {
 
     /// The surveyed points of the model that is written.
     pub fn surveyed(&self) -> Cow<'a, [SurveyedPoint]> {
-        let own = written(self.run).map_or(&[][..], |model| &model.surveyed);
-        if self.chosen.is_none() { Cow::Borrowed(own) } else { own.iter().map(|point| self.surveyed_point(point)).collect() }
+        written(self.run).map_or(Cow::Borrowed(&[]), |model| self.points_of(model))
+    }
+
+    /// The surveyed points of a model of the block.
+    pub fn points_of<'m>(&self, ReconstructedModel { surveyed, .. }: &'m ReconstructedModel) -> Cow<'m, [SurveyedPoint]> {
+        if self.chosen.is_none() { Cow::Borrowed(surveyed) } else { surveyed.iter().map(|point| self.surveyed_point(point)).collect() }
     }
 
     fn surveyed_point(&self, point: &SurveyedPoint) -> SurveyedPoint {

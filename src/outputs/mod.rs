@@ -6,6 +6,7 @@ mod accuracy;
 mod covariances;
 mod coverage;
 mod files;
+mod given_points;
 mod images;
 mod in_system;
 mod inspection;

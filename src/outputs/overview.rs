@@ -40,7 +40,7 @@ pub struct BlockOverview {
     /// Root mean square length of the residuals of all observations in px; absent before the adjustment.
     pub rmse_px: Option<f64>,
     pub sigma0_px: Option<f64>,
-    /// Absent without check points.
+    /// In the system of the results; absent without check points.
     pub checks: Option<CheckSummary>,
     /// The surveyed points of the model that is written.
     pub surveyed: Vec<SurveyedPoint>,
@@ -107,6 +107,7 @@ impl BlockOverview {
     /// [`Error::InvalidInput`] for pairs of images that do not exist.
     pub fn new(run: &BlockRun) -> Result<Self, Error> {
         let (pairs, groups) = pair_rows(run)?;
+        let shown = InSystem::of(run);
         let assembly = run.reconstruction.as_ref().ok();
         let adjusted = assembly.and_then(|assembly| assembly.models.first()).map(|model| &model.adjusted);
         let by_rays = match adjusted {
@@ -123,7 +124,7 @@ impl BlockOverview {
             skipped: run.skipped.iter().map(NamedReason::of).collect(),
             unused_masks: run.unused_masks.clone(),
             unknown_images: run.unknown_images.clone(),
-            remarks: InSystem::of(run).remarks().into_iter().map(WithText::of).collect(),
+            remarks: shown.remarks().into_iter().map(WithText::of).collect(),
             cameras: camera_rows(run),
             pairs,
             groups,
@@ -133,7 +134,7 @@ impl BlockOverview {
             oriented: run.model.images.iter().filter(|image| image.pose.is_some()).count(),
             rmse_px: adjusted.map_or_else(|| rmse_px(&run.model.points.iter().collect::<Vec<_>>()), |adjusted| Some(adjusted.rmse_px)),
             sigma0_px: adjusted.and_then(|adjusted| adjusted.sigma0_px),
-            checks: CheckSummary::of(surveyed(run)),
+            checks: CheckSummary::of(&shown.surveyed()),
             surveyed: surveyed(run).to_vec(),
             origin: run.model.origin,
             crs: run.input.settings.placing.crs.clone(),

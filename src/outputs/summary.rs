@@ -231,13 +231,17 @@ impl SystematicSummary {
     }
 }
 
-/// What check points say of a model: differences, adjusted minus surveyed.
+/// What check points say of a model: differences, adjusted minus surveyed, as `surveyed.csv` has them: in m on the ground along the axes of the coordinate
+/// reference system of the results, where one was chosen, and otherwise along those of the adjustment.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct CheckSummary {
     pub points: usize,
     /// Root mean squares of x, y, z.
     pub rmse_m: [f64; 3],
+    /// Root mean squares of the length of x and y, and of the height.
+    pub plan_rmse_m: f64,
+    pub height_rmse_m: f64,
     pub mean_m: [f64; 3],
     /// Root mean square of the differences by their predicted standard errors: about 1 where these hold; absent without statistics.
     pub ratio: Option<f64>,
@@ -250,9 +254,12 @@ impl CheckSummary {
         let mean = |of: &dyn Fn(&SurveyedPoint) -> f64| checks.iter().map(|point| of(point)).sum::<f64>() / checks.len() as f64;
         let ratios: Vec<f64> =
             (checks.iter()).flat_map(|point| (0..3).filter_map(|k| Some(point.difference_m[k] / point.standard_errors_m[k]?))).collect();
+        let square = |k: usize| mean(&|point| point.difference_m[k] * point.difference_m[k]);
         (!checks.is_empty()).then(|| Self {
             points: checks.len(),
-            rmse_m: [0, 1, 2].map(|k| mean(&|point| point.difference_m[k] * point.difference_m[k]).sqrt()),
+            rmse_m: [0, 1, 2].map(|k| square(k).sqrt()),
+            plan_rmse_m: (square(0) + square(1)).sqrt(),
+            height_rmse_m: square(2).sqrt(),
             mean_m: [0, 1, 2].map(|k| mean(&|point| point.difference_m[k])),
             ratio: (!ratios.is_empty()).then(|| (ratios.iter().map(|ratio| ratio * ratio).sum::<f64>() / ratios.len() as f64).sqrt()),
         })
@@ -292,7 +299,7 @@ pub(super) fn summary(
         }),
         selection: selection(run),
         refinement: run.refinement.as_ref().map(|refinement| refinement_counts(refinement, run.input.settings.refinement.method)),
-        orientation: orientation(run, name),
+        orientation: orientation(run, &shown, name),
         crs: shown.system(),
         orthophoto: run.orthophoto.clone().map(WithText::of),
         edits: run.edits().len(),
@@ -370,7 +377,7 @@ fn refinement_counts(refinement: &RefinementTable, method: RefinementMethod) -> 
     }
 }
 
-fn orientation(run: &BlockRun, name: impl Fn(usize) -> String) -> OrientationSummary {
+fn orientation(run: &BlockRun, shown: &InSystem<'_>, name: impl Fn(usize) -> String) -> OrientationSummary {
     let oriented = run.model.images.iter().filter(|image| image.pose.is_some()).count();
     let assembly = match &run.reconstruction {
         Ok(assembly) => assembly,
@@ -381,14 +388,14 @@ fn orientation(run: &BlockRun, name: impl Fn(usize) -> String) -> OrientationSum
         oriented,
         points: run.model.points.len(),
         rays: run.model.points.iter().map(|point| point.rays.len()).sum(),
-        models: assembly.models.iter().map(|model| model_summary(model, &name)).collect(),
+        models: assembly.models.iter().map(|model| model_summary(model, shown, &name)).collect(),
         cameras: run.model.cameras.clone(),
         unoriented: unoriented.collect(),
         origin: run.model.origin,
     }))
 }
 
-fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> ModelSummary {
+fn model_summary(model: &ReconstructedModel, shown: &InSystem<'_>, name: impl Fn(usize) -> String) -> ModelSummary {
     let adjusted = &model.adjusted;
     let residuals: Vec<[f64; 3]> =
         adjusted.images.iter().filter_map(|image| image.gnss.filter(|gps| gps.accepted).map(|gps| gps.residual)).collect();
@@ -411,7 +418,7 @@ fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> 
             .map(|component| ComponentSummary { name: component.group.label(), component: *component })
             .collect(),
         systematic: SystematicSummary::of_model(model, &name),
-        checks: CheckSummary::of(&model.surveyed),
+        checks: CheckSummary::of(&shown.points_of(model)),
         warnings: model.warnings.iter().cloned().map(WithText::of).collect(),
     }
 }

@@ -1,12 +1,13 @@
 //! The tables of a finished block: images, tie points, observations, pairs.
 
+use super::given_points::AbsentPoint;
 use super::images::ImageRow;
 use super::in_system::InSystem;
 use super::pairs::PairRow;
 use super::refined::refined_observations;
 use crate::formats::{images_table, points_table, rays_table};
 use crate::text::{Row, table};
-use crate::{BlockRun, ObservationVerdict, PairOutcome, RefinedObservation, SurveyedPoint};
+use crate::{BlockRun, ControlRole, ObservationVerdict, PairOutcome, RefinedObservation, SurveyedPoint};
 
 const OF_IMAGES: [&str; 14] = [
     "model",
@@ -140,8 +141,8 @@ pub(super) fn pairs(run: &BlockRun, rows: &[PairRow]) -> String {
     table(&PAIRS, rows)
 }
 
-/// `surveyed.csv`: surveyed points beside their adjusted places.
-pub(super) fn control(points: &[SurveyedPoint]) -> String {
+/// `surveyed.csv`: surveyed points beside their adjusted places, and those that the block has no place of.
+pub(super) fn control(points: &[SurveyedPoint], absent: &[AbsentPoint]) -> String {
     let rows = points.iter().map(|point| {
         let row = Row::default().text(&point.name).number(word(&point.role)).number(point.rays);
         let row = point.position.iter().chain(&point.difference_m).fold(row, |row, value| row.number(value));
@@ -150,7 +151,17 @@ pub(super) fn control(points: &[SurveyedPoint]) -> String {
         let row = left_out.iter().fold(row, |row, values| (0..3).fold(row, |row, k| row.known(values.map(|values| values[k]))));
         point.detectable_m.iter().fold(row, |row, error| row.known(*error)).number(point.state())
     });
-    table(&CONTROL, rows)
+    let without_figures = absent.iter().map(|point| {
+        let row = Row::default().text(&point.name).number(use_of(point.role)).number(0).numbers(Some(point.position));
+        // From dx to the last but one column.
+        (6..CONTROL.len() - 1).fold(row, |row, _| row.number("")).number(point.absence.state())
+    });
+    table(&CONTROL, rows.chain(without_figures))
+}
+
+/// What a point is for, as its table says it.
+pub(super) fn use_of(role: Option<ControlRole>) -> String {
+    role.map_or_else(|| "off".into(), |role| word(&role))
 }
 
 /// The name of a variant, as JSON has it.

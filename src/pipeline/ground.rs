@@ -89,7 +89,7 @@ impl<'a> Ground<'a> {
         let given = found.input.control.as_ref();
         let own = given.map(|texts| parse_ground_control_points(&texts.points)).transpose()?.unwrap_or_default();
         let mut measurements = given.map(|texts| parse_image_measurements(&texts.marks)).transpose()?.unwrap_or_default();
-        if let Some(same) = own.iter().find(|row| row.name.starts_with(NAME)) {
+        if let Some(same) = own.iter().find(|row| is_place_of_orthophoto(&row.name)) {
             return refuse(Refusal::ReservedName { name: same.name.clone(), begins: NAME.into() });
         }
         let mut added = Vec::new();
@@ -244,7 +244,12 @@ impl<'a> Ground<'a> {
 
 /// How many control points of a block that is linked to an orthophoto were given: the first of all.
 pub(super) fn own_control(description: &BlockDescription) -> usize {
-    description.control.iter().take_while(|point| !point.name.starts_with(NAME)).count()
+    description.control.iter().take_while(|point| !is_place_of_orthophoto(&point.name)).count()
+}
+
+/// Whether a control point is a place of an orthophoto: no other may be named so.
+pub(crate) fn is_place_of_orthophoto(name: &str) -> bool {
+    name.starts_with(NAME)
 }
 
 fn has_crs(input: &RunInput) -> bool {

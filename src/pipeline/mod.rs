@@ -39,7 +39,7 @@ pub use control::ControlTables;
 pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::replace_file;
-pub(crate) use ground::GroundPoint;
+pub(crate) use ground::{GroundPoint, is_place_of_orthophoto};
 #[cfg(not(target_arch = "wasm32"))]
 pub use host::{images_in, run_block};
 pub use input::{ControlTexts, RunInput};

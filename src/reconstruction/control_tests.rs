@@ -82,6 +82,8 @@ pub(super) struct ControlTests {
     pub refused: Vec<Refused>,
     /// Where nothing tells which are wrong: how many contradict the rest of the block, of how many that were tested.
     pub contradicting: Option<[usize; 2]>,
+    /// Where the block has no adjustment without those that were to be left out, and all take part: how many they are, of how many that were tested.
+    pub stopped: Option<[usize; 2]>,
 }
 
 type Adjusted = (AdjustmentResult, Placing);
@@ -115,7 +117,12 @@ pub(super) fn tested_control(
                 course.start_with(None);
                 continue;
             }
-            Ok(_) | Err(_) if course.is_refused.contains(&true) => return whole(ControlTests::default()),
+            Ok(_) | Err(_) if course.is_refused.contains(&true) => {
+                let found = adjust(block)?;
+                // Of a block that control points do not place another warning says why.
+                let stopped = is_placed(&found).then(|| [course.refused(), course.tested()]);
+                return Ok((found.0, found.1, ControlTests { stopped, ..ControlTests::default() }));
+            }
             of_all => {
                 let found = if is_each_tried { None } else { course.without_one(&adjust) };
                 (is_whole_tried, is_each_tried) = (true, true);
@@ -132,7 +139,7 @@ pub(super) fn tested_control(
                 let (adjusted, placing) = adjust(block)?;
                 course.is_refused.fill(false);
                 let contradicting = [course.beyond(&course.tests(&adjusted)).count(), course.tested()];
-                return Ok((adjusted, placing, ControlTests { refused: Vec::new(), contradicting: Some(contradicting) }));
+                return Ok((adjusted, placing, ControlTests { contradicting: Some(contradicting), ..ControlTests::default() }));
             }
         }
     }
@@ -328,7 +335,7 @@ impl<'a> Course<'a> {
             let is_named = !is_used || beyond.binary_search(&control).is_ok();
             is_named.then_some(Refused { point, test: tests.of[control], is_used })
         };
-        ControlTests { refused: (0..self.is_refused.len()).filter_map(refused).collect(), contradicting: None }
+        ControlTests { refused: (0..self.is_refused.len()).filter_map(refused).collect(), ..ControlTests::default() }
     }
 
     /// The control point that takes part and whose image measurements were rejected, most of them or one of three and more, where it was not tried
@@ -415,7 +422,55 @@ fn of_residuals(
 
 #[cfg(test)]
 mod tests {
-    use super::{ControlTest, Unmeasured, fits};
+    use super::{ControlTest, Unmeasured, fits, tested_control};
+    use crate::adjustment::{AdjustmentOptions, Datum, adjust_block};
+    use crate::reconstruction::frame::Frame;
+    use crate::reconstruction::material::Known;
+    use crate::reconstruction::placing::Placing;
+    use crate::{
+        BlockFlight, BlockOptions, Cause, Computation, ControlRole, Error, Exposure, GroundControlPoint, ImageObservation,
+        ObservedPosition, ReconstructionOptions, SelectOptions, reconstruct_block, simulate_block, tie_points,
+    };
+
+    #[test]
+    fn tests_of_a_block_that_has_no_adjustment_without_a_point_say_that_they_stopped() {
+        let simulated = simulate_block(&BlockFlight { strips: 2, exposures: 4, features: 700, ..BlockFlight::default() }).unwrap();
+        let mut description = simulated.description(Some(1.0));
+        let seen = |place: &[f64; 3]| -> Vec<ImageObservation> {
+            let at = |exposure: &Exposure| exposure.project(*place, simulated.width_px, simulated.height_px);
+            let marks = simulated.exposures.iter().enumerate().filter_map(|(image, exposure)| Some((image, at(exposure)?)));
+            marks.map(|(image, [x_px, y_px])| ImageObservation { image, x_px, y_px, confidence: 1.0 }).collect()
+        };
+        let shown: Vec<_> = simulated.ground.iter().map(|place| (*place, seen(place))).filter(|(_, seen)| seen.len() >= 4).collect();
+        description.control = (0..7)
+            .map(|k| {
+                let (position, measurements) = shown[k * shown.len() / 7].clone();
+                let (position, role) = (ObservedPosition::Local { position, sigma: [0.02; 3] }, ControlRole::Control);
+                GroundControlPoint { name: format!("G{k}"), position, role, sigma_px: None, measurements }
+            })
+            .collect();
+        let (points, _) = tie_points(&simulated.matches().unwrap(), &BlockOptions::default()).unwrap();
+        let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
+        let model = reconstruct_block(&description, &points, &simulated.image_features(), &options).unwrap().models.swap_remove(0);
+        let frame = Frame::new(&description).unwrap();
+        let known = Known { description: &description, options: &options, frame: &frame };
+        let mut block = model.adjusted.block.clone();
+        assert_eq!(block.control.len(), 7, "{:?}", model.warnings);
+        block.control[3].position[2] += 2.0;
+        let adjustment = AdjustmentOptions { datum: Datum::Control, ..options.adjustment.clone() };
+        let tests = |fails: bool| {
+            let found = tested_control(&block, &[true; 7], &known, |part| {
+                if fails && part.control.len() < 7 {
+                    return Err(Error::Degenerate { computation: Computation::BundleAdjustment, cause: Cause::NoPosition });
+                }
+                adjust_block(part, &adjustment).map(|adjusted| (adjusted, Placing::Observed))
+            });
+            let (adjusted, _, tests) = found.unwrap();
+            (adjusted.block.control.len(), tests.refused.len(), tests.stopped)
+        };
+        assert_eq!(tests(false), (6, 1, None));
+        assert_eq!(tests(true), (7, 0, Some([1, 7])));
+    }
 
     #[test]
     fn a_point_that_nothing_tests_does_not_fit() {

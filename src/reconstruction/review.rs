@@ -143,7 +143,8 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
         })
     };
     let contradicting = tests.contradicting.map(|[refused, points]| BlockWarning::ControlContradicts { refused, points });
-    tests.refused.iter().filter_map(of_point).chain(contradicting).collect()
+    let stopped = tests.stopped.map(|[left_out, points]| BlockWarning::ControlTestsStopped { left_out, points });
+    tests.refused.iter().filter_map(of_point).chain(contradicting).chain(stopped).collect()
 }
 
 /// GCPs whose image measurements do not fit, each by its name.

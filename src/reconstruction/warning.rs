@@ -48,6 +48,8 @@ messages! {
         ControlUntested { point: String, measurements: usize },
         /// So many of the GCPs contradict the rest of the block that nothing tells which of them are wrong: all take part.
         ControlContradicts { refused: usize, points: usize },
+        /// The block has no adjustment without so many of the GCPs, which their tests were to leave out: all take part, wrong ones among them.
+        ControlTestsStopped { left_out: usize, points: usize },
         /// So few GCPs, beside so few GNSS positions, that they hardly check each other. `detectable_m`: the error of a coordinate that its test finds, of
         /// that where it is largest; absent where one is not checked at all.
         FewControl {
@@ -99,6 +101,7 @@ impl BlockWarning {
             | Self::ControlRefused { .. }
             | Self::ControlUntested { .. }
             | Self::ControlContradicts { .. }
+            | Self::ControlTestsStopped { .. }
             | Self::Scale { .. }
             | Self::Degrees
             | Self::FocalUndetermined { .. }

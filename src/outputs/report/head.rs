@@ -4,7 +4,8 @@ use super::subject::{NAMED, Subject};
 use crate::html::{count, fixed, significant};
 use crate::outputs::summary::{ModelSummary, OrientationSummary};
 use crate::outputs::warning::overview_warnings;
-use crate::{BlockScore, Datum};
+use crate::text::shorten;
+use crate::{BlockScore, Datum, ResultSystem};
 use maud::{Markup, html};
 
 /// Verdict and figures.
@@ -26,7 +27,7 @@ pub(super) fn head(subject: &Subject<'_>) -> Markup {
             dt { "Pairs" } dd { (count(summary.pairs.connected)) " connected of " (count(summary.pairs.tried)) " tried" }
             @if let Some(points) = &summary.points { dt { "Tie points found" } dd { (count(points.found)) " with " (count(points.rays)) " observations" } }
             dt { "Tie points written" } dd { (count(summary.selection.points)) " with " (count(summary.selection.rays)) " observations" }
-            @if let Some(model) = models.first() { (adjustment(model)) }
+            @if let Some(model) = models.first() { (adjustment(model, summary.crs.as_ref())) }
             @if let Some(crs) = &summary.crs {
                 dt { "Coordinate system of the tables" } dd { (crs.name) }
                 dt { "Axes of this report" } dd { "X east, Y north, Z up in the middle of the block, in m" }
@@ -40,7 +41,7 @@ pub(super) fn head(subject: &Subject<'_>) -> Markup {
     }
 }
 
-fn adjustment(model: &ModelSummary) -> Markup {
+fn adjustment(model: &ModelSummary, crs: Option<&ResultSystem>) -> Markup {
     html! {
         dt { "Georeferenced by" } dd { (datum(model)) }
         dt { "σ₀" } dd { (fixed(model.sigma0_px, 3)) " px" }
@@ -54,7 +55,8 @@ fn adjustment(model: &ModelSummary) -> Markup {
             @let [x, y, z] = checks.rmse_m;
             dt { "RMSE of " (checks.points) " check points" }
             dd {
-                (significant(x)) ", " (significant(y)) ", " (significant(z)) " m in X, Y, Z"
+                (significant(x)) ", " (significant(y)) ", " (significant(z)) " m in X, Y, Z (plan " (significant(checks.plan_rmse_m)) " m)"
+                @if let Some(crs) = crs { ", along the axes of " (shorten(&crs.name)) }
                 @if let Some(ratio) = checks.ratio { "; " (fixed(ratio, 2)) " of their standard errors" }
             }
         }

@@ -4,7 +4,9 @@ use super::interval::with_interval;
 use super::range::{range, ranges, worst};
 use super::subject::{NAMED, Subject, WORST};
 use crate::html::{count, fixed, significant};
+use crate::outputs::given_points::absent_points;
 use crate::outputs::inspection::{surveyed, surveyed_index};
+use crate::outputs::tables::use_of;
 use crate::text::shorten;
 use crate::{
     ControlRole, Factors95, ObservationVerdict, PointSource, PriorStatistics, ReconstructedModel, SurveyedPoint, VarianceComponent,
@@ -63,7 +65,7 @@ pub(super) fn gnss(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup 
 /// Ground control and check points; nothing without any.
 pub(super) fn control(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup {
     if model.surveyed.is_empty() {
-        return html! {};
+        return without_figures(subject);
     }
     let all = surveyed_points(subject, model);
     let in_crs = subject.summary.crs.as_ref().map(|crs| shorten(&crs.name));
@@ -105,7 +107,31 @@ pub(super) fn control(subject: &Subject<'_>, model: &ReconstructedModel) -> Mark
             (differences(subject.factors_95(), worst(of(ControlRole::Check), NAMED, |(point, _)| Some(size(point))).into_iter().map(|(point, _)| (*point, point.difference_m, point.standard_errors_m))))
             p.note { "Differences: adjusted minus surveyed" @if let Some(crs) = &in_crs { ", along the axes of " (crs) } ". They took no part in the adjustment." }
         }
+        (without_figures(subject))
         (measurements(subject, model))
+    }
+}
+
+/// Points that were given and that the block has no place of; nothing where there are none.
+fn without_figures(subject: &Subject<'_>) -> Markup {
+    let absent = absent_points(subject.run, &subject.surveyed);
+    if absent.is_empty() {
+        return html! {};
+    }
+    html! {
+        h2 { "Control and check points without figures" }
+        table tabindex="0" {
+            thead { tr { th { "Point" } th { "use" } th { "state" } } }
+            tbody {
+                @for point in absent.iter().take(NAMED) {
+                    tr { th { (shorten(&point.name)) } td { (use_of(point.role)) } td { (point.absence.state()) } }
+                }
+            }
+        }
+        p.note {
+            "Untested, not determined: fewer than two image measurements of the point fit the block; a control point takes no part then. Not placed: no control points place the block. Rejected: a place of the orthophoto that contradicts the others."
+            @if absent.len() > NAMED { " Points beyond " (NAMED) " are in surveyed.csv." }
+        }
     }
 }
 
