@@ -582,16 +582,11 @@ mod tests {
         let is_kept = |found: &(AdjustmentResult, ControlTests)| {
             let (taking, mut points) = named(found);
             points.sort_by_key(|(_, is_used, _)| *is_used);
-            println!("{taking} {points:?} {:?} {:?}", found.1.contradicting, found.1.stopped);
             let is_left_out = matches!(points[0], (0 | 1, false, false));
             let is_used = points[1..].iter().all(|(_, is_used, _)| *is_used) && points[1..].iter().any(|(control, ..)| *control < 2);
             taking == 6 && is_left_out && is_used && found.1.contradicting.is_none() && found.1.stopped.is_none()
         };
         assert!(is_kept(&tested(wrong, 7, only_six).0.unwrap()));
-        // Of three that are tested one may be wrong: two contradict a block that is placed by all, and of another one the start without one is kept.
-        let contradicting = tested(wrong, 3, |_| Ok(true)).0.unwrap();
-        assert_eq!((named(&contradicting), contradicting.1.contradicting), ((7, Vec::new()), Some([2, 3])));
-        assert!(is_kept(&tested(wrong, 3, only_six).0.unwrap()));
     }
 
     #[test]
