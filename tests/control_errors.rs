@@ -201,6 +201,30 @@ fn the_point_that_fits_worst_is_tried_before_its_neighbours() {
 }
 
 #[test]
+fn a_point_whose_measurements_show_no_common_place_takes_no_part_and_is_named_without_figures() {
+    let mut told = Vec::new();
+    for shift_px in [3.0, 6.0, 10.0, 15.0, 25.0, 40.0] {
+        let mut scene = flown(7, true, 5);
+        let wrong = control(&scene)[3];
+        let name = scene.description.control[wrong].name.clone();
+        for (k, mark) in scene.description.control[wrong].measurements.iter_mut().enumerate() {
+            let (sine, cosine) = (2.4 * k as f64).sin_cos();
+            (mark.x_px, mark.y_px) = (mark.x_px + shift_px * cosine, mark.y_px + shift_px * sine);
+        }
+        let model = adjusted(&scene);
+        let is_untested = |warning: &BlockWarning| matches!(warning, BlockWarning::ControlUntested { point, measurements } if *point == name && *measurements > 1);
+        let own = model.surveyed.iter().find(|point| point.name == name);
+        println!("{shift_px}: {} {:?}", model.adjusted.block.control.len(), own.map(|point| (point.rays, point.refused)));
+        if model.warnings.iter().any(is_untested) {
+            told.push(shift_px);
+            assert_eq!(model.adjusted.block.control.len(), 6, "{:?}", model.warnings);
+            assert!(own.is_none_or(|point| point.refused.is_some_and(|refused| refused.axis.is_none() && !refused.is_used)), "{own:?}");
+        }
+    }
+    assert!(!told.is_empty());
+}
+
+#[test]
 fn control_points_that_all_contradict_the_positions_stay_used() {
     let mut scene = flown(8, true, 8);
     for point in control(&scene) {

@@ -272,8 +272,10 @@ fn edits_are_kept_with_the_matches_that_were_found() {
     assert_eq!(write_pair_project(&back).unwrap(), text);
     // Without any it is the file of a pair that was never edited, which older versions read.
     let none = PairEdits { edits: Vec::new(), found: refined().result.matching.clone() };
-    let plain = refined().clone().edited(none).unwrap();
+    let plain = refined().clone().edited(none.clone()).unwrap();
     assert_eq!(write_pair_project(&plain).unwrap(), write_pair_project(refined()).unwrap());
+    let empty = PairRun { edited: Some(none), ..refined().clone() };
+    assert_eq!(write_pair_project(&empty).unwrap(), write_pair_project(refined()).unwrap());
 }
 
 #[test]

@@ -1,12 +1,17 @@
 //! What is not known of a camera.
 
 use super::origin::CameraOrigin;
-use crate::catalogue::refuse;
-use crate::{Allowed, Error};
+use crate::catalogue::{check_values, refuse};
+use crate::{Allowed, Error, Input, Location};
 use serde::{Deserialize, Serialize};
+use std::ops::RangeInclusive;
+
+/// Of standard deviations, as shares.
+const LIMITS: RangeInclusive<f64> = 0.0..=1.0;
 
 /// Standard deviations of the constants of a camera before its images are measured. They enter the adjustment of a pair or block as prior
-/// information: what the images determine is estimated, what they do not determine is counted in the total standard errors.
+/// information: what the images determine is estimated, what they do not determine is counted in the total standard errors. From 0 to 1; in blocks
+/// what is below 1e-9 counts as 0.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -20,18 +25,31 @@ pub struct CameraUncertainty {
 }
 
 impl CameraUncertainty {
-    /// Refuses what is no standard deviation of a camera.
+    /// Refuses what is no standard deviation of the camera of a pair.
     pub(crate) fn check(&self) -> Result<(), Error> {
         for (name, value) in [
             ("camera.uncertainty.focal", self.focal),
             ("camera.uncertainty.principal_point", self.principal_point),
             ("camera.uncertainty.k1", self.k1),
         ] {
-            if !(0.0..=1.0).contains(&value) {
-                return Err(refuse(name, value, Allowed::Real { min: 0.0, max: 1.0 }));
+            if !LIMITS.contains(&value) {
+                return Err(refuse(name, value, Allowed::Real { min: *LIMITS.start(), max: *LIMITS.end() }));
             }
         }
         Ok(())
+    }
+
+    /// The same of a camera of a block, which `location` names.
+    pub(crate) fn check_of_block(&self, location: impl Fn() -> Location) -> Result<(), Error> {
+        check_values(Input::CameraSigma, &[self.focal, self.principal_point, self.k1], LIMITS, location)
+    }
+
+    /// Below 1e-9 a constant is known without error: nothing that is measured on images is that small, and its weight would leave the other observations
+    /// no digits in the normal equations.
+    pub(crate) fn without_traces(self) -> Self {
+        const LEAST: f64 = 1e-9;
+        let known = |sigma: f64| if sigma < LEAST { 0.0 } else { sigma };
+        Self { focal: known(self.focal), principal_point: known(self.principal_point), k1: known(self.k1) }
     }
 
     /// Standard deviation of each term of the decentring of its lens (p1 and p2 of Brown), in units of the focal length: the share by which it moves

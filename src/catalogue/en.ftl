@@ -902,7 +902,7 @@ block-warning-control-refused =
         [none] {""}
        *[other] {" "}(minimal detectable bias { FIXED($detectable_m, digits: 3) } m)
     }. { $used ->
-        [true] It stays used, since too few GCPs are left to tell which one is wrong.
+        [true] It stays used, since too little is left without it to tell whether it is wrong.
        *[false] The point takes no part.
     }{ $mistake ->
         [none] {""}
@@ -910,9 +910,14 @@ block-warning-control-refused =
     }
 block-warning-control-untested =
     The GCP { $point } is rejected and takes no part: without its coordinates { $measurements ->
-        [one] its image measurement does
-       *[other] its { $measurements } image measurements do
-    } not fit the other observations, so that nothing tests the coordinates. Check both.
+        [one] it has one image measurement only
+       *[other] fewer than two of its { $measurements } image measurements fit the other observations
+    }, so that nothing tests the coordinates. Check both.
+block-warning-control-unplaced =
+    The GCP { $point } is rejected and takes no part: with it the GCPs do not place the block, though its coordinates fit the other observations. Check its { $measurements ->
+        [one] image measurement
+       *[other] { $measurements } image measurements
+    }.
 block-warning-control-contradicts = { $refused } of { $points } GCPs contradict the other observations, too many to tell which are wrong: all stay used. Check their system and units, and the GNSS positions.
 block-warning-control-tests-stopped =
     The tests of the GCPs stopped: they were to leave out { $left_out } of { $points }, without { $left_out ->

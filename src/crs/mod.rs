@@ -15,6 +15,7 @@ mod zones;
 
 pub(crate) use definition::Definition;
 pub(crate) use described::{Described, Projection};
+pub(crate) use positions::middle;
 pub use positions::{coordinates_in_system, places_of_coordinates};
 pub(crate) use system::CoordinateSystem;
 pub(crate) use zones::beside as beside_in_utm;

@@ -1,13 +1,12 @@
 //! Many positions at once, into a coordinate reference system and out of it.
 
-use super::system::turn;
 use super::{CoordinateSystem, Definition};
 use crate::error::refuse;
-use crate::math::median;
+use crate::math::{median, median_longitude};
 use crate::{Error, Refusal};
 
-/// Longitudes are no larger.
-const HALF_TURN_DEG: f64 = 180.0;
+/// Longitudes are no larger, counted either way from Greenwich.
+const TURN_DEG: f64 = 360.0;
 
 /// Coordinates in a system of places on the earth.
 ///
@@ -20,7 +19,7 @@ const HALF_TURN_DEG: f64 = 180.0;
 /// [`Error::InvalidInput`] for a system that cannot be read, and one that nothing leads to there; for places the median of which lies outside the system.
 pub fn coordinates_in_system(crs: &str, places: &[[f64; 3]]) -> Result<Vec<Option<[f64; 3]>>, Error> {
     let definition = Definition::read(crs)?;
-    let Some(about) = middle(places, true) else { return Ok(vec![None; places.len()]) };
+    let Some(about) = middle(known(places), true) else { return Ok(vec![None; places.len()]) };
     let system = CoordinateSystem::new(definition, None, about)?;
     let [longitude_deg, latitude_deg] = about;
     if system.coordinates([longitude_deg, latitude_deg, 0.0]).is_none() {
@@ -35,7 +34,7 @@ pub fn coordinates_in_system(crs: &str, places: &[[f64; 3]]) -> Result<Vec<Optio
 /// As [`coordinates_in_system`], and for coordinates the median of which lies outside the system.
 pub fn places_of_coordinates(crs: &str, coordinates: &[[f64; 3]]) -> Result<Vec<Option<[f64; 3]>>, Error> {
     let definition = Definition::read(crs)?;
-    let Some(about) = middle(coordinates, definition.is_geographic()) else { return Ok(vec![None; coordinates.len()]) };
+    let Some(about) = middle(known(coordinates), definition.is_geographic()) else { return Ok(vec![None; coordinates.len()]) };
     let system = CoordinateSystem::about(definition, None, about)?;
     Ok(converted(coordinates, |position| system.geographic(position)))
 }
@@ -44,18 +43,23 @@ fn converted(all: &[[f64; 3]], of: impl Fn([f64; 3]) -> Option<[f64; 3]>) -> Vec
     all.iter().map(|one| Some(*one).filter(is_known).and_then(&of)).collect()
 }
 
+/// The coordinates of the plane of those that are numbers.
+fn known(positions: &[[f64; 3]]) -> impl Iterator<Item = [f64; 2]> {
+    positions.iter().filter(|position| is_known(position)).map(|[x, y, _]| [*x, *y])
+}
+
 fn is_known(position: &[f64; 3]) -> bool {
     position.iter().all(|value| value.is_finite())
 }
 
-/// The medians of both coordinates of the plane; absent without positions. Longitudes on either side of the date line are near each other.
-fn middle(positions: &[[f64; 3]], in_degrees: bool) -> Option<[f64; 2]> {
-    let known = || positions.iter().filter(|position| is_known(position));
-    let first = known().map(|[x, ..]| *x).find(|x| in_degrees && x.abs() <= HALF_TURN_DEG);
-    let near = |x: f64| first.filter(|_| x.abs() <= HALF_TURN_DEG).map_or(x, |first| first + turn(x - first));
-    let x = median(&mut known().map(|[x, ..]| near(*x)).collect::<Vec<_>>())?;
-    let y = median(&mut known().map(|[_, y, _]| *y).collect::<Vec<_>>())?;
-    Some([if first.is_some() && x.abs() <= 2.0 * HALF_TURN_DEG { turn(x) } else { x }, y])
+/// The medians of both coordinates of the plane of positions; absent without any. Longitudes on either side of the date line are near each other.
+pub(crate) fn middle(positions: impl Iterator<Item = [f64; 2]>, in_degrees: bool) -> Option<[f64; 2]> {
+    let (all_x, mut all_y): (Vec<f64>, Vec<f64>) = positions.map(|[x, y]| (x, y)).unzip();
+    let y = median(&mut all_y)?;
+    let x = median(&mut all_x.clone())?;
+    // What is no longitude stays what it is, and is refused as that.
+    let around = all_x.iter().copied().filter(|x| in_degrees && x.abs() <= TURN_DEG).collect::<Vec<f64>>();
+    Some([median_longitude(&around).filter(|_| x.abs() <= TURN_DEG).unwrap_or(x), y])
 }
 
 #[cfg(test)]
@@ -95,6 +99,9 @@ mod tests {
         assert_eq!(few("EPSG:32632", &[[9.0, 50.0, 0.0], [9.5, 50.0, 0.0], [-171.0, 10.0, 0.0]]), [true, true, false]);
         assert_eq!(few("EPSG:32632", &[[9.0, 50.0, 0.0], [50.0, 50.0, 0.0], [100.0, 50.0, 0.0]]), [true, true, false]);
         assert_eq!(few("EPSG:32601", &[[-177.0, 52.0, 0.0], [179.0, 52.0, 0.0]]), [true, true]);
+        // A position without a fix stands first.
+        let places = [[0.0, 0.0, 0.0], [179.9, 52.0, 0.0], [-179.9, 52.0, 0.0], [-179.8, 52.0, 0.0], [179.8, 52.0, 0.0]];
+        assert_eq!(few("EPSG:32601", &places), [false, true, true, true, true]);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::definition::{Definition, HeightReference};
 use super::{operation, rounding};
 use crate::error::refuse;
-use crate::math::{cross, dot3, local_from_geographic, minus};
+use crate::math::{cross, dot3, local_from_geographic, minus, turn};
 use crate::{Error, Refusal};
 use proj_core::{Coord3D, Transform};
 
@@ -141,11 +141,6 @@ impl CoordinateSystem {
         let [x, y, z] = converted(&self.from_wgs84, [place[0] + east, place[1] + north, place[2]])?;
         Some([x, y, (z - self.geoid_m.unwrap_or(0.0)) / self.definition.height_unit_m()])
     }
-}
-
-/// A difference of longitudes by the shorter way around.
-pub(super) fn turn(degrees: f64) -> f64 {
-    degrees - 360.0 * (degrees / 360.0).round()
 }
 
 fn converted(transform: &Transform, [x, y, z]: [f64; 3]) -> Option<[f64; 3]> {

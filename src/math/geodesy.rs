@@ -1,5 +1,7 @@
 //! Longitude, latitude and height on WGS 84, and metres east, north and up from a place.
 
+use super::median;
+
 /// Semi-major axis in m and flattening of WGS 84.
 const AXIS: f64 = 6_378_137.0;
 const FLATTENING: f64 = 1.0 / 298.257_223_563;
@@ -14,6 +16,20 @@ pub fn local_from_geographic(place: [f64; 3], origin: [f64; 3]) -> [f64; 3] {
     let (at, from) = (earth_centred(place), earth_centred(origin));
     let d = [at[0] - from[0], at[1] - from[1], at[2] - from[2]];
     axes(origin).map(|axis| axis[0] * d[0] + axis[1] * d[1] + axis[2] * d[2])
+}
+
+/// A difference of longitudes in degrees by the shorter way around.
+pub(crate) fn turn(degrees: f64) -> f64 {
+    degrees - 360.0 * (degrees / 360.0).round()
+}
+
+/// The median of longitudes in degrees, between -180 and 180; `None` where there are none. They count from that of the median direction, so that
+/// those on either side of the date line have their median there, and a few that are far from all others do not move it.
+pub(crate) fn median_longitude(degrees: &[f64]) -> Option<f64> {
+    let median_of = |value: &dyn Fn(f64) -> f64| median(&mut degrees.iter().map(|longitude| value(*longitude)).collect::<Vec<f64>>());
+    let [sine, cosine] = [libm::sin, libm::cos].map(|f| median_of(&|longitude| f(longitude.to_radians())));
+    let from = libm::atan2(sine?, cosine?).to_degrees();
+    Some(turn(from + median_of(&|longitude| turn(longitude - from))?))
 }
 
 /// The inverse of [`local_from_geographic`].
@@ -56,6 +72,16 @@ fn axes([longitude, latitude, _]: [f64; 3]) -> [[f64; 3]; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn longitudes_on_either_side_of_the_date_line_have_their_median_there() {
+        let median = |degrees: &[f64]| median_longitude(degrees).unwrap();
+        let half = median(&[179.99, 179.98, -179.98, -179.99]);
+        assert!((half.abs() - 180.0).abs() < 1e-9, "{half}");
+        assert!((median(&[0.0, 179.9, 179.7, -179.8, -179.9]) + 179.9).abs() < 1e-9);
+        assert!((median(&[8.2, 8.0, 8.1]) - 8.1).abs() < 1e-12 && (median(&[359.0, 1.5, 0.5]) - 0.5).abs() < 1e-9);
+        assert!(median_longitude(&[]).is_none());
+    }
 
     #[test]
     fn places_come_back() {

@@ -18,6 +18,7 @@ pub(crate) use distribution::{
     chi_square_quantile, normal_density, normal_median_within, normal_outside, normal_quantile, normal_spread_within,
 };
 pub use geodesy::{geographic_from_local, local_from_geographic};
+pub(crate) use geodesy::{median_longitude, turn};
 pub(crate) use lanes::Lanes;
 pub(crate) use null_space::null_space;
 pub(crate) use pairs::Pairs;

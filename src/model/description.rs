@@ -39,8 +39,10 @@ impl BlockDescription {
                 Location::NamedCamera { only, number, first, more }
             }
         };
-        self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.approximate().check(named(index)))?;
-        self.cameras.iter().filter_map(|camera| camera.uncertainty).try_for_each(|uncertainty| uncertainty.check())?;
+        for (index, camera) in self.cameras.iter().enumerate() {
+            camera.approximate().check(named(index))?;
+            camera.uncertainty.iter().try_for_each(|uncertainty| uncertainty.check_of_block(named(index)))?;
+        }
         for image in &self.images {
             if image.camera >= self.cameras.len() {
                 return refuse(Refusal::CameraOfImage { camera: image.camera, name: image.name.clone(), cameras: self.cameras.len() });
@@ -170,7 +172,7 @@ impl KnownCamera {
     /// How well its values are known: as stated; else a focal length is taken for one of EXIF, and a guessed one for hardly known.
     pub fn known_within(&self) -> CameraUncertainty {
         let usual = if self.focal_px.is_some() { CameraUncertainty::EXIF } else { CameraUncertainty::ASSUMED };
-        self.uncertainty.unwrap_or(usual)
+        self.uncertainty.unwrap_or(usual).without_traces()
     }
 
     /// The camera with what is known of it, and guesses for the rest; a guessed focal length is estimated.
@@ -219,6 +221,7 @@ pub struct KnownImage {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::CameraPrior;
 
     #[test]
     fn a_block_that_is_not_oriented_has_guesses_where_nothing_is_known() {
@@ -232,5 +235,20 @@ mod tests {
         assert_eq!(seen, [(960.0, [300.0, 400.0]), (3500.0, [2010.0, 1490.0])]);
         let images: Vec<_> = model.images.iter().map(|image| (image.name.as_str(), image.camera, image.pose)).collect();
         assert_eq!(images, [("a.jpg", 1, None), ("b.jpg", 0, None)]);
+    }
+
+    #[test]
+    fn a_trace_of_uncertainty_is_none_and_one_that_is_none_names_its_camera() {
+        let known = |uncertainty| KnownCamera { uncertainty: Some(uncertainty), ..KnownCamera::of_size(4000, 3000, Some(3500.0)) };
+        let traces = known(CameraUncertainty { focal: 1e-16, principal_point: 1e-12, k1: 1e-13 });
+        assert_eq!(traces.known_within(), CameraUncertainty::NONE);
+        let free = traces.approximate().free;
+        assert!(!free.focal && !free.principal_point && free.radial == 0, "{free:?}");
+        assert_eq!(CameraPrior::of(0, &traces.approximate(), traces.known_within()).sigma, [None; 8]);
+        let image = |name: &str, camera| KnownImage { name: name.into(), camera, position: None, view: None };
+        let cameras = vec![traces, known(CameraUncertainty { k1: 1.5, ..CameraUncertainty::EXIF })];
+        let images = vec![image("a.jpg", 0), image("b.jpg", 1)];
+        let refused = BlockDescription { cameras, images, control: Vec::new() }.check().unwrap_err().to_string();
+        assert!(refused.contains("1.5") && refused.contains("b.jpg") && !refused.contains("a.jpg"), "{refused}");
     }
 }

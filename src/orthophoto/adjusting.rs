@@ -40,12 +40,12 @@ const NO_LIMIT_PX: f64 = 1000.0;
 
 impl PlacingCamera {
     pub(super) fn prior(&self) -> CameraPrior {
-        CameraPrior::of(0, &self.camera, self.uncertainty)
+        CameraPrior::of(0, &self.camera, self.uncertainty.without_traces())
     }
 
     /// What of it is estimated.
     fn free(&self) -> FreeParameters {
-        let CameraUncertainty { focal, principal_point, k1 } = self.uncertainty;
+        let CameraUncertainty { focal, principal_point, k1 } = self.uncertainty.without_traces();
         FreeParameters { focal: focal > 0.0, principal_point: principal_point > 0.0, radial: usize::from(k1 > 0.0), tangential: false }
     }
 }

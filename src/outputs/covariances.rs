@@ -8,10 +8,11 @@ use crate::error::refuse;
 use crate::text::{Row, guarded, shorten, table};
 use crate::{BlockRun, CameraParameter, Error, ReconstructedModel, Refusal};
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// Unknowns that a matrix has at most.
 const MOST_UNKNOWNS: usize = 2000;
-/// The name of everything that the block estimates.
+/// The name of the whole block, where nothing in it is named so.
 const ALL: &str = "all";
 
 /// An unknown of the adjustment of a block.
@@ -37,7 +38,8 @@ pub struct Covariances {
 
 /// The covariances of images, points and cameras of the model that is written, and between all of them: those whose diagonal are the squares of its standard
 /// errors. Images and surveyed points go by their names, `point:N` is a point and `camera:N` a camera by its number in `points.csv` and `images.csv`;
-/// `all` is the whole block: its images, cameras, surveyed points and tie points.
+/// `all` is the whole block, unless something in it is named so: its images, cameras, surveyed points and tie points, where those whose names are alike
+/// have a number behind the name. Systematic errors of GNSS positions are estimated beside them, and have no part in these covariances.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] for names that nothing has, or that stand twice, for more than 2,000 unknowns, and for a block whose project does not keep all points
@@ -80,22 +82,39 @@ pub fn covariance_table(covariances: &Covariances) -> String {
 
 /// What the names mean, each by its own name.
 fn parts(run: &BlockRun, model: &ReconstructedModel, names: &[String]) -> Result<Vec<(String, Part)>, Error> {
+    check_once(names.iter().map(String::as_str).collect())?;
     let mut found: Vec<(String, Part)> = Vec::new();
     for name in names {
-        match &name[..] {
-            ALL => found.extend(all_parts(run, model)),
-            _ => found.push((name.clone(), part(run, model, name)?)),
+        match part(run, model, name) {
+            Some(part) => found.push((name.clone(), part)),
+            None if name == ALL => found.extend(told_apart(all_parts(run, model))),
+            None => return refuse(Refusal::CovarianceName { name: shorten(name) }),
         }
     }
-    let mut sorted: Vec<&str> = found.iter().map(|(name, _)| &name[..]).collect();
-    sorted.sort_unstable();
-    match sorted.windows(2).find(|two| two[0] == two[1]) {
+    check_once(found.iter().map(|(name, _)| &name[..]).collect())?;
+    Ok(found)
+}
+
+fn check_once(mut names: Vec<&str>) -> Result<(), Error> {
+    names.sort_unstable();
+    match names.windows(2).find(|two| two[0] == two[1]) {
         Some(two) => refuse(Refusal::CovarianceAgain { name: shorten(two[0]) }),
-        None => Ok(found),
+        None => Ok(()),
     }
 }
 
-/// All that the block estimates: images, cameras, surveyed points, and the other points as `points.csv` numbers them.
+/// The same, where each name that stood before has a number behind it: a surveyed point may be named as an image is, or `point:3`.
+fn told_apart(parts: Vec<(String, Part)>) -> Vec<(String, Part)> {
+    let mut taken = BTreeSet::new();
+    let free = |(name, part): (String, Part)| {
+        let numbered = (2..).map(|number| format!("{name} ({number})"));
+        let own = std::iter::once(name.clone()).chain(numbered).find(|name| taken.insert(name.clone()));
+        (own.unwrap_or(name), part)
+    };
+    parts.into_iter().map(free).collect()
+}
+
+/// Images, cameras, surveyed points, and the other points as `points.csv` numbers them.
 fn all_parts(run: &BlockRun, model: &ReconstructedModel) -> Vec<(String, Part)> {
     let images = model.images.iter().enumerate().map(|(place, image)| (run.images[*image].name.clone(), Part::Image(place)));
     let cameras = model.cameras.iter().enumerate().map(|(place, camera)| (format!("camera:{camera}"), Part::Camera(place)));
@@ -109,21 +128,21 @@ fn all_parts(run: &BlockRun, model: &ReconstructedModel) -> Vec<(String, Part)> 
     images.chain(estimated).chain(named).chain(numbered).collect()
 }
 
-/// What a name means.
-fn part(run: &BlockRun, model: &ReconstructedModel, name: &str) -> Result<Part, Error> {
+/// What a name means; absent where nothing has it.
+fn part(run: &BlockRun, model: &ReconstructedModel, name: &str) -> Option<Part> {
     let image = run.images.iter().position(|image| image.name == name);
     if let Some(place) = image.and_then(|image| model.images.binary_search(&image).ok()) {
-        return Ok(Part::Image(place));
+        return Some(Part::Image(place));
     }
     let is_named = |place: &usize| surveyed(model, *place).is_some_and(|point| point.name == name);
     if let Some(place) = (0..model.points.len()).filter(|place| model.adjusted.points[*place].is_some()).find(is_named) {
-        return Ok(Part::Point(place));
+        return Some(Part::Point(place));
     }
     let number = |kind: &str| name.strip_prefix(kind)?.parse::<usize>().ok();
     let written = written_points(model);
     let point = number("point:").and_then(|number| written.iter().position(|point| *point == Some(number)));
     let camera = number("camera:").and_then(|number| model.cameras.binary_search(&number).ok());
-    point.map(Part::Point).or(camera.map(Part::Camera)).map_or_else(|| refuse(Refusal::CovarianceName { name: shorten(name) }), Ok)
+    point.map(Part::Point).or(camera.map(Part::Camera))
 }
 
 /// Number of unknowns of a part, of a camera at most.
@@ -148,5 +167,18 @@ fn described(unknown: Unknown, length: &'static str) -> (String, &'static str) {
             let is_length = matches!(parameter, CameraParameter::Focal | CameraParameter::PrincipalX | CameraParameter::PrincipalY);
             (word(&parameter), if is_length { "px" } else { "1" })
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_of_one_name_are_told_apart() {
+        let names = ["a.jpg", "camera:0", "a.jpg", "a.jpg (2)", "camera:0", "a.jpg"];
+        let parts = names.iter().enumerate().map(|(place, name)| (name.to_string(), Part::Point(place))).collect();
+        let found: Vec<String> = told_apart(parts).into_iter().map(|(name, _)| name).collect();
+        assert_eq!(found, ["a.jpg", "camera:0", "a.jpg (2)", "a.jpg (2) (2)", "camera:0 (2)", "a.jpg (3)"]);
     }
 }

@@ -9,6 +9,7 @@ use std::cmp::Ordering;
 
 /// A [`KnownCamera`] by its name, as results and project files hold it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct InitialCamera {
     /// Make, model, focal length and size, or the pattern of the rule and the size.

@@ -1,6 +1,6 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
-use super::system::{middle, system_of};
+use super::system::system_of;
 use crate::crs::CoordinateSystem;
 use crate::error::refuse;
 use crate::formats::{UnreadColumns, unread_columns};
@@ -64,7 +64,7 @@ impl ControlTables {
     /// outside their coordinate system.
     pub fn join(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
         self.check_metres(placing)?;
-        let system = system_of(placing, self.middle(), &[])?;
+        let system = system_of(placing, &self.plane(), &[])?;
         let used = || self.used();
         let joined = used().map(|(point, role)| control_point(point, role, placing, system.as_ref()));
         let mut joined = joined.collect::<Result<Vec<GroundControlPoint>, Error>>()?;
@@ -122,9 +122,9 @@ impl ControlTables {
         })
     }
 
-    /// The medians of x and y of these; absent without any.
-    pub(super) fn middle(&self) -> Option<[f64; 2]> {
-        middle(&self.used().map(|(point, _)| [point.position[0], point.position[1]]).collect::<Vec<_>>())
+    /// x and y of these.
+    pub(super) fn plane(&self) -> Vec<[f64; 2]> {
+        self.used().map(|(point, _)| [point.position[0], point.position[1]]).collect()
     }
 }
 

@@ -281,7 +281,7 @@ impl Attempt {
         let Some(origin) = origin_of(&self.description)?.map(|origin| [origin.longitude_deg, origin.latitude_deg, origin.height_m]) else {
             return Ok(None);
         };
-        let system = system_of(&self.input.settings.placing, None, &[[origin[0], origin[1]]]).ok().flatten();
+        let system = system_of(&self.input.settings.placing, &[], &[[origin[0], origin[1]]]).ok().flatten();
         Ok(system.and_then(|system| system.axes(origin, origin)))
     }
 }

@@ -196,7 +196,7 @@ pub(super) fn describe(input: &Checked, images: &[RunImage], cameras: &[InitialC
     let placing = &input.settings.placing;
     let places: Vec<[f64; 2]> =
         images.iter().filter_map(|image| gnss(input, &image.exif)).map(|place| [place.longitude_deg, place.latitude_deg]).collect();
-    let system = system_of(placing, input.control.as_ref().and_then(ControlTables::middle), &places)?;
+    let system = system_of(placing, &input.control.as_ref().map(ControlTables::plane).unwrap_or_default(), &places)?;
     let names: Vec<String> = images.iter().map(|image| image.name.clone()).collect();
     let joined = input.control.as_ref().map(|control| control.join(&names, placing)).transpose()?;
     let (control, unknown_images) = joined.unwrap_or_default();
@@ -226,6 +226,6 @@ impl BlockRun {
         let control = input.control.as_ref().and_then(|texts| ControlTables::read(&texts.points, &texts.marks).ok());
         let positions = self.images.iter().filter(|_| input.use_gnss).filter_map(|image| image.exif.position.as_ref());
         let gnss: Vec<[f64; 2]> = positions.map(|position| [position.longitude_deg, position.latitude_deg]).collect();
-        system_of(&input.settings.placing, control.as_ref().and_then(ControlTables::middle), &gnss).ok().flatten()
+        system_of(&input.settings.placing, &control.as_ref().map(ControlTables::plane).unwrap_or_default(), &gnss).ok().flatten()
     }
 }

@@ -1,6 +1,6 @@
 //! The coordinate reference system of a block's control points and results, and whether its control points can be in it.
 
-use crate::crs::{CoordinateSystem, beside_in_utm};
+use crate::crs::{CoordinateSystem, beside_in_utm, middle};
 use crate::error::refuse;
 use crate::math::{dot3, median};
 use crate::reconstruction::Doubted;
@@ -15,32 +15,31 @@ const BESIDE_M: f64 = 5_000.0;
 /// Of a system, over which its units are taken.
 const UNITS: f64 = 1e-3;
 
-/// The system at these coordinates in it or, without any, at these longitudes and latitudes; absent where none was chosen, and where nothing says
+/// The system about these coordinates in it or, without any, about these longitudes and latitudes; absent where none was chosen, and where nothing says
 /// where the block is.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] for a system that cannot be read, and one that nothing leads from to WGS 84 there.
 pub(super) fn system_of(
     placing: &GeoreferencingOptions,
-    control: Option<[f64; 2]>,
+    control: &[[f64; 2]],
     gnss: &[[f64; 2]],
 ) -> Result<Option<CoordinateSystem>, Error> {
     let Some(definition) = placing.definition()? else { return Ok(None) };
-    if let Some(at) = control {
+    if let Some(at) = middle(control.iter().copied(), definition.is_geographic()) {
         return CoordinateSystem::about(definition, placing.geoid_m, at).map(Some);
     }
-    middle(gnss).map(|at| CoordinateSystem::new(definition, placing.geoid_m, at)).transpose()
+    middle_of_places(gnss).map(|at| CoordinateSystem::new(definition, placing.geoid_m, at)).transpose()
 }
 
-/// The medians; absent without positions.
-pub(super) fn middle(places: &[[f64; 2]]) -> Option<[f64; 2]> {
-    let of = |k: usize| median(&mut places.iter().map(|place| place[k]).collect::<Vec<_>>());
-    Some([of(0)?, of(1)?])
+/// Of longitudes and latitudes.
+fn middle_of_places(places: &[[f64; 2]]) -> Option<[f64; 2]> {
+    middle(places.iter().copied(), true)
 }
 
 /// Refuses a control point that lies elsewhere on the earth than the GNSS positions of the images.
 pub(super) fn check_near(control: &[GroundControlPoint], gnss: &[[f64; 2]], system: &CoordinateSystem) -> Result<(), Error> {
-    let Some([longitude, latitude]) = middle(gnss) else { return Ok(()) };
+    let Some([longitude, latitude]) = middle_of_places(gnss) else { return Ok(()) };
     // Along the chord.
     let km_from = |place: [f64; 3]| {
         let apart = local_from_geographic([place[0], place[1], 0.0], [longitude, latitude, 0.0]);
@@ -66,13 +65,16 @@ struct Slip {
 fn slip_of(system: &CoordinateSystem, doubted: &Doubted) -> Slip {
     let zone = in_other_zone(system, doubted.given, |place| doubted.explains(place));
     let mistake = doubted.mistake().filter(|_| zone.is_none());
+    // A point that is refused lies so far off that chance explains no exchange, however far its block reaches.
+    let [x, y, z] = doubted.given;
+    let swapped = zone.is_none() && doubted.explains([y, x, z]) && !doubted.explains(doubted.given);
     let likely = match &mistake {
         Some(Mistake::Sign { axis, given }) => Some((axis, given.strip_prefix('-').map_or_else(|| format!("-{given}"), String::from))),
         Some(Mistake::DecimalPoint { axis, likely, .. } | Mistake::Digit { axis, likely, .. }) => Some((axis, likely.clone())),
         _ => None,
     };
     let likely = likely.map(|(axis, value)| format!("{} = {value}", if *axis == Axis::X { "x" } else { "y" }));
-    Slip { swapped: mistake == Some(Mistake::Exchanged), zone, likely }
+    Slip { swapped, zone, likely: likely.filter(|_| !swapped) }
 }
 
 /// How far the images of a block reach from its middle, with what a control point may lie beside them: a far-off position counts for nothing.
@@ -120,15 +122,40 @@ mod tests {
 
     const UTM: &str = "EPSG:32632";
 
-    /// What is refused of a control point with these coordinates in a system beside images over some hundred metres at 8° and 50°.
-    fn refused(crs: &str, [x, y]: [f64; 2]) -> String {
-        let gnss: Vec<[f64; 2]> = (0..9).map(|k| [8.0 + 0.002 * f64::from(k % 3), 50.0 + 0.002 * f64::from(k / 3)]).collect();
-        let system = CoordinateSystem::new(Definition::read(crs).unwrap(), None, [8.0, 50.0]).unwrap();
+    /// What is refused of a control point with these coordinates in a system beside images at these places, of which the first has it.
+    fn refused_beside(crs: &str, [x, y]: [f64; 2], gnss: &[[f64; 2]]) -> Option<String> {
+        let system = CoordinateSystem::new(Definition::read(crs).unwrap(), None, gnss[0]).unwrap();
         let [longitude_deg, latitude_deg, height] = system.geographic([x, y, 100.0]).unwrap();
         let position = ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height), sigma_m: [0.02; 3] };
         let control =
             GroundControlPoint { name: "G1".into(), position, role: ControlRole::Control, measurements: Vec::new(), sigma_px: None };
-        check_near(&[control], &gnss, &system).unwrap_err().to_string()
+        check_near(&[control], gnss, &system).err().map(|error| error.to_string())
+    }
+
+    /// What is refused of a control point with these coordinates in a system beside images over some hundred metres at 8° and 50°.
+    fn refused(crs: &str, [x, y]: [f64; 2]) -> String {
+        let gnss: Vec<[f64; 2]> = (0..9).map(|k| [8.0 + 0.002 * f64::from(k % 3), 50.0 + 0.002 * f64::from(k / 3)]).collect();
+        refused_beside(crs, [x, y], &gnss).unwrap()
+    }
+
+    #[test]
+    fn a_block_across_the_date_line_has_its_control_points_near_it() {
+        let gnss: Vec<[f64; 2]> = [179.99, -179.99, 179.98, -179.98].iter().map(|longitude| [*longitude, 52.0]).collect();
+        let system = CoordinateSystem::new(Definition::read("EPSG:32601").unwrap(), None, gnss[0]).unwrap();
+        let [x, y, _] = system.coordinates([179.995, 52.001, 0.0]).unwrap();
+        assert_eq!(refused_beside("EPSG:32601", [x, y], &gnss), None);
+        assert!(refused_beside("EPSG:32601", [x + 150_000.0, y], &gnss).is_some());
+        // Of control points, too, by which the system of a block is chosen.
+        let placing = GeoreferencingOptions { crs: Some("EPSG:4326".into()), ..GeoreferencingOptions::default() };
+        assert!(system_of(&placing, &gnss, &[]).unwrap().is_some());
+    }
+
+    #[test]
+    fn exchanged_coordinates_are_named_beside_a_large_block_in_a_system_of_small_numbers() {
+        // LV03: 600 km and 200 km; images over 120 km.
+        let gnss: Vec<[f64; 2]> = (0..9).map(|k| [6.8 + 0.4 * f64::from(k % 3), 46.5 + 0.4 * f64::from(k / 3)]).collect();
+        let told = refused_beside("EPSG:21781", [200_000.0, 600_000.0], &gnss).unwrap();
+        assert!(told.contains("exchanged"), "{told}");
     }
 
     #[test]

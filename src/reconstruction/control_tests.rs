@@ -79,6 +79,8 @@ pub(super) struct Refused {
     pub test: Option<ControlTest>,
     /// Whether it takes part all the same.
     pub is_used: bool,
+    /// Whether its coordinates are right within chance: it takes no part since the block is not placed with it.
+    pub is_within: bool,
 }
 
 /// What became of the control points of a block.
@@ -114,45 +116,60 @@ pub(super) fn tested_control(
         return whole(ControlTests::default());
     }
     let mut course = Course::new(block, is_tested, known, datum);
-    // A wrong point may keep the block from being placed at all: then all are tried, and after that each is left out alone.
-    let mut is_whole_tried = false;
-    let mut is_each_tried = false;
+    // A wrong point may keep the block from being placed at all: then all are tried, and after that each is left out alone. What places the block
+    // once is kept: where no adjustment after it does, it is the result.
+    let mut is_placed_by_all = None;
+    let mut kept: Option<Kept> = None;
     loop {
-        let (adjusted, placing) = match adjust(&course.taking()) {
+        let takes_all = !course.is_refused.contains(&true);
+        let tried = adjust(&course.taking());
+        if takes_all {
+            is_placed_by_all = Some(tried.as_ref().is_ok_and(is_placed));
+        }
+        let (adjusted, placing) = match tried {
             Ok(found) if is_placed(&found) => found,
-            Ok(_) | Err(_) if course.is_refused.contains(&true) && !is_whole_tried => {
-                is_whole_tried = true;
+            // The free network failed, too, if no datum was chosen: an image is to be left out then, not a point.
+            Err(error @ (Error::UndeterminedImage { .. } | Error::Degenerate { .. }))
+                if takes_all && kept.is_none() && options.datum.is_none() =>
+            {
+                return Err(error);
+            }
+            _ if is_placed_by_all.is_none() => {
                 course.start_with(None);
                 continue;
             }
-            Ok(_) | Err(_) if course.is_refused.contains(&true) => {
-                let found = adjust(block)?;
-                // Of a block that control points do not place another warning says why.
-                let stopped = is_placed(&found).then(|| [course.refused(), course.tested()]);
-                return Ok((found.0, found.1, ControlTests { stopped, ..ControlTests::default() }));
-            }
-            of_all => {
-                let found = if is_each_tried { None } else { course.without_one(&adjust) };
-                (is_whole_tried, is_each_tried) = (true, true);
-                match found {
+            of_all => match kept {
+                Some(kept) => return Ok(course.back_to(kept)),
+                None => match course.without_one(&adjust) {
                     Some(found) => found,
                     None => return of_all.map(|(adjusted, placing)| (adjusted, placing, ControlTests::default())),
-                }
-            }
+                },
+            },
         };
-        match course.next(&adjusted) {
-            Next::Again => {}
-            Next::Done(tests) => return Ok((adjusted, placing, tests)),
+        let tests = course.tests(&adjusted);
+        let is_refused = course.is_refused.clone();
+        match course.next(&adjusted, &tests) {
+            Next::Again => kept = Some(Kept { adjusted, placing, tests, is_refused }),
+            Next::Done => return Ok((adjusted, placing, course.done(&tests))),
             Next::Contradiction => {
-                let (adjusted, placing) = adjust(block)?;
+                let beyond = course.refused() + course.beyond(&tests).count();
+                let of_all = if is_placed_by_all == Some(false) { None } else { adjust(block).ok().filter(is_placed) };
+                let Some((adjusted, placing)) = of_all else { return Ok((adjusted, placing, course.done(&tests))) };
+                let contradicting = Some([beyond, course.tested()]);
                 course.is_refused.fill(false);
-                let tests = course.tests(&adjusted);
-                let contradicting = Some([course.beyond(&tests).count(), course.tested()]);
-                let detectable = course.detectable(&tests);
+                let detectable = course.detectable(&course.tests(&adjusted));
                 return Ok((adjusted, placing, ControlTests { contradicting, detectable, ..ControlTests::default() }));
             }
         }
     }
+}
+
+/// An adjustment that places the block, with its tests and the control points that took no part.
+struct Kept {
+    adjusted: AdjustmentResult,
+    placing: Placing,
+    tests: Tests,
+    is_refused: Vec<bool>,
 }
 
 /// Whether control points place a block.
@@ -163,7 +180,7 @@ fn is_placed((adjusted, placing): &Adjusted) -> bool {
 enum Next {
     /// Other control points take part now.
     Again,
-    Done(ControlTests),
+    Done,
     /// Too many would have to be left out.
     Contradiction,
 }
@@ -180,6 +197,8 @@ struct Course<'a> {
     is_settled: Vec<bool>,
     /// The one that was left out last since its own test was the largest: it does not take part again before another one is found wrong.
     last: Option<usize>,
+    /// With these the block was not placed.
+    keeps_from_placing: Vec<bool>,
     /// Of one that is tried without its coordinates: the largest test of its image measurements that were rejected beside them, of which the most fitted.
     rivals: Vec<f64>,
 }
@@ -194,7 +213,8 @@ impl<'a> Course<'a> {
     fn new(block: &'a Block, is_tested: &'a [bool], known: &'a Known<'a>, datum: Datum) -> Self {
         let number = block.control.len();
         let (is_refused, is_settled, rivals) = (vec![false; number], vec![false; number], vec![0.0; number]);
-        let mut course = Self { block, is_tested, known, datum, is_refused, is_settled, last: None, rivals };
+        let keeps_from_placing = vec![false; number];
+        let mut course = Self { block, is_tested, known, datum, is_refused, is_settled, last: None, keeps_from_placing, rivals };
         let far: Vec<usize> = far_control(block, datum).into_iter().filter(|control| is_tested[*control]).collect();
         if far.len() <= course.most() && number - far.len() + course.images() >= LEAST_LEFT {
             far.into_iter().for_each(|control| course.is_refused[control] = true);
@@ -211,13 +231,13 @@ impl<'a> Course<'a> {
         without.into_iter().for_each(|control| self.is_refused[control] = true);
     }
 
-    /// Begins without the one beside which the others fit best: the fewest of their image measurements are rejected, and then their largest test is
-    /// smallest. `None` where nothing tells which, and all take part again.
+    /// Begins without the one beside which the others fit best: the fewest of their image measurements are rejected; then its own coordinates contradict
+    /// them; then their largest test is smallest. `None` where nothing tells which, and all take part again.
     fn without_one(&mut self, adjust: impl Fn(&Block) -> Result<Adjusted, Error>) -> Option<Adjusted> {
         let number = self.is_refused.len();
         let images = self.images();
         let may_go = self.most() > 0 && number + images > LEAST_LEFT;
-        let mut best: Option<(usize, f64, usize, Adjusted)> = None;
+        let mut best: Option<((usize, bool), f64, usize, Adjusted)> = None;
         let is_open = |control: &usize| may_go && self.is_tested[*control] && self.tested() <= MOST_ALONE;
         for control in (0..number).filter(is_open).collect::<Vec<_>>() {
             self.start_with(Some(control));
@@ -225,16 +245,18 @@ impl<'a> Course<'a> {
             if !is_placed(&found) {
                 continue;
             }
-            let rejected = self.rejected(&found.0);
             let tests = self.tests(&found.0);
+            let rank = (self.rejected(&found.0), fits(tests.of[control].as_ref(), tests.limit));
             let largest =
                 tests.of.iter().zip(&self.is_refused).filter(|(_, refused)| !**refused).filter_map(|(test, _)| Some(test.as_ref()?.size()));
             let largest = largest.fold(0.0, f64::max);
-            if best.as_ref().is_none_or(|(fewest, least, ..)| rejected < *fewest || rejected == *fewest && largest < *least) {
-                best = Some((rejected, largest, control, found));
+            if best.as_ref().is_none_or(|(first, least, ..)| rank < *first || rank == *first && largest < *least) {
+                best = Some((rank, largest, control, found));
             }
         }
-        self.start_with(best.as_ref().map(|(_, _, control, _)| *control));
+        let without = best.as_ref().map(|(_, _, control, _)| *control);
+        self.start_with(without);
+        without.into_iter().for_each(|control| self.keeps_from_placing[control] = true);
         best.map(|(.., found)| found)
     }
 
@@ -310,8 +332,7 @@ impl<'a> Course<'a> {
         all.filter_map(|(control, test)| Some((control, test.as_ref()?))).filter(|(_, test)| test.size() > tests.limit)
     }
 
-    fn next(&mut self, adjusted: &AdjustmentResult) -> Next {
-        let tests = self.tests(adjusted);
+    fn next(&mut self, adjusted: &AdjustmentResult, tests: &Tests) -> Next {
         // Of a wrong coordinate and a wrong image measurement that explain each other, the one with the larger test is wrong.
         let fits = |control: &usize| fits(tests.of[*control].as_ref(), tests.limit.max(self.rivals[*control]));
         let may_return = |control: &usize| self.is_refused[*control] && self.last != Some(*control);
@@ -327,7 +348,10 @@ impl<'a> Course<'a> {
             (self.is_refused[control], self.rivals[control]) = (true, rival);
             return Next::Again;
         }
-        let open = self.beyond(&tests).filter(|(control, _)| !self.is_settled[*control]);
+        // Without its coordinates nothing would tell where a point is of which one image measurement fits.
+        let is_found = |control: usize| adjusted.points[self.block.control[control].point].is_some_and(|point| point.rays >= 2);
+        let is_last = self.refused() >= self.most();
+        let open = self.beyond(tests).filter(|(control, _)| !self.is_settled[*control] && (is_last || is_found(*control)));
         let worst = open.max_by(|(_, a), (_, b)| a.size().total_cmp(&b.size()));
         match worst.filter(|_| may_go) {
             Some((control, _)) if self.refused() < self.most() => {
@@ -335,8 +359,29 @@ impl<'a> Course<'a> {
                 Next::Again
             }
             Some(_) if self.most() > 0 => Next::Contradiction,
-            _ => Next::Done(self.done(&tests)),
+            _ => Next::Done,
         }
+    }
+
+    /// The last adjustment that places the block, where the one after it does not.
+    fn back_to(&mut self, kept: Kept) -> (AdjustmentResult, Placing, ControlTests) {
+        let Kept { adjusted, placing, tests, is_refused } = kept;
+        let left_out = self.refused();
+        let failed = std::mem::replace(&mut self.is_refused, is_refused);
+        let mut doubted = Vec::new();
+        for (control, failed) in failed.into_iter().enumerate() {
+            self.keeps_from_placing[control] |= self.is_refused[control] && !failed;
+            doubted.extend((failed && !self.is_refused[control]).then_some(self.block.control[control].point));
+        }
+        let mut told = self.done(&tests);
+        // What was to be left out by its test may accuse its neighbours.
+        let is_doubted = |refused: &Refused| refused.is_used && doubted.contains(&refused.point);
+        if told.refused.iter().any(is_doubted) {
+            told.refused.retain(|refused| !refused.is_used || is_doubted(refused));
+        }
+        // Where some take no part warnings name them.
+        told.stopped = (self.refused() == 0).then(|| [left_out, self.tested()]);
+        (adjusted, placing, told)
     }
 
     fn done(&self, tests: &Tests) -> ControlTests {
@@ -344,7 +389,9 @@ impl<'a> Course<'a> {
         let refused = |control: usize| {
             let (point, is_used) = (self.block.control[control].point, !self.is_refused[control]);
             let is_named = !is_used || beyond.binary_search(&control).is_ok();
-            is_named.then_some(Refused { point, test: tests.of[control], is_used })
+            let test = tests.of[control];
+            let is_within = !is_used && self.keeps_from_placing[control] && fits(test.as_ref(), tests.limit);
+            is_named.then_some(Refused { point, test, is_used, is_within })
         };
         let refused = (0..self.is_refused.len()).filter_map(refused).collect();
         ControlTests { refused, detectable: self.detectable(tests), ..ControlTests::default() }
@@ -439,57 +486,143 @@ fn of_residuals(
 
 #[cfg(test)]
 mod tests {
-    use super::{ControlTest, Unmeasured, fits, tested_control};
-    use crate::adjustment::{AdjustmentOptions, Block, Datum, adjust_block};
+    use super::{ControlTest, ControlTests, Refused, Unmeasured, fits, tested_control};
+    use crate::adjustment::{AdjustmentOptions, AdjustmentResult, Block, Datum, adjust_block};
     use crate::reconstruction::frame::Frame;
     use crate::reconstruction::material::Known;
     use crate::reconstruction::placing::Placing;
     use crate::{
-        BlockFlight, BlockOptions, Cause, Computation, ControlRole, Error, Exposure, GroundControlPoint, ImageObservation,
-        ObservedPosition, ReconstructionOptions, SelectOptions, reconstruct_block, simulate_block, tie_points,
+        BlockDescription, BlockFlight, BlockOptions, Cause, Computation, ControlRole, Error, Exposure, GroundControlPoint,
+        ImageObservation, ObservedPosition, ReconstructedModel, ReconstructionOptions, SelectOptions, reconstruct_block, simulate_block,
+        tie_points,
     };
+    use std::cell::Cell;
+    use std::sync::OnceLock;
+
+    /// A block with seven control points, without errors.
+    fn given() -> &'static (BlockDescription, ReconstructionOptions, ReconstructedModel) {
+        static GIVEN: OnceLock<(BlockDescription, ReconstructionOptions, ReconstructedModel)> = OnceLock::new();
+        GIVEN.get_or_init(|| {
+            let simulated = simulate_block(&BlockFlight { strips: 2, exposures: 4, features: 700, ..BlockFlight::default() }).unwrap();
+            let mut description = simulated.description(Some(1.0));
+            let seen = |place: &[f64; 3]| -> Vec<ImageObservation> {
+                let at = |exposure: &Exposure| exposure.project(*place, simulated.width_px, simulated.height_px);
+                let marks = simulated.exposures.iter().enumerate().filter_map(|(image, exposure)| Some((image, at(exposure)?)));
+                marks.map(|(image, [x_px, y_px])| ImageObservation { image, x_px, y_px, confidence: 1.0 }).collect()
+            };
+            let shown: Vec<_> = simulated.ground.iter().map(|place| (*place, seen(place))).filter(|(_, seen)| seen.len() >= 4).collect();
+            description.control = (0..7)
+                .map(|k| {
+                    let (position, measurements) = shown[k * shown.len() / 7].clone();
+                    let (position, role) = (ObservedPosition::Local { position, sigma: [0.02; 3] }, ControlRole::Control);
+                    GroundControlPoint { name: format!("G{k}"), position, role, sigma_px: None, measurements }
+                })
+                .collect();
+            let (points, _) = tie_points(&simulated.matches().unwrap(), &BlockOptions::default()).unwrap();
+            let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
+            let model = reconstruct_block(&description, &points, &simulated.image_features(), &options).unwrap().models.swap_remove(0);
+            assert_eq!(model.adjusted.block.control.len(), 7, "{:?}", model.warnings);
+            (description, options, model)
+        })
+    }
+
+    /// So many times the error of a height that is found in the block without errors.
+    fn raised(block: &mut Block, control: usize, times: f64) {
+        let detectable = given().2.surveyed[control].detectable_m[2].unwrap();
+        block.control[control].position[2] += times * detectable;
+    }
+
+    const NOT_CONVERGED: Error =
+        Error::NotConverged { computation: Computation::BundleAdjustment, iterations: 50, cause: Cause::NoPosition };
+
+    /// What becomes of the control points of a changed block, of which the first ones are tested, and the number of adjustments. `placed`: whether control
+    /// points place it.
+    fn tested(
+        change: impl Fn(&mut Block),
+        first: usize,
+        placed: impl Fn(&Block) -> Result<bool, Error>,
+    ) -> (Result<(AdjustmentResult, ControlTests), Error>, usize) {
+        let (description, options, model) = given();
+        let frame = Frame::new(description).unwrap();
+        let known = Known { description, options, frame: &frame };
+        let mut block = model.adjusted.block.clone();
+        change(&mut block);
+        let count = Cell::new(0);
+        let is_tested: Vec<bool> = (0..7).map(|control| control < first).collect();
+        let found = tested_control(&block, &is_tested, &known, |part| {
+            count.set(count.get() + 1);
+            let by_control = placed(part)?;
+            let datum = if by_control { Datum::Control } else { Datum::Free };
+            let placing = if by_control { Placing::Observed } else { Placing::Free { cause: None } };
+            adjust_block(part, &AdjustmentOptions { datum, ..options.adjustment.clone() }).map(|adjusted| (adjusted, placing))
+        });
+        (found.map(|(adjusted, _, tests)| (adjusted, tests)), count.get())
+    }
+
+    /// Control points that take part, and of those that are named: their number, whether they take part, and whether they are right within chance.
+    fn named((adjusted, tests): &(AdjustmentResult, ControlTests)) -> (usize, Vec<(usize, bool, bool)>) {
+        let number = |point: usize| given().2.adjusted.block.control.iter().position(|control| control.point == point).unwrap();
+        let of = |refused: &Refused| (number(refused.point), refused.is_used, refused.is_within);
+        (adjusted.block.control.len(), tests.refused.iter().map(of).collect())
+    }
 
     #[test]
     fn tests_of_a_block_that_has_no_adjustment_without_a_point_say_that_they_stopped() {
-        let simulated = simulate_block(&BlockFlight { strips: 2, exposures: 4, features: 700, ..BlockFlight::default() }).unwrap();
-        let mut description = simulated.description(Some(1.0));
-        let seen = |place: &[f64; 3]| -> Vec<ImageObservation> {
-            let at = |exposure: &Exposure| exposure.project(*place, simulated.width_px, simulated.height_px);
-            let marks = simulated.exposures.iter().enumerate().filter_map(|(image, exposure)| Some((image, at(exposure)?)));
-            marks.map(|(image, [x_px, y_px])| ImageObservation { image, x_px, y_px, confidence: 1.0 }).collect()
+        let wrong = |block: &mut Block| block.control[3].position[2] += 2.0;
+        let found = tested(wrong, 7, |_| Ok(true)).0.unwrap();
+        assert_eq!((named(&found), found.1.stopped), ((6, vec![(3, false, false)]), None));
+        let (found, adjustments) = tested(wrong, 7, |part| if part.control.len() < 7 { Err(NOT_CONVERGED) } else { Ok(true) });
+        let found = found.unwrap();
+        // The wrong one keeps its figures, and nothing is adjusted twice.
+        assert_eq!((named(&found), found.1.stopped), ((7, vec![(3, true, false)]), Some([1, 7])));
+        assert!(adjustments <= 3, "{adjustments}");
+    }
+
+    #[test]
+    fn a_right_point_with_which_a_block_is_not_placed_is_not_called_wrong() {
+        let of_six = |part: &Block| if part.control.len() == 7 { Err(NOT_CONVERGED) } else { Ok(true) };
+        let found = tested(|_| {}, 7, of_six).0.unwrap();
+        let (taking, points) = named(&found);
+        assert!(taking == 6 && matches!(points[..], [(_, false, true)]), "{points:?}");
+        let wrong = tested(|block| raised(block, 3, 4.0), 7, of_six).0.unwrap();
+        assert_eq!(named(&wrong), (6, vec![(3, false, false)]));
+    }
+
+    #[test]
+    fn what_placed_the_block_is_kept_where_no_adjustment_after_it_does() {
+        let wrong = |block: &mut Block| [(0, 4.0), (1, 3.0)].iter().for_each(|(control, times)| raised(block, *control, *times));
+        let only_six = |part: &Block| match part.control.len() {
+            7 => Ok(false),
+            6 => Ok(true),
+            _ => Err(NOT_CONVERGED),
         };
-        let shown: Vec<_> = simulated.ground.iter().map(|place| (*place, seen(place))).filter(|(_, seen)| seen.len() >= 4).collect();
-        description.control = (0..7)
-            .map(|k| {
-                let (position, measurements) = shown[k * shown.len() / 7].clone();
-                let (position, role) = (ObservedPosition::Local { position, sigma: [0.02; 3] }, ControlRole::Control);
-                GroundControlPoint { name: format!("G{k}"), position, role, sigma_px: None, measurements }
-            })
-            .collect();
-        let (points, _) = tie_points(&simulated.matches().unwrap(), &BlockOptions::default()).unwrap();
-        let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
-        let model = reconstruct_block(&description, &points, &simulated.image_features(), &options).unwrap().models.swap_remove(0);
-        let frame = Frame::new(&description).unwrap();
-        let known = Known { description: &description, options: &options, frame: &frame };
-        let mut block = model.adjusted.block.clone();
-        assert_eq!(block.control.len(), 7, "{:?}", model.warnings);
-        block.control[3].position[2] += 2.0;
-        let adjustment = AdjustmentOptions { datum: Datum::Control, ..options.adjustment.clone() };
-        let tests = |fails: bool| {
-            let found = tested_control(&block, &[true; 7], &known, |part| {
-                if fails && part.control.len() < 7 {
-                    return Err(Error::Degenerate { computation: Computation::BundleAdjustment, cause: Cause::NoPosition });
-                }
-                adjust_block(part, &adjustment).map(|adjusted| (adjusted, Placing::Observed))
-            });
-            let (adjusted, _, tests) = found.unwrap();
-            (adjusted.block.control.len(), tests.refused.len(), tests.stopped)
+        let is_kept = |found: &(AdjustmentResult, ControlTests)| {
+            let (taking, mut points) = named(found);
+            points.sort_by_key(|(_, is_used, _)| *is_used);
+            let is_left_out = matches!(points[0], (0 | 1, false, false));
+            let is_used = points[1..].iter().all(|(_, is_used, _)| *is_used) && points[1..].iter().any(|(control, ..)| *control < 2);
+            taking == 6 && is_left_out && is_used && found.1.contradicting.is_none() && found.1.stopped.is_none()
         };
-        assert_eq!(tests(false), (6, 1, None));
-        assert_eq!(tests(true), (7, 0, Some([1, 7])));
-        // What a test finds is larger where it holds what the observations of an image share: by that of the test, not of the residual alone.
+        assert!(is_kept(&tested(wrong, 7, only_six).0.unwrap()));
+    }
+
+    #[test]
+    fn an_image_that_nothing_determines_costs_no_control_point() {
+        let undetermined = || Error::UndeterminedImage { computation: Computation::BundleAdjustment, image: 2, cause: Cause::NoPosition };
+        let (found, adjustments) = tested(|_| {}, 7, |_| Err(undetermined()));
+        assert!(matches!(found, Err(Error::UndeterminedImage { image: 2, .. })) && adjustments == 1, "{adjustments}");
+        let (found, adjustments) = tested(|_| {}, 7, |_| Err(NOT_CONVERGED));
+        assert!(matches!(found, Err(Error::NotConverged { .. })) && adjustments == 8, "{adjustments}");
+    }
+
+    #[test]
+    fn what_a_test_finds_holds_what_the_observations_of_an_image_share() {
+        let (description, options, model) = given();
+        let frame = Frame::new(description).unwrap();
+        let known = Known { description, options, frame: &frame };
+        // Beside what the residual of the point alone finds.
         let detectable = |shared_errors: f64| -> Vec<f64> {
-            let adjustment = AdjustmentOptions { shared_errors, ..adjustment.clone() };
+            let adjustment = AdjustmentOptions { datum: Datum::Control, shared_errors, ..options.adjustment.clone() };
             let adjust = |part: &Block| adjust_block(part, &adjustment).map(|adjusted| (adjusted, Placing::Observed));
             let (adjusted, _, tests) = tested_control(&model.adjusted.block, &[true; 7], &known, adjust).unwrap();
             assert_eq!((tests.refused.len(), tests.detectable.len(), adjusted.control.len()), (0, 7, 7));
@@ -503,6 +636,30 @@ mod tests {
         let (alone, shared) = (detectable(0.0), detectable(0.5));
         assert!(alone.iter().all(|ratio| (ratio - 1.0).abs() < 1e-6), "{alone:?}");
         assert!(shared.iter().all(|ratio| *ratio >= 1.0) && shared.iter().any(|ratio| *ratio > 1.001), "{shared:?}");
+    }
+
+    #[test]
+    fn a_wrong_point_in_one_image_stays_used() {
+        for axis in 0..3 {
+            for error in (1..=20).map(|k| 0.01 * f64::from(k)).chain([0.5, 1.0, 3.0, 10.0]) {
+                let lone = |block: &mut Block| {
+                    let point = block.control[3].point;
+                    let mut seen = 0;
+                    block.rays.retain(|ray| {
+                        seen += usize::from(ray.point == point);
+                        ray.point != point || seen == 1
+                    });
+                    block.control[3].position[axis] += error;
+                    block.points[point] = block.control[3].position;
+                };
+                let found = tested(lone, 7, |_| Ok(true)).0.unwrap();
+                let (taking, points) = named(&found);
+                if !points.is_empty() {
+                    println!("axis {axis} error {error}: {points:?}");
+                }
+                assert!(taking == 7 && points.iter().all(|(_, is_used, _)| *is_used), "axis {axis}, {error} m: {points:?}");
+            }
+        }
     }
 
     #[test]

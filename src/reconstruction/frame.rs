@@ -2,7 +2,7 @@
 
 use crate::adjustment::PositionPrior;
 use crate::error::refuse;
-use crate::math::{local_from_geographic, median};
+use crate::math::{local_from_geographic, median, median_longitude};
 use crate::{BlockDescription, ControlRole, Error, GeographicOrigin, GroundControlPoint, ObservedPosition, Refusal};
 
 /// Observed positions in one Cartesian system.
@@ -125,25 +125,12 @@ fn place(position: &ObservedPosition) -> Option<Place> {
     }
 }
 
-/// The medians, which a few positions far from all others do not move; the height is 0 where none is known. Longitudes count from that of
-/// the median direction, so that a block across the date line has its middle there.
+/// The medians, which a few positions far from all others do not move; the height is 0 where none is known.
 fn middle(places: &[Place]) -> Option<[f64; 3]> {
-    let median_of = |value: &dyn Fn(&Place) -> Option<f64>| median(&mut places.iter().filter_map(value).collect::<Vec<f64>>());
-    let [sine, cosine] = [libm::sin, libm::cos].map(|f| median_of(&|p| Some(f(p.longitude.to_radians()))));
-    let from = libm::atan2(sine?, cosine?).to_degrees();
-    let longitude = from + median_of(&|p| Some(wrapped(p.longitude - from)))?;
-    Some([wrapped(longitude), median_of(&|p| Some(p.latitude))?, median_of(&|p| p.height).unwrap_or(0.0)])
-}
-
-/// A longitude between -180° and 180°.
-fn wrapped(longitude: f64) -> f64 {
-    if longitude > 180.0 {
-        longitude - 360.0
-    } else if longitude < -180.0 {
-        longitude + 360.0
-    } else {
-        longitude
-    }
+    let longitude = median_longitude(&places.iter().map(|place| place.longitude).collect::<Vec<f64>>())?;
+    let latitude = median(&mut places.iter().map(|place| place.latitude).collect::<Vec<f64>>())?;
+    let height = median(&mut places.iter().filter_map(|place| place.height).collect::<Vec<f64>>());
+    Some([longitude, latitude, height.unwrap_or(0.0)])
 }
 
 #[cfg(test)]

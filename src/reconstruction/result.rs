@@ -112,9 +112,9 @@ impl SurveyedPoint {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct RefusedControl {
-    /// The coordinate whose test is largest; absent where nothing tests them.
+    /// The coordinate whose test is largest; absent where nothing tests them, or they are right within chance and the block is not placed with the point.
     pub axis: Option<Axis>,
-    /// Whether it takes part all the same, since too few points are left to tell which of them is wrong.
+    /// Whether it takes part all the same, since too little is left without it to tell whether it is wrong.
     pub is_used: bool,
 }
 

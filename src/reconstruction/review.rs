@@ -117,10 +117,13 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
     let of_point = |refused: &Refused| {
         let PointSource::GroundControl(control) = model.points[refused.point] else { return None };
         let point = known.description.control[control].name.clone();
+        let measurements = || model.adjusted.block.rays.iter().filter(|ray| ray.point == refused.point).count();
         let Some(test) = &refused.test else {
-            let measurements = model.adjusted.block.rays.iter().filter(|ray| ray.point == refused.point).count();
-            return Some(BlockWarning::ControlUntested { point, measurements });
+            return Some(BlockWarning::ControlUntested { point, measurements: measurements() });
         };
+        if refused.is_within {
+            return Some(BlockWarning::ControlUnplaced { point, measurements: measurements() });
+        }
         let axis = test.axis();
         let k = axis.index();
         let surveyed = model.surveyed.iter().find(|surveyed| surveyed.name == point);

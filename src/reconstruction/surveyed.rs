@@ -52,7 +52,10 @@ pub(super) fn surveyed_points(model: &ReconstructedModel, known: &Known<'_>, tes
                 .get(&place)
                 .copied()
                 .unwrap_or_else(|| statistics.filter(|_| refused.is_none()).map_or([None; 3], |statistics| statistics.detectable)),
-            refused: refused.map(|refused| RefusedControl { axis: refused.test.map(|test| test.axis()), is_used: refused.is_used }),
+            refused: refused.map(|refused| RefusedControl {
+                axis: refused.test.filter(|_| !refused.is_within).map(|test| test.axis()),
+                is_used: refused.is_used,
+            }),
         })
     };
     model.points.iter().enumerate().filter_map(of_point).collect()

@@ -46,6 +46,8 @@ messages! {
         },
         /// A GCP that takes no part and whose coordinates nothing tests: fewer than two of its image measurements fit the other observations without them.
         ControlUntested { point: String, measurements: usize },
+        /// A GCP that takes no part since the block is not placed with it, though the other observations have it within chance where it was surveyed.
+        ControlUnplaced { point: String, measurements: usize },
         /// So many of the GCPs contradict the rest of the block that nothing tells which of them are wrong: all take part.
         ControlContradicts { refused: usize, points: usize },
         /// The block has no adjustment without so many of the GCPs, which their tests were to leave out: all take part, wrong ones among them.
@@ -100,6 +102,7 @@ impl BlockWarning {
             | Self::Imprecise { .. }
             | Self::ControlRefused { .. }
             | Self::ControlUntested { .. }
+            | Self::ControlUnplaced { .. }
             | Self::ControlContradicts { .. }
             | Self::ControlTestsStopped { .. }
             | Self::Scale { .. }

@@ -11,10 +11,11 @@ use crate::{
 };
 use serde::{Deserialize, Serialize};
 
-/// The newest version that is read. A file has the oldest version that holds all that is in it: older readers open what they can.
+/// The newest version that is read. The file of a pair has the oldest version that holds all that is in it. Blocks stay of version 2: a reader that does
+/// not know a warning or field of theirs refuses them and names it.
 pub const PROJECT_VERSION: u32 = 3;
 
-/// Of all but pairs whose matches were edited by hand.
+/// Of blocks, and of pairs whose matches were not edited by hand.
 const PLAIN_VERSION: u32 = 2;
 
 const FORMAT: &str = "tiepoint-project";
@@ -70,8 +71,8 @@ pub fn write_block_project(run: &BlockRun) -> Result<String, Error> {
 /// # Errors
 /// [`Error::InvalidInput`] for parts of the pair that do not fit together.
 pub fn write_pair_project(run: &PairRun) -> Result<String, Error> {
-    let version = if run.edited.is_some() { PROJECT_VERSION } else { PLAIN_VERSION };
-    written(version, "pair", &run.clone().in_order()?)
+    let run = run.clone().in_order()?;
+    written(if run.edited.is_some() { PROJECT_VERSION } else { PLAIN_VERSION }, "pair", &run)
 }
 
 /// Reads a project; one of an older version is brought forward. Nothing is passed over: a file that this version does not understand in full is
@@ -365,6 +366,8 @@ mod tests {
         assert!(newer.contains("version 4; this program reads versions 1 to 3"), "{newer}");
         assert!(message(0, body).contains("version 0"), "{}", message(0, body));
         assert!(message(2, &body.replacen("\"input\"", "\"extra\":1,\"input\"", 1)).contains("block.extra: unknown field `extra`"));
+        let camera = message(2, &body.replacen("\"fixed\":", "\"extra\":1,\"fixed\":", 1));
+        assert!(camera.contains("unknown field `extra`"), "{camera}");
         assert!(message(2, &body.replacen("\"connections\"", "\"connexions\"", 1)).contains("connexions"));
         assert!(message(2, &body.replacen("\"images\":[0,1]", "\"images\":[0,7]", 1)).contains("[0, 7]"));
         assert!(message(2, &body.replacen("\"focal_px\":500.0", "\"focal_px\":-1.0", 1)).contains("focal length of a camera: got -1"));
