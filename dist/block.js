@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -402,13 +402,15 @@ var placesOfGiven = remember((name, view, file, history) => {
 		return point === name && at !== void 0 ? [[at, [x_px, y_px]]] : [];
 	}));
 });
-function besideEdits(marks, edits) {
-	return marks.edits.every(({ after }) => after <= edits) ? marks : {
+function besideEdits(marks, place) {
+	const places = marks.edits.map(({ after }, at) => place(after, at));
+	if (marks.edits.every(({ after }, at) => after === places[at])) return marks;
+	return {
 		...marks,
-		edits: marks.edits.map((step) => step.after <= edits ? step : {
+		edits: marks.edits.map((step, at) => ({
 			...step,
-			after: edits
-		})
+			after: places[at] ?? step.after
+		}))
 	};
 }
 // www/block/state/selection.ts
@@ -471,7 +473,8 @@ function choiceOfImages(images) {
 function withMoreImages(chosen, images) {
 	const before = new Set(chosen?.kind === "image" || chosen?.kind === "images" ? imagesOf(chosen) : []);
 	const [only] = images;
-	if (images.length === 1 && only !== void 0 && before.has(only)) before.delete(only);
+	if (only === void 0) return chosen;
+	if (images.length === 1 && before.has(only)) before.delete(only);
 	else for (const image of images) before.add(image);
 	return choiceOfImages(before);
 }
@@ -1276,6 +1279,7 @@ var BlockEngine = class {
 	}
 	async edited(edits) {
 		await this.regained();
+		if (this.port !== null) throw new Cancelled("cancelled");
 		return this.block.call("blockEdited", {
 			edits,
 			truth: this.store.state.truth
@@ -1299,7 +1303,7 @@ var BlockEngine = class {
 			bytes,
 			truth: null
 		}, [bytes.buffer]);
-		if (block !== this.block) return;
+		if (block !== this.block || this.port !== null) return;
 		this.heldIn = block.generation;
 		const { shown, truth } = this.store.state;
 		if (shown !== null) await this.block.call("blockEdited", {
@@ -1443,9 +1447,28 @@ function reasonOf(error) {
 	return breakdownOf(error) ?? messageOf(error);
 }
 // www/block/state/carrying.ts
-function carriedOver(edits, before, after, sameTiePoints = false) {
+function carriedOver({ edits: steps, done }, before, after, sameTiePoints = false) {
 	const carrier = new Carrier(before, after, sameTiePoints);
-	return edits.flatMap((edit) => carrier.carried(edit));
+	const edits = [];
+	const left = [0];
+	const aside = [];
+	let lost = 0;
+	steps.forEach((step, place) => {
+		const own = carrier.step(step, place >= done);
+		if (own.length > 0) edits.push(own);
+		else if (place >= done) aside.push(step);
+		if (place < done) lost += step.length - own.length;
+		left.push(edits.length);
+	});
+	return {
+		history: {
+			edits,
+			done: left[done] ?? edits.length
+		},
+		left,
+		lost,
+		aside
+	};
 }
 var Carrier = class {
 	before;
@@ -1459,6 +1482,14 @@ var Carrier = class {
 		this.sameTiePoints = sameTiePoints;
 		this.places = new Map(after.images.map((name, image) => [name, image]));
 		this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
+	}
+	step(step, whole) {
+		const [first, added] = [this.numbers.length, this.added];
+		const own = step.flatMap((edit) => this.carried(edit));
+		if (!whole || own.length === step.length) return own;
+		this.numbers.fill(-1, first);
+		this.added = added;
+		return [];
 	}
 	carried(edit) {
 		switch (edit.kind) {
@@ -1857,7 +1888,7 @@ function reduceEdits(state, action) {
 			if (!isEditable(state)) return state;
 			return {
 				...state,
-				history: recorded(state.history, action.edits),
+				...withStep(state, action.edits),
 				draft: null,
 				notice: afterEdit(state)
 			};
@@ -1881,7 +1912,7 @@ function reduceEdits(state, action) {
 			};
 			return {
 				...state,
-				history: withoutRefused(state.history, state.shown?.edits ?? []),
+				...refused(state),
 				notice
 			};
 		}
@@ -1910,11 +1941,35 @@ function afterEdit({ notice }) {
 	return notice?.kind === "busy" ? notice : null;
 }
 function withoutRefused(history, made) {
+	const { edits, done } = history;
 	const kept = stepsOf(history, made);
-	const later = kept.length < history.done && kept.every((step, i) => step === history.edits[i]) ? history.edits.slice(kept.length + 1, history.done) : [];
+	if (kept.some((step, i) => step !== edits[i])) return {
+		edits: kept,
+		done: kept.length
+	};
+	if (kept.length >= done) return {
+		edits,
+		done: kept.length
+	};
 	return {
-		edits: [...kept, ...later],
-		done: kept.length + later.length
+		edits: edits.filter((_, i) => i !== kept.length),
+		done: done - 1
+	};
+}
+function refused(state) {
+	const history = withoutRefused(state.history, state.shown?.edits ?? []);
+	const gone = state.history.edits.findIndex((step, i) => step !== history.edits[i]);
+	const place = (after) => Math.min(history.edits.length, gone < 0 || after <= gone ? after : after - 1);
+	return {
+		history,
+		marks: besideEdits(state.marks, place)
+	};
+}
+function withStep({ history, marks }, step) {
+	const after = recorded(history, step);
+	return {
+		history: after,
+		marks: besideEdits(marks, (place, at) => at < marks.done ? place : Math.max(place, after.done))
 	};
 }
 function stepsOf({ edits: steps }, edits) {
@@ -1952,40 +2007,47 @@ function newPoint(edits, view) {
 		point
 	};
 }
-function carried({ history, shown }, view) {
-	const before = editsInForce(history);
-	if (before.length === 0 || shown === null) return {
-		edits: UNEDITED,
-		said: ""
-	};
-	return keptOf(before, carriedOver(before, namesOf(shown.found), namesOf(view)));
+var NOTHING_CARRIED = {
+	history: NO_HISTORY,
+	left: [0],
+	lost: 0,
+	aside: []
+};
+function carried({ history, marks, shown }, view) {
+	if (shown === null || history.edits.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
+	const names = namesOf(shown.found);
+	return keptOf(carriedOver(history, names, namesOf(view)), marks, names);
 }
-function carriedToGround({ history, shown }, view) {
+function carriedToGround({ history, marks, shown }, view) {
 	const names = shown === null ? NO_NAMES : namesOf(shown.found);
 	if (withoutPlaces(names).surveyed.size === names.surveyed.size) return {
 		edits: {
 			...UNEDITED,
-			history
+			history,
+			marks
 		},
 		said: ""
 	};
-	const before = editsInForce(history);
-	if (before.length === 0) return {
-		edits: UNEDITED,
-		said: ""
-	};
-	return keptOf(before, carriedOver(before, names, withoutPlaces(namesOf(view)), true));
+	return keptOf(carriedOver(history, names, withoutPlaces(namesOf(view)), true), marks, names);
 }
-function keptOf(before, edits) {
-	const lost = before.length - edits.length;
-	const said = [edits.length === 0 ? "" : say("by-hand-kept", { edits: edits.length }), lost === 0 ? "" : say("of-points-of-the-former", { lost })];
+var MOST_NAMED$1 = 3;
+function keptOf({ history, left, lost, aside }, marks, names) {
+	const held = editsInForce(history).length;
+	const steps = [...aside.slice(0, MOST_NAMED$1).map((step) => nameOfStep(step, names)), ...aside.length > MOST_NAMED$1 ? ["…"] : []].join(", ");
+	const said = [
+		held === 0 ? "" : say("by-hand-kept", { edits: held }),
+		lost === 0 ? "" : say("of-points-of-the-former", { lost }),
+		aside.length === 0 ? "" : say("cannot-be-done-again", {
+			undone: aside.length,
+			steps
+		})
+	];
+	const moved = besideEdits(marks, (after) => left[after] ?? history.edits.length);
 	return {
 		edits: {
 			...UNEDITED,
-			history: {
-				edits: edits.map((edit) => [edit]),
-				done: edits.length
-			}
+			history,
+			marks: moved
 		},
 		said: said.filter((part) => part !== "").join(" ")
 	};
@@ -2947,7 +3009,7 @@ var GroundFiles = class {
 		}));
 	}
 	async takeLevel(height) {
-		return this.setHeights(`${fixed(height, 2)} m`, () => Promise.resolve({
+		return this.setHeights(withUnit(fixed(height, 2), "m"), () => Promise.resolve({
 			kind: "level",
 			height
 		}));
@@ -3196,6 +3258,11 @@ async function saveAs(store, engine, kind) {
 }
 // pkg/block/image-files.js
 var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
+// www/block/state/scale.ts
+function inUnitOf({ origin, surveyed }, coordinates) {
+	const hasScale = origin !== null || surveyed.some(({ role }) => role === "control");
+	return withUnit(coordinates, hasScale ? "m" : "");
+}
 // www/block/state/words.ts
 function connectionOf(view, [a, b]) {
 	return connectionsOf(view).get(pairKey(a, b));
@@ -3283,7 +3350,8 @@ function describePair(view, images) {
 		}) : ""
 	].filter((part) => part !== "").join("; ")}.`;
 }
-function describePoint({ points, surveyed }, point) {
+function describePoint(view, point) {
+	const { points, surveyed } = view;
 	const axes = [
 		0,
 		1,
@@ -3297,8 +3365,8 @@ function describePoint({ points, surveyed }, point) {
 			rays: points.rays[point] ?? 0
 		}),
 		known$2(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
-		known$2(points.positions[3 * point]) ? `X Y Z ${place}` : say("not-intersected"),
-		errors.every(known$2) ? `± ${errors.map((error) => fixed(error, 3)).join(" ")}` : "",
+		known$2(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say("not-intersected"),
+		errors.every(known$2) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
 		point < points.taking ? "" : say("rejected-by-hand-2")
 	].filter((part) => part !== "").join("; ")}.`;
 }
@@ -3396,6 +3464,10 @@ var TEXTS = {
 	marks: say("image-measurements")
 };
 var NEEDS_MORE = say("a-block-needs-two-images");
+var NOTHING_LOST = {
+	lost: 0,
+	aside: []
+};
 var WAITS = "tiepoint-wait";
 var BlockFiles = class {
 	store;
@@ -3660,9 +3732,9 @@ var BlockFiles = class {
 	}
 	async run() {
 		const { shown, history } = this.store.state;
-		const edits = editsInForce(history);
 		const names = shown === null ? null : namesOf(shown.found);
-		if (!(names !== null && carriedOver(edits, names, withoutPlaces(names)).length < edits.length) || lacksPlaceAlone(this.store.state)) return this.runs.run();
+		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names));
+		if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
 		this.tell("busy", say("keeping-the-edited-block"));
 		const stays = await this.leave(say("run-it-again"));
 		this.store.dispatch({
@@ -3737,7 +3809,8 @@ var BlockFiles = class {
 			notice: {
 				kind: "info",
 				text: notes.join(" "),
-				beside: runs
+				beside: runs,
+				passing: notes.length === 1 && why !== ""
 			}
 		});
 	}
@@ -4501,24 +4574,29 @@ function choiceOf$2(images, points) {
 // www/block/panel/address.ts
 function mountAddress(store, modes) {
 	let waiting = window.location.hash;
+	let isViewed = false;
 	const follow = () => {
 		const { shown, history } = store.state;
-		if (shown === null || shown.view.partial || waiting === "" || !isSameList(editsInForce(history), shown.edits)) return;
+		if (shown === null || shown.view.partial || waiting === "") return;
 		const wanted = asked(waiting, shown.view);
+		if (wanted !== null && !isViewed) {
+			isViewed = true;
+			modes.dispatch("block");
+			store.dispatch({
+				type: "stage",
+				view: wanted.view
+			});
+		}
+		if (!isSameList(editsInForce(history), shown.edits)) return;
 		waiting = "";
-		if (wanted === null) return;
-		modes.dispatch("block");
-		store.dispatch({
-			type: "stage",
-			view: wanted.view
-		});
-		store.dispatch({
+		if (wanted !== null) store.dispatch({
 			type: "choose",
 			choice: wanted.choice
 		});
 	};
 	window.addEventListener("hashchange", () => {
 		waiting = window.location.hash;
+		isViewed = false;
 		follow();
 	});
 	const tell = () => {
@@ -5141,7 +5219,7 @@ function placedAfter({ selection: { chosen }, ...after }, before) {
 }
 function selectedAfter({ selection, placing, ...after }, before) {
 	const { chosen } = selection;
-	const now = imageOf(after, placing.chosen.image);
+	const now = imageOf$1(after, placing.chosen.image);
 	if (now !== null) return imagesOf(chosen).includes(now) ? selection : reduceSelection(selection, {
 		type: "choose",
 		choice: {
@@ -5149,7 +5227,7 @@ function selectedAfter({ selection, placing, ...after }, before) {
 			image: now
 		}
 	});
-	const former = imageOf(after, before.placing.chosen.image);
+	const former = imageOf$1(after, before.placing.chosen.image);
 	return chosen?.kind === "image" && chosen.image === former ? reduceSelection(selection, {
 		type: "choose",
 		choice: null
@@ -5159,7 +5237,7 @@ function fileOf$1({ shown, files }, image) {
 	const name = shown?.view.images[image]?.name;
 	return files.find((file) => file.name === name)?.id ?? null;
 }
-function imageOf({ shown, files }, id) {
+function imageOf$1({ shown, files }, id) {
 	const name = files.find((file) => file.id === id)?.name;
 	const image = shown?.view.images.findIndex((own) => own.name === name) ?? -1;
 	return image < 0 ? null : image;
@@ -5438,7 +5516,6 @@ function withRun(state, action) {
 				...blank(state),
 				...inOther(state, view),
 				...edits,
-				marks: besideEdits(state.marks, edits.history.edits.length),
 				...said === "" ? {} : { notice: {
 					kind: "info",
 					text: said,
@@ -5935,7 +6012,7 @@ function isOn({ width, height }, [x, y]) {
 }
 // www/block/view/images/lenses.ts
 var DRAFT_SCALE = 6;
-var EDGE$1 = 8;
+var EDGE$2 = 8;
 function lensesAt(seen, panes, pointer, pointed) {
 	const from = panes.find(({ image }) => image === pointed.image);
 	const scale = Math.min(48, Math.max(4, (from?.transform.scale ?? 1) * 4));
@@ -5979,8 +6056,8 @@ function besidePointer([x, y], { left, top, width, height }) {
 function cornerOf({ left, top, width, height }) {
 	const side = Math.max(40, Math.min(176, width * .45, height * .45));
 	return {
-		left: left + width - EDGE$1 - side,
-		top: top + height - EDGE$1 - side,
+		left: left + width - EDGE$2 - side,
+		top: top + height - EDGE$2 - side,
 		width: side,
 		height: side
 	};
@@ -6264,7 +6341,7 @@ var STYLES$1 = [
 	REJECTED_BY_HAND,
 	MEASURED
 ];
-var BY_HAND$1 = 3;
+var BY_HAND$2 = 3;
 var drawnOf = new WeakMap();
 function drawn(of) {
 	const known = drawnOf.get(of);
@@ -6292,7 +6369,7 @@ function codesOf$1({ points, parts }, { byHand, keeps }) {
 	return parts.map((part, i) => {
 		const point = points[i] ?? -1;
 		if (!keeps(point)) return NOT_DRAWN$1;
-		return part === 0 && byHand.has(point) ? BY_HAND$1 : part;
+		return part === 0 && byHand.has(point) ? BY_HAND$2 : part;
 	});
 }
 function drawObservations(context, of, marked, t, clip) {
@@ -6767,15 +6844,15 @@ var ImagesView = class {
 		this.measuring = new Measuring(store, engine, facts, () => this.seen.panes());
 		this.moving = new Moving(this.seen);
 		this.opening = new Opening(this.seen, this.measuring);
-		const measures = declare({
-			where: say("images-of-a-block-measuring"),
-			host,
-			list: measuringKeys(this)
-		});
 		const looks = declare({
 			where: say("images-of-a-block"),
 			host,
 			list: looking(this)
+		});
+		const measures = declare({
+			where: say("images-of-a-block-measuring"),
+			host,
+			list: measuringKeys(this)
 		});
 		listen(host, {
 			at: (x, y) => paneAt(this.seen.panes(), x, y)?.image ?? null,
@@ -7115,8 +7192,8 @@ function pointText({ state }, view) {
 	})).sort((a, b) => b.w - a.w);
 	return [
 		name ?? `${id !== null && "manual" in id ? say("point-by-hand") : say("tie-point")} ${count(chosen.point + 1)}`,
-		position === null ? say("not-intersected") : `X Y Z ${position.map((value) => fixed(value, 3)).join(" ")}`,
-		errors === null ? "" : `± ${errors.map((value) => fixed(value, 3)).join(" ")}`,
+		position === null ? say("not-intersected") : inUnitOf(shown, `X Y Z ${position.map((value) => fixed(value, 3)).join(" ")}`),
+		errors === null ? "" : inUnitOf(shown, `± ${errors.map((value) => fixed(value, 3)).join(" ")}`),
 		say("rays", {
 			observations: taking,
 			what: (rejected > 0 ? say("rays-rejected", { rejected }) : "") + (seen < observations.length ? say("shown", { seen }) : "")
@@ -7150,7 +7227,7 @@ function textOfPlace({ image, at }, shown, view) {
 			mm: mm[0],
 			mm_2: mm[1]
 		}),
-		ground === null ? "" : say("ground-about", { join: ground.map((value) => fixed(value, 2)).join(" ") })
+		ground === null ? "" : say("ground-about", { join: inUnitOf(shown, ground.map((value) => fixed(value, 2)).join(" ")) })
 	].filter((part) => part !== "").join(" · ");
 }
 function toolsOf$2(host, store, view, looking) {
@@ -7658,11 +7735,6 @@ function overlap({ info: { width, height, georeference } }, footprints) {
 	for (let i = 0; i < footprints.length; i += 2) if (within(footprints[i] ?? NaN, xs) && within(footprints[i + 1] ?? NaN, ys)) return true;
 	return false;
 }
-// www/block/state/units.ts
-function unitInWords(unit) {
-	if (unit === "px") return say("unit-of-px");
-	return unit === "m" ? say("unit-of-m") : unit;
-}
 // www/block/view/map/colouring.ts
 var VIRIDIS = [
 	"#440154",
@@ -7745,7 +7817,7 @@ function lengthText(length, system) {
 	const twoDigits = (value) => String(Number(value.toPrecision(2)));
 	if (system === "own") return say("length-in-units-of-the-block", { length: twoDigits(length) });
 	const [factor, unit] = length >= 1e3 ? [.001, "km"] : length >= 1 ? [1, "m"] : length >= .01 ? [100, "cm"] : [1e3, "mm"];
-	return `${twoDigits(length * factor)} ${unit}`;
+	return withUnit(twoDigits(length * factor), unit);
 }
 function paintGrid(context, colours, t, width, height) {
 	const step = niceBelow(1.6 * GRID / t.scale);
@@ -8958,7 +9030,7 @@ function toolsOf$1(store, map, mosaic) {
 function showLegend(legend, bar, map, view) {
 	const scale = view === null || view.layout.kind !== "oriented" ? void 0 : colouredPoints(view.points, map.shows.colouring)?.scale;
 	const text = view === null ? "" : legendText(view, map);
-	const ends = scale === void 0 ? [] : [scale.from, scale.to].map((value) => `${fixed(value, scale.digits)}${scale.unit === "" ? "" : ` ${unitInWords(scale.unit)}`}`);
+	const ends = scale === void 0 ? [] : [scale.from, scale.to].map((value) => withUnit(fixed(value, scale.digits), scale.unit));
 	const now = [text, ...ends].join("|");
 	if (legend.dataset.text === now) return;
 	legend.dataset.text = now;
@@ -9019,7 +9091,7 @@ function inWords(map, view) {
 			title,
 			from: fixed(from, digits),
 			to: fixed(to, digits),
-			unit: unitInWords(unit)
+			unit: unitText(unit)
 		}).trimEnd());
 	}
 	if (view.layout.kind !== "connections") parts.push(extentText(view, system));
@@ -9242,9 +9314,9 @@ function pointsOnGround(places, codes) {
 		vectors: new Float64Array()
 	};
 }
-var BY_HAND = USES$1.length;
+var BY_HAND$1 = USES$1.length;
 function codesOf(uses, byHand) {
-	return uses.map((use, i) => use === 0 && byHand[i] === 1 ? BY_HAND : use);
+	return uses.map((use, i) => use === 0 && byHand[i] === 1 ? BY_HAND$1 : use);
 }
 function spreadOf(points) {
 	const box = [
@@ -9276,7 +9348,7 @@ function drawLinks(context, links, t, clip, uses) {
 	const half = markSize(links, t);
 	const styles = Float64Array.from(STYLES.flatMap(({ shape }, code) => [
 		shape,
-		code === BY_HAND ? LARGEST : half,
+		code === BY_HAND$1 ? LARGEST : half,
 		Math.min(1.6, .6 + .35 * half)
 	]));
 	draw_points(context, links.points, shownCodes(links, uses), styles, STYLES.map(({ colour }) => colour), drawView(t, clip));
@@ -9330,7 +9402,7 @@ function drawRing(context, { points }, link, t, chosen) {
 	context.restore();
 }
 // www/block/view/orthophoto/picture.ts
-var EDGE = 24;
+var EDGE$1 = 24;
 var SPARE = .96;
 var LinkPicture = class {
 	store;
@@ -9484,7 +9556,7 @@ var LinkPicture = class {
 	}
 };
 function into(at, length) {
-	return at < EDGE ? 72 - at : at > length - EDGE ? length - 72 - at : 0;
+	return at < EDGE$1 ? 72 - at : at > length - EDGE$1 ? length - 72 - at : 0;
 }
 // www/block/view/orthophoto/image.ts
 var PlacedImageView = class extends LinkPicture {
@@ -10705,7 +10777,7 @@ function levelField(store, files) {
 		input.disabled = orthophoto === null;
 		if (document.activeElement !== input) input.value = heights.kind === "level" ? String(heights.height) : "";
 	});
-	const label = h("label", { for: input.id }, say("level-ground-at"), h("span", { class: "unit" }, " m"));
+	const label = h("label", { for: input.id }, say("level-ground-at"), h("span", { class: "unit" }, ` ${unitText("m")}`));
 	return [h("div", { class: "control compact" }, label, input), problem];
 }
 // www/block/state/placed-columns.ts
@@ -11166,7 +11238,7 @@ function plotText({ x, y }) {
 		at: at(.5),
 		at_2: at(0),
 		at_3: at(1),
-		what: y.unit === "" ? "" : say("n--2", { unit: unitInWords(y.unit) })
+		what: y.unit === "" ? "" : say("n--2", { unit: unitText(y.unit) })
 	});
 	return more === "" ? text : `${text} ${more}`;
 }
@@ -11231,7 +11303,19 @@ function decimalsOf(ticks) {
 	return Math.max(0, Math.min(9, Math.ceil(-Math.log10(Math.abs(second - first)) - 1e-9)));
 }
 function titleOf({ label, unit }) {
-	return unit === "" ? label : `${label}, ${unit}`;
+	return unit === "" ? asSentence(label) : asSentence(say("axis-title", {
+		label,
+		unit: unitText(unit)
+	}));
+}
+var EDGE = 4;
+function titleWithin(length, axis, side) {
+	const most = Math.max(1, side - 8);
+	const half = Math.min(length, most) / 2;
+	return {
+		middle: Math.min(Math.max(axis, EDGE + half), side - EDGE - half),
+		most
+	};
 }
 // www/block/view/plot/plot.ts
 var REACH = 9;
@@ -11425,11 +11509,14 @@ var Plot = class extends Chart {
 		context.strokeRect(left, top, width, height);
 		context.fillStyle = colours.text;
 		context.textAlign = "center";
-		context.fillText(titleOf(data.x), left + width / 2, top + height + 28);
+		const [titleX, titleY] = [titleOf(data.x), titleOf(data.y)];
+		const x = titleWithin(context.measureText(titleX).width, left + width / 2, this.layers.width);
+		context.fillText(titleX, x.middle, top + height + 28, x.most);
+		const y = titleWithin(context.measureText(titleY).width, top + height / 2, this.layers.height);
 		context.save();
-		context.translate(12, top + height / 2);
+		context.translate(12, y.middle);
 		context.rotate(-Math.PI / 2);
-		context.fillText(titleOf(data.y), 0, 0);
+		context.fillText(titleY, 0, 0, y.most);
 		context.restore();
 	}
 	paintValues(context, colours, data, t, area) {
@@ -11469,7 +11556,7 @@ var Plot = class extends Chart {
 		line(context, at(from, from), at(to, to));
 	}
 	paintValue(context, colours, { x, y }, row, [px, py], area) {
-		const value = ({ unit, values, names }) => names?.[Math.round(values[row] ?? NaN)] ?? `${figure(values[row] ?? NaN)}${unit === "" ? "" : ` ${unit}`}`;
+		const value = ({ unit, values, names }) => names?.[Math.round(values[row] ?? NaN)] ?? withUnit(figure(values[row] ?? NaN), unit);
 		const text = `${value(x)}: ${value(y)}`;
 		const wide = context.measureText(text).width + 12;
 		const left = Math.max(area.left, Math.min(px + 8, area.left + area.width - wide));
@@ -12048,15 +12135,20 @@ function said(store, looking) {
 		"shown",
 		"running",
 		"notice",
-		"placing"
-	], ([{ chosen, pointed }, shown]) => {
+		"placing",
+		"onStage"
+	], ([{ chosen, pointed }, shown, , , , onStage]) => {
 		tell$1(chosenNow, store, chosen, "");
-		tell$1(pointedAt, store, pointed, say("point-at-an-image-a"));
+		tell$1(pointedAt, store, pointed, onStage === "plots" ? "" : say("point-at-an-image-a"));
 		if (pointed !== null && isSame(pointed, chosen)) pointedAt.textContent = "";
 		open.hidden = chosen?.kind !== "pair" || shown === null;
 		open.disabled = isBusy(store.state);
 	});
-	return h("div", { class: "said" }, h("div", {}, chosenNow, pointedAt), open);
+	const text = h("div", {}, chosenNow, pointedAt);
+	const line = h("div", { class: "said" }, text, open);
+	const sized = new ResizeObserver(() => byKeys(line));
+	for (const element of [text, line]) sized.observe(element);
+	return line;
 }
 function tell$1(element, store, choice, otherwise) {
 	const { shown } = store.state;
@@ -12319,7 +12411,8 @@ function placeBlock({ run }) {
 	};
 }
 function answerOf(state, actions) {
-	const { running, notice, shown, files } = state;
+	const { running, shown, files, placing } = state;
+	const notice = state.notice?.passing === true && running.kind !== "yes" && placing.running === null ? null : state.notice;
 	const line = (kind, text) => ({
 		kind,
 		text,
@@ -12681,7 +12774,43 @@ function cameraOfImages({ images, cameras }, a, b) {
 }
 // www/block/pair.ts
 var nextId = -1;
-async function openPair(block, modes, store, engine, [a, b]) {
+var BY_HAND = [
+	"camera",
+	"offset",
+	"photos",
+	"masks"
+];
+var given = null;
+function isOwn(state) {
+	const before = given;
+	if (before !== null && BY_HAND.every((part) => state[part] === before[part])) return false;
+	const { photos, masks, truth } = state;
+	return isWorthKeeping(state) || SIDES.some((side) => masks[side] !== null || truth === null && (photos[side].origin !== null || photos[side].fiducials.length > 0));
+}
+async function leave(block, state, putAside) {
+	block.dispatch({
+		type: "notice",
+		notice: {
+			kind: "busy",
+			text: say("keeping-the-pair")
+		}
+	});
+	const stays = await putAside();
+	block.dispatch({
+		type: "notice",
+		notice: null
+	});
+	if (stays) return titleOf$2({
+		name: null,
+		images: SIDES.flatMap((side) => state.images[side]?.name ?? [])
+	});
+	return window.confirm(say("cannot-be-kept-in-this", {
+		edits: say("the-pair-with-its-marks"),
+		step: say("open-the-pair-of-the-block"),
+		length: 1
+	})) ? "" : null;
+}
+async function openPair(block, modes, store, engine, putAside, [a, b]) {
 	const { shown } = block.state;
 	if (shown === null) return;
 	const [left, right] = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
@@ -12690,8 +12819,8 @@ async function openPair(block, modes, store, engine, [a, b]) {
 		return;
 	}
 	const images = {
-		left: given(left),
-		right: given(right)
+		left: imageOf(left),
+		right: imageOf(right)
 	};
 	let camera;
 	try {
@@ -12701,10 +12830,26 @@ async function openPair(block, modes, store, engine, [a, b]) {
 		tell(block, say("the-pair-cannot-be-shown", { error: messageOf(error) }));
 		return;
 	}
+	const stays = isOwn(store.state) ? await leave(block, store.state, putAside) : "";
+	if (stays === null) return;
 	readyFor(store, block, camera);
 	store.dispatch({
 		type: "images",
 		images
+	});
+	const { camera: known, offset, photos, masks } = store.state;
+	given = {
+		camera: known,
+		offset,
+		photos,
+		masks
+	};
+	if (stays !== "") store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "info",
+			text: say("stay-under-projects", { title_of: stays })
+		}
 	});
 	block.dispatch({
 		type: "openedPair",
@@ -12761,7 +12906,7 @@ function fileOf(block, name) {
 	const { shown, files } = block.state;
 	return [...shown?.files ?? [], ...files].find((file) => file.name === name);
 }
-function given({ name, file }) {
+function imageOf({ name, file }) {
 	return {
 		id: nextId--,
 		name,

@@ -321,7 +321,7 @@ var NUMBER_ALLOWED = [
 	"minimumSignificantDigits",
 	"maximumSignificantDigits"
 ];
-function NUMBER(args, opts) {
+function NUMBER$1(args, opts) {
 	let arg = args[0];
 	if (arg instanceof FluentNone) return new FluentNone(`NUMBER(${arg.valueOf()})`);
 	if (arg instanceof FluentNumber) return new FluentNumber(arg.valueOf(), {
@@ -371,7 +371,7 @@ var FluentBundle = class {
 		this._messages = new Map();
 		this.locales = Array.isArray(locales) ? locales : [locales];
 		this._functions = {
-			NUMBER,
+			NUMBER: NUMBER$1,
 			DATETIME,
 			...functions
 		};
@@ -741,6 +741,9 @@ function count(value) {
 function grouped(text) {
 	return text.replaceAll(/(?<![\p{L}\d_.,−-])\d{4,}(?![\p{L}\d_-]|[.,]\d|\.\p{L})/gu, (digits) => count(Number(digits)));
 }
+function withMinus(text) {
+	return text.replaceAll(/(?<![\p{L}\p{N}_.,)−-])-(?=\d)/gu, "−");
+}
 function plain(value) {
 	return String(value).replace("-", "−");
 }
@@ -803,12 +806,22 @@ function figureOf(value) {
 }
 // www/shared/text/direction.ts
 var IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === "rtl";
-var [RLI, PDI] = ["⁧", "⁩"];
+var [LRI, RLI, PDI] = [
+	"⁦",
+	"⁧",
+	"⁩"
+];
+var NUMBER = /\u2068([^\u2066-\u2069]+)\u2069(°?)/u.source;
+var WITH_ERROR = new RegExp(`${NUMBER}([ \\u00a0]±[ \\u00a0])${NUMBER}`, "gu");
 function asClauses(text, isFromRight = IS_FROM_RIGHT) {
-	return isFromRight ? text.replaceAll(/\u2068(?=\u2068*[\s،؛,;:·(])/gu, RLI) : text;
+	if (!isFromRight) return text;
+	return text.replaceAll(WITH_ERROR, `${LRI}$1$2$3$4$5${PDI}`).replaceAll(`${PDI}°`, `°${PDI}`).replaceAll(/\u2068(?=[\u2067\u2068]*[\s،؛,;:·(])/gu, RLI);
 }
 function asSentence(text) {
 	return IS_FROM_RIGHT ? `${RLI}${text}${PDI}` : text;
+}
+function asFigure(text) {
+	return IS_FROM_RIGHT ? `${LRI}${text}${PDI}` : text;
 }
 // www/shared/text/words.ts
 var CATALOGUE = new Catalogue(LANGUAGE, LANGUAGE !== "en");
@@ -1064,4 +1077,4 @@ start().catch(() => {
 	document.getElementById("status")?.replaceChildren();
 	document.getElementById("not-loaded")?.removeAttribute("hidden");
 });
-export { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asSentence, besideFiles, button, byId, count, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule };
+export { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus };

@@ -1,4 +1,4 @@
-import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, besideFiles, button, byId, count, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule } from "./page.js";
+import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus } from "./page.js";
 // pkg/wasm/tiepoint.js
 var BlockOnOrthophoto = class {
 	__destroy_into_raw() {
@@ -1667,6 +1667,18 @@ async function __wbg_init_once(module_or_path) {
 	const { instance, module } = await __wbg_load(await module_or_path, imports);
 	return __wbg_finalize_init(instance, module);
 }
+// www/shared/text/units.ts
+function ofLanguage(unit) {
+	return known$1(`unit-${unit.replaceAll(" ", "-").replace("µ", "u")}`);
+}
+function unitText(unit) {
+	return ofLanguage(unit) ?? unit;
+}
+function withUnit(figure, unit) {
+	if (unit === "") return figure;
+	const own = ofLanguage(unit);
+	return own === null ? `${figure} ${unit}` : asSentence(`${asFigure(figure)} ${own}`);
+}
 // www/shared/text/options.ts
 function optionInLanguage(parameter) {
 	const { key, label, help, absent, section, unit } = parameter;
@@ -1675,7 +1687,7 @@ function optionInLanguage(parameter) {
 		label: known$1(name) ?? label,
 		help: known$1(name, "help") ?? help,
 		absent: known$1(name, "absent") ?? absent,
-		unit: known$1(`unit-${unit.replaceAll(" ", "-")}`) ?? unit,
+		unit: unitText(unit),
 		section: known$1(`section-${section.toLowerCase().replaceAll(" ", "-")}`) ?? section
 	};
 	if (parameter.kind !== "choice") return {
@@ -1938,8 +1950,8 @@ function readCatalogue() {
 }
 // www/shared/text/messages.ts
 function message(family, of, attribute = null) {
-	const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀");
-	return asClauses(family.endsWith("verdict") ? grouped(text) : text);
+	const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀").replaceAll("± ", "±\xA0");
+	return asClauses(family.endsWith("verdict") ? grouped(withMinus(text)) : text);
 }
 function messageOf(thrown) {
 	if (!(thrown instanceof Error)) return String(thrown);
@@ -2983,7 +2995,7 @@ function sortHead({ key, label, unit, help, words }, press) {
 		class: "sort",
 		testid: `sort-${key}`,
 		title: help
-	}, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unit}`));
+	}, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unitText(unit)}`));
 	button.addEventListener("click", press);
 	return h("th", {
 		scope: "col",
@@ -3127,7 +3139,7 @@ var Table = class {
 			title: `${label}: ${words === true ? say("rows-that-contain-this-text") : say("rows-within-these-limits-as")}`,
 			aria: { label: say("filter", {
 				label,
-				what: unit === "" ? "" : say("in-2", { unit })
+				what: unit === "" ? "" : say("in-2", { unit: unitText(unit) })
 			}) }
 		});
 		input.placeholder = hint;
@@ -3309,7 +3321,7 @@ var TableBar = class {
 				keepChoice(this.name, [...this.hidden].join(" "));
 				this.doing.hide(this.hidden);
 			});
-			return h("label", { class: "choice" }, box, unit === "" ? label : `${label} ${unit}`);
+			return h("label", { class: "choice" }, box, unit === "" ? label : `${label} ${unitText(unit)}`);
 		}));
 		return this.hidden;
 	}
@@ -3737,7 +3749,10 @@ function mountMenu(press, panel) {
 		if (isUnfolded() && target instanceof Node && !panel.contains(target) && !press.contains(target)) show(false);
 	});
 	panel.addEventListener("click", ({ target }) => {
-		if (target instanceof Element && target.closest("button:not([aria-expanded])") !== null) show(false);
+		if (!isUnfolded() || !(target instanceof Element) || target.closest("button:not([aria-expanded])") === null) return;
+		const held = panel.contains(document.activeElement);
+		show(false);
+		if (held) press.focus();
 	});
 	document.addEventListener("keydown", ({ key }) => {
 		if (key !== "Escape" || !isUnfolded()) return;
@@ -5117,7 +5132,7 @@ function problemLine(testid) {
 function numberField(label, unit, testid, change, problem) {
 	const line = problem ?? problemLine(testid);
 	const input = numberInput(testid, line, change);
-	const name = h("label", { for: input.id }, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unit}`));
+	const name = h("label", { for: input.id }, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unitText(unit)}`));
 	return {
 		input,
 		problem: line,
@@ -5205,6 +5220,11 @@ function facts(list) {
 		];
 	}));
 }
+// www/shared/panel/scrolled.ts
+function byKeys(text) {
+	if (text.scrollHeight > text.clientHeight) text.setAttribute("tabindex", "0");
+	else text.removeAttribute("tabindex");
+}
 // www/shared/panel/answer.ts
 function answerCard(host, line, buttons, prefix) {
 	const figures = h("dl", {
@@ -5249,10 +5269,6 @@ function answerCard(host, line, buttons, prefix) {
 		others.hidden = instead.length === 0;
 	};
 }
-function byKeys(text) {
-	if (text.scrollHeight > text.clientHeight) text.setAttribute("tabindex", "0");
-	else text.removeAttribute("tabindex");
-}
 // www/shared/text/names.ts
 var OTHER = {
 	"camera.focal_mm": say("focal-length"),
@@ -5270,115 +5286,6 @@ function readable(catalogue, message) {
 }
 function quoted(label) {
 	return label === void 0 ? void 0 : `“${label}”`;
-}
-// www/pair/state/state.ts
-var SIDES = ["left", "right"];
-function otherSide(side) {
-	return side === "left" ? "right" : "left";
-}
-var TYPED_PARTS = [
-	"settings",
-	"camera",
-	"photos",
-	"offset"
-];
-var UNEDITED = {
-	history: NO_HISTORY,
-	chosen: [],
-	before: null,
-	draft: null,
-	outline: null,
-	mark: null
-};
-var INITIAL = {
-	catalogue: null,
-	settings: null,
-	refused: {},
-	images: {
-		left: null,
-		right: null
-	},
-	photos: {
-		left: {
-			fiducials: [],
-			origin: null
-		},
-		right: {
-			fiducials: [],
-			origin: null
-		}
-	},
-	masks: {
-		left: null,
-		right: null
-	},
-	camera: null,
-	fiducialModel: "affine",
-	offset: null,
-	truth: null,
-	flight: null,
-	results: {},
-	running: {},
-	failures: {},
-	paused: false,
-	selection: null,
-	...UNEDITED,
-	shelf: new Map(),
-	tool: "look",
-	activeSide: "left",
-	views: {
-		left: null,
-		right: null
-	},
-	display: {
-		points: "matched",
-		lines: "some",
-		vectors: 0,
-		linked: true,
-		magnifier: false,
-		hidden: []
-	},
-	notice: null
-};
-// www/pair/state/codes.ts
-var RULES = [
-	"matched",
-	"no_descriptor",
-	"no_candidate",
-	"threshold",
-	"ambiguous",
-	"many_to_one",
-	"parallax",
-	"border",
-	"left_right",
-	"not_converged",
-	"imprecise",
-	"frame"
-];
-var CODES = [
-	...RULES,
-	"gross_error",
-	"undecided",
-	"rejected_by_hand",
-	"manual"
-];
-function codeOf(name) {
-	return CODES.indexOf(name);
-}
-var MATCHED = codeOf("matched");
-var GROSS_ERROR = codeOf("gross_error");
-var UNDECIDED = codeOf("undecided");
-var BY_HAND = codeOf("rejected_by_hand");
-var MANUAL = codeOf("manual");
-var OF_MATCHES = [
-	MATCHED,
-	GROSS_ERROR,
-	BY_HAND,
-	MANUAL
-];
-var REFUSALS = RULES.filter((rule) => rule !== "matched");
-function checkRules(names) {
-	if (names.length !== RULES.length || RULES.some((rule, i) => names[i] !== rule)) throw new Error(`the page and the program do not fit each other: rules ${names.join(", ")}`);
 }
 // www/pair/state/edits.ts
 var NOTHING = {
@@ -5478,6 +5385,309 @@ function exchanged({ edits, done }) {
 		edits: edits.map(other),
 		done
 	};
+}
+// www/pair/state/marks.ts
+var UNMEASURED = {
+	col: NaN,
+	row: NaN,
+	x_mm: NaN,
+	y_mm: NaN
+};
+var isMeasured = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
+var isWhole$1 = (mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
+var wholeMarks = ({ fiducials }) => fiducials.filter(isWhole$1);
+var measuredPhoto = (photo) => ({
+	...photo,
+	fiducials: wholeMarks(photo)
+});
+function placeOfMark({ origin }, mark) {
+	const [left, top] = origin ?? [0, 0];
+	return mark !== void 0 && isMeasured(mark) ? [mark.col - left, mark.row - top] : null;
+}
+var markInHand = ({ mark, photos }) => mark === null ? void 0 : photos[mark.side].fiducials[mark.index];
+// www/pair/state/truth.ts
+function truthOf(state) {
+	const { truth, images } = state;
+	return truth !== null && images.left?.id === truth.leftId && images.right?.id === truth.rightId ? truth : null;
+}
+// www/pair/state/state.ts
+var SIDES = ["left", "right"];
+function otherSide(side) {
+	return side === "left" ? "right" : "left";
+}
+var TYPED_PARTS = [
+	"settings",
+	"camera",
+	"photos",
+	"offset"
+];
+var UNEDITED = {
+	history: NO_HISTORY,
+	chosen: [],
+	before: null,
+	draft: null,
+	outline: null,
+	mark: null
+};
+var INITIAL = {
+	catalogue: null,
+	settings: null,
+	refused: {},
+	images: {
+		left: null,
+		right: null
+	},
+	photos: {
+		left: {
+			fiducials: [],
+			origin: null
+		},
+		right: {
+			fiducials: [],
+			origin: null
+		}
+	},
+	masks: {
+		left: null,
+		right: null
+	},
+	camera: null,
+	fiducialModel: "affine",
+	offset: null,
+	truth: null,
+	flight: null,
+	results: {},
+	running: {},
+	failures: {},
+	paused: false,
+	selection: null,
+	...UNEDITED,
+	shelf: new Map(),
+	tool: "look",
+	activeSide: "left",
+	views: {
+		left: null,
+		right: null
+	},
+	display: {
+		points: "matched",
+		lines: "some",
+		vectors: 0,
+		linked: true,
+		magnifier: false,
+		hidden: []
+	},
+	notice: null
+};
+// www/pair/state/keys.ts
+var numbers$1 = new Map();
+function shortName(parts) {
+	const text = JSON.stringify(parts);
+	let name = numbers$1.get(text);
+	if (name === void 0) {
+		name = `k${String(numbers$1.size)}`;
+		numbers$1.set(text, name);
+	}
+	return name;
+}
+var standings = new WeakMap();
+var lastStanding = 0;
+function withEdits({ history }, match) {
+	const standing = standingOf(history.edits, history.done);
+	if (isNothing(standing)) return match;
+	const number = standings.get(standing) ?? ++lastStanding;
+	standings.set(standing, number);
+	return keyOf("edited", [match], number);
+}
+function keyOf(kind, inputs, options = null) {
+	return inputs.includes(null) ? null : shortName([
+		kind,
+		inputs,
+		options
+	]);
+}
+function pairCameras(state) {
+	const [left, right] = SIDES.map((side) => cameraOf$1(state, side));
+	if (left !== void 0 && "kind" in left) return { missing: left };
+	if (right !== void 0 && "kind" in right) return { missing: right };
+	if (left === void 0 || right === void 0) throw new Error("a pair has two sides");
+	return {
+		left,
+		right,
+		from: state.camera === null ? "exif" : "given"
+	};
+}
+var cameraOfExif = {
+	left: remember(camera_of_exif),
+	right: remember(camera_of_exif)
+};
+function cameraOf$1(state, side) {
+	const exif = state.results[side === "left" ? "openLeft" : "openRight"]?.value.info.camera ?? null;
+	if (state.camera === null && exif?.origin === "panorama") return {
+		kind: "panorama",
+		side
+	};
+	const marked = wholeMarks(state.photos[side]).length > 0;
+	const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
+	if (camera === null) return marked ? { kind: "no_focal_length" } : {
+		kind: "no_camera",
+		side
+	};
+	if (!marked && camera.pixel_mm == null) return {
+		kind: "no_pixel_size",
+		side
+	};
+	return camera;
+}
+function comparesGreyValues({ matching }) {
+	return matching.strategy === "correlation" || matching.strategy === "least-squares";
+}
+function comparesGradients(settings) {
+	return inFull(settings).matching.strategy === "gradient";
+}
+var inFull = remember(resolved);
+function comparesMoments(settings) {
+	return !comparesGreyValues(settings) && !comparesGradients(settings);
+}
+function pointSettings(settings) {
+	const gradients = comparesGradients(settings);
+	const scales = gradients || settings.points.operator === "multiscale";
+	return [
+		settings.points,
+		scales ? settings.multiscale : null,
+		gradients ? settings.gradient : null
+	];
+}
+function estimatedFrom(state, settings, match) {
+	const result = state.results.match;
+	const tellsNone = result !== void 0 && result.key === match && result.value.estimated === null;
+	return comparesGradients(settings) && !tellsNone ? "" : null;
+}
+function fromOnePlace(state, match) {
+	const result = state.results.match;
+	return result !== void 0 && result.key === match && result.value.geometry?.degenerate === "pure-rotation";
+}
+function openKey(state, side) {
+	const image = state.images[side];
+	return image === null ? null : keyOf("open", [], image.id);
+}
+function ofCameras(settings, interiors) {
+	if (settings === null) return [];
+	if (comparesGradients(settings)) return [...interiors, settings.geometry];
+	return settings.matching.epipolar ? [...interiors, settings.orientation] : [];
+}
+function knownOfDraft({ draft }) {
+	return draft === null ? null : [draft.side, draft.places[otherSide(draft.side)]];
+}
+function compute(state) {
+	const { settings } = state;
+	const openLeft = openKey(state, "left");
+	const openRight = openKey(state, "right");
+	const points = (side, open) => settings === null ? null : keyOf("points", [open], [pointSettings(settings), state.masks[side]?.id]);
+	const pointsLeft = points("left", openLeft);
+	const pointsRight = points("right", openRight);
+	const described = settings === null || !comparesMoments(settings) ? [] : [settings.window, settings.matching.strategy];
+	const descriptorsLeft = keyOf("descriptors", [pointsLeft], described);
+	const descriptorsRight = keyOf("descriptors", [pointsRight], described);
+	const gradients = settings !== null && comparesGradients(settings);
+	const given = state.offset === null ? keyOf("offset", [openLeft, openRight]) : keyOf("offset", [], state.offset);
+	const offset = gradients ? null : given;
+	const cameras = pairCameras(state);
+	const interior = (side, open) => "missing" in cameras ? null : keyOf("interior", [open], [
+		cameras[side],
+		cameras.left.focal_mm,
+		measuredPhoto(state.photos[side]),
+		state.fiducialModel
+	]);
+	const interiorLeft = interior("left", openLeft);
+	const interiorRight = interior("right", openRight);
+	const match = keyOf("match", [
+		descriptorsLeft,
+		descriptorsRight,
+		gradients ? "" : offset
+	], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
+	const unknown = settings === null || "missing" in cameras && cameras.missing.kind === "panorama" ? null : estimatedFrom(state, settings, match);
+	const interiors = "missing" in cameras ? [unknown] : [interiorLeft, interiorRight];
+	const orientable = fromOnePlace(state, match) ? null : "";
+	const truth = truthOf(state);
+	const edited = withEdits(state, match);
+	const placed = standingOf(state.history.edits, state.history.done).placed.size > 0;
+	return {
+		openLeft,
+		openRight,
+		pointsLeft,
+		pointsRight,
+		descriptorsLeft,
+		descriptorsRight,
+		offset,
+		match,
+		interiorLeft,
+		interiorRight,
+		orientation: keyOf("orientation", [
+			edited,
+			orientable,
+			...interiors
+		], settings?.orientation),
+		score: keyOf("score", [edited, truth === null ? null : ""], [truth?.leftId, truth?.rightId]),
+		line: keyOf("line", [match, state.draft === null ? null : ""], knownOfDraft(state)),
+		inspection: keyOf("inspection", [placed ? edited : match, state.selection === null ? null : ""], [state.selection, settings?.window])
+	};
+}
+var last = null;
+function wantedKeys(state) {
+	if (last?.state !== state) last = {
+		state,
+		keys: compute(state)
+	};
+	return last.keys;
+}
+function isCurrent(state, stage) {
+	const key = wantedKeys(state)[stage];
+	return key !== null && state.results[stage]?.key === key;
+}
+function isStale(state, stage) {
+	const key = wantedKeys(state)[stage];
+	return key !== null && state.results[stage] !== void 0 && state.results[stage].key !== key;
+}
+// www/pair/state/codes.ts
+var RULES = [
+	"matched",
+	"no_descriptor",
+	"no_candidate",
+	"threshold",
+	"ambiguous",
+	"many_to_one",
+	"parallax",
+	"border",
+	"left_right",
+	"not_converged",
+	"imprecise",
+	"frame"
+];
+var CODES = [
+	...RULES,
+	"gross_error",
+	"undecided",
+	"rejected_by_hand",
+	"manual"
+];
+function codeOf(name) {
+	return CODES.indexOf(name);
+}
+var MATCHED = codeOf("matched");
+var GROSS_ERROR = codeOf("gross_error");
+var UNDECIDED = codeOf("undecided");
+var BY_HAND = codeOf("rejected_by_hand");
+var MANUAL = codeOf("manual");
+var OF_MATCHES = [
+	MATCHED,
+	GROSS_ERROR,
+	BY_HAND,
+	MANUAL
+];
+var REFUSALS = RULES.filter((rule) => rule !== "matched");
+function checkRules(names) {
+	if (names.length !== RULES.length || RULES.some((rule, i) => names[i] !== rule)) throw new Error(`the page and the program do not fit each other: rules ${names.join(", ")}`);
 }
 // www/pair/state/edited.ts
 var NO_POINT = 4294967295;
@@ -5756,200 +5966,372 @@ function placeOfLeft({ left, match }, index) {
 	];
 }
 var rowOfEdited = remember(rowsOfLefts);
-// www/pair/state/marks.ts
-var UNMEASURED = {
-	col: NaN,
-	row: NaN,
-	x_mm: NaN,
-	y_mm: NaN
-};
-var isMeasured = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
-var isWhole$1 = (mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
-var wholeMarks = ({ fiducials }) => fiducials.filter(isWhole$1);
-var measuredPhoto = (photo) => ({
-	...photo,
-	fiducials: wholeMarks(photo)
-});
-function placeOfMark({ origin }, mark) {
-	const [left, top] = origin ?? [0, 0];
-	return mark !== void 0 && isMeasured(mark) ? [mark.col - left, mark.row - top] : null;
-}
-var markInHand = ({ mark, photos }) => mark === null ? void 0 : photos[mark.side].fiducials[mark.index];
-// www/pair/state/truth.ts
-function truthOf(state) {
-	const { truth, images } = state;
-	return truth !== null && images.left?.id === truth.leftId && images.right?.id === truth.rightId ? truth : null;
-}
-// www/pair/state/keys.ts
-var numbers$1 = new Map();
-function shortName(parts) {
-	const text = JSON.stringify(parts);
-	let name = numbers$1.get(text);
-	if (name === void 0) {
-		name = `k${String(numbers$1.size)}`;
-		numbers$1.set(text, name);
-	}
-	return name;
-}
-var standings = new WeakMap();
-var lastStanding = 0;
-function withEdits({ history }, match) {
-	const standing = standingOf(history.edits, history.done);
-	if (isNothing(standing)) return match;
-	const number = standings.get(standing) ?? ++lastStanding;
-	standings.set(standing, number);
-	return keyOf("edited", [match], number);
-}
-function keyOf(kind, inputs, options = null) {
-	return inputs.includes(null) ? null : shortName([
-		kind,
-		inputs,
-		options
-	]);
-}
-function pairCameras(state) {
-	const [left, right] = SIDES.map((side) => cameraOf$1(state, side));
-	if (left !== void 0 && "kind" in left) return { missing: left };
-	if (right !== void 0 && "kind" in right) return { missing: right };
-	if (left === void 0 || right === void 0) throw new Error("a pair has two sides");
-	return {
-		left,
-		right,
-		from: state.camera === null ? "exif" : "given"
-	};
-}
-var cameraOfExif = {
-	left: remember(camera_of_exif),
-	right: remember(camera_of_exif)
-};
-function cameraOf$1(state, side) {
-	const exif = state.results[side === "left" ? "openLeft" : "openRight"]?.value.info.camera ?? null;
-	if (state.camera === null && exif?.origin === "panorama") return {
-		kind: "panorama",
-		side
-	};
-	const marked = wholeMarks(state.photos[side]).length > 0;
-	const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
-	if (camera === null) return marked ? { kind: "no_focal_length" } : {
-		kind: "no_camera",
-		side
-	};
-	if (!marked && camera.pixel_mm == null) return {
-		kind: "no_pixel_size",
-		side
-	};
-	return camera;
-}
-function comparesGreyValues({ matching }) {
-	return matching.strategy === "correlation" || matching.strategy === "least-squares";
-}
-function comparesGradients(settings) {
-	return inFull(settings).matching.strategy === "gradient";
-}
-var inFull = remember(resolved);
-function comparesMoments(settings) {
-	return !comparesGreyValues(settings) && !comparesGradients(settings);
-}
-function pointSettings(settings) {
-	const gradients = comparesGradients(settings);
-	const scales = gradients || settings.points.operator === "multiscale";
-	return [
-		settings.points,
-		scales ? settings.multiscale : null,
-		gradients ? settings.gradient : null
-	];
-}
-function estimatedFrom(state, settings, match) {
-	const result = state.results.match;
-	const tellsNone = result !== void 0 && result.key === match && result.value.estimated === null;
-	return comparesGradients(settings) && !tellsNone ? "" : null;
-}
-function fromOnePlace(state, match) {
-	const result = state.results.match;
-	return result !== void 0 && result.key === match && result.value.geometry?.degenerate === "pure-rotation";
-}
-function openKey(state, side) {
-	const image = state.images[side];
-	return image === null ? null : keyOf("open", [], image.id);
-}
-function ofCameras(settings, interiors) {
-	if (settings === null) return [];
-	if (comparesGradients(settings)) return [...interiors, settings.geometry];
-	return settings.matching.epipolar ? [...interiors, settings.orientation] : [];
-}
-function knownOfDraft({ draft }) {
-	return draft === null ? null : [draft.side, draft.places[otherSide(draft.side)]];
-}
-function compute(state) {
-	const { settings } = state;
-	const openLeft = openKey(state, "left");
-	const openRight = openKey(state, "right");
-	const points = (side, open) => settings === null ? null : keyOf("points", [open], [pointSettings(settings), state.masks[side]?.id]);
-	const pointsLeft = points("left", openLeft);
-	const pointsRight = points("right", openRight);
-	const described = settings === null || !comparesMoments(settings) ? [] : [settings.window, settings.matching.strategy];
-	const descriptorsLeft = keyOf("descriptors", [pointsLeft], described);
-	const descriptorsRight = keyOf("descriptors", [pointsRight], described);
-	const gradients = settings !== null && comparesGradients(settings);
-	const given = state.offset === null ? keyOf("offset", [openLeft, openRight]) : keyOf("offset", [], state.offset);
-	const offset = gradients ? null : given;
+// www/pair/state/interior.ts
+var paired = remember((left, right, focal) => ({
+	left: left.interior,
+	right: right.interior,
+	focal_mm: focal
+}));
+function knownInterior(state) {
 	const cameras = pairCameras(state);
-	const interior = (side, open) => "missing" in cameras ? null : keyOf("interior", [open], [
-		cameras[side],
-		cameras.left.focal_mm,
-		measuredPhoto(state.photos[side]),
-		state.fiducialModel
-	]);
-	const interiorLeft = interior("left", openLeft);
-	const interiorRight = interior("right", openRight);
-	const match = keyOf("match", [
-		descriptorsLeft,
-		descriptorsRight,
-		gradients ? "" : offset
-	], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
-	const unknown = settings === null || "missing" in cameras && cameras.missing.kind === "panorama" ? null : estimatedFrom(state, settings, match);
-	const interiors = "missing" in cameras ? [unknown] : [interiorLeft, interiorRight];
-	const orientable = fromOnePlace(state, match) ? null : "";
-	const truth = truthOf(state);
-	const edited = withEdits(state, match);
-	const placed = standingOf(state.history.edits, state.history.done).placed.size > 0;
+	const { interiorLeft, interiorRight } = state.results;
+	if ("missing" in cameras || interiorLeft === void 0 || interiorRight === void 0) return null;
+	return paired(interiorLeft.value, interiorRight.value, cameras.left.focal_mm);
+}
+function interiorInUse(state) {
+	return "missing" in pairCameras(state) ? state.results.match?.value.estimated ?? null : knownInterior(state);
+}
+// www/pair/state/shelf.ts
+function keyOfPair(images) {
+	const parts = [images.left, images.right].map((image) => {
+		if (image?.source.kind !== "file") return null;
+		const { file } = image.source;
+		return [
+			image.name,
+			file.size,
+			file instanceof File ? file.lastModified : 0
+		];
+	});
+	return parts.includes(null) ? null : JSON.stringify(parts);
+}
+function exchangedPair(state, images) {
+	const [before, next] = [keyOfPair(state.images), keyOfPair(images)];
+	const shelf = new Map(state.shelf);
+	if (before !== null && state.history.edits.length > 0) shelf.set(before, state.history);
+	const history = (next === null ? void 0 : shelf.get(next)) ?? NO_HISTORY;
+	if (next !== null) shelf.delete(next);
 	return {
-		openLeft,
-		openRight,
-		pointsLeft,
-		pointsRight,
-		descriptorsLeft,
-		descriptorsRight,
-		offset,
+		history,
+		shelf: shelf.size === 0 && state.shelf.size === 0 ? state.shelf : shelf
+	};
+}
+// www/pair/state/project.ts
+function projectOf(state, contents) {
+	const { settings, camera, offset, photos, fiducialModel, results } = state;
+	const { openLeft, openRight, pointsLeft, pointsRight, match, orientation } = results;
+	if (![
+		"pointsLeft",
+		"pointsRight",
+		"match"
+	].every((stage) => isCurrent(state, stage)) || settings === null || openLeft === void 0 || openRight === void 0) return null;
+	const edited = editedPair(state);
+	if (pointsLeft === void 0 || pointsRight === void 0 || match === void 0 || edited === null) return null;
+	const opened = {
+		left: openLeft,
+		right: openRight
+	};
+	const photo = (side) => {
+		const { width, height, format, bits_per_sample, camera: named } = opened[side].value.info;
+		const name = state.images[side]?.name ?? "";
+		const mask = state.masks[side]?.name ?? null;
+		return {
+			name,
+			content: contents[side],
+			width_px: width,
+			height_px: height,
+			format,
+			bits_per_sample,
+			mask,
+			camera: named
+		};
+	};
+	const oriented = isCurrent(state, "orientation") ? orientation?.value ?? null : null;
+	const none = oriented === null ? whyNone(state) : null;
+	const interior = interiorInUse(state);
+	const points = ({ counts, threshold, points: at, frames }) => ({
+		counts,
+		threshold,
+		points: at,
+		frames
+	});
+	const given = (side) => ({
+		...measuredPhoto(photos[side]),
+		model: fiducialModel
+	});
+	return {
+		images: [photo("left"), photo("right")],
+		input: {
+			camera,
+			offset,
+			left: given("left"),
+			right: given("right")
+		},
+		settings,
+		output: {
+			left: points({
+				...pointsLeft.value,
+				...appendedTo(pointsLeft.value, edited.left)
+			}),
+			right: points(pointsRight.value),
+			offset: isCurrent(state, "offset") ? results.offset?.value ?? null : null,
+			match: filed(edited.match),
+			interior,
+			pixel_mm: null,
+			orientation: oriented,
+			no_orientation: none,
+			verdict: oriented?.verdict ?? {
+				kind: "not_oriented",
+				no_orientation: none ?? whyNone(state)
+			}
+		},
+		truth: truthFor$1(state),
+		edited: editsFor(state, edited)
+	};
+}
+function editsFor({ history: { edits, done } }, { found }) {
+	return done === 0 ? null : {
+		edits: edits.slice(0, done),
+		found
+	};
+}
+function appendedTo({ points, frames }, left) {
+	const more = (left.length - points.length) / 3;
+	if (more === 0) return {
+		points,
+		frames
+	};
+	const own = Array.from({ length: frames.length === 0 ? 0 : more }, () => [1, 0]).flat();
+	return {
+		points: left,
+		frames: Float64Array.from([...frames, ...own])
+	};
+}
+var NO_CANDIDATE = codeOf("no_candidate");
+function filed(match) {
+	const own = match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND || rule === UNDECIDED), 0);
+	if (own === 0) return match;
+	const rules = match.rules.map((rule) => rule === BY_HAND || rule === UNDECIDED ? NO_CANDIDATE : rule);
+	return {
+		...match,
+		rules,
+		counts: {
+			...match.counts,
+			no_candidate: match.counts.no_candidate + own
+		}
+	};
+}
+function unfiled(match) {
+	const byHand = (rule, left) => rule === NO_CANDIDATE && !Number.isNaN(match.places[2 * left]);
+	const own = match.rules.reduce((sum, rule, left) => sum + Number(byHand(rule, left)), 0);
+	if (own === 0) return match;
+	const rules = match.rules.map((rule, left) => byHand(rule, left) ? BY_HAND : rule);
+	return {
+		...match,
+		rules,
+		counts: {
+			...match.counts,
+			no_candidate: match.counts.no_candidate - own
+		}
+	};
+}
+function editsOfFile({ output, edited }) {
+	return edited == null ? countsByHand(unfiled(output.match)) : {
+		rejected: 0,
+		manual: 0
+	};
+}
+function whyNone(state) {
+	const cameras = pairCameras(state);
+	const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
+	const missing = "missing" in cameras && interiorInUse(state) === null ? cameras.missing : null;
+	if (missing?.kind === "panorama") return missing;
+	if (no_geometry !== null) return {
+		kind: "no_geometry",
+		no_geometry
+	};
+	if (missing !== null) return missing;
+	if (geometry?.degenerate === "pure-rotation") return { kind: "pure_rotation" };
+	const error = [
+		"interiorLeft",
+		"interiorRight",
+		"orientation"
+	].map((stage) => state.failures[stage]).find((failure) => failure?.error != null)?.error;
+	return error == null ? {
+		kind: "no_camera",
+		side: "left"
+	} : {
+		kind: "refused",
+		error
+	};
+}
+function truthFor$1(state) {
+	const truth = truthOf(state);
+	const score = isCurrent(state, "score") ? state.results.score?.value : void 0;
+	return truth === null || score === void 0 ? null : {
+		orientation: truth.orientation,
+		base_mm: truth.baseMm,
+		score
+	};
+}
+function withProject(state, { project, images, overviews, masks, estimated }) {
+	const { input, settings, truth, edited } = project;
+	const [left] = project.images;
+	const photo = (side) => ({
+		fiducials: input[side]?.fiducials ?? [],
+		origin: input[side]?.origin ?? null
+	});
+	return withResults({
+		...state,
+		settings,
+		camera: input.camera ?? null,
+		photos: {
+			left: photo("left"),
+			right: photo("right")
+		},
+		fiducialModel: input.left?.model ?? "affine",
+		offset: input.offset ?? null,
+		images,
+		masks,
+		truth: truth === null ? null : {
+			leftId: images.left.id,
+			rightId: images.right.id,
+			orientation: truth.orientation,
+			baseMm: truth.base_mm,
+			rightPosition: new Float32Array(),
+			leftWidth: left.width_px,
+			leftHeight: left.height_px
+		},
+		refused: {},
+		failures: {},
+		paused: false,
+		selection: null,
+		...UNEDITED,
+		...exchangedPair(state, images),
+		...edited == null ? {} : { history: {
+			edits: edited.edits,
+			done: edited.edits.length
+		} },
+		views: {
+			left: null,
+			right: null
+		}
+	}, {
+		project,
+		estimated
+	}, standingFor$1({
+		project,
+		overviews
+	}), {});
+}
+function standingFor$1({ project: { images }, overviews }) {
+	const [left, right] = images;
+	const info = ({ width_px, height_px, format, bits_per_sample, camera }) => ({
+		width: width_px,
+		height: height_px,
+		format,
+		bits_per_sample,
+		camera: camera ?? null,
+		drone: null
+	});
+	return {
+		openLeft: {
+			info: info(left),
+			overview: overviews.left
+		},
+		openRight: {
+			info: info(right),
+			overview: overviews.right
+		}
+	};
+}
+function withResults(state, { project, estimated }, beside, times) {
+	const { output, truth, edited } = project;
+	let next = {
+		...state,
+		results: {}
+	};
+	const put = (stage, value, of) => {
+		const key = wantedKeys(next)[stage];
+		if (value != null && key !== null) next = {
+			...next,
+			results: {
+				...next.results,
+				[stage]: {
+					key,
+					value,
+					milliseconds: times[stage] ?? 0,
+					...of === void 0 ? {} : { of }
+				}
+			}
+		};
+	};
+	const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
+	put("openLeft", beside.openLeft);
+	put("openRight", beside.openRight);
+	const match = {
+		...edited == null ? unfiled(output.match) : {
+			...output.match,
+			...edited.found
+		},
+		estimated
+	};
+	put("pointsLeft", {
+		...firstOf(output.left, match.rules.length),
+		gradients: descriptorsLeft.gradients
+	});
+	put("pointsRight", {
+		...output.right,
+		gradients: descriptorsRight.gradients
+	});
+	put("descriptorsLeft", descriptorsLeft);
+	put("descriptorsRight", descriptorsRight);
+	put("offset", output.offset);
+	put("interiorLeft", beside.interiorLeft);
+	put("interiorRight", beside.interiorRight);
+	put("match", match);
+	const used = editedPair(next) ?? {
 		match,
-		interiorLeft,
-		interiorRight,
-		orientation: keyOf("orientation", [
-			edited,
-			orientable,
-			...interiors
-		], settings?.orientation),
-		score: keyOf("score", [edited, truth === null ? null : ""], [truth?.leftId, truth?.rightId]),
-		line: keyOf("line", [match, state.draft === null ? null : ""], knownOfDraft(state)),
-		inspection: keyOf("inspection", [placed ? edited : match, state.selection === null ? null : ""], [state.selection, settings?.window])
+		found: match
+	};
+	if (used.match.matches.length === output.match.matches.length) {
+		put("orientation", output.orientation, used);
+		put("score", truth?.score);
+	}
+	return next;
+}
+function firstOf(all, count) {
+	return 3 * count === all.points.length ? all : {
+		...all,
+		points: all.points.slice(0, 3 * count),
+		frames: all.frames.slice(0, 2 * count)
 	};
 }
-var last = null;
-function wantedKeys(state) {
-	if (last?.state !== state) last = {
-		state,
-		keys: compute(state)
+var nothing = () => ({
+	moments: new Float64Array(),
+	gradients: new Uint8Array()
+});
+function withFiles(state, images) {
+	const results = { ...state.results };
+	for (const side of SIDES.filter((one) => images[one] !== void 0)) {
+		const [open, points, descriptors] = OF_IMAGE[side];
+		delete results[open];
+		if (state.masks[side] === null) {
+			delete results[points];
+			delete results[descriptors];
+		}
+	}
+	return {
+		...state,
+		results,
+		failures: {},
+		images: {
+			...state.images,
+			...images
+		}
 	};
-	return last.keys;
 }
-function isCurrent(state, stage) {
-	const key = wantedKeys(state)[stage];
-	return key !== null && state.results[stage]?.key === key;
-}
-function isStale(state, stage) {
-	const key = wantedKeys(state)[stage];
-	return key !== null && state.results[stage] !== void 0 && state.results[stage].key !== key;
-}
+var OF_IMAGE = {
+	left: [
+		"openLeft",
+		"pointsLeft",
+		"descriptorsLeft"
+	],
+	right: [
+		"openRight",
+		"pointsRight",
+		"descriptorsRight"
+	]
+};
 // www/pair/state/stages.ts
 var STAGES = {
 	openLeft: {
@@ -6033,6 +6415,324 @@ var STAGES = {
 	}
 };
 var STAGE_NAMES = Object.keys(STAGES);
+// www/pair/state/residuals.ts
+function pixelMm(interior) {
+	const [[a, b], [d, e]] = interior.parameters;
+	return Math.sqrt(Math.abs(a * e - b * d));
+}
+function countsOf$1({ residuals_mm: residuals, rejected }) {
+	const all = residuals.length / 4;
+	return {
+		all,
+		used: all - rejected.length
+	};
+}
+function vectorsOf(side) {
+	return remember((match, orientation, interior) => {
+		const [[a, b], [d, e]] = interior.parameters;
+		const determinant = a * e - b * d;
+		const first = side === "left" ? 0 : 2;
+		const residuals = orientation.residuals_mm;
+		const vectors = new Float64Array(residuals.length);
+		for (let i = 0; 4 * i < residuals.length; i++) {
+			const vx = residuals[4 * i + first] ?? NaN;
+			const vy = residuals[4 * i + first + 1] ?? NaN;
+			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
+			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
+			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
+			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
+		}
+		return vectors;
+	});
+}
+var residualVectors = {
+	left: vectorsOf("left"),
+	right: vectorsOf("right")
+};
+var parallaxResiduals = remember((orientation, interior) => {
+	const rejected = new Set(orientation.rejected);
+	const pixel = pixelMm(interior);
+	const residuals = orientation.residuals_mm;
+	const across = (i) => (residuals[4 * i + 3] ?? NaN) - (residuals[4 * i + 1] ?? NaN);
+	return Float64Array.from({ length: countsOf$1(orientation).all }, (_, i) => across(i) / pixel).filter((_, i) => !rejected.has(i));
+});
+// www/pair/state/select.ts
+function shownPair(state) {
+	const found = pointsOfShownImage(state, "left");
+	const right = pointsOfShownImage(state, "right");
+	const made = state.results.match?.value ?? null;
+	const edited = made !== null && found !== null && right !== null && made.rules.length * 3 === found.length && matchIsOf(made, found, right) ? editedPair(state) : null;
+	const result = wantedKeys(state).orientation !== null && !isBarred(state, "orientation") ? state.results.orientation : void 0;
+	const orientation = edited === null || result === void 0 ? null : orientationOf(result.value, result.of ?? null, edited);
+	return {
+		left: edited?.left ?? found,
+		right,
+		match: edited?.match ?? null,
+		orientation,
+		edited
+	};
+}
+var orientationOf = remember((orientation, of, { match, found }) => {
+	const count = match.matches.length / 5;
+	if (of === null || of.match === match) return countsOf$1(orientation).all === count ? orientation : null;
+	if (of.found !== found) return null;
+	const then = rowsThen(of.match, match);
+	const wasRejected = new Set(orientation.rejected);
+	const points = new Float64Array(9 * count).fill(NaN);
+	const residuals = new Float64Array(4 * count).fill(NaN);
+	const rejected = [];
+	then.forEach((own, row) => {
+		if (own < 0) return;
+		for (let k = 0; k < 9; k++) points[9 * row + k] = orientation.points[9 * own + k] ?? NaN;
+		for (let k = 0; k < 4; k++) residuals[4 * row + k] = orientation.residuals_mm[4 * own + k] ?? NaN;
+		if (wasRejected.has(own)) rejected.push(row);
+	});
+	return {
+		...orientation,
+		points,
+		residuals_mm: residuals,
+		rejected
+	};
+});
+function rowsThen(earlier, now) {
+	const rowOfLeft = rowsOfLefts(earlier);
+	const rows = new Int32Array(now.indices.length / 2).fill(-1);
+	for (let row = 0; row < rows.length; row++) {
+		const then = rowOfLeft[now.indices[2 * row] ?? 4294967295] ?? -1;
+		let same = then >= 0;
+		for (let k = 0; same && k < 4; k++) same = earlier.matches[5 * then + k] === now.matches[5 * row + k];
+		if (same) rows[row] = then;
+	}
+	return rows;
+}
+function pointsOfShownImage(state, side) {
+	const opened = side === "left" ? "openLeft" : "openRight";
+	if (state.results[opened] === void 0 || state.results[opened].key !== wantedKeys(state)[opened]) return null;
+	return state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.points ?? null;
+}
+function matchIsOf(match, left, right) {
+	const count = match.indices.length / 2;
+	return [0, count - 1].every((i) => {
+		if (i < 0 || count === 0) return true;
+		const l = match.indices[2 * i] ?? 0;
+		const r = match.indices[2 * i + 1] ?? 4294967295;
+		return left[3 * l] === match.matches[5 * i] && (r === 4294967295 || 3 * r < right.length);
+	});
+}
+var leftCodes = rememberCodes((left, match, orientation) => {
+	const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
+	if (match === null) return codes;
+	codes.set(match.rules);
+	for (let row = 0; 5 * row < match.matches.length; row++) if (isManual(match, row)) codes[match.indices[2 * row] ?? 4294967295] = MANUAL;
+	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
+	return codes;
+});
+var rightCodes = rememberCodes((right, match, orientation) => {
+	const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
+	if (match === null) return codes;
+	match.rules.forEach((rule, left) => {
+		if (rule === BY_HAND) codes[match.best[left] ?? -1] = BY_HAND;
+	});
+	for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? 4294967295] = MATCHED;
+	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 4294967295] = GROSS_ERROR;
+	return codes;
+});
+var matchCodes = rememberCodes((match, orientation) => {
+	const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
+	for (let row = 0; match !== null && row < codes.length; row++) codes[row] = isManual(match, row) ? MANUAL : MATCHED;
+	for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
+	return codes;
+});
+var loosePlaces = remember((match, codes) => {
+	const most = match === null ? 0 : match.rules.length + codes.length;
+	const [points, ofPlaces, lefts] = [
+		new Float64Array(3 * most),
+		new Uint8Array(most),
+		new Uint32Array(most)
+	];
+	let count = 0;
+	const put = (left, code, x, y, measure) => {
+		points[3 * count] = x;
+		points[3 * count + 1] = y;
+		points[3 * count + 2] = measure;
+		ofPlaces[count] = code;
+		lefts[count] = left;
+		count += 1;
+	};
+	match?.rules.forEach((rule, left) => {
+		if (rule !== BY_HAND || (match.best[left] ?? -1) >= 0) return;
+		const [x = NaN, y = NaN] = match.places.subarray(2 * left, 2 * left + 2);
+		if (!Number.isNaN(x)) put(left, BY_HAND, x, y, 0);
+	});
+	codes.forEach((code, row) => {
+		if (match?.indices[2 * row + 1] !== 4294967295) return;
+		const at = (k) => match.matches[5 * row + k] ?? NaN;
+		put(match.indices[2 * row] ?? 0, code, at(2), at(3), at(4));
+	});
+	return {
+		points: points.slice(0, 3 * count),
+		codes: ofPlaces.slice(0, count),
+		lefts: lefts.slice(0, count)
+	};
+});
+var matchOfLeft = remember(rowsOfLefts);
+var RUN_STAGES = [
+	"openLeft",
+	"openRight",
+	"pointsLeft",
+	"pointsRight",
+	"descriptorsLeft",
+	"descriptorsRight",
+	"offset",
+	"match",
+	"interiorLeft",
+	"interiorRight",
+	"orientation",
+	"score"
+];
+function isBarred(state, stage) {
+	const failure = state.failures[stage];
+	return failure !== void 0 && failure.key === wantedKeys(state)[stage] || STAGES[stage].needs.some((needed) => isBarred(state, needed));
+}
+function progress(state) {
+	const keys = wantedKeys(state);
+	const wanted = RUN_STAGES.filter((stage) => keys[stage] !== null);
+	return {
+		wanted: wanted.length,
+		done: wanted.filter((stage) => state.results[stage]?.key === keys[stage] || isBarred(state, stage)).length,
+		running: RUN_STAGES.filter((stage) => state.running[stage] !== void 0)
+	};
+}
+function currentFailure(state) {
+	const keys = wantedKeys(state);
+	for (const stage of [
+		...RUN_STAGES,
+		"inspection",
+		"line"
+	]) {
+		const failure = state.failures[stage];
+		if (failure !== void 0 && failure.key === keys[stage]) return {
+			stage,
+			message: failure.message,
+			ended: failure.ended
+		};
+	}
+	return null;
+}
+function anyStale(state) {
+	return RUN_STAGES.some((stage) => isStale(state, stage));
+}
+// www/pair/state/kept.ts
+function typedOf({ settings, camera, photos, fiducialModel, offset }) {
+	return settings === null ? null : {
+		settings,
+		camera,
+		photos,
+		fiducialModel,
+		offset
+	};
+}
+function isBlank(state) {
+	const { catalogue, settings, flight, images, camera, photos, fiducialModel, offset } = state;
+	return catalogue === null || images.left === null && images.right === null && settings === catalogue.defaults && flight === (catalogue.flights[0]?.flight ?? null) && camera === null && photos === INITIAL.photos && fiducialModel === INITIAL.fiducialModel && offset === null;
+}
+function isWorthKeeping(state) {
+	return SIDES.every((side) => state.images[side]?.source.kind === "file") && isCurrent(state, "match");
+}
+var BESIDE = [
+	"interiorLeft",
+	"interiorRight",
+	"descriptorsLeft",
+	"descriptorsRight"
+];
+function isWhole(state) {
+	const { wanted, done, running } = progress(state);
+	return running.length === 0 && done === wanted && isCurrent(state, "match");
+}
+function besideOf(state) {
+	const beside = {};
+	const take = (stage) => {
+		const result = state.results[stage];
+		if (result !== void 0 && isCurrent(state, stage)) beside[stage] = result.value;
+	};
+	BESIDE.forEach(take);
+	const times = Object.entries(state.results).map(([stage, { milliseconds }]) => [stage, milliseconds]);
+	return {
+		beside,
+		times: Object.fromEntries(times)
+	};
+}
+function unedited(state) {
+	return {
+		...state,
+		history: NO_HISTORY
+	};
+}
+function isEdited({ history }) {
+	return !isNothing(standingOf(history.edits, history.done));
+}
+var OF_EDITS = "edits";
+function resultsOf(state) {
+	const keys = wantedKeys(state);
+	const changes = isEdited(state) ? new Set(["orientation", "score"]) : new Set();
+	const stages = [
+		"pointsLeft",
+		"pointsRight",
+		"offset",
+		"match",
+		"orientation",
+		"score",
+		...BESIDE
+	];
+	const value = (stage) => changes.has(stage) ? OF_EDITS : state.results[stage]?.value;
+	return [
+		...stages.map((stage) => keys[stage] === null ? null : value(stage)),
+		state.images,
+		state.masks
+	];
+}
+function areSame(kept, now) {
+	return now.every((value, i) => value === OF_EDITS || value === kept[i]);
+}
+function withKept(state, { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result }) {
+	const fresh = {
+		...INITIAL,
+		catalogue: state.catalogue,
+		notice: state.notice,
+		...typed,
+		display,
+		flight,
+		paused,
+		images,
+		masks,
+		truth,
+		shelf
+	};
+	if (result === null) return {
+		...fresh,
+		history
+	};
+	const made = withResults({
+		...fresh,
+		...result.typed
+	}, result, {
+		...result.beside,
+		...opened
+	}, result.times);
+	return {
+		...made,
+		...typed,
+		history,
+		before: history.done === 0 ? null : made.results.orientation?.value ?? null
+	};
+}
+function bothSides(of) {
+	const [left, right] = SIDES.map(of);
+	return {
+		left,
+		right
+	};
+}
 // www/pair/engine/failure.ts
 var KEPT = say("images-settings-and-earlier-results");
 function advice(stage) {
@@ -6092,21 +6792,6 @@ function nearestPieces(left, right, workers, search) {
 	if (pieces < 2) return null;
 	const cut = (piece) => Math.round(count * piece / pieces);
 	return Promise.all(Array.from({ length: pieces }, (_, piece) => search(cut(piece), cut(piece + 1))));
-}
-// www/pair/state/interior.ts
-var paired = remember((left, right, focal) => ({
-	left: left.interior,
-	right: right.interior,
-	focal_mm: focal
-}));
-function knownInterior(state) {
-	const cameras = pairCameras(state);
-	const { interiorLeft, interiorRight } = state.results;
-	if ("missing" in cameras || interiorLeft === void 0 || interiorRight === void 0) return null;
-	return paired(interiorLeft.value, interiorRight.value, cameras.left.focal_mm);
-}
-function interiorInUse(state) {
-	return "missing" in pairCameras(state) ? state.results.match?.value.estimated ?? null : knownInterior(state);
 }
 // www/pair/engine/inputs.ts
 function needed(state, stage) {
@@ -6671,673 +7356,6 @@ async function fitted(state, workers, left, right) {
 	});
 	return placeOfFit(matches);
 }
-// www/pair/state/shelf.ts
-function keyOfPair(images) {
-	const parts = [images.left, images.right].map((image) => {
-		if (image?.source.kind !== "file") return null;
-		const { file } = image.source;
-		return [
-			image.name,
-			file.size,
-			file instanceof File ? file.lastModified : 0
-		];
-	});
-	return parts.includes(null) ? null : JSON.stringify(parts);
-}
-function exchangedPair(state, images) {
-	const [before, next] = [keyOfPair(state.images), keyOfPair(images)];
-	const shelf = new Map(state.shelf);
-	if (before !== null && state.history.edits.length > 0) shelf.set(before, state.history);
-	const history = (next === null ? void 0 : shelf.get(next)) ?? NO_HISTORY;
-	if (next !== null) shelf.delete(next);
-	return {
-		history,
-		shelf: shelf.size === 0 && state.shelf.size === 0 ? state.shelf : shelf
-	};
-}
-// www/pair/state/project.ts
-function projectOf(state, contents) {
-	const { settings, camera, offset, photos, fiducialModel, results } = state;
-	const { openLeft, openRight, pointsLeft, pointsRight, match, orientation } = results;
-	if (![
-		"pointsLeft",
-		"pointsRight",
-		"match"
-	].every((stage) => isCurrent(state, stage)) || settings === null || openLeft === void 0 || openRight === void 0) return null;
-	const edited = editedPair(state);
-	if (pointsLeft === void 0 || pointsRight === void 0 || match === void 0 || edited === null) return null;
-	const opened = {
-		left: openLeft,
-		right: openRight
-	};
-	const photo = (side) => {
-		const { width, height, format, bits_per_sample, camera: named } = opened[side].value.info;
-		const name = state.images[side]?.name ?? "";
-		const mask = state.masks[side]?.name ?? null;
-		return {
-			name,
-			content: contents[side],
-			width_px: width,
-			height_px: height,
-			format,
-			bits_per_sample,
-			mask,
-			camera: named
-		};
-	};
-	const oriented = isCurrent(state, "orientation") ? orientation?.value ?? null : null;
-	const none = oriented === null ? whyNone(state) : null;
-	const interior = interiorInUse(state);
-	const points = ({ counts, threshold, points: at, frames }) => ({
-		counts,
-		threshold,
-		points: at,
-		frames
-	});
-	const given = (side) => ({
-		...measuredPhoto(photos[side]),
-		model: fiducialModel
-	});
-	return {
-		images: [photo("left"), photo("right")],
-		input: {
-			camera,
-			offset,
-			left: given("left"),
-			right: given("right")
-		},
-		settings,
-		output: {
-			left: points({
-				...pointsLeft.value,
-				...appendedTo(pointsLeft.value, edited.left)
-			}),
-			right: points(pointsRight.value),
-			offset: isCurrent(state, "offset") ? results.offset?.value ?? null : null,
-			match: filed(edited.match),
-			interior,
-			pixel_mm: null,
-			orientation: oriented,
-			no_orientation: none,
-			verdict: oriented?.verdict ?? {
-				kind: "not_oriented",
-				no_orientation: none ?? whyNone(state)
-			}
-		},
-		truth: truthFor$1(state),
-		edited: editsFor(state, edited)
-	};
-}
-function editsFor({ history: { edits, done } }, { found }) {
-	return done === 0 ? null : {
-		edits: edits.slice(0, done),
-		found
-	};
-}
-function appendedTo({ points, frames }, left) {
-	const more = (left.length - points.length) / 3;
-	if (more === 0) return {
-		points,
-		frames
-	};
-	const own = Array.from({ length: frames.length === 0 ? 0 : more }, () => [1, 0]).flat();
-	return {
-		points: left,
-		frames: Float64Array.from([...frames, ...own])
-	};
-}
-var NO_CANDIDATE = codeOf("no_candidate");
-function filed(match) {
-	const own = match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND || rule === UNDECIDED), 0);
-	if (own === 0) return match;
-	const rules = match.rules.map((rule) => rule === BY_HAND || rule === UNDECIDED ? NO_CANDIDATE : rule);
-	return {
-		...match,
-		rules,
-		counts: {
-			...match.counts,
-			no_candidate: match.counts.no_candidate + own
-		}
-	};
-}
-function unfiled(match) {
-	const byHand = (rule, left) => rule === NO_CANDIDATE && !Number.isNaN(match.places[2 * left]);
-	const own = match.rules.reduce((sum, rule, left) => sum + Number(byHand(rule, left)), 0);
-	if (own === 0) return match;
-	const rules = match.rules.map((rule, left) => byHand(rule, left) ? BY_HAND : rule);
-	return {
-		...match,
-		rules,
-		counts: {
-			...match.counts,
-			no_candidate: match.counts.no_candidate - own
-		}
-	};
-}
-function editsOfFile({ output, edited }) {
-	return edited == null ? countsByHand(unfiled(output.match)) : {
-		rejected: 0,
-		manual: 0
-	};
-}
-function whyNone(state) {
-	const cameras = pairCameras(state);
-	const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
-	if ("missing" in cameras && interiorInUse(state) === null) return cameras.missing;
-	if (no_geometry !== null) return {
-		kind: "no_geometry",
-		no_geometry
-	};
-	if (geometry?.degenerate === "pure-rotation") return { kind: "pure_rotation" };
-	const error = [
-		"interiorLeft",
-		"interiorRight",
-		"orientation"
-	].map((stage) => state.failures[stage]).find((failure) => failure?.error != null)?.error;
-	return error == null ? {
-		kind: "no_camera",
-		side: "left"
-	} : {
-		kind: "refused",
-		error
-	};
-}
-function truthFor$1(state) {
-	const truth = truthOf(state);
-	const score = isCurrent(state, "score") ? state.results.score?.value : void 0;
-	return truth === null || score === void 0 ? null : {
-		orientation: truth.orientation,
-		base_mm: truth.baseMm,
-		score
-	};
-}
-function withProject(state, { project, images, overviews, masks, estimated }) {
-	const { input, settings, truth, edited } = project;
-	const [left] = project.images;
-	const photo = (side) => ({
-		fiducials: input[side]?.fiducials ?? [],
-		origin: input[side]?.origin ?? null
-	});
-	return withResults({
-		...state,
-		settings,
-		camera: input.camera ?? null,
-		photos: {
-			left: photo("left"),
-			right: photo("right")
-		},
-		fiducialModel: input.left?.model ?? "affine",
-		offset: input.offset ?? null,
-		images,
-		masks,
-		truth: truth === null ? null : {
-			leftId: images.left.id,
-			rightId: images.right.id,
-			orientation: truth.orientation,
-			baseMm: truth.base_mm,
-			rightPosition: new Float32Array(),
-			leftWidth: left.width_px,
-			leftHeight: left.height_px
-		},
-		refused: {},
-		failures: {},
-		paused: false,
-		selection: null,
-		...UNEDITED,
-		...exchangedPair(state, images),
-		...edited == null ? {} : { history: {
-			edits: edited.edits,
-			done: edited.edits.length
-		} },
-		views: {
-			left: null,
-			right: null
-		}
-	}, {
-		project,
-		estimated
-	}, standingFor$1({
-		project,
-		overviews
-	}), {});
-}
-function standingFor$1({ project: { images }, overviews }) {
-	const [left, right] = images;
-	const info = ({ width_px, height_px, format, bits_per_sample, camera }) => ({
-		width: width_px,
-		height: height_px,
-		format,
-		bits_per_sample,
-		camera: camera ?? null,
-		drone: null
-	});
-	return {
-		openLeft: {
-			info: info(left),
-			overview: overviews.left
-		},
-		openRight: {
-			info: info(right),
-			overview: overviews.right
-		}
-	};
-}
-function withResults(state, { project, estimated }, beside, times) {
-	const { output, truth, edited } = project;
-	let next = {
-		...state,
-		results: {}
-	};
-	const put = (stage, value, of) => {
-		const key = wantedKeys(next)[stage];
-		if (value != null && key !== null) next = {
-			...next,
-			results: {
-				...next.results,
-				[stage]: {
-					key,
-					value,
-					milliseconds: times[stage] ?? 0,
-					...of === void 0 ? {} : { of }
-				}
-			}
-		};
-	};
-	const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
-	put("openLeft", beside.openLeft);
-	put("openRight", beside.openRight);
-	const match = {
-		...edited == null ? unfiled(output.match) : {
-			...output.match,
-			...edited.found
-		},
-		estimated
-	};
-	put("pointsLeft", {
-		...firstOf(output.left, match.rules.length),
-		gradients: descriptorsLeft.gradients
-	});
-	put("pointsRight", {
-		...output.right,
-		gradients: descriptorsRight.gradients
-	});
-	put("descriptorsLeft", descriptorsLeft);
-	put("descriptorsRight", descriptorsRight);
-	put("offset", output.offset);
-	put("interiorLeft", beside.interiorLeft);
-	put("interiorRight", beside.interiorRight);
-	put("match", match);
-	const used = editedPair(next) ?? {
-		match,
-		found: match
-	};
-	if (used.match.matches.length === output.match.matches.length) {
-		put("orientation", output.orientation, used);
-		put("score", truth?.score);
-	}
-	return next;
-}
-function firstOf(all, count) {
-	return 3 * count === all.points.length ? all : {
-		...all,
-		points: all.points.slice(0, 3 * count),
-		frames: all.frames.slice(0, 2 * count)
-	};
-}
-var nothing = () => ({
-	moments: new Float64Array(),
-	gradients: new Uint8Array()
-});
-function withFiles(state, images) {
-	const results = { ...state.results };
-	for (const side of SIDES.filter((one) => images[one] !== void 0)) {
-		const [open, points, descriptors] = OF_IMAGE[side];
-		delete results[open];
-		if (state.masks[side] === null) {
-			delete results[points];
-			delete results[descriptors];
-		}
-	}
-	return {
-		...state,
-		results,
-		failures: {},
-		images: {
-			...state.images,
-			...images
-		}
-	};
-}
-var OF_IMAGE = {
-	left: [
-		"openLeft",
-		"pointsLeft",
-		"descriptorsLeft"
-	],
-	right: [
-		"openRight",
-		"pointsRight",
-		"descriptorsRight"
-	]
-};
-// www/pair/state/residuals.ts
-function pixelMm(interior) {
-	const [[a, b], [d, e]] = interior.parameters;
-	return Math.sqrt(Math.abs(a * e - b * d));
-}
-function countsOf$1({ residuals_mm: residuals, rejected }) {
-	const all = residuals.length / 4;
-	return {
-		all,
-		used: all - rejected.length
-	};
-}
-function vectorsOf(side) {
-	return remember((match, orientation, interior) => {
-		const [[a, b], [d, e]] = interior.parameters;
-		const determinant = a * e - b * d;
-		const first = side === "left" ? 0 : 2;
-		const residuals = orientation.residuals_mm;
-		const vectors = new Float64Array(residuals.length);
-		for (let i = 0; 4 * i < residuals.length; i++) {
-			const vx = residuals[4 * i + first] ?? NaN;
-			const vy = residuals[4 * i + first + 1] ?? NaN;
-			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
-			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
-			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
-			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
-		}
-		return vectors;
-	});
-}
-var residualVectors = {
-	left: vectorsOf("left"),
-	right: vectorsOf("right")
-};
-var parallaxResiduals = remember((orientation, interior) => {
-	const rejected = new Set(orientation.rejected);
-	const pixel = pixelMm(interior);
-	const residuals = orientation.residuals_mm;
-	const across = (i) => (residuals[4 * i + 3] ?? NaN) - (residuals[4 * i + 1] ?? NaN);
-	return Float64Array.from({ length: countsOf$1(orientation).all }, (_, i) => across(i) / pixel).filter((_, i) => !rejected.has(i));
-});
-// www/pair/state/select.ts
-function shownPair(state) {
-	const found = pointsOfShownImage(state, "left");
-	const right = pointsOfShownImage(state, "right");
-	const made = state.results.match?.value ?? null;
-	const edited = made !== null && found !== null && right !== null && made.rules.length * 3 === found.length && matchIsOf(made, found, right) ? editedPair(state) : null;
-	const result = wantedKeys(state).orientation !== null && !isBarred(state, "orientation") ? state.results.orientation : void 0;
-	const orientation = edited === null || result === void 0 ? null : orientationOf(result.value, result.of ?? null, edited);
-	return {
-		left: edited?.left ?? found,
-		right,
-		match: edited?.match ?? null,
-		orientation,
-		edited
-	};
-}
-var orientationOf = remember((orientation, of, { match, found }) => {
-	const count = match.matches.length / 5;
-	if (of === null || of.match === match) return countsOf$1(orientation).all === count ? orientation : null;
-	if (of.found !== found) return null;
-	const then = rowsThen(of.match, match);
-	const wasRejected = new Set(orientation.rejected);
-	const points = new Float64Array(9 * count).fill(NaN);
-	const residuals = new Float64Array(4 * count).fill(NaN);
-	const rejected = [];
-	then.forEach((own, row) => {
-		if (own < 0) return;
-		for (let k = 0; k < 9; k++) points[9 * row + k] = orientation.points[9 * own + k] ?? NaN;
-		for (let k = 0; k < 4; k++) residuals[4 * row + k] = orientation.residuals_mm[4 * own + k] ?? NaN;
-		if (wasRejected.has(own)) rejected.push(row);
-	});
-	return {
-		...orientation,
-		points,
-		residuals_mm: residuals,
-		rejected
-	};
-});
-function rowsThen(earlier, now) {
-	const rowOfLeft = rowsOfLefts(earlier);
-	const rows = new Int32Array(now.indices.length / 2).fill(-1);
-	for (let row = 0; row < rows.length; row++) {
-		const then = rowOfLeft[now.indices[2 * row] ?? 4294967295] ?? -1;
-		let same = then >= 0;
-		for (let k = 0; same && k < 4; k++) same = earlier.matches[5 * then + k] === now.matches[5 * row + k];
-		if (same) rows[row] = then;
-	}
-	return rows;
-}
-function pointsOfShownImage(state, side) {
-	const opened = side === "left" ? "openLeft" : "openRight";
-	if (state.results[opened] === void 0 || state.results[opened].key !== wantedKeys(state)[opened]) return null;
-	return state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.points ?? null;
-}
-function matchIsOf(match, left, right) {
-	const count = match.indices.length / 2;
-	return [0, count - 1].every((i) => {
-		if (i < 0 || count === 0) return true;
-		const l = match.indices[2 * i] ?? 0;
-		const r = match.indices[2 * i + 1] ?? 4294967295;
-		return left[3 * l] === match.matches[5 * i] && (r === 4294967295 || 3 * r < right.length);
-	});
-}
-var leftCodes = rememberCodes((left, match, orientation) => {
-	const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
-	if (match === null) return codes;
-	codes.set(match.rules);
-	for (let row = 0; 5 * row < match.matches.length; row++) if (isManual(match, row)) codes[match.indices[2 * row] ?? 4294967295] = MANUAL;
-	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
-	return codes;
-});
-var rightCodes = rememberCodes((right, match, orientation) => {
-	const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
-	if (match === null) return codes;
-	match.rules.forEach((rule, left) => {
-		if (rule === BY_HAND) codes[match.best[left] ?? -1] = BY_HAND;
-	});
-	for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? 4294967295] = MATCHED;
-	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 4294967295] = GROSS_ERROR;
-	return codes;
-});
-var matchCodes = rememberCodes((match, orientation) => {
-	const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
-	for (let row = 0; match !== null && row < codes.length; row++) codes[row] = isManual(match, row) ? MANUAL : MATCHED;
-	for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
-	return codes;
-});
-var loosePlaces = remember((match, codes) => {
-	const most = match === null ? 0 : match.rules.length + codes.length;
-	const [points, ofPlaces, lefts] = [
-		new Float64Array(3 * most),
-		new Uint8Array(most),
-		new Uint32Array(most)
-	];
-	let count = 0;
-	const put = (left, code, x, y, measure) => {
-		points[3 * count] = x;
-		points[3 * count + 1] = y;
-		points[3 * count + 2] = measure;
-		ofPlaces[count] = code;
-		lefts[count] = left;
-		count += 1;
-	};
-	match?.rules.forEach((rule, left) => {
-		if (rule !== BY_HAND || (match.best[left] ?? -1) >= 0) return;
-		const [x = NaN, y = NaN] = match.places.subarray(2 * left, 2 * left + 2);
-		if (!Number.isNaN(x)) put(left, BY_HAND, x, y, 0);
-	});
-	codes.forEach((code, row) => {
-		if (match?.indices[2 * row + 1] !== 4294967295) return;
-		const at = (k) => match.matches[5 * row + k] ?? NaN;
-		put(match.indices[2 * row] ?? 0, code, at(2), at(3), at(4));
-	});
-	return {
-		points: points.slice(0, 3 * count),
-		codes: ofPlaces.slice(0, count),
-		lefts: lefts.slice(0, count)
-	};
-});
-var matchOfLeft = remember(rowsOfLefts);
-var RUN_STAGES = [
-	"openLeft",
-	"openRight",
-	"pointsLeft",
-	"pointsRight",
-	"descriptorsLeft",
-	"descriptorsRight",
-	"offset",
-	"match",
-	"interiorLeft",
-	"interiorRight",
-	"orientation",
-	"score"
-];
-function isBarred(state, stage) {
-	const failure = state.failures[stage];
-	return failure !== void 0 && failure.key === wantedKeys(state)[stage] || STAGES[stage].needs.some((needed) => isBarred(state, needed));
-}
-function progress(state) {
-	const keys = wantedKeys(state);
-	const wanted = RUN_STAGES.filter((stage) => keys[stage] !== null);
-	return {
-		wanted: wanted.length,
-		done: wanted.filter((stage) => state.results[stage]?.key === keys[stage] || isBarred(state, stage)).length,
-		running: RUN_STAGES.filter((stage) => state.running[stage] !== void 0)
-	};
-}
-function currentFailure(state) {
-	const keys = wantedKeys(state);
-	for (const stage of [
-		...RUN_STAGES,
-		"inspection",
-		"line"
-	]) {
-		const failure = state.failures[stage];
-		if (failure !== void 0 && failure.key === keys[stage]) return {
-			stage,
-			message: failure.message,
-			ended: failure.ended
-		};
-	}
-	return null;
-}
-function anyStale(state) {
-	return RUN_STAGES.some((stage) => isStale(state, stage));
-}
-// www/pair/state/kept.ts
-function typedOf({ settings, camera, photos, fiducialModel, offset }) {
-	return settings === null ? null : {
-		settings,
-		camera,
-		photos,
-		fiducialModel,
-		offset
-	};
-}
-function isBlank(state) {
-	const { catalogue, settings, flight, images, camera, photos, fiducialModel, offset } = state;
-	return catalogue === null || images.left === null && images.right === null && settings === catalogue.defaults && flight === (catalogue.flights[0]?.flight ?? null) && camera === null && photos === INITIAL.photos && fiducialModel === INITIAL.fiducialModel && offset === null;
-}
-function isWorthKeeping(state) {
-	return SIDES.every((side) => state.images[side]?.source.kind === "file") && isCurrent(state, "match");
-}
-var BESIDE = [
-	"interiorLeft",
-	"interiorRight",
-	"descriptorsLeft",
-	"descriptorsRight"
-];
-function isWhole(state) {
-	const { wanted, done, running } = progress(state);
-	return running.length === 0 && done === wanted && isCurrent(state, "match");
-}
-function besideOf(state) {
-	const beside = {};
-	const take = (stage) => {
-		const result = state.results[stage];
-		if (result !== void 0 && isCurrent(state, stage)) beside[stage] = result.value;
-	};
-	BESIDE.forEach(take);
-	const times = Object.entries(state.results).map(([stage, { milliseconds }]) => [stage, milliseconds]);
-	return {
-		beside,
-		times: Object.fromEntries(times)
-	};
-}
-function unedited(state) {
-	return {
-		...state,
-		history: NO_HISTORY
-	};
-}
-function isEdited({ history }) {
-	return !isNothing(standingOf(history.edits, history.done));
-}
-var OF_EDITS = "edits";
-function resultsOf(state) {
-	const keys = wantedKeys(state);
-	const changes = isEdited(state) ? new Set(["orientation", "score"]) : new Set();
-	const stages = [
-		"pointsLeft",
-		"pointsRight",
-		"offset",
-		"match",
-		"orientation",
-		"score",
-		...BESIDE
-	];
-	const value = (stage) => changes.has(stage) ? OF_EDITS : state.results[stage]?.value;
-	return [
-		...stages.map((stage) => keys[stage] === null ? null : value(stage)),
-		state.images,
-		state.masks
-	];
-}
-function areSame(kept, now) {
-	return now.every((value, i) => value === OF_EDITS || value === kept[i]);
-}
-function withKept(state, { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result }) {
-	const fresh = {
-		...INITIAL,
-		catalogue: state.catalogue,
-		notice: state.notice,
-		...typed,
-		display,
-		flight,
-		paused,
-		images,
-		masks,
-		truth,
-		shelf
-	};
-	if (result === null) return {
-		...fresh,
-		history
-	};
-	const made = withResults({
-		...fresh,
-		...result.typed
-	}, result, {
-		...result.beside,
-		...opened
-	}, result.times);
-	return {
-		...made,
-		...typed,
-		history,
-		before: history.done === 0 ? null : made.results.orientation?.value ?? null
-	};
-}
-function bothSides(of) {
-	const [left, right] = SIDES.map(of);
-	return {
-		left,
-		right
-	};
-}
 // www/pair/files/journal.ts
 var SHELF = "pair/shelf";
 var OF_MATCH = 40;
@@ -7794,13 +7812,14 @@ var Files = class {
 			this.toBlock(files.filter((file) => !masks.includes(file)), masks);
 			return;
 		}
+		const before = this.store.state.images;
 		const told = [];
 		const camera = cameras[0];
 		if (camera !== void 0) told.push(await this.takeCamera(camera));
 		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
 		if (images.length > 0) told.push(...await this.takeImages(images, side));
 		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
-		this.tell(told);
+		this.tell(told, before);
 	}
 	async takeProject(file) {
 		this.store.dispatch({
@@ -7905,10 +7924,9 @@ var Files = class {
 		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
 		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
 	}
-	tell(told) {
+	tell(told, { left, right } = this.store.state.images) {
 		const said = told.filter((one) => one !== null);
 		const bad = said.some(({ kind }) => kind === "problem");
-		const { left, right } = this.store.state.images;
 		const kept = bad && (left !== null || right !== null) ? say("the-open-images-are-kept") : "";
 		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
 		this.store.dispatch({
@@ -8003,9 +8021,18 @@ var Files = class {
 	}
 	async check(images, type = "images") {
 		const entries = Object.entries(images);
-		const told = (await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)))).flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? say("the-file"), outcome.reason)] : []);
-		if (told.length > 0) return told;
-		const aside = entries.length === 2 && type === "images" ? await this.leave() : null;
+		const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
+		const told = outcomes.flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? say("the-file"), outcome.reason)] : []);
+		if (told.length > 0) {
+			const { left, right } = this.store.state.images;
+			const opened = entries.filter((_, i) => outcomes[i]?.status === "fulfilled");
+			if (left === null && right === null && opened.length > 0) this.store.dispatch({
+				type,
+				images: Object.fromEntries(opened)
+			});
+			return told;
+		}
+		const aside = type === "images" ? await this.leave() : null;
 		this.store.dispatch({
 			type,
 			images
@@ -8520,7 +8547,11 @@ function mountAnnouncements(host, store, details) {
 	const keys = byId("keys");
 	const text = h("span", {});
 	fill(host, text, " ", button(say("details"), "selected-details", details));
-	store.watch(["selection"], ([selection]) => {
+	store.watch([
+		"selection",
+		"history",
+		"results"
+	], ([selection]) => {
 		const { state } = store;
 		host.hidden = selection === null;
 		keys.hidden = selection !== null;
@@ -8534,13 +8565,14 @@ function mountAnnouncements(host, store, details) {
 		const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
 		const label = textOfCode(codes[selection.index] ?? UNDECIDED, "label");
 		const why = shown.match === null ? "" : verdictOf(state, shown, shown.match).text;
-		text.textContent = say("point-at", {
+		const said = say("point-at", {
 			side: selection.side,
 			index: selection.index + 1,
 			x,
 			y,
 			what: why === "" ? say("n--4", { label }) : why
 		});
+		if (text.textContent !== said) text.textContent = said;
 	});
 }
 // www/pair/state/calibration.ts
@@ -9814,8 +9846,8 @@ var FIELDS$1 = [
 var HEADS = {
 	col: say("col-px"),
 	row: say("row-px"),
-	x_mm: "x mm",
-	y_mm: "y mm"
+	x_mm: `x ${unitText("mm")}`,
+	y_mm: `y ${unitText("mm")}`
 };
 function mountFiducials(host, store, loadFile, marking, measure) {
 	const model = h("select", {
@@ -9909,7 +9941,7 @@ function marksTable(side, marking, rows) {
 	}, h("thead", {}, h("tr", {}, h("td", {}, ""), ...FIELDS$1.map((field) => h("th", { scope: "col" }, HEADS[field])), h("th", {
 		scope: "col",
 		title: say("residuals-vx-vy")
-	}, "v µm"), h("td", {}, ""))), h("tbody", {}, ...body));
+	}, `v ${unitText("µm")}`), h("td", {}, ""))), h("tbody", {}, ...body));
 }
 function markInput(side, marking, index, field) {
 	const input = h("input", {
@@ -10375,7 +10407,7 @@ function valueTable(state, result) {
 		const interval = number(`interval-${field}`, half?.[field], digits);
 		const printed = paper === void 0 ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], digits, "paper"), number(`paper-error-${field}`, paper.standard_errors[field], digits, "paper")];
 		const compared = truth === null ? printed : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
-		return row(h("span", {}, h("i", {}, symbol), h("span", { class: "unit" }, ` ${unit}`)), ...own, ...withInterior, interval, ...compared);
+		return row(h("span", {}, h("i", {}, symbol), h("span", { class: "unit" }, ` ${unitText(unit)}`)), ...own, ...withInterior, interval, ...compared);
 	});
 	const heads = [
 		[say("value"), say("the-right-photo-relative-to")],
@@ -10428,7 +10460,7 @@ function precision(state, result) {
 		{
 			name: say("of-a-photo-coordinate"),
 			testid: "sigma0",
-			value: sigma == null ? "–" : `${fixed(1e3 * sigma, 2)} µm${pixel === null ? "" : say("px-6", { sigma: sigma / pixel })}`,
+			value: sigma == null ? "–" : `${withUnit(fixed(1e3 * sigma, 2), "µm")}${pixel === null ? "" : say("px-6", { sigma: sigma / pixel })}`,
 			help: say("standard-error-of-one-photo", { sigma_caveat: SIGMA_CAVEAT })
 		},
 		{
@@ -10606,10 +10638,13 @@ function figuresOf(state, result) {
 			label: say("precision")
 		}],
 		...half == null ? [] : [{
-			value: `${fixed(result.kappa_deg, 2)}° ± ${half < 99 ? half.toPrecision(2) : fixed(half, 0)}°`,
+			value: `${fixed(result.kappa_deg, decimalsOf(half))}° ± ${fixed(half, decimalsOf(half))}°`,
 			label: say("right-photo-turned")
 		}]
 	];
+}
+function decimalsOf(half) {
+	return half > 0 ? Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(half)))) : 2;
 }
 function figuresWithout(state) {
 	const { match, left } = shownPair(state);
@@ -10633,10 +10668,20 @@ function asksForCamera({ kind }) {
 }
 function nextWithout(state, actions) {
 	const { kind } = whyNone(state);
-	return kind === "no_camera" || kind === "no_focal_length" || kind === "no_pixel_size" ? cameraNext(state, actions) : {
+	const match = state.results.match?.value;
+	const why = {
 		text: say("show-why"),
 		act: actions.why
 	};
+	if (kind === "no_geometry") return {
+		text: say("open-other-photos"),
+		act: () => actions.open(null)
+	};
+	if (kind !== "panorama" && match?.geometry?.degenerate === "pure-rotation") return areEqual(match.matches) ? {
+		text: say("replace-the-right-image"),
+		act: () => actions.open("right")
+	} : why;
+	return kind === "no_camera" || kind === "no_focal_length" || kind === "no_pixel_size" ? cameraNext(state, actions) : why;
 }
 function calibrated(state, actions) {
 	return offeredCalibration(state) === null ? null : {
@@ -10929,7 +10974,7 @@ function chart(title, unit, data, testid) {
 		return n === 0 ? "" : `M${String(i * width + .5)} ${String(HEIGHT)}v-${String(bar)}h${String(width - 1)}v${String(bar)}z`;
 	}).join("");
 	const at = (value) => WIDTH * (value - data.low) / (data.high - data.low);
-	const suffix = unit === "" ? "" : ` ${unit}`;
+	const suffix = unit === "" ? "" : ` ${unitText(unit)}`;
 	const words = say("values-median-shown-from-to", {
 		title,
 		total: data.total,
@@ -11479,7 +11524,7 @@ function matchStatistics(state, shown, match) {
 	}, ...columns.filter(({ key }) => key !== "x" && key !== "y").map(({ key, label, unit, digits, help, value }) => ({
 		name: label,
 		testid: `match-${key}`,
-		value: `${fixed(value(index), digits)}${unit === "" ? "" : ` ${unit}`}`,
+		value: withUnit(fixed(value(index), digits), unit),
 		help
 	}))];
 	return [h("h4", {}, say("match", { index: index + 1 })), facts(list)];
@@ -13010,6 +13055,11 @@ function mountInput(view, store, navigator, { editing, masking, marking, paint }
 			side
 		});
 	};
+	const look = declare({
+		where: say("pictures-of-a-pair"),
+		host,
+		list: pictureKeys(store, navigator, editing, masking)
+	});
 	const measuring = declare({
 		where: say("pictures-of-a-pair-while"),
 		host,
@@ -13024,11 +13074,6 @@ function mountInput(view, store, navigator, { editing, masking, marking, paint }
 		where: say("pictures-of-a-pair-while-marking"),
 		host,
 		list: markingKeys(store, navigator, marking)
-	});
-	const look = declare({
-		where: say("pictures-of-a-pair"),
-		host,
-		list: pictureKeys(store, navigator, editing, masking)
 	});
 	listen(host, {
 		at: (x, y) => {
@@ -15769,7 +15814,7 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	const ofBlocks = blockCatalogue(catalogue);
 	const block = await mountBlock(ofBlocks, {
 		...elsewhere,
-		openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, images)
+		openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept, true), images)
 	});
 	block.store.dispatch({
 		type: "ready",
@@ -15777,4 +15822,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };

@@ -2039,9 +2039,16 @@
 	}
 	// www/shared/text/direction.ts
 	var IS_FROM_RIGHT = LANGUAGES[LANGUAGE].direction === "rtl";
-	var [RLI, PDI] = ["⁧", "⁩"];
+	var [LRI, RLI, PDI] = [
+		"⁦",
+		"⁧",
+		"⁩"
+	];
+	var NUMBER = /\u2068([^\u2066-\u2069]+)\u2069(°?)/u.source;
+	var WITH_ERROR = new RegExp(`${NUMBER}([ \\u00a0]±[ \\u00a0])${NUMBER}`, "gu");
 	function asClauses(text, isFromRight = IS_FROM_RIGHT) {
-		return isFromRight ? text.replaceAll(/\u2068(?=\u2068*[\s،؛,;:·(])/gu, RLI) : text;
+		if (!isFromRight) return text;
+		return text.replaceAll(WITH_ERROR, `${LRI}$1$2$3$4$5${PDI}`).replaceAll(`${PDI}°`, `°${PDI}`).replaceAll(/\u2068(?=[\u2067\u2068]*[\s،؛,;:·(])/gu, RLI);
 	}
 	// www/shared/text/format.ts
 	function count(value) {
@@ -2050,10 +2057,13 @@
 	function grouped(text) {
 		return text.replaceAll(/(?<![\p{L}\d_.,−-])\d{4,}(?![\p{L}\d_-]|[.,]\d|\.\p{L})/gu, (digits) => count(Number(digits)));
 	}
+	function withMinus(text) {
+		return text.replaceAll(/(?<![\p{L}\p{N}_.,)−-])-(?=\d)/gu, "−");
+	}
 	// www/shared/text/messages.ts
 	function message(family, of, attribute = null) {
-		const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀");
-		return asClauses(family.endsWith("verdict") ? grouped(text) : text);
+		const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀").replaceAll("± ", "±\xA0");
+		return asClauses(family.endsWith("verdict") ? grouped(withMinus(text)) : text);
 	}
 	function messageOf(thrown) {
 		if (!(thrown instanceof Error)) return String(thrown);

@@ -1255,6 +1255,11 @@ export interface AdjustmentResult {
      */
     unit_error_px?: number | null;
     /**
+     * What rejections have left of the variance of good observations, 1 without any: σ₀² is v'Pv by the degrees of freedom divided by it, and so is
+     * the square of `unit_error_px` beside that of σ₀. Absent in older projects.
+     */
+    variance_left?: number;
+    /**
      * Standard deviation of the shared errors that standard errors hold, in standard errors of an observation.
      */
     shared_errors?: number;
@@ -2813,7 +2818,8 @@ export interface RayCountRmse {
 
 /**
  * Standard deviations of the constants of a camera before its images are measured. They enter the adjustment of a pair or block as prior
- * information: what the images determine is estimated, what they do not determine is counted in the total standard errors.
+ * information: what the images determine is estimated, what they do not determine is counted in the total standard errors. From 0 to 1; in blocks
+ * what is below 1e-9 counts as 0.
  */
 export interface CameraUncertainty {
     /**
@@ -3060,6 +3066,11 @@ export interface RelativeOrientation extends FiveParameters {
      * The σ₀ that was known before.
      */
     sigma0_a_priori_mm: number | null;
+    /**
+     * What the rejection has left of the variance of good observations, 1 without a rejection: σ₀² and the cofactors are those of the accepted
+     * observations divided by it. Absent in older projects.
+     */
+    variance_left?: number;
     /**
      * Present with σ₀ a priori and redundancy.
      */
@@ -3727,11 +3738,11 @@ export type News = ({ kind: "step" } & Step) | ({ kind: "image" } & ReadImage) |
  */
 export interface RefusedControl {
     /**
-     * The coordinate whose test is largest; absent where nothing tests them.
+     * The coordinate whose test is largest; absent where nothing tests them, or they are right within chance and the block is not placed with the point.
      */
     axis: Axis | null;
     /**
-     * Whether it takes part all the same, since too few points are left to tell which of them is wrong.
+     * Whether it takes part all the same, since too little is left without it to tell whether it is wrong.
      */
     is_used: boolean;
 }
@@ -3851,7 +3862,8 @@ export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: nu
 export type OnOrthophoto = { kind: "linked"; linked: number; images: number; points: number; checks: number; rejected: number; in_crs?: boolean; epsg?: number } | { kind: "not_linked"; not_linked: NotLinked };
 
 /**
- * What check points say of a model: differences, adjusted minus surveyed.
+ * What check points say of a model: differences, adjusted minus surveyed, as `surveyed.csv` has them: in m on the ground along the axes of the coordinate
+ * reference system of the results, where one was chosen, and otherwise along those of the adjustment.
  */
 export interface CheckSummary {
     points: number;
@@ -3859,6 +3871,11 @@ export interface CheckSummary {
      * Root mean squares of x, y, z.
      */
     rmse_m: [number, number, number];
+    /**
+     * Root mean squares of the length of x and y, and of the height.
+     */
+    plan_rmse_m: number;
+    height_rmse_m: number;
     mean_m: [number, number, number];
     /**
      * Root mean square of the differences by their predicted standard errors: about 1 where these hold; absent without statistics.
@@ -4098,7 +4115,7 @@ export interface BlockOverview {
     rmse_px: number | null;
     sigma0_px: number | null;
     /**
-     * Absent without check points.
+     * In the system of the results; absent without check points.
      */
     checks: CheckSummary | null;
     /**
@@ -4131,7 +4148,7 @@ export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | {
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
