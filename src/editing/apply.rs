@@ -284,7 +284,7 @@ mod tests {
                 measurements,
             });
         }
-        let (points, _) = tie_points(&block.matches().unwrap(), &BlockOptions::default()).unwrap();
+        let (points, _) = tie_points(&block.matches().unwrap(), &block.image_features(), &BlockOptions::default()).unwrap();
         let mut found = reconstruct_block(&description, &points, &block.image_features(), &options()).unwrap();
         (description, found.models.swap_remove(0))
     }

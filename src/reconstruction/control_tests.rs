@@ -518,7 +518,7 @@ mod tests {
                     GroundControlPoint { name: format!("G{k}"), position, role, sigma_px: None, measurements }
                 })
                 .collect();
-            let (points, _) = tie_points(&simulated.matches().unwrap(), &BlockOptions::default()).unwrap();
+            let (points, _) = tie_points(&simulated.matches().unwrap(), &simulated.image_features(), &BlockOptions::default()).unwrap();
             let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
             let model = reconstruct_block(&description, &points, &simulated.image_features(), &options).unwrap().models.swap_remove(0);
             assert_eq!(model.adjusted.block.control.len(), 7, "{:?}", model.warnings);
