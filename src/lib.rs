@@ -7,8 +7,8 @@
 // The runner calls the tests of wasm-bindgen by their exports. Without a `main`, which calls all others, these are not compiled to wasm.
 #![cfg_attr(all(test, target_arch = "wasm32"), no_main)]
 
-// Integration tests that run as wasm, too, name the crate as its users do.
-#[cfg(all(test, target_arch = "wasm32"))]
+// Integration tests name the crate as its users do.
+#[cfg(test)]
 extern crate self as tiepoint;
 
 mod adjustment;
@@ -22,6 +22,9 @@ mod error;
 mod formats;
 mod html;
 mod image;
+#[cfg(all(test, integration, not(target_arch = "wasm32")))]
+#[path = "../tests/integration.rs"]
+mod integration;
 mod json;
 mod matching;
 mod math;

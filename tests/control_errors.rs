@@ -1,8 +1,8 @@
 //! Wrong coordinates of ground control points: which are refused, what is said of them, and that good ones are left alone.
 
-use crate::normal::Normal;
-use crate::scene::{Scene, scene, selected};
-use crate::surveyed::{MARK_PX, surveyed};
+use super::normal::Normal;
+use super::scene::{Scene, scene, selected};
+use super::surveyed::{MARK_PX, surveyed};
 use tiepoint::{
     Axis, BlockFlight, BlockWarning, ControlRole, GroundControlPoint, Mistake, ObservedPosition, ReconstructedModel, ReconstructionOptions,
 };

@@ -1,8 +1,8 @@
 //! The reconstruction of simulated blocks: everything from the rays alone.
 
-use crate::normal::Normal;
-use crate::sampling::{about_one, runs};
-use crate::scene::{Scene, scene, selected};
+use super::normal::Normal;
+use super::sampling::{about_one, runs};
+use super::scene::{Scene, scene, selected};
 use tiepoint::{
     AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, CameraUncertainty, ControlRole, Datum,
     FreeParameters, GnssErrors, GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,

@@ -1,6 +1,6 @@
 //! Weights of groups of observations by their residuals, on simulated blocks whose errors are known.
 
-use crate::stated::{Case, GROUPS, MARK_PX, Simulated};
+use super::stated::{Case, GROUPS, MARK_PX, Simulated};
 use tiepoint::{AdjustmentOptions, AdjustmentResult, Datum, ObservationGroup, VarianceComponent, adjust_block};
 
 const RIGHT: Case = Case { factors: [1.0; 5], control: 12, datum: Datum::GnssAndControl };

@@ -1,6 +1,7 @@
 //! A block before its adjustment, with what its parts are; and the adjustment in the best datum.
 
-use super::control_tests::{ControlTests, tested_control};
+use super::control_course::ControlTests;
+use super::control_tests::tested_control;
 use super::level::{Level, is_open, uncertainty_deg};
 use super::material::Known;
 use super::placing::Placing;

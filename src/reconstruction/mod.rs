@@ -6,7 +6,9 @@
 
 mod adjusting;
 mod choosing;
+mod control_course;
 mod control_spread;
+mod control_test;
 mod control_tests;
 mod draft;
 mod finish;

@@ -1,7 +1,7 @@
 //! What of a model deserves a warning.
 
+use super::control_course::{ControlTests, Refused};
 use super::control_spread::of_spread;
-use super::control_tests::{ControlTests, Refused};
 use super::frame::Frame;
 use super::level::{LEVEL_DEG, UNCERTAIN_TURN_DEG, uncertainty_deg};
 use super::material::Known;

@@ -1,10 +1,10 @@
 //! A bundle adjustment by `orientation.json` alone.
 
+use super::super::coordinate_system::{GEOID_M, UTM, control, files, flown};
 use super::equations::{Equations, Factor};
 use super::inner::Inner;
 use super::rotation::{angles, rotation, times};
 use super::{farthest, items, largest_share, number, numbers};
-use crate::coordinate_system::{GEOID_M, UTM, control, files, flown};
 use serde_json::Value;
 use tiepoint::{BlockRun, BlockSettings, MultiscaleOptions, RunInput, run_block};
 
