@@ -94,6 +94,9 @@ pub(super) struct ControlTests {
     pub contradicting: Option<[usize; 2]>,
     /// Where the block has no adjustment without those that were to be left out, and all take part: how many they are, of how many that were tested.
     pub stopped: Option<[usize; 2]>,
+    /// The points, by their indices in the adjusted block, that take no part since the block has no adjustment of any kind with them; the others do not
+    /// place it either.
+    pub unadjusted: Vec<usize>,
 }
 
 type Adjusted = (AdjustmentResult, Placing);
@@ -120,6 +123,8 @@ pub(super) fn tested_control(
     // once is kept: where no adjustment after it does, it is the result.
     let mut is_placed_by_all = None;
     let mut kept: Option<Kept> = None;
+    // An adjustment without those far off that places nothing is better than none.
+    let mut floating: Option<(AdjustmentResult, Placing, ControlTests)> = None;
     loop {
         let takes_all = !course.is_refused.contains(&true);
         let tried = adjust(&course.taking());
@@ -130,11 +135,12 @@ pub(super) fn tested_control(
             Ok(found) if is_placed(&found) => found,
             // The free network failed, too, if no datum was chosen: an image is to be left out then, not a point.
             Err(error @ (Error::UndeterminedImage { .. } | Error::Degenerate { .. }))
-                if takes_all && kept.is_none() && options.datum.is_none() =>
+                if takes_all && kept.is_none() && floating.is_none() && options.datum.is_none() =>
             {
                 return Err(error);
             }
-            _ if is_placed_by_all.is_none() => {
+            without_far if is_placed_by_all.is_none() => {
+                floating = without_far.ok().map(|(adjusted, placing)| (adjusted, placing, course.unadjusted()));
                 course.start_with(None);
                 continue;
             }
@@ -142,7 +148,10 @@ pub(super) fn tested_control(
                 Some(kept) => return Ok(course.back_to(kept)),
                 None => match course.without_one(&adjust) {
                     Some(found) => found,
-                    None => return of_all.map(|(adjusted, placing)| (adjusted, placing, ControlTests::default())),
+                    None => {
+                        let of_all = of_all.map(|(adjusted, placing)| (adjusted, placing, ControlTests::default()));
+                        return of_all.or_else(|error| floating.ok_or(error));
+                    }
                 },
             },
         };
@@ -361,6 +370,12 @@ impl<'a> Course<'a> {
             Some(_) if self.most() > 0 => Next::Contradiction,
             _ => Next::Done,
         }
+    }
+
+    /// Where the block has no adjustment but without those that take no part now.
+    fn unadjusted(&self) -> ControlTests {
+        let refused = self.block.control.iter().zip(&self.is_refused).filter(|(_, refused)| **refused);
+        ControlTests { unadjusted: refused.map(|(control, _)| control.point).collect(), ..ControlTests::default() }
     }
 
     /// The last adjustment that places the block, where the one after it does not.
@@ -604,6 +619,18 @@ mod tests {
             taking == 6 && is_left_out && is_used && found.1.contradicting.is_none() && found.1.stopped.is_none()
         };
         assert!(is_kept(&tested(wrong, 7, only_six).0.unwrap()));
+    }
+
+    #[test]
+    fn a_block_that_has_no_adjustment_with_a_far_point_floats_without_it() {
+        let far = |block: &mut Block| block.control[3].position[2] += 2000.0;
+        let undetermined = || Error::UndeterminedImage { computation: Computation::BundleAdjustment, image: 2, cause: Cause::NoPosition };
+        for error in [NOT_CONVERGED, undetermined()] {
+            let without = |part: &Block| if part.control.len() == 7 { Err(error.clone()) } else { Ok(false) };
+            let (adjusted, tests) = tested(far, 7, without).0.unwrap();
+            let point = given().2.adjusted.block.control[3].point;
+            assert_eq!((adjusted.datum, adjusted.control.len(), tests.unadjusted), (Datum::Free, 6, vec![point]));
+        }
     }
 
     #[test]
