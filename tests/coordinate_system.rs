@@ -8,7 +8,7 @@ mod mosaic;
 mod orthophoto;
 
 pub use flown::{GEOID_M, UTM, control, files, flown};
-use flown::{both, in_utm, numbers, run, run_of};
+use flown::{both, by_gnss, in_utm, numbers, run, run_of};
 use proj_core::Transform;
 use tiepoint::{
     Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, RunInput,
@@ -123,6 +123,30 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     let free = rows(&local.with_edits(&edits).unwrap());
     assert_eq!((free.len(), told(&free, "G1"), told(&free, "G3")), (all.len(), pair("control", "not placed"), pair("check", "not placed")));
     assert_eq!((told(&free, "G4"), told(&free, "X4")), (pair("off", "off"), pair("off", "off")));
+}
+
+#[test]
+fn a_block_without_its_control_points_lies_where_its_gnss_positions_have_it() {
+    let run = both();
+    let control: Vec<usize> = run.input.control.as_ref().map_or(0..0, |texts| 0..texts.points.lines().count() - 1).collect();
+    let with = |edits: Vec<BlockEdit>| {
+        let edited = run.with_edits(&edits).unwrap();
+        (edited.reconstruction.as_ref().unwrap().models[0].clone(), edited)
+    };
+    let off = |points: &[usize]| points.iter().map(|point| BlockEdit::SetUse { point: *point, role: None }).collect();
+    let (model, edited) = with(off(&control));
+    assert!(model.in_system && model.adjusted.datum == Datum::Gnss && model.surveyed.is_empty(), "{:?}", model.adjusted.datum);
+    // With their heights, above another zero than that of the control points.
+    let heights = |run: &BlockRun| numbers(&files(run)["images.csv"], &["z"]).iter().map(|row| row[0]).sum::<f64>();
+    let images = model.images.len() as f64;
+    assert!(((heights(&edited) - heights(run)) / images - GEOID_M).abs() < 10.0, "{} {}", heights(&edited), heights(run));
+    let summary: serde_json::Value = serde_json::from_str(&files(&edited)["summary.json"]).unwrap();
+    assert!(summary["crs"]["gnss_above_m"].is_null(), "{}", summary["crs"]);
+    let alone = heights(by_gnss()) / images;
+    assert!((heights(&edited) / images - alone).abs() < 0.5, "{} {alone}", heights(&edited) / images);
+    // Two of them and positions without heights place nothing.
+    let (floating, _) = with(off(&control[..control.len() - 2]));
+    assert!(!floating.in_system && floating.warnings.iter().any(|warning| matches!(warning, BlockWarning::Free { .. })));
 }
 
 #[test]

@@ -924,6 +924,17 @@ block-warning-control-tests-stopped =
         [one] which
        *[other] all of which
     } the block cannot be adjusted. All GCPs stay used, wrong ones too. Check their coordinates and image measurements.
+block-warning-control-unadjusted =
+    The block cannot be adjusted with { $names_count ->
+        [one] the GCP { $names }, which lies
+       *[other] { $names_count } GCPs, which lie
+    } far from where the others have { $names_count ->
+        [one] it. It takes
+       *[other] them: { $names }{ $names_more ->
+            [0] .
+           *[other] {" "}and { $names_more } more.
+        } They take
+    } no part, and the block is adjusted without being georeferenced. Check coordinates and image measurements.
 block-warning-few-control =
     { $points ->
         [one] Only 1 GCP

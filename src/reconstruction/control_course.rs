@@ -43,6 +43,9 @@ pub(super) struct ControlTests {
     pub contradicting: Option<[usize; 2]>,
     /// Where the block has no adjustment without those that were to be left out, and all take part: how many they are, of how many that were tested.
     pub stopped: Option<[usize; 2]>,
+    /// The points, by their indices in the adjusted block, that take no part since the block has no adjustment of any kind with them; the others do not
+    /// place it either.
+    pub unadjusted: Vec<usize>,
 }
 
 pub(super) enum Next {
@@ -200,6 +203,12 @@ impl<'a> Course<'a> {
             Some(_) if self.most() > 0 => Next::Contradiction,
             _ => Next::Done,
         }
+    }
+
+    /// Where the block has no adjustment but without those that take no part now.
+    pub fn unadjusted(&self) -> ControlTests {
+        let refused = self.block.control.iter().zip(&self.is_refused).filter(|(_, refused)| **refused);
+        ControlTests { unadjusted: refused.map(|(control, _)| control.point).collect(), ..ControlTests::default() }
     }
 
     pub fn done(&self, tests: &Tests) -> ControlTests {

@@ -41,6 +41,8 @@ pub(super) fn tested_control(
     // once is kept: where no adjustment after it does, it is the result.
     let mut is_placed_by_all = None;
     let mut kept: Option<Kept> = None;
+    // An adjustment without those far off that places nothing is better than none.
+    let mut floating: Option<(AdjustmentResult, Placing, ControlTests)> = None;
     loop {
         let takes_all = !course.is_refused.contains(&true);
         let tried = adjust(&course.taking());
@@ -51,11 +53,12 @@ pub(super) fn tested_control(
             Ok(found) if is_placed(&found) => found,
             // The free network failed, too, if no datum was chosen: an image is to be left out then, not a point.
             Err(error @ (Error::UndeterminedImage { .. } | Error::Degenerate { .. }))
-                if takes_all && kept.is_none() && options.datum.is_none() =>
+                if takes_all && kept.is_none() && floating.is_none() && options.datum.is_none() =>
             {
                 return Err(error);
             }
-            _ if is_placed_by_all.is_none() => {
+            without_far if is_placed_by_all.is_none() => {
+                floating = without_far.ok().map(|(adjusted, placing)| (adjusted, placing, course.unadjusted()));
                 course.start_with(None);
                 continue;
             }
@@ -63,7 +66,10 @@ pub(super) fn tested_control(
                 Some(kept) => return Ok(course.back_to(kept)),
                 None => match course.without_one(&adjust) {
                     Some(found) => found,
-                    None => return of_all.map(|(adjusted, placing)| (adjusted, placing, ControlTests::default())),
+                    None => {
+                        let of_all = of_all.map(|(adjusted, placing)| (adjusted, placing, ControlTests::default()));
+                        return of_all.or_else(|error| floating.ok_or(error));
+                    }
                 },
             },
         };
@@ -271,6 +277,18 @@ mod tests {
             taking == 6 && is_left_out && is_used && found.1.contradicting.is_none() && found.1.stopped.is_none()
         };
         assert!(is_kept(&tested(wrong, 7, only_six).0.unwrap()));
+    }
+
+    #[test]
+    fn a_block_that_has_no_adjustment_with_a_far_point_floats_without_it() {
+        let far = |block: &mut Block| block.control[3].position[2] += 2000.0;
+        let undetermined = || Error::UndeterminedImage { computation: Computation::BundleAdjustment, image: 2, cause: Cause::NoPosition };
+        for error in [NOT_CONVERGED, undetermined()] {
+            let without = |part: &Block| if part.control.len() == 7 { Err(error.clone()) } else { Ok(false) };
+            let (adjusted, tests) = tested(far, 7, without).0.unwrap();
+            let point = given().2.adjusted.block.control[3].point;
+            assert_eq!((adjusted.datum, adjusted.control.len(), tests.unadjusted), (Datum::Free, 6, vec![point]));
+        }
     }
 
     #[test]

@@ -147,7 +147,13 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
     };
     let contradicting = tests.contradicting.map(|[refused, points]| BlockWarning::ControlContradicts { refused, points });
     let stopped = tests.stopped.map(|[left_out, points]| BlockWarning::ControlTestsStopped { left_out, points });
-    tests.refused.iter().filter_map(of_point).chain(contradicting).chain(stopped).collect()
+    let name = |point: &usize| match model.points[*point] {
+        PointSource::GroundControl(control) => Some(known.description.control[control].name.clone()),
+        PointSource::TiePoint(_) | PointSource::Manual(_) => None,
+    };
+    let names: Vec<String> = tests.unadjusted.iter().filter_map(name).collect();
+    let unadjusted = (!names.is_empty()).then_some(BlockWarning::ControlUnadjusted { names });
+    tests.refused.iter().filter_map(of_point).chain(contradicting).chain(stopped).chain(unadjusted).collect()
 }
 
 /// GCPs whose image measurements do not fit, each by its name.

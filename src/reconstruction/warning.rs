@@ -52,6 +52,8 @@ messages! {
         ControlContradicts { refused: usize, points: usize },
         /// The block has no adjustment without so many of the GCPs, which their tests were to leave out: all take part, wrong ones among them.
         ControlTestsStopped { left_out: usize, points: usize },
+        /// The block has no adjustment with these GCPs, which lie far from where the others have them: they take no part, and the others do not place it.
+        ControlUnadjusted { names: Vec<String> },
         /// So few GCPs, beside so few GNSS positions, that they hardly check each other. `detectable_m`: the error of a coordinate that its test finds, of
         /// that where it is largest; absent where one is not checked at all.
         FewControl {
@@ -105,6 +107,7 @@ impl BlockWarning {
             | Self::ControlUnplaced { .. }
             | Self::ControlContradicts { .. }
             | Self::ControlTestsStopped { .. }
+            | Self::ControlUnadjusted { .. }
             | Self::Scale { .. }
             | Self::Degrees
             | Self::FocalUndetermined { .. }
