@@ -6,6 +6,7 @@ import { drawerButton, reveal, setDrawer } from '../shared/panel/drawers';
 import type { Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
 import { fileButton } from '../shared/panel/picker';
+import { makeNear } from '../shared/panel/near';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
 import { breath } from '../shared/engine/breath';
@@ -122,7 +123,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
         setDrawer('details', true);
         reveal(results.element);
       },
-      save: () => void saveAs(store, engine, 'project'),
+      save: () => void saveAs(store, engine, 'project', 'block-next'),
       open: pick,
       place: () => void runs.placeImages(),
       decide: (purpose) => void files.decide(purpose),
@@ -132,7 +133,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
         engine.cancel();
       },
       openHeights: () => pickers.heights(),
-      savePlaced: () => void savePlaced(store, placing, 'placed'),
+      savePlaced: () => void savePlaced(store, placing, 'placed', 'block-next'),
       whyPlaced: () => {
         setDrawer('table', true);
         showTab('tab-block-placed');
@@ -156,7 +157,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
     measures = made;
   });
   const views = [
-    mapView(facts, placing, () => void makeMosaic(store, engine, placing)),
+    mapView(facts, placing, () => void makeMosaic(store, engine, placing, 'map-mosaic')),
     images,
     MATRIX_VIEW,
     plotsView(facts),
@@ -167,6 +168,9 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
   byId('block-view').before(mountEditBar(store, facts, () => measures));
   mountEditPanel(results.panels[1], store);
   mountBlockEditKeys(store, [stage, results.element]);
+  const near = makeNear('block-near', () => store.dispatch({ type: 'notice', notice: null }));
+  main.append(near.element);
+  store.watch(['notice'], ([notice]) => near.show(notice));
   new EditFollower(store, engine);
   mountAddress(store, modes);
   store.watch(['running'], ([running]) => {
