@@ -72,8 +72,8 @@ interface Elsewhere {
   openPair: (block: BlockStore, images: [number, number]) => void;
   /** Opens a project of whatever kind where it belongs. */
   openProject: (file: File) => Promise<void>;
-  /** Leaves the block in the list of projects; false where it cannot be. `twice`: what else is on the page may be kept twice. */
-  putAside: (block: Keepable, twice: boolean) => Promise<boolean>;
+  /** Leaves a part of the page in the list of projects; false where it cannot be. */
+  putAside: (part: Keepable) => Promise<boolean>;
 }
 
 /** In pieces, between which the page answers what the user does. */
@@ -84,7 +84,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
   const onGround = new BlockPlacing(store, engine, placing);
   const runs = new BlockRuns(store, engine, placing, onGround);
   const kept = new KeptBlocks(store, engine, catalogue);
-  const files = new BlockFiles(store, engine, placing, runs, openProject, (twice) => putAside(kept, twice));
+  const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept));
   const looking = {
     choose: (choice: Choice | null) => store.dispatch({ type: 'choose', choice }),
     point: (choice: Choice | null) => store.dispatch({ type: 'point', choice }),
@@ -163,9 +163,9 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
     plotsView(facts),
     orthophotoView(engine, facts, placing, { open: pickers.orthophoto, sample: placedSample }),
   ];
-  mountStage(stage, store, looking, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
+  const editLine = mountStage(stage, store, looking, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
   stage.prepend(status);
-  byId('block-view').before(mountEditBar(store, facts, () => measures));
+  editLine.prepend(mountEditBar(store, facts, () => measures));
   mountEditPanel(results.panels[1], store);
   mountBlockEditKeys(store, [stage, results.element]);
   const near = makeNear('block-near', () => store.dispatch({ type: 'notice', notice: null }));
