@@ -16,6 +16,7 @@ import { asksPurpose, isOffGround, lacksPlaceAlone, purposeOf } from '../state/p
 import { isBusy, isOutdated } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
 import type { BlockView } from '../state/view';
+import { ofLine } from '../../shared/state/notice';
 import { refusedText, say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
 
@@ -85,6 +86,19 @@ function isOfGround(state: BlockState): boolean {
   return placing.orthophoto === null || purpose === 'images' || (purpose === 'block' && (shown === null || shown.view.partial));
 }
 
+/** The verdict of a finished block with what is said of its orthophoto: that is no other verdict. */
+function besideVerdict(state: BlockState, actions: BlockAnswerActions, text: string): Answer {
+  const { shown } = state;
+  if (shown === null || shown.view.partial || isOutdated(state)) return { kind: 'idle', verdict: null, text };
+  return { ...answered(state, shown, actions), more: text };
+}
+
+/** An answer with what can be done with the orthophoto. */
+function offering(state: BlockState, actions: BlockAnswerActions, answer: Answer): Answer {
+  const { more, ...offer } = offered(state, actions);
+  return { ...answer, ...offer, more: [answer.more ?? '', more ?? ''].join(' ').trim() };
+}
+
 /** What can be done with an orthophoto under a finished block: one choice. */
 function offered(state: BlockState, { decide }: BlockAnswerActions): Pick<Answer, 'more' | 'next' | 'others'> {
   return {
@@ -108,7 +122,7 @@ function placeBlock({ run }: BlockAnswerActions): Next {
 function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   const { running, shown, files, placing } = state;
   const passed = state.notice?.passing === true && running.kind !== 'yes' && placing.running === null;
-  const notice = passed ? null : state.notice;
+  const notice = passed ? null : ofLine(state.notice);
   const line = (kind: Answer['kind'], text: string): Answer => ({ kind, text, verdict: null });
   if (running.kind === 'yes') return { ...line('busy', runText(running.steps)), more: notice?.beside === true ? notice.text : '' };
   if (state.placing.running !== null) return placingRuns(state.placing.running);
@@ -118,15 +132,17 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   }
   if (notice !== null) {
     const said = line(notice.kind === 'info' ? 'idle' : notice.kind, notice.text);
-    if (notice.kind !== 'busy' && asksPurpose(state)) return { ...said, ...offered(state, actions) };
+    const isInfo = notice.kind === 'info';
+    if (notice.kind !== 'busy' && asksPurpose(state)) return offering(state, actions, isInfo ? besideVerdict(state, actions, notice.text) : said);
     // What was taken in is said; what is next stays.
-    if (notice.kind === 'info' && lacksPlaceAlone(state)) return { ...said, next: placeBlock(actions) };
-    if (notice.kind !== 'info' || state.placing.orthophoto === null || !isOfGround(state)) return said;
+    if (isInfo && lacksPlaceAlone(state)) return { ...besideVerdict(state, actions, notice.text), next: placeBlock(actions) };
+    if (!isInfo || state.placing.orthophoto === null || !isOfGround(state)) return said;
     const { next = null, others = [] } = placed(state, actions);
     return { ...said, next, others };
   }
   if (state.refused !== null) return line('problem', refusedText(state.refused));
-  if (asksPurpose(state) && state.placing.orthophoto !== null) return { ...line('idle', orthophotoText(state.placing.orthophoto)), ...offered(state, actions) };
+  if (asksPurpose(state) && state.placing.orthophoto !== null)
+    return offering(state, actions, besideVerdict(state, actions, orthophotoText(state.placing.orthophoto)));
   if (isOfGround(state)) return placed(state, actions);
   if (running.kind === 'ended') {
     const former = shown !== null && !shown.view.partial ? say('the-screen-shows-the-former') : '';
@@ -137,7 +153,7 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
     );
   }
   if (shown !== null && !shown.view.partial && !isOutdated(state)) {
-    if (isOffGround(state)) return { ...line('idle', say('the-block-is-not-on')), more: heightsText(state), next: placeBlock(actions) };
+    if (isOffGround(state)) return { ...besideVerdict(state, actions, `${say('the-block-is-not-on')} ${heightsText(state)}`), next: placeBlock(actions) };
     const answer = answered(state, shown, actions);
     return waitsForMarks(state) ? { ...answer, more: `${answer.more ?? ''} ${controlText(state)}`.trimStart() } : answer;
   }
