@@ -58,7 +58,7 @@ pub use camera::{
     FiducialModel, FiducialOrientation, FreeParameters, Interior, Pose, RtkSolution, angles_from_rotation, orient_fiducials,
     rotation_from_angles,
 };
-pub use catalogue::{Parameter, ParameterKind, acting, with_defaults};
+pub use catalogue::{CALL_PARAMETERS, Parameter, ParameterKind, acting, with_defaults};
 pub use crs::{coordinates_in_system, places_of_coordinates};
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
