@@ -298,3 +298,82 @@ fn few_or_badly_spread_control_points_are_said_with_figures() {
     let corner = spread(&|[x, y, _], [a, b]| x < a && y < b, 11);
     assert!(span(&corner).is_some_and(|percent| (2.0..25.0).contains(&percent)), "{:?}", corner.warnings);
 }
+
+/// A block of two strips without GNSS positions, with so many control points that are spread over it, as well as they can be.
+fn spread(control: usize) -> Scene {
+    let flight = BlockFlight { strips: 2, exposures: 4, width_px: 800, height_px: 600, pixel_mm: 0.09, seed: 3, ..BlockFlight::default() };
+    let mut scene = scene(&BlockFlight { features: 700, ..flight }, 1.0);
+    let mut all = surveyed(&scene.block, 40, 0, &mut Normal(3 << 32));
+    let plan = |point: &mut GroundControlPoint| [place(point)[0], place(point)[1]];
+    let places: Vec<[f64; 2]> = all.iter_mut().map(plan).collect();
+    let distance = |a: usize, b: usize| (places[a][0] - places[b][0]).hypot(places[a][1] - places[b][1]);
+    let mut chosen = vec![(0..all.len()).max_by(|a, b| distance(0, *a).total_cmp(&distance(0, *b))).unwrap()];
+    while chosen.len() < control {
+        let nearest = |point: &usize| chosen.iter().map(|of| distance(*of, *point)).fold(f64::MAX, f64::min);
+        chosen.push((0..all.len()).max_by(|a, b| nearest(a).total_cmp(&nearest(b))).unwrap());
+    }
+    scene.description.control = chosen.into_iter().map(|index| all[index].clone()).collect();
+    scene
+}
+
+/// The block with errors in coordinates of its control points.
+fn with_errors(clean: &Scene, errors: &[(usize, usize, f64)]) -> ReconstructedModel {
+    let mut scene = Scene { block: clean.block.clone(), points: clean.points.clone(), description: clean.description.clone() };
+    errors.iter().for_each(|(point, axis, error)| place(&mut scene.description.control[*point])[*axis] += error);
+    println!("{errors:?}");
+    let model = adjusted(&scene);
+    println!("  {:?}", model.surveyed.iter().map(|of| (&of.name, of.rays, of.refused.map(|of| of.is_used))).collect::<Vec<_>>());
+    model
+}
+
+/// Whether a warning says that control points are wrong, or may be.
+fn is_said(model: &ReconstructedModel) -> bool {
+    let is_of_control = |warning: &BlockWarning| {
+        matches!(
+            warning,
+            BlockWarning::ControlRefused { .. } | BlockWarning::ControlContradicts { .. } | BlockWarning::ControlUntested { .. }
+        )
+    };
+    model.warnings.iter().any(is_of_control)
+}
+
+#[test]
+fn one_wrong_of_four_control_points_is_never_silent() {
+    let clean = spread(4);
+    let model = adjusted(&clean);
+    assert!(!is_said(&model), "{:?}", model.warnings);
+    for (point, axis) in [(0, 0), (0, 2), (1, 0), (1, 2), (3, 0), (3, 2)] {
+        let detectable = detectable(&model, &clean.description.control[point].name, axis);
+        for error in [1.5 * detectable, 3.0 * detectable, 100.0, 200.0] {
+            let wrong = with_errors(&clean, &[(point, axis, error)]);
+            assert!(is_said(&wrong) || !wrong.in_system, "point {point}, axis {axis}, {error} m: {:?}", wrong.warnings);
+        }
+    }
+}
+
+#[test]
+fn two_wrong_of_five_control_points_are_not_used_without_a_word() {
+    let clean = spread(5);
+    assert!(!is_said(&adjusted(&clean)));
+    for error in [20.0, 100.0] {
+        let model = with_errors(&clean, &[(0, 0, error), (3, 1, -error)]);
+        let is_doubted = |index: usize| {
+            let name = &clean.description.control[index].name;
+            model.surveyed.iter().find(|of| of.name == *name).is_none_or(|of| of.refused.is_some())
+        };
+        assert!(!model.in_system || contradicts(&model) || is_doubted(0) && is_doubted(3), "{:?}", model.warnings);
+        assert!(!model.warnings.iter().any(|warning| matches!(warning, BlockWarning::ControlUnplaced { .. })), "{:?}", model.warnings);
+    }
+}
+
+#[test]
+fn a_wrong_control_point_accuses_no_neighbour() {
+    for control in [5, 6, 7] {
+        let clean = spread(control);
+        for (axis, error) in [(0, 50.0), (2, 50.0), (0, 8.0)] {
+            let model = with_errors(&clean, &[(0, axis, error)]);
+            let named: Vec<&str> = refused(&model).into_iter().map(|(point, ..)| point).collect();
+            assert!(named == [clean.description.control[0].name.as_str()], "{control} {axis} {error}: {:?}", model.warnings);
+        }
+    }
+}

@@ -361,7 +361,7 @@ mod tests {
             by: MeasuredBy::Hand,
         };
         let rejected = [add, BlockEdit::RejectPoints { points: vec![point] }, measure];
-        let refused = edited_model(&known.1, &rejected, &known.0, &options()).unwrap_err().to_string();
+        let refused = edited_model(&known.1, &rejected, &known.0, &known.0.images, &options()).unwrap_err().to_string();
         assert!(
             refused.contains("manual point 0, which takes no part; allowed: points that take part: restore it first (edit 3)"),
             "{refused}"
