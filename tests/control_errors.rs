@@ -168,12 +168,10 @@ fn too_few_points_all_stay_used_and_are_warned_of() {
     let error = 4.0 * detectable(&adjusted(&scene), &scene.description.control[wrong].name, 0);
     place(&mut scene.description.control[wrong])[0] += error;
     let model = adjusted(&scene);
-    // Which of four is wrong nothing tells for sure: none is left out, and something is said of them.
+    // Which of four is wrong nothing tells for sure: none is left out, and what is said is said of the points, not of their image measurements alone.
     assert_eq!(model.adjusted.block.control.len(), 4);
     assert!(refused(&model).iter().all(|(.., used, _)| *used));
-    let is_said =
-        |warning: &BlockWarning| matches!(warning, BlockWarning::ControlRefused { .. } | BlockWarning::MeasurementsRejected { .. });
-    assert!(model.warnings.iter().any(is_said), "{:?}", model.warnings);
+    assert!(is_said(&model), "{:?}", model.warnings);
 }
 
 #[test]
@@ -233,6 +231,8 @@ fn control_points_that_all_contradict_the_positions_stay_used() {
     let model = adjusted(&scene);
     assert_eq!(model.adjusted.block.control.len(), 8);
     assert!(refused(&model).len() < 2, "{:?}", model.warnings);
+    let is_of_positions = |warning: &BlockWarning| matches!(warning, BlockWarning::PositionsRejected { .. });
+    assert!(contradicts(&model) || model.warnings.iter().any(is_of_positions), "{:?}", model.warnings);
 }
 
 #[test]
@@ -257,6 +257,11 @@ fn few_or_badly_spread_control_points_are_said_with_figures() {
     });
     let (points, detectable_m) = few.unwrap();
     // What checks three points is their distances: an error shows late or not at all.
+    let largest = |of: &ReconstructedModel| {
+        let control = of.surveyed.iter().filter(|point| point.role == ControlRole::Control);
+        control.flat_map(|point| point.detectable_m).try_fold(0.0, |most: f64, error| Some(most.max(error?)))
+    };
+    assert_eq!(detectable_m, largest(&model));
     assert!(points == 3 && detectable_m.is_none_or(|error| error > 0.3), "{detectable_m:?}");
 
     // Of three positions one is wrong: two are left beside the points.
@@ -342,11 +347,41 @@ fn one_wrong_of_four_control_points_is_never_silent() {
     let clean = spread(4);
     let model = adjusted(&clean);
     assert!(!is_said(&model), "{:?}", model.warnings);
+    let mut largest = 0.0_f64;
     for (point, axis) in [(0, 0), (0, 2), (1, 0), (1, 2), (3, 0), (3, 2)] {
         let detectable = detectable(&model, &clean.description.control[point].name, axis);
         for error in [1.5 * detectable, 3.0 * detectable, 100.0, 200.0] {
             let wrong = with_errors(&clean, &[(point, axis, error)]);
             assert!(is_said(&wrong) || !wrong.in_system, "point {point}, axis {axis}, {error} m: {:?}", wrong.warnings);
+            for warning in &wrong.warnings {
+                if let BlockWarning::ControlContradicts { w, .. } = warning {
+                    assert!(w.is_some_and(|w| w > 3.29), "{w:?}");
+                    // Where no point is named all that contradict each other are doubtful.
+                    assert!(wrong.surveyed.iter().any(|point| point.refused.is_some()), "{:?}", wrong.surveyed);
+                    largest = largest.max(w.unwrap());
+                }
+            }
+        }
+    }
+    assert!(largest > 6.0, "{largest}");
+}
+
+#[test]
+fn control_points_that_do_not_fit_together_are_named_where_they_do_not_place_a_block() {
+    for control in [3, 4] {
+        let clean = spread(control);
+        for error in [100.0, 1000.0, 10_000.0] {
+            let model = with_errors(&clean, &[(0, 0, error)]);
+            let shape = model.warnings.iter().find_map(|warning| match warning {
+                BlockWarning::ControlShape { names, ratio, point, .. } => Some((names.len(), *ratio, point.as_ref())),
+                _ => None,
+            });
+            let Some((names, ratio, point)) = shape else {
+                assert!(model.in_system && is_said(&model), "{control} {error}: {:?}", model.warnings);
+                continue;
+            };
+            assert!(!model.in_system && names == control && ratio > 1.01, "{:?}", model.warnings);
+            assert!(control == 3 && point.is_none() || point == Some(&clean.description.control[0].name), "{point:?}");
         }
     }
 }

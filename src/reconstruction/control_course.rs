@@ -16,8 +16,10 @@ const MANY_WRONG: f64 = 0.15;
 const MEDIAN_ERROR: f64 = 1.166;
 /// Standard errors that are stated too small make no point wrong: by so many of its standard errors the median of the tests is too large then.
 const BEYOND: f64 = 2.0;
-/// That standard errors are stated too small shows where the coordinates have this redundancy together: of fewer one wrong point makes up the median.
-const LEAST_REDUNDANCY: f64 = 12.0;
+/// That standard errors are stated too small shows where the coordinates fulfil so many conditions: of fewer one wrong point makes up the median.
+const LEAST_CONDITIONS: usize = 12;
+/// Position, rotation and scale of a block.
+const FREEDOMS: usize = 7;
 /// Standard errors that were stated too small by more are a contradiction.
 const MOST_TOO_SMALL: f64 = 3.0;
 /// Up to so many control points each is left out alone, and each is tested by the stated standard errors first.
@@ -184,10 +186,10 @@ impl<'a> Course<'a> {
         let taking = of.iter().zip(&self.is_refused).filter(|(_, refused)| !**refused).filter_map(|(test, _)| test.as_ref());
         let mut sizes: Vec<f64> = taking.flat_map(ControlTest::values).filter(|value| *value > 0.0).collect();
         let limit = self.limit();
-        let redundancy = self.redundancy(adjusted);
-        let certain = 1.0 + BEYOND * MEDIAN_ERROR / redundancy.max(1.0).sqrt();
+        let conditions = self.conditions(adjusted);
+        let certain = 1.0 + BEYOND * MEDIAN_ERROR / (conditions.max(1) as f64).sqrt();
         let scale = median(&mut sizes).map(|middle| middle / normal_median_within(limit));
-        let scale = scale.filter(|scale| *scale > certain && redundancy >= LEAST_REDUNDANCY).unwrap_or(1.0);
+        let scale = scale.filter(|scale| *scale > certain && conditions >= LEAST_CONDITIONS).unwrap_or(1.0);
         let tests = Tests { of, limit, scale };
         if self.is_enlarged { self.enlarged(tests) } else { tests }
     }
@@ -203,12 +205,10 @@ impl<'a> Course<'a> {
         self.known.options.adjustment.limit()
     }
 
-    /// Of the coordinates that are tested and take part, together.
-    fn redundancy(&self, adjusted: &AdjustmentResult) -> f64 {
-        let tested =
-            |point: usize| self.block.control.iter().zip(self.is_tested).any(|(control, tested)| *tested && control.point == point);
-        let all = adjusted.block.control.iter().zip(&adjusted.control).filter(|(control, _)| tested(control.point));
-        all.filter_map(|(_, statistics)| statistics.as_ref()?.redundancy).flatten().sum()
+    /// How many conditions the coordinates that are tested and take part fulfil by their errors alone: all positions together give the block its seven freedoms.
+    fn conditions(&self, adjusted: &AdjustmentResult) -> usize {
+        let taking = self.is_tested.iter().zip(&self.is_refused).filter(|(tested, refused)| **tested && !**refused).count();
+        (3 * taking).min((3 * self.left(adjusted)).saturating_sub(FREEDOMS))
     }
 
     fn test(&self, adjusted: &AdjustmentResult, control: usize) -> Option<ControlTest> {
