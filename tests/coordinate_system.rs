@@ -11,7 +11,7 @@ pub use flown::{GEOID_M, UTM, control, files, flown};
 use flown::{both, by_gnss, in_utm, numbers, run, run_of};
 use proj_core::Transform;
 use tiepoint::{
-    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, RunInput,
+    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, Remark, RunInput,
 };
 
 #[test]
@@ -101,7 +101,9 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     let all = rows(&run);
     assert_eq!(all.len(), texts.points.lines().count() - 1);
     assert_eq!(told(&all, "G1"), pair("control", "used"));
-    assert_eq!(told(&all, "X1"), pair("control", "untested"));
+    assert_eq!(told(&all, "X1"), pair("control", "not measured"));
+    let is_listed = |remark: &Remark| matches!(remark, Remark::UnmeasuredPoints { points } if *points == ["X1"]);
+    assert!(run.remarks.iter().any(is_listed), "{:?}", run.remarks);
     assert_eq!(told(&all, "X2"), pair("check", "not determined"));
     assert_eq!(told(&all, "X3"), pair("control", "untested"));
     assert_eq!(told(&all, "X4"), pair("off", "off"));
@@ -109,7 +111,7 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     assert!((0..3).all(|k| own[3 + k].parse::<f64>().unwrap() == place[k].parse::<f64>().unwrap()), "{own:?} {place:?}");
     let report = &files(&run)["report.html"];
     let section = report.split("without figures").nth(1).unwrap();
-    assert!(["X1", "X2", "X3", "X4", "untested", "not determined"].iter().all(|word| section.contains(word)));
+    assert!(["X1", "X2", "X3", "X4", "not measured", "untested", "not determined"].iter().all(|word| section.contains(word)));
     assert!(!files(both())["report.html"].contains("without figures"));
     // Those that are switched off by hand have their rows, too; G1 is the first that is not switched off.
     let off = run.with_edits(&[BlockEdit::SetUse { point: 0, role: None }]).unwrap();

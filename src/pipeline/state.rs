@@ -107,6 +107,8 @@ impl State {
             let UnreadColumns { unknown, doubled } = std::mem::take(&mut control.unread_columns);
             self.remarks.extend(Some(unknown).filter(|columns| !columns.is_empty()).map(|columns| Remark::UnknownColumns { columns }));
             self.remarks.extend(Some(doubled).filter(|columns| !columns.is_empty()).map(|columns| Remark::DoubledColumns { columns }));
+            self.remarks
+                .extend(Some(control.unmeasured()).filter(|points| !points.is_empty()).map(|points| Remark::UnmeasuredPoints { points }));
         }
         self.remarks.extend(doubtful(&self.cameras));
         let known = self.images.iter().map(|image| (image.name.as_str(), [image.width_px, image.height_px], &image.exif));

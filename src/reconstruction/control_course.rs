@@ -16,6 +16,14 @@ const MANY_WRONG: f64 = 0.15;
 const MEDIAN_ERROR: f64 = 1.166;
 /// Standard errors that are stated too small make no point wrong: by so many of its standard errors the median of the tests is too large then.
 const BEYOND: f64 = 2.0;
+/// That standard errors are stated too small shows where the coordinates fulfil so many conditions: of fewer one wrong point makes up the median.
+const LEAST_CONDITIONS: usize = 12;
+/// Position, rotation and scale of a block.
+const FREEDOMS: usize = 7;
+/// Standard errors that were stated too small by more are a contradiction.
+const MOST_TOO_SMALL: f64 = 3.0;
+/// Up to so many control points each is left out alone, and each is tested by the stated standard errors first.
+pub(super) const MOST_ALONE: usize = 12;
 /// Image measurements of a point that tell a wrong one among them from wrong coordinates.
 const LEAST_MARKS: usize = 3;
 
@@ -30,6 +38,20 @@ pub(super) struct Refused {
     pub is_used: bool,
     /// Whether its coordinates are right within chance: it takes no part since the block is not placed with it.
     pub is_within: bool,
+    /// Whether enough is left without it to tell that it is the wrong one.
+    pub is_certain: bool,
+    /// Whether a warning names it: otherwise it is one of those that contradict each other.
+    pub is_named: bool,
+}
+
+/// Control points that contradict each other or the other observations, where nothing tells which are wrong.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Contradicting {
+    pub refused: usize,
+    /// Of so many that were tested.
+    pub of: usize,
+    /// The largest test.
+    pub w: f64,
 }
 
 /// What became of the control points of a block.
@@ -39,8 +61,7 @@ pub(super) struct ControlTests {
     pub refused: Vec<Refused>,
     /// Errors that the tests of each point that was tested find with a probability of 0.80, by the index of the point in the adjusted block.
     pub detectable: BTreeMap<usize, [Option<f64>; 3]>,
-    /// Where nothing tells which are wrong: how many contradict the rest of the block, of how many that were tested.
-    pub contradicting: Option<[usize; 2]>,
+    pub contradicting: Option<Contradicting>,
     /// Where the block has no adjustment without those that were to be left out, and all take part: how many they are, of how many that were tested.
     pub stopped: Option<[usize; 2]>,
     /// The points, by their indices in the adjusted block, that take no part since the block has no adjustment of any kind with them; the others do not
@@ -72,12 +93,28 @@ pub(super) struct Course<'a> {
     pub keeps_from_placing: Vec<bool>,
     /// Of one that is tried without its coordinates: the largest test of its image measurements that were rejected beside them, of which the most fitted.
     rivals: Vec<f64>,
+    /// Whether the limit of the tests grows with their scatter.
+    pub is_enlarged: bool,
 }
 
 /// The tests of all control points, absent where nothing checks them; and what they are compared with.
 pub(super) struct Tests {
     pub of: Vec<Option<ControlTest>>,
     pub limit: f64,
+    /// By how much standard errors are stated too small, as the tests of those that take part have it: 1 where they do not say.
+    pub scale: f64,
+}
+
+impl Tests {
+    /// Whether this scatter may be that of standard errors that were stated too small.
+    pub fn may_grow(&self) -> bool {
+        self.scale > 1.0 && self.scale <= MOST_TOO_SMALL
+    }
+
+    /// The limit beside the scatter of the tests.
+    fn enlarged(&self, plain: f64) -> f64 {
+        plain * self.scale.min(MOST_TOO_SMALL)
+    }
 }
 
 impl<'a> Course<'a> {
@@ -85,7 +122,10 @@ impl<'a> Course<'a> {
         let number = block.control.len();
         let (is_refused, is_settled, rivals) = (vec![false; number], vec![false; number], vec![0.0; number]);
         let keeps_from_placing = vec![false; number];
-        let mut course = Self { block, is_tested, known, datum, is_refused, is_settled, last: None, keeps_from_placing, rivals };
+        let mut course =
+            Self { block, is_tested, known, datum, is_refused, is_settled, last: None, keeps_from_placing, rivals, is_enlarged: false };
+        // Of many points a wrong one does not make up the median of the tests.
+        course.is_enlarged = course.tested() > MOST_ALONE;
         let far: Vec<usize> = far_control(block, datum).into_iter().filter(|control| is_tested[*control]).collect();
         if far.len() <= course.most() && number - far.len() + course.images() >= LEAST_LEFT {
             far.into_iter().for_each(|control| course.is_refused[control] = true);
@@ -145,11 +185,30 @@ impl<'a> Course<'a> {
             (0..self.is_refused.len()).map(|control| self.test(adjusted, control).filter(|_| self.is_tested[control])).collect();
         let taking = of.iter().zip(&self.is_refused).filter(|(_, refused)| !**refused).filter_map(|(test, _)| test.as_ref());
         let mut sizes: Vec<f64> = taking.flat_map(ControlTest::values).filter(|value| *value > 0.0).collect();
-        let limit = self.known.options.adjustment.limit();
-        let certain = 1.0 + BEYOND * MEDIAN_ERROR / (sizes.len().max(1) as f64).sqrt();
-        let scale = median(&mut sizes).map(|middle| middle / normal_median_within(limit)).filter(|scale| *scale > certain);
-        let scale = scale.unwrap_or(1.0);
-        Tests { of: of.into_iter().map(|test| Some(test?.within(scale))).collect(), limit: limit * scale }
+        let limit = self.limit();
+        let conditions = self.conditions(adjusted);
+        let certain = 1.0 + BEYOND * MEDIAN_ERROR / (conditions.max(1) as f64).sqrt();
+        let scale = median(&mut sizes).map(|middle| middle / normal_median_within(limit));
+        let scale = scale.filter(|scale| *scale > certain && conditions >= LEAST_CONDITIONS).unwrap_or(1.0);
+        let tests = Tests { of, limit, scale };
+        if self.is_enlarged { self.enlarged(tests) } else { tests }
+    }
+
+    /// With the limit beside the scatter of the tests, and the errors that are found so.
+    pub fn enlarged(&self, tests: Tests) -> Tests {
+        let limit = tests.enlarged(self.limit());
+        let of = tests.of.iter().map(|test| Some(test.as_ref()?.within(limit / tests.limit))).collect();
+        Tests { of, limit, ..tests }
+    }
+
+    fn limit(&self) -> f64 {
+        self.known.options.adjustment.limit()
+    }
+
+    /// How many conditions the coordinates that are tested and take part fulfil by their errors alone: all positions together give the block its seven freedoms.
+    fn conditions(&self, adjusted: &AdjustmentResult) -> usize {
+        let taking = self.is_tested.iter().zip(&self.is_refused).filter(|(tested, refused)| **tested && !**refused).count();
+        (3 * taking).min((3 * self.left(adjusted)).saturating_sub(FREEDOMS))
     }
 
     fn test(&self, adjusted: &AdjustmentResult, control: usize) -> Option<ControlTest> {
@@ -183,11 +242,11 @@ impl<'a> Course<'a> {
             back.into_iter().for_each(|control| (self.is_refused[control], self.is_settled[control]) = (false, true));
             return Next::Again;
         }
-        let gnss = adjusted.images.iter().filter(|image| image.gnss.is_some_and(|gnss| gnss.accepted)).count();
-        let taking = self.is_refused.len() - self.refused();
-        let may_go = taking + gnss > LEAST_LEFT;
-        if let Some((control, rival)) = self.unmeasured(adjusted).filter(|_| self.refused() < self.most() && may_go) {
-            (self.is_refused[control], self.rivals[control]) = (true, rival);
+        let may_go = self.left(adjusted) > LEAST_LEFT;
+        // One of which no image measurement fits holds nothing: without its coordinates the others are what they were.
+        let is_open = |worst: &Unmeasured| self.refused() < self.most() && (may_go || worst.is_lost);
+        if let Some(worst) = self.unmeasured(adjusted).filter(is_open) {
+            (self.is_refused[worst.control], self.rivals[worst.control]) = (true, worst.rival());
             return Next::Again;
         }
         // Without its coordinates nothing would tell where a point is of which one image measurement fits.
@@ -205,23 +264,52 @@ impl<'a> Course<'a> {
         }
     }
 
+    /// Positions that take part, of control points and images.
+    pub fn left(&self, adjusted: &AdjustmentResult) -> usize {
+        let gnss = adjusted.images.iter().filter(|image| image.gnss.is_some_and(|gnss| gnss.accepted)).count();
+        self.is_refused.len() - self.refused() + gnss
+    }
+
+    /// Has those take part again of which the others say within the scatter of all tests that they are right; whether there are any.
+    pub fn take_back(&mut self, tests: &Tests) -> bool {
+        let limit = tests.enlarged(self.limit());
+        let is_back = |control: &usize| {
+            let may_return = tests.may_grow() && self.is_refused[*control] && !self.keeps_from_placing[*control];
+            may_return && fits(tests.of[*control].as_ref(), limit.max(self.rivals[*control]))
+        };
+        let back: Vec<usize> = (0..self.is_refused.len()).filter(is_back).collect();
+        self.is_enlarged |= !back.is_empty();
+        back.iter().for_each(|control| (self.is_refused[*control], self.is_settled[*control]) = (false, true));
+        !back.is_empty()
+    }
+
     /// Where the block has no adjustment but without those that take no part now.
     pub fn unadjusted(&self) -> ControlTests {
         let refused = self.block.control.iter().zip(&self.is_refused).filter(|(_, refused)| **refused);
         ControlTests { unadjusted: refused.map(|(control, _)| control.point).collect(), ..ControlTests::default() }
     }
 
-    pub fn done(&self, tests: &Tests) -> ControlTests {
+    pub fn done(&self, adjusted: &AdjustmentResult, tests: &Tests) -> ControlTests {
         let beyond: Vec<usize> = self.beyond(tests).map(|(control, _)| control).collect();
+        let is_certain = self.left(adjusted) >= LEAST_LEFT;
         let refused = |control: usize| {
             let (point, is_used) = (self.block.control[control].point, !self.is_refused[control]);
+            if is_used && self.is_lost(adjusted, control) {
+                return Some(Refused { point, test: None, is_used: false, is_within: false, is_certain: false, is_named: true });
+            }
             let is_named = !is_used || beyond.binary_search(&control).is_ok();
             let test = tests.of[control];
             let is_within = !is_used && self.keeps_from_placing[control] && fits(test.as_ref(), tests.limit);
-            is_named.then_some(Refused { point, test, is_used, is_within })
+            is_named.then_some(Refused { point, test, is_used, is_within, is_certain: is_certain && !is_used, is_named })
         };
         let refused = (0..self.is_refused.len()).filter_map(refused).collect();
         ControlTests { refused, detectable: self.detectable(tests), ..ControlTests::default() }
+    }
+
+    /// Whether a point that is to take part does not, since none of its image measurements fit.
+    fn is_lost(&self, adjusted: &AdjustmentResult, control: usize) -> bool {
+        let place = adjusted.block.control.iter().position(|of| of.point == self.block.control[control].point);
+        self.is_tested[control] && place.is_some_and(|place| adjusted.control[place].is_none())
     }
 
     pub fn detectable(&self, tests: &Tests) -> BTreeMap<usize, [Option<f64>; 3]> {
@@ -232,7 +320,7 @@ impl<'a> Course<'a> {
     /// The control point that takes part and whose image measurements were rejected, most of them or one of three and more, where it was not tried
     /// without its coordinates; with the largest test of those where the others fitted. Of several the one of which all were rejected, then one of which
     /// most were, then the one with the largest test: a wrong point pulls the block off the measurements of its neighbours.
-    fn unmeasured(&self, adjusted: &AdjustmentResult) -> Option<(usize, f64)> {
+    pub fn unmeasured(&self, adjusted: &AdjustmentResult) -> Option<Unmeasured> {
         let mut counts = vec![[0_usize; 2]; adjusted.block.points.len()];
         let mut largest = vec![0.0_f64; adjusted.block.points.len()];
         for (ray, statistics) in adjusted.block.rays.iter().zip(&adjusted.rays) {
@@ -251,16 +339,15 @@ impl<'a> Course<'a> {
             let is_doubtful = accepted + rejected >= if is_most { 2 } else { LEAST_MARKS } && rejected > 0;
             is_doubtful.then(|| Unmeasured { control, is_lost: accepted == 0, is_most, rejected, largest: largest[point] })
         });
-        let worst = Unmeasured::worst(doubtful)?;
-        Some((worst.control, if worst.is_most { 0.0 } else { worst.largest }))
+        Unmeasured::worst(doubtful)
     }
 }
 
 /// A control point of which image measurements were rejected.
-struct Unmeasured {
-    control: usize,
+pub(super) struct Unmeasured {
+    pub control: usize,
     /// Whether all were.
-    is_lost: bool,
+    pub is_lost: bool,
     /// Whether most were.
     is_most: bool,
     rejected: usize,
@@ -269,6 +356,11 @@ struct Unmeasured {
 }
 
 impl Unmeasured {
+    /// The test of a wrong image measurement that may explain what the coordinates seem to be off by: none where most were rejected.
+    pub fn rival(&self) -> f64 {
+        if self.is_most { 0.0 } else { self.largest }
+    }
+
     /// Of equal ones the first.
     fn worst(all: impl Iterator<Item = Self>) -> Option<Self> {
         all.reduce(|worst, next| if next.is_worse_than(&worst) { next } else { worst })

@@ -27,8 +27,8 @@ impl ControlTest {
     }
 
     /// Beside a limit that is so many times as large, since the tests of all points scatter as much more.
-    pub fn within(self, scale: f64) -> Self {
-        Self { detectable: self.detectable.map(|error| error.map(|error| scale * error)), ..self }
+    pub fn within(&self, scale: f64) -> Self {
+        Self { detectable: self.detectable.map(|error| error.map(|error| scale * error)), ..*self }
     }
 
     pub fn values(&self) -> [f64; 3] {

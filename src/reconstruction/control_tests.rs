@@ -7,17 +7,14 @@
 //!
 //! # Source
 //! Baarda 1968, A testing procedure for use in geodetic networks.
-use super::control_course::{ControlTests, Course, LEAST_LEFT, Next, Refused, Tests};
-use super::control_test::fits;
+use super::control_course::{Contradicting, ControlTests, Course, LEAST_LEFT, MOST_ALONE, Next, Refused, Tests};
+use super::control_test::{ControlTest, fits};
 use super::material::Known;
 use super::placing::Placing;
 use crate::Error;
 use crate::adjustment::{AdjustmentResult, Block, Datum};
 
-/// Up to so many control points each is left out alone where all of them do not place the block.
-const MOST_ALONE: usize = 12;
-
-type Adjusted = (AdjustmentResult, Placing);
+pub(super) type Adjusted = (AdjustmentResult, Placing);
 
 /// Adjusts a block without the control points that contradict the other observations, of those that are to be tested. `adjust` adjusts it with those
 /// that it is given.
@@ -77,15 +74,27 @@ pub(super) fn tested_control(
         let is_refused = course.is_refused.clone();
         match course.next(&adjusted, &tests) {
             Next::Again => kept = Some(Kept { adjusted, placing, tests, is_refused }),
-            Next::Done => return Ok((adjusted, placing, course.done(&tests))),
+            Next::Done if !course.is_enlarged && course.take_back(&tests) => kept = Some(Kept { adjusted, placing, tests, is_refused }),
+            Next::Done => {
+                let tests = if tests.may_grow() && !course.is_enlarged { course.enlarged(tests) } else { tests };
+                return Ok(course.told((adjusted, placing), &tests, &adjust));
+            }
             Next::Contradiction => {
                 let beyond = course.refused() + course.beyond(&tests).count();
                 let of_all = if is_placed_by_all == Some(false) { None } else { adjust(block).ok().filter(is_placed) };
-                let Some((adjusted, placing)) = of_all else { return Ok((adjusted, placing, course.done(&tests))) };
-                let contradicting = Some([beyond, course.tested()]);
+                let Some((adjusted, placing)) = of_all else { return Ok(course.told((adjusted, placing), &tests, &adjust)) };
                 course.is_refused.fill(false);
-                let detectable = course.detectable(&course.tests(&adjusted));
-                return Ok((adjusted, placing, ControlTests { contradicting, detectable, ..ControlTests::default() }));
+                let of_all = course.tests(&adjusted);
+                if !course.is_enlarged && of_all.may_grow() {
+                    course.start_with(None);
+                    course.is_enlarged = true;
+                    continue;
+                }
+                let w = of_all.of.iter().flatten().map(ControlTest::size).fold(0.0, f64::max);
+                let mut told = course.done(&adjusted, &of_all);
+                told.refused.retain(|refused| !refused.is_used);
+                told.contradicting = Some(Contradicting { refused: beyond, of: course.tested(), w });
+                return Ok((adjusted, placing, told));
             }
         }
     }
@@ -100,7 +109,7 @@ struct Kept {
 }
 
 /// Whether control points place a block.
-fn is_placed((adjusted, placing): &Adjusted) -> bool {
+pub(super) fn is_placed((adjusted, placing): &Adjusted) -> bool {
     adjusted.datum.uses_control() && !matches!(placing, Placing::Free { .. })
 }
 
@@ -145,7 +154,7 @@ impl Course<'_> {
             self.keeps_from_placing[control] |= self.is_refused[control] && !failed;
             doubted.extend((failed && !self.is_refused[control]).then_some(self.block.control[control].point));
         }
-        let mut told = self.done(&tests);
+        let mut told = self.done(&adjusted, &tests);
         // What was to be left out by its test may accuse its neighbours.
         let is_doubted = |refused: &Refused| refused.is_used && doubted.contains(&refused.point);
         if told.refused.iter().any(is_doubted) {

@@ -7,7 +7,9 @@
 mod adjusting;
 mod choosing;
 mod control_course;
+mod control_shape;
 mod control_spread;
+mod control_telling;
 mod control_test;
 mod control_tests;
 mod draft;

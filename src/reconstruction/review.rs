@@ -1,6 +1,7 @@
 //! What of a model deserves a warning.
 
 use super::control_course::{ControlTests, Refused};
+use super::control_shape::of_shape;
 use super::control_spread::of_spread;
 use super::frame::Frame;
 use super::level::{LEVEL_DEG, UNCERTAIN_TURN_DEG, uncertainty_deg};
@@ -43,6 +44,7 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     found.extend(of_position_errors(model));
     found.extend(of_units(model, description, frame));
     found.extend(of_control(model, known, tests));
+    found.extend(of_shape(model, description));
     found.extend(of_spread(model));
     found.extend(of_measurements(model, description));
     found.extend(of_cameras(model, description));
@@ -142,10 +144,12 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
             error_m: test.errors[k],
             detectable_m: test.detectable[k],
             used: refused.is_used,
+            certain: refused.is_certain,
             mistake,
         })
     };
-    let contradicting = tests.contradicting.map(|[refused, points]| BlockWarning::ControlContradicts { refused, points });
+    let contradicting =
+        tests.contradicting.map(|of| BlockWarning::ControlContradicts { refused: of.refused, points: of.of, w: Some(of.w) });
     let stopped = tests.stopped.map(|[left_out, points]| BlockWarning::ControlTestsStopped { left_out, points });
     let name = |point: &usize| match model.points[*point] {
         PointSource::GroundControl(control) => Some(known.description.control[control].name.clone()),
@@ -153,7 +157,15 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
     };
     let names: Vec<String> = tests.unadjusted.iter().filter_map(name).collect();
     let unadjusted = (!names.is_empty()).then_some(BlockWarning::ControlUnadjusted { names });
-    tests.refused.iter().filter_map(of_point).chain(contradicting).chain(stopped).chain(unadjusted).collect()
+    tests
+        .refused
+        .iter()
+        .filter(|refused| refused.is_named)
+        .filter_map(of_point)
+        .chain(contradicting)
+        .chain(stopped)
+        .chain(unadjusted)
+        .collect()
 }
 
 /// GCPs whose image measurements do not fit, each by its name.
