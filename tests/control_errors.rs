@@ -187,7 +187,7 @@ fn a_wrong_point_that_keeps_the_block_from_being_placed_is_found_all_the_same() 
 
 #[test]
 fn the_point_that_fits_worst_is_tried_before_its_neighbours() {
-    let mut scene = flown(7, false, 22);
+    let mut scene = flown(7, false, 5);
     let points = control(&scene);
     for (point, axis, error) in [(points[2], 0, 3.0), (points[3], 1, 30.0)] {
         place(&mut scene.description.control[point])[axis] += error;
