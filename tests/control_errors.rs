@@ -341,7 +341,7 @@ fn is_said(model: &ReconstructedModel) -> bool {
 }
 
 #[test]
-fn one_wrong_of_four_control_points_is_never_silent() {
+fn one_wrong_of_four_control_points_is_seldom_silent() {
     let clean = spread(4);
     let model = adjusted(&clean);
     assert!(!is_said(&model), "{:?}", model.warnings);
@@ -365,8 +365,8 @@ fn one_wrong_of_four_control_points_is_never_silent() {
     }
     println!("silent: {silent:?}");
     assert!(largest > 6.0, "{largest}");
-    // The rays of the wrong point hold it, too: the smallest errors show in none of the tests now and then.
-    assert!(silent.len() < 5 && silent.iter().all(|(.., times)| *times < 2.0), "{silent:?}");
+    // Now and then image measurements of other points are rejected in place of a small error.
+    assert!(silent.len() < 3 && silent.iter().all(|(.., times)| *times < 4.0), "{silent:?}");
 }
 
 #[test]
