@@ -542,13 +542,6 @@ block-warning-control-contradicts =
         [none] {""}
        *[other] {" "}حتى w = { FIXED($w, digits: 1) }
     }، ولا شيء يبيّن أيها خاطئ: تبقى مستعملة. تحقق من إحداثياتها وأخطائها المعيارية ومن نظامها ووحداتها ومن مواضع GNSS.
-block-warning-control-unplaced =
-    رُفضت نقطة الضبط الأرضي { $point } ولا تشارك: معها لا تضع نقاط الضبط الأرضي الكتلة، مع أن إحداثياتها توافق الأرصاد الأخرى. تحقق من { $measurements ->
-        [one] قياسها الصوري
-        [two] قياسيها الصوريين
-       *[other] قياساتها الصورية، وعددها { $measurements }
-    }.
-block-warning-control-contradicts = يناقض { $refused } من { $points } من نقاط الضبط الأرضي الأرصادَ الأخرى، وهي أكثر من أن يُعرف أيها خاطئ: تبقى كلها مستعملة. تحقق من نظامها ووحداتها ومن مواضع GNSS.
 block-warning-control-tests-stopped =
     توقفت اختبارات نقاط الضبط الأرضي: كان عليها أن تستبعد { $left_out } من { $points }، ودون { $left_out ->
         [one] هذه النقطة

@@ -946,7 +946,7 @@ block-warning-control-unadjusted =
         } They take
     } no part, and the block is adjusted without being georeferenced. Check coordinates and image measurements.
 block-warning-control-shape =
-    The { $names_count } GCPs { $names }{ $names_more ->
+    The GCPs { $names }{ $names_more ->
         [0] {""}
        *[other] {" "}and { $names_more } more
     } do not fit together, so that they do not place the block: by their coordinates the block is { SIGNIFICANT($ratio, digits: 3) } times as large between { $longest } as between { $shortest }. { $point ->
