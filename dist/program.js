@@ -5283,8 +5283,12 @@ function facts(list) {
 }
 // www/shared/panel/scrolled.ts
 function byKeys(text) {
-	if (text.scrollHeight > text.clientHeight) text.setAttribute("tabindex", "0");
+	if (text.scrollHeight > text.clientHeight || text.scrollWidth > text.clientWidth) text.setAttribute("tabindex", "0");
 	else text.removeAttribute("tabindex");
+}
+function scrolledByKeys(table) {
+	new ResizeObserver(() => byKeys(table)).observe(table);
+	return table;
 }
 // www/shared/panel/answer.ts
 function answerCard(host, line, buttons, prefix) {
@@ -7899,8 +7903,9 @@ var Files = class {
 		const told = [];
 		const camera = cameras[0];
 		if (camera !== void 0) told.push(await this.takeCamera(camera));
-		if (images.length > 0) told.push(...await this.takeImages(images, side));
+		const ofImages = images.length > 0 ? await this.takeImages(images, side) : [];
 		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
+		told.push(...ofImages);
 		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
 		this.tell(told, before);
 	}
@@ -9982,7 +9987,7 @@ function mountFiducials(host, store, loadFile, marking, measure) {
 	}, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile, marking, measure), photo("right", store, loadFile, marking, measure)));
 }
 function photo(side, store, loadFile, marking, measure) {
-	const table = h("div", { class: "scroll" });
+	const table = scrolledByKeys(h("div", { class: "scroll" }));
 	const result = h("p", {
 		class: "note",
 		testid: `interior-${side}`
@@ -10539,14 +10544,14 @@ function valueTable(state, result) {
 		...truth === null ? [] : [[say("true-error"), say("value-minus-truth-by-and")], [say("in-std-errors"), say("the-true-error-divided-by")]]
 	];
 	const note = paper !== void 0 ? h("p", { class: "note" }, paperNote(state, paper)) : null;
-	return h("div", {}, h("div", { class: "scroll" }, h("table", {
+	return h("div", {}, scrolledByKeys(h("div", { class: "scroll" }, h("table", {
 		class: "tight",
 		aria: { label: say("relative-orientation") }
 	}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("unknown")), ...heads.map(([text, title, kind = ""]) => h("th", {
 		scope: "col",
 		title,
 		class: kind
-	}, text)))), h("tbody", {}, ...rows))), note);
+	}, text)))), h("tbody", {}, ...rows)))), note);
 }
 function paperNote({ catalogue }, { pixel_mm: pixel }) {
 	const flight = catalogue?.flights.find(({ name }) => name === "paper")?.flight;
@@ -11183,8 +11188,7 @@ function mountPanes(view, store, actions) {
 			const { style } = labels[side].element;
 			const { left, top, width, height } = panes[side];
 			Object.assign(style, {
-				left: `${String(left)}px`,
-				top: `${String(top)}px`,
+				transform: `translate(${String(left)}px, ${String(top)}px)`,
 				width: `${String(width)}px`,
 				height: `${String(height)}px`
 			});

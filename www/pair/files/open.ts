@@ -103,8 +103,9 @@ export class Files {
     const camera = cameras[0];
     if (camera !== undefined) told.push(await this.takeCamera(camera));
     // Marks of the image before it go with that.
-    if (images.length > 0) told.push(...(await this.takeImages(images, side)));
+    const ofImages = images.length > 0 ? await this.takeImages(images, side) : [];
     for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
+    told.push(...ofImages);
     for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
     this.tell(told, before);
   }
