@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
 import { block, photoFolder, photos, status } from './blocks.js';
-import { done, hosted, number, open, part, partsNamed, pngs, SKIP, transferOf, until, upload } from './page.js';
+import { done, hosted, number, open, part, partsNamed, pngs, SKIP, says, transferOf, until, upload } from './page.js';
 
 hosted('/kept-block/');
 
@@ -146,7 +146,7 @@ test('a pair beside a block goes to a project of its own where another takes its
   await part(page, 'project').nth(1).waitFor();
   assert.equal(await part(page, 'project').count(), 2);
   await page.getByRole('button', { name: 'left.png and right.png', exact: true }).click();
-  assert.match(await done(page), /Restored from this browser: left\.png and right\.png\.$/);
+  await says(page, 'status', /Restored from this browser: left\.png and right\.png\.$/);
   // The block is in the other project, whole, and takes no pair of another one along.
   await part(page, 'projects').click();
   await page.getByRole('button', { name: 'photo_00000.png and 5 more images', exact: true }).click();

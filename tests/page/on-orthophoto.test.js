@@ -64,8 +64,12 @@ test('photographs, an orthophoto and its heights that are dropped together becom
   const known = scene.truth().images.map(({ pose }) => pose?.position ?? []);
   scene.free();
   const found = await centres(page);
-  const errors = known.flatMap((place, image) => place.map((value, axis) => Math.abs(value - (found[image]?.[axis] ?? NaN))));
-  assert.ok(Math.max(...errors) < 3, `projection centres are off by ${errors.map((error) => error.toFixed(2)).join(' ')} m`);
+  const errors = [0, 1, 2].map((axis) => known.map((place, image) => Math.abs((place[axis] ?? NaN) - (found[image]?.[axis] ?? NaN))));
+  // Their standard errors are 0.8 m in X and Y and 5 m in Z, which the free focal length takes along.
+  assert.ok(
+    errors.every((of, axis) => Math.max(...of) < (axis < 2 ? 3 : 15)),
+    `projection centres are off by ${JSON.stringify(errors)} m`,
+  );
 
   // Its places are control and check points: one is rejected as any other.
   const rows = await rowsOf(page, 'surveyed');

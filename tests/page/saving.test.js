@@ -38,7 +38,7 @@ test('a format that a block cannot be written in is refused beside the button, a
   // What can be saved takes it away.
   await part(page, 'block-export-kind').selectOption('project');
   await saved(page, 'block-export');
-  assert.match(await status(page, /block\.tiepoint was saved\.$/), /^(Oriented|Weak orientation): /);
+  assert.match(await status(page, /block-project\.tiepoint was saved\.$/), /^(Oriented|Weak orientation): /);
   assert.ok(await part(page, 'block-near').isHidden());
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
