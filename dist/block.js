@@ -12411,9 +12411,12 @@ function isOfGround(state) {
 	const purpose = purposeOf(state);
 	return placing.orthophoto === null || purpose === "images" || purpose === "block" && (shown === null || shown.view.partial);
 }
+function isFinished(state) {
+	return state.shown !== null && !state.shown.view.partial && !isOutdated(state);
+}
 function besideVerdict(state, actions, text) {
 	const { shown } = state;
-	if (shown === null || shown.view.partial || isOutdated(state)) return {
+	if (shown === null || !isFinished(state)) return {
 		kind: "idle",
 		verdict: null,
 		text
@@ -12484,6 +12487,16 @@ function answerOf(state, actions) {
 			...besideVerdict(state, actions, notice.text),
 			next: placeBlock(actions)
 		};
+		if (notice.kind !== "busy" && shown !== null && isFinished(state) && !isOfGround(state)) {
+			const answer = answered(state, shown, actions);
+			return isInfo ? {
+				...answer,
+				more: `${answer.more ?? ""} ${notice.text}`.trimStart()
+			} : {
+				...answer,
+				problem: notice.text
+			};
+		}
 		if (!isInfo || state.placing.orthophoto === null || !isOfGround(state)) return said;
 		const { next = null, others = [] } = placed(state, actions);
 		return {

@@ -5310,16 +5310,20 @@ function answerCard(host, line, buttons, prefix) {
 	new ResizeObserver(() => {
 		if (host.dataset.kind !== "busy") ({height} = host.getBoundingClientRect());
 	}).observe(host);
-	return ({ kind, verdict, text, more = "", figures: found = [], next = null, others: instead = [] }) => {
+	return ({ kind, verdict, text, more = "", problem = "", figures: found = [], next = null, others: instead = [] }) => {
 		host.dataset.kind = kind;
 		host.style.minHeight = kind === "busy" && height > 0 ? `${String(height)}px` : "";
 		host.dataset.verdict = verdict ?? "";
 		line.dataset.kind = kind;
-		if (line.textContent !== (more === "" ? text : `${text} ${more}`)) {
-			const rest = more === "" ? null : h("span", {}, more);
-			fill(line, h("strong", {}, text), rest === null ? null : " ", rest);
+		if (line.textContent !== [
+			text,
+			more,
+			problem
+		].filter((part) => part !== "").join(" ")) {
+			const rest = [h("span", {}, more), h("span", { class: "wrong" }, problem)].filter((part) => part.textContent !== "");
+			fill(line, h("strong", {}, text), ...rest.flatMap((part) => [" ", part]));
 			scrolled.disconnect();
-			if (rest !== null) scrolled.observe(rest);
+			for (const part of rest) scrolled.observe(part);
 		}
 		fill(figures, ...found.map(({ value, label }) => h("div", {}, h("dt", {}, label), h("dd", {}, value))));
 		figures.hidden = found.length === 0;
@@ -10850,14 +10854,26 @@ function isBusy(state) {
 	return Object.keys(state.running).length > 0 || state.notice?.kind === "busy";
 }
 function answerOf(state, actions) {
+	const notice = ofLine(state.notice);
+	if (notice?.kind !== "problem") return answerWith(state, notice, actions);
+	const answer = answerWith(state, null, actions);
+	return answer.kind === "idle" ? {
+		...answer,
+		kind: "problem",
+		text: notice.text,
+		more: ""
+	} : {
+		...answer,
+		problem: notice.text
+	};
+}
+function answerWith(state, notice, actions) {
 	const line = (kind, text) => ({
 		kind,
 		text,
 		verdict: null
 	});
 	const failure = currentFailure(state);
-	const notice = ofLine(state.notice);
-	if (notice?.kind === "problem") return line("problem", notice.text);
 	const { running, wanted, done } = progress(state);
 	if (running.length > 0) return line("busy", say("step", {
 		step: Math.min(done + 1, wanted),

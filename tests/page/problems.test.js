@@ -286,6 +286,16 @@ test('each bad file of several is told, and what was open only where something w
   await close();
 });
 
+test('a stray file among two photos takes neither their verdict nor their pictures away', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await page.waitForFunction(() => document.querySelector('[data-testid="sample"]:enabled') !== null);
+  await part(page, 'file-input').setInputFiles([...pngs(), { name: 'notes.txt', mimeType: 'text/plain', buffer: Buffer.from('hello') }]);
+  await says(page, 'status', /^(Oriented|Weak|Not oriented).* notes\.txt holds no fiducial marks: /);
+  assert.match((await part(page, 'answer').getAttribute('data-verdict')) ?? '', /oriented|weak/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('the status line says that a value is not allowed, until it is', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);

@@ -86,10 +86,15 @@ function isOfGround(state: BlockState): boolean {
   return placing.orthophoto === null || purpose === 'images' || (purpose === 'block' && (shown === null || shown.view.partial));
 }
 
+/** Whether a whole block is shown, of what is given now. */
+function isFinished(state: BlockState): boolean {
+  return state.shown !== null && !state.shown.view.partial && !isOutdated(state);
+}
+
 /** The verdict of a finished block with what is said of its orthophoto: that is no other verdict. */
 function besideVerdict(state: BlockState, actions: BlockAnswerActions, text: string): Answer {
   const { shown } = state;
-  if (shown === null || shown.view.partial || isOutdated(state)) return { kind: 'idle', verdict: null, text };
+  if (shown === null || !isFinished(state)) return { kind: 'idle', verdict: null, text };
   return { ...answered(state, shown, actions), more: text };
 }
 
@@ -136,6 +141,10 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
     if (notice.kind !== 'busy' && asksPurpose(state)) return offering(state, actions, isInfo ? besideVerdict(state, actions, notice.text) : said);
     // What was taken in is said; what is next stays.
     if (isInfo && lacksPlaceAlone(state)) return { ...besideVerdict(state, actions, notice.text), next: placeBlock(actions) };
+    if (notice.kind !== 'busy' && shown !== null && isFinished(state) && !isOfGround(state)) {
+      const answer = answered(state, shown, actions);
+      return isInfo ? { ...answer, more: `${answer.more ?? ''} ${notice.text}`.trimStart() } : { ...answer, problem: notice.text };
+    }
     if (!isInfo || state.placing.orthophoto === null || !isOfGround(state)) return said;
     const { next = null, others = [] } = placed(state, actions);
     return { ...said, next, others };

@@ -9,6 +9,7 @@ import { summary } from './counts';
 import { answerCard } from '../../shared/panel/answer';
 import type { Answer } from '../../shared/panel/answer';
 import { ofLine } from '../../shared/state/notice';
+import type { Notice } from '../../shared/state/notice';
 import { byId } from '../../shared/panel/dom';
 import { refusedText, say } from '../../shared/text/words';
 
@@ -55,10 +56,16 @@ export function isBusy(state: State): boolean {
 }
 
 function answerOf(state: State, actions: AnswerActions): Answer {
+  const notice = ofLine(state.notice);
+  if (notice?.kind !== 'problem') return answerWith(state, notice, actions);
+  const answer = answerWith(state, null, actions);
+  // What is open, and what is being computed, is not worth less for it.
+  return answer.kind === 'idle' ? { ...answer, kind: 'problem', text: notice.text, more: '' } : { ...answer, problem: notice.text };
+}
+
+function answerWith(state: State, notice: Notice | null, actions: AnswerActions): Answer {
   const line = (kind: Answer['kind'], text: string): Answer => ({ kind, text, verdict: null });
   const failure = currentFailure(state);
-  const notice = ofLine(state.notice);
-  if (notice?.kind === 'problem') return line('problem', notice.text);
   const { running, wanted, done } = progress(state);
   if (running.length > 0)
     return line('busy', say('step', { step: Math.min(done + 1, wanted), steps: wanted, stages: running.map((stage) => STAGES[stage].label).join('; ') }));

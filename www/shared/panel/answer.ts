@@ -21,6 +21,8 @@ export interface Answer {
   text: string;
   /** What is said after it, smaller. */
   more?: string;
+  /** What went wrong since: the answer stays. */
+  problem?: string;
   figures?: readonly Figure[];
   next?: Next | null;
   /** What can be done in its place. */
@@ -45,18 +47,18 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
   new ResizeObserver(() => {
     if (host.dataset.kind !== 'busy') ({ height } = host.getBoundingClientRect());
   }).observe(host);
-  return ({ kind, verdict, text, more = '', figures: found = [], next = null, others: instead = [] }) => {
+  return ({ kind, verdict, text, more = '', problem = '', figures: found = [], next = null, others: instead = [] }) => {
     host.dataset.kind = kind;
     // While something runs it says less: what is beside it stays where it is.
     host.style.minHeight = kind === 'busy' && height > 0 ? `${String(height)}px` : '';
     host.dataset.verdict = verdict ?? '';
     line.dataset.kind = kind;
     // What is said already would be read out again.
-    if (line.textContent !== (more === '' ? text : `${text} ${more}`)) {
-      const rest = more === '' ? null : h('span', {}, more);
-      fill(line, h('strong', {}, text), rest === null ? null : ' ', rest);
+    if (line.textContent !== [text, more, problem].filter((part) => part !== '').join(' ')) {
+      const rest = [h('span', {}, more), h('span', { class: 'wrong' }, problem)].filter((part) => part.textContent !== '');
+      fill(line, h('strong', {}, text), ...rest.flatMap((part) => [' ', part]));
       scrolled.disconnect();
-      if (rest !== null) scrolled.observe(rest);
+      for (const part of rest) scrolled.observe(part);
     }
     fill(figures, ...found.map(({ value, label }) => h('div', {}, h('dt', {}, label), h('dd', {}, value))));
     figures.hidden = found.length === 0;
