@@ -126,7 +126,7 @@ test('photographs, an orthophoto and its heights that are dropped together becom
   assert.equal(await surveyed(page), control + check);
   assert.deepEqual(await centres(page), found);
   await part(page, 'block-files-input').setInputFiles([upload('town-project.tiepoint', project)]);
-  await status(page, /^town-project\.tiepoint was opened/);
+  await status(page, /town-project\.tiepoint was opened/);
   await rowsOf(page, 'surveyed');
   assert.equal(await surveyed(page), control + check);
   assert.match((await part(page, 'block-on-orthophoto').textContent()) ?? '', /lies in the system of the orthophoto/);
