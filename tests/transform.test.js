@@ -8,7 +8,7 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['shared/view/transform', 'shared/view/panes']));
+  Object.assign(page, await pageModules(['shared/view/transform', 'shared/view/panes', 'pair/view/geometry']));
 });
 
 test('a canvas of another size shows the same in its middle, and all that was seen', () => {
@@ -43,4 +43,17 @@ test('a pane that was moved shows all that was seen in another size, and is as i
   assert.deepEqual(inPane(view, pane(800, 450)), { x: 300, y: 200, scale: 3 });
   assert.deepEqual(inPane(view, pane(0, 0)), view);
   assert.deepEqual(inPane(view, pane(400, 300)), view);
+});
+
+test('a pair lies side by side or one above the other, whichever shows its images clearly larger', () => {
+  const { isBeside, panesOf } = page.geometry;
+  // On a phone high photographs stand side by side, wide ones one above the other.
+  assert.equal(isBeside(360, 430, 450 / 700), true);
+  assert.equal(isBeside(360, 430, 4 / 3), false);
+  assert.equal(isBeside(1366, 540, 4 / 3), true);
+  assert.equal(isBeside(1366, 540, null), true);
+  assert.equal(isBeside(360, 430, null), false);
+  const opened = { value: { info: { width: 450, height: 700 } } };
+  const { left, right } = panesOf({ results: { openLeft: opened, openRight: opened } }, 360, 430);
+  assert.deepEqual([left.height, right.height, right.left + right.width], [430, 430, 360]);
 });

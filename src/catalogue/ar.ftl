@@ -304,7 +304,7 @@ no-orientation-refused = { $error }
 
 ## What the result of a pair is worth.
 
-pair-verdict-oriented = وُجّه الزوج من { $points } من النقاط، σ0 { FIXED($sigma0_px, digits: 2) } بكسل؛ الصورة اليمنى مدارة في مستواها (κ) بمقدار { FIXED($kappa_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (‏95 %).
+pair-verdict-oriented = وُجّه الزوج من { $points } من النقاط، σ0 { FIXED($sigma0_px, digits: 2) } بكسل؛ الصورة اليمنى مدارة في مستواها (κ) بمقدار { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (‏95 %).
     .label = موجَّه
 pair-verdict-weak = توجيه ضعيف من { $points } من النقاط. { $warning }
     .label = ضعيف
@@ -456,7 +456,7 @@ block-verdict-not-oriented =
 ## Warnings about a block at a glance.
 
 overview-warning-model = { $block_warning }
-overview-warning-few-oriented = وُجّهت { $oriented } من { $images } من الصور.
+overview-warning-few-oriented = تعذّر توجيه أكثر من خُمس الصور.
 overview-warning-apart = وُجّهت { $images } من الصور بمعزل عن غيرها، في نموذج مستقل.
 overview-warning-not-on-orthophoto = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
 overview-warning-none-oriented = لم يمكن توجيه أي صورة.

@@ -704,7 +704,7 @@ no-orientation-refused = { $error }
 
 ## What the result of a pair is worth.
 
-pair-verdict-oriented = Oriented from { $points } points, σ0 { FIXED($sigma0_px, digits: 2) } px; the right photo is turned in its plane (κ) by { FIXED($kappa_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (95 %).
+pair-verdict-oriented = Oriented from { $points } points, σ0 { FIXED($sigma0_px, digits: 2) } px; the right photo is turned in its plane (κ) by { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (95 %).
     .label = oriented
 pair-verdict-weak = Weak orientation from { $points } points. { $warning }
     .label = weak
@@ -847,7 +847,7 @@ block-verdict-not-oriented =
 ## Warnings about a block at a glance.
 
 overview-warning-model = { $block_warning }
-overview-warning-few-oriented = { $oriented } of { $images } images are oriented.
+overview-warning-few-oriented = More than a fifth of the images could not be oriented.
 overview-warning-apart = { $images } images are oriented apart from the others, in a model of their own.
 overview-warning-not-on-orthophoto = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 overview-warning-none-oriented = No image could be oriented.

@@ -63,6 +63,19 @@ pub(crate) fn count(value: usize) -> String {
     head.into_iter().chain(groups).collect::<Vec<_>>().join("\u{202f}")
 }
 
+/// A sentence as reports write its numbers: in groups of three, with their minus, and σ₀ with its index.
+pub(crate) fn typeset(text: &str) -> String {
+    let word = |word: &str| {
+        let core = word.trim_end_matches(['.', ',', ';', ':', ')']);
+        match core.parse::<usize>() {
+            Ok(number) if core.len() > 3 => format!("{}{}", count(number), &word[core.len()..]),
+            _ if word.starts_with('-') && word[1..].starts_with(|c: char| c.is_ascii_digit()) => word.replacen('-', "−", 1),
+            _ => word.replace("σ0", "σ₀"),
+        }
+    };
+    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
 pub(crate) fn percent(part: usize, whole: usize) -> String {
     if whole == 0 { "–".into() } else { format!("{} %", fixed(100.0 * part as f64 / whole as f64, 1)) }
 }
@@ -70,6 +83,14 @@ pub(crate) fn percent(part: usize, whole: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_sentence_has_its_numbers_as_the_figures_beside_it() {
+        assert_eq!(
+            typeset("Oriented from 5131 points, σ0 0.09 px; by -0.147° ± 0.018° (95 %), of 12345, not IMG-2024."),
+            "Oriented from 5\u{202f}131 points, σ₀ 0.09 px; by −0.147° ± 0.018° (95 %), of 12\u{202f}345, not IMG-2024."
+        );
+    }
 
     #[test]
     fn numbers_are_written_with_their_minus_and_in_groups() {

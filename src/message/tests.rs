@@ -171,6 +171,25 @@ fn figures_are_written_in_one_way() {
 }
 
 #[test]
+fn a_value_has_the_decimals_of_its_error() {
+    let texts = Texts::new("en", "value = { LIKE($value, $error, digits: 2) } ± { SIGNIFICANT($error, digits: 2) }");
+    let written = |value: f64, error: f64| texts.text_of("value", &json!({ "value": value, "error": error }), None);
+    assert_eq!(written(0.1466, 0.0178), "0.147 ± 0.018");
+    assert_eq!(written(-0.1466, 2.34), "-0.1 ± 2.3");
+    assert_eq!(written(12.6, 345.0), "13 ± 350");
+    assert_eq!(written(1.0, f64::NAN), "– ± –");
+    let verdict = PairVerdict::Oriented { points: 40, sigma0_px: 0.1, kappa_deg: 0.1466, half_width_deg: 0.0178 };
+    assert!(verdict.to_string().contains(" by 0.147° ± 0.018° (95 %)"), "{verdict}");
+}
+
+#[test]
+fn a_weak_block_says_its_share_of_images_once() {
+    let few = OverviewWarning::FewOriented { oriented: 3, images: 4 };
+    let verdict = BlockVerdict::Weak { oriented: 3, images: 4, points: 80, overview_warning: few }.to_string();
+    assert_eq!(verdict.matches("3 of 4").count(), 1, "{verdict}");
+}
+
+#[test]
 fn messages_within_messages_have_their_texts() {
     let cause = Cause::PointsOnLine { side: Side::Left, width: 0.000_02, least: 1e-4 };
     let error = Error::Degenerate { computation: Computation::RelativeOrientation, cause };

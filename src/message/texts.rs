@@ -98,6 +98,7 @@ impl Texts {
         for (name, format) in FORMATS {
             bundle.add_function(name, move |given, named| formatted(given, named, format)).expect("each name once");
         }
+        bundle.add_function("LIKE", like).expect("each name once");
         Self { bundle }
     }
 
@@ -175,7 +176,7 @@ impl Texts {
 /// How a number is written, by its digits.
 type Format = fn(f64, usize) -> String;
 
-/// The functions of catalogues: hexadecimal digits; digits after the point, significant digits, and powers of ten; a share in per cent.
+/// The functions of catalogues beside [`like`]: hexadecimal digits; digits after the point, significant digits, and powers of ten; a share in per cent.
 const FORMATS: [(&str, Format); 5] = [
     ("HEX", |value, digits| format!("{:0digits$x}", value as u64)),
     ("FIXED", |value, digits| format!("{value:.digits$}")),
@@ -191,11 +192,27 @@ fn significant(value: f64, digits: usize) -> String {
     format!("{rounded:.*}", usize::try_from(digits as i64 - 1 - exponent).unwrap_or(0))
 }
 
-fn formatted<'a>(given: &[FluentValue<'a>], named: &FluentArgs, format: Format) -> FluentValue<'a> {
-    let digits = match named.get("digits") {
+/// A value with as many decimals as its error has, which is written with so many significant digits.
+fn like<'a>(given: &[FluentValue<'a>], named: &FluentArgs) -> FluentValue<'a> {
+    match given {
+        [FluentValue::Number(value), FluentValue::Number(error)] if value.value.is_finite() && error.value.is_finite() => {
+            let error = significant(error.value, digits_of(named));
+            let decimals = error.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+            format!("{:.decimals$}", value.value).into()
+        }
+        _ => "–".into(),
+    }
+}
+
+fn digits_of(named: &FluentArgs) -> usize {
+    match named.get("digits") {
         Some(FluentValue::Number(digits)) => digits.value as usize,
         _ => 0,
-    };
+    }
+}
+
+fn formatted<'a>(given: &[FluentValue<'a>], named: &FluentArgs, format: Format) -> FluentValue<'a> {
+    let digits = digits_of(named);
     match given.first() {
         Some(FluentValue::Number(number)) if number.value.is_finite() => format(number.value, digits).into(),
         // Where there is no number, as where JSON has null for one that is not finite.

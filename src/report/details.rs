@@ -3,7 +3,7 @@
 use super::steps::Report;
 use super::unknowns::UNKNOWNS;
 use super::{figures, picture};
-use crate::html::{correlations, count, fixed, histogram, strokes};
+use crate::html::{correlations, count, fixed, histogram, strokes, typeset};
 use crate::{Error, FiducialModel, PhotoInput, PointStatistics, RelativeOrientation, orient_fiducials};
 use maud::{Markup, html};
 
@@ -153,7 +153,7 @@ pub fn precision(report: &Report, orientation: &RelativeOrientation) -> Markup {
                 dt { "Global test" }
                 dd { (fixed(test.statistic, 1)) ", expected between " (fixed(test.lower, 1)) " and " (fixed(test.upper, 1)) ": " (if test.passed { "passed" } else { "failed" }) }
             }
-            @for warning in &orientation.warnings { dt { "Warning" } dd { (warning) } }
+            @for warning in &orientation.warnings { dt { "Warning" } dd { (typeset(&warning.to_string())) } }
         }
         p.note { "σ₀ is computed from y-parallaxes: a wrong match along its epipolar line leaves it unchanged." }
         div.pair {

@@ -4,7 +4,7 @@ use super::input::ReportImage;
 use super::picture::{self, Layer};
 use super::steps::Report;
 use super::{details, tables};
-use crate::html::{count, dots, fixed, page, percent, settings_table};
+use crate::html::{count, dots, fixed, page, percent, settings_table, typeset};
 use crate::{Error, GreyImage, PairSettings};
 use maud::{Markup, html};
 
@@ -65,7 +65,7 @@ impl Report {
                     }
                 }
                 li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
-                li { strong { (run.result.verdict()) } }
+                li { strong { (typeset(&run.result.verdict().to_string())) } }
                 @if let Ok(o) = &run.result.orientation {
                     li { (count(run.used())) " matches took part, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }
                 }

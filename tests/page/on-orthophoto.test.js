@@ -140,7 +140,8 @@ test('a finished block is placed when the user says so; an orthophoto of elsewhe
   await says(page, 'block-chosen', /^photo_/);
 
   await part(page, 'block-files-input').setInputFiles(groundFiles({ ...FLIGHT, seed: 9 }));
-  await status(page, /^Orthophoto orthophoto\.tif: .*The block can be placed on it/);
+  await status(page, /^Oriented: .* Orthophoto orthophoto\.tif: .*The block can be placed on it/);
+  assert.equal(await part(page, 'block-answer').getAttribute('data-verdict'), 'oriented');
   assert.deepEqual(await page.locator('[data-testid^="block-other-"]').allTextContents(), ['Place each image by itself', 'Not now']);
   // Where the block is not seen, no key edits it.
   await part(page, 'ortho-plan').focus();

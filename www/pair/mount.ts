@@ -201,7 +201,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
     engine,
     kept,
     begin: () => files.begin(),
-    taker: takerOf(view, files),
+    taker: takerOf(store, view, files),
     open: (file) => files.takeProject(file),
   };
 }

@@ -85,6 +85,19 @@ function isOfGround(state: BlockState): boolean {
   return placing.orthophoto === null || purpose === 'images' || (purpose === 'block' && (shown === null || shown.view.partial));
 }
 
+/** The verdict of a finished block with what is said of its orthophoto: that is no other verdict. */
+function besideVerdict(state: BlockState, actions: BlockAnswerActions, text: string): Answer {
+  const { shown } = state;
+  if (shown === null || shown.view.partial || isOutdated(state)) return { kind: 'idle', verdict: null, text };
+  return { ...answered(state, shown, actions), more: text };
+}
+
+/** An answer with what can be done with the orthophoto. */
+function offering(state: BlockState, actions: BlockAnswerActions, answer: Answer): Answer {
+  const { more, ...offer } = offered(state, actions);
+  return { ...answer, ...offer, more: [answer.more ?? '', more ?? ''].join(' ').trim() };
+}
+
 /** What can be done with an orthophoto under a finished block: one choice. */
 function offered(state: BlockState, { decide }: BlockAnswerActions): Pick<Answer, 'more' | 'next' | 'others'> {
   return {
@@ -118,15 +131,17 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   }
   if (notice !== null) {
     const said = line(notice.kind === 'info' ? 'idle' : notice.kind, notice.text);
-    if (notice.kind !== 'busy' && asksPurpose(state)) return { ...said, ...offered(state, actions) };
+    const isInfo = notice.kind === 'info';
+    if (notice.kind !== 'busy' && asksPurpose(state)) return offering(state, actions, isInfo ? besideVerdict(state, actions, notice.text) : said);
     // What was taken in is said; what is next stays.
-    if (notice.kind === 'info' && lacksPlaceAlone(state)) return { ...said, next: placeBlock(actions) };
-    if (notice.kind !== 'info' || state.placing.orthophoto === null || !isOfGround(state)) return said;
+    if (isInfo && lacksPlaceAlone(state)) return { ...besideVerdict(state, actions, notice.text), next: placeBlock(actions) };
+    if (!isInfo || state.placing.orthophoto === null || !isOfGround(state)) return said;
     const { next = null, others = [] } = placed(state, actions);
     return { ...said, next, others };
   }
   if (state.refused !== null) return line('problem', refusedText(state.refused));
-  if (asksPurpose(state) && state.placing.orthophoto !== null) return { ...line('idle', orthophotoText(state.placing.orthophoto)), ...offered(state, actions) };
+  if (asksPurpose(state) && state.placing.orthophoto !== null)
+    return offering(state, actions, besideVerdict(state, actions, orthophotoText(state.placing.orthophoto)));
   if (isOfGround(state)) return placed(state, actions);
   if (running.kind === 'ended') {
     const former = shown !== null && !shown.view.partial ? say('the-screen-shows-the-former') : '';
@@ -137,7 +152,7 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
     );
   }
   if (shown !== null && !shown.view.partial && !isOutdated(state)) {
-    if (isOffGround(state)) return { ...line('idle', say('the-block-is-not-on')), more: heightsText(state), next: placeBlock(actions) };
+    if (isOffGround(state)) return { ...besideVerdict(state, actions, `${say('the-block-is-not-on')} ${heightsText(state)}`), next: placeBlock(actions) };
     const answer = answered(state, shown, actions);
     return waitsForMarks(state) ? { ...answer, more: `${answer.more ?? ''} ${controlText(state)}`.trimStart() } : answer;
   }

@@ -276,10 +276,10 @@ export class Files {
 }
 
 /** Takes what is dropped on the page while no other part does; a single image goes to the pane that it is dropped on. */
-export function takerOf(view: View, files: Files): Taker {
+export function takerOf(store: Store, view: View, files: Files): Taker {
   const sideAt = (event: DragEvent) => {
     const box = view.host.getBoundingClientRect();
-    const panes = panesOf(box.width, box.height);
+    const panes = panesOf(store.state, box.width, box.height);
     return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
   };
   return {

@@ -2,7 +2,7 @@
 import { pair_hint } from '../../shared/crate';
 import type { OrientedPair, Warning } from '../../shared/crate';
 import type { Answer, Figure, Next } from '../../shared/panel/answer';
-import { count, fixed } from '../../shared/text/format';
+import { count, decimalsOfError, fixed } from '../../shared/text/format';
 import { offeredCalibration } from '../state/calibration';
 import { interiorInUse } from '../state/interior';
 import { isCurrent } from '../state/keys';
@@ -71,18 +71,14 @@ function figuresOf(state: State, result: OrientedPair): Figure[] {
   const { used } = countsOf(result);
   const interior = interiorInUse(state)?.left;
   const half = result.half_widths_95?.kappa_deg;
+  const digits = decimalsOfError(half, 2);
   return [
     { value: count(used), label: say('points-on-both-photos') },
     ...(interior === undefined || result.sigma0_mm == null
       ? []
       : [{ value: say('px-2', { value: result.sigma0_mm / pixelMm(interior) }), label: say('precision') }]),
-    ...(half == null ? [] : [{ value: `${fixed(result.kappa_deg, decimalsOf(half))}° ± ${fixed(half, decimalsOf(half))}°`, label: say('right-photo-turned') }]),
+    ...(half == null ? [] : [{ value: `${fixed(result.kappa_deg, digits)}° ± ${fixed(half, digits)}°`, label: say('right-photo-turned') }]),
   ];
-}
-
-/** Decimals that show two digits of a half-width: those of the value that it belongs to. */
-function decimalsOf(half: number): number {
-  return half > 0 ? Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(half)))) : 2;
 }
 
 function figuresWithout(state: State): Figure[] {

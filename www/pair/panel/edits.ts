@@ -3,7 +3,7 @@ import { button, byId, fill, h, row } from '../../shared/panel/dom';
 import { declare } from '../../shared/view/commands';
 import type { Command } from '../../shared/view/commands';
 import { listenKeys } from '../../shared/view/gestures';
-import { count, fixed } from '../../shared/text/format';
+import { count, decimalsOfError, fixed } from '../../shared/text/format';
 import type { OrientedPair } from '../../shared/crate';
 import { chosenLefts, editOfChoice } from '../state/choice';
 import { moving } from '../state/draft';
@@ -87,7 +87,10 @@ function comparison(state: State): HTMLElement[] {
   const pixel = interior === undefined ? NaN : pixelMm(interior);
   const used = (of: OrientedPair) => count(countsOf(of).used);
   const sigma = ({ sigma0_mm }: OrientedPair) => fixed(sigma0_mm === null ? null : sigma0_mm / pixel, 3);
-  const error = (field: (typeof ANGLES)[number]) => (of: OrientedPair) => fixed((of.total_standard_errors ?? of.standard_errors)?.[field], 4);
+  const error = (field: (typeof ANGLES)[number]) => (of: OrientedPair) => {
+    const own = (of.total_standard_errors ?? of.standard_errors)?.[field];
+    return fixed(own, decimalsOfError(own, 4));
+  };
   const line = (name: string, testid: string, text: (of: OrientedPair) => string) =>
     row(
       name,

@@ -11,7 +11,7 @@ import type { Store } from '../state/store';
 import { fill, h, row, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
-import { count, fixed, significant } from '../../shared/text/format';
+import { count, decimalsOfError, fixed, significant } from '../../shared/text/format';
 import { correlationPicture, ellipsePicture } from './matrix';
 import { UNKNOWNS } from './unknowns';
 import { whenInSight } from '../../shared/panel/sight';
@@ -106,7 +106,8 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   const { standard_errors: errors, total_standard_errors: total, half_widths_95: half } = result;
   const number = (testid: string, value: number | null | undefined, digits: number, kind = '') =>
     h('td', { testid, class: `number ${kind}` }, fixed(value, digits));
-  const rows = UNKNOWNS.map(({ field, symbol, unit, digits }) => {
+  const rows = UNKNOWNS.map(({ field, symbol, unit, digits: printedDigits }) => {
+    const digits = decimalsOfError(errors?.[field], printedDigits);
     const error = truth === null ? NaN : result[field] - truth[field];
     const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
     const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
@@ -115,8 +116,8 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
       paper === undefined
         ? []
         : [
-            number(`paper-${field}`, paper.orientations[2].values[field], digits, 'paper'),
-            number(`paper-error-${field}`, paper.standard_errors[field], digits, 'paper'),
+            number(`paper-${field}`, paper.orientations[2].values[field], printedDigits, 'paper'),
+            number(`paper-error-${field}`, paper.standard_errors[field], printedDigits, 'paper'),
           ];
     const compared =
       truth === null

@@ -18,7 +18,7 @@ export function mountPanes(view: View, store: Store, actions: PaneActions): void
   const labels = { left: label('left', actions), right: label('right', actions) };
   view.host.append(labels.left.element, labels.right.element);
   const place = () => {
-    const panes = panesOf(view.host.clientWidth, view.host.clientHeight);
+    const panes = panesOf(store.state, view.host.clientWidth, view.host.clientHeight);
     for (const side of SIDES) {
       const { style } = labels[side].element;
       const { left, top, width, height } = panes[side];
@@ -31,6 +31,7 @@ export function mountPanes(view: View, store: Store, actions: PaneActions): void
   store.watch(
     (s) => [s.images, s.masks, s.results.openLeft, s.results.openRight, s.activeSide] as const,
     () => {
+      place();
       for (const side of SIDES) {
         labels[side].element.classList.toggle('is-active', store.state.activeSide === side);
         labels[side].element.classList.toggle('is-empty', store.state.images[side] === null);

@@ -5,6 +5,7 @@ export interface Unknown {
   field: keyof FiveParameters;
   symbol: string;
   unit: string;
+  /** Decimals where no standard error says how many count. */
   digits: number;
 }
 

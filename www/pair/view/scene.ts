@@ -69,7 +69,7 @@ export function marksOf(state: State): Marks {
 
 /** The scene on a canvas of `width` x `height` CSS px. A pane without a view shows its whole image. */
 export function sceneOf(state: State, width: number, height: number): Scene {
-  const rects = panesOf(width, height);
+  const rects = panesOf(state, width, height);
   const marks = marksOf(state);
   const pane = (side: Side): Pane => {
     const picture = pictureOf(state, side);

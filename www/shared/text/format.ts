@@ -9,6 +9,11 @@ export function fixed(value: number | null | undefined, digits: number): string 
   return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '−');
 }
 
+/** Decimals that show two significant digits of a standard error or a half-width: those of the value that it belongs to. */
+export function decimalsOfError(error: number | null | undefined, otherwise: number): number {
+  return error != null && error > 0 && Number.isFinite(error) ? Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(error)))) : otherwise;
+}
+
 /** A whole number in groups of three, set apart by narrow spaces. */
 export function count(value: number | null | undefined): string {
   return value == null ? '–' : String(value).replace(/\B(?=(\d{3})+$)/gu, '\u202f');
