@@ -43,6 +43,7 @@ function content(state: State): HTMLElement[] {
   return [
     ...estimatedFocal(state),
     valueTable(state, result),
+    ...(result.turn_deg === 0 ? [] : [h('p', { class: 'note', testid: 'axes-turned' }, say('axes-turned'))]),
     ...warnings(result),
     precision(state, result),
     h('p', { class: 'caveat', testid: 'sigma-caveat' }, SIGMA_CAVEAT),
@@ -58,14 +59,18 @@ function estimatedFocal(state: State): HTMLElement[] {
   return [h('p', { class: 'note', testid: 'estimated-focal' }, say('estimated-focal', { focal_px: focal.focal_px, error_px: focal.standard_error_px }))];
 }
 
-/** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
-const EQUAL_PX = 0.05;
+/** Images are one photo, saved again in whatever size, where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
+const EQUAL_PX = 0.8;
 
-export function areEqual(matches: Float64Array): boolean {
+export function areOnePhoto({ results }: State): boolean {
+  const matches = results.match?.value.matches ?? new Float64Array();
+  const [left, right] = [results.openLeft?.value.info, results.openRight?.value.info];
+  if (left === undefined || right === undefined) return false;
+  const [scaleX, scaleY] = [right.width / left.width, right.height / left.height];
   let equal = 0;
   for (let i = 0; i < matches.length; i += 5) {
     const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = matches.subarray(i, i + 4);
-    if (Math.abs(xr - xl) < EQUAL_PX && Math.abs(yr - yl) < EQUAL_PX) equal += 1;
+    if (Math.hypot(xr - scaleX * xl, yr - scaleY * yl) < EQUAL_PX) equal += 1;
   }
   return matches.length > 0 && equal > 0.9 * (matches.length / 5);
 }
@@ -76,9 +81,7 @@ export function whyNotOriented(state: State): string | null {
   if (state.images.left === null || state.images.right === null) return say('two-images-are-needed');
   const match = isCurrent(state, 'match') ? (state.results.match?.value ?? null) : null;
   if (match?.geometry?.degenerate === 'pure-rotation') {
-    return areEqual(match.matches)
-      ? say('not-oriented-both-images-show')
-      : say('not-oriented-2', { message: message('no_orientation', { kind: 'pure_rotation' }) });
+    return areOnePhoto(state) ? say('not-oriented-both-images-show') : say('not-oriented-2', { message: message('no_orientation', { kind: 'pure_rotation' }) });
   }
   if (match?.no_geometry != null) return say('not-oriented-do-both-photos', { message: message('no_geometry', match.no_geometry) });
   const cameras = pairCameras(state);

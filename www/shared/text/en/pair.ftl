@@ -384,6 +384,7 @@ by-bz-ellipse-m-dashed = by, bz: ellipse { $major } × { $minor } µm; dashed: t
 
 ## panel/orientation
 
+axes-turned = Axes turned by 90°: x points up in the left image.
 is-computed-from-y-parallaxes = σ₀ is computed from y-parallaxes. It sees only the component of an error across the epipolar line, and cannot prove a match right: a wrong match along the line leaves it unchanged.
 relative-orientation = Relative orientation
 two-images-are-needed = Two images are needed.
