@@ -90,7 +90,7 @@ fn an_image_and_itself_differ_by_a_rotation_alone() {
     let result = matched(&sample.left, &turned(&sample.left), &PairInput { camera: Some(camera), ..PairInput::default() }, &settings());
     let geometry = result.geometry.unwrap().unwrap();
     assert_eq!(geometry.degenerate, Some(Degeneracy::PureRotation));
-    assert!(result.orientation.unwrap_err() == NoOrientation::PureRotation);
+    assert!(result.orientation.unwrap_err() == NoOrientation::OnePhoto);
     assert!(result.matching.matches.len() > 3000);
 }
 

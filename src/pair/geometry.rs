@@ -5,8 +5,8 @@ use super::no_orientation::NoOrientation;
 use crate::camera::{USUAL_FOCAL, contradict};
 use crate::error::refuse;
 use crate::{
-    CameraMm, CameraUncertainty, Error, EstimatedCamera, Fiducial, Interior, Refusal, RelativeOrientation, Side, TwoView, TwoViewModel,
-    Warning, orient_fiducials,
+    CameraCaution, CameraMm, CameraUncertainty, Error, EstimatedCamera, ExifCamera, Fiducial, Interior, Refusal, RelativeOrientation, Side,
+    TwoView, TwoViewModel, Warning, orient_fiducials,
 };
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +29,9 @@ pub struct PairInterior {
     /// What speaks against the focal lengths before anything is matched.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub doubt: Option<Warning>,
+    /// Whether both photos are known to be of one lens at one focal length, however their images are turned or resized.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub one_lens: bool,
 }
 
 impl PairInterior {
@@ -64,7 +67,7 @@ impl PairInterior {
         let uncertainty = Some(CameraUncertainty::ASSUMED);
         let camera = CameraMm { uncertainty, ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
         let of = |(width, height)| Interior::from_pixel_size(&camera, width, height).ok();
-        Some(Self { left: of(left)?, right: of(right)?, focal_mm, doubt: None })
+        Some(Self { left: of(left)?, right: of(right)?, focal_mm, doubt: None, one_lens: false })
     }
 }
 
@@ -85,7 +88,9 @@ pub(super) fn pair_interior(
             (None, None) => return Ok(Err(NoOrientation::NoFocalLength)),
         };
         if photo.fiducials.is_empty() && camera.pixel_mm.is_none() {
-            return Ok(Err(NoOrientation::NoPixelSize { side }));
+            let altered = image.exif.filter(|_| input.camera.is_none()).and_then(altered);
+            let altered = altered.map(|camera_caution| NoOrientation::Altered { side, camera_caution });
+            return Ok(Err(altered.unwrap_or(NoOrientation::NoPixelSize { side })));
         }
         let (width, height) = (image.grey.width(), image.grey.height());
         let own = photo_interior(&camera, width, height, photo)?;
@@ -94,15 +99,30 @@ pub(super) fn pair_interior(
         let file = image.exif.filter(|exif| is_digital && input.camera.is_some() && !exif.is_panorama());
         let file_px = file.and_then(|exif| Some(exif.focal_mm / exif.pixel_mm?));
         let doubt = doubt_of(side, camera.focal_mm / own.pixel_mm(), file_px, is_digital.then_some(width.max(height)));
+        let of_file = image.exif.filter(|_| is_digital && input.camera.is_none());
+        let doubt = of_file.and_then(|exif| resized_or_cropped(side, exif)).or(doubt);
         Ok(Ok((own, camera.focal_mm, doubt)))
     };
+    let of_files = || left.exif.zip(right.exif).is_some_and(|(left, right)| left.is_of_one_lens(right));
+    let one_lens = input.camera.is_some() || of_files();
     Ok(match (of(Side::Left, left, &input.left)?, of(Side::Right, right, &input.right)?) {
         (Ok((left, focal_mm, left_doubt)), Ok((right, right_focal, right_doubt))) => {
             // Only directions matter: the right photo is taken to the focal length of the left one.
-            Ok(PairInterior { left, right: right.scaled(focal_mm / right_focal), focal_mm, doubt: left_doubt.or(right_doubt) })
+            let right = right.scaled(focal_mm / right_focal);
+            Ok(PairInterior { left, right, focal_mm, doubt: left_doubt.or(right_doubt), one_lens })
         }
         (Err(reason), _) | (_, Err(reason)) => Err(reason),
     })
+}
+
+/// Why nobody knows how many px the focal length of a photo has.
+fn altered(exif: &ExifCamera) -> Option<CameraCaution> {
+    exif.cautions.iter().find(|caution| matches!(caution, CameraCaution::Cropped { .. } | CameraCaution::FocalPlane { .. })).cloned()
+}
+
+fn resized_or_cropped(side: Side, exif: &ExifCamera) -> Option<Warning> {
+    let [[taken_width_px, taken_height_px], [width_px, height_px]] = exif.resized_or_cropped()?;
+    Some(Warning::ResizedOrCropped { side, taken_width_px, taken_height_px, width_px, height_px })
 }
 
 /// What speaks against the focal length of a photo in px: what its file says, or the longer side of its image in px where that is whole.
@@ -148,7 +168,7 @@ pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &Ph
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{CameraOrigin, ExifCamera, GreyImage};
+    use crate::{CameraOrigin, GreyImage};
 
     /// What speaks against a camera of this focal length in px, given for photos of 640 x 480 px whose files say 600 px.
     fn doubt(focal_px: f64, exif: Option<&ExifCamera>, marks: bool) -> Option<Warning> {

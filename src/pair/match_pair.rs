@@ -4,7 +4,8 @@ use super::described::{DescribedImage, describe_image};
 use super::geometry::{PairInterior, pair_interior};
 use super::input::{PairImage, PairInput};
 use super::no_orientation::NoOrientation;
-use super::orienting::{are_of_one_photo, orient_matches};
+use super::one_image::OneImage;
+use super::orienting::orient_matches;
 use super::rounds::{PairMatching, match_in_rounds};
 use super::settings::PairSettings;
 use super::weakness::judged;
@@ -74,14 +75,15 @@ pub fn match_described_pair(
         (Err(reason), Some(found)) => PairInterior::assumed(found, sizes).ok_or(reason),
         (interior, _) => interior,
     };
-    // Of one photo twice its own reason is told, not that the camera only turned.
-    let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation)) && !are_of_one_photo(&matching.matches);
+    let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
+    // Images of one have no base: that is told, not that the camera only turned, or that it is not known.
+    let one_image = found.and_then(|_| OneImage::of(&matching.matches, sizes)).map(OneImage::reason);
     let orientation = match (&interior, &geometry) {
         (Err(reason @ NoOrientation::Panorama { .. }), _) => Err(reason.clone()),
         // No camera helps photos that have no geometry.
         (_, Some(Err(no_geometry))) => Err(NoOrientation::NoGeometry { no_geometry: *no_geometry }),
-        (Err(reason), _) => Err(reason.clone()),
-        _ if is_rotation => Err(NoOrientation::PureRotation),
+        (Err(reason), _) => Err(one_image.unwrap_or_else(|| reason.clone())),
+        _ if is_rotation => Err(one_image.unwrap_or(NoOrientation::PureRotation)),
         (Ok(interior), _) => match orient_matches(&matching.matches, interior, &settings.orientation) {
             Err(error) if error.is_usage() => return Err(error),
             Ok(found) => Ok(judged(found, &matching.matches, interior, Some(described.each_ref().map(|image| image.set.points.len())))),
