@@ -176,7 +176,7 @@ fn a_value_has_the_decimals_of_its_error() {
     let written = |value: f64, error: f64| texts.text_of("value", &json!({ "value": value, "error": error }), None);
     assert_eq!(written(0.1466, 0.0178), "0.147 ± 0.018");
     assert_eq!(written(-0.1466, 2.34), "-0.1 ± 2.3");
-    assert_eq!(written(12.6, 345.0), "13 ± 350");
+    assert_eq!(written(12.6, 346.0), "13 ± 350");
     assert_eq!(written(1.0, f64::NAN), "– ± –");
     let verdict = |worst| PairVerdict::Oriented {
         points: 40,
