@@ -1,4 +1,5 @@
-//! Gives the crate a digest of its own sources, which is part of the key of every record that a run keeps.
+//! Gives the crate a digest of its own sources, which is part of the key of every record that a run keeps, and says whether the integration tests
+//! lie beside it: a package is without them.
 
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
@@ -9,6 +10,10 @@ fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=src");
     println!("cargo::rerun-if-changed=Cargo.lock");
     println!("cargo::rustc-env=TIEPOINT_BUILD={}", digest_of(&root)?);
+    println!("cargo::rustc-check-cfg=cfg(integration)");
+    if root.join("tests/integration.rs").exists() {
+        println!("cargo::rustc-cfg=integration");
+    }
     Ok(())
 }
 

@@ -1,5 +1,5 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
-import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
 function blockCatalogue({ parameters, flightParameters }) {
@@ -13,6 +13,7 @@ function blockCatalogue({ parameters, flightParameters }) {
 		flight: block_flight_preset("small_photos"),
 		placingParameters: ofPlacing,
 		placing: placing_defaults(),
+		levelParameter: call_parameters().find(({ key }) => key === "heights"),
 		labels: {
 			parameters: [
 				...parameters,
@@ -139,7 +140,6 @@ var FIRST_PANES = 4;
 var NO_PANES = {
 	images: [],
 	views: new Map(),
-	whole: false,
 	active: null,
 	look: {
 		points: true,
@@ -160,8 +160,7 @@ function reducePanes(panes, action) {
 		};
 		case "wholeImages": return {
 			...panes,
-			views: new Map(),
-			whole: true
+			views: new Map()
 		};
 		case "activeImage": return panes.active === action.image ? panes : {
 			...panes,
@@ -194,7 +193,6 @@ function shownImages(panes, view) {
 function panesInOtherView(panes, before, after) {
 	if (before === null || panes.images.length === 0) return {
 		...NO_PANES,
-		whole: panes.whole,
 		look: panes.look
 	};
 	const places = new Map(after.images.map(({ name }, image) => [name, image]));
@@ -3107,18 +3105,18 @@ function stemOf(name) {
 }
 // www/block/panel/mosaic.ts
 var NAME = "orthomosaic.tif";
-async function saveMosaic(store, engine, placing) {
-	const mosaic = await made$1(store, engine, placing, false);
+async function saveMosaic(store, engine, placing, near) {
+	const mosaic = await made$1(store, engine, placing, false, near);
 	if (mosaic === null) return;
 	save(mosaic, NAME);
 	tell$2(store, "info", say("was-saved-2", {
 		name: NAME,
 		store: missingText(store)
-	}));
+	}), { beside: true });
 }
-async function makeMosaic(store, engine, placing) {
+async function makeMosaic(store, engine, placing, near) {
 	const key = store.state.shown?.key ?? "";
-	const mosaic = await made$1(store, engine, placing, true);
+	const mosaic = await made$1(store, engine, placing, true, near);
 	if (mosaic === null) return;
 	tell$2(store, "busy", say("laying-the-orthomosaic-under-the"));
 	try {
@@ -3130,23 +3128,23 @@ async function makeMosaic(store, engine, placing) {
 		tell$2(store, "info", say("the-orthomosaic-lies-under-the", {
 			orthophoto: orthophotoText(orthophoto),
 			store: missingText(store)
-		}), true);
+		}), { beside: true });
 	} catch (error) {
-		tell$2(store, "problem", say("the-orthomosaic-cannot-be-shown", { sentence: sentence(messageOf(error)) }));
+		tell$2(store, "problem", say("the-orthomosaic-cannot-be-shown", { sentence: sentence(messageOf(error)) }), { near });
 	}
 }
-async function made$1(store, engine, placing, inAdjustment) {
+async function made$1(store, engine, placing, inAdjustment, near) {
 	const files = imagesOfBlock(store.state);
 	if (files.length === 0) {
-		tell$2(store, "problem", say("an-orthomosaic-is-made-of"));
+		tell$2(store, "problem", say("an-orthomosaic-is-made-of"), { near });
 		return null;
 	}
 	try {
 		const bytes = await placing.mosaic(await engine.project(), files, inAdjustment);
 		if (bytes !== null) return new Blob([bytes], { type: "image/tiff" });
-		tell$2(store, "info", say("cancelled-no-orthomosaic-was-made"));
+		tell$2(store, "info", say("cancelled-no-orthomosaic-was-made"), { beside: true });
 	} catch (error) {
-		tell$2(store, "problem", say("no-orthomosaic-was-made", { sentence: sentence(messageOf(error)) }));
+		tell$2(store, "problem", say("no-orthomosaic-was-made", { sentence: sentence(messageOf(error)) }), { near });
 	}
 	return null;
 }
@@ -3154,13 +3152,13 @@ function missingText({ state }) {
 	const missing = (state.shown?.view.images.length ?? 0) - imagesOfBlock(state).length;
 	return missing > 0 ? say("missing-in-it-add-to", { missing }) : "";
 }
-function tell$2(store, kind, text, beside = false) {
+function tell$2(store, kind, text, where = {}) {
 	store.dispatch({
 		type: "notice",
 		notice: {
 			kind,
 			text,
-			...beside ? { beside } : {}
+			...where
 		}
 	});
 }
@@ -3182,13 +3180,14 @@ var NAMES$3 = {
 	geojson: "GeoJSON"
 };
 var MOSAIC = "mosaic";
+var EXPORT$1 = "block-export";
 function mountExports(host, store, engine, placing) {
 	const select = h("select", {
 		id: "block-export-kind",
 		testid: "block-export-kind",
 		aria: { label: say("format") }
 	});
-	const press = button(say("save"), "block-export", () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing) : saveAs(store, engine, select.value)));
+	const press = button(say("save"), EXPORT$1, () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT$1) : saveAs(store, engine, select.value)));
 	host.append(h("span", { class: "group-label" }, say("export")), select, press);
 	store.watch([
 		"shown",
@@ -3214,7 +3213,7 @@ function mountExports(host, store, engine, placing) {
 		if (kinds.some((kind) => kind === value)) select.value = value;
 	});
 }
-async function saveAs(store, engine, kind) {
+async function saveAs(store, engine, kind, near = EXPORT$1) {
 	store.dispatch({
 		type: "notice",
 		notice: {
@@ -3229,7 +3228,8 @@ async function saveAs(store, engine, kind) {
 			type: "notice",
 			notice: {
 				kind: "info",
-				text: say("was-saved", { name })
+				text: say("was-saved", { name }),
+				beside: true
 			}
 		});
 	} catch (error) {
@@ -3238,7 +3238,8 @@ async function saveAs(store, engine, kind) {
 				type: "notice",
 				notice: {
 					kind: "info",
-					text: say("cancelled-nothing-was-saved-the")
+					text: say("cancelled-nothing-was-saved-the"),
+					beside: true
 				}
 			});
 			return;
@@ -3251,7 +3252,8 @@ async function saveAs(store, engine, kind) {
 				text: say("was-not-written", {
 					names: NAMES$3[kind],
 					reason
-				})
+				}),
+				near
 			}
 		});
 	}
@@ -3259,9 +3261,11 @@ async function saveAs(store, engine, kind) {
 // pkg/block/image-files.js
 var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
 // www/block/state/scale.ts
-function inUnitOf({ origin, surveyed }, coordinates) {
-	const hasScale = origin !== null || surveyed.some(({ role }) => role === "control");
-	return withUnit(coordinates, hasScale ? "m" : "");
+function unitOf({ origin, surveyed }) {
+	return origin !== null || surveyed.some(({ role }) => role === "control") ? "m" : "";
+}
+function inUnitOf(view, coordinates) {
+	return withUnit(coordinates, unitOf(view));
 }
 // www/block/state/words.ts
 function connectionOf(view, [a, b]) {
@@ -3387,7 +3391,7 @@ function controlText(state) {
 	});
 }
 function givenUse({ role, images }) {
-	return say("given-use", {
+	return sayNamed("given-use", {
 		role: role ?? "none",
 		images
 	});
@@ -3698,7 +3702,7 @@ var BlockFiles = class {
 				});
 				return;
 			}
-			const stays = edited || this.store.state.shown !== null && await this.putAside(false);
+			const stays = edited || this.store.state.shown !== null && await this.putAside();
 			hold();
 			this.store.dispatch({
 				type: "openedFile",
@@ -3764,7 +3768,7 @@ var BlockFiles = class {
 		const { history, marks, placing } = this.store.state;
 		const length = history.edits.length + marks.edits.length;
 		if (length === 0 && placing.placed.size === 0) return false;
-		if (await this.putAside(true)) return true;
+		if (await this.putAside()) return true;
 		const edits = length === 0 ? say("what-was-placed-on-the") : length === 1 ? say("the-edit-by-hand-of") : say("the-edits-by-hand-of", { length });
 		return window.confirm(say("cannot-be-kept-in-this", {
 			edits,
@@ -4130,6 +4134,7 @@ var KeptBlocks = class {
 	store;
 	engine;
 	catalogue;
+	mode = "block";
 	made = null;
 	journal = new Journal("block/edits", stepFrom, bytesOfStep);
 	marks = new Journal("block/marks", markStepFrom, bytesOfMarks);
@@ -4642,8 +4647,10 @@ function words$1(key, label, value, help) {
 	};
 }
 var known$1 = (value) => value ?? NaN;
-function imageRows({ images, leftOut, cameras }) {
-	const axis = (key, i) => numbers$1(key, key, "", 2, (row) => known$1(images[row]?.position?.[i]), say("projection-centre-in-m-where", { key }));
+function imageRows(view) {
+	const { images, leftOut, cameras } = view;
+	const unit = unitOf(view);
+	const axis = (key, i) => numbers$1(key, key, unit, 2, (row) => known$1(images[row]?.position?.[i]), say("projection-centre-in-m-where", { key }));
 	return {
 		count: images.length + leftOut.length,
 		columns: [
@@ -4683,8 +4690,10 @@ function pairRows({ images, connections }) {
 		]
 	};
 }
-function pointRows({ points }) {
-	const axis = (label, offset) => [numbers$1(label.toLowerCase(), label, "", 2, (i) => points.positions[3 * i + offset] ?? NaN, say("object-coordinate-in-m-where")), numbers$1(`sigma-${label.toLowerCase()}`, `σ ${label}`, "", 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
+function pointRows(view) {
+	const { points } = view;
+	const unit = unitOf(view);
+	const axis = (label, offset) => [numbers$1(label.toLowerCase(), label, unit, 2, (i) => points.positions[3 * i + offset] ?? NaN, say("object-coordinate-in-m-where")), numbers$1(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
 	return {
 		count: points.count,
 		columns: [
@@ -4719,16 +4728,16 @@ function surveyedRows({ surveyed }, given) {
 			words$1("use", say("use"), useText, say("control-points-place-the-block")),
 			numbers$1("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
 			...axes.map((axis, k) => numbers$1(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.place?.[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
-			...areElsewhere ? axes.map((axis, k) => numbers$1(`given-${axis}`, say("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
+			...areElsewhere ? axes.map((axis, k) => numbers$1(`given-${axis}`, sayNamed("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
 			...axes.map((axis, k) => numbers$1(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers$1(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => known$1(surveyed[i]?.standard_errors_m[k]), say("standard-error-of", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers$1(`left-out-${axis}`, say("difference-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.difference[k]), say("where-the-other-observations-have", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers$1(`left-out-sigma-${axis}`, say("standard-error-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.standard_errors[k]), say("standard-error-of-where-the", { axis }), { total: "rms" }))
+			...axes.map((axis, k) => numbers$1(`left-out-${axis}`, sayNamed("difference-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.difference[k]), say("where-the-other-observations-have", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers$1(`left-out-sigma-${axis}`, sayNamed("standard-error-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.standard_errors[k]), say("standard-error-of-where-the", { axis }), { total: "rms" }))
 		]
 	};
 }
 function roleText(role) {
-	return role === void 0 ? "" : say("role", { role });
+	return role === void 0 ? "" : sayNamed("role", { role });
 }
 var AXES = ["x", "y"];
 var PARTS$1 = [
@@ -5992,14 +6001,9 @@ function panesOf(state, view, facts, columns, width, height) {
 		}];
 	});
 }
-function paneView({ views, whole }, image, rect, of) {
+function paneView({ views }, image, rect, of) {
 	const own = views.get(image);
-	if (own !== void 0) return inPane(own, rect);
-	return whole ? fitView(rect, of.width, of.height) : {
-		x: of.width / 2,
-		y: of.height / 2,
-		scale: fillScale(rect, of)
-	};
+	return own === void 0 ? fitView(rect, of.width, of.height) : inPane(own, rect);
 }
 function fillScale({ width, height }, of) {
 	return Math.max(width / of.width, height / of.height);
@@ -7658,7 +7662,8 @@ var MATRIX_VIEW = {
 		store.watch(["shown"], ([shown]) => fill(cells, shown === null ? "" : say("strongest-cell-matches-small-square", { view: mostMatches(shown.view) })));
 		return {
 			element,
-			tools: [cells],
+			tools: [],
+			legend: cells,
 			zoomable: new Matrix(element, store, looking),
 			keys: say("press-a-cell-to-choose")
 		};
@@ -8981,7 +8986,8 @@ function mapView(facts, placing, mosaic) {
 			element.addEventListener("focus", () => canvas.focus());
 			return {
 				element,
-				tools: [toolsOf$1(store, map, mosaic), legend],
+				tools: [toolsOf$1(store, map, mosaic)],
+				legend,
 				zoomable: map,
 				keys: KEYS$2
 			};
@@ -10254,6 +10260,7 @@ function placedCsv(names, placed) {
 	return placed_tables([...names], placed);
 }
 // www/block/panel/placing-exports.ts
+var EXPORT = "placed-export";
 var NAMES = {
 	placed: say("positions-placed-csv"),
 	links: say("links-links-csv"),
@@ -10268,7 +10275,7 @@ function placingExports(store, engine) {
 	});
 	const kinds = Object.keys(NAMES);
 	fill(select, ...kinds.map((kind) => new Option(NAMES[kind], kind)));
-	const press = button(say("save"), "placed-export", () => void savePlaced(store, engine, select.value));
+	const press = button(say("save"), EXPORT, () => void savePlaced(store, engine, select.value));
 	const show = () => {
 		const needsChosen = select.value === "rectified";
 		const has = placedFiles(store.state).some(({ result }) => result !== null && (result.placement !== null || !needsChosen));
@@ -10283,22 +10290,23 @@ function placingExports(store, engine) {
 	], show);
 	return h("span", { class: "placed-exports" }, select, press);
 }
-async function savePlaced(store, engine, kind) {
-	const tell = (sort, text) => store.dispatch({
+async function savePlaced(store, engine, kind, near = EXPORT) {
+	const tell = (sort, text, where = {}) => store.dispatch({
 		type: "notice",
 		notice: {
 			kind: sort,
-			text
+			text,
+			...where
 		}
 	});
 	tell("busy", say("writing", { names: NAMES[kind] }));
 	try {
 		const [content, name] = await made(store, engine, kind, (text) => tell("busy", text));
 		save(content, name);
-		tell("info", say("was-saved", { name }));
+		tell("info", say("was-saved", { name }), { beside: true });
 	} catch (error) {
-		if (error instanceof Cancelled) tell("info", say("cancelled-nothing-was-saved"));
-		else tell("problem", say("nothing-was-saved", { sentence: sentence(messageOf(error)) }));
+		if (error instanceof Cancelled) tell("info", say("cancelled-nothing-was-saved"), { beside: true });
+		else tell("problem", say("nothing-was-saved", { sentence: sentence(messageOf(error)) }), { near });
 	}
 }
 async function made(store, engine, kind, tell) {
@@ -10769,8 +10777,13 @@ function levelField(store, files) {
 	const problem = problemLine("block-level");
 	const input = numberInput("block-level", problem, () => {
 		const { valueAsNumber: height } = input;
-		const isHeight = Number.isFinite(height) && Math.abs(height) <= 2e4;
-		problem.textContent = isHeight ? "" : say("a-height-in-m-is");
+		const allowed = store.state.catalogue?.levelParameter;
+		if (allowed?.kind !== "real") return;
+		const isHeight = height >= allowed.min && height <= allowed.max;
+		problem.textContent = isHeight ? "" : say("allowed-the-last-valid-value", {
+			parameter: message("allowed", allowed),
+			what: ""
+		});
 		if (isHeight) files.takeLevel(height);
 	});
 	store.watch((s) => [s.placing.heights, s.placing.orthophoto], ([heights, orthophoto]) => {
@@ -10834,8 +10847,8 @@ function placedColumns(rows, said) {
 	return [
 		words("placed-image", say("image-2"), (i) => rows[i]?.file.name ?? "", say("file-name-press-a-row")),
 		words("placed-verdict", say("verdict"), (i) => text(i, (row) => `${placedWord(row)}${row.isStale ? say("earlier-settings") : ""}`), say("what-the-place-of-the")),
-		...axes.map((axis, k) => numbers(`placed-${axis.toLowerCase()}`, axis, "", 2, (i) => of(i)?.pose.position[k], say("projection-centre-in-the-system", { axis }))),
-		...axes.map((axis, k) => numbers(`placed-s${axis.toLowerCase()}`, `σ ${axis}`, "", 2, (i) => of(i)?.position_errors_m?.[k], say("standard-error-of-2", { axis }))),
+		...axes.map((axis, k) => numbers(`placed-${axis.toLowerCase()}`, axis, "m", 2, (i) => of(i)?.pose.position[k], say("projection-centre-in-the-system", { axis }))),
+		...axes.map((axis, k) => numbers(`placed-s${axis.toLowerCase()}`, `σ ${axis}`, "m", 2, (i) => of(i)?.position_errors_m?.[k], say("standard-error-of-2", { axis }))),
 		...angles.map((angle, k) => numbers(`placed-angle${String(k)}`, angle, "°", 3, (i) => of(i)?.angles_deg[k], say("rotation", { angle }))),
 		...angles.map((angle, k) => numbers(`placed-sangle${String(k)}`, `σ ${angle}`, "°", 3, (i) => of(i)?.angle_errors_deg?.[k], say("standard-error-of-3", { angle }))),
 		numbers("placed-links", say("links-2"), "", 0, (i) => uses(i, "used"), say("points-of-the-image-and")),
@@ -10858,9 +10871,9 @@ function linkColumns({ links: { at, places, residuals, uses } }, steps, done) {
 		}, i, USES$1[uses[i] ?? 0] ?? "used"), say("used-for-the-orientation-kept")),
 		numbers("link-column", say("column"), "px", 2, (i) => at[2 * i], say("position-in-the-image-the")),
 		numbers("link-row", say("row-2"), "px", 2, (i) => at[2 * i + 1], say("position-in-the-image")),
-		numbers("link-x", "X", "", 2, (i) => places[3 * i], say("place-on-the-orthophoto-2")),
-		numbers("link-y", "Y", "", 2, (i) => places[3 * i + 1], say("place-on-the-orthophoto-2")),
-		numbers("link-z", "Z", "", 2, (i) => places[3 * i + 2], say("height-of-the-ground-at")),
+		numbers("link-x", "X", "m", 2, (i) => places[3 * i], say("place-on-the-orthophoto-2")),
+		numbers("link-y", "Y", "m", 2, (i) => places[3 * i + 1], say("place-on-the-orthophoto-2")),
+		numbers("link-z", "Z", "m", 2, (i) => places[3 * i + 2], say("height-of-the-ground-at")),
 		numbers("link-dx", say("residual-x"), "px", 2, (i) => residuals[2 * i], say("observed-minus-computed-column")),
 		numbers("link-dy", say("residual-y"), "px", 2, (i) => residuals[2 * i + 1], say("observed-minus-computed-row")),
 		numbers("link-length", say("length"), "px", 2, (i) => Math.hypot(residuals[2 * i] ?? NaN, residuals[2 * i + 1] ?? NaN), say("length-of-the-residual"))
@@ -11076,7 +11089,9 @@ function ofPoints(points, x, y, bars = false) {
 		together: (rows) => choiceOfPoints(rows.flatMap((row) => points[row] ?? []))
 	};
 }
-var alongBlock = remember(({ points }, plan) => {
+var alongBlock = remember((view, plan) => {
+	const { points } = view;
+	const unit = unitOf(view);
 	const coordinate = (point, axis) => points.positions[3 * point + axis] ?? NaN;
 	const error = (point) => {
 		const [x = NaN, y = NaN, z = NaN] = points.errors.subarray(3 * point, 3 * point + 3);
@@ -11091,11 +11106,11 @@ var alongBlock = remember(({ points }, plan) => {
 	const axis = (span[1] ?? 0) > (span[0] ?? 0) ? 1 : 0;
 	return ofPoints(rows, {
 		label: axis === 0 ? "X" : "Y",
-		unit: "",
+		unit,
 		values: Float64Array.from(rows, (point) => coordinate(point, axis))
 	}, {
 		label: plan ? say("standard-error-in-plan") : say("standard-error-in-height"),
-		unit: "",
+		unit,
 		values: Float64Array.from(rows, error)
 	});
 });
@@ -11631,9 +11646,9 @@ function plotsView(facts) {
 				tools: [
 					chosen,
 					picture,
-					values,
-					words
+					values
 				],
+				legend: words,
 				zoomable: plot,
 				keys: KEYS
 			};
@@ -12073,6 +12088,8 @@ function mountStage(host, store, looking, views, dock, invitation) {
 		tabindex: -1
 	}, invited(store, invitation));
 	const tools = h("div", { class: "view-tools" });
+	const legends = h("div", { class: "legends" });
+	const line = h("div", { class: "edit-line" }, legends);
 	const keys = h("p", {
 		class: "keys",
 		id: KEYS_ID
@@ -12100,7 +12117,7 @@ function mountStage(host, store, looking, views, dock, invitation) {
 		class: "toolbar",
 		role: "toolbar",
 		aria: { label: say("view-of-the-block") }
-	}, switched, drawerButton("table", say("table-2"), "block-table", dock), zoom, tools), shelf, said(store, looking), dock, keys);
+	}, switched, drawerButton("table", say("table-2"), "block-table", dock), zoom, tools), line, shelf, said(store, looking), dock, keys);
 	store.watch(["onStage"], ([onStage]) => {
 		const wanted = views.find(({ name }) => name === onStage) ?? views[0];
 		if (wanted === void 0) return;
@@ -12110,10 +12127,16 @@ function mountStage(host, store, looking, views, dock, invitation) {
 			mounted.set(wanted.name, made);
 			shelf.append(made.element);
 			tools.append(...made.tools);
+			if (made.legend !== void 0) legends.append(made.legend);
 		}
-		for (const [name, { element, tools: own }] of mounted) for (const part of [element, ...own]) part.hidden = name !== wanted.name;
+		for (const [name, { element, tools: own, legend }] of mounted) for (const part of [
+			element,
+			...own,
+			...legend === void 0 ? [] : [legend]
+		]) part.hidden = name !== wanted.name;
 		fill(keys, mounted.get(wanted.name)?.keys ?? "");
 	});
+	return line;
 }
 function said(store, looking) {
 	const pointedAt = h("p", {
@@ -12388,6 +12411,26 @@ function isOfGround(state) {
 	const purpose = purposeOf(state);
 	return placing.orthophoto === null || purpose === "images" || purpose === "block" && (shown === null || shown.view.partial);
 }
+function besideVerdict(state, actions, text) {
+	const { shown } = state;
+	if (shown === null || shown.view.partial || isOutdated(state)) return {
+		kind: "idle",
+		verdict: null,
+		text
+	};
+	return {
+		...answered(state, shown, actions),
+		more: text
+	};
+}
+function offering(state, actions, answer) {
+	const { more, ...offer } = offered(state, actions);
+	return {
+		...answer,
+		...offer,
+		more: [answer.more ?? "", more ?? ""].join(" ").trim()
+	};
+}
 function offered(state, { decide }) {
 	return {
 		more: [say("a-block-on-an-orthophoto"), state.placing.heights.kind === "level" ? heightsText(state) : ""].join(" ").trim(),
@@ -12412,7 +12455,7 @@ function placeBlock({ run }) {
 }
 function answerOf(state, actions) {
 	const { running, shown, files, placing } = state;
-	const notice = state.notice?.passing === true && running.kind !== "yes" && placing.running === null ? null : state.notice;
+	const notice = state.notice?.passing === true && running.kind !== "yes" && placing.running === null ? null : ofLine(state.notice);
 	const line = (kind, text) => ({
 		kind,
 		text,
@@ -12435,15 +12478,13 @@ function answerOf(state, actions) {
 	}
 	if (notice !== null) {
 		const said = line(notice.kind === "info" ? "idle" : notice.kind, notice.text);
-		if (notice.kind !== "busy" && asksPurpose(state)) return {
-			...said,
-			...offered(state, actions)
-		};
-		if (notice.kind === "info" && lacksPlaceAlone(state)) return {
-			...said,
+		const isInfo = notice.kind === "info";
+		if (notice.kind !== "busy" && asksPurpose(state)) return offering(state, actions, isInfo ? besideVerdict(state, actions, notice.text) : said);
+		if (isInfo && lacksPlaceAlone(state)) return {
+			...besideVerdict(state, actions, notice.text),
 			next: placeBlock(actions)
 		};
-		if (notice.kind !== "info" || state.placing.orthophoto === null || !isOfGround(state)) return said;
+		if (!isInfo || state.placing.orthophoto === null || !isOfGround(state)) return said;
 		const { next = null, others = [] } = placed(state, actions);
 		return {
 			...said,
@@ -12452,10 +12493,7 @@ function answerOf(state, actions) {
 		};
 	}
 	if (state.refused !== null) return line("problem", refusedText(state.refused));
-	if (asksPurpose(state) && state.placing.orthophoto !== null) return {
-		...line("idle", orthophotoText(state.placing.orthophoto)),
-		...offered(state, actions)
-	};
+	if (asksPurpose(state) && state.placing.orthophoto !== null) return offering(state, actions, besideVerdict(state, actions, orthophotoText(state.placing.orthophoto)));
 	if (isOfGround(state)) return placed(state, actions);
 	if (running.kind === "ended") {
 		const former = shown !== null && !shown.view.partial ? say("the-screen-shows-the-former") : "";
@@ -12470,8 +12508,7 @@ function answerOf(state, actions) {
 	}
 	if (shown !== null && !shown.view.partial && !isOutdated(state)) {
 		if (isOffGround(state)) return {
-			...line("idle", say("the-block-is-not-on")),
-			more: heightsText(state),
+			...besideVerdict(state, actions, `${say("the-block-is-not-on")} ${heightsText(state)}`),
 			next: placeBlock(actions)
 		};
 		const answer = answered(state, shown, actions);
@@ -12597,7 +12634,7 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 	const onGround = new BlockPlacing(store, engine, placing);
 	const runs = new BlockRuns(store, engine, placing, onGround);
 	const kept = new KeptBlocks(store, engine, catalogue);
-	const files = new BlockFiles(store, engine, placing, runs, openProject, (twice) => putAside(kept, twice));
+	const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept));
 	const looking = {
 		choose: (choice) => store.dispatch({
 			type: "choose",
@@ -12655,7 +12692,7 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 			setDrawer("details", true);
 			reveal(results.element);
 		},
-		save: () => void saveAs(store, engine, "project"),
+		save: () => void saveAs(store, engine, "project", "block-next"),
 		open: pick,
 		place: () => void runs.placeImages(),
 		decide: (purpose) => void files.decide(purpose),
@@ -12665,7 +12702,7 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 			engine.cancel();
 		},
 		openHeights: () => pickers.heights(),
-		savePlaced: () => void savePlaced(store, placing, "placed"),
+		savePlaced: () => void savePlaced(store, placing, "placed", "block-next"),
 		whyPlaced: () => {
 			setDrawer("table", true);
 			showTab("tab-block-placed");
@@ -12692,8 +12729,8 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 	const images = imagesView(engine, facts, pick, (made) => {
 		measures = made;
 	});
-	mountStage(stage, store, looking, [
-		mapView(facts, placing, () => void makeMosaic(store, engine, placing)),
+	const editLine = mountStage(stage, store, looking, [
+		mapView(facts, placing, () => void makeMosaic(store, engine, placing, "map-mosaic")),
 		images,
 		MATRIX_VIEW,
 		plotsView(facts),
@@ -12707,9 +12744,15 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 		open: pick
 	});
 	stage.prepend(status);
-	byId("block-view").before(mountEditBar(store, facts, () => measures));
+	editLine.prepend(mountEditBar(store, facts, () => measures));
 	mountEditPanel(results.panels[1], store);
 	mountBlockEditKeys(store, [stage, results.element]);
+	const near = makeNear("block-near", () => store.dispatch({
+		type: "notice",
+		notice: null
+	}));
+	main.append(near.element);
+	store.watch(["notice"], ([notice]) => near.show(notice));
 	new EditFollower(store, engine);
 	mountAddress(store, modes);
 	store.watch(["running"], ([running]) => {
@@ -12785,7 +12828,7 @@ function isOwn(state) {
 	const before = given;
 	if (before !== null && BY_HAND.every((part) => state[part] === before[part])) return false;
 	const { photos, masks, truth } = state;
-	return isWorthKeeping(state) || SIDES.some((side) => masks[side] !== null || truth === null && (photos[side].origin !== null || photos[side].fiducials.length > 0));
+	return isWorthKeeping(state) || SIDES.some((side) => masks[side] !== null || truth === null && hasData(photos[side]));
 }
 async function leave(block, state, putAside) {
 	block.dispatch({

@@ -735,6 +735,9 @@ function fixed(value, digits) {
 	const text = value.toFixed(digits);
 	return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
 }
+function decimalsOfError(error, otherwise) {
+	return error != null && error > 0 && Number.isFinite(error) ? Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(error)))) : otherwise;
+}
 function count(value) {
 	return value == null ? "–" : String(value).replace(/\B(?=(\d{3})+$)/gu, " ");
 }
@@ -825,17 +828,28 @@ function asFigure(text) {
 }
 // www/shared/text/words.ts
 var CATALOGUE = new Catalogue(LANGUAGE, LANGUAGE !== "en");
-var names = new Map();
+var named = new Map();
 function learn(texts) {
 	CATALOGUE.add(texts);
 }
 function say(name, figures = {}) {
 	const text = asClauses(CATALOGUE.text(name, figures) ?? name);
-	if (LANGUAGE !== "en" && Object.keys(figures).length === 0 && !names.has(text)) names.set(text, name);
+	if (LANGUAGE !== "en" && Object.keys(figures).length === 0 && !named.has(text)) named.set(text, {
+		name,
+		figures
+	});
+	return text;
+}
+function sayNamed(name, figures) {
+	const text = say(name, figures);
+	if (LANGUAGE !== "en") named.set(text, {
+		name,
+		figures
+	});
 	return text;
 }
 function nameOfText(text) {
-	return names.get(text) ?? null;
+	return named.get(text) ?? null;
 }
 function known(name, attribute = null) {
 	return CATALOGUE.text(name, {}, attribute);
@@ -961,8 +975,8 @@ async function intoEnglish() {
 	const english = new Catalogue("en", false);
 	for (const texts of await Promise.all(learned.map((part) => textsOf("en", part)))) english.add(texts);
 	return (text) => {
-		const name = nameOfText(text);
-		return (name === null ? null : english.text(name)) ?? text;
+		const said = nameOfText(text);
+		return (said === null ? null : english.text(said.name, said.figures)) ?? text;
 	};
 }
 // www/shared/panel/dom.ts
@@ -1077,4 +1091,4 @@ start().catch(() => {
 	document.getElementById("status")?.replaceChildren();
 	document.getElementById("not-loaded")?.removeAttribute("hidden");
 });
-export { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus };
+export { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, sayNamed, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus };

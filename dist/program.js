@@ -1,4 +1,4 @@
-import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus } from "./page.js";
+import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus } from "./page.js";
 // pkg/wasm/tiepoint.js
 var BlockOnOrthophoto = class {
 	__destroy_into_raw() {
@@ -715,6 +715,9 @@ function block_settings(given) {
 	const ret = wasm.block_settings(given);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
+}
+function call_parameters() {
+	return wasm.call_parameters();
 }
 function camera_label(camera, width, height) {
 	let deferred2_0;
@@ -1834,6 +1837,63 @@ function fileButton(text, picked, take, title) {
 	const input = fileInput(picked, take);
 	return [button(text, picked.testid, () => input.click(), title), input];
 }
+// www/shared/panel/near.ts
+var GAP$1 = 6;
+function makeNear(testid, close) {
+	const text = h("p", {});
+	const shut = button("×", `${testid}-close`, () => {
+		const { near } = element.dataset;
+		close();
+		if (near !== void 0) pressed(near)?.focus();
+	});
+	shut.className = "icon";
+	shut.setAttribute("aria-label", say("close-2"));
+	const element = h("div", {
+		class: "near",
+		testid,
+		hidden: true,
+		role: "alert"
+	}, text, shut);
+	const place = () => {
+		if (!element.hidden) lay(element, pressed(element.dataset["near"] ?? ""));
+	};
+	window.addEventListener("resize", place);
+	window.addEventListener("scroll", place, {
+		capture: true,
+		passive: true
+	});
+	document.addEventListener("keydown", ({ key }) => {
+		if (key === "Escape" && !element.hidden) close();
+	});
+	return {
+		element,
+		show: (notice) => {
+			element.hidden = notice?.near === void 0;
+			if (notice?.near === void 0) {
+				text.textContent = "";
+				return;
+			}
+			element.dataset["near"] = notice.near;
+			element.dataset["kind"] = notice.kind;
+			if (text.textContent !== notice.text) text.textContent = notice.text;
+			place();
+		}
+	};
+}
+function pressed(testid) {
+	const own = document.querySelector(`[data-testid="${testid}"]`);
+	return own?.checkVisibility({ visibilityProperty: true }) === true ? own : document.getElementById("menu");
+}
+function lay(element, at) {
+	const box = at?.getBoundingClientRect() ?? new DOMRect();
+	const { width, height } = element.getBoundingClientRect();
+	const { clientWidth, clientHeight } = document.documentElement;
+	const wanted = getComputedStyle(element).direction === "rtl" ? box.right - width : box.left;
+	const below = box.bottom + GAP$1;
+	const top = below + height > clientHeight && box.top - GAP$1 - height >= 0 ? box.top - GAP$1 - height : below;
+	element.style.left = `${String(Math.max(GAP$1, Math.min(wanted, clientWidth - GAP$1 - width)))}px`;
+	element.style.top = `${String(top)}px`;
+}
 // www/shared/panel/tabs.ts
 function tabbed(place, label, tabs) {
 	const buttons = tabs.map(([id, text]) => h("button", {
@@ -1949,9 +2009,10 @@ function readCatalogue() {
 	};
 }
 // www/shared/text/messages.ts
+var WITH_FIGURES = /verdict$|^(?:warning|no_geometry|no_orientation|connection)$/u;
 function message(family, of, attribute = null) {
 	const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀").replaceAll("± ", "±\xA0");
-	return asClauses(family.endsWith("verdict") ? grouped(withMinus(text)) : text);
+	return asClauses(WITH_FIGURES.test(family) ? grouped(withMinus(text)) : text);
 }
 function messageOf(thrown) {
 	if (!(thrown instanceof Error)) return String(thrown);
@@ -5222,8 +5283,12 @@ function facts(list) {
 }
 // www/shared/panel/scrolled.ts
 function byKeys(text) {
-	if (text.scrollHeight > text.clientHeight) text.setAttribute("tabindex", "0");
+	if (text.scrollHeight > text.clientHeight || text.scrollWidth > text.clientWidth) text.setAttribute("tabindex", "0");
 	else text.removeAttribute("tabindex");
+}
+function scrolledByKeys(table) {
+	new ResizeObserver(() => byKeys(table)).observe(table);
+	return table;
 }
 // www/shared/panel/answer.ts
 function answerCard(host, line, buttons, prefix) {
@@ -5286,6 +5351,10 @@ function readable(catalogue, message) {
 }
 function quoted(label) {
 	return label === void 0 ? void 0 : `“${label}”`;
+}
+// www/shared/state/notice.ts
+function ofLine(notice) {
+	return notice?.near === void 0 ? notice : null;
 }
 // www/pair/state/edits.ts
 var NOTHING = {
@@ -6639,6 +6708,9 @@ function isBlank(state) {
 function isWorthKeeping(state) {
 	return SIDES.every((side) => state.images[side]?.source.kind === "file") && isCurrent(state, "match");
 }
+function hasData({ fiducials, origin }) {
+	return fiducials.length > 0 || origin !== null;
+}
 var BESIDE = [
 	"interiorLeft",
 	"interiorRight",
@@ -7434,8 +7506,17 @@ function placeFrom(value, name) {
 }
 // www/pair/view/geometry.ts
 var GAP = 10;
-function panesOf(width, height) {
-	if (width >= .85 * height) {
+var CLEARLY = 1.2;
+function ratioOf({ openLeft, openRight }) {
+	const ratios = [openLeft, openRight].flatMap((opened) => opened === void 0 ? [] : [opened.value.info.width / opened.value.info.height]);
+	return ratios.length === 0 ? null : ratios.reduce((sum, ratio) => sum + ratio, 0) / ratios.length;
+}
+function isBeside(width, height, ratio) {
+	if (ratio === null) return width >= .85 * height;
+	return Math.min(height / 2, width / ratio) <= CLEARLY * Math.min(height, width / 2 / ratio);
+}
+function panesOf({ results }, width, height) {
+	if (isBeside(width, height, ratioOf(results))) {
 		const pane = Math.max(1, Math.floor((width - GAP) / 2));
 		return {
 			left: {
@@ -7647,8 +7728,10 @@ async function projectText(state, engine) {
 	return project === null ? null : engine.client("pair").call("projectWrite", project);
 }
 var digests = new WeakMap();
-async function contentOf({ images }, engine, side) {
-	const source = images[side]?.source;
+function contentOf({ images }, engine, side) {
+	return digestOf(images[side]?.source, engine);
+}
+async function digestOf(source, engine) {
 	switch (source?.kind) {
 		case "file": {
 			const digest = digests.get(source.file) ?? await engine.client("pair").call("digest", { file: source.file });
@@ -7658,6 +7741,10 @@ async function contentOf({ images }, engine, side) {
 		case "project": return source.content;
 		default: return null;
 	}
+}
+async function haveSameContent(a, b, engine) {
+	const content = await digestOf(a, engine);
+	return content !== null && content === await digestOf(b, engine);
 }
 async function readProject(engine, file, nextId) {
 	const bytes = new Uint8Array(await file.arrayBuffer());
@@ -7816,8 +7903,9 @@ var Files = class {
 		const told = [];
 		const camera = cameras[0];
 		if (camera !== void 0) told.push(await this.takeCamera(camera));
+		const ofImages = images.length > 0 ? await this.takeImages(images, side) : [];
 		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
-		if (images.length > 0) told.push(...await this.takeImages(images, side));
+		told.push(...ofImages);
 		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
 		this.tell(told, before);
 	}
@@ -8032,15 +8120,40 @@ var Files = class {
 			});
 			return told;
 		}
-		const aside = type === "images" ? await this.leave() : null;
+		if (type === "found") {
+			this.store.dispatch({
+				type,
+				images
+			});
+			return [];
+		}
+		const { photos } = this.store.state;
+		const marked = await this.marked(images);
+		const aside = await this.leave(marked.gone.length > 0);
 		this.store.dispatch({
 			type,
-			images
+			images,
+			same: marked.same
 		});
-		return [aside];
+		return [aside, ...marked.gone.map((side) => info(say("marks-went-with-the-image", {
+			side,
+			marks: photos[side].fiducials.length
+		})))];
 	}
-	async leave() {
-		if (!isWorthKeeping(this.store.state)) return null;
+	async marked(images) {
+		const { images: former, photos, truth } = this.store.state;
+		const sides = SIDES.filter((side) => truth === null && images[side] !== void 0 && former[side] !== null && hasData(photos[side]));
+		const areSame = await Promise.all(sides.map((side) => this.isSame(former[side], images[side])));
+		return {
+			same: sides.filter((_, i) => areSame[i]),
+			gone: sides.filter((_, i) => !areSame[i])
+		};
+	}
+	isSame(a, b) {
+		return a === null || b === void 0 ? Promise.resolve(false) : haveSameContent(a.source, b.source, this.engine);
+	}
+	async leave(always = false) {
+		if (!always && !isWorthKeeping(this.store.state)) return null;
 		const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
 		return await this.putAside() ? info(say("stay-under-projects", { title_of: titleOf({
 			name: null,
@@ -8061,10 +8174,10 @@ var Files = class {
 		return images.right === null ? "right" : activeSide;
 	}
 };
-function takerOf(view, files) {
+function takerOf(store, view, files) {
 	const sideAt = (event) => {
 		const box = view.host.getBoundingClientRect();
-		const panes = panesOf(box.width, box.height);
+		const panes = panesOf(store.state, box.width, box.height);
 		return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
 	};
 	return {
@@ -8100,6 +8213,7 @@ var KeptPairs = class {
 	store;
 	engine;
 	catalogue;
+	mode = "pair";
 	made = null;
 	making = false;
 	journal = new Journal();
@@ -9755,7 +9869,10 @@ function comparison(state) {
 	const pixel = interior === void 0 ? NaN : pixelMm(interior);
 	const used = (of) => count(countsOf$1(of).used);
 	const sigma = ({ sigma0_mm }) => fixed(sigma0_mm === null ? null : sigma0_mm / pixel, 3);
-	const error = (field) => (of) => fixed((of.total_standard_errors ?? of.standard_errors)?.[field], 4);
+	const error = (field) => (of) => {
+		const own = (of.total_standard_errors ?? of.standard_errors)?.[field];
+		return fixed(own, decimalsOfError(own, 4));
+	};
 	const line = (name, testid, text) => row(name, h("td", {
 		class: "number",
 		testid: `${testid}-before`
@@ -9870,7 +9987,7 @@ function mountFiducials(host, store, loadFile, marking, measure) {
 	}, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile, marking, measure), photo("right", store, loadFile, marking, measure)));
 }
 function photo(side, store, loadFile, marking, measure) {
-	const table = h("div", { class: "scroll" });
+	const table = scrolledByKeys(h("div", { class: "scroll" }));
 	const result = h("p", {
 		class: "note",
 		testid: `interior-${side}`
@@ -10400,12 +10517,13 @@ function valueTable(state, result) {
 		testid,
 		class: `number ${kind}`
 	}, fixed(value, digits));
-	const rows = UNKNOWNS.map(({ field, symbol, unit, digits }) => {
+	const rows = UNKNOWNS.map(({ field, symbol, unit, digits: printedDigits }) => {
+		const digits = decimalsOfError(errors?.[field], printedDigits);
 		const error = truth === null ? NaN : result[field] - truth[field];
 		const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
 		const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
 		const interval = number(`interval-${field}`, half?.[field], digits);
-		const printed = paper === void 0 ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], digits, "paper"), number(`paper-error-${field}`, paper.standard_errors[field], digits, "paper")];
+		const printed = paper === void 0 ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], printedDigits, "paper"), number(`paper-error-${field}`, paper.standard_errors[field], printedDigits, "paper")];
 		const compared = truth === null ? printed : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
 		return row(h("span", {}, h("i", {}, symbol), h("span", { class: "unit" }, ` ${unitText(unit)}`)), ...own, ...withInterior, interval, ...compared);
 	});
@@ -10426,14 +10544,14 @@ function valueTable(state, result) {
 		...truth === null ? [] : [[say("true-error"), say("value-minus-truth-by-and")], [say("in-std-errors"), say("the-true-error-divided-by")]]
 	];
 	const note = paper !== void 0 ? h("p", { class: "note" }, paperNote(state, paper)) : null;
-	return h("div", {}, h("div", { class: "scroll" }, h("table", {
+	return h("div", {}, scrolledByKeys(h("div", { class: "scroll" }, h("table", {
 		class: "tight",
 		aria: { label: say("relative-orientation") }
 	}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("unknown")), ...heads.map(([text, title, kind = ""]) => h("th", {
 		scope: "col",
 		title,
 		class: kind
-	}, text)))), h("tbody", {}, ...rows))), note);
+	}, text)))), h("tbody", {}, ...rows)))), note);
 }
 function paperNote({ catalogue }, { pixel_mm: pixel }) {
 	const flight = catalogue?.flights.find(({ name }) => name === "paper")?.flight;
@@ -10628,6 +10746,7 @@ function figuresOf(state, result) {
 	const { used } = countsOf$1(result);
 	const interior = interiorInUse(state)?.left;
 	const half = result.half_widths_95?.kappa_deg;
+	const digits = decimalsOfError(half, 2);
 	return [
 		{
 			value: count(used),
@@ -10638,13 +10757,10 @@ function figuresOf(state, result) {
 			label: say("precision")
 		}],
 		...half == null ? [] : [{
-			value: `${fixed(result.kappa_deg, decimalsOf(half))}° ± ${fixed(half, decimalsOf(half))}°`,
+			value: `${fixed(result.kappa_deg, digits)}° ± ${fixed(half, digits)}°`,
 			label: say("right-photo-turned")
 		}]
 	];
-}
-function decimalsOf(half) {
-	return half > 0 ? Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(half)))) : 2;
 }
 function figuresWithout(state) {
 	const { match, left } = shownPair(state);
@@ -10740,24 +10856,25 @@ function answerOf(state, actions) {
 		verdict: null
 	});
 	const failure = currentFailure(state);
-	if (state.notice?.kind === "problem") return line("problem", state.notice.text);
+	const notice = ofLine(state.notice);
+	if (notice?.kind === "problem") return line("problem", notice.text);
 	const { running, wanted, done } = progress(state);
 	if (running.length > 0) return line("busy", say("step", {
 		step: Math.min(done + 1, wanted),
 		steps: wanted,
 		stages: running.map((stage) => STAGES[stage].label).join("; ")
 	}));
-	if (state.notice?.kind === "busy") return line("busy", state.notice.text);
+	if (notice?.kind === "busy") return line("busy", notice.text);
 	if (state.paused) return line("idle", say("cancelled-results-on-the-screen"));
 	if (failure !== null && !isOrientation(failure)) return line("problem", `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
 	const [refused] = Object.values(state.refused);
 	if (refused !== void 0) return line("problem", refusedText(refused));
 	const answer = resting(state, done < wanted, actions);
-	if (state.notice === null) return answer;
-	if (answer.verdict === null) return line("idle", state.notice.text);
+	if (notice === null) return answer;
+	if (answer.verdict === null) return line("idle", notice.text);
 	return {
 		...answer,
-		more: `${answer.more ?? ""} ${state.notice.text}`.trimStart()
+		more: `${answer.more ?? ""} ${notice.text}`.trimStart()
 	};
 }
 function isOrientation({ stage, ended }) {
@@ -10799,21 +10916,24 @@ function pickerOf(files) {
 		input.click();
 	};
 }
-function mountHeader({ store, engine, view, files, pick, attempt, sampleBlock }) {
+function mountHeader({ store, engine, view, files, pick, attempt, saving, sampleBlock }) {
 	const on = (id, action) => {
 		byId(id).addEventListener("click", () => void attempt(action));
+	};
+	const onExport = (id, action) => {
+		byId(id).addEventListener("click", () => void saving("export-menu", action));
 	};
 	for (const id of ["open", "open-first"]) on(id, () => pick(null));
 	for (const id of ["sample", "sample-first"]) on(id, () => files.takeSample());
 	on("sample-block-first", sampleBlock);
 	mountMenu(byId("export-menu"), byId("exports"));
 	on("swap", () => swap(store, engine));
-	on("export-csv", () => exportMatches(store.state, engine));
-	on("export-json", () => exportEverything(store.state));
-	on("export-project", () => exportProject(store, engine));
-	on("export-report", () => exportReport(store, engine));
-	on("export-epipolar", () => exportEpipolar(store, engine));
-	on("export-png", () => exportPicture(store.state, view));
+	onExport("export-csv", () => exportMatches(store.state, engine));
+	onExport("export-json", () => exportEverything(store.state));
+	onExport("export-project", () => exportProject(store, engine));
+	onExport("export-report", () => exportReport(store, engine));
+	onExport("export-epipolar", () => exportEpipolar(store, engine));
+	onExport("export-png", () => exportPicture(store.state, view));
 	store.watch([
 		"images",
 		"results",
@@ -11063,13 +11183,12 @@ function mountPanes(view, store, actions) {
 	};
 	view.host.append(labels.left.element, labels.right.element);
 	const place = () => {
-		const panes = panesOf(view.host.clientWidth, view.host.clientHeight);
+		const panes = panesOf(store.state, view.host.clientWidth, view.host.clientHeight);
 		for (const side of SIDES) {
 			const { style } = labels[side].element;
 			const { left, top, width, height } = panes[side];
 			Object.assign(style, {
-				left: `${String(left)}px`,
-				top: `${String(top)}px`,
+				transform: `translate(${String(left)}px, ${String(top)}px)`,
 				width: `${String(width)}px`,
 				height: `${String(height)}px`
 			});
@@ -11084,6 +11203,7 @@ function mountPanes(view, store, actions) {
 		s.results.openRight,
 		s.activeSide
 	], () => {
+		place();
 		for (const side of SIDES) {
 			labels[side].element.classList.toggle("is-active", store.state.activeSide === side);
 			labels[side].element.classList.toggle("is-empty", store.state.images[side] === null);
@@ -11550,8 +11670,8 @@ function candidateTable(state, match, { candidates }, select) {
 	const heads = [
 		say("rank"),
 		say("right-point"),
-		"x px",
-		"y px",
+		`x ${unitText("px")}`,
+		`y ${unitText("px")}`,
 		measure
 	].map((text) => h("th", { scope: "col" }, text));
 	heads.push(h("th", {
@@ -12661,7 +12781,7 @@ function changed(state, action) {
 			settings: action.catalogue.defaults,
 			flight: action.catalogue.flights[0]?.flight ?? null
 		};
-		case "images": return withImages(state, action.images);
+		case "images": return withImages(state, action.images, action.same);
 		case "simulated": return withSimulated(state, action);
 		case "opened": return withProject(state, action.opened);
 		case "restored": return withKept(state, action.restored);
@@ -12847,15 +12967,20 @@ function withHistory(state, history) {
 		paused: false
 	};
 }
-function withImages(state, images) {
+function withImages(state, images, same = []) {
 	const before = state.truth === null ? state : withoutTruth(state);
 	const all = {
 		...before.images,
 		...images
 	};
+	const goes = (side) => replaced(before, images, side) && !same.includes(side);
 	return {
 		...before,
 		images: all,
+		photos: {
+			left: goes("left") ? NO_DATA : before.photos.left,
+			right: goes("right") ? NO_DATA : before.photos.right
+		},
 		masks: {
 			left: images.left === void 0 ? before.masks.left : null,
 			right: images.right === void 0 ? before.masks.right : null
@@ -12870,6 +12995,9 @@ function withImages(state, images) {
 		...UNEDITED,
 		...exchangedPair(state, all)
 	};
+}
+function replaced({ images }, given, side) {
+	return images[side] !== null && given[side] !== void 0;
 }
 function withoutTruth(state) {
 	return {
@@ -13008,7 +13136,7 @@ function marksOf(state) {
 	};
 }
 function sceneOf(state, width, height) {
-	const rects = panesOf(width, height);
+	const rects = panesOf(state, width, height);
 	const marks = marksOf(state);
 	const pane = (side) => {
 		const picture = pictureOf(state, side);
@@ -14092,6 +14220,25 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 			});
 		}
 	};
+	const saving = async (near, action) => {
+		const { notice: before } = store.state;
+		try {
+			await action();
+			if (before !== null && before.kind !== "busy" && store.state.notice === before) store.dispatch({
+				type: "notice",
+				notice: null
+			});
+		} catch (error) {
+			store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "problem",
+					text: sentence(readable(store.state.catalogue, messageOf(error))),
+					near
+				}
+			});
+		}
+	};
 	const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
 	const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
 	const paint = (masked) => void attempt(() => masking.paint(masked));
@@ -14183,7 +14330,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 			});
 			queueMicrotask(() => results.querySelector(`[data-testid="${oriented ? "orientation" : "matches"}-section"]`)?.scrollIntoView({ block: "start" }));
 		},
-		save: () => void attempt(() => exportProject(store, engine))
+		save: () => void saving("next", () => exportProject(store, engine))
 	});
 	mountHeader({
 		store,
@@ -14192,8 +14339,15 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 		files,
 		pick,
 		attempt,
+		saving,
 		sampleBlock
 	});
+	const near = makeNear("near", () => store.dispatch({
+		type: "notice",
+		notice: null
+	}));
+	byId("stage").after(near.element);
+	store.watch(["notice"], ([notice]) => near.show(notice));
 	store.watch(["selection"], ([selection]) => {
 		if (selection !== null && matches.hidden) showTab("tab-point");
 	});
@@ -14202,7 +14356,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 		engine,
 		kept,
 		begin: () => files.begin(),
-		taker: takerOf(view, files),
+		taker: takerOf(store, view, files),
 		open: (file) => files.takeProject(file)
 	};
 }
@@ -14537,6 +14691,26 @@ var Database = class Database {
 			});
 		});
 	}
+	async separate(id, row, names) {
+		await this.change(async (projects, parts) => {
+			const there = await projects.get(id);
+			if (there === void 0) throw new KeepError("gone", say("the-project-is-no-longer"));
+			if (there.writer !== row.writer) throw new KeepError("taken", say("another-tab-has-taken-the"));
+			await projects.put({
+				...row,
+				writer: ""
+			});
+			for (const name of names) {
+				const part = await parts.get([id, name]);
+				if (part === void 0) continue;
+				await parts.put({
+					...part,
+					project: row.id
+				});
+				await parts.delete([id, name]);
+			}
+		});
+	}
 	async remove(id) {
 		await this.change(async (projects, parts) => {
 			await Promise.all([projects.delete(id), parts.delete(partsOf(id))]);
@@ -14847,12 +15021,36 @@ var Keeper = class {
 		for (const keepable of this.keepables) keepable.clear();
 		this.keeping.dispatch({ trouble: null });
 	}
-	async putAside(part, twice = false) {
+	async putAside(part) {
 		await this.settle();
-		const { trouble } = this.keeping.state;
-		const others = this.keepables.some((keepable) => keepable !== part && keepable.parts().size > 0);
-		if (this.isNew || trouble !== null || others && !twice) return false;
+		if (this.isNew || this.keeping.state.trouble !== null) return false;
+		if (this.keepables.some((keepable) => keepable.mode !== part.mode && keepable.parts().size > 0)) return this.separate(part);
 		await this.begin();
+		return true;
+	}
+	async separate(part) {
+		const { project, name } = this.keeping.state;
+		const { mode } = part;
+		const parts = [...part.parts().keys()];
+		const takesName = mode === "block";
+		const row = {
+			id: randomName(),
+			form: 1,
+			name: takesName ? name : null,
+			images: part.images(),
+			mode,
+			changed: Date.now(),
+			writer: this.tab
+		};
+		try {
+			await this.database?.separate(project, row, parts);
+		} catch (error) {
+			this.failed(error, project);
+			return false;
+		}
+		for (const gone of parts) this.written.delete(gone);
+		if (takesName) this.keeping.dispatch({ name: null });
+		this.later();
 		return true;
 	}
 	async keepAsNew() {
@@ -15116,12 +15314,12 @@ var countBreak = (id) => allowed(() => localStorage.setItem(BROKE_OFF, `${id} ${
 var forgetBreaks = () => allowed(() => localStorage.removeItem(BROKE_OFF), void 0);
 // www/shared/files/late.ts
 var LateKeepable = class {
-	prefix;
+	mode;
 	load;
 	part = null;
 	changed = null;
-	constructor(prefix, load) {
-		this.prefix = prefix;
+	constructor(mode, load) {
+		this.mode = mode;
 		this.load = load;
 	}
 	arrive(part) {
@@ -15142,7 +15340,7 @@ var LateKeepable = class {
 		return this.part?.images() ?? [];
 	}
 	async read(parts) {
-		if ([...parts.keys()].some((name) => name.startsWith(this.prefix))) await this.load();
+		if ([...parts.keys()].some((name) => name.startsWith(this.mode))) await this.load();
 		return await this.part?.read(parts) ?? (() => void 0);
 	}
 	clear() {
@@ -15724,7 +15922,7 @@ async function startParts(opening, serveDrop) {
 		const block = await loadBlock(catalogue, pair, {
 			modes,
 			openProject,
-			putAside: (kept, twice) => keeper.putAside(kept, twice)
+			putAside: (kept) => keeper.putAside(kept)
 		});
 		keptBlock.arrive(block.kept);
 		takers.unshift(block.taker);
@@ -15814,7 +16012,7 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	const ofBlocks = blockCatalogue(catalogue);
 	const block = await mountBlock(ofBlocks, {
 		...elsewhere,
-		openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept, true), images)
+		openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images)
 	});
 	block.store.dispatch({
 		type: "ready",
@@ -15822,4 +16020,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, inPane, isHidden, isOpen, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };

@@ -2061,9 +2061,10 @@
 		return text.replaceAll(/(?<![\p{L}\p{N}_.,)−-])-(?=\d)/gu, "−");
 	}
 	// www/shared/text/messages.ts
+	var WITH_FIGURES = /verdict$|^(?:warning|no_geometry|no_orientation|connection)$/u;
 	function message(family, of, attribute = null) {
 		const text = message$1(family, of, attribute, LANGUAGE).replaceAll("σ0", "σ₀").replaceAll("± ", "±\xA0");
-		return asClauses(family.endsWith("verdict") ? grouped(withMinus(text)) : text);
+		return asClauses(WITH_FIGURES.test(family) ? grouped(withMinus(text)) : text);
 	}
 	function messageOf(thrown) {
 		if (!(thrown instanceof Error)) return String(thrown);

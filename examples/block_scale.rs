@@ -18,7 +18,7 @@ fn main() -> Result<(), tiepoint::Error> {
         let start = Instant::now();
         let matches = block.matches()?;
         let gathered = start.elapsed().as_secs_f64();
-        let (points, _) = tie_points(&matches, &BlockOptions::default())?;
+        let (points, _) = tie_points(&matches, &block.image_features(), &BlockOptions::default())?;
         let joined = start.elapsed().as_secs_f64();
         let chosen = select_points(&points, &block.image_features(), &SelectOptions::default())?;
         let selected = start.elapsed().as_secs_f64();

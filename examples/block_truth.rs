@@ -120,8 +120,8 @@ struct Sums {
 impl Sums {
     fn add(&mut self, flight: &BlockFlight, is_surveyed: bool) -> Result<(), tiepoint::Error> {
         let block = simulate_block(flight)?;
-        let matches = block.matches()?;
-        let join = |conflicts| tie_points(&matches, &BlockOptions { conflicts, ..BlockOptions::default() });
+        let (matches, features) = (block.matches()?, block.image_features());
+        let join = |conflicts| tie_points(&matches, &features, &BlockOptions { conflicts, ..BlockOptions::default() });
         let (points, _) = join(Conflicts::Resolve)?;
         let (fewer, _) = join(Conflicts::Drop)?;
         let pure = points.iter().filter(|rays| together(&block, rays.iter().map(|ray| (ray.image, ray.feature)))).count();

@@ -72,7 +72,7 @@ struct Scene {
 impl Scene {
     fn new(seed: u32) -> Result<Self, tiepoint::Error> {
         let block = simulate_block(&BlockFlight { strips: 3, exposures: 5, features: 800, seed, ..BlockFlight::default() })?;
-        let (points, _) = tie_points(&block.matches()?, &BlockOptions::default())?;
+        let (points, _) = tie_points(&block.matches()?, &block.image_features(), &BlockOptions::default())?;
         let mut normal = Normal(u64::from(seed) << 32);
         let mut description = block.description(Some(1.0));
         for (image, exposure) in description.images.iter_mut().zip(&block.exposures) {

@@ -9,7 +9,7 @@ use tiepoint::{
 fn main() -> Result<(), Error> {
     let folder = std::env::args().nth(1).unwrap_or_else(|| "export".into());
     let block = simulate_block(&BlockFlight { view: BlockView::Oblique, strips: 3, exposures: 4, ..BlockFlight::default() })?;
-    let (points, _) = tie_points(&block.matches()?, &BlockOptions::default())?;
+    let (points, _) = tie_points(&block.matches()?, &block.image_features(), &BlockOptions::default())?;
     let chosen = select_points(&points, &block.image_features(), &SelectOptions::default())?;
     let model = model_of(&block, &points, &chosen.points)?;
     for format in ExportFormat::ALL {

@@ -19,7 +19,7 @@ fn main() -> Result<(), tiepoint::Error> {
         let flight = BlockFlight { strips, exposures: images / strips, features: 600, wrong: 0.1, ..BlockFlight::default() };
         let block = simulate_block(&flight)?;
         let start = Instant::now();
-        let (points, _) = tie_points(&block.matches()?, &BlockOptions::default())?;
+        let (points, _) = tie_points(&block.matches()?, &block.image_features(), &BlockOptions::default())?;
         let joined = start.elapsed().as_secs_f64();
         let gnss = |centre: [f64; 3]| ObservedPosition::Local { position: centre, sigma: [3.0, 3.0, 5.0] };
         let mut description = block.description(Some(1.02));

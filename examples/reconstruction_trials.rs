@@ -14,7 +14,7 @@ fn main() -> Result<(), tiepoint::Error> {
     for (name, flight, focal) in kinds() {
         for seed in 1..=seeds {
             let block = simulate_block(&BlockFlight { seed, ..flight.clone() })?;
-            let (points, _) = tie_points(&block.matches()?, &BlockOptions::default())?;
+            let (points, _) = tie_points(&block.matches()?, &block.image_features(), &BlockOptions::default())?;
             let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
             let description = block.description(focal);
             let start = Instant::now();

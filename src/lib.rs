@@ -7,8 +7,8 @@
 // The runner calls the tests of wasm-bindgen by their exports. Without a `main`, which calls all others, these are not compiled to wasm.
 #![cfg_attr(all(test, target_arch = "wasm32"), no_main)]
 
-// Integration tests that run as wasm, too, name the crate as its users do.
-#[cfg(all(test, target_arch = "wasm32"))]
+// Integration tests name the crate as its users do.
+#[cfg(test)]
 extern crate self as tiepoint;
 
 mod adjustment;
@@ -22,6 +22,9 @@ mod error;
 mod formats;
 mod html;
 mod image;
+#[cfg(all(test, integration, not(target_arch = "wasm32")))]
+#[path = "../tests/integration.rs"]
+mod integration;
 mod json;
 mod matching;
 mod math;
@@ -55,7 +58,7 @@ pub use camera::{
     FiducialModel, FiducialOrientation, FreeParameters, Interior, Pose, RtkSolution, angles_from_rotation, orient_fiducials,
     rotation_from_angles,
 };
-pub use catalogue::{Parameter, ParameterKind, acting, with_defaults};
+pub use catalogue::{CALL_PARAMETERS, Parameter, ParameterKind, acting, with_defaults};
 pub use crs::{coordinates_in_system, places_of_coordinates};
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,

@@ -1,6 +1,6 @@
 //! The bundle adjustment on simulated blocks whose every answer is known.
 
-use crate::sampling::{about_one, runs};
+use super::sampling::{about_one, runs};
 use tiepoint::{
     AdjustmentOptions, AdjustmentResult, Block, BlockFlight, BlockPreset, BlockView, CameraPrior, Datum, FreeParameters, Loss,
     ObservationVerdict, SimulatedNetwork, adjust_block, angles_from_rotation, simulate_network,

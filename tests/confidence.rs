@@ -1,6 +1,6 @@
 //! What a block says of its uncertainty: regions of 95 %, and what undetected errors do.
 
-use crate::sampling::runs;
+use super::sampling::runs;
 use tiepoint::{
     AdjustmentOptions, AdjustmentResult, Block, BlockFlight, BlockPreset, Datum, Loss, SimulatedNetwork, adjust_block, ellipsoid_semi_axes,
     simulate_network,

@@ -8,10 +8,10 @@ mod mosaic;
 mod orthophoto;
 
 pub use flown::{GEOID_M, UTM, control, files, flown};
-use flown::{both, in_utm, numbers, run, run_of};
+use flown::{both, by_gnss, in_utm, numbers, run, run_of};
 use proj_core::Transform;
 use tiepoint::{
-    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, RunInput,
+    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, Remark, RunInput,
 };
 
 #[test]
@@ -101,7 +101,9 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     let all = rows(&run);
     assert_eq!(all.len(), texts.points.lines().count() - 1);
     assert_eq!(told(&all, "G1"), pair("control", "used"));
-    assert_eq!(told(&all, "X1"), pair("control", "untested"));
+    assert_eq!(told(&all, "X1"), pair("control", "not measured"));
+    let is_listed = |remark: &Remark| matches!(remark, Remark::UnmeasuredPoints { points } if *points == ["X1"]);
+    assert!(run.remarks.iter().any(is_listed), "{:?}", run.remarks);
     assert_eq!(told(&all, "X2"), pair("check", "not determined"));
     assert_eq!(told(&all, "X3"), pair("control", "untested"));
     assert_eq!(told(&all, "X4"), pair("off", "off"));
@@ -109,7 +111,7 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     assert!((0..3).all(|k| own[3 + k].parse::<f64>().unwrap() == place[k].parse::<f64>().unwrap()), "{own:?} {place:?}");
     let report = &files(&run)["report.html"];
     let section = report.split("without figures").nth(1).unwrap();
-    assert!(["X1", "X2", "X3", "X4", "untested", "not determined"].iter().all(|word| section.contains(word)));
+    assert!(["X1", "X2", "X3", "X4", "not measured", "untested", "not determined"].iter().all(|word| section.contains(word)));
     assert!(!files(both())["report.html"].contains("without figures"));
     // Those that are switched off by hand have their rows, too; G1 is the first that is not switched off.
     let off = run.with_edits(&[BlockEdit::SetUse { point: 0, role: None }]).unwrap();
@@ -123,6 +125,30 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     let free = rows(&local.with_edits(&edits).unwrap());
     assert_eq!((free.len(), told(&free, "G1"), told(&free, "G3")), (all.len(), pair("control", "not placed"), pair("check", "not placed")));
     assert_eq!((told(&free, "G4"), told(&free, "X4")), (pair("off", "off"), pair("off", "off")));
+}
+
+#[test]
+fn a_block_without_its_control_points_lies_where_its_gnss_positions_have_it() {
+    let run = both();
+    let control: Vec<usize> = run.input.control.as_ref().map_or(0..0, |texts| 0..texts.points.lines().count() - 1).collect();
+    let with = |edits: Vec<BlockEdit>| {
+        let edited = run.with_edits(&edits).unwrap();
+        (edited.reconstruction.as_ref().unwrap().models[0].clone(), edited)
+    };
+    let off = |points: &[usize]| points.iter().map(|point| BlockEdit::SetUse { point: *point, role: None }).collect();
+    let (model, edited) = with(off(&control));
+    assert!(model.in_system && model.adjusted.datum == Datum::Gnss && model.surveyed.is_empty(), "{:?}", model.adjusted.datum);
+    // With their heights, above another zero than that of the control points.
+    let heights = |run: &BlockRun| numbers(&files(run)["images.csv"], &["z"]).iter().map(|row| row[0]).sum::<f64>();
+    let images = model.images.len() as f64;
+    assert!(((heights(&edited) - heights(run)) / images - GEOID_M).abs() < 10.0, "{} {}", heights(&edited), heights(run));
+    let summary: serde_json::Value = serde_json::from_str(&files(&edited)["summary.json"]).unwrap();
+    assert!(summary["crs"]["gnss_above_m"].is_null(), "{}", summary["crs"]);
+    let alone = heights(by_gnss()) / images;
+    assert!((heights(&edited) / images - alone).abs() < 0.5, "{} {alone}", heights(&edited) / images);
+    // Two of them and positions without heights place nothing.
+    let (floating, _) = with(off(&control[..control.len() - 2]));
+    assert!(!floating.in_system && floating.warnings.iter().any(|warning| matches!(warning, BlockWarning::Free { .. })));
 }
 
 #[test]

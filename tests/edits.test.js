@@ -347,12 +347,13 @@ test('matched photographs stay in the list of projects when another one takes th
   const aside = [];
   const putAside = () => Promise.resolve(aside.push(store.state) > 0);
   const none = () => Promise.reject(new Error('not asked'));
-  const files = new page.open.Files(store, { open: () => Promise.resolve() }, none, none, putAside);
+  const engine = { open: () => Promise.resolve(), client: () => ({ call: async (/** @type {string} */ _, /** @type {{ file: File }} */ of) => of.file.name }) };
+  const files = new page.open.Files(store, engine, none, none, putAside);
   files.begin();
   await files.take([file('third')], 'right');
   assert.deepEqual(aside, [{ ...before, notice: aside[0]?.notice }]);
   assert.deepEqual([store.state.images.left.name, store.state.images.right.name], ['left', 'third']);
-  assert.match(store.state.notice.text, /left.* stay under Projects\.$/);
+  assert.match(store.state.notice.text, /^left and right stay under Projects\. The 8 fiducial marks of the right image went with it\.$/);
   // Nothing is matched yet: nothing is kept twice.
   await files.take([file('fourth')], 'right');
   assert.equal(aside.length, 1);

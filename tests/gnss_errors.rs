@@ -1,7 +1,7 @@
 //! Lever arms, offsets and drifts of GNSS positions, on simulated blocks whose errors are known.
 
-use crate::normal::Normal;
-use crate::sampling::{about, about_one, runs};
+use super::normal::Normal;
+use super::sampling::{about, about_one, runs};
 use tiepoint::{
     AdjustmentOptions, AdjustmentResult, Block, BlockFlight, BlockObservation, BlockPreset, Datum, Error, GnssErrors, Loss, PositionPrior,
     SystematicError, SystematicStatistics, SystematicVerdict, adjust_block, simulate_network,

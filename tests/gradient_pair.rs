@@ -1,6 +1,6 @@
 //! Photos of any rotation and direction of flight, matched by gradients with and without a known camera.
 
-use crate::known::input;
+use super::known::input;
 use tiepoint::{
     CameraMm, Degeneracy, Expectation, GreyImage, NoOrientation, OffsetField, Operator, PairImage, PairInput, PairResult, PairSettings,
     PointOptions, Refinement, Rule, SAMPLE_SEED, Strategy, describe_image, match_in_rounds, match_pair, nearest_of, sample_pair,

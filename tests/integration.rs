@@ -1,6 +1,8 @@
-//! The crate as its users see it, in one program: each program of tests would hold the crate anew, and be linked with it.
+//! The crate as its users see it. Its tests stand in the program of the unit tests (`src/lib.rs`): another one would need the crate compiled
+//! without these, too, which takes as long. Lints compile them as a program of their own, which sees what the crate exports and nothing else; so
+//! they name their helpers by `super`.
 //!
-//! What one file tests is run alone by its name: `cargo test --test integration adjustment::`.
+//! What one file tests is run alone by its name: `cargo test --lib integration::adjustment::`.
 // Files that run as wasm, too, bring their helpers with them (`src/wasm/everywhere.rs`).
 #![allow(clippy::duplicate_mod)]
 

@@ -70,7 +70,9 @@ fn a_module_imports_only_modules_above_it() {
 #[test]
 fn every_module_has_a_place() {
     let lib = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs")).unwrap();
-    let declared: Vec<&str> = lib.lines().filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';')).collect();
+    let declared = lib.lines().filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';'));
+    // It holds the tests of this folder.
+    let declared: Vec<&str> = declared.filter(|module| *module != "integration").collect();
     assert!(declared.len() == ORDER.len() && declared.iter().all(|module| ORDER.contains(module)), "{declared:?}");
 }
 

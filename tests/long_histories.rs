@@ -1,6 +1,6 @@
 //! Many edits of a block by hand, undone and redone as a user does.
 
-use crate::shown::shown;
+use super::shown::shown;
 use std::fs;
 use std::time::Instant;
 use tiepoint::{

@@ -1,6 +1,6 @@
 //! Blocks in the system of an orthophoto, beside their truth.
 
-use crate::shown::shown;
+use super::shown::shown;
 use std::fs;
 use std::path::PathBuf;
 use std::sync::{Mutex, OnceLock, PoisonError};

@@ -1,8 +1,8 @@
 //! The reconstruction of simulated blocks: everything from the rays alone.
 
-use crate::normal::Normal;
-use crate::sampling::{about_one, runs};
-use crate::scene::{Scene, scene, selected};
+use super::normal::Normal;
+use super::sampling::{about_one, runs};
+use super::scene::{Scene, scene, selected};
 use tiepoint::{
     AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, CameraUncertainty, ControlRole, Datum,
     FreeParameters, GnssErrors, GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,
@@ -140,7 +140,7 @@ fn images_that_cannot_be_oriented_have_a_reason() {
         let most = if images.contains(&20) { 1 } else { list.len() };
         matches.add_pair(*images, &list[..most]).unwrap();
     }
-    let (points, _) = tie_points(&matches, &BlockOptions::default()).unwrap();
+    let (points, _) = tie_points(&matches, &simulated.image_features(), &BlockOptions::default()).unwrap();
     let reconstruction = reconstruct_block(&whole.description, &points, &whole.block.image_features(), &selected()).unwrap();
     reconstruction.unoriented.iter().for_each(|image| println!("{}", image.reason));
     assert_eq!(reconstruction.models[0].images.len(), 28);

@@ -1,6 +1,6 @@
 //! The reconstruction of blocks of which what is known is wrong, missing or poor.
 
-use crate::scene::{Scene, scene, selected};
+use super::scene::{Scene, scene, selected};
 use tiepoint::{
     BlockFlight, ControlRole, Datum, GroundControlPoint, ImageObservation, KnownCamera, ObservedPosition, Reconstruction,
     geographic_from_local,

@@ -38,7 +38,7 @@ fn check_tracked(preset: Preset, name: &str, file: &str) {
         fs::write(&path, &html).unwrap();
     }
     let tracked = fs::read_to_string(&path).unwrap_or_default();
-    assert!(tracked == html, "docs/{file} is not what the report is now: TIEPOINT_REPORT=write cargo test --test integration report::");
+    assert!(tracked == html, "docs/{file} is not what the report is now: TIEPOINT_REPORT=write cargo test --lib integration::report::");
 }
 
 #[test]

@@ -153,6 +153,44 @@ test('a row is what it says, and a choice finds its row in each table', () => {
   assert.deepEqual([...rowsOfChoice('points', SHOWN, { kind: 'points', points: Uint32Array.of(4, 9) })], [4, 9]);
 });
 
+test('coordinates and their standard errors have their unit in the heads, where the block has a scale', () => {
+  const points = { count: 0, positions: [], errors: [] };
+  const units = (/** @type {object | null} */ origin) => {
+    const view = { ...VIEW, origin, surveyed: [], points };
+    const heads = ['images', 'points'].flatMap((subject) => page.columns.rowsOf(subject, { view, given: [] }).columns);
+    return heads.filter(({ label }) => /^(?:σ )?[XYZ]$/u.test(label)).map(({ label, unit }) => `${label} ${unit}`);
+  };
+  const labels = ['X', 'Y', 'Z', 'X', 'σ X', 'Y', 'σ Y', 'Z', 'σ Z'];
+  assert.deepEqual(
+    units({}),
+    labels.map((label) => `${label} m`),
+  );
+  assert.deepEqual(
+    units(null),
+    labels.map((label) => `${label} `),
+  );
+});
+
+test('heads of a file are English in Arabic too, also those that name an axis', async () => {
+  // As a worker is called that writes Arabic.
+  Object.assign(globalThis, { name: 'tables ar' });
+  const { columns, rows, texts } = await pageModules(['shared/engine/texts', 'shared/state/rows', 'block/state/columns']);
+  Reflect.deleteProperty(globalThis, 'name');
+  // As in the page in one file, whose parts are there.
+  Object.assign(globalThis, { document: { getElementById: () => ({ textContent: 'there' }) } });
+  for (const part of ['program', 'block']) await texts.learnPart(part);
+  const surveyed = [{ name: 'G1', role: 'check', rays: 4, position: [1, 2, 3], isUsed: true, standard_errors_m: [1, 1, 1], difference_m: [0, 0, 0] }];
+  const given = [{ name: 'G2', role: null, images: 2, place: null, position: [7, 8, 9] }];
+  const table = columns.rowsOf('surveyed', { view: { ...VIEW, surveyed }, given });
+  const shown = table.columns.filter((/** @type {{ key: string }} */ { key }) => /^(?:use|given-X|left-out-X|left-out-sigma-Z)$/u.test(key));
+  assert.match(shown[1].label, /\p{Script=Arabic}/u);
+  assert.equal(
+    rows.csvOf(shown, [0, 1], await texts.intoEnglish()),
+    'Use,X as given,ΔX left out [m],σ ΔZ left out [m]\ncheck,,,\nnot used · measured in 2 images,7.000,,\n',
+  );
+  Reflect.deleteProperty(globalThis, 'document');
+});
+
 test('a control point says where it would be without itself, a check point does not', () => {
   const none = [null, null, null];
   const left_out = { difference: [0.01, -0.02, 0.03], standard_errors: [0.004, 0.005, 0.006] };

@@ -1,6 +1,6 @@
 //! The whole pipeline on the simulated sample pair, natively and under Node: right, oriented, and the same to the last bit.
 //!
-//! `TIEPOINT_GOLDEN=write cargo test --test integration sample::` rewrites the golden file after a change that is meant to change the matches.
+//! `TIEPOINT_GOLDEN=write cargo test --lib integration::sample::` rewrites the golden file after a change that is meant to change the matches.
 
 mod known;
 

@@ -38,7 +38,7 @@ export function saidIn(name, code) {
   /** @type {{ name: string, figures: string[] | null }[]} */
   const found = [];
   walk(name, code, ({ type, callee, arguments: given }) => {
-    if (type !== 'CallExpression' || callee.name !== 'say') return;
+    if (type !== 'CallExpression' || !/^say(?:Named)?$/u.test(callee.name)) return;
     for (const said of namesIn(given[0])) found.push({ name: said, figures: figuresIn(given[1]) });
   });
   return found;

@@ -13,7 +13,7 @@ fn flown(view: BlockView, wrong: f64) -> SimulatedBlock {
 }
 
 fn joined(block: &SimulatedBlock, conflicts: Conflicts) -> (TiePoints, JoinCounts) {
-    tie_points(&block.matches().unwrap(), &BlockOptions { conflicts, ..BlockOptions::default() }).unwrap()
+    tie_points(&block.matches().unwrap(), &block.image_features(), &BlockOptions { conflicts, ..BlockOptions::default() }).unwrap()
 }
 
 /// The share of points whose rays all show the same ground.
@@ -106,7 +106,8 @@ fn rays_of_plain_components(block: &SimulatedBlock) -> usize {
 #[test]
 fn the_expected_share_of_impure_points_is_about_the_true_one() {
     let block = simulate_block(&BlockFlight { wrong: 0.4, ..BlockFlight::default() }).unwrap();
-    let (points, _) = tie_points(&block.matches().unwrap(), &BlockOptions { impure: 0.5, ..BlockOptions::default() }).unwrap();
+    let (points, _) =
+        tie_points(&block.matches().unwrap(), &block.image_features(), &BlockOptions { impure: 0.5, ..BlockOptions::default() }).unwrap();
     let expected = (0..points.len()).map(|point| 1.0 - f64::from(points.confidence(point))).sum::<f64>() / points.len() as f64;
     let found = 1.0 - pure(&block, &points);
     println!("impure: expected {expected:.4}, found {found:.4}");

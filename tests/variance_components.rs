@@ -1,6 +1,6 @@
 //! Weights of groups of observations by their residuals, on simulated blocks whose errors are known.
 
-use crate::stated::{Case, GROUPS, MARK_PX, Simulated};
+use super::stated::{Case, GROUPS, MARK_PX, Simulated};
 use tiepoint::{AdjustmentOptions, AdjustmentResult, Datum, ObservationGroup, VarianceComponent, adjust_block};
 
 const RIGHT: Case = Case { factors: [1.0; 5], control: 12, datum: Datum::GnssAndControl };
@@ -53,7 +53,9 @@ fn rounds_of_weighting_are_counted_apart() {
     let case = Case { factors: [3.0, 1.0, 1.0, 1.0, 1.0], ..RIGHT };
     let (simulated, adjusted) = estimated(&case, 2, AdjustmentOptions::default());
     let plain = adjust_block(&simulated.block, &AdjustmentOptions { datum: case.datum, ..AdjustmentOptions::default() }).unwrap();
-    assert_eq!((adjusted.rounds, adjusted.iterations), (plain.rounds, plain.iterations));
+    // The last steps come once, after the last weighting.
+    assert_eq!(adjusted.rounds, plain.rounds);
+    assert!((plain.iterations - 2..=plain.iterations).contains(&adjusted.iterations), "{} {}", adjusted.iterations, plain.iterations);
     let weighting = adjusted.weighting.unwrap();
     assert!(weighting.converged && (1..20).contains(&weighting.rounds) && weighting.iterations >= weighting.rounds, "{weighting:?}");
     assert_eq!(plain.weighting, None);

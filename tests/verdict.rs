@@ -1,6 +1,6 @@
 //! What a pair is worth, as it is told to whoever sets nothing.
 
-use crate::known::input;
+use super::known::input;
 use tiepoint::{
     CameraMm, Error, GreyImage, KnownWorst, PairImage, PairInput, PairInterior, PairResult, PairSettings, PairVerdict, Refusal,
     SAMPLE_SEED, Side, Warning, judged, match_pair, sample_pair,

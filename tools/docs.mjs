@@ -9,6 +9,7 @@ import {
   block_flight_preset,
   block_parameters,
   block_settings,
+  call_parameters,
   defaults,
   flight_parameters,
   flight_preset,
@@ -88,6 +89,12 @@ export function optionsPage() {
         '`tiepoint simulate --block`; in the package and the crate: `BlockFlight`. The command has other defaults for the size of the photos.',
         block_flight_parameters(),
         block_flight_preset('features'),
+      ),
+      ...chapter(
+        'Values of calls',
+        'What commands are given beside settings, where their help lists it; in the package and the crate: arguments of these names, `CALL_PARAMETERS`.',
+        call_parameters(),
+        {},
       ),
     ]
       .join('\n')

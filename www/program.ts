@@ -70,7 +70,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ReturnType<type
     const block = await loadBlock(catalogue, pair, {
       modes,
       openProject,
-      putAside: (kept, twice) => keeper.putAside(kept, twice),
+      putAside: (kept) => keeper.putAside(kept),
     });
     keptBlock.arrive(block.kept);
     takers.unshift(block.taker);
@@ -159,7 +159,7 @@ async function loadBlock(
   const ofBlocks = blockCatalogue(catalogue);
   const block = await mountBlock(ofBlocks, {
     ...elsewhere,
-    openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept, true), images),
+    openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images),
   });
   block.store.dispatch({ type: 'ready', catalogue: ofBlocks });
   return block;

@@ -2,7 +2,7 @@
 import { FinishedBlock } from '../node.js';
 import { about, UsageError } from './errors.js';
 import { makeFolder, readBytes, writeInto } from './files.js';
-import { path, real } from './options.js';
+import { path, valueOption } from './options.js';
 import { print } from './output.js';
 
 /** @type {import('./args.js').Command} */
@@ -10,11 +10,7 @@ export const accuracy = {
   name: 'accuracy',
   summary: 'Maps of the standard errors, in plan and height, that are expected of points measured in an oriented block.',
   positionals: ['PROJECT'],
-  options: [
-    path('out', 'DIR', 'The folder for what is written; required.'),
-    real('cell', 'cell', 'The side of a cell, in units of the block; by default an eightieth of its longer side.', (n) => n > 0, 'above 0'),
-    real('point-sigma-px', 'sigma_px', 'The standard error of an image coordinate of the points; by default σ₀ of the block.', (n) => n > 0, 'above 0'),
-  ],
+  options: [path('out', 'DIR', 'The folder for what is written; required.'), valueOption('cell'), valueOption('sigma_px')],
   details:
     'PROJECT is the project.tiepoint of a block of up to 300 images. In the middle of each cell, on the ground of the tie points, a point is intersected from all images that show it: its standard errors follow from those of its observations and ' +
     'from the covariances of orientations and cameras. It writes plan.tif, height.tif and images.tif, GeoTIFF of floating-point numbers, and accuracy.csv. All are with respect to the datum of the block.',

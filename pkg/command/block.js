@@ -17,7 +17,7 @@ import { about, DataError, UsageError } from './errors.js';
 import { exists, filesIn, isFile, isFolder, readText, reasonOf } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { onOrthophoto, ORTHOPHOTO_OPTIONS, orthophotoOf } from './on-orthophoto.js';
-import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, workersOption } from './options.js';
+import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, WORKERS } from './options.js';
 import { ThreadPool } from './pool.js';
 import { Progress } from './progress.js';
 
@@ -55,7 +55,7 @@ export const block = {
     ),
     path('truth', 'truth.json', 'Scores the block by the truth of a simulated flight.'),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
-    workersOption('the result is'),
+    WORKERS,
     JSON_FLAG,
     ...ORTHOPHOTO_OPTIONS,
     ...OPTIONS,

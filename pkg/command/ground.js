@@ -6,7 +6,7 @@ import { basename, dirname, extname, join } from 'node:path';
 import { OrthophotoReference } from '../node.js';
 import { about, UsageError } from './errors.js';
 import { filesIn, inParts, isFolder, readBytes, readText } from './files.js';
-import { path, real } from './options.js';
+import { path, valueOption } from './options.js';
 
 /** @typedef {{ file: string | undefined, heights: Uint8Array | number, world: string | undefined }} Ground `file`: where the heights come from */
 
@@ -17,7 +17,7 @@ export const NO_HEIGHTS = 'no heights are given: the ground is taken as level at
 
 export const GROUND_OPTIONS = [
   path('heights', 'FILE', 'Height model of the ground: a GeoTIFF or an ESRI ASCII grid, in the same system.'),
-  real('level', 'heights', 'The height of level ground, where there is no height model.', (n) => Math.abs(n) <= 20_000, '-20000 to 20000'),
+  valueOption('heights'),
 ];
 
 /** The heights that were given; null where none were.  @param {import('./args.js').Call['values']} values @returns {Ground | null} */

@@ -5,7 +5,7 @@ import { checkSize } from './block-camera.js';
 import { VERDICT_CODES } from './errors.js';
 import { describeFileCameras, fileCamerasOf } from './file-cameras.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
-import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, word, workersOption } from './options.js';
+import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, word, WORKERS } from './options.js';
 import { describeOrientation, orientationOf, UNKNOWNS } from './orient.js';
 import { note, print, printJson, rows } from './output.js';
 import { inputOf, MASK_OPTIONS, maskPaths, masksOf, PAIR_OPTIONS } from './pair.js';
@@ -34,7 +34,7 @@ const OPTIONS = [
       "other scales), zahran-2007 the paper's method with its values.",
     'the defaults',
   ),
-  workersOption('the result is'),
+  WORKERS,
   JSON_FLAG,
   ...SETTING_OPTIONS,
 ];

@@ -4,7 +4,7 @@ import { check_heights, OrthoMosaic } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
 import { filesIn, isFolder, makeFolder, readBytes, writeInto } from './files.js';
 import { GROUND_OPTIONS, groundOf } from './ground.js';
-import { path, real } from './options.js';
+import { path, valueOption } from './options.js';
 import { note, print } from './output.js';
 import { Progress } from './progress.js';
 
@@ -13,11 +13,7 @@ export const mosaic = {
   name: 'mosaic',
   summary: 'A quick orthomosaic of an oriented block: a GeoTIFF in which each place is taken from the nearest image.',
   positionals: ['PROJECT', 'FOLDER'],
-  options: [
-    path('out', 'FILE.tif', 'The GeoTIFF that is written; required.'),
-    real('gsd', 'gsd', 'The side of a pixel, in units of the block; by default that of the images.', (n) => n > 0, 'above 0'),
-    ...GROUND_OPTIONS,
-  ],
+  options: [path('out', 'FILE.tif', 'The GeoTIFF that is written; required.'), valueOption('gsd'), ...GROUND_OPTIONS],
   details:
     'PROJECT is the project.tiepoint of a block, FOLDER that of its images. Without heights the ground is that of the tie points. The mosaic is grey, of at most 100 MP, north up in the system of the block; seams are not ' +
     'balanced, and walls may show twice: the mosaic is for checking an orientation, and a reference for `tiepoint place`.',

@@ -2,7 +2,7 @@
 /** The options of all commands. Those that stand for a setting come from the crate: name, kind, range, help and default. */
 
 import { availableParallelism } from 'node:os';
-import { defaults, message, parameters } from '../node.js';
+import { call_parameters, defaults, message, parameters } from '../node.js';
 import { nearest } from './args.js';
 import { UsageError } from './errors.js';
 
@@ -152,19 +152,16 @@ export const path = (name, placeholder, help) => ({
   },
 });
 
-/** A number that is no setting.  @param {string} name @param {string} key @param {string} help @param {(value: number) => boolean} valid @param {string} range in words @returns {Option} */
-export const real = (name, key, help, valid, range) => ({
-  name,
-  placeholder: 'N',
-  key,
-  range,
-  help,
-  read: (text) => {
-    const value = number(name, text);
-    if (!valid(value)) throw new UsageError(`--${name} is ${text}; allowed: ${range}`);
-    return value;
-  },
-});
+const CALL_PARAMETERS = call_parameters();
+
+/** A value of a call that is no setting, as the crate declares it: it stands in no section of a command's help.  @param {string} key @returns {Option} */
+export function valueOption(key) {
+  const declared = CALL_PARAMETERS.find((p) => p.key === key);
+  if (!declared) throw new Error(`the crate declares no ${key}`);
+  const option = parameterOption(declared, undefined);
+  delete option.section;
+  return option;
+}
 
 /** Two numbers with a comma between.  @param {string} name @param {string} placeholder @param {string} help @returns {Option} */
 export const pair = (name, placeholder, help) => ({
@@ -181,11 +178,7 @@ export const pair = (name, placeholder, help) => ({
 /** Threads that are used unless another number is given. */
 export const DEFAULT_WORKERS = Math.min(availableParallelism(), 16);
 
-/** @param {string} same what does not depend on it, with its verb @returns {Option} */
-export const workersOption = (same) => ({
-  ...real('workers', 'workers', `Threads; ${same} the same for any number.`, (n) => Number.isInteger(n) && n >= 1 && n <= 256, 'whole numbers from 1 to 256'),
-  fallback: DEFAULT_WORKERS,
-});
+export const WORKERS = valueOption('workers');
 
 /** What a mask is. */
 export const MASK = 'Grey image as large as the image itself: where it is 0 (black), no points are wanted';

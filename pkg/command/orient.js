@@ -4,24 +4,15 @@ import { withText } from '../messages.js';
 import { defaults, message, model_points, model_points_csv, orient_relative, parse_observations } from '../node.js';
 import { about, UsageError } from './errors.js';
 import { readText, writeInto } from './files.js';
-import { groupOptions, JSON_FLAG, path, real, settingsOf } from './options.js';
+import { groupOptions, JSON_FLAG, path, settingsOf, valueOption } from './options.js';
 import { print, printJson, rows } from './output.js';
 import { fixed, significant, table } from './text.js';
 
 /** @typedef {import('../node.js').RelativeOrientation} RelativeOrientation */
 
-const FOCAL = { ...real('focal-mm', 'focal_mm', 'Focal length (principal distance) in mm; required.', (f) => f > 0, 'a number above 0'), placeholder: 'F' };
+const FOCAL = valueOption('focal_mm');
 const POINTS = path('points', 'FILE', 'Writes the object points with their standard errors as CSV, in the system of the left photo.');
-const BASE = {
-  ...real(
-    'base-length',
-    'base_length',
-    'Length of the base in the unit that --points gets, by default 1: the base is the unit.',
-    (b) => b > 0,
-    'a number above 0',
-  ),
-  placeholder: 'B',
-};
+const BASE = valueOption('base_length');
 const OPTIONS = [FOCAL, POINTS, BASE, ...groupOptions('orientation'), JSON_FLAG];
 
 /** @type {import('./args.js').Command} */

@@ -5,7 +5,7 @@ import { parse_camera, parse_fiducials } from '../node.js';
 import { cameraOfBlock, holdsBlock } from './block-camera.js';
 import { about, UsageError } from './errors.js';
 import { readBytes, readMask, readText, textOf } from './files.js';
-import { MASK, pair, path, real } from './options.js';
+import { MASK, pair, path, valueOption } from './options.js';
 
 /**
  * @typedef {import('../node.js').Given<import('../node.js').PairInput>} GivenInput
@@ -21,16 +21,7 @@ export const PAIR_OPTIONS = [
     'camera.json',
     'Focal length, principal point and, where there are no fiducials, pixel size: {"focal_mm", "principal_point_mm": [x, y], "pixel_mm"}. Or the project.tiepoint of a block, whose calibrated camera is taken.',
   ),
-  {
-    ...real(
-      'focal-px',
-      'focal_px',
-      'Focal length of both photos in px, in place of --camera: principal point in the middle, no distortion. A pixel is then taken to be 0.001 mm.',
-      (f) => f > 0 && f <= 1e7,
-      'above 0, up to 10000000',
-    ),
-    placeholder: 'F',
-  },
+  valueOption('focal_px'),
   path('left-fiducials', 'F.csv', 'Fiducial marks measured in the scan of the left photo: col,row,x_mm,y_mm.'),
   path('right-fiducials', 'F.csv', 'The same of the right photo.'),
   pair('left-origin', 'COL,ROW', "Place of the left image's top-left pixel in the scan whose fiducials were measured."),

@@ -3,7 +3,7 @@ import { basename, join } from 'node:path';
 import { block_flight_parameters, block_flight_preset, BlockScene } from '../node.js';
 import { UsageError } from './errors.js';
 import { makeFolder, removeUnfinished, replaceInto, writeInto } from './files.js';
-import { DEFAULT_WORKERS, flag, JSON_FLAG, optionsOf, path, real, settingsOf, workersOption } from './options.js';
+import { DEFAULT_WORKERS, flag, JSON_FLAG, optionsOf, path, settingsOf, valueOption, WORKERS } from './options.js';
 import { print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
 import { Progress } from './progress.js';
@@ -23,14 +23,8 @@ export const simulateBlock = {
   options: [
     flag('block', 'A block of photos, not a pair.'),
     path('out', 'DIR', 'Folder that receives the files; required.'),
-    real(
-      'orthophoto',
-      'gsd_m',
-      'Also writes orthophoto.tif and heights.tif of all that the photos show, with pixels of this side in m, for `tiepoint place`.',
-      (m) => m > 0,
-      'above 0',
-    ),
-    workersOption('the photos are'),
+    valueOption('gsd_m'),
+    WORKERS,
     JSON_FLAG,
     ...OPTIONS,
   ],

@@ -1331,6 +1331,15 @@ export function block_settings(given) {
 }
 
 /**
+ * What calls are given beside settings, by the names of their arguments.
+ * @returns {Parameter[]}
+ */
+export function call_parameters() {
+    const ret = wasm.call_parameters();
+    return ret;
+}
+
+/**
  * What a block calls the camera of a photograph of this size in px: make, model, focal length and size.
  * @param {ExifCamera} camera
  * @param {number} width
@@ -3147,7 +3156,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 14, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 15, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
             return ret;
         },

@@ -29,6 +29,7 @@ export const blockscene_photos: (a: number) => number;
 export const blockscene_surface_at: (a: number, b: number, c: number, d: number) => [number, number, number];
 export const blockscene_truth: (a: number) => any;
 export const blockwriting_step: (a: number, b: any) => [number, number, number];
+export const call_parameters: () => any;
 export const camera_label: (a: any, b: number, c: number) => [number, number, number, number];
 export const camera_of_exif: (a: any) => [number, number, number];
 export const candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];

@@ -4,9 +4,6 @@ use crate::error::refuse as refuse_input;
 use crate::{Allowed, Error, Input, Location, Refusal};
 use std::ops::RangeInclusive;
 
-/// Focal lengths of cameras in px.
-pub(crate) const FOCAL_PX: RangeInclusive<f64> = 1.0..=1e7;
-
 /// The error of an option outside its range.
 pub(crate) fn refuse(field: &'static str, got: impl ToString, allowed: Allowed) -> Error {
     Error::InvalidOption { field, got: Some(got.to_string()), allowed }

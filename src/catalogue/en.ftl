@@ -907,32 +907,61 @@ block-warning-position-errors-undetermined =
     }: ground control points determine offsets, and images flown in several directions lever arms.
 block-warning-position-errors-relative = Offsets and drifts of GNSS positions are relative to each other: there are too few ground control points to determine { $motions } of the 7 parameters that position, rotate and scale the whole block.
 block-warning-control-refused =
-    The { $axis } of the GCP { $point } is rejected: the other observations differ from it by { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m{ $detectable_m ->
+    { $used ->
+        [true] The { $axis } of the GCP { $point } does not fit
+       *[false] The { $axis } of the GCP { $point } is rejected
+    }: the other observations differ from it by { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m{ $detectable_m ->
         [none] {""}
        *[other] {" "}(minimal detectable bias { FIXED($detectable_m, digits: 3) } m)
     }. { $used ->
-        [true] It stays used, since too little is left without it to tell whether it is wrong.
-       *[false] The point takes no part.
+        [true] The point stays used, since too little is left without it to tell whether it is wrong.
+       *[false] { $certain ->
+            [true] The point takes no part.
+           *[false] The point takes no part, since its image measurements do not fit its coordinates. Too little is left without it to tell whether it or another GCP is wrong.
+        }
     }{ $mistake ->
         [none] {""}
        *[other] {" "}{ $mistake }
     }
 block-warning-control-untested =
-    The GCP { $point } is rejected and takes no part: without its coordinates { $measurements ->
+    The GCP { $point } takes no part: { $measurements ->
         [one] it has one image measurement only
        *[other] fewer than two of its { $measurements } image measurements fit the other observations
-    }, so that nothing tests the coordinates. Check both.
+    }, so that nothing tests its coordinates. Check both.
 block-warning-control-unplaced =
     The GCP { $point } is rejected and takes no part: with it the GCPs do not place the block, though its coordinates fit the other observations. Check its { $measurements ->
         [one] image measurement
        *[other] { $measurements } image measurements
     }.
-block-warning-control-contradicts = { $refused } of { $points } GCPs contradict the other observations, too many to tell which are wrong: all stay used. Check their system and units, and the GNSS positions.
+block-warning-control-contradicts =
+    { $refused } of { $points } GCPs contradict each other or the other observations{ $w ->
+        [none] {""}
+       *[other] {" "}by up to w = { FIXED($w, digits: 1) }
+    }, and nothing tells which of them are wrong: they stay used. Check their coordinates and standard errors, their system and units, and the GNSS positions.
 block-warning-control-tests-stopped =
     The tests of the GCPs stopped: they were to leave out { $left_out } of { $points }, without { $left_out ->
         [one] which
        *[other] all of which
     } the block cannot be adjusted. All GCPs stay used, wrong ones too. Check their coordinates and image measurements.
+block-warning-control-unadjusted =
+    The block cannot be adjusted with { $names_count ->
+        [one] the GCP { $names }, which lies
+       *[other] { $names_count } GCPs, which lie
+    } far from where the others have { $names_count ->
+        [one] it. It takes
+       *[other] them: { $names }{ $names_more ->
+            [0] .
+           *[other] {" "}and { $names_more } more.
+        } They take
+    } no part, and the block is adjusted without being georeferenced. Check coordinates and image measurements.
+block-warning-control-shape =
+    The GCPs { $names }{ $names_more ->
+        [0] {""}
+       *[other] {" "}and { $names_more } more
+    } do not fit together, so that they do not place the block: by their coordinates the block is { SIGNIFICANT($ratio, digits: 3) } times as large between { $longest } as between { $shortest }. { $point ->
+        [none] Nothing tells which of them is wrong: check the coordinates of all.
+       *[other] Without { $point } the others fit together: check its coordinates first.
+    }
 block-warning-few-control =
     { $points ->
         [one] Only 1 GCP
@@ -945,7 +974,7 @@ block-warning-few-control =
         [none] nothing checks some of the coordinates, and an error in them does not show.
        *[other] they hardly check each other, and the minimal detectable bias of a coordinate is { FIXED($detectable_m, digits: 2) } m.
     }
-block-warning-control-span = The { $points } GCPs span { FIXED($span_percent, digits: 0) } % of the ground of the block: beyond them errors grow with the distance.
+block-warning-control-span = The { $points } GCPs span { FIXED($span_percent, digits: 1) } % of the ground of the block: beyond them errors grow with the distance.
 block-warning-control-on-line =
     The { $points } GCPs lie almost on a line, { FIXED($width_percent, digits: 1) } % as wide as long: they hardly determine the rotation about it{ $error_deg ->
         [none] .
@@ -1052,6 +1081,11 @@ remark-orthophoto-converted =
     }
 remark-orthophoto-units = the orthophoto has eastings and northings in units of { $unit_m } m; heights of its ground are taken in units of { $height_unit_m } m
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
+remark-unmeasured-points =
+    no image measurement names these control and check points, which take no part: { $points }{ $points_more ->
+        [0] {""}
+       *[other] {" "}and { $points_more } more
+    }
 remark-unknown-columns =
     columns of the table of control points are not understood and not read: { $columns }{ $columns_more ->
         [0] {""}

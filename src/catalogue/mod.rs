@@ -3,6 +3,7 @@
 //! A module declares its own options with `options!` and their words with `choices!`.
 
 mod acting;
+mod call;
 mod check;
 mod declare;
 mod given;
@@ -10,10 +11,12 @@ mod parameter;
 mod value;
 
 pub use acting::acting;
+pub use call::CALL_PARAMETERS;
 pub use given::with_defaults;
 pub use parameter::{Parameter, ParameterKind};
 
-pub(crate) use check::{FOCAL_PX, check_values, refuse, refuse_absent};
+pub(crate) use call::{FOCAL_PX, LENGTH, SIGMA_PX, check_call};
+pub(crate) use check::{check_values, refuse, refuse_absent};
 pub(crate) use declare::{choices, options};
 pub(crate) use given::read_options;
 pub(crate) use parameter::check;

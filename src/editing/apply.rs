@@ -5,12 +5,13 @@ use crate::error::refuse;
 use crate::model::{BlockDescription, ControlRole, ImageObservation};
 use crate::reconstruction::{Changed, ObservedPoint, ObservedRay, RayPart, RayWeight, readjust};
 use crate::{
-    Camera, Error, Input, Location, ObservationSource, PointName, PointSource, ReconstructedModel, ReconstructionOptions, Refusal,
-    UnorientedImage, UnorientedReason,
+    Camera, Error, Input, KnownImage, Location, ObservationSource, PointName, PointSource, ReconstructedModel, ReconstructionOptions,
+    Refusal, UnorientedImage, UnorientedReason,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A model after edits, adjusted anew; and the images that are no longer in it.
+/// A model after edits, adjusted anew; and the images that are no longer in it. `alone`: its images as they are known without control points,
+/// which they are where none is left of those that the block had.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] for an edit of what does not exist, for places outside an image, and for a new point whose rays do not meet; the
@@ -19,6 +20,7 @@ pub(crate) fn edited_model(
     model: &ReconstructedModel,
     edits: &[BlockEdit],
     description: &BlockDescription,
+    alone: &[KnownImage],
     options: &ReconstructionOptions,
 ) -> Result<(ReconstructedModel, Vec<UnorientedImage>), Error> {
     let surveyed = model.points.iter().filter_map(|point| if let PointSource::GroundControl(index) = point { Some(*index) } else { None });
@@ -31,7 +33,11 @@ pub(crate) fn edited_model(
     }
     let rejected = draft.rejected_images.iter();
     let rejected: Vec<_> = rejected.map(|image| UnorientedImage { image: *image, reason: UnorientedReason::RejectedByHand }).collect();
-    let (points, images, now) = draft.taken();
+    let (points, images, mut now) = draft.taken();
+    let is_control = |point: &ObservedPoint| matches!(point.source, PointSource::GroundControl(control) if now.control[control].role == ControlRole::Control);
+    if !points.iter().any(is_control) {
+        now.images = alone.to_vec();
+    }
     let changed = Changed { images, points: &points, description: &now };
     let (model, lost) = readjust(model, changed, description, options)?;
     Ok((model, [rejected, lost].concat()))
@@ -284,13 +290,13 @@ mod tests {
                 measurements,
             });
         }
-        let (points, _) = tie_points(&block.matches().unwrap(), &BlockOptions::default()).unwrap();
+        let (points, _) = tie_points(&block.matches().unwrap(), &block.image_features(), &BlockOptions::default()).unwrap();
         let mut found = reconstruct_block(&description, &points, &block.image_features(), &options()).unwrap();
         (description, found.models.swap_remove(0))
     }
 
     fn edited(known: &(BlockDescription, ReconstructedModel), edits: &[BlockEdit]) -> ReconstructedModel {
-        edited_model(&known.1, edits, &known.0, &options()).unwrap().0
+        edited_model(&known.1, edits, &known.0, &known.0.images, &options()).unwrap().0
     }
 
     #[test]
@@ -355,7 +361,7 @@ mod tests {
             by: MeasuredBy::Hand,
         };
         let rejected = [add, BlockEdit::RejectPoints { points: vec![point] }, measure];
-        let refused = edited_model(&known.1, &rejected, &known.0, &options()).unwrap_err().to_string();
+        let refused = edited_model(&known.1, &rejected, &known.0, &known.0.images, &options()).unwrap_err().to_string();
         assert!(
             refused.contains("manual point 0, which takes no part; allowed: points that take part: restore it first (edit 3)"),
             "{refused}"

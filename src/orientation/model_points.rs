@@ -2,7 +2,7 @@
 
 use super::result::{FiveParameters, Observation, RelativeOrientation};
 use crate::camera::rotation_from_angles;
-use crate::catalogue::check_values;
+use crate::catalogue::{LENGTH, check_values};
 use crate::error::refuse;
 use crate::{Error, Input, Location, Refusal};
 use nalgebra::{Matrix3, Matrix3x5, Matrix4x3, Matrix4x5, Matrix5, SMatrix, Vector3};
@@ -33,7 +33,7 @@ pub struct ModelPoint {
 /// Förstner & Wrobel 2016, Photogrammetric Computer Vision, 13.4 and 15.3: with the points' own normal equations N and their coupling C with
 /// the pose, whose covariance is Q, that of a point is σ² (N⁻¹ + N⁻¹ C Q Cᵀ N⁻¹).
 pub fn model_points(orientation: &RelativeOrientation, observations: &[Observation], base: f64) -> Result<Vec<Option<ModelPoint>>, Error> {
-    check_values(Input::Base, &[base], 1e-9..=1e9, || Location::Pair)?;
+    check_values(Input::Base, &[base], LENGTH, || Location::Pair)?;
     if observations.len() != orientation.points.len() {
         return refuse(Refusal::OrientedObservations { observations: observations.len(), oriented: orientation.points.len() });
     }

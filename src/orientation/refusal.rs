@@ -5,10 +5,10 @@ use super::coplanarity::{Ray, RelativePose};
 use super::normals::{Matrix5, correlations};
 use super::result::Observation;
 use super::warning::{LARGEST_CONDITION, condition};
-use crate::catalogue::refuse;
+use crate::catalogue::check_call;
 use crate::error::refuse as refuse_input;
 use crate::math::median;
-use crate::{Allowed, Cause, Computation, Error, Few, Refusal, Side};
+use crate::{Cause, Computation, Error, Few, Refusal, Side};
 
 /// Largest photo coordinate in focal lengths: 89.4° off the axis. Coordinates beyond it are pixels taken for mm, or worse.
 const LARGEST_COORDINATE: f64 = 100.0;
@@ -25,9 +25,7 @@ const LARGEST_ERROR: f64 = 0.35;
 
 /// Refuses a focal length and observations that are none.
 pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result<(), Error> {
-    if !((1e-3..=1e5).contains(&focal_mm)) {
-        return Err(refuse("focal_mm", focal_mm, Allowed::Real { min: 0.001, max: 1e5 }));
-    }
+    check_call("focal_mm", focal_mm)?;
     let largest = LARGEST_COORDINATE * focal_mm;
     for (index, observation) in observations.iter().enumerate() {
         if !(observation.weight >= 1e-12 && observation.weight <= 1e12) {

@@ -1,14 +1,17 @@
 //! A block on an orthophoto: its images are placed, places of the ground that several of them show take part in its adjustment.
 
 use super::adjusting::{PlaceErrors, PlacingCamera, variance_px2};
+use super::confirming::checks;
 use super::heights::Heights;
 use super::into_system::IntoSystem;
 use super::links::{Found, MEASURED_PX, height_spread};
 use super::options::PlacingOptions;
 use super::outcome::{LinkUse, PlacedImage, Placement, PlacingVerdict};
-use super::place::{Part, SearchArea, checks, place_image, place_near};
+use super::place::{place_image, place_near};
+use super::placement::Part;
 use super::rectify::Seen;
 use super::reference::Orthophoto;
+use super::search_area::SearchArea;
 use crate::math::{dot3, median, minus};
 use crate::pipeline::GroundPoint;
 use crate::{BlockRun, ControlRole, Error, GreyView, NotLinked, Pose};

@@ -1,8 +1,8 @@
 //! Orthophotos as the reference of images.
 //!
-//! Data flow: an [`Orthophoto`] (`reference`, by `georeference` and `geotiff`) with its `heights` → `first_place` (features that agree on a
-//! similarity) → an orientation by resection → `links` (the image resampled to the ground by `rectify`, matched to the orthophoto: coarse,
-//! then fine) → `adjusting` (the bundle adjustment of one image, its `precision`) → `verdict` → [`PlacedImage`].
+//! Data flow: an [`Orthophoto`] (`reference`, by `georeference` and `geotiff`) with its `heights` → its `search_area` → `first_place` (features that agree on a
+//! similarity) → an orientation by resection → `confirming` by `links` (the image resampled to the ground by `rectify`, matched to the orthophoto: coarse,
+//! then fine) and `adjusting` (the bundle adjustment of one image, its `precision`) → its `placement` → `verdict` → [`PlacedImage`].
 //!
 //! A block: `block_links` (images placed by themselves or near where the others of the block have them) → places of the ground that several images
 //! show → in the coordinate reference system of the block, where it has one (`into_system`) → [`BlockRun`](crate::BlockRun) adjusted by them.
@@ -14,6 +14,7 @@ mod block_links;
 mod block_map;
 mod by_hand;
 mod camera;
+mod confirming;
 mod emptiness;
 mod first_place;
 mod footprint;
@@ -32,9 +33,12 @@ mod parts;
 mod patch;
 mod picture;
 mod place;
+mod placement;
 mod precision;
+mod recorded_place;
 mod rectify;
 mod reference;
+mod search_area;
 mod tables;
 mod verdict;
 mod write;
@@ -50,10 +54,12 @@ pub use mosaic::{Mosaic, heights_of_points};
 pub use options::PlacingOptions;
 pub use outcome::{Link, LinkChecks, LinkUse, NotPlaced, PlaceSearch, PlacedImage, Placement, PlacingVerdict, PlacingWeakness};
 pub use own::rectify_placed;
-pub use place::{SearchArea, place_image, place_recorded};
+pub use place::place_image;
+pub use recorded_place::place_recorded;
 pub(crate) use rectify::Seen;
 pub use rectify::{Rectified, rectify};
 pub use reference::Orthophoto;
+pub use search_area::SearchArea;
 pub use tables::{links_table, placed_table};
 pub(crate) use write::write_floats;
 pub use write::{write_geotiff, write_heights};

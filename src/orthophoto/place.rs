@@ -1,32 +1,19 @@
 //! The place of an image on an orthophoto, from nothing but both pictures: a first place, an orientation, links, the adjustment, a verdict.
 
-use super::adjusting::{PlaceErrors, PlacingCamera, adjusted};
+use super::adjusting::PlacingCamera;
+use super::confirming::confirmed;
 use super::first_place::first_place;
-use super::heights::Heights;
-use super::into_system::{RecordedPlace, recorded_place};
-use super::links::{Found, Over, Search, halvings};
 use super::options::PlacingOptions;
-use super::outcome::{Link, LinkChecks, LinkUse, NotPlaced, PlaceSearch, PlacedImage, Placement, PlacingVerdict};
-use super::precision::{TotalErrors, total_errors};
-use super::rectify::Seen;
+use super::outcome::{NotPlaced, PlacedImage, Placement, PlacingVerdict};
 use super::reference::{Orthophoto, enlarge};
+use super::search_area::{SEARCHED_PX, SearchArea, of_number};
 use super::verdict::verdict;
 use crate::error::refuse;
 use crate::reconstruction::resect_image;
-use crate::two_view::Support;
-use crate::{
-    AdjustmentResult, Camera, CameraUncertainty, Error, ExifPosition, Failure, Feature, FeatureOptions, GreyView, ImageOperation, Location,
-    MultiscaleOptions, ObservationVerdict, Pose, Refusal, features, reduce_to,
-};
+use crate::{Camera, CameraUncertainty, Error, Feature, GreyView, ImageOperation, Location, Pose, Refusal, features, reduce_to};
 
-/// Longest side of the pictures in which a first place is sought, in px.
-const SEARCHED_PX: usize = 4000;
 /// Sides of an image, at least.
 const LEAST_IMAGE_PX: usize = 32;
-/// Sides of the part of the orthophoto that is searched, at least.
-const LEAST_SEARCHED_PX: f64 = 64.0;
-/// The orthophoto has so many times the points of an image.
-const POINTS_OF_GROUND: usize = 4;
 /// Where the image is easily found some of its points are enough, at least so many; the time goes with their number.
 const ENOUGH_POINTS: usize = 1500;
 /// Points agree on a first orientation within this share of the longer side of the image.
@@ -35,92 +22,6 @@ const FIRST_SHARE: f64 = 0.03;
 const LEAST_POINTS: usize = 6;
 /// Focal lengths in units of the assumed one that are tried where the camera is unknown.
 const FOCAL_FACTORS: [f64; 5] = [1.0, 0.7, 1.4, 0.5, 2.0];
-/// Coarse links, then fine ones.
-const COARSE: Search = Search { radius_px: 25.0, longest_px: 1200.0, refines: false };
-const FINE: Search = Search { radius_px: 4.0, longest_px: 4000.0, refines: true };
-/// Coarse links within this of where the adjusted orientation has them agree with it, in px of the resampled image.
-const AGREEING_PX: f64 = 4.0;
-/// Natural logarithm of how often chance would agree as well, at most.
-const MOST_FALSE_ALARMS: f64 = -30.0;
-/// Links with which an image can be adjusted.
-const LEAST_LINKS: usize = 10;
-/// Residuals of check links beyond so many standard errors are gross errors.
-const GROSS: f64 = 3.29;
-
-/// The features of an orthophoto among which images are sought: of all of it, or of what lies near a place.
-#[derive(Debug, Clone)]
-pub struct SearchArea {
-    features: Vec<Feature>,
-    area_px2: f64,
-    /// Whether a smaller part of the orthophoto would have more of them: from a finer picture, or as many on less ground.
-    is_sparse: bool,
-}
-
-impl SearchArea {
-    /// Finds them; they serve all images that are placed with the same options.
-    ///
-    /// # Errors
-    /// [`Error::InvalidOption`]; [`Error::InvalidInput`] for a place beside the orthophoto, or without one of its coordinates.
-    pub fn new(reference: &Orthophoto, options: &PlacingOptions) -> Result<Self, Error> {
-        options.check_ranges()?;
-        let size = reference.size();
-        if reference.heights_share() == 0.0 {
-            return refuse(Refusal::NoHeightsThere);
-        }
-        let (first, size) = match (options.near_x, options.near_y) {
-            (None, None) => ([0, 0], size),
-            (Some(x), Some(y)) => near(reference, [x, y], options.within_m)?,
-            _ => return refuse(Refusal::OneCoordinate),
-        };
-        let mut down = 0;
-        while size[0].max(size[1]) >> down > SEARCHED_PX {
-            down += 1;
-        }
-        let most = POINTS_OF_GROUND * options.points;
-        let features = reference.features(first, size, down, &of_number(most))?;
-        let is_sparse = down > 0 || features.len() >= most;
-        Ok(Self { features, area_px2: size[0] as f64 * size[1] as f64, is_sparse })
-    }
-
-    /// Those within a distance of a place, both in the unit of the orthophoto; absent where they are all.
-    fn within(&self, reference: &Orthophoto, place: [f64; 2], within: f64) -> Option<Self> {
-        let reach = within / reference.georeference.gsd();
-        let at = reference.georeference.pixel(place);
-        let is_near = |feature: &&Feature| (feature.point.x - at[0]).abs() <= reach && (feature.point.y - at[1]).abs() <= reach;
-        let features: Vec<Feature> = self.features.iter().filter(is_near).cloned().collect();
-        let size = reference.size().map(|side| side as f64);
-        let side = |k: usize| ((at[k] + reach).min(size[k]) - (at[k] - reach).max(0.0)).max(0.0);
-        let area_px2 = (side(0) * side(1)).min(self.area_px2);
-        (features.len() < self.features.len()).then_some(Self { features, area_px2, is_sparse: self.is_sparse })
-    }
-
-    /// How many there are.
-    pub fn points(&self) -> usize {
-        self.features.len()
-    }
-}
-
-/// The part of an orthophoto within a distance of a place.
-fn near(reference: &Orthophoto, place: [f64; 2], within: f64) -> Result<([usize; 2], [usize; 2]), Error> {
-    let at = reference.georeference.pixel(place);
-    let reach = within / reference.georeference.gsd();
-    let size = reference.size().map(|side| side as f64);
-    let low = [0, 1].map(|k| (at[k] - reach).max(0.0));
-    let high = [0, 1].map(|k| (at[k] + reach).min(size[k]));
-    if !(0..2).all(|k| high[k] > low[k]) {
-        let corners = [[0.0, 0.0], size].map(|corner| reference.georeference.ground(corner));
-        let [first, last] = corners.map(|corner| format!("{corner:?}"));
-        return refuse(Refusal::NearPlace { place: format!("{place:?}"), within_m: within, first, last });
-    }
-    if !(0..2).all(|k| high[k] - low[k] >= LEAST_SEARCHED_PX) {
-        return refuse(Refusal::NearRadius { within_m: within, least_px: LEAST_SEARCHED_PX });
-    }
-    Ok((low.map(|v| v as usize), [0, 1].map(|k| (high[k] - low[k]) as usize)))
-}
-
-fn of_number(number: usize) -> FeatureOptions {
-    FeatureOptions { multiscale: MultiscaleOptions { number, ..MultiscaleOptions::default() }, ..FeatureOptions::default() }
-}
 
 /// Places an image on an orthophoto: its orientation in the system of the orthophoto, with standard errors and a verdict.
 ///
@@ -142,71 +43,6 @@ pub fn place_image(
 ) -> Result<PlacedImage, Error> {
     check(image, known, options)?;
     placed(image, known, reference, area, options).map(|placed| judged(placed, known))
-}
-
-/// Places an image that records a GNSS position: about that first, within `within_m`, where the orthophoto says its system and no other place is
-/// given by the options, then anywhere. The result says which.
-///
-/// # Errors
-/// As [`place_image`].
-pub fn place_recorded(
-    image: GreyView<'_>,
-    known: &PlacingCamera,
-    position: Option<&ExifPosition>,
-    reference: &Orthophoto,
-    area: &SearchArea,
-    options: &PlacingOptions,
-) -> Result<PlacedImage, Error> {
-    let is_free = options.near_x.is_none() && options.near_y.is_none();
-    let Some(on_map) = position.filter(|_| is_free).and_then(|position| recorded_place(position, reference)) else {
-        return place_image(image, known, reference, area, options);
-    };
-    let RecordedPlace { place, unit_m } = on_map;
-    let within_m = options.within_m;
-    let within = within_m / unit_m;
-    let about = PlacingOptions { near_x: Some(place[0]), near_y: Some(place[1]), within_m: within, ..options.clone() };
-    let areas = Areas {
-        all: area,
-        near: area.within(reference, place, within),
-        // A position beside the orthophoto has no surroundings on it.
-        dense: || area.is_sparse.then(|| SearchArea::new(reference, &about).ok()).flatten(),
-    };
-    areas.searched(within_m, |area| place_image(image, known, reference, area, options))
-}
-
-/// Where an image that records its position is sought.
-struct Areas<'a, D: FnOnce() -> Option<SearchArea>> {
-    all: &'a SearchArea,
-    /// The surroundings of the position; absent where they are all.
-    near: Option<SearchArea>,
-    /// The same with more features, where there may be more.
-    dense: D,
-}
-
-impl<D: FnOnce() -> Option<SearchArea>> Areas<'_, D> {
-    /// One after the other until the image is found, each once.
-    fn searched(self, within_m: f64, mut search: impl FnMut(&SearchArea) -> Result<PlacedImage, Error>) -> Result<PlacedImage, Error> {
-        let Self { all, near, dense } = self;
-        let found = |placed: &PlacedImage| placed.placement.is_some();
-        let of = |placed: PlacedImage, search: PlaceSearch| Ok(PlacedImage { search: Some(search), ..placed });
-        // Where the surroundings are all, the search of them is that of all.
-        let mut of_all = None;
-        if near.as_ref().is_none_or(|near| !near.features.is_empty()) {
-            let placed = search(near.as_ref().unwrap_or(all))?;
-            if found(&placed) {
-                return of(placed, PlaceSearch::Gnss { within_m });
-            }
-            of_all = near.is_none().then_some(placed);
-        }
-        if let Some(dense) = dense() {
-            let placed = search(&dense)?;
-            if found(&placed) {
-                return of(placed, PlaceSearch::Gnss { within_m });
-            }
-        }
-        let placed = of_all.map_or_else(|| search(all), Ok)?;
-        of(placed, PlaceSearch::BeyondGnss { within_m })
-    }
 }
 
 /// Places an image near where another source has it: within some px of the picture, each pixel as large as of those 1200 on its longer side.
@@ -305,28 +141,6 @@ fn placed_by(
     }
 }
 
-/// What comes of an approximate camera and orientation, in a system about a place of the ground: links, coarse and fine, and the adjustment
-/// by them.
-fn confirmed(
-    image: GreyView<'_>,
-    known: &PlacingCamera,
-    reference: &Orthophoto,
-    first: [f64; 2],
-    (camera, pose): (Camera, Pose),
-    options: &PlacingOptions,
-) -> Result<Result<Placement, NotPlaced>, Error> {
-    let (georeference, heights) = reference.about(first);
-    let levels = halvings(&image.to_image());
-    let mut over = Over { image: &levels, camera, pose, reference, georeference, heights: &heights };
-    let has_model = matches!(heights, Heights::Model(_));
-    let errors = PlaceErrors::new(options, georeference.gsd(), has_model);
-    let features = of_number(options.points);
-    if let Err(refused) = coarse(&mut over, known, errors, &features)? {
-        return Ok(Err(refused));
-    }
-    fine(&mut over, known, errors, &features, options).map(|fine| fine.map(|placement| moved(placement, first)))
-}
-
 /// The camera and orientation on which most points agree; of an unknown camera by one of several focal lengths.
 pub(super) fn first_orientation(
     seen: &[([f64; 2], [f64; 3])],
@@ -346,154 +160,6 @@ pub(super) fn first_orientation(
     tried
         .fold(None, |best: Option<(usize, Camera, Pose)>, next| if best.is_none_or(|(most, ..)| next.0 > most) { Some(next) } else { best })
         .map(|(_, camera, pose)| (camera, pose))
-}
-
-/// Links over a coarse picture orient the image better, and say whether it is there at all.
-fn coarse(
-    over: &mut Over<'_>,
-    known: &PlacingCamera,
-    errors: PlaceErrors,
-    features: &FeatureOptions,
-) -> Result<Result<(), NotPlaced>, Error> {
-    let links = over.links(&COARSE, features)?;
-    let refused = |agreeing: usize| Ok(Err(NotPlaced::NotConfirmed { links: links.len(), agreeing }));
-    if links.len() < LEAST_LINKS {
-        return refused(0);
-    }
-    // Links that fit nowhere leave nothing to adjust.
-    let Ok(result) = adjusted(&links, known, (over.camera, over.pose), errors) else { return refused(0) };
-    let seen = Seen::new(&result.block.cameras[0], &result.block.images[0].pose);
-    // In px of the picture in which they were sought: 'agreeing' there is a share of the radius.
-    let [width, height] = [over.camera.width_px, over.camera.height_px].map(f64::from);
-    let unit = (width.max(height) / COARSE.longest_px).max(1.0);
-    let off = |link: &Found| seen.at(&link.place).map_or(f64::INFINITY, |at| libm::hypot(at[0] - link.at[0], at[1] - link.at[1]));
-    let agreeing = links.iter().filter(|link| off(link) <= AGREEING_PX * unit).count();
-    let chance = AGREEING_PX / COARSE.radius_px * (AGREEING_PX / COARSE.radius_px);
-    let support = Support { count: links.len(), agreeing, sample: 3, models: 4, chance };
-    if agreeing < LEAST_LINKS || !(support.log_false_alarms() < MOST_FALSE_ALARMS) {
-        return refused(agreeing);
-    }
-    (over.camera, over.pose) = (result.block.cameras[0], result.block.images[0].pose);
-    Ok(Ok(()))
-}
-
-/// Links over the finest picture that both have, the adjustment by most of them and what the others say of it.
-fn fine(
-    over: &mut Over<'_>,
-    known: &PlacingCamera,
-    errors: PlaceErrors,
-    features: &FeatureOptions,
-    options: &PlacingOptions,
-) -> Result<Result<Placement, NotPlaced>, Error> {
-    let links = over.links(&FINE, features)?;
-    let parts = checks(links.len(), options.check_share);
-    let used: Vec<Found> = links.iter().zip(&parts).filter(|(_, part)| **part == Part::Used).map(|(link, _)| *link).collect();
-    if used.len() < LEAST_LINKS {
-        return Ok(Err(NotPlaced::NotConfirmed { links: links.len(), agreeing: used.len() }));
-    }
-    let result = match adjusted(&used, known, (over.camera, over.pose), errors) {
-        Ok(result) => result,
-        Err(error) => return Ok(Err(NotPlaced::Failed { failure: Failure::from(&error) })),
-    };
-    (over.camera, over.pose) = (result.block.cameras[0], result.block.images[0].pose);
-    let mut placement = placement(over, &links, &parts, &result, &total_errors(&result, known));
-    placement.links.retain(|link| link.residual_px.is_some());
-    Ok(Ok(placement))
-}
-
-/// How a link takes part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
-    Used,
-    Check,
-    Rejected,
-}
-
-/// Which of so many links check: evenly among them.
-pub(super) fn checks(links: usize, share: f64) -> Vec<Part> {
-    let is_check = |k: usize| ((k + 1) as f64 * share).floor() > (k as f64 * share).floor();
-    (0..links).map(|k| if is_check(k) { Part::Check } else { Part::Used }).collect()
-}
-
-/// What comes of an adjustment, whose rays are the links that take part in their order.
-pub(super) fn placement(over: &Over<'_>, links: &[Found], parts: &[Part], result: &AdjustmentResult, errors: &TotalErrors) -> Placement {
-    let (camera, pose) = (over.camera, over.pose);
-    let seen = Seen::new(&camera, &pose);
-    let mut rays = result.rays.iter();
-    let linked = links.iter().zip(parts).map(|(link, part)| {
-        let residual_px = seen.at(&link.place).map(|at| [link.at[0] - at[0], link.at[1] - at[1]]);
-        let role = match part {
-            Part::Check => LinkUse::Check,
-            Part::Rejected => LinkUse::Rejected,
-            Part::Used => match rays.next().map(|ray| ray.verdict) {
-                Some(ObservationVerdict::Accepted) => LinkUse::Used,
-                _ => LinkUse::Rejected,
-            },
-        };
-        Link { at: link.at, place: link.place, residual_px, role, by_hand: false }
-    });
-    let links: Vec<Link> = linked.collect();
-    let gsd_m = over.footprint().gsd();
-    Placement {
-        camera,
-        camera_errors: errors.camera,
-        pose,
-        angles_deg: pose.angles().map(f64::to_degrees),
-        angle_errors_deg: errors.angles_deg,
-        position_errors_m: errors.position,
-        above_ground_m: over.footprint().above_ground(),
-        gsd_m,
-        footprint: over.footprint().border(),
-        sigma0_px: result.sigma0_px,
-        rmse_px: rms(links.iter().filter(|link| link.role == LinkUse::Used)),
-        degrees_of_freedom: result.degrees_of_freedom,
-        coverage: coverage(&camera, &links),
-        checks: check_links(&links, gsd_m),
-        links,
-    }
-}
-
-/// Root mean square length of residuals, where there are any.
-fn rms<'a>(links: impl Iterator<Item = &'a Link>) -> f64 {
-    let residuals = links.filter_map(|link| link.residual_px);
-    let (sum, number) = residuals.fold((0.0, 0_usize), |(sum, n), [x, y]| (sum + x * x + y * y, n + 1));
-    if number == 0 { 0.0 } else { (sum / number as f64).sqrt() }
-}
-
-/// What the links say that took no part, those as far off as the used ones never are left apart.
-fn check_links(links: &[Link], gsd_m: f64) -> Option<LinkChecks> {
-    let checks = || links.iter().filter(|link| link.role == LinkUse::Check && link.residual_px.is_some());
-    let number = checks().count();
-    let limit = GROSS * rms(links.iter().filter(|link| link.role == LinkUse::Used));
-    let within = |link: &&Link| link.residual_px.is_some_and(|[x, y]| libm::hypot(x, y) <= limit);
-    let rmse_px = rms(checks().filter(within));
-    let beyond = number - checks().filter(within).count();
-    (number > 0).then_some(LinkChecks { number, beyond, rmse_px, rmse_m: rmse_px * gsd_m })
-}
-
-/// Cells of the image in which links are counted, on its longer side.
-const CELLS: f64 = 8.0;
-
-/// Share of the cells of the image that hold a used link.
-fn coverage(camera: &Camera, links: &[Link]) -> f64 {
-    let [width, height] = [camera.width_px, camera.height_px].map(f64::from);
-    let side = width.max(height) / CELLS;
-    let [columns, rows] = [width, height].map(|length| (length / side).ceil().max(1.0) as usize);
-    let mut held = vec![false; columns * rows];
-    for link in links.iter().filter(|link| link.role == LinkUse::Used) {
-        let [column, row] = link.at.map(|v| (v / side) as usize);
-        held[row.min(rows - 1) * columns + column.min(columns - 1)] = true;
-    }
-    held.iter().filter(|held| **held).count() as f64 / held.len() as f64
-}
-
-/// The placement in the system of the orthophoto itself.
-pub(super) fn moved(mut placement: Placement, by: [f64; 2]) -> Placement {
-    let plan = |place: &mut [f64]| (0..2).for_each(|k| place[k] += by[k]);
-    plan(&mut placement.pose.position);
-    placement.footprint.iter_mut().for_each(|corner| plan(corner));
-    placement.links.iter_mut().for_each(|link| plan(&mut link.place));
-    placement
 }
 
 #[cfg(test)]
@@ -565,39 +231,5 @@ mod tests {
         }
         let other = PlacingCamera { camera: Camera::without_distortion(200, 300, 300.0), ..known };
         assert!(place_image(blank.view(), &other, &reference, &area, &options()).unwrap_err().to_string().contains("300 x 200"));
-    }
-
-    #[test]
-    fn each_part_of_an_orthophoto_is_searched_once_for_an_image() {
-        let empty = || SearchArea { features: Vec::new(), area_px2: 1.0, is_sparse: true };
-        let all = SearchArea { area_px2: 9.0, ..empty() };
-        let dense = || Some(SearchArea { area_px2: 2.0, ..empty() });
-        let nowhere = || PlacedImage {
-            verdict: PlacingVerdict::NotPlaced { not_placed: NotPlaced::NoOrientation { points: 0 } },
-            placement: None,
-            search: None,
-        };
-        let searched = |near: Option<SearchArea>, dense: Option<SearchArea>| {
-            let mut areas = Vec::new();
-            let search = |area: &SearchArea| {
-                areas.push(area.area_px2);
-                Ok(nowhere())
-            };
-            let placed = Areas { all: &all, near, dense: || dense }.searched(50.0, search).unwrap();
-            assert_eq!(placed.search, Some(PlaceSearch::BeyondGnss { within_m: 50.0 }));
-            areas
-        };
-        // All are the surroundings; they are a part; nothing is there.
-        assert_eq!((searched(None, dense()), searched(None, None)), (vec![9.0, 2.0], vec![9.0]));
-        let scene = scene(3).orthophoto(0.8).unwrap();
-        let some = SearchArea { area_px2: 3.0, ..SearchArea::new(&scene, &options()).unwrap() };
-        assert_eq!((searched(Some(some.clone()), dense()), searched(Some(some), None)), (vec![3.0, 2.0, 9.0], vec![3.0, 9.0]));
-        assert_eq!(searched(Some(empty()), dense()), [2.0, 9.0]);
-    }
-
-    #[test]
-    fn check_links_are_spread_evenly() {
-        let number = |links: usize, share: f64| checks(links, share).iter().filter(|part| **part == Part::Check).count();
-        assert_eq!((number(10, 0.2), number(7, 0.0), number(8, 0.5)), (2, 0, 4));
     }
 }

@@ -6,6 +6,7 @@
 use super::precision::written;
 use crate::adjustment::{Part, PartCovariances, Unknown};
 use crate::camera::rotation_from_angles;
+use crate::catalogue::SIGMA_PX;
 use crate::error::refuse;
 use crate::math::median;
 use crate::orthophoto::{BlockMap, Seen, epsg_of, heights_on_map, write_floats};
@@ -91,7 +92,7 @@ pub fn accuracy_map(run: &BlockRun, cell: Option<f64>, sigma_px: Option<f64>) ->
         return refuse(Refusal::AccuracyImages { images: adjusted.images.len(), most: MOST_IMAGES });
     }
     let sigma_px = sigma_px.or(model.adjusted.unit_error_px).unwrap_or(f64::NAN);
-    if !(sigma_px > 0.0 && sigma_px <= 1e3) {
+    if !SIGMA_PX.contains(&sigma_px) {
         return refuse(Refusal::AccuracySigma { sigma_px });
     }
     let map = BlockMap::of(run)?;

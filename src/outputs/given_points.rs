@@ -2,7 +2,7 @@
 
 use super::precision::written;
 use crate::pipeline::is_place_of_orthophoto;
-use crate::{BlockEdit, BlockRun, ControlRole, PointSource, SurveyedPoint, parse_ground_control_points};
+use crate::{BlockEdit, BlockRun, ControlRole, PointSource, SurveyedPoint, parse_ground_control_points, parse_image_measurements};
 use std::collections::BTreeSet;
 
 /// What became of a point without figures.
@@ -12,6 +12,8 @@ pub(super) enum Absence {
     Off,
     /// A place of an orthophoto that contradicted the others.
     Rejected,
+    /// No image measurement names it.
+    NotMeasured,
     /// Fewer than two of the image measurements of a control point fit without its coordinates: it takes no part, and nothing tests them.
     Untested,
     /// Fewer than two of the image measurements of a check point fit.
@@ -26,6 +28,7 @@ impl Absence {
         match self {
             Self::Off => "off",
             Self::Rejected => "rejected",
+            Self::NotMeasured => "not measured",
             Self::Untested => "untested",
             Self::NotDetermined => "not determined",
             Self::NotPlaced => "not placed",
@@ -49,6 +52,8 @@ pub(super) fn absent_points(run: &BlockRun, surveyed: &[SurveyedPoint]) -> Vec<A
     let Some((model, texts)) = written(run).zip(run.input.control.as_ref()) else { return Vec::new() };
     // A run reads the table before it starts.
     let rows = parse_ground_control_points(&texts.points).unwrap_or_default();
+    let marks = parse_image_measurements(&texts.marks).unwrap_or_default();
+    let measured: BTreeSet<&str> = marks.iter().map(|mark| mark.point.as_str()).collect();
     let has_figures: BTreeSet<&str> = surveyed.iter().map(|point| point.name.as_str()).collect();
     let is_placed = model.in_system && model.adjusted.datum.uses_control();
     // Edits count the points that the table does not switch off.
@@ -64,6 +69,7 @@ pub(super) fn absent_points(run: &BlockRun, surveyed: &[SurveyedPoint]) -> Vec<A
         let absence = match role {
             None if !given && is_place_of_orthophoto(&row.name) => Absence::Rejected,
             None => Absence::Off,
+            Some(_) if !measured.contains(row.name.as_str()) => Absence::NotMeasured,
             Some(_) if !is_placed => Absence::NotPlaced,
             Some(ControlRole::Control) => Absence::Untested,
             Some(ControlRole::Check) => Absence::NotDetermined,

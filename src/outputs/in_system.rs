@@ -8,7 +8,7 @@ use super::precision::{ImageErrors, image_errors, point_errors, written};
 use crate::crs::CoordinateSystem;
 use crate::math::{dot3, median};
 use crate::text::shorten;
-use crate::{BlockModel, BlockRun, LeftOut, Pose, ReconstructedModel, Remark, SurveyedPoint, geographic_from_local};
+use crate::{BlockImage, BlockModel, BlockRun, LeftOut, Pose, ReconstructedModel, Remark, SurveyedPoint, geographic_from_local};
 use serde::Serialize;
 use std::borrow::Cow;
 
@@ -139,6 +139,11 @@ impl<'a> InSystem<'a> {
     fn gnss_above_m(&self) -> Option<f64> {
         let (system, origin) = self.chosen.as_ref()?;
         if system.geoid_m().is_some() || self.run.input.control.is_none() || !self.run.input.use_gnss {
+            return None;
+        }
+        // Without control points they take part.
+        let has_height = |image: &BlockImage| image.gnss.is_some_and(|gnss| gnss.sigma[2].is_some());
+        if written(self.run).is_some_and(|model| model.adjusted.block.images.iter().any(has_height)) {
             return None;
         }
         let images = self.run.images.iter().zip(&self.run.model.images);

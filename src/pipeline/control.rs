@@ -103,6 +103,12 @@ impl ControlTables {
         self.points.iter().filter_map(|point| Some((point, point.role?)))
     }
 
+    /// Names of those that no image measurement names.
+    pub(super) fn unmeasured(&self) -> Vec<String> {
+        let measured: BTreeSet<&str> = self.marks.iter().map(|mark| mark.point.as_str()).collect();
+        self.used().map(|(point, _)| &point.name).filter(|name| !measured.contains(name.as_str())).cloned().collect()
+    }
+
     /// The coordinates of a point as they were written.
     pub(super) fn coordinates(&self, point: &str) -> Option<[f64; 3]> {
         self.points.iter().find(|row| row.name == point).map(|row| row.position)
@@ -226,6 +232,7 @@ mod tests {
         assert!(refused("1.png,z,1,1\n").contains("the point z"));
         let few = refused("1.png,a,1,1\n9.png,a,1,1\n");
         let rows = "name,x,y,z,use\na,0,0,0,control\nb,100,0,0,check\nc,0,100,0,off\n";
+        assert_eq!(ControlTables::read(rows, "1.png,a,1,1\n").unwrap().unmeasured(), ["b"]);
         let checked = ControlTables::read(rows, "1.png,a,1,1\n1.png,c,2,2\n").unwrap();
         let checked = checked.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap_err().to_string();
         assert!(checked.contains("0 of 1 (check points do not count) measured in two images"), "{checked}");

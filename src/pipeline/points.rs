@@ -68,7 +68,7 @@ fn join(state: &mut State) -> Result<(), Error> {
     for pair in state.pairs.iter_mut().filter(|pair| !pair.matches.is_empty()) {
         matches.add_pair(pair.connection.images, &std::mem::take(&mut pair.matches))?;
     }
-    let (points, join) = tie_points(&matches, &state.input.settings.block)?;
+    let (points, join) = tie_points(&matches, &state.features(), &state.input.settings.block)?;
     let shared = shared_points(&points, state.images.len());
     state.joined = Some(JoinedPoints { join, count: points.len(), rays: points.ray_count(), histogram: histogram(&points), shared });
     state.chosen = select_points(&points, &state.features(), &state.input.settings.selection)?.points;

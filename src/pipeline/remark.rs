@@ -25,6 +25,8 @@ messages! {
         UnknownColumns { columns: Vec<String> },
         /// Columns of that table that give what another one gives, each with the one that is read in brackets.
         DoubledColumns { columns: Vec<String> },
+        /// Control and check points that no image measurement names.
+        UnmeasuredPoints { points: Vec<String> },
         /// The project file keeps only the points that were given: edits are adjusted by these alone.
         UnsupportedEdits,
         /// The coordinate reference system of tables; the operation from it to WGS 84 with its accuracy, where the registry has one; how much higher GNSS

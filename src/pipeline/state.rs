@@ -107,6 +107,8 @@ impl State {
             let UnreadColumns { unknown, doubled } = std::mem::take(&mut control.unread_columns);
             self.remarks.extend(Some(unknown).filter(|columns| !columns.is_empty()).map(|columns| Remark::UnknownColumns { columns }));
             self.remarks.extend(Some(doubled).filter(|columns| !columns.is_empty()).map(|columns| Remark::DoubledColumns { columns }));
+            self.remarks
+                .extend(Some(control.unmeasured()).filter(|points| !points.is_empty()).map(|points| Remark::UnmeasuredPoints { points }));
         }
         self.remarks.extend(doubtful(&self.cameras));
         let known = self.images.iter().map(|image| (image.name.as_str(), [image.width_px, image.height_px], &image.exif));
@@ -202,9 +204,17 @@ pub(super) fn describe(input: &Checked, images: &[RunImage], cameras: &[InitialC
     let (control, unknown_images) = joined.unwrap_or_default();
     system.iter().try_for_each(|system| check_near(&control, &places, system))?;
     let has_heights = control.is_empty() || system.is_none_or(|system| system.geoid_m().is_some());
+    let cameras = cameras.iter().map(InitialCamera::to_be_calibrated).collect();
+    let description = BlockDescription { cameras, images: known_images(input, images, has_heights), control };
+    description.check()?;
+    Ok((description, unknown_images))
+}
+
+/// What is known of images before their orientation. `has_heights`: whether heights of GNSS positions count from where others of the block do.
+pub(super) fn known_images(input: &Checked, images: &[RunImage], has_heights: bool) -> Vec<KnownImage> {
     let observed = |image: &RunImage| {
         let rtk = image.exif.drone.as_ref().and_then(|drone| drone.rtk.as_ref());
-        gnss(input, &image.exif).map(|position| gnss_observation(position, rtk, placing, has_heights))
+        gnss(input, &image.exif).map(|position| gnss_observation(position, rtk, &input.settings.placing, has_heights))
     };
     let image = |image: &RunImage| KnownImage {
         name: image.name.clone(),
@@ -212,10 +222,7 @@ pub(super) fn describe(input: &Checked, images: &[RunImage], cameras: &[InitialC
         position: observed(image),
         view: image.exif.drone.as_ref().and_then(|drone| drone.view()),
     };
-    let cameras = cameras.iter().map(InitialCamera::to_be_calibrated).collect();
-    let description = BlockDescription { cameras, images: images.iter().map(image).collect(), control };
-    description.check()?;
-    Ok((description, unknown_images))
+    images.iter().map(image).collect()
 }
 
 impl BlockRun {

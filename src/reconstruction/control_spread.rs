@@ -2,8 +2,9 @@
 //! they lie almost on a line.
 
 use super::level::uncertainty_deg;
-use super::result::ReconstructedModel;
+use super::result::{ReconstructedModel, SurveyedPoint};
 use super::warning::BlockWarning;
+use crate::ControlRole;
 use crate::adjustment::{ObservationVerdict, relative_width};
 
 /// So many control points alone hardly check each other.
@@ -30,10 +31,11 @@ pub(super) fn of_spread(model: &ReconstructedModel) -> Vec<BlockWarning> {
     few.into_iter().chain(if held_by_gnss(model) { None } else { narrow(model, &places).or_else(|| small(model, &places)) }).collect()
 }
 
-/// The error of a coordinate that its test finds, of that where it is largest; absent where one is not checked at all.
+/// The error of a coordinate that its test finds, of that where it is largest, as the table of surveyed points has it; absent where one is not checked at all.
 fn detectable(model: &ReconstructedModel) -> Option<f64> {
-    let all = || model.adjusted.control.iter().flatten().flat_map(|statistics| statistics.detectable);
-    all().try_fold(0.0, |most: f64, detectable| Some(most.max(detectable?)))
+    let takes_part = |point: &&SurveyedPoint| point.role == ControlRole::Control && point.refused.is_none_or(|refused| refused.is_used);
+    let mut all = model.surveyed.iter().filter(takes_part).flat_map(|point| point.detectable_m);
+    all.try_fold(0.0, |most: f64, detectable| Some(most.max(detectable?)))
 }
 
 /// Whether most of the images have positions that are as precise as control points.

@@ -1,6 +1,8 @@
 //! A block before its adjustment, with what its parts are; and the adjustment in the best datum.
 
-use super::control_tests::{ControlTests, tested_control};
+use super::control_course::ControlTests;
+use super::control_tests::tested_control;
+use super::frame::PLACING;
 use super::level::{Level, is_open, uncertainty_deg};
 use super::material::Known;
 use super::placing::Placing;
@@ -80,9 +82,11 @@ impl Draft {
             let placing = if datum == Datum::Free { Placing::Free { cause: None } } else { Placing::Observed };
             return with(own, datum).map(|adjusted| (adjusted, placing));
         }
-        let gnss = own.images.iter().filter(|image| image.gnss.is_some()).count();
-        let control = own.control.len();
-        let datum = match (gnss >= 3, control >= 3) {
+        let positions = || own.images.iter().filter_map(|image| image.gnss);
+        let (gnss, control) = (positions().count(), own.control.len());
+        // Positions without a coordinate take part beside others that place the block.
+        let whole = control + positions().filter(|gnss| gnss.sigma.iter().all(Option::is_some)).count();
+        let datum = match (gnss >= PLACING && whole >= PLACING, control >= PLACING) {
             (true, _) if control > 0 => Datum::GnssAndControl,
             (true, _) => Datum::Gnss,
             (false, true) => Datum::Control,

@@ -3,7 +3,7 @@
 use crate::adjustment::PositionPrior;
 use crate::error::refuse;
 use crate::math::{local_from_geographic, median, median_longitude};
-use crate::{BlockDescription, ControlRole, Error, GeographicOrigin, GroundControlPoint, ObservedPosition, Refusal};
+use crate::{BlockDescription, ControlRole, Error, GeographicOrigin, GroundControlPoint, KnownImage, ObservedPosition, Refusal};
 
 /// Observed positions in one Cartesian system.
 pub(super) struct Frame {
@@ -26,8 +26,8 @@ const LEVELLING: usize = 3;
 /// Standard error in m of a height of which nothing is known but that the flight was about level.
 const LEVEL_SIGMA_M: f64 = 100.0;
 
-/// Surveyed points from which on they place a block by themselves.
-const PLACING: usize = 3;
+/// Surveyed points, or positions of images, from which on they place a block by themselves.
+pub(super) const PLACING: usize = 3;
 
 impl Frame {
     /// Geographic positions are taken into a system that touches the earth in the middle of most of them. Where those of the images are of
@@ -37,6 +37,14 @@ impl Frame {
     /// [`Error::InvalidInput`] for local and geographic positions of images, or of surveyed points, and for different kinds of both where the
     /// surveyed points are too few to place the block.
     pub fn new(description: &BlockDescription) -> Result<Self, Error> {
+        Self::with_images(description, &description.images)
+    }
+
+    /// The system of a description, with positions of the same images that may be known otherwise than it has them.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_images(description: &BlockDescription, images: &[KnownImage]) -> Result<Self, Error> {
         let of_images: Vec<ObservedPosition> = description.images.iter().filter_map(|image| image.position).collect();
         let places = |control: &&GroundControlPoint| control.role == ControlRole::Control;
         let of_control: Vec<ObservedPosition> = description.control.iter().filter(places).map(|control| control.position).collect();
@@ -45,7 +53,7 @@ impl Frame {
         let (placing, apart) = if are_apart { (of_control, of_images) } else { ([of_images, of_control].concat(), Vec::new()) };
         let (system, recording) = (System::of(&placing)?, System::of(&apart)?);
         let of_image = |system: &System, is_wanted: bool| {
-            description.images.iter().map(|image| image.position.as_ref().filter(|_| is_wanted).map(|p| system.prior(p))).collect()
+            images.iter().map(|image| image.position.as_ref().filter(|_| is_wanted).map(|p| system.prior(p))).collect()
         };
         let surveyed = |position: &ObservedPosition| {
             let PositionPrior { position, sigma } = system.prior(position);
@@ -54,7 +62,7 @@ impl Frame {
         Ok(Self {
             images: of_image(&system, !are_apart),
             recorded: of_image(&recording, are_apart),
-            views: description.images.iter().map(|image| image.view.filter(|_| system.origin.is_some())).collect(),
+            views: images.iter().map(|image| image.view.filter(|_| system.origin.is_some())).collect(),
             control: description.control.iter().map(|control| surveyed(&control.position)).collect(),
             origin: system.origin.map(|[longitude_deg, latitude_deg, height_m]| GeographicOrigin { longitude_deg, latitude_deg, height_m }),
             is_levelled: system.is_levelled,

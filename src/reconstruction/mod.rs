@@ -6,7 +6,11 @@
 
 mod adjusting;
 mod choosing;
+mod control_course;
+mod control_shape;
 mod control_spread;
+mod control_telling;
+mod control_test;
 mod control_tests;
 mod draft;
 mod finish;

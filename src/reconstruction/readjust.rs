@@ -108,7 +108,7 @@ pub(crate) struct Changed<'a> {
     /// Those of its images (ascending, by their indices in the block) that stay.
     pub images: Vec<usize>,
     pub points: &'a [ObservedPoint],
-    /// With the uses of the surveyed points as they are now.
+    /// With the uses of the surveyed points, and the positions of the images, as they are now.
     pub description: &'a BlockDescription,
 }
 
@@ -124,7 +124,7 @@ pub(crate) fn readjust(
     options: &ReconstructionOptions,
 ) -> Result<(ReconstructedModel, Vec<UnorientedImage>), Error> {
     let Changed { mut images, points, description } = changed;
-    let frame = Frame::new(found)?;
+    let frame = Frame::with_images(found, &description.images)?;
     let known = Known { description, options, frame: &frame };
     let base = Base::new(model, description);
     let places = points.iter().map(|point| base.place(&known, point)).collect::<Result<Vec<Option<[f64; 3]>>, Error>>()?;

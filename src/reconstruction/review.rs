@@ -1,7 +1,8 @@
 //! What of a model deserves a warning.
 
+use super::control_course::{ControlTests, Refused};
+use super::control_shape::of_shape;
 use super::control_spread::of_spread;
-use super::control_tests::{ControlTests, Refused};
 use super::frame::Frame;
 use super::level::{LEVEL_DEG, UNCERTAIN_TURN_DEG, uncertainty_deg};
 use super::material::Known;
@@ -43,6 +44,7 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     found.extend(of_position_errors(model));
     found.extend(of_units(model, description, frame));
     found.extend(of_control(model, known, tests));
+    found.extend(of_shape(model, description));
     found.extend(of_spread(model));
     found.extend(of_measurements(model, description));
     found.extend(of_cameras(model, description));
@@ -142,12 +144,28 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
             error_m: test.errors[k],
             detectable_m: test.detectable[k],
             used: refused.is_used,
+            certain: refused.is_certain,
             mistake,
         })
     };
-    let contradicting = tests.contradicting.map(|[refused, points]| BlockWarning::ControlContradicts { refused, points });
+    let contradicting =
+        tests.contradicting.map(|of| BlockWarning::ControlContradicts { refused: of.refused, points: of.of, w: Some(of.w) });
     let stopped = tests.stopped.map(|[left_out, points]| BlockWarning::ControlTestsStopped { left_out, points });
-    tests.refused.iter().filter_map(of_point).chain(contradicting).chain(stopped).collect()
+    let name = |point: &usize| match model.points[*point] {
+        PointSource::GroundControl(control) => Some(known.description.control[control].name.clone()),
+        PointSource::TiePoint(_) | PointSource::Manual(_) => None,
+    };
+    let names: Vec<String> = tests.unadjusted.iter().filter_map(name).collect();
+    let unadjusted = (!names.is_empty()).then_some(BlockWarning::ControlUnadjusted { names });
+    tests
+        .refused
+        .iter()
+        .filter(|refused| refused.is_named)
+        .filter_map(of_point)
+        .chain(contradicting)
+        .chain(stopped)
+        .chain(unadjusted)
+        .collect()
 }
 
 /// GCPs whose image measurements do not fit, each by its name.

@@ -1,6 +1,6 @@
 //! What a finished model says of surveyed points: of those that place it, and of check points, whose coordinates took no part.
 
-use super::control_tests::ControlTests;
+use super::control_course::ControlTests;
 use super::material::Known;
 use super::result::{PointSource, ReconstructedModel, RefusedControl, SurveyedPoint};
 use crate::adjustment::{LeftOut, ObservationVerdict};

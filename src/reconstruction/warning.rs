@@ -34,7 +34,7 @@ messages! {
         /// Those that are estimated are relative to each other: so many motions of the whole block are told from them by nothing.
         PositionErrorsRelative { motions: usize },
         /// A coordinate of a GCP that its test refuses. `difference_m`: where the other observations have it minus surveyed, with its standard error;
-        /// `used`: whether the point takes part all the same, since too few are left to tell which of them is wrong.
+        /// `used`: whether the point takes part all the same; `certain`: whether enough is left without it to tell that it is the wrong one.
         ControlRefused {
             point: String,
             axis: Axis,
@@ -42,16 +42,29 @@ messages! {
             error_m: f64,
             detectable_m: Option<f64>,
             used: bool,
+            #[serde(default = "yes")]
+            certain: bool,
             mistake: Option<Mistake>,
         },
-        /// A GCP that takes no part and whose coordinates nothing tests: fewer than two of its image measurements fit the other observations without them.
+        /// A GCP that takes no part and whose coordinates nothing tests: fewer than two of its image measurements fit the other observations.
         ControlUntested { point: String, measurements: usize },
         /// A GCP that takes no part since the block is not placed with it, though the other observations have it within chance where it was surveyed.
         ControlUnplaced { point: String, measurements: usize },
-        /// So many of the GCPs contradict the rest of the block that nothing tells which of them are wrong: all take part.
-        ControlContradicts { refused: usize, points: usize },
+        /// So many of the GCPs contradict each other, or the rest of the block, and nothing tells which of them are wrong: they take part. `w`: the
+        /// largest of their tests.
+        ControlContradicts {
+            refused: usize,
+            points: usize,
+            #[serde(default)]
+            w: Option<f64>,
+        },
         /// The block has no adjustment without so many of the GCPs, which their tests were to leave out: all take part, wrong ones among them.
         ControlTestsStopped { left_out: usize, points: usize },
+        /// The block has no adjustment with these GCPs, which lie far from where the others have them: they take no part, and the others do not place it.
+        ControlUnadjusted { names: Vec<String> },
+        /// The distances of these GCPs from each other make the block `ratio` times as large between two of them (`longest`) as between two others
+        /// (`shortest`): they do not place it. `point`: without this one the others fit.
+        ControlShape { names: Vec<String>, ratio: f64, longest: String, shortest: String, point: Option<String> },
         /// So few GCPs, beside so few GNSS positions, that they hardly check each other. `detectable_m`: the error of a coordinate that its test finds, of
         /// that where it is largest; absent where one is not checked at all.
         FewControl {
@@ -87,6 +100,10 @@ messages! {
     }
 }
 
+fn yes() -> bool {
+    true
+}
+
 /// An angle that is not surer than this is not known.
 pub(super) const UNKNOWN_TURN_DEG: f64 = 45.0;
 
@@ -105,6 +122,8 @@ impl BlockWarning {
             | Self::ControlUnplaced { .. }
             | Self::ControlContradicts { .. }
             | Self::ControlTestsStopped { .. }
+            | Self::ControlUnadjusted { .. }
+            | Self::ControlShape { .. }
             | Self::Scale { .. }
             | Self::Degrees
             | Self::FocalUndetermined { .. }

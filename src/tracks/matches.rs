@@ -1,7 +1,8 @@
 //! The pairwise matches of a whole block, kept small: twelve bytes a match.
 
+use super::ImageFeatures;
 use crate::error::refuse;
-use crate::{Error, Refusal};
+use crate::{Error, Input, Refusal};
 use std::collections::BTreeMap;
 
 /// A match of two features.
@@ -107,6 +108,20 @@ impl BlockMatches {
         self.edges.is_empty()
     }
 
+    /// Refuses features that are not those of these images.
+    pub(super) fn check_features(&self, features: &[ImageFeatures<'_>]) -> Result<(), Error> {
+        if features.len() != self.images() {
+            let (images, wanted) = (features.len(), self.images());
+            return refuse(Refusal::FeaturesOfImages { input: Input::PointsOfBlock, images, wanted });
+        }
+        for (image, known) in (0_u32..).zip(features) {
+            if known.positions.len() < self.features(image) as usize {
+                return refuse(Refusal::LostFeature { feature: known.positions.len() as u32, image });
+            }
+        }
+        Ok(())
+    }
+
     fn features(&self, image: u32) -> u32 {
         self.starts[image as usize + 1] - self.starts[image as usize]
     }
@@ -130,6 +145,10 @@ impl BlockMatches {
         self.image_of.len()
     }
 
+    pub(super) fn nodes_of(&self, image: u32) -> std::ops::Range<u32> {
+        self.starts[image as usize]..self.starts[image as usize + 1]
+    }
+
     pub(super) fn image_of(&self, node: u32) -> u32 {
         self.image_of[node as usize]
     }
@@ -137,6 +156,13 @@ impl BlockMatches {
     pub(super) fn feature_of(&self, node: u32) -> u32 {
         node - self.starts[self.image_of(node) as usize]
     }
+}
+
+/// Places of the features of images that are asked how their matches are joined: far enough from each other to be different ones.
+#[cfg(test)]
+pub(super) fn apart(images: usize) -> Vec<ImageFeatures<'static>> {
+    static POSITIONS: [[f32; 2]; 5] = [[50.0, 50.0], [350.0, 50.0], [200.0, 150.0], [50.0, 250.0], [350.0, 250.0]];
+    vec![ImageFeatures { width_px: 400, height_px: 300, positions: &POSITIONS }; images]
 }
 
 #[cfg(test)]

@@ -3,13 +3,12 @@
 //! Data flow: [`ChosenPair`] → matches of a pair ([`BlockMatches`], [`ConnectionGraph`]) → `evidence` (how probable a match is by the
 //! matches around it) → `joining` ([`TiePoints`]) → [`select_points`] → `refinement` of the rays of chosen points ([`PointRefiner`]).
 
-mod belonging;
+mod chance;
 mod choice;
 mod connections;
 mod evidence;
 mod joining;
 mod matches;
-mod mixture;
 mod model;
 mod options;
 mod pairs;
@@ -17,16 +16,17 @@ mod places;
 mod placing;
 mod points;
 mod refinement;
+mod reliability;
 mod selection;
 mod sets;
 mod settings;
 mod shared;
+mod two_groups;
 
 pub use choice::{ChosenPair, PairRule, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs};
 pub use connections::{Connection, ConnectionGraph, PairOutcome};
 pub use joining::{JoinCounts, tie_points};
 pub use matches::{BlockMatches, FeatureMatch};
-pub use mixture::MatchReliability;
 pub use options::{BlockOptions, Conflicts, SelectOptions};
 pub use places::ImageFeatures;
 pub(crate) use places::{check as check_features, von_gruber_position};
@@ -36,6 +36,7 @@ pub use refinement::{
     ObservationRefinement, ObservationWindow, ObservationWindows, PointRefiner, RefinedPoint, RefinementMethod, RefinementOptions,
     RefinementOutcome, WindowCentre, WindowedObservation, observation_windows,
 };
+pub use reliability::MatchReliability;
 pub use selection::{SelectedPoints, select_points};
 pub use settings::{BlockSettings, PairChoice, choose_pairs};
 pub use shared::{SharedPoints, shared_points};

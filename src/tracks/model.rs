@@ -50,10 +50,10 @@ mod tests {
         let mut matches = BlockMatches::new(&[2, 2, 0]).unwrap();
         let of = |a, b| FeatureMatch { features: [a, b], strength: 1.0 };
         matches.add_pair([0, 1], &[of(0, 1), of(1, 0)]).unwrap();
-        let (points, _) = tie_points(&matches, &BlockOptions::default()).unwrap();
         let positions = [[[1.5, 2.5], [3.5, 4.5]], [[5.5, 6.5], [7.5, 8.5]]];
         let image = |positions| ImageFeatures { width_px: 400, height_px: 300, positions };
         let features = [image(&positions[0][..]), image(&positions[1][..]), image(&[])];
+        let (points, _) = tie_points(&matches, &features, &BlockOptions::default()).unwrap();
         let mut model = tiny_block();
         model.add_points(&points, &[1], &features).unwrap();
         let places: Vec<_> = model.points[3].rays.iter().map(|ray| (ray.image, ray.x_px, ray.y_px)).collect();

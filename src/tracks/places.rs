@@ -14,7 +14,7 @@ pub struct ImageFeatures<'a> {
 }
 
 /// The cell of an even grid in which a position in px lies, row by row.
-fn cell(at: [f64; 2], size_px: [u32; 2], side: usize) -> usize {
+pub(super) fn cell(at: [f64; 2], size_px: [u32; 2], side: usize) -> usize {
     let [col, row] = [0, 1].map(|axis| ((at[axis] / f64::from(size_px[axis]) * side as f64) as usize).min(side - 1));
     row * side + col
 }

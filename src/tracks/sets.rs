@@ -5,7 +5,14 @@ use super::{BlockMatches, Conflicts};
 /// What came of joining two nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Joined {
-    Yes,
+    /// They make a new set.
+    New,
+    /// One came to the set of the other.
+    Added,
+    /// Two sets became one.
+    Merged,
+    /// They were in one set before.
+    Before,
     Conflict,
 }
 
@@ -15,8 +22,8 @@ pub(super) struct RaySets<'a> {
     parent: Vec<u32>,
     size: Vec<u32>,
     next: Vec<u32>,
-    /// Of each root: the sum of 1 - p over the edges that joined sets of several nodes each.
-    bridges: Vec<f32>,
+    /// Of each root: the sum of 1 - p over the edges that joined its set.
+    doubts: Vec<f64>,
     /// The walk in which an image was met last.
     met: Vec<u32>,
     walk: u32,
@@ -27,7 +34,7 @@ impl<'a> RaySets<'a> {
         let nodes = matches.nodes();
         let parent: Vec<u32> = (0..nodes as u32).collect();
         let (next, met) = (parent.clone(), vec![0; matches.images()]);
-        Self { matches, parent, size: vec![1; nodes], next, bridges: vec![0.0; nodes], met, walk: 0 }
+        Self { matches, parent, size: vec![1; nodes], next, doubts: vec![0.0; nodes], met, walk: 0 }
     }
 
     /// The representative of a node's set; paths are halved on the way.
@@ -52,7 +59,7 @@ impl<'a> RaySets<'a> {
     pub(super) fn join(&mut self, nodes: [u32; 2], probability: f32, conflicts: Conflicts) -> Joined {
         let [a, b] = nodes.map(|node| self.root(node));
         if a == b {
-            return Joined::Yes;
+            return Joined::Before;
         }
         let conflict = self.share_an_image(a, b);
         if conflict && conflicts == Conflicts::Resolve {
@@ -60,12 +67,16 @@ impl<'a> RaySets<'a> {
         }
         let [size_a, size_b] = [a, b].map(|root| self.size[root as usize]);
         let (root, child) = if (size_a, b) > (size_b, a) { (a, b) } else { (b, a) };
-        let bridge = if size_a > 1 && size_b > 1 { 1.0 - probability } else { 0.0 };
-        self.bridges[root as usize] += self.bridges[child as usize] + bridge;
+        self.doubts[root as usize] += self.doubts[child as usize] + 1.0 - f64::from(probability);
         self.parent[child as usize] = root;
         self.size[root as usize] = size_a + size_b;
         self.next.swap(a as usize, b as usize);
-        if conflict { Joined::Conflict } else { Joined::Yes }
+        match (size_a, size_b) {
+            _ if conflict => Joined::Conflict,
+            (1, 1) => Joined::New,
+            (1, _) | (_, 1) => Joined::Added,
+            _ => Joined::Merged,
+        }
     }
 
     fn share_an_image(&mut self, a: u32, b: u32) -> bool {
@@ -94,9 +105,9 @@ impl<'a> RaySets<'a> {
         }
     }
 
-    /// The sum of 1 - p over the edges that joined sets of several nodes each to the set of this root.
-    pub(super) fn bridges(&self, root: u32) -> f32 {
-        self.bridges[root as usize]
+    /// How improbable it is that the nodes of the set of this root belong together: the sum of 1 - p over the edges that joined it.
+    pub(super) fn doubt(&self, root: u32) -> f64 {
+        self.doubts[root as usize]
     }
 
     /// The sets of two nodes or more, by their first node; the nodes of each in ascending order.

@@ -1,7 +1,7 @@
 //! What the module says of itself: version, defaults, parameters.
 
 use super::convert::{JsResult, pack, read, read_options};
-use crate::{PairHint, PairPreset, PairSettings, PairVerdict, acting};
+use crate::{CALL_PARAMETERS, PairHint, PairPreset, PairSettings, PairVerdict, acting};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -70,6 +70,12 @@ pub fn resolved(#[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] se
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> JsValue {
     pack(&PairSettings::parameters().collect::<Vec<_>>())
+}
+
+/// What calls are given beside settings, by the names of their arguments.
+#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
+pub fn call_parameters() -> JsValue {
+    pack(&CALL_PARAMETERS)
 }
 
 /// What else would do for a pair of this verdict and these settings; null where nothing is known to.

@@ -3,6 +3,7 @@
 use super::convert::{JsResult, object, pack, read, read_options, thrown, wrong_project};
 use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
+use crate::catalogue::check_call;
 use crate::{
     BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, GivenLink, HeightModel, Heights, Mosaic, Orthophoto, PlacedImage,
     Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, ground_positions, image_positions, links_table, place_by_links,
@@ -229,7 +230,11 @@ fn pairs<'a>(what: &'static str, numbers: &'a [f64]) -> JsResult<&'a [[f64; 2]]>
 fn read_heights(heights: &JsValue, world_file: Option<&str>) -> JsResult<Heights> {
     match heights.dyn_ref::<Uint8Array>() {
         Some(file) => HeightModel::read(&file.to_vec(), world_file).map(Heights::Model).map_err(thrown),
-        None => read("heights", heights).map(Heights::Level),
+        None => {
+            let height = read("heights", heights)?;
+            check_call("heights", height).map_err(thrown)?;
+            Ok(Heights::Level(height))
+        }
     }
 }
 

@@ -478,7 +478,7 @@ test('maps of the accuracy that is to be expected are written, and say what the 
   const coarse = tiepoint('accuracy', project, '--out', out, '--cell', '1e9');
   assert.ok(coarse.code === 1 && /side of a cell of the map: got 1000000000/.test(coarse.stderr), coarse.stderr);
   assert.match(tiepoint('accuracy', project).stderr, /--out is missing/);
-  assert.match(tiepoint('accuracy', project, '--out', out, '--point-sigma-px', '0').stderr, /--point-sigma-px is 0; allowed: above 0/);
+  assert.match(tiepoint('accuracy', project, '--out', out, '--point-sigma-px', '0').stderr, /--point-sigma-px is 0; allowed: 0\.000000001 to 1000/);
 });
 
 test('edits by hand are applied to a project, and undone to the byte', () => {

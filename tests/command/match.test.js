@@ -136,7 +136,8 @@ test('a focal length in px stands for a camera of pixels of 0.001 mm', () => {
   assert.ok(by.orientation !== null && by.pixel_mm === 0.001 && by.interior.focal_mm === 0.6);
   assert.deepEqual(by, named);
   for (const [options, pattern] of /** @type {const} */ ([
-    [['--focal-px', '0'], /--focal-px is 0; allowed: above 0, up to 10000000/],
+    [['--focal-px', '0.5'], /--focal-px is 0\.5; allowed: 1 to 10000000/],
+    [['--focal-px', '0'], /--focal-px is 0; allowed: 1 to 10000000/],
     [['--focal-px', '600', '--camera', camera], /--camera and --focal-px both give a focal length/],
   ])) {
     const { code, stderr } = tiepoint('match', left, right, ...options);

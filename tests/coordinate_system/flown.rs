@@ -1,6 +1,6 @@
 //! A scene with its photos, GNSS positions and control points, and its blocks.
 
-use crate::shown::shown;
+use super::super::shown::shown;
 use proj_core::Transform;
 use std::collections::BTreeMap;
 use std::fs;

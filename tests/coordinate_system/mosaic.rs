@@ -1,8 +1,8 @@
 //! Mosaics and accuracy maps in a coordinate reference system, beside their truth.
 
+use super::super::shown::shown;
 use super::flown::{GEOID_M, both, by_gnss, flown, in_utm};
 use super::orthophoto::in_system;
-use crate::shown::shown;
 use std::fs;
 use tiepoint::{
     BlockRun, DecodeLimits, GreyImage, HeightModel, Heights, Mosaic, Orthophoto, Rectified, accuracy_map, decode, write_geotiff,

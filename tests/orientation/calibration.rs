@@ -1,9 +1,9 @@
 //! Whether the statistics can be believed: standard errors, tests and reliability against many simulated sets of observations.
 //!
-//! `cargo test --test integration orientation::calibration -- --nocapture` prints the figures.
+//! `cargo test --lib integration::orientation::calibration -- --nocapture` prints the figures.
 
+use super::super::sampling::{about_one, runs};
 use super::scene::{ALONG_Y, Dice, FOCAL_MM, NADIR, OBLIQUE, Pair, UPSIDE_DOWN, spoil, standard_errors};
-use crate::sampling::{about_one, runs};
 use tiepoint::{Observation, OrientationOptions, RelativeOrientation, Weighting, orient_relative, rotation_from_angles};
 
 /// Sets of the main way; a variance of 1 then scatters by 0.03. The others have fewer, and wider bounds.

@@ -3,9 +3,9 @@
 //!
 //! `npm run bench -- statistics` prints the figures of all sets.
 
+use super::super::sampling::runs;
 use super::calibration::displace;
 use super::scene::{Dice, FOCAL_MM, NADIR, Pair, standard_errors};
-use crate::sampling::runs;
 use tiepoint::{FiveParameters, Observation, OrientationOptions, RelativeOrientation, orient_relative};
 
 const SIGMA_MM: f64 = 0.005;

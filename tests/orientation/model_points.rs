@@ -1,7 +1,7 @@
 //! The object points of a pair against generated truth.
 
+use super::super::sampling::{about_one, runs};
 use super::scene::{FOCAL_MM, NADIR, OBLIQUE, Pair, TO_THE_LEFT, spoil};
-use crate::sampling::{about_one, runs};
 use nalgebra::{Matrix3x2, Vector3};
 use tiepoint::{Error, Observation, model_points, orient_relative, rotation_from_angles};
 

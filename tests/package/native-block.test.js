@@ -11,10 +11,11 @@ import { folder, json } from '../command/command.js';
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const TOOLCHAIN = process.env.CARGO_TOOLCHAIN ?? 'stable';
 
-/** The example as it is built, with the library that the native tests have compiled.  @param {string[]} args */
+/** The example as it is built, with the library that the examples of the documentation have compiled (`tools/test.mjs`).  @param {string[]} args */
 function natively(...args) {
   const cargo = ['run', TOOLCHAIN, 'cargo', 'run', '--locked', '--quiet', '--profile', 'test', '--example', 'run_block', '--', ...args];
-  const { status, stderr } = spawnSync('rustup', cargo, { cwd: ROOT, encoding: 'utf8' });
+  const env = { ...process.env, CARGO_PROFILE_TEST_OPT_LEVEL: '0' };
+  const { status, stderr } = spawnSync('rustup', cargo, { cwd: ROOT, encoding: 'utf8', env });
   assert.equal(status, 0, stderr);
   return stderr;
 }

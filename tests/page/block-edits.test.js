@@ -45,7 +45,7 @@ test('observations and images are rejected, a point is measured by keyboard, all
   // The user looks closer, and goes on looking there.
   const pane = await part(page, 'pane-image-0').boundingBox();
   assert.ok(pane);
-  await page.mouse.move(pane.x + 20, pane.y + pane.height - 20);
+  await page.mouse.move(pane.x + pane.width / 2, pane.y + pane.height / 2);
   await page.keyboard.press('+');
   await page.keyboard.press('ArrowRight');
   const place = await says(page, 'image-place', / px/);

@@ -178,3 +178,25 @@ test('new marks are pressed in the picture, and take part once their photo coord
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test('marks go with the image that they were measured in, which is said; they stay where the new one has the same content', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  const [left, right] = pngs();
+  assert.ok(left && right);
+  await part(page, 'file-input').setInputFiles([left, right, CAMERA, MARKS]);
+  await done(page);
+  await part(page, 'settings').click();
+  await part(page, 'tab-camera').click();
+  const marks = page.locator('[data-testid="fiducials-left"] tbody tr');
+  await says(page, 'interior-left', /^4 marks/);
+  await part(page, 'file-input').setInputFiles([upload('again.png', left.buffer, 'image/png')]);
+  await says(page, 'name-left', /again\.png/);
+  await done(page);
+  await says(page, 'interior-left', /^4 marks/);
+  // The pair with its marks stays in the list of projects.
+  await part(page, 'file-input').setInputFiles([upload('other.png', right.buffer, 'image/png')]);
+  await says(page, 'status', /stay under Projects\. The 4 fiducial marks of the left image went with it\./);
+  assert.equal(await marks.count(), 0);
+  assert.deepEqual(complaints, []);
+  await close();
+});

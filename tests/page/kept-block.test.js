@@ -123,3 +123,49 @@ test('files that are dropped before the program has loaded are opened when it ha
   );
   await close();
 });
+
+test('a pair beside a block goes to a project of its own where another takes its place: nothing is lost, and no file is kept twice', {
+  skip: SKIP,
+}, async () => {
+  const { page, complaints, close } = await block();
+  await photos(page);
+  await part(page, 'block-run').click();
+  await status(page, FINISHED);
+  await kept(page, 'block/shown');
+  const files = () => partsNamed(page, 'block/file/');
+  const before = await files();
+  await part(page, 'mode-pair').click();
+  await part(page, 'file-input').setInputFiles(pngs());
+  await done(page);
+  await kept(page, 'pair/result');
+  // A simulated pair takes its place in the view of pairs.
+  await part(page, 'sample').click();
+  await page.waitForFunction(() => /left\.png and right\.png stay under Projects\.$/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
+  assert.equal(await files(), before);
+  await part(page, 'projects').click();
+  await part(page, 'project').nth(1).waitFor();
+  assert.equal(await part(page, 'project').count(), 2);
+  await page.getByRole('button', { name: 'left.png and right.png', exact: true }).click();
+  assert.match(await done(page), /Restored from this browser: left\.png and right\.png\.$/);
+  // The block is in the other project, whole, and takes no pair of another one along.
+  await part(page, 'projects').click();
+  await page.getByRole('button', { name: 'photo_00000.png and 5 more images', exact: true }).click();
+  await part(page, 'mode-block').click();
+  await status(page, FINISHED);
+  // A pair of the block takes the place of one of the user's own.
+  await part(page, 'mode-pair').click();
+  await part(page, 'file-input').setInputFiles(pngs().map(({ name, mimeType, buffer }) => ({ name: `own-${name}`, mimeType, buffer })));
+  await done(page);
+  await until(page, 'its result is kept', async () => (await partsNamed(page, 'pair/result')) >= 2);
+  await part(page, 'mode-block').click();
+  await part(page, 'block-show-matrix').click();
+  await part(page, 'block-matrix').focus();
+  await page.keyboard.press('ArrowRight');
+  await part(page, 'block-open-pair').click();
+  await page.waitForFunction(() =>
+    /own-left\.png and own-right\.png stay under Projects/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''),
+  );
+  assert.equal(await files(), before);
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -252,7 +252,7 @@ test('the orthomosaic of a block is laid under its map, saved, and there after a
   await part(page, 'block-export-kind').selectOption('mosaic');
   const mosaic = await saved(page, 'block-export');
   assert.ok(mosaic.length > 10_000 && mosaic.subarray(0, 2).toString() === 'II', `${mosaic.length} bytes`);
-  await status(page, /^orthomosaic\.tif was saved\.$/);
+  await status(page, / orthomosaic\.tif was saved\.$/);
   await isKept(page, 'block/shown', 'block');
   await page.reload();
   await status(page, /^(Oriented|Weak orientation): .*Restored from this browser/);

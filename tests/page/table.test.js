@@ -110,7 +110,7 @@ test('tables are searched, sorted, chosen from and saved, in step with map and m
   await page.locator('.table-bar input[data-key="confidence"]:visible').uncheck();
   await page.keyboard.press('Escape');
   const file = (await saved(page, 'block-points-csv')).toString().trimEnd().split('\n');
-  assert.equal(file[0], 'Point,Rays,RMSE [px],X,σ X,Y,σ Y,Z,σ Z,Part');
+  assert.equal(file[0], 'Point,Rays,RMSE [px],X [m],σ X [m],Y [m],σ Y [m],Z [m],σ Z [m],Part');
   assert.equal(file.length - 1, Number(kept));
   assert.deepEqual(
     file.slice(1, 6).map((line) => line.split(',')[0]),

@@ -1,5 +1,6 @@
 //! A relative orientation by the project file of the pair alone.
 
+use super::super::pair_project::refined;
 use super::equations::Equations;
 use super::rotation::{rotation, times};
 use super::{farthest, items, largest_share, number, numbers};
@@ -158,14 +159,14 @@ fn repeat(what: &str, run: &PairRun) {
 
 #[test]
 fn a_pair_with_fiducial_marks_is_repeated_from_its_file() {
-    let run = crate::pair_project::refined();
+    let run = refined();
     assert!(!run.result.orientation.as_ref().unwrap().rejected.is_empty());
     repeat("fiducial marks", run);
 }
 
 #[test]
 fn a_pair_whose_cameras_are_estimated_is_repeated_from_its_file() {
-    let mut run = crate::pair_project::refined().clone();
+    let mut run = refined().clone();
     let interior = run.result.interior.as_mut().unwrap();
     interior.left.uncertainty = Some(CameraUncertainty::ASSUMED);
     interior.right.uncertainty = Some(CameraUncertainty { focal: 0.05, ..CameraUncertainty::ASSUMED });

@@ -14,7 +14,7 @@ pub struct Scene {
 /// A block whose focal lengths are known up to a factor.
 pub fn scene(flight: &BlockFlight, focal_factor: f64) -> Scene {
     let block = simulate_block(flight).unwrap();
-    let (points, _) = tie_points(&block.matches().unwrap(), &BlockOptions::default()).unwrap();
+    let (points, _) = tie_points(&block.matches().unwrap(), &block.image_features(), &BlockOptions::default()).unwrap();
     let description = block.description(Some(focal_factor));
     Scene { block, points, description }
 }

@@ -120,6 +120,8 @@ def main() -> None:
         ratios.append(own_seconds / their_seconds)
         print(f'tiepoint {own_seconds:.1f} s {stages}, COLMAP {their_seconds:.1f} s, ratio {ratios[-1]:.3f}; processor {own_cpu:.1f} s, {their_cpu:.1f} s, ratio {own_cpu / their_cpu:.3f}')
     print(f'median ratio {statistics.median(ratios):.3f} of {given.runs} runs, {len(photos)} images, {given.threads} threads')
+    found = summary.get('points', {})
+    print(f"tiepoint: {found.get('found')} points, {found.get('rays')} rays; images that show a point: {json.dumps(found.get('with_rays'))}")
     print('tiepoint:', json.dumps(summary.get('orientation', summary)))
     print(f'  centres beside the reference: {deviation(own, reference)}')
     error, rays = model.compute_mean_reprojection_error(), model.compute_num_observations()

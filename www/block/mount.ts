@@ -6,6 +6,7 @@ import { drawerButton, reveal, setDrawer } from '../shared/panel/drawers';
 import type { Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
 import { fileButton } from '../shared/panel/picker';
+import { makeNear } from '../shared/panel/near';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
 import { breath } from '../shared/engine/breath';
@@ -71,8 +72,8 @@ interface Elsewhere {
   openPair: (block: BlockStore, images: [number, number]) => void;
   /** Opens a project of whatever kind where it belongs. */
   openProject: (file: File) => Promise<void>;
-  /** Leaves the block in the list of projects; false where it cannot be. `twice`: what else is on the page may be kept twice. */
-  putAside: (block: Keepable, twice: boolean) => Promise<boolean>;
+  /** Leaves a part of the page in the list of projects; false where it cannot be. */
+  putAside: (part: Keepable) => Promise<boolean>;
 }
 
 /** In pieces, between which the page answers what the user does. */
@@ -83,7 +84,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
   const onGround = new BlockPlacing(store, engine, placing);
   const runs = new BlockRuns(store, engine, placing, onGround);
   const kept = new KeptBlocks(store, engine, catalogue);
-  const files = new BlockFiles(store, engine, placing, runs, openProject, (twice) => putAside(kept, twice));
+  const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept));
   const looking = {
     choose: (choice: Choice | null) => store.dispatch({ type: 'choose', choice }),
     point: (choice: Choice | null) => store.dispatch({ type: 'point', choice }),
@@ -122,7 +123,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
         setDrawer('details', true);
         reveal(results.element);
       },
-      save: () => void saveAs(store, engine, 'project'),
+      save: () => void saveAs(store, engine, 'project', 'block-next'),
       open: pick,
       place: () => void runs.placeImages(),
       decide: (purpose) => void files.decide(purpose),
@@ -132,7 +133,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
         engine.cancel();
       },
       openHeights: () => pickers.heights(),
-      savePlaced: () => void savePlaced(store, placing, 'placed'),
+      savePlaced: () => void savePlaced(store, placing, 'placed', 'block-next'),
       whyPlaced: () => {
         setDrawer('table', true);
         showTab('tab-block-placed');
@@ -156,17 +157,20 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
     measures = made;
   });
   const views = [
-    mapView(facts, placing, () => void makeMosaic(store, engine, placing)),
+    mapView(facts, placing, () => void makeMosaic(store, engine, placing, 'map-mosaic')),
     images,
     MATRIX_VIEW,
     plotsView(facts),
     orthophotoView(engine, facts, placing, { open: pickers.orthophoto, sample: placedSample }),
   ];
-  mountStage(stage, store, looking, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
+  const editLine = mountStage(stage, store, looking, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
   stage.prepend(status);
-  byId('block-view').before(mountEditBar(store, facts, () => measures));
+  editLine.prepend(mountEditBar(store, facts, () => measures));
   mountEditPanel(results.panels[1], store);
   mountBlockEditKeys(store, [stage, results.element]);
+  const near = makeNear('block-near', () => store.dispatch({ type: 'notice', notice: null }));
+  main.append(near.element);
+  store.watch(['notice'], ([notice]) => near.show(notice));
   new EditFollower(store, engine);
   mountAddress(store, modes);
   store.watch(['running'], ([running]) => {

@@ -2,7 +2,7 @@
 import type { Engine } from '../pair/engine/engine';
 import type { CameraMm } from '../shared/crate';
 import type { Modes } from '../shared/state/mode';
-import { isWorthKeeping } from '../pair/state/kept';
+import { hasData, isWorthKeeping } from '../pair/state/kept';
 import { SIDES } from '../pair/state/state';
 import type { GivenImage, Side, State } from '../pair/state/state';
 import type { Store } from '../pair/state/store';
@@ -28,10 +28,7 @@ function isOwn(state: State): boolean {
   const before = given;
   if (before !== null && BY_HAND.every((part) => state[part] === before[part])) return false;
   const { photos, masks, truth } = state;
-  return (
-    isWorthKeeping(state) ||
-    SIDES.some((side) => masks[side] !== null || (truth === null && (photos[side].origin !== null || photos[side].fiducials.length > 0)))
-  );
+  return isWorthKeeping(state) || SIDES.some((side) => masks[side] !== null || (truth === null && hasData(photos[side])));
 }
 
 /** Leaves the pair on the page in the list of projects; its title where it is there now, null where it cannot be and the user keeps it. */

@@ -4,8 +4,10 @@ import type { Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
 import { byId, h } from '../shared/panel/dom';
 import { drawerButton, reveal, setDrawer, uncoverPictures } from '../shared/panel/drawers';
+import { makeNear } from '../shared/panel/near';
 import { readSetting, withSetting } from '../shared/panel/settings';
 import { showTab, tabbed } from '../shared/panel/tabs';
+import { sentence } from '../shared/text/format';
 import { readable } from '../shared/text/names';
 import { Engine } from './engine/engine';
 import { breath } from '../shared/engine/breath';
@@ -108,6 +110,17 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
     }
   };
 
+  /** Saves something. A refusal is said beside the button of this `data-testid`; once it is saved, what was said of an earlier deed is over. */
+  const saving = async (near: string, action: () => void | Promise<void>) => {
+    const { notice: before } = store.state;
+    try {
+      await action();
+      if (before !== null && before.kind !== 'busy' && store.state.notice === before) store.dispatch({ type: 'notice', notice: null });
+    } catch (error) {
+      store.dispatch({ type: 'notice', notice: { kind: 'problem', text: sentence(readable(store.state.catalogue, messageOf(error))), near } });
+    }
+  };
+
   const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
   const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
   const paint = (masked: boolean) => void attempt(() => masking.paint(masked));
@@ -189,9 +202,12 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
       // Once it is drawn.
       queueMicrotask(() => results.querySelector(`[data-testid="${oriented ? 'orientation' : 'matches'}-section"]`)?.scrollIntoView({ block: 'start' }));
     },
-    save: () => void attempt(() => exportProject(store, engine)),
+    save: () => void saving('next', () => exportProject(store, engine)),
   });
-  mountHeader({ store, engine, view, files, pick, attempt, sampleBlock });
+  mountHeader({ store, engine, view, files, pick, attempt, saving, sampleBlock });
+  const near = makeNear('near', () => store.dispatch({ type: 'notice', notice: null }));
+  byId('stage').after(near.element);
+  store.watch(['notice'], ([notice]) => near.show(notice));
   store.watch(['selection'], ([selection]) => {
     // The table of matches shows the selected one itself, and is gone through by selecting.
     if (selection !== null && matches.hidden) showTab('tab-point');

@@ -25,6 +25,8 @@ const FEW_GROSS_ERRORS: f64 = 0.01;
 /// Steps of robust rounds need not be as small, in standard errors, as those of the last.
 const ROBUST_TOLERANCE: f64 = 1e-2;
 const TOLERANCE: f64 = 1e-4;
+/// Once nothing changes any more, steps go on to this: another program that starts from the result finds it again.
+const LAST_TOLERANCE: f64 = 1e-6;
 
 /// A σ₀ that weights observed positions has settled when it changes by less than this share.
 const SETTLED_SIGMA: f64 = 0.02;
@@ -172,7 +174,9 @@ impl<'a> Course<'a> {
             systematic: &systematic,
             constraints: &constraints,
         };
-        let adjusted = self.adjusted(&problem, loss)?;
+        let tolerance = if loss == Loss::Squares || !self.options.snooping { TOLERANCE } else { ROBUST_TOLERANCE };
+        // Parameters that are hardly determined creep; which they are, what was reached tells.
+        let adjusted = self.adjusted(&problem, loss, tolerance, problem.columns.number() > 0)?;
         let mut round = Round { problem, adjusted, loss, calm_rounds, sigma_before: self.sigma, weighted_by, statistics: None };
         for check in Self::CHECKS {
             if let Some(outcome) = check(self, &mut round)? {
@@ -180,6 +184,10 @@ impl<'a> Course<'a> {
             }
         }
         let shared = self.shared(&round)?;
+        let last = self.adjusted(&round.problem, loss, LAST_TOLERANCE, true)?;
+        if last.unsettled.is_none() {
+            round.adjusted = last;
+        }
         Ok(Outcome::Settled(Box::new(Settled {
             shared,
             block: self.block.clone(),
@@ -209,7 +217,7 @@ impl<'a> Course<'a> {
     }
 
     /// One adjustment from the present state, which becomes the adjusted one.
-    fn adjusted(&mut self, problem: &Problem<'_>, loss: Loss) -> Result<Adjusted, Error> {
+    fn adjusted(&mut self, problem: &Problem<'_>, loss: Loss, tolerance: f64, passing: bool) -> Result<Adjusted, Error> {
         let redundancy = problem.redundancy();
         if redundancy < 0 {
             let needed = problem.unknowns();
@@ -220,9 +228,8 @@ impl<'a> Course<'a> {
             sigma: self.options.sigma0_px.unwrap_or(0.0),
             max_iterations: self.options.max_iterations,
             warm: self.iterations > 0,
-            // Parameters that are hardly determined creep; which they are, what was reached tells.
-            passing: problem.columns.number() > 0,
-            tolerance: if loss == Loss::Squares || !self.options.snooping { TOLERANCE } else { ROBUST_TOLERANCE },
+            passing,
+            tolerance,
         };
         let mut adjusted = problem.adjust(self.state.clone(), &demand, &mut self.nearby)?;
         self.iterations += adjusted.iterations;

@@ -129,7 +129,7 @@ fn without_figures(subject: &Subject<'_>) -> Markup {
             }
         }
         p.note {
-            "Untested, not determined: fewer than two image measurements of the point fit the block; a control point takes no part then. Not placed: no control points place the block. Rejected: a place of the orthophoto that contradicts the others."
+            "Not measured: no image measurement names the point. Untested, not determined: fewer than two image measurements of the point fit the block; a control point takes no part then. Not placed: no control points place the block. Rejected: a place of the orthophoto that contradicts the others."
             @if absent.len() > NAMED { " Points beyond " (NAMED) " are in surveyed.csv." }
         }
     }

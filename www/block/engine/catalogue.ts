@@ -4,6 +4,7 @@ import {
   block_flight_preset,
   block_parameters,
   block_settings,
+  call_parameters,
   placing_defaults,
   placing_parameters,
 } from '../../../pkg/wasm/tiepoint.js';
@@ -25,6 +26,7 @@ export function blockCatalogue({ parameters, flightParameters }: Catalogue): Blo
     flight: block_flight_preset('small_photos'),
     placingParameters: ofPlacing,
     placing: placing_defaults(),
+    levelParameter: call_parameters().find(({ key }) => key === 'heights'),
     labels: { parameters: [...parameters, ...own, ...ofPlacing], flightParameters: [...flightParameters, ...ofFlight] },
   };
 }

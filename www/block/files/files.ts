@@ -53,8 +53,8 @@ export class BlockFiles {
     private readonly runs: BlockRuns,
     /** Opens a project of whatever kind where it belongs. */
     private readonly openProject: (file: File) => Promise<void>,
-    /** Leaves the block that is shown in the list of projects; false where it cannot be. `twice`: what else is on the page may be kept twice. */
-    private readonly putAside: (twice: boolean) => Promise<boolean>,
+    /** Leaves the block that is shown in the list of projects; false where it cannot be. */
+    private readonly putAside: () => Promise<boolean>,
   ) {
     this.ground = new GroundFiles(store, placing);
     let before = store.state;
@@ -240,7 +240,7 @@ export class BlockFiles {
         this.store.dispatch({ type: 'notice', notice: null });
         return;
       }
-      const stays = edited || (this.store.state.shown !== null && (await this.putAside(false)));
+      const stays = edited || (this.store.state.shown !== null && (await this.putAside()));
       hold();
       this.store.dispatch({ type: 'openedFile', view, edits });
       const former = stays ? say('the-former-block-stays-under') : '';
@@ -289,7 +289,7 @@ export class BlockFiles {
     const { history, marks, placing } = this.store.state;
     const length = history.edits.length + marks.edits.length;
     if (length === 0 && placing.placed.size === 0) return false;
-    if (await this.putAside(true)) return true;
+    if (await this.putAside()) return true;
     const edits = length === 0 ? say('what-was-placed-on-the') : length === 1 ? say('the-edit-by-hand-of') : say('the-edits-by-hand-of', { length });
     return window.confirm(say('cannot-be-kept-in-this', { edits, step, length })) ? false : null;
   }

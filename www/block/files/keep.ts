@@ -29,6 +29,7 @@ const RECORD = 'block/record/';
 const SMALL = 4096;
 
 export class KeptBlocks implements Keepable {
+  readonly mode = 'block';
   /** The finished block on the screen as it is kept; null until its file is written. */
   private made: { found: Shown['found']; kept: KeptShown } | null = null;
   private readonly journal = new Journal('block/edits', stepFrom, bytesOfStep);

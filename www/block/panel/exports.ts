@@ -31,12 +31,14 @@ const NAMES: Readonly<Record<ExportKind, string>> = {
 /** Made of the images as well. */
 const MOSAIC = 'mosaic';
 
+const EXPORT = 'block-export';
+
 export function mountExports(host: HTMLElement, store: BlockStore, engine: BlockEngine, placing: PlacingEngine): void {
   const select = h('select', { id: 'block-export-kind', testid: 'block-export-kind', aria: { label: say('format') } });
   const press = button(
     say('save'),
-    'block-export',
-    () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing) : saveAs(store, engine, select.value as ExportKind)),
+    EXPORT,
+    () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT) : saveAs(store, engine, select.value as ExportKind)),
   );
   host.append(h('span', { class: 'group-label' }, say('export')), select, press);
   store.watch(['shown', 'running', 'notice', 'history', 'placing'], ([shown, , , history]) => {
@@ -60,18 +62,19 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
   });
 }
 
-export async function saveAs(store: BlockStore, engine: BlockEngine, kind: ExportKind): Promise<void> {
+/** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. */
+export async function saveAs(store: BlockStore, engine: BlockEngine, kind: ExportKind, near = EXPORT): Promise<void> {
   store.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('writing', { names: NAMES[kind] }) } });
   try {
     const { name, type, bytes } = await engine.export(kind, 'block');
     save(new Blob([bytes], { type }), name);
-    store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('was-saved', { name }) } });
+    store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('was-saved', { name }), beside: true } });
   } catch (error) {
     if (error instanceof Cancelled) {
-      store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('cancelled-nothing-was-saved-the') } });
+      store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('cancelled-nothing-was-saved-the'), beside: true } });
       return;
     }
     const reason = messageOf(error);
-    store.dispatch({ type: 'notice', notice: { kind: 'problem', text: say('was-not-written', { names: NAMES[kind], reason }) } });
+    store.dispatch({ type: 'notice', notice: { kind: 'problem', text: say('was-not-written', { names: NAMES[kind], reason }), near } });
   }
 }

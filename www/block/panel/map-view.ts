@@ -69,7 +69,7 @@ export function mapView(facts: Facts, placing: PlacingEngine, mosaic: () => void
       });
       const element = h('div', { class: 'map', tabindex: -1 }, canvas, place, words);
       element.addEventListener('focus', () => canvas.focus());
-      return { element, tools: [toolsOf(store, map, mosaic), legend], zoomable: map, keys: KEYS };
+      return { element, tools: [toolsOf(store, map, mosaic)], legend, zoomable: map, keys: KEYS };
     },
   };
 }

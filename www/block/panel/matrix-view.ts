@@ -21,7 +21,8 @@ export const MATRIX_VIEW: StageView = {
     store.watch(['shown'], ([shown]) => fill(cells, shown === null ? '' : say('strongest-cell-matches-small-square', { view: mostMatches(shown.view) })));
     return {
       element,
-      tools: [cells],
+      tools: [],
+      legend: cells,
       zoomable: new Matrix(element, store, looking),
       keys: say('press-a-cell-to-choose'),
     };

@@ -1,5 +1,6 @@
 /** The quick orthomosaic of a block: saved, or laid under its map. */
 import { save } from '../../shared/files/save';
+import type { Notice } from '../../shared/state/notice';
 import { sentence } from '../../shared/text/format';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
@@ -10,42 +11,43 @@ import { messageOf } from '../../shared/text/messages';
 
 const NAME = 'orthomosaic.tif';
 
-export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine): Promise<void> {
-  const mosaic = await made(store, engine, placing, false);
+/** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. */
+export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, near: string): Promise<void> {
+  const mosaic = await made(store, engine, placing, false, near);
   if (mosaic === null) return;
   save(mosaic, NAME);
-  tell(store, 'info', say('was-saved-2', { name: NAME, store: missingText(store) }));
+  tell(store, 'info', say('was-saved-2', { name: NAME, store: missingText(store) }), { beside: true });
 }
 
 /** Takes it as the orthophoto of the project. */
-export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine): Promise<void> {
+export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, near: string): Promise<void> {
   const key = store.state.shown?.key ?? '';
   // The map is in the system of the adjustment.
-  const mosaic = await made(store, engine, placing, true);
+  const mosaic = await made(store, engine, placing, true, near);
   if (mosaic === null) return;
   tell(store, 'busy', say('laying-the-orthomosaic-under-the'));
   try {
     const orthophoto = await placing.open(await rasterOf(new File([mosaic], NAME, { type: mosaic.type }), null), key);
     store.dispatch({ type: 'orthophoto', orthophoto });
-    tell(store, 'info', say('the-orthomosaic-lies-under-the', { orthophoto: orthophotoText(orthophoto), store: missingText(store) }), true);
+    tell(store, 'info', say('the-orthomosaic-lies-under-the', { orthophoto: orthophotoText(orthophoto), store: missingText(store) }), { beside: true });
   } catch (error) {
-    tell(store, 'problem', say('the-orthomosaic-cannot-be-shown', { sentence: sentence(messageOf(error)) }));
+    tell(store, 'problem', say('the-orthomosaic-cannot-be-shown', { sentence: sentence(messageOf(error)) }), { near });
   }
 }
 
 /** Null where it was cancelled or could not be made, which is said. */
-async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, inAdjustment: boolean): Promise<Blob | null> {
+async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, inAdjustment: boolean, near: string): Promise<Blob | null> {
   const files = imagesOfBlock(store.state);
   if (files.length === 0) {
-    tell(store, 'problem', say('an-orthomosaic-is-made-of'));
+    tell(store, 'problem', say('an-orthomosaic-is-made-of'), { near });
     return null;
   }
   try {
     const bytes = await placing.mosaic(await engine.project(), files, inAdjustment);
     if (bytes !== null) return new Blob([bytes], { type: 'image/tiff' });
-    tell(store, 'info', say('cancelled-no-orthomosaic-was-made'));
+    tell(store, 'info', say('cancelled-no-orthomosaic-was-made'), { beside: true });
   } catch (error) {
-    tell(store, 'problem', say('no-orthomosaic-was-made', { sentence: sentence(messageOf(error)) }));
+    tell(store, 'problem', say('no-orthomosaic-was-made', { sentence: sentence(messageOf(error)) }), { near });
   }
   return null;
 }
@@ -56,6 +58,6 @@ function missingText({ state }: BlockStore): string {
   return missing > 0 ? say('missing-in-it-add-to', { missing }) : '';
 }
 
-function tell(store: BlockStore, kind: 'info' | 'busy' | 'problem', text: string, beside = false): void {
-  store.dispatch({ type: 'notice', notice: { kind, text, ...(beside ? { beside } : {}) } });
+function tell(store: BlockStore, kind: 'info' | 'busy' | 'problem', text: string, where: Pick<Notice, 'beside' | 'near'> = {}): void {
+  store.dispatch({ type: 'notice', notice: { kind, text, ...where } });
 }

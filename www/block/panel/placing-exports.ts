@@ -3,6 +3,7 @@ import { Archive } from '../../shared/engine/archive';
 import { Cancelled } from '../../shared/engine/client';
 import { button, fill, h } from '../../shared/panel/dom';
 import { save } from '../../shared/files/save';
+import type { Notice } from '../../shared/state/notice';
 import { sentence } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
@@ -13,6 +14,8 @@ import { placedFiles } from '../state/placed';
 import { isBusy } from '../state/state';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
+
+const EXPORT = 'placed-export';
 
 export type PlacedExport = 'placed' | 'links' | 'result' | 'rectified' | 'all';
 
@@ -28,7 +31,7 @@ export function placingExports(store: BlockStore, engine: PlacingEngine): HTMLEl
   const select = h('select', { testid: 'placed-export-kind', aria: { label: say('what-of-the-placed-images') } });
   const kinds = Object.keys(NAMES) as PlacedExport[];
   fill(select, ...kinds.map((kind) => new Option(NAMES[kind], kind)));
-  const press = button(say('save'), 'placed-export', () => void savePlaced(store, engine, select.value as PlacedExport));
+  const press = button(say('save'), EXPORT, () => void savePlaced(store, engine, select.value as PlacedExport));
   const show = () => {
     const needsChosen = select.value === 'rectified';
     const has = placedFiles(store.state).some(({ result }) => result !== null && (result.placement !== null || !needsChosen));
@@ -39,16 +42,18 @@ export function placingExports(store: BlockStore, engine: PlacingEngine): HTMLEl
   return h('span', { class: 'placed-exports' }, select, press);
 }
 
-export async function savePlaced(store: BlockStore, engine: PlacingEngine, kind: PlacedExport): Promise<void> {
-  const tell = (sort: 'info' | 'busy' | 'problem', text: string) => store.dispatch({ type: 'notice', notice: { kind: sort, text } });
+/** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. */
+export async function savePlaced(store: BlockStore, engine: PlacingEngine, kind: PlacedExport, near = EXPORT): Promise<void> {
+  const tell = (sort: Notice['kind'], text: string, where: Pick<Notice, 'beside' | 'near'> = {}) =>
+    store.dispatch({ type: 'notice', notice: { kind: sort, text, ...where } });
   tell('busy', say('writing', { names: NAMES[kind] }));
   try {
     const [content, name] = await made(store, engine, kind, (text) => tell('busy', text));
     save(content, name);
-    tell('info', say('was-saved', { name }));
+    tell('info', say('was-saved', { name }), { beside: true });
   } catch (error) {
-    if (error instanceof Cancelled) tell('info', say('cancelled-nothing-was-saved'));
-    else tell('problem', say('nothing-was-saved', { sentence: sentence(messageOf(error)) }));
+    if (error instanceof Cancelled) tell('info', say('cancelled-nothing-was-saved'), { beside: true });
+    else tell('problem', say('nothing-was-saved', { sentence: sentence(messageOf(error)) }), { near });
   }
 }
 

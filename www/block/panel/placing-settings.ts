@@ -11,6 +11,7 @@ import { orthophotoText } from '../files/ground';
 import type { Purpose } from '../state/placing';
 import { purposeOf } from '../state/purpose';
 import { isBusy } from '../state/state';
+import { message } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 import { unitText } from '../../shared/text/units';
 
@@ -106,8 +107,10 @@ function levelField(store: BlockStore, files: BlockFiles): [HTMLElement, HTMLEle
   const problem = problemLine('block-level');
   const input = numberInput('block-level', problem, () => {
     const { valueAsNumber: height } = input;
-    const isHeight = Number.isFinite(height) && Math.abs(height) <= 20_000;
-    problem.textContent = isHeight ? '' : say('a-height-in-m-is');
+    const allowed = store.state.catalogue?.levelParameter;
+    if (allowed?.kind !== 'real') return;
+    const isHeight = height >= allowed.min && height <= allowed.max;
+    problem.textContent = isHeight ? '' : say('allowed-the-last-valid-value', { parameter: message('allowed', allowed), what: '' });
     if (isHeight) void files.takeLevel(height);
   });
   store.watch(

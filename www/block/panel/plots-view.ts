@@ -42,7 +42,7 @@ export function plotsView(facts: Facts): StageView {
       };
       plot.watch(show);
       show();
-      return { element, tools: [chosen, picture, values, words], zoomable: plot, keys: KEYS };
+      return { element, tools: [chosen, picture, values], legend: words, zoomable: plot, keys: KEYS };
     },
   };
 }

@@ -24,6 +24,7 @@ export interface Invitation {
   open: () => void;
 }
 
+/** Gives the line over the views that what is done to a choice stands in: as high with a choice as without. */
 export function mountStage(
   host: HTMLElement,
   store: BlockStore,
@@ -31,9 +32,11 @@ export function mountStage(
   views: readonly StageView[],
   dock: HTMLElement,
   invitation: Invitation,
-): void {
+): HTMLElement {
   const shelf = h('div', { class: 'views', id: 'block-view', tabindex: -1 }, invited(store, invitation));
   const tools = h('div', { class: 'view-tools' });
+  const legends = h('div', { class: 'legends' });
+  const line = h('div', { class: 'edit-line' }, legends);
   const keys = h('p', { class: 'keys', id: KEYS_ID });
   const mounted = new Map<ViewName, MountedView>();
   const now = () => mounted.get(store.state.onStage);
@@ -58,6 +61,7 @@ export function mountStage(
       zoom,
       tools,
     ),
+    line,
     shelf,
     said(store, looking),
     dock,
@@ -72,10 +76,13 @@ export function mountStage(
       mounted.set(wanted.name, made);
       shelf.append(made.element);
       tools.append(...made.tools);
+      if (made.legend !== undefined) legends.append(made.legend);
     }
-    for (const [name, { element, tools: own }] of mounted) for (const part of [element, ...own]) part.hidden = name !== wanted.name;
+    for (const [name, { element, tools: own, legend }] of mounted)
+      for (const part of [element, ...own, ...(legend === undefined ? [] : [legend])]) part.hidden = name !== wanted.name;
     fill(keys, mounted.get(wanted.name)?.keys ?? '');
   });
+  return line;
 }
 
 /** The line that says what is chosen, and what is pointed at. */

@@ -16,6 +16,7 @@ import { asksPurpose, isOffGround, lacksPlaceAlone, purposeOf } from '../state/p
 import { isBusy, isOutdated } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
 import type { BlockView } from '../state/view';
+import { ofLine } from '../../shared/state/notice';
 import { refusedText, say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
 
@@ -121,7 +122,7 @@ function placeBlock({ run }: BlockAnswerActions): Next {
 function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   const { running, shown, files, placing } = state;
   const passed = state.notice?.passing === true && running.kind !== 'yes' && placing.running === null;
-  const notice = passed ? null : state.notice;
+  const notice = passed ? null : ofLine(state.notice);
   const line = (kind: Answer['kind'], text: string): Answer => ({ kind, text, verdict: null });
   if (running.kind === 'yes') return { ...line('busy', runText(running.steps)), more: notice?.beside === true ? notice.text : '' };
   if (state.placing.running !== null) return placingRuns(state.placing.running);

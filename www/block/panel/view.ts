@@ -14,8 +14,10 @@ export interface StageView {
 export interface MountedView {
   /** What fills the stage. */
   element: HTMLElement;
-  /** What stands over it while it is shown: legends, switches. */
+  /** What stands over it while it is shown. */
   tools: readonly HTMLElement[];
+  /** What it shows, in words. */
+  legend?: HTMLElement;
   /** What the buttons that enlarge do. */
   zoomable: Zoomable;
   /** What its keys do. */

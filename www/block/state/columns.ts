@@ -7,9 +7,10 @@ import { imagesOf, isSame, pointsOf } from './selection';
 import type { ViewObservations } from './facts';
 import type { Choice, Selection, Subject } from './selection';
 import type { Listed } from './state';
+import { unitOf } from './scale';
 import type { BlockView, ViewGiven } from './view';
 import { geometryText, givenUse, matchesOf } from './words';
-import { say } from '../../shared/text/words';
+import { say, sayNamed } from '../../shared/text/words';
 
 /** Tables whose rows are known as soon as the block is. */
 export type Tabled = Exclude<Subject, 'observations'>;
@@ -37,8 +38,10 @@ function words(key: string, label: string, value: (row: number) => string, help:
 
 const known = (value: number | null | undefined) => value ?? NaN;
 
-function imageRows({ images, leftOut, cameras }: BlockView): Rows {
-  const axis = (key: string, i: number) => numbers(key, key, '', 2, (row) => known(images[row]?.position?.[i]), say('projection-centre-in-m-where', { key }));
+function imageRows(view: BlockView): Rows {
+  const { images, leftOut, cameras } = view;
+  const unit = unitOf(view);
+  const axis = (key: string, i: number) => numbers(key, key, unit, 2, (row) => known(images[row]?.position?.[i]), say('projection-centre-in-m-where', { key }));
   return {
     count: images.length + leftOut.length,
     columns: [
@@ -99,10 +102,12 @@ function pairRows({ images, connections }: BlockView): Rows {
   };
 }
 
-function pointRows({ points }: BlockView): Rows {
+function pointRows(view: BlockView): Rows {
+  const { points } = view;
+  const unit = unitOf(view);
   const axis = (label: string, offset: number) => [
-    numbers(label.toLowerCase(), label, '', 2, (i) => points.positions[3 * i + offset] ?? NaN, say('object-coordinate-in-m-where')),
-    numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, '', 3, (i) => points.errors[3 * i + offset] ?? NaN, say('standard-error-of-from-the', { label }), {
+    numbers(label.toLowerCase(), label, unit, 2, (i) => points.positions[3 * i + offset] ?? NaN, say('object-coordinate-in-m-where')),
+    numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say('standard-error-of-from-the', { label }), {
       total: 'rms',
     }),
   ];
@@ -143,7 +148,7 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Row
       // What nothing leads from to the system of the block stands as it was given.
       ...(areElsewhere
         ? axes.map((axis, k) =>
-            numbers(`given-${axis}`, say('as-given', { axis }), '', 3, (i) => beside(i)?.position[k] ?? NaN, say('in-the-unit-and-the', { axis })),
+            numbers(`given-${axis}`, sayNamed('as-given', { axis }), '', 3, (i) => beside(i)?.position[k] ?? NaN, say('in-the-unit-and-the', { axis })),
           )
         : []),
       ...axes.map((axis, k) =>
@@ -159,7 +164,7 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Row
       ...axes.map((axis, k) =>
         numbers(
           `left-out-${axis}`,
-          say('difference-left-out', { axis }),
+          sayNamed('difference-left-out', { axis }),
           'm',
           3,
           (i) => known(surveyed[i]?.left_out?.difference[k]),
@@ -170,7 +175,7 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Row
       ...axes.map((axis, k) =>
         numbers(
           `left-out-sigma-${axis}`,
-          say('standard-error-left-out', { axis }),
+          sayNamed('standard-error-left-out', { axis }),
           'm',
           3,
           (i) => known(surveyed[i]?.left_out?.standard_errors[k]),
@@ -183,7 +188,7 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Row
 }
 
 function roleText(role: 'control' | 'check' | undefined): string {
-  return role === undefined ? '' : say('role', { role });
+  return role === undefined ? '' : sayNamed('role', { role });
 }
 
 const AXES = ['x', 'y'];

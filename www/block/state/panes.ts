@@ -25,10 +25,8 @@ export interface Look {
 export interface Panes {
   /** Indices of the images, in the order of the panes. */
   images: readonly number[];
-  /** By image, of those that were moved. */
+  /** By image, of those that were moved. The others show their whole images. */
   views: ReadonlyMap<number, PaneView>;
-  /** The others show their whole images, in place of filling their panes. */
-  whole: boolean;
   /** The image that keys move. */
   active: number | null;
   look: Look;
@@ -44,7 +42,6 @@ export type PanesAction =
 export const NO_PANES: Panes = {
   images: [],
   views: new Map(),
-  whole: false,
   active: null,
   look: { points: true, vectors: 0, linked: false, loupe: false, brightness: 1, contrast: 1, unmeasured: false },
 };
@@ -56,7 +53,7 @@ export function reducePanes(panes: Panes, action: PanesAction): Panes {
     case 'moveViews':
       return { ...panes, views: new Map([...panes.views, ...action.views].filter(([image]) => panes.images.includes(image))) };
     case 'wholeImages':
-      return { ...panes, views: new Map(), whole: true };
+      return { ...panes, views: new Map() };
     case 'activeImage':
       return panes.active === action.image ? panes : { ...panes, active: action.image };
     case 'look':
@@ -80,7 +77,7 @@ export function shownImages(panes: Panes, view: BlockView): readonly number[] {
 
 /** The panes of another view of the same images: each image by its name. */
 export function panesInOtherView(panes: Panes, before: BlockView | null, after: BlockView): Panes {
-  if (before === null || panes.images.length === 0) return { ...NO_PANES, whole: panes.whole, look: panes.look };
+  if (before === null || panes.images.length === 0) return { ...NO_PANES, look: panes.look };
   const places = new Map(after.images.map(({ name }, image) => [name, image]));
   const place = (image: number) => places.get(before.images[image]?.name ?? '') ?? -1;
   const images = panes.images.map(place).filter((image) => image >= 0);

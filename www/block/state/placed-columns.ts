@@ -48,10 +48,10 @@ export function placedColumns(rows: readonly PlacedFile[], said: (row: PlacedFil
       say('what-the-place-of-the'),
     ),
     ...axes.map((axis, k) =>
-      numbers(`placed-${axis.toLowerCase()}`, axis, '', 2, (i) => of(i)?.pose.position[k], say('projection-centre-in-the-system', { axis })),
+      numbers(`placed-${axis.toLowerCase()}`, axis, 'm', 2, (i) => of(i)?.pose.position[k], say('projection-centre-in-the-system', { axis })),
     ),
     ...axes.map((axis, k) =>
-      numbers(`placed-s${axis.toLowerCase()}`, `σ ${axis}`, '', 2, (i) => of(i)?.position_errors_m?.[k], say('standard-error-of-2', { axis })),
+      numbers(`placed-s${axis.toLowerCase()}`, `σ ${axis}`, 'm', 2, (i) => of(i)?.position_errors_m?.[k], say('standard-error-of-2', { axis })),
     ),
     ...angles.map((angle, k) => numbers(`placed-angle${String(k)}`, angle, '°', 3, (i) => of(i)?.angles_deg[k], say('rotation', { angle }))),
     ...angles.map((angle, k) =>
@@ -75,9 +75,9 @@ export function linkColumns({ links: { at, places, residuals, uses } }: LinkedPl
     words('link-use', say('use'), (i) => useWord({ steps, done }, i, USES[uses[i] ?? 0] ?? 'used'), say('used-for-the-orientation-kept')),
     numbers('link-column', say('column'), 'px', 2, (i) => at[2 * i], say('position-in-the-image-the')),
     numbers('link-row', say('row-2'), 'px', 2, (i) => at[2 * i + 1], say('position-in-the-image')),
-    numbers('link-x', 'X', '', 2, (i) => places[3 * i], say('place-on-the-orthophoto-2')),
-    numbers('link-y', 'Y', '', 2, (i) => places[3 * i + 1], say('place-on-the-orthophoto-2')),
-    numbers('link-z', 'Z', '', 2, (i) => places[3 * i + 2], say('height-of-the-ground-at')),
+    numbers('link-x', 'X', 'm', 2, (i) => places[3 * i], say('place-on-the-orthophoto-2')),
+    numbers('link-y', 'Y', 'm', 2, (i) => places[3 * i + 1], say('place-on-the-orthophoto-2')),
+    numbers('link-z', 'Z', 'm', 2, (i) => places[3 * i + 2], say('height-of-the-ground-at')),
     numbers('link-dx', say('residual-x'), 'px', 2, (i) => residuals[2 * i], say('observed-minus-computed-column')),
     numbers('link-dy', say('residual-y'), 'px', 2, (i) => residuals[2 * i + 1], say('observed-minus-computed-row')),
     numbers('link-length', say('length'), 'px', 2, (i) => Math.hypot(residuals[2 * i] ?? NaN, residuals[2 * i + 1] ?? NaN), say('length-of-the-residual')),

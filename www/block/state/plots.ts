@@ -3,6 +3,7 @@ import { remember } from '../../shared/state/remember';
 import type { ViewObservations } from './facts';
 import type { ViewGround } from './ground';
 import { normalQuantiles } from './normal';
+import { unitOf } from './scale';
 import { choiceOfImages, choiceOfPoints, imagesOf, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockView } from './view';
@@ -129,7 +130,9 @@ function ofPoints(points: Uint32Array, x: Axis, y: Axis, bars = false): PlotData
 }
 
 /** Standard errors of points over their place along the longer side of the block. */
-const alongBlock = remember(({ points }: BlockView, plan: boolean): PlotData => {
+const alongBlock = remember((view: BlockView, plan: boolean): PlotData => {
+  const { points } = view;
+  const unit = unitOf(view);
   const coordinate = (point: number, axis: number) => points.positions[3 * point + axis] ?? NaN;
   const error = (point: number) => {
     const [x = NaN, y = NaN, z = NaN] = points.errors.subarray(3 * point, 3 * point + 3);
@@ -146,8 +149,8 @@ const alongBlock = remember(({ points }: BlockView, plan: boolean): PlotData => 
   const axis = (span[1] ?? 0) > (span[0] ?? 0) ? 1 : 0;
   return ofPoints(
     rows,
-    { label: axis === 0 ? 'X' : 'Y', unit: '', values: Float64Array.from(rows, (point) => coordinate(point, axis)) },
-    { label: plan ? say('standard-error-in-plan') : say('standard-error-in-height'), unit: '', values: Float64Array.from(rows, error) },
+    { label: axis === 0 ? 'X' : 'Y', unit, values: Float64Array.from(rows, (point) => coordinate(point, axis)) },
+    { label: plan ? say('standard-error-in-plan') : say('standard-error-in-height'), unit, values: Float64Array.from(rows, error) },
   );
 });
 

@@ -28,6 +28,8 @@ export interface BlockCatalogue {
   flight: BlockFlight;
   placingParameters: Parameter[];
   placing: PlacingOptions;
+  /** The height of level ground. */
+  levelParameter: Parameter | undefined;
   /** Of these and the pair's: messages name any of them. */
   labels: Labels;
 }

@@ -7,7 +7,7 @@ import type { Listed } from './state';
 import { inUnitOf } from './scale';
 import type { BlockView, ViewConnection, ViewGeometry, ViewGiven } from './view';
 import { message } from '../../shared/text/messages';
-import { say } from '../../shared/text/words';
+import { say, sayNamed } from '../../shared/text/words';
 
 /** The connection of two images; undefined where they were not tried. */
 export function connectionOf(view: BlockView, [a, b]: readonly [number, number]): ViewConnection | undefined {
@@ -139,7 +139,7 @@ export function controlText(state: WithMarks): string {
 
 /** What a given point is for, and how far it is. */
 export function givenUse({ role, images }: ViewGiven): string {
-  return say('given-use', { role: role ?? 'none', images });
+  return sayNamed('given-use', { role: role ?? 'none', images });
 }
 
 function describePoints({ points }: BlockView, chosen: Uint32Array): string {

@@ -56,6 +56,7 @@ interface Made {
 }
 
 export class KeptPairs implements Keepable {
+  readonly mode = 'pair';
   private made: Made | null = null;
   private making = false;
   private readonly journal = new Journal();

@@ -4,7 +4,7 @@ import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
 import { sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
-import { isWorthKeeping } from '../state/kept';
+import { hasData, isWorthKeeping } from '../state/kept';
 import { editsOfFile } from '../state/project';
 import type { OpenedProject } from '../state/project';
 import { titleOf } from '../../shared/text/project';
@@ -15,7 +15,7 @@ import type { Taker } from '../../shared/files/drop';
 import { contains } from '../../shared/view/transform';
 import { panesOf } from '../view/geometry';
 import type { View } from '../view/view';
-import { readProject, sideOfFile } from './project';
+import { haveSameContent, readProject, sideOfFile } from './project';
 import { sortFiles } from './sort';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
@@ -102,8 +102,10 @@ export class Files {
     const told: Told[] = [];
     const camera = cameras[0];
     if (camera !== undefined) told.push(await this.takeCamera(camera));
+    // Marks of the image before it go with that.
+    const ofImages = images.length > 0 ? await this.takeImages(images, side) : [];
     for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
-    if (images.length > 0) told.push(...(await this.takeImages(images, side)));
+    told.push(...ofImages);
     for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
     this.tell(told, before);
   }
@@ -248,15 +250,33 @@ export class Files {
       if (left === null && right === null && opened.length > 0) this.store.dispatch({ type, images: Object.fromEntries(opened) });
       return told;
     }
+    if (type === 'found') {
+      this.store.dispatch({ type, images });
+      return [];
+    }
     // A single one takes the mask of the one before it away, and the edits of their matches.
-    const aside = type === 'images' ? await this.leave() : null;
-    this.store.dispatch({ type, images });
-    return [aside];
+    const { photos } = this.store.state;
+    const marked = await this.marked(images);
+    const aside = await this.leave(marked.gone.length > 0);
+    this.store.dispatch({ type, images, same: marked.same });
+    return [aside, ...marked.gone.map((side) => info(say('marks-went-with-the-image', { side, marks: photos[side].fiducials.length })))];
   }
 
-  /** Before another pair takes the place of photographs that were matched: they stay in the list of projects. */
-  private async leave(): Promise<Told> {
-    if (!isWorthKeeping(this.store.state)) return null;
+  /** Of the sides whose image is replaced and has marks those whose new image is the same, and those whose marks go. */
+  private async marked(images: Partial<Record<Side, GivenImage>>): Promise<{ same: Side[]; gone: Side[] }> {
+    const { images: former, photos, truth } = this.store.state;
+    const sides = SIDES.filter((side) => truth === null && images[side] !== undefined && former[side] !== null && hasData(photos[side]));
+    const areSame = await Promise.all(sides.map((side) => this.isSame(former[side], images[side])));
+    return { same: sides.filter((_, i) => areSame[i]), gone: sides.filter((_, i) => !areSame[i]) };
+  }
+
+  private isSame(a: GivenImage | null, b: GivenImage | undefined): Promise<boolean> {
+    return a === null || b === undefined ? Promise.resolve(false) : haveSameContent(a.source, b.source, this.engine);
+  }
+
+  /** Before another pair takes the place of photographs that were matched: they stay in the list of projects. `always`: others too. */
+  private async leave(always = false): Promise<Told> {
+    if (!always && !isWorthKeeping(this.store.state)) return null;
     const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
     return (await this.putAside()) ? info(say('stay-under-projects', { title_of: titleOf({ name: null, images: names }) })) : null;
   }

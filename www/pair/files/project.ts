@@ -1,7 +1,7 @@
 /** The project file of a pair: saved, opened, and joined with the files of its images. */
 import type { Engine } from '../engine/engine';
 import { save } from '../../shared/files/save';
-import type { Overview } from '../state/data';
+import type { ImageSource, Overview } from '../state/data';
 import { projectOf } from '../state/project';
 import type { OpenedProject } from '../state/project';
 import { SIDES } from '../state/state';
@@ -34,8 +34,11 @@ export async function projectText(state: State, engine: Engine): Promise<string 
 const digests = new WeakMap<Blob, string>();
 
 /** The digest of an image's file; null for an image that was simulated. */
-async function contentOf({ images }: State, engine: Engine, side: Side): Promise<string | null> {
-  const source = images[side]?.source;
+function contentOf({ images }: State, engine: Engine, side: Side): Promise<string | null> {
+  return digestOf(images[side]?.source, engine);
+}
+
+async function digestOf(source: ImageSource | undefined, engine: Engine): Promise<string | null> {
   switch (source?.kind) {
     case 'file': {
       const digest = digests.get(source.file) ?? (await engine.client('pair').call('digest', { file: source.file }));
@@ -47,6 +50,12 @@ async function contentOf({ images }: State, engine: Engine, side: Side): Promise
     default:
       return null;
   }
+}
+
+/** Whether two images are of the same content; those that were simulated do not say. */
+export async function haveSameContent(a: ImageSource, b: ImageSource, engine: Engine): Promise<boolean> {
+  const content = await digestOf(a, engine);
+  return content !== null && content === (await digestOf(b, engine));
 }
 
 /** Reads a project; what stands for its images has their names and sizes. `nextId` numbers images and masks. */

@@ -1,4 +1,5 @@
 /** Fiducial marks of one photo: a table to type into, or a CSV file. */
+import { scrolledByKeys } from '../../shared/panel/scrolled';
 import { allowedOfOrigin } from '../engine/checks';
 import type { Fiducial } from '../../shared/crate';
 import type { Marking } from '../state/marking';
@@ -39,7 +40,7 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
 }
 
 function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking: Marking, measure: (side: Side) => void): HTMLElement {
-  const table = h('div', { class: 'scroll' });
+  const table = scrolledByKeys(h('div', { class: 'scroll' }));
   const result = h('p', { class: 'note', testid: `interior-${side}` });
   const name = side === 'left' ? say('left') : say('right');
   const add = button(say('add-mark'), `add-fiducial-${side}`, () => marking.add(side));

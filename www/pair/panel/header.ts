@@ -50,25 +50,30 @@ export interface HeaderParts {
   files: Files;
   pick: Pick;
   attempt: (action: () => void | Promise<void>) => Promise<void>;
+  /** Saves something, and says beside a button what stands in the way. */
+  saving: (near: string, action: () => void | Promise<void>) => Promise<void>;
   /** Photographs a block and runs it. */
   sampleBlock: () => void;
 }
 
-export function mountHeader({ store, engine, view, files, pick, attempt, sampleBlock }: HeaderParts): void {
+export function mountHeader({ store, engine, view, files, pick, attempt, saving, sampleBlock }: HeaderParts): void {
   const on = (id: string, action: () => void | Promise<void>) => {
     byId(id).addEventListener('click', () => void attempt(action));
+  };
+  const onExport = (id: string, action: () => void | Promise<void>) => {
+    byId(id).addEventListener('click', () => void saving('export-menu', action));
   };
   for (const id of ['open', 'open-first']) on(id, () => pick(null));
   for (const id of ['sample', 'sample-first']) on(id, () => files.takeSample());
   on('sample-block-first', sampleBlock);
   mountMenu(byId('export-menu'), byId('exports'));
   on('swap', () => swap(store, engine));
-  on('export-csv', () => exportMatches(store.state, engine));
-  on('export-json', () => exportEverything(store.state));
-  on('export-project', () => exportProject(store, engine));
-  on('export-report', () => exportReport(store, engine));
-  on('export-epipolar', () => exportEpipolar(store, engine));
-  on('export-png', () => exportPicture(store.state, view));
+  onExport('export-csv', () => exportMatches(store.state, engine));
+  onExport('export-json', () => exportEverything(store.state));
+  onExport('export-project', () => exportProject(store, engine));
+  onExport('export-report', () => exportReport(store, engine));
+  onExport('export-epipolar', () => exportEpipolar(store, engine));
+  onExport('export-png', () => exportPicture(store.state, view));
   store.watch(['images', 'results', 'catalogue', 'notice', 'running'], ([images, , catalogue]) => {
     const both = images.left !== null && images.right !== null;
     const none = images.left === null && images.right === null;

@@ -14,6 +14,7 @@ import type { Fact } from '../../shared/panel/facts';
 import { count, decimalsOfError, fixed, significant } from '../../shared/text/format';
 import { correlationPicture, ellipsePicture } from './matrix';
 import { UNKNOWNS } from './unknowns';
+import { scrolledByKeys } from '../../shared/panel/scrolled';
 import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
@@ -150,23 +151,25 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   return h(
     'div',
     {},
-    h(
-      'div',
-      { class: 'scroll' },
+    scrolledByKeys(
       h(
-        'table',
-        { class: 'tight', aria: { label: say('relative-orientation') } },
+        'div',
+        { class: 'scroll' },
         h(
-          'thead',
-          {},
+          'table',
+          { class: 'tight', aria: { label: say('relative-orientation') } },
           h(
-            'tr',
+            'thead',
             {},
-            h('th', { scope: 'col' }, say('unknown')),
-            ...heads.map(([text, title, kind = '']) => h('th', { scope: 'col', title, class: kind }, text)),
+            h(
+              'tr',
+              {},
+              h('th', { scope: 'col' }, say('unknown')),
+              ...heads.map(([text, title, kind = '']) => h('th', { scope: 'col', title, class: kind }, text)),
+            ),
           ),
+          h('tbody', {}, ...rows),
         ),
-        h('tbody', {}, ...rows),
       ),
     ),
     note,

@@ -22,7 +22,8 @@ export function mountPanes(view: View, store: Store, actions: PaneActions): void
     for (const side of SIDES) {
       const { style } = labels[side].element;
       const { left, top, width, height } = panes[side];
-      Object.assign(style, { left: `${String(left)}px`, top: `${String(top)}px`, width: `${String(width)}px`, height: `${String(height)}px` });
+      // Moved, not laid out anew: nothing else on the page moves along.
+      Object.assign(style, { transform: `translate(${String(left)}px, ${String(top)}px)`, width: `${String(width)}px`, height: `${String(height)}px` });
     }
   };
   // At once: frames that are placed later would move.

@@ -19,7 +19,7 @@ import { verdictOf } from './verdict';
 import { windowPicture } from './window';
 import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
-import { withUnit } from '../../shared/text/units';
+import { unitText, withUnit } from '../../shared/text/units';
 
 const MOST_ROWS = 50;
 
@@ -178,7 +178,7 @@ function candidateTable(state: State, match: MatchResult, { candidates }: Inspec
     );
   });
   const measure = state.settings !== null && comparesGradients(state.settings) ? say('distance-2') : say('measure');
-  const heads = [say('rank'), say('right-point'), 'x px', 'y px', measure].map((text) => h('th', { scope: 'col' }, text));
+  const heads = [say('rank'), say('right-point'), `x ${unitText('px')}`, `y ${unitText('px')}`, measure].map((text) => h('th', { scope: 'col' }, text));
   heads.push(h('th', { scope: 'col', title: say('the-smallest-measure-divided-by') }, say('ratio-2')));
   const caption = say('of-left-point', { total, left_index: leftIndex + 1, what: total > MOST_ROWS ? say('the-best', { most_rows: MOST_ROWS }) : '' });
   return [

@@ -8,6 +8,7 @@ import type { AnswerActions } from './answer';
 import { summary } from './counts';
 import { answerCard } from '../../shared/panel/answer';
 import type { Answer } from '../../shared/panel/answer';
+import { ofLine } from '../../shared/state/notice';
 import { byId } from '../../shared/panel/dom';
 import { refusedText, say } from '../../shared/text/words';
 
@@ -56,19 +57,20 @@ export function isBusy(state: State): boolean {
 function answerOf(state: State, actions: AnswerActions): Answer {
   const line = (kind: Answer['kind'], text: string): Answer => ({ kind, text, verdict: null });
   const failure = currentFailure(state);
-  if (state.notice?.kind === 'problem') return line('problem', state.notice.text);
+  const notice = ofLine(state.notice);
+  if (notice?.kind === 'problem') return line('problem', notice.text);
   const { running, wanted, done } = progress(state);
   if (running.length > 0)
     return line('busy', say('step', { step: Math.min(done + 1, wanted), steps: wanted, stages: running.map((stage) => STAGES[stage].label).join('; ') }));
-  if (state.notice?.kind === 'busy') return line('busy', state.notice.text);
+  if (notice?.kind === 'busy') return line('busy', notice.text);
   if (state.paused) return line('idle', say('cancelled-results-on-the-screen'));
   if (failure !== null && !isOrientation(failure)) return line('problem', `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
   const [refused] = Object.values(state.refused);
   if (refused !== undefined) return line('problem', refusedText(refused));
   const answer = resting(state, done < wanted, actions);
-  if (state.notice === null) return answer;
-  if (answer.verdict === null) return line('idle', state.notice.text);
-  return { ...answer, more: `${answer.more ?? ''} ${state.notice.text}`.trimStart() };
+  if (notice === null) return answer;
+  if (answer.verdict === null) return line('idle', notice.text);
+  return { ...answer, more: `${answer.more ?? ''} ${notice.text}`.trimStart() };
 }
 
 /** Matches that determine no orientation are a result all the same. */

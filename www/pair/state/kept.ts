@@ -10,7 +10,7 @@ import type { Beside, Times } from './project';
 import { progress } from './select';
 import type { Shelf } from './shelf';
 import { INITIAL, SIDES } from './state';
-import type { Display, FlightTruth, Side, StageName, State } from './state';
+import type { Display, FlightTruth, PhotoData, Side, StageName, State } from './state';
 
 /** What is typed or read from small files. */
 export interface Typed {
@@ -92,6 +92,11 @@ export function isBlank(state: State): boolean {
 /** Whether results of the user's own photographs are there, which should not be lost to the next pair. */
 export function isWorthKeeping(state: State): boolean {
   return SIDES.every((side) => state.images[side]?.source.kind === 'file') && isCurrent(state, 'match');
+}
+
+/** Whether something was measured or said of a photo. */
+export function hasData({ fiducials, origin }: PhotoData): boolean {
+  return fiducials.length > 0 || origin !== null;
 }
 
 /** Stages whose results the project file holds not, or not whole. */

@@ -65,7 +65,7 @@ function changed(state: State, action: Action): State {
     case 'ready':
       return { ...state, catalogue: action.catalogue, settings: action.catalogue.defaults, flight: action.catalogue.flights[0]?.flight ?? null };
     case 'images':
-      return withImages(state, action.images);
+      return withImages(state, action.images, action.same);
     case 'simulated':
       return withSimulated(state, action);
     case 'opened':
@@ -182,13 +182,15 @@ function withHistory(state: State, history: History<Edit>): State {
   return { ...state, history, before, paused: false };
 }
 
-/** New images. Data that belonged to a simulated pair goes with it; data the user gave stays. */
-function withImages(state: State, images: Partial<Record<Side, State['images']['left']>>): State {
+/** New images. Data that belonged to a simulated pair goes with it; what was measured in an image goes with that, and the camera that the user gave stays. */
+function withImages(state: State, images: Partial<Record<Side, State['images']['left']>>, same: readonly Side[] = []): State {
   const before = state.truth === null ? state : withoutTruth(state);
   const all = { ...before.images, ...images };
+  const goes = (side: Side) => replaced(before, images, side) && !same.includes(side);
   return {
     ...before,
     images: all,
+    photos: { left: goes('left') ? NO_DATA : before.photos.left, right: goes('right') ? NO_DATA : before.photos.right },
     // A mask belongs to its image.
     masks: { left: images.left === undefined ? before.masks.left : null, right: images.right === undefined ? before.masks.right : null },
     selection: null,
@@ -198,6 +200,11 @@ function withImages(state: State, images: Partial<Record<Side, State['images']['
     ...UNEDITED,
     ...exchangedPair(state, all),
   };
+}
+
+/** Whether an image takes the place of another one. What was given before there was any belongs to it. */
+function replaced({ images }: State, given: Partial<State['images']>, side: Side): boolean {
+  return images[side] !== null && given[side] !== undefined;
 }
 
 function withoutTruth(state: State): State {

@@ -29,13 +29,13 @@ export async function learnPart(part: TextPart): Promise<void> {
   learn(texts);
 }
 
-/** What writes a text of the page in English, as far as it was written without figures: files for other programs are English in every language. */
+/** What writes a text of the page in English, as far as its name is known: files for other programs are English in every language. */
 export async function intoEnglish(): Promise<(text: string) => string> {
   if (LANGUAGE === 'en') return (text) => text;
   const english = new Catalogue('en', false);
   for (const texts of await Promise.all(learned.map((part) => textsOf('en', part)))) english.add(texts);
   return (text) => {
-    const name = nameOfText(text);
-    return (name === null ? null : english.text(name)) ?? text;
+    const said = nameOfText(text);
+    return (said === null ? null : english.text(said.name, said.figures)) ?? text;
   };
 }

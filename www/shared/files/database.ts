@@ -150,6 +150,22 @@ export class Database {
     });
   }
 
+  /** Makes some parts of a project one of their own. @throws KeepError, with nothing changed */
+  async separate(id: string, row: ProjectRow, names: readonly string[]): Promise<void> {
+    await this.change(async (projects, parts) => {
+      const there = await projects.get(id);
+      if (there === undefined) throw new KeepError('gone', say('the-project-is-no-longer'));
+      if (there.writer !== row.writer) throw new KeepError('taken', say('another-tab-has-taken-the'));
+      await projects.put({ ...row, writer: '' });
+      for (const name of names) {
+        const part = await parts.get([id, name]);
+        if (part === undefined) continue;
+        await parts.put({ ...part, project: row.id });
+        await parts.delete([id, name]);
+      }
+    });
+  }
+
   async remove(id: string): Promise<void> {
     await this.change(async (projects, parts) => {
       await Promise.all([projects.delete(id), parts.delete(partsOf(id))]);

@@ -1,8 +1,11 @@
 /** What of a part of the page is kept in the browser's storage, and shown again. */
+import type { Mode } from '../state/mode';
 import type { Kept } from './database';
 import { say } from '../text/words';
 
 export interface Keepable {
+  /** The part of the page. */
+  mode: Mode;
   /** Calls back whenever something that is kept has changed. */
   watch: (changed: () => void) => void;
   /** Resolves when `parts` has all that there is, as far as it can be made now. */

@@ -46,7 +46,7 @@ export interface Keeping {
 }
 
 /** The part of the page that is shown. */
-export interface Mode {
+export interface ModeSwitch {
   now: () => string;
   show: (mode: string) => void;
   /** Calls back whenever it is another. */
@@ -72,7 +72,7 @@ export class Keeper {
 
   constructor(
     private readonly keepables: readonly Keepable[],
-    private readonly mode: Mode,
+    private readonly mode: ModeSwitch,
   ) {}
 
   /** Opens the project that this tab had, else the one changed last. `ready`: called before anything is shown, in any case. */
@@ -155,15 +155,34 @@ export class Keeper {
   }
 
   /**
-   * Leaves the project in the list as it is and goes on with the same in a new one; false where nothing is kept, or another part of the page
-   * has something in it too, which would be kept twice: `twice` allows that.
+   * Leaves a part of the page in the list of projects and goes on with the same in another one; false where that is not kept. What the other
+   * parts of the page have stays in the present project: nothing is kept twice.
    */
-  async putAside(part: Keepable, twice = false): Promise<boolean> {
+  async putAside(part: Keepable): Promise<boolean> {
     await this.settle();
-    const { trouble } = this.keeping.state;
-    const others = this.keepables.some((keepable) => keepable !== part && keepable.parts().size > 0);
-    if (this.isNew || trouble !== null || (others && !twice)) return false;
+    if (this.isNew || this.keeping.state.trouble !== null) return false;
+    const others = this.keepables.some((keepable) => keepable.mode !== part.mode && keepable.parts().size > 0);
+    if (others) return this.separate(part);
     await this.begin();
+    return true;
+  }
+
+  /** Makes a project of its own of a part of the present one, whose name a block takes. */
+  private async separate(part: Keepable): Promise<boolean> {
+    const { project, name } = this.keeping.state;
+    const { mode } = part;
+    const parts = [...part.parts().keys()];
+    const takesName = mode === 'block';
+    const row = { id: randomName(), form: FORM, name: takesName ? name : null, images: part.images(), mode, changed: Date.now(), writer: this.tab };
+    try {
+      await this.database?.separate(project, row, parts);
+    } catch (error) {
+      this.failed(error, project);
+      return false;
+    }
+    for (const gone of parts) this.written.delete(gone);
+    if (takesName) this.keeping.dispatch({ name: null });
+    this.later();
     return true;
   }
 

@@ -1,4 +1,5 @@
 /** What is kept of a part of the page that is loaded when it is first needed. */
+import type { Mode } from '../state/mode';
 import type { Kept } from './database';
 import type { Keepable } from './keepable';
 
@@ -6,9 +7,9 @@ export class LateKeepable implements Keepable {
   private part: Keepable | null = null;
   private changed: (() => void) | null = null;
 
-  /** `prefix`: what the names of its parts begin with; `load` has the part `arrive`. */
+  /** `mode`: the part of the page, which the names of its parts begin with; `load` has the part `arrive`. */
   constructor(
-    private readonly prefix: string,
+    readonly mode: Mode,
     private readonly load: () => Promise<unknown>,
   ) {}
 
@@ -35,7 +36,7 @@ export class LateKeepable implements Keepable {
   }
 
   async read(parts: ReadonlyMap<string, unknown>): Promise<() => void> {
-    if ([...parts.keys()].some((name) => name.startsWith(this.prefix))) await this.load();
+    if ([...parts.keys()].some((name) => name.startsWith(this.mode))) await this.load();
     return (await this.part?.read(parts)) ?? (() => undefined);
   }
 

@@ -6,4 +6,11 @@ export interface Notice {
   beside?: boolean;
   /** It is said while a run goes on, and no longer. */
   passing?: boolean;
+  /** It is said beside the button of this `data-testid`, and the line says what it says anyway. */
+  near?: string;
+}
+
+/** What the line says of it: nothing where it is said beside a button. */
+export function ofLine(notice: Notice | null): Notice | null {
+  return notice?.near === undefined ? notice : null;
 }

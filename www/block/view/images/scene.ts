@@ -65,11 +65,10 @@ interface Size {
   height: number;
 }
 
-/** Where a pane looks: where it was moved to, else at the whole of its image, or at the middle of it as large as the pane. */
-export function paneView({ views, whole }: Panes, image: number, rect: Rect, of: Size): PaneView {
+/** Where a pane looks: where it was moved to, else at the whole of its image. */
+export function paneView({ views }: Panes, image: number, rect: Rect, of: Size): PaneView {
   const own = views.get(image);
-  if (own !== undefined) return inPane(own, rect);
-  return whole ? fitView(rect, of.width, of.height) : { x: of.width / 2, y: of.height / 2, scale: fillScale(rect, of) };
+  return own === undefined ? fitView(rect, of.width, of.height) : inPane(own, rect);
 }
 
 /** The scale at which an image leaves no bands beside it. */

@@ -416,7 +416,6 @@ file-heights = الملف: الارتفاعات
 remove = إزالة
 remove-orthophoto = إزالة: الصورة المصححة
 to-m = { $name }: { FIXED($from, digits: 1) } إلى { FIXED($to, digits: 1) } م.
-a-height-in-m-is = الارتفاع بالأمتار عدد من ‎-20000‎ إلى 20000. تبقى آخر قيمة صالحة مستعملة.
 level-ground-at = أرض مستوية عند
 what-is-done-with-it = استعمالها
 purpose-block = الكتلة

@@ -55,6 +55,16 @@ holds-no-camera-data = لا يحوي { $name } بيانات كاميرا
 has-mb-up-to-1 = حجم { $name } هو { $size } ميغابايت؛ يُقرأ حتى 1024 ميغابايت.
 reading-2 = تجري قراءة { $join } …
 the-file = الملف
+marks-went-with-the-image = ذهب مع الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    } السابقة ما قيس فيها: { $marks ->
+        [0] موضعها في المسح
+        [one] علامة إطارية واحدة
+        [two] علامتان إطاريتان
+        [few] { $marks } علامات إطارية
+       *[other] { $marks } علامة إطارية
+    }.
 stay-under-projects = يبقى { $title_of } في المشاريع.
 could-not-be-opened-try = تعذر فتح { $name }: { $breakdown }. جرّب صورة أصغر، أو أغلق ألسنة تبويب أخرى.
 the-pair-is-not-matched = لم يُطابَق الزوج بالإعدادات الحالية بعد

@@ -463,7 +463,6 @@ file-heights = File: Heights
 remove = Remove
 remove-orthophoto = Remove: Orthophoto
 to-m = { $name }: { FIXED($from, digits: 1) } to { FIXED($to, digits: 1) } m.
-a-height-in-m-is = A height in m is a number from -20000 to 20000. The last valid one stays in use.
 level-ground-at = Level ground at
 what-is-done-with-it = Used for
 purpose-block = the block

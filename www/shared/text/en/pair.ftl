@@ -65,6 +65,14 @@ holds-no-camera-data = { $name } holds no camera data
 has-mb-up-to-1 = { $name } has { $size } MB; up to 1,024 MB are read.
 reading-2 = Reading { $join } …
 the-file = the file
+marks-went-with-the-image = The { $marks ->
+        [0] place in the scan
+        [one] fiducial mark
+       *[other] { $marks } fiducial marks
+    } of the { $side ->
+        [left] left
+       *[right] right
+    } image went with it.
 stay-under-projects = { $title_of } stay under Projects.
 could-not-be-opened-try = { $name } could not be opened: { $breakdown }. Try a smaller image, or close other tabs.
 

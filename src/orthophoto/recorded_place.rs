@@ -1,0 +1,111 @@
+//! The place of an image that records its position: near that first, then anywhere.
+
+use super::adjusting::PlacingCamera;
+use super::into_system::{RecordedPlace, recorded_place};
+use super::options::PlacingOptions;
+use super::outcome::{PlaceSearch, PlacedImage};
+use super::place::place_image;
+use super::reference::Orthophoto;
+use super::search_area::SearchArea;
+use crate::{Error, ExifPosition, GreyView};
+
+/// Places an image that records a GNSS position: about that first, within `within_m`, where the orthophoto says its system and no other place is
+/// given by the options, then anywhere. The result says which.
+///
+/// # Errors
+/// As [`place_image`].
+pub fn place_recorded(
+    image: GreyView<'_>,
+    known: &PlacingCamera,
+    position: Option<&ExifPosition>,
+    reference: &Orthophoto,
+    area: &SearchArea,
+    options: &PlacingOptions,
+) -> Result<PlacedImage, Error> {
+    let is_free = options.near_x.is_none() && options.near_y.is_none();
+    let Some(on_map) = position.filter(|_| is_free).and_then(|position| recorded_place(position, reference)) else {
+        return place_image(image, known, reference, area, options);
+    };
+    let RecordedPlace { place, unit_m } = on_map;
+    let within_m = options.within_m;
+    let within = within_m / unit_m;
+    let about = PlacingOptions { near_x: Some(place[0]), near_y: Some(place[1]), within_m: within, ..options.clone() };
+    let areas = Areas {
+        all: area,
+        near: area.within(reference, place, within),
+        // A position beside the orthophoto has no surroundings on it.
+        dense: || area.is_sparse.then(|| SearchArea::new(reference, &about).ok()).flatten(),
+    };
+    areas.searched(within_m, |area| place_image(image, known, reference, area, options))
+}
+
+/// Where an image that records its position is sought.
+struct Areas<'a, D: FnOnce() -> Option<SearchArea>> {
+    all: &'a SearchArea,
+    /// The surroundings of the position; absent where they are all.
+    near: Option<SearchArea>,
+    /// The same with more features, where there may be more.
+    dense: D,
+}
+
+impl<D: FnOnce() -> Option<SearchArea>> Areas<'_, D> {
+    /// One after the other until the image is found, each once.
+    fn searched(self, within_m: f64, mut search: impl FnMut(&SearchArea) -> Result<PlacedImage, Error>) -> Result<PlacedImage, Error> {
+        let Self { all, near, dense } = self;
+        let found = |placed: &PlacedImage| placed.placement.is_some();
+        let of = |placed: PlacedImage, search: PlaceSearch| Ok(PlacedImage { search: Some(search), ..placed });
+        // Where the surroundings are all, the search of them is that of all.
+        let mut of_all = None;
+        if near.as_ref().is_none_or(|near| !near.features.is_empty()) {
+            let placed = search(near.as_ref().unwrap_or(all))?;
+            if found(&placed) {
+                return of(placed, PlaceSearch::Gnss { within_m });
+            }
+            of_all = near.is_none().then_some(placed);
+        }
+        if let Some(dense) = dense() {
+            let placed = search(&dense)?;
+            if found(&placed) {
+                return of(placed, PlaceSearch::Gnss { within_m });
+            }
+        }
+        let placed = of_all.map_or_else(|| search(all), Ok)?;
+        of(placed, PlaceSearch::BeyondGnss { within_m })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::orthophoto::outcome::{NotPlaced, PlacingVerdict};
+    use crate::{Feature, ScalePoint};
+
+    #[test]
+    fn each_part_of_an_orthophoto_is_searched_once_for_an_image() {
+        let empty = || SearchArea { features: Vec::new(), area_px2: 1.0, is_sparse: true };
+        let all = SearchArea { area_px2: 9.0, ..empty() };
+        let dense = || Some(SearchArea { area_px2: 2.0, ..empty() });
+        let nowhere = || PlacedImage {
+            verdict: PlacingVerdict::NotPlaced { not_placed: NotPlaced::NoOrientation { points: 0 } },
+            placement: None,
+            search: None,
+        };
+        let searched = |near: Option<SearchArea>, dense: Option<SearchArea>| {
+            let mut areas = Vec::new();
+            let search = |area: &SearchArea| {
+                areas.push(area.area_px2);
+                Ok(nowhere())
+            };
+            let placed = Areas { all: &all, near, dense: || dense }.searched(50.0, search).unwrap();
+            assert_eq!(placed.search, Some(PlaceSearch::BeyondGnss { within_m: 50.0 }));
+            areas
+        };
+        // All are the surroundings; they are a part; nothing is there.
+        assert_eq!((searched(None, dense()), searched(None, None)), (vec![9.0, 2.0], vec![9.0]));
+        let point = ScalePoint { x: 1.0, y: 1.0, scale_px: 2.0, weight: 1.0 };
+        let feature = Feature { point, orientation_rad: 0.0, descriptor: [0; 128] };
+        let some = SearchArea { features: vec![feature], area_px2: 3.0, ..empty() };
+        assert_eq!((searched(Some(some.clone()), dense()), searched(Some(some), None)), (vec![3.0, 2.0, 9.0], vec![3.0, 9.0]));
+        assert_eq!(searched(Some(empty()), dense()), [2.0, 9.0]);
+    }
+}
