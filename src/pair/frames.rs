@@ -50,23 +50,8 @@ impl CommonFrame {
 
     /// Whether a match lies at the same place of both frames.
     pub(super) fn holds(&self, m: &[f64; 4]) -> bool {
-        self.distance_px(m) <= TOLERANCE_PX
-    }
-
-    /// How far the right position of a match lies from where the left one is in the right image.
-    pub(super) fn distance_px(&self, m: &[f64; 4]) -> f64 {
-        length(minus([m[2], m[3]], self.right_of([m[0], m[1]])))
-    }
-
-    /// Where a position of the left image lies in the right one.
-    pub(super) fn right_of(&self, left_px: [f64; 2]) -> [f64; 2] {
-        let place = times(self.turn, left_px);
-        [place[0] + self.shift[0], place[1] + self.shift[1]]
-    }
-
-    /// How large the frame is in the right image, by the left one.
-    pub(super) fn scale(&self) -> f64 {
-        length(self.turn)
+        let place = times(self.turn, [m[0], m[1]]);
+        length(minus([m[2], m[3]], [place[0] + self.shift[0], place[1] + self.shift[1]])) <= TOLERANCE_PX
     }
 
     fn agreeing<'a>(&self, matches: &'a [[f64; 4]]) -> impl Iterator<Item = &'a [f64; 4]> + Clone + use<'a> {
@@ -104,7 +89,7 @@ impl CommonFrame {
     }
 
     /// By least squares.
-    pub(super) fn fitted<'a>(matches: impl Iterator<Item = &'a [f64; 4]> + Clone) -> Option<Self> {
+    fn fitted<'a>(matches: impl Iterator<Item = &'a [f64; 4]> + Clone) -> Option<Self> {
         let count = matches.clone().count() as f64;
         let mean = [0, 1, 2, 3].map(|k| matches.clone().map(|m| m[k]).sum::<f64>() / count);
         let (mut product, mut square) = ([0.0; 2], 0.0);

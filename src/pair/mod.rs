@@ -1,5 +1,6 @@
 //! The whole way of one pair: points, descriptors, offset, matches, photo coordinates, relative orientation.
 
+mod cameras;
 mod described;
 mod epipolar;
 mod frames;
@@ -18,6 +19,7 @@ mod verdict;
 mod verification;
 mod weakness;
 
+pub use cameras::{KnownPhoto, PairCameras};
 pub use described::{DescribedImage, describe_image};
 pub use epipolar::epipolar_line;
 pub use geometry::{PairInterior, photo_interior};
@@ -25,6 +27,7 @@ pub use hint::PairHint;
 pub use input::{PairImage, PairInput, PhotoInput};
 pub use match_pair::{PairResult, match_described_pair, match_pair};
 pub use no_orientation::NoOrientation;
+pub use one_image::OneImage;
 pub(crate) use orienting::sigma0_of_all_mm;
 pub use orienting::{match_weights, observations, orient_matches};
 pub use preset::PairPreset;
