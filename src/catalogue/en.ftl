@@ -710,7 +710,7 @@ no-orientation-refused = { $error }
 pair-verdict-oriented = Oriented from { $points } points, σ0 { FIXED($sigma0_px, digits: 2) } px; the right photo is turned in its plane (κ) by { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $worst ->
         [omega] , ω is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
         [phi] , φ is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
-        [base] , the direction of the base to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
+        [base] , the direction of the base is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
        *[kappa] {""}
     } (95 %).
     .label = oriented

@@ -189,7 +189,7 @@ fn a_value_has_the_decimals_of_its_error() {
     for (worst, said) in [
         (KnownWorst::Kappa, " by 0.147° ± 0.018° (95 %)."),
         (KnownWorst::Phi, " by 0.147° ± 0.018°, φ is known to ± 1.4° (95 %)."),
-        (KnownWorst::Base, " by 0.147° ± 0.018°, the direction of the base to ± 1.4° (95 %)."),
+        (KnownWorst::Base, " by 0.147° ± 0.018°, the direction of the base is known to ± 1.4° (95 %)."),
     ] {
         assert!(verdict(worst).to_string().ends_with(said), "{}", verdict(worst));
     }
