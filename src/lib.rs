@@ -109,9 +109,10 @@ pub use outputs::{
     write_pair_project,
 };
 pub use pair::{
-    DescribedImage, FeatureMatchOptions, NoOrientation, PairHint, PairImage, PairInput, PairInterior, PairMatching, PairPreset, PairResult,
-    PairSettings, PairVerdict, PhotoInput, VerifiedMatches, describe_image, epipolar_line, judged, match_described_pair, match_features,
-    match_in_rounds, match_pair, match_weights, observations, orient_matches, photo_interior,
+    DescribedImage, FeatureMatchOptions, KnownPhoto, KnownWorst, NoOrientation, OneImage, PairCameras, PairHint, PairImage, PairInput,
+    PairInterior, PairMatching, PairPreset, PairResult, PairSettings, PairVerdict, PhotoInput, VerifiedMatches, describe_image,
+    epipolar_line, judged, match_described_pair, match_features, match_in_rounds, match_pair, match_weights, observations, orient_matches,
+    photo_interior,
 };
 pub use pipeline::{
     BlockRun, CameraRules, ControlTables, ControlTexts, EditedRun, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News,

@@ -2,7 +2,7 @@
 
 use tiepoint::{
     Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, ExifCamera, GreyImage, NoOrientation, PairImage, PairInput,
-    PairResult, PairSettings, Side, Strategy, match_pair,
+    PairResult, PairSettings, Side, Strategy, Warning, match_pair,
 };
 
 /// A pair of grey planes, of which no strategy finds anything.
@@ -34,9 +34,39 @@ fn a_panorama_is_not_oriented_unless_its_camera_is_given() {
 fn a_cropped_photo_counts_as_one_of_an_unknown_camera() {
     let [taken_width_px, taken_height_px, width_px, height_px] = [4000, 3000, 200, 150];
     let cropped = CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px };
-    let camera = ExifCamera { pixel_mm: None, cautions: vec![cropped], ..file_camera(CameraOrigin::FocalLengthAlone) };
+    let camera = ExifCamera { pixel_mm: None, cautions: vec![cropped.clone()], ..file_camera(CameraOrigin::FocalLengthAlone) };
     let found = result(&camera, &PairInput::default(), Strategy::Moments);
+    let reason = found.orientation.unwrap_err();
+    assert!(reason.to_string().contains("taken with 4000 x 3000 px, but 200 x 150 px large: it was cropped"), "{reason}");
+    assert_eq!(reason, NoOrientation::Altered { side: Side::Left, camera_caution: cropped });
+    let unlisted = ExifCamera { cautions: vec![], ..camera };
+    let found = result(&unlisted, &PairInput::default(), Strategy::Moments);
     assert_eq!(found.orientation.unwrap_err(), NoOrientation::NoPixelSize { side: Side::Left });
+}
+
+#[test]
+fn a_photo_of_fewer_pixels_than_it_was_taken_with_may_be_resized_or_cropped() {
+    let camera = |taken_width_px, taken_height_px| {
+        let cautions = vec![CameraCaution::Resized { taken_width_px, taken_height_px, width_px: 200, height_px: 150 }];
+        ExifCamera { cautions, ..file_camera(CameraOrigin::ExifFocalPlane) }
+    };
+    let interior = |camera: &ExifCamera, input: &PairInput| result(camera, input, Strategy::Moments).interior.unwrap();
+    // 4/3 of the side: the focal length is 200 px, or 267 px and the principal point up to 33 px off the middle.
+    let found = interior(&camera(267, 200), &PairInput::default());
+    let known = found.left.uncertainty.unwrap();
+    assert!((0.2..0.25).contains(&known.focal) && (0.09..0.11).contains(&known.principal_point), "{known:?}");
+    let (taken_width_px, taken_height_px, width_px, height_px) = (267, 200, 200, 150);
+    let doubt = Warning::ResizedOrCropped { side: Side::Left, taken_width_px, taken_height_px, width_px, height_px };
+    assert!(found.doubt == Some(doubt) && doubt.is_weakness(), "{:?}", found.doubt);
+    // A photo that was enlarged is whole; a camera that is given is that of the file as it is.
+    let given = PairInput { camera: Some(CameraMm::without_distortion(0.2, Some(0.001))), ..PairInput::default() };
+    for sound in [
+        interior(&camera(100, 75), &PairInput::default()),
+        interior(&camera(201, 151), &PairInput::default()),
+        interior(&camera(267, 200), &given),
+    ] {
+        assert!(sound.doubt.is_none() && sound.left.uncertainty.unwrap().principal_point <= 0.01, "{sound:?}");
+    }
 }
 
 #[test]

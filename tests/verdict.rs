@@ -2,8 +2,8 @@
 
 use super::known::input;
 use tiepoint::{
-    CameraMm, Error, GreyImage, PairImage, PairInput, PairInterior, PairResult, PairSettings, PairVerdict, Refusal, SAMPLE_SEED, Side,
-    Warning, judged, match_pair, sample_pair,
+    CameraMm, Error, GreyImage, KnownWorst, PairImage, PairInput, PairInterior, PairResult, PairSettings, PairVerdict, Refusal,
+    SAMPLE_SEED, Side, Warning, judged, match_pair, sample_pair,
 };
 
 fn matched(left: &GreyImage, right: &GreyImage, mask: Option<&GreyImage>, input: &PairInput) -> PairResult {
@@ -15,10 +15,16 @@ fn matched(left: &GreyImage, right: &GreyImage, mask: Option<&GreyImage>, input:
 fn a_good_pair_is_oriented_with_nothing_set() {
     let sample = sample_pair(SAMPLE_SEED).unwrap();
     let result = matched(&sample.left, &sample.right, None, &input(&sample));
-    let PairVerdict::Oriented { points, sigma0_px, kappa_deg, half_width_deg } = result.verdict() else { panic!("{}", result.verdict()) };
+    let PairVerdict::Oriented { points, sigma0_px, kappa_deg, half_width_deg, worst, worst_half_width_deg } = result.verdict() else {
+        panic!("{}", result.verdict())
+    };
     assert_eq!(points, result.matching.matches.len() - result.orientation.as_ref().unwrap().rejected.len());
     assert!(sigma0_px < 0.15 && (kappa_deg - sample.truth.kappa_deg).abs() < half_width_deg && half_width_deg < 0.02);
     assert!(result.verdict().to_string().starts_with(&format!("Oriented from {points} points, σ0 0.")), "{}", result.verdict());
+    // Over flat ground κ is known best.
+    let half = result.orientation.as_ref().unwrap().half_widths_95.unwrap();
+    assert!(worst != KnownWorst::Kappa && worst_half_width_deg >= half.omega_deg.max(half.phi_deg) && half_width_deg == half.kappa_deg);
+    assert!(result.verdict().to_string().contains("to ± "), "{}", result.verdict());
 }
 
 #[test]

@@ -54,6 +54,9 @@ export const UNKNOWNS = /** @type {const} */ ([
   { name: 'bz', unit: 'mm', field: 'bz_mm' },
 ]);
 
+/** Where the base runs along y. */
+const TURNED = 'axes turned by 90°: x points up in the left image';
+
 /** The JSON form, without the verdict, which stands beside it.  @param {RelativeOrientation & { verdict?: unknown }} o */
 export const orientationOf = ({ verdict: _verdict, ...o }) => ({
   ...o,
@@ -82,6 +85,7 @@ export function describeOrientation(o, pixelMm) {
   const sigma = pixelMm === null || o.sigma0_mm === null ? '' : ` = ${fixed(o.sigma0_mm / pixelMm, 3)} px`;
   return [
     table([['', 'value', 'std. error', ...(o.total_standard_errors ? ['in total'] : []), '95 % ±'], ...rows]),
+    ...(o.turn_deg === 0 ? [] : [TURNED]),
     '',
     `base ${fixed(o.base_mm, 3)} mm, focal length ${fixed(o.focal_mm, 3)} mm, ${o.method}`,
     `sigma0 ${fixed(o.sigma0_mm, 5)} mm${sigma}, ${o.degrees_of_freedom} degrees of freedom, ${o.iterations} iterations, ${o.rejected.length} rejected`,

@@ -45,7 +45,7 @@ impl CameraMm {
     }
 
     /// The camera that a file names, with what is not known of it: principal point in the middle of the image and no distortion, but where
-    /// XMP says more.
+    /// XMP says more. A photo with fewer pixels than it was taken with is taken to be resized, and may be cropped within its uncertainty.
     ///
     /// # Errors
     /// [`Error::InvalidOption`] where its focal length or pixel size is outside the range of a camera; [`Error::InvalidInput`] for a panorama.
@@ -57,7 +57,7 @@ impl CameraMm {
             Some(lens) => lens.photo_camera()?,
             None => Self::without_distortion(exif.focal_mm, exif.pixel_mm),
         };
-        let camera = Self { uncertainty: Some(CameraUncertainty::of(exif.origin)), ..camera };
+        let camera = Self { uncertainty: Some(exif.uncertainty()), ..camera };
         camera.check().map(|()| camera)
     }
 

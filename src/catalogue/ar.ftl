@@ -277,7 +277,7 @@ side-right = اليمنى
 ## Why a pair has no geometry of the two views, or no orientation.
 
 no-geometry-too-few-matches = أُعطي { $matches } من المطابقات المختلفة؛ المطلوب { $needed } على الأقل
-no-geometry-chance = يتفق { $agreeing } من { $matches } من المطابقات على هندسة واحدة، وليس هذا أكثر مما تأتي به المصادفة
+no-geometry-chance = لا يتفق على هندسة واحدة إلا { $agreeing } من { $matches } من المطابقات المرشحة، وليس هذا أكثر مما تأتي به المصادفة؛ فلم يُبقَ أي منها
 
 camera-origin-xmp-calibration = ‏XMP (معايَرة)
 camera-origin-xmp-dewarped = ‏XMP (معايَرة، أزيل التشوه من قبل)
@@ -288,7 +288,7 @@ camera-origin-sensor-table = ‏EXIF والمقاس المسجل لمستشعر�
 camera-origin-focal-length-alone = ‏EXIF (البعد البؤري بالمليمتر وحده)
 camera-origin-panorama = ‏XMP (بانوراما)
 
-camera-caution-resized = التُقطت بمقاس { $taken_width_px } × { $taken_height_px } بكسل، وغُيّر حجمها إلى { $width_px } × { $height_px } بكسل: يُقاس بعدها البؤري بالبكسل على ذلك
+camera-caution-resized = التُقطت بمقاس { $taken_width_px } × { $taken_height_px } بكسل، وفي الملف { $width_px } × { $height_px } بكسل: هل غُيّر حجمها أم قُصّت؟ بعدها البؤري بالبكسل كما لو غُيّر حجمها
 camera-caution-cropped = التُقطت بمقاس { $taken_width_px } × { $taken_height_px } بكسل، وهي الآن { $width_px } × { $height_px } بكسل: قُصّت، وبعدها البؤري بالبكسل غير معروف؛ أعط الكاميرا إن عرفتها
 camera-caution-focal-plane = يعطي EXIF بكسلات قدرها { SIGNIFICANT($pixel_um, digits: 2) } ميكرومتر، لكنها بهذا المستشعر أو بمكافئه 35 مم { SIGNIFICANT($expected_um, digits: 2) } ميكرومتر: غُيّر حجم الصورة أو قُصّت، وبعدها البؤري بالبكسل غير معروف؛ أعط الكاميرا إن عرفتها
 camera-caution-contradiction = يعطي XMP بعدًا بؤريًا قدره { FIXED($xmp_focal_px, digits: 0) } بكسل، وEXIF { FIXED($exif_focal_px, digits: 0) } بكسل: تُستعمل قيمة EXIF
@@ -296,15 +296,23 @@ camera-caution-panorama = بانوراما ({ $projection }): ليس لها من
 
 no-orientation-no-camera = لم تُعط كاميرا، والصورة { $side } لا تذكر بعدًا بؤريًا
 no-orientation-no-focal-length = أُعطيت العلامات الإطارية دون بعد بؤري
-no-orientation-no-pixel-size = ليس للصورة { $side } علامات إطارية ولا حجم بكسل
+no-orientation-no-pixel-size = البعد البؤري للصورة { $side } معروف بالمليمتر لا بالبكسل: لا علامات إطارية ولا حجم بكسل معروفان
+no-orientation-altered = عُدّلت الصورة { $side }: { $camera_caution }
 no-orientation-panorama = الصورة { $side } بانوراما: ليس لها منظور مركزي ولا كاميرا
 no-orientation-no-geometry = لا هندسة للمشهدين: { $no_geometry }
 no-orientation-pure-rotation = لا قاعدة (دوران خالص): تختلف الصورتان بدوران وحده
+no-orientation-one-photo = لا قاعدة: تُظهر الصورتان الشيء نفسه في المواضع نفسها (هل هي صورة واحدة مرتين؟)
+no-orientation-parts-of-one-image = لا قاعدة: تختلف الصورتان بإزاحة ودوران ومقياس فقط؛ وقد تكونان جزأين من صورة واحدة
 no-orientation-refused = { $error }
 
 ## What the result of a pair is worth.
 
-pair-verdict-oriented = وُجّه الزوج من { $points } من النقاط، σ0 { FIXED($sigma0_px, digits: 2) } بكسل؛ الصورة اليمنى مدارة في مستواها (κ) بمقدار { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (‏95 %).
+pair-verdict-oriented = وُجّه الزوج من { $points } من النقاط، σ0 { FIXED($sigma0_px, digits: 2) } بكسل؛ الصورة اليمنى مدارة في مستواها (κ) بمقدار { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $worst ->
+        [omega] ، وتُعرف ω بحدود ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
+        [phi] ، وتُعرف φ بحدود ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
+        [base] ، ويُعرف اتجاه القاعدة بحدود ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
+       *[kappa] {""}
+    } (‏95 %).
     .label = موجَّه
 pair-verdict-weak = توجيه ضعيف من { $points } من النقاط. { $warning }
     .label = ضعيف
@@ -367,14 +375,15 @@ warning-few-matches = لم يشارك إلا { $matches } من المطابقا�
 warning-few-agree = لا يتفق مع التوجيه إلا { $accepted } من { $matches } من المطابقات.
 warning-mirrored = تُظهر الصورة اليمنى الأرض معكوسة كما في المرآة.
 warning-mirrored-marks = تقع العلامات الإطارية معكوسة في الصورة { $side }: هل المسح الضوئي معكوس، أم إحداثياتها؟
-warning-unknown-camera = لا يكاد البعد البؤري يُعرف، وقد قُدّر من المطابقات: أعط الكاميرا.
+warning-unknown-camera = لا يكاد البعد البؤري يُعرف، وقد قُدّر من المطابقات، وقد لا تصح المجالات: أعط الكاميرا.
 warning-contradicted-focal = البعد البؤري المعطى { FIXED($given_px, digits: 0) } بكسل، لكن ملف الصورة { $side } يذكر { FIXED($file_px, digits: 0) } بكسل: هل الكاميرا لصور من قياس آخر أو عدسة أخرى أو تقريب آخر؟
 warning-doubtful-focal = البعد البؤري للصورة { $side } يساوي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }: تحقق من البعد البؤري ومن قياس البكسل.
+warning-resized-or-cropped = في ملف الصورة { $side } بكسلات أقل مما تذكره بيانات EXIF فيه ({ $width_px } × { $height_px } لا { $taken_width_px } × { $taken_height_px }): هل غُيّر حجمها أم قُصّت؟ لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
 warning-exact = ‏σ0 تبلغ { SIGNIFICANT($sigma0_px, digits: 1) } بكسل، كما في أجزاء من صورة واحدة؛ ولا تتفق صورتان بأدق من { $least_px } بكسل.
 warning-wide-angle = تبتعد النقاط عن المحور كثيرًا بالنسبة إلى بعدها البؤري (الجذر التربيعي لمتوسط مربعات بعدها عن وسطها { FIXED($coverage, digits: 2) } من البعد البؤري؛ المعتاد حتى { $most }): هل البعد البؤري أقصر من الصحيح؟
 warning-uncertain = يُعرف الدوران بحدود ±{ SIGNIFICANT($half_width_deg, digits: 2) }° فقط (95 %)؛ السليم حتى ±{ $most_deg }°.
 warning-uncertain-base = يُعرف اتجاه القاعدة بحدود ±{ SIGNIFICANT($half_width_deg, digits: 2) }° فقط (95 %)؛ السليم حتى ±{ $most_deg }°.
-warning-imprecise = ‏σ0 تبلغ { FIXED($sigma0_px, digits: 1) } بكسل؛ تبلغ المطابقة { FIXED($most_px, digits: 1) } بكسل حيث تكون الكاميرا وتشوهها صحيحين.
+warning-imprecise = ‏σ0 تبلغ { FIXED($sigma0_px, digits: 1) } بكسل؛ تبلغ المطابقة { FIXED($most_px, digits: 1) } بكسل حيث تكون الكاميرا وتشوهها صحيحين. وقد لا تصح المجالات.
 warning-focal-length = تطلب المتبقيات بعدًا بؤريًا يختلف بنسبة { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } من الأخطاء المعيارية)، وهو ما يخرج النتيجة من مجالات الثقة 95 %.
 
 ## Pairs of a block: what came of matching them, and why they were chosen.

@@ -677,7 +677,7 @@ side-right = right
 ## Why a pair has no geometry of the two views, or no orientation. They follow `not oriented: `.
 
 no-geometry-too-few-matches = { $matches } different matches are given; at least { $needed } are needed
-no-geometry-chance = { $agreeing } of { $matches } matches agree on one geometry, no more than would by chance
+no-geometry-chance = only { $agreeing } of { $matches } candidate matches agree on one geometry, no more than would by chance; none is kept
 
 camera-origin-xmp-calibration = XMP (calibrated)
 camera-origin-xmp-dewarped = XMP (calibrated, distortion already removed)
@@ -688,7 +688,7 @@ camera-origin-sensor-table = EXIF and the listed size of its sensor
 camera-origin-focal-length-alone = EXIF (focal length in mm alone)
 camera-origin-panorama = XMP (panorama)
 
-camera-caution-resized = taken with { $taken_width_px } x { $taken_height_px } px, resized to { $width_px } x { $height_px } px: its focal length in px is scaled
+camera-caution-resized = taken with { $taken_width_px } x { $taken_height_px } px, the file has { $width_px } x { $height_px } px: resized or cropped? Its focal length in px is that of a resized photo
 camera-caution-cropped = taken with { $taken_width_px } x { $taken_height_px } px, but { $width_px } x { $height_px } px large: it was cropped, and its focal length in px is not known; give the camera if you know it
 camera-caution-focal-plane = EXIF gives pixels of { SIGNIFICANT($pixel_um, digits: 2) } µm, but with this sensor or its 35 mm equivalent those of this photo are { SIGNIFICANT($expected_um, digits: 2) } µm large: it was resized or cropped, and its focal length in px is not known; give the camera if you know it
 camera-caution-contradiction = XMP gives a focal length of { FIXED($xmp_focal_px, digits: 0) } px, EXIF of { FIXED($exif_focal_px, digits: 0) } px: that of EXIF is used
@@ -696,15 +696,23 @@ camera-caution-panorama = a panorama ({ $projection }): it has no central perspe
 
 no-orientation-no-camera = no camera is given and the { $side } image names no focal length
 no-orientation-no-focal-length = fiducial marks are given, but no focal length
-no-orientation-no-pixel-size = the { $side } image has neither fiducial marks nor a pixel size
+no-orientation-no-pixel-size = the focal length of the { $side } image is known in mm, but not in px: neither fiducial marks nor a pixel size are known
+no-orientation-altered = the { $side } image was altered: { $camera_caution }
 no-orientation-panorama = the { $side } image is a panorama: it has no central perspective, and no camera
 no-orientation-no-geometry = no geometry of the two views: { $no_geometry }
 no-orientation-pure-rotation = no base (pure rotation): the photos differ by a rotation alone
+no-orientation-one-photo = no base: both images show the same at the same places (is it one photo twice?)
+no-orientation-parts-of-one-image = no base: the images differ by a shift, a turn and a scale alone; both may be parts of one image
 no-orientation-refused = { $error }
 
 ## What the result of a pair is worth.
 
-pair-verdict-oriented = Oriented from { $points } points, σ0 { FIXED($sigma0_px, digits: 2) } px; the right photo is turned in its plane (κ) by { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (95 %).
+pair-verdict-oriented = Oriented from { $points } points, σ0 { FIXED($sigma0_px, digits: 2) } px; the right photo is turned in its plane (κ) by { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $worst ->
+        [omega] , ω is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
+        [phi] , φ is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
+        [base] , the direction of the base is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
+       *[kappa] {""}
+    } (95 %).
     .label = oriented
 pair-verdict-weak = Weak orientation from { $points } points. { $warning }
     .label = weak
@@ -764,14 +772,15 @@ warning-few-matches = Only { $matches } matches took part; as many may agree on 
 warning-few-agree = Only { $accepted } of { $matches } matches agree with the orientation.
 warning-mirrored = The right photo shows the ground mirrored.
 warning-mirrored-marks = The fiducial marks lie mirrored in the { $side } image: is the scan mirrored, or are their coordinates?
-warning-unknown-camera = The focal length is hardly known and was estimated from the matches: give the camera.
+warning-unknown-camera = The focal length is hardly known and was estimated from the matches; the intervals may not hold: give the camera.
 warning-contradicted-focal = The given focal length is { FIXED($given_px, digits: 0) } px, but the file of the { $side } image says { FIXED($file_px, digits: 0) } px: is the camera that of another photo size, lens or zoom?
 warning-doubtful-focal = The focal length of the { $side } photo is { SIGNIFICANT($sides, digits: 2) } times the longer side of its image, where { $least } to { $most } times are usual: check the focal length and the pixel size.
+warning-resized-or-cropped = The file of the { $side } image has fewer pixels than its EXIF data says ({ $width_px } x { $height_px }, not { $taken_width_px } x { $taken_height_px }): resized or cropped? Its camera is hardly known, and the intervals may not hold: give the camera.
 warning-exact = σ0 is { SIGNIFICANT($sigma0_px, digits: 1) } px, as of parts of one image; two photographs do not agree to better than { $least_px } px.
 warning-wide-angle = The points reach far from the axis for their focal length (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; up to { $most } is common): is the focal length too short?
 warning-uncertain = The rotation is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
 warning-uncertain-base = The direction of the base is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
-warning-imprecise = σ0 is { FIXED($sigma0_px, digits: 1) } px; matching reaches { FIXED($most_px, digits: 1) } px where the camera and its distortion are right.
+warning-imprecise = σ0 is { FIXED($sigma0_px, digits: 1) } px; matching reaches { FIXED($most_px, digits: 1) } px where the camera and its distortion are right. The intervals may not hold.
 warning-focal-length = The residuals ask for a focal length that differs by { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } standard errors), which would move the result out of its 95 % intervals.
 
 ## Pairs of a block: what came of matching them, and why they were chosen.

@@ -5,10 +5,10 @@ use super::{Message, Texts};
 use crate::json::JsonFault;
 use crate::{
     Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Document,
-    Element, Error, Failure, Few, FileFault, FilePlace, ImageFault, ImageOperation, ImageReason, Input, Interruption, LengthUnit, Location,
-    Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome,
-    PairRule, PairVerdict, PlaceSearch, PlacingVerdict, PlacingWeakness, PointName, Refusal, Remark, Rule, Side, UnorientedReason,
-    Unsettled, Unsupported, Warning,
+    Element, Error, Failure, Few, FileFault, FilePlace, ImageFault, ImageOperation, ImageReason, Input, Interruption, KnownWorst,
+    LengthUnit, Location, Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OverviewWarning,
+    PairHint, PairOutcome, PairRule, PairVerdict, PlaceSearch, PlacingVerdict, PlacingWeakness, PointName, Refusal, Remark, Rule, Side,
+    UnorientedReason, Unsettled, Unsupported, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -178,8 +178,21 @@ fn a_value_has_the_decimals_of_its_error() {
     assert_eq!(written(-0.1466, 2.34), "-0.1 ± 2.3");
     assert_eq!(written(12.6, 346.0), "13 ± 350");
     assert_eq!(written(1.0, f64::NAN), "– ± –");
-    let verdict = PairVerdict::Oriented { points: 40, sigma0_px: 0.1, kappa_deg: 0.1466, half_width_deg: 0.0178 };
-    assert!(verdict.to_string().contains(" by 0.147° ± 0.018° (95 %)"), "{verdict}");
+    let verdict = |worst| PairVerdict::Oriented {
+        points: 40,
+        sigma0_px: 0.1,
+        kappa_deg: 0.1466,
+        half_width_deg: 0.0178,
+        worst,
+        worst_half_width_deg: 1.402,
+    };
+    for (worst, said) in [
+        (KnownWorst::Kappa, " by 0.147° ± 0.018° (95 %)."),
+        (KnownWorst::Phi, " by 0.147° ± 0.018°, φ is known to ± 1.4° (95 %)."),
+        (KnownWorst::Base, " by 0.147° ± 0.018°, the direction of the base is known to ± 1.4° (95 %)."),
+    ] {
+        assert!(verdict(worst).to_string().ends_with(said), "{}", verdict(worst));
+    }
 }
 
 #[test]

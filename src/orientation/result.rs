@@ -152,6 +152,8 @@ messages! {
         ContradictedFocal { side: Side, given_px: f64, file_px: f64 },
         /// The focal length of a photo is hardly one of its camera: in longer sides of the image, of which `least` to `most` are usual.
         DoubtfulFocal { side: Side, sides: f64, least: f64, most: f64 },
+        /// The file of a photo has fewer pixels than its EXIF says: whether it was resized or cropped is not known.
+        ResizedOrCropped { side: Side, taken_width_px: u32, taken_height_px: u32, width_px: u32, height_px: u32 },
         /// The matches agree better than those of two photographs ever do.
         Exact { sigma0_px: f64, least_px: f64 },
         /// The points reach farther from the axis than those of perspective cameras do: their root mean square distance from their middle, in
@@ -184,6 +186,7 @@ impl Warning {
             | Self::UnknownCamera
             | Self::ContradictedFocal { .. }
             | Self::DoubtfulFocal { .. }
+            | Self::ResizedOrCropped { .. }
             | Self::Exact { .. }
             | Self::WideAngle { .. }
             | Self::UncertainBase { .. }

@@ -1,12 +1,12 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
+use super::cameras::{KnownPhoto, PairCameras};
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
-use crate::camera::{USUAL_FOCAL, contradict};
 use crate::error::refuse;
 use crate::{
-    CameraMm, CameraUncertainty, Error, EstimatedCamera, Fiducial, Interior, Refusal, RelativeOrientation, Side, TwoView, TwoViewModel,
-    Warning, orient_fiducials,
+    CameraMm, CameraUncertainty, Error, EstimatedCamera, Fiducial, Interior, Refusal, RelativeOrientation, TwoView, TwoViewModel, Warning,
+    orient_fiducials,
 };
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +29,9 @@ pub struct PairInterior {
     /// What speaks against the focal lengths before anything is matched.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub doubt: Option<Warning>,
+    /// Whether both photos are known to be of one lens at one focal length, however their images are turned or resized.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub one_lens: bool,
 }
 
 impl PairInterior {
@@ -64,7 +67,7 @@ impl PairInterior {
         let uncertainty = Some(CameraUncertainty::ASSUMED);
         let camera = CameraMm { uncertainty, ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
         let of = |(width, height)| Interior::from_pixel_size(&camera, width, height).ok();
-        Some(Self { left: of(left)?, right: of(right)?, focal_mm, doubt: None })
+        Some(Self { left: of(left)?, right: of(right)?, focal_mm, doubt: None, one_lens: false })
     }
 }
 
@@ -74,45 +77,21 @@ pub(super) fn pair_interior(
     right: PairImage<'_>,
     input: &PairInput,
 ) -> Result<Result<PairInterior, NoOrientation>, Error> {
-    let of = |side: Side, image: PairImage<'_>, photo: &PhotoInput| {
-        let camera = match (&input.camera, image.exif) {
-            (Some(camera), _) => *camera,
-            (None, Some(exif)) if exif.is_panorama() => return Ok(Err(NoOrientation::Panorama { side })),
-            (None, Some(exif)) => CameraMm::from_exif(exif)?,
-            (None, None) if photo.fiducials.is_empty() => {
-                return Ok(Err(NoOrientation::NoCamera { side }));
-            }
-            (None, None) => return Ok(Err(NoOrientation::NoFocalLength)),
-        };
-        if photo.fiducials.is_empty() && camera.pixel_mm.is_none() {
-            return Ok(Err(NoOrientation::NoPixelSize { side }));
-        }
-        let (width, height) = (image.grey.width(), image.grey.height());
-        let own = photo_interior(&camera, width, height, photo)?;
-        // The focal length of a scan is that of its camera, whatever a scanner wrote.
-        let is_digital = photo.fiducials.is_empty();
-        let file = image.exif.filter(|exif| is_digital && input.camera.is_some() && !exif.is_panorama());
-        let file_px = file.and_then(|exif| Some(exif.focal_mm / exif.pixel_mm?));
-        let doubt = doubt_of(side, camera.focal_mm / own.pixel_mm(), file_px, is_digital.then_some(width.max(height)));
-        Ok(Ok((own, camera.focal_mm, doubt)))
+    let known = [(left, &input.left), (right, &input.right)].map(|(image, photo)| KnownPhoto {
+        longer_px: image.grey.width().max(image.grey.height()),
+        exif: image.exif,
+        has_marks: !photo.fiducials.is_empty(),
+    });
+    let cameras = match PairCameras::of(input.camera.as_ref(), known)? {
+        Ok(cameras) => cameras,
+        Err(reason) => return Ok(Err(reason)),
     };
-    Ok(match (of(Side::Left, left, &input.left)?, of(Side::Right, right, &input.right)?) {
-        (Ok((left, focal_mm, left_doubt)), Ok((right, right_focal, right_doubt))) => {
-            // Only directions matter: the right photo is taken to the focal length of the left one.
-            Ok(PairInterior { left, right: right.scaled(focal_mm / right_focal), focal_mm, doubt: left_doubt.or(right_doubt) })
-        }
-        (Err(reason), _) | (_, Err(reason)) => Err(reason),
-    })
-}
-
-/// What speaks against the focal length of a photo in px: what its file says, or the longer side of its image in px where that is whole.
-fn doubt_of(side: Side, focal_px: f64, file_px: Option<f64>, longer_px: Option<usize>) -> Option<Warning> {
-    if let Some(file_px) = file_px.filter(|file_px| contradict(focal_px, *file_px)) {
-        return Some(Warning::ContradictedFocal { side, given_px: focal_px, file_px });
-    }
-    let [least, most] = USUAL_FOCAL;
-    let sides = focal_px / longer_px? as f64;
-    (!(least..=most).contains(&sides)).then_some(Warning::DoubtfulFocal { side, sides, least, most })
+    let PairCameras { left: left_camera, right: right_camera, doubt, one_lens } = cameras;
+    let own = |camera, image: PairImage<'_>, photo| photo_interior(camera, image.grey.width(), image.grey.height(), photo);
+    let (left, right) = (own(&left_camera, left, &input.left)?, own(&right_camera, right, &input.right)?);
+    // Only directions matter: the right photo is taken to the focal length of the left one.
+    let focal_mm = left_camera.focal_mm;
+    Ok(Ok(PairInterior { left, right: right.scaled(focal_mm / right_camera.focal_mm), focal_mm, doubt, one_lens }))
 }
 
 /// Refuses marks that cannot have been measured in the image.
@@ -142,46 +121,5 @@ pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &Ph
     match photo.origin {
         Some(origin) => refuse(Refusal::LoneOrigin { origin: format!("{origin:?}") }),
         None => Interior::from_pixel_size(camera, width, height),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{CameraOrigin, ExifCamera, GreyImage};
-
-    /// What speaks against a camera of this focal length in px, given for photos of 640 x 480 px whose files say 600 px.
-    fn doubt(focal_px: f64, exif: Option<&ExifCamera>, marks: bool) -> Option<Warning> {
-        let grey = GreyImage::from_fn(640, 480, |_, _| 0).unwrap();
-        let image = |exif| PairImage { grey: grey.view(), exif, mask: None };
-        let mark = |col: f64, row: f64| Fiducial { col, row, x_mm: 0.01 * col, y_mm: -0.01 * row };
-        let fiducials = if marks { vec![mark(0.0, 0.0), mark(640.0, 0.0), mark(0.0, 480.0), mark(640.0, 480.0)] } else { Vec::new() };
-        let photo = PhotoInput { fiducials, ..PhotoInput::default() };
-        let camera = Some(CameraMm::without_distortion(0.01 * focal_px, Some(0.01)));
-        let input = PairInput { camera, left: photo.clone(), right: photo, offset: None };
-        pair_interior(image(None), image(exif), &input).unwrap().unwrap().doubt
-    }
-
-    #[test]
-    fn a_given_focal_length_is_compared_with_what_the_file_says() {
-        let file = ExifCamera { focal_mm: 6.0, pixel_mm: Some(0.01), origin: CameraOrigin::ExifFocalPlane, ..ExifCamera::default() };
-        let contradicted = |given_px| Some(Warning::ContradictedFocal { side: Side::Right, given_px, file_px: 600.0 });
-        for (given_px, expected) in
-            [(600.0, None), (690.0, None), (520.0, None), (1200.0, contradicted(1200.0)), (300.0, contradicted(300.0))]
-        {
-            assert_eq!(doubt(given_px, Some(&file), false), expected, "{given_px}");
-        }
-        // A scan is of a camera that its file does not know; what names no pixel, or a panorama, says nothing.
-        assert_eq!(doubt(1200.0, Some(&file), true), None);
-        assert_eq!(doubt(1200.0, Some(&ExifCamera { pixel_mm: None, ..file.clone() }), false), None);
-        assert_eq!(doubt(1200.0, Some(&ExifCamera { origin: CameraOrigin::Panorama, ..file }), false), None);
-        assert_eq!(doubt(1200.0, None, false), None);
-    }
-
-    #[test]
-    fn a_focal_length_of_no_camera_is_doubted() {
-        let doubtful = |sides| Some(Warning::DoubtfulFocal { side: Side::Left, sides, least: 0.3, most: 20.0 });
-        assert_eq!((doubt(160.0, None, false), doubt(16_000.0, None, false)), (doubtful(0.25), doubtful(25.0)));
-        assert_eq!((doubt(256.0, None, false), doubt(6400.0, None, false)), (None, None));
     }
 }

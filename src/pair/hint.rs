@@ -30,13 +30,16 @@ impl PairHint {
 
 /// Whether what is missing is missing by any strategy.
 fn is_of_interior(no_orientation: &NoOrientation) -> bool {
-    matches!(no_orientation, NoOrientation::NoFocalLength | NoOrientation::NoPixelSize { .. } | NoOrientation::Panorama { .. })
+    matches!(
+        no_orientation,
+        NoOrientation::NoFocalLength | NoOrientation::NoPixelSize { .. } | NoOrientation::Altered { .. } | NoOrientation::Panorama { .. }
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Side, Warning};
+    use crate::{KnownWorst, Side, Warning};
 
     #[test]
     fn only_what_another_strategy_may_mend_is_hinted_at() {
@@ -47,7 +50,14 @@ mod tests {
         };
         let not_oriented = |no_orientation| PairVerdict::NotOriented { no_orientation };
         let weak = PairVerdict::Weak { points: 40, warning: Warning::Mirrored };
-        let oriented = PairVerdict::Oriented { points: 400, sigma0_px: 0.2, kappa_deg: 1.0, half_width_deg: 0.1 };
+        let oriented = PairVerdict::Oriented {
+            points: 400,
+            sigma0_px: 0.2,
+            kappa_deg: 1.0,
+            half_width_deg: 0.1,
+            worst: KnownWorst::Kappa,
+            worst_half_width_deg: 0.1,
+        };
         let moments = with(Strategy::Moments);
         for verdict in [weak.clone(), not_oriented(NoOrientation::PureRotation), not_oriented(NoOrientation::NoCamera { side: Side::Left })]
         {

@@ -4,7 +4,8 @@ use super::described::{DescribedImage, describe_image};
 use super::geometry::{PairInterior, pair_interior};
 use super::input::{PairImage, PairInput};
 use super::no_orientation::NoOrientation;
-use super::orienting::{are_of_one_photo, orient_matches};
+use super::one_image::OneImage;
+use super::orienting::orient_matches;
 use super::rounds::{PairMatching, match_in_rounds};
 use super::settings::PairSettings;
 use super::weakness::judged;
@@ -74,15 +75,18 @@ pub fn match_described_pair(
         (Err(reason), Some(found)) => PairInterior::assumed(found, sizes).ok_or(reason),
         (interior, _) => interior,
     };
-    // Of one photo twice its own reason is told, not that the camera only turned.
-    let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation)) && !are_of_one_photo(&matching.matches);
-    let orientation = match (&interior, &geometry) {
-        (Err(reason @ NoOrientation::Panorama { .. }), _) => Err(reason.clone()),
+    let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
+    // Images of one have no base: that is said, not that the camera only turned, or that it is not known.
+    let positions: Vec<[f64; 4]> = matching.matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
+    let one_image = found.and_then(|_| OneImage::of(&positions, sizes));
+    let orientation = match (&interior, &geometry, one_image) {
+        (Err(reason @ NoOrientation::Panorama { .. }), ..) => Err(reason.clone()),
         // No camera helps photos that have no geometry.
-        (_, Some(Err(no_geometry))) => Err(NoOrientation::NoGeometry { no_geometry: *no_geometry }),
-        (Err(reason), _) => Err(reason.clone()),
+        (_, Some(Err(no_geometry)), _) => Err(NoOrientation::NoGeometry { no_geometry: *no_geometry }),
+        (.., Some(one_image)) => Err(one_image.reason()),
+        (Err(reason), ..) => Err(reason.clone()),
         _ if is_rotation => Err(NoOrientation::PureRotation),
-        (Ok(interior), _) => match orient_matches(&matching.matches, interior, &settings.orientation) {
+        (Ok(interior), ..) => match orient_matches(&matching.matches, interior, &settings.orientation) {
             Err(error) if error.is_usage() => return Err(error),
             Ok(found) => Ok(judged(found, &matching.matches, interior, Some(described.each_ref().map(|image| image.set.points.len())))),
             Err(error) => Err(NoOrientation::Refused { error }),

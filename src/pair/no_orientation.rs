@@ -1,7 +1,7 @@
 //! Why a pair has no orientation.
 
 use crate::message::messages;
-use crate::{Error, NoGeometry, Side};
+use crate::{CameraCaution, Error, NoGeometry, Side};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
@@ -18,10 +18,16 @@ messages! {
         NoFocalLength,
         /// An image with neither fiducial marks nor a pixel size.
         NoPixelSize { side: Side },
+        /// The same of an image that was cropped or resized, so that nobody knows how many px its focal length has.
+        Altered { side: Side, camera_caution: CameraCaution },
         /// An image of no central perspective.
         Panorama { side: Side },
         NoGeometry { no_geometry: NoGeometry },
         PureRotation,
+        /// Both images show the same at the same places.
+        OnePhoto,
+        /// The images differ by a shift, a turn and a scale alone.
+        PartsOfOneImage,
         /// The orientation refuses the matches.
         Refused {
             #[cfg_attr(target_arch = "wasm32", tsify(type = "{ kind: string }"))]

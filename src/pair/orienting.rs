@@ -62,7 +62,7 @@ pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &Orie
 }
 
 /// Whether both images show the same at the same places.
-pub(super) fn are_of_one_photo(matches: &[Match]) -> bool {
+fn are_of_one_photo(matches: &[Match]) -> bool {
     let stays = |m: &&Match| (0..2).all(|k| (m.left_px[k] - m.right_px[k]).abs() < SAME_PX);
     let equal = matches.iter().filter(stays).count();
     !matches.is_empty() && equal as f64 > MOST_EQUAL * matches.len() as f64

@@ -2,9 +2,22 @@
 
 use super::match_pair::PairResult;
 use super::no_orientation::NoOrientation;
+use super::weakness::base_half_width_deg;
 use crate::message::messages;
 use crate::{RelativeOrientation, Side, Warning};
 use serde::{Deserialize, Serialize};
+
+/// The angle, or the direction of the base, with the widest interval.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum KnownWorst {
+    Omega,
+    Phi,
+    #[default]
+    Kappa,
+    Base,
+}
 
 messages! {
     /// What the result of a pair is worth.
@@ -12,8 +25,19 @@ messages! {
     #[serde(tag = "kind", rename_all = "snake_case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     pub enum PairVerdict as "pair_verdict" {
-        /// The orientation is right within its intervals. `points`: matches that took part; `half_width_deg`: of the interval of 95 % of κ.
-        Oriented { points: usize, sigma0_px: f64, kappa_deg: f64, #[serde(with = "crate::json::infinite")] half_width_deg: f64 },
+        /// The orientation is right within its intervals. `points`: matches that took part; `half_width_deg`: of the interval of 95 % of κ;
+        /// `worst_half_width_deg`: of what is known worst.
+        Oriented {
+            points: usize,
+            sigma0_px: f64,
+            kappa_deg: f64,
+            #[serde(with = "crate::json::infinite")]
+            half_width_deg: f64,
+            #[serde(default)]
+            worst: KnownWorst,
+            #[serde(default, with = "crate::json::infinite")]
+            worst_half_width_deg: f64,
+        },
         /// There is an orientation, which may be wrong or too poor to be used, for this reason.
         Weak { points: usize, warning: Warning },
         NotOriented { no_orientation: NoOrientation },
@@ -26,14 +50,31 @@ impl PairVerdict {
         let points = orientation.residuals_mm.len() - orientation.rejected.len();
         match orientation.warnings.iter().find(|warning| warning.is_weakness()) {
             Some(warning) => Self::Weak { points, warning: *warning },
-            None => Self::Oriented {
-                points,
-                sigma0_px: orientation.sigma0_mm.unwrap_or(0.0) / pixel_mm,
-                kappa_deg: orientation.parameters.kappa_deg,
-                half_width_deg: orientation.half_widths_95.map_or(f64::INFINITY, |half| half.kappa_deg),
-            },
+            None => {
+                let (worst, worst_half_width_deg) = worst_of(orientation);
+                Self::Oriented {
+                    points,
+                    sigma0_px: orientation.sigma0_mm.unwrap_or(0.0) / pixel_mm,
+                    kappa_deg: orientation.parameters.kappa_deg,
+                    half_width_deg: orientation.half_widths_95.map_or(f64::INFINITY, |half| half.kappa_deg),
+                    worst,
+                    worst_half_width_deg,
+                }
+            }
         }
     }
+}
+
+/// What is known worst of an orientation, with half the width of its interval of 95 %.
+fn worst_of(orientation: &RelativeOrientation) -> (KnownWorst, f64) {
+    let Some(half) = orientation.half_widths_95 else { return (KnownWorst::Kappa, f64::INFINITY) };
+    let widths = [
+        (KnownWorst::Kappa, half.kappa_deg),
+        (KnownWorst::Omega, half.omega_deg),
+        (KnownWorst::Phi, half.phi_deg),
+        (KnownWorst::Base, base_half_width_deg(orientation)),
+    ];
+    widths.into_iter().max_by(|(_, one), (_, other)| one.total_cmp(other)).unwrap_or(widths[0])
 }
 
 impl PairResult {

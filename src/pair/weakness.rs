@@ -79,8 +79,13 @@ fn is_determined(found: &RelativeOrientation) -> bool {
 /// Half the widths of the intervals of the worst angle and of the direction of the base; no number where there are none.
 fn half_widths_deg(found: &RelativeOrientation) -> [f64; 2] {
     let Some(half) = found.half_widths_95 else { return [f64::NAN; 2] };
-    let across = libm::hypot(half.by_mm, half.bz_mm);
-    [half.omega_deg.max(half.phi_deg).max(half.kappa_deg), libm::atan2(across, found.base_mm.abs()).to_degrees()]
+    [half.omega_deg.max(half.phi_deg).max(half.kappa_deg), base_half_width_deg(found)]
+}
+
+/// Half the width of the interval of the direction of the base.
+pub(super) fn base_half_width_deg(found: &RelativeOrientation) -> f64 {
+    let across = found.half_widths_95.map_or(f64::NAN, |half| libm::hypot(half.by_mm, half.bz_mm));
+    libm::atan2(across, found.base_mm.abs()).to_degrees()
 }
 
 /// Whether rows do not count against y where columns count along x.

@@ -153,6 +153,7 @@ pub fn precision(report: &Report, orientation: &RelativeOrientation) -> Markup {
                 dt { "Global test" }
                 dd { (fixed(test.statistic, 1)) ", expected between " (fixed(test.lower, 1)) " and " (fixed(test.upper, 1)) ": " (if test.passed { "passed" } else { "failed" }) }
             }
+            @if orientation.turn_deg != 0.0 { dt { "Axes" } dd { "turned by 90°: x points up in the left image" } }
             @for warning in &orientation.warnings { dt { "Warning" } dd { (typeset(&warning.to_string())) } }
         }
         p.note { "σ₀ is computed from y-parallaxes: a wrong match along its epipolar line leaves it unchanged." }

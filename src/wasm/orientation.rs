@@ -1,10 +1,11 @@
 //! Interior and relative orientation.
 
-use super::convert::{JsResult, numbers, pack, read, read_options, rows, set, thrown};
+use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, set, thrown};
 use crate::{
-    CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, Match, ModelPoint, Observation, OrientationOptions, PairInterior,
-    PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, judged, model_points as points_of, observations as photo_observations,
-    orient_fiducials as orient_marks, orient_matches as orient_by_matches, orient_relative as orient_pair, photo_interior,
+    CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, KnownPhoto, Match, ModelPoint, Observation, OneImage,
+    OrientationOptions, PairCameras, PairInterior, PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, judged,
+    model_points as points_of, observations as photo_observations, orient_fiducials as orient_marks, orient_matches as orient_by_matches,
+    orient_relative as orient_pair, photo_interior,
 };
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
@@ -55,6 +56,46 @@ pub fn camera_of_exif(#[wasm_bindgen(unchecked_param_type = "ExifCamera")] exif:
     CameraMm::from_exif(&read::<ExifCamera>("exif", exif)?).map(|camera| pack(&camera)).map_err(thrown)
 }
 
+/// What of a photo tells its camera, before its interior orientation.
+#[derive(Serialize, Deserialize, tsify::Tsify)]
+#[serde(deny_unknown_fields)]
+pub struct PhotoFacts {
+    /// The longer side of its image.
+    pub longer_px: usize,
+    pub exif: Option<ExifCamera>,
+    /// Whether fiducial marks were measured in it.
+    pub has_marks: bool,
+}
+
+/// The cameras of a pair, the given one or those of its files, with what speaks against them; or what is missing.
+#[wasm_bindgen(unchecked_return_type = "PairCameras | { missing: NoOrientation }")]
+pub fn pair_cameras(
+    #[wasm_bindgen(unchecked_param_type = "CameraMm | null")] given: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "PhotoFacts")] left: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "PhotoFacts")] right: &JsValue,
+) -> JsResult<JsValue> {
+    let given: Option<CameraMm> = read("camera", given)?;
+    let photos: [PhotoFacts; 2] = [read("left", left)?, read("right", right)?];
+    let known =
+        photos.each_ref().map(|photo| KnownPhoto { longer_px: photo.longer_px, exif: photo.exif.as_ref(), has_marks: photo.has_marks });
+    let cameras = PairCameras::of(given.as_ref(), known).map_err(thrown)?;
+    Ok(cameras.map_or_else(|reason| object([("missing", pack(&reason))]), |cameras| pack(&cameras)))
+}
+
+/// Why matches (stride 5) between images of these sizes in px have no base: they are one photo twice, or parts of one image. Null where
+/// they are neither.
+#[wasm_bindgen(unchecked_return_type = "NoOrientation | null")]
+pub fn one_image(matches: &[f64], left_width: usize, left_height: usize, right_width: usize, right_height: usize) -> JsResult<JsValue> {
+    let positions = positions_of(matches)?;
+    let sizes = [(left_width, left_height), (right_width, right_height)];
+    Ok(pack(&OneImage::of(&positions, sizes).map(OneImage::reason)))
+}
+
+/// The positions of matches (stride 5).
+fn positions_of(matches: &[f64]) -> JsResult<Vec<[f64; 4]>> {
+    Ok(rows::<5>("matches", matches)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect())
+}
+
 /// The interior orientation of an image: from its fiducials, or from the camera's pixel size.
 #[wasm_bindgen(unchecked_return_type = "Interior")]
 pub fn interior(
@@ -80,7 +121,7 @@ pub fn observations(
     #[wasm_bindgen(unchecked_param_type = "Interior")] right: &JsValue,
 ) -> JsResult<Vec<f64>> {
     let (left, right): (Interior, Interior) = (read("left interior", left)?, read("right interior", right)?);
-    let positions: Vec<[f64; 4]> = rows::<5>("matches", matches)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect();
+    let positions = positions_of(matches)?;
     Ok(photo_observations(&positions, &left, &right).iter().flat_map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]]).collect())
 }
 

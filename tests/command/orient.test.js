@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { describeOrientation } from '../../pkg/command/orient.js';
 import { file, folder, json, speckle, tiepoint } from './command.js';
 
 const at = folder();
@@ -57,6 +58,13 @@ test('exact observations give the orientation back', () => {
     assert.equal(result.degrees_of_freedom, 35);
     assert.deepEqual(result.rejected, []);
   }
+});
+
+test('turned axes are named where angles are', () => {
+  const found = json('orient', file(at, 'turned.csv', observations(40)), ...CALL);
+  const text = (/** @type {number} */ turn) => describeOrientation({ ...found, turn_deg: turn }, null).join('\n');
+  assert.match(text(90), /\naxes turned by 90°: x points up in the left image\n/);
+  assert.doesNotMatch(text(0), /turned/);
 });
 
 test('the JSON has precision, correlations and residuals', () => {

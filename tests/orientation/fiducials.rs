@@ -30,7 +30,13 @@ fn total_standard_errors_hold_those_of_the_marks() {
     let (mut with, mut without) = ([0.0; 5], [0.0; 5]);
     for set in 0..SETS {
         let mut dice = Dice::new(50_000 + set as u64);
-        let interior = PairInterior { left: interior(&mut dice, 0.12), right: interior(&mut dice, 0.12), focal_mm: FOCAL_MM, doubt: None };
+        let interior = PairInterior {
+            left: interior(&mut dice, 0.12),
+            right: interior(&mut dice, 0.12),
+            focal_mm: FOCAL_MM,
+            doubt: None,
+            one_lens: false,
+        };
         let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];
         let seen = NADIR.observe(300, sigma_mm, 60_000 + set as u64);
         let matched = seen.iter().enumerate().map(|(left, o)| Match {
@@ -63,7 +69,7 @@ fn without_redundancy_of_the_marks_nothing_is_claimed_of_them() {
     let exact = Some(CameraUncertainty::NONE);
     let camera = CameraMm { uncertainty: exact, ..CameraMm::without_distortion(FOCAL_MM, Some(PIXEL_MM)) };
     let side = Interior::from_pixel_size(&camera, 910, 910).unwrap();
-    let interior = PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None };
+    let interior = PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None, one_lens: false };
     let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];
     let matched = NADIR.observe(50, 0.02, 3).into_iter().enumerate();
     let matched = matched.map(|(left, o)| Match { left, right: None, left_px: px(o.left), right_px: px(o.right), measure: 0.0, fit: None });

@@ -29,6 +29,55 @@ fn total_standard_errors_hold_what_the_pair_does_not_tell_of_an_unknown_camera()
     check(CameraUncertainty { focal: 0.15, ..CameraUncertainty::ASSUMED }, 0.4, 20.0);
 }
 
+/// Total standard errors of ω φ κ where the right image is stored as it was taken, turned by 90°, or of half the size.
+fn errors_deg(uncertainty: CameraUncertainty, stored: Stored) -> [f64; 3] {
+    let (width, height) = (SIZE_PX, SIZE_PX - 200);
+    let side = |width: usize, height: usize, pixel_mm: f64| {
+        let camera = CameraMm { uncertainty: Some(uncertainty), ..CameraMm::without_distortion(FOCAL_MM, Some(pixel_mm)) };
+        Interior::from_pixel_size(&camera, width, height).unwrap()
+    };
+    let left = side(width, height, PIXEL_MM);
+    let right = match stored {
+        Stored::AsTaken => left,
+        Stored::Turned => side(height, width, PIXEL_MM),
+        Stored::Halved => side(width / 2, height / 2, 2.0 * PIXEL_MM),
+    };
+    let seen = NADIR.observe(600, 0.02, 80_000);
+    let one = |(index, [xl, yl], [xr, yr]): (usize, [f64; 2], [f64; 2])| {
+        let right_mm = if stored == Stored::Turned { [yr, -xr] } else { [xr, yr] };
+        Match { left: index, right: None, left_px: px(&left, [xl, yl]), right_px: px(&right, right_mm), measure: 0.0, fit: None }
+    };
+    let matches: Vec<Match> = seen.iter().enumerate().map(|(k, o)| one((k, o.left, o.right))).collect();
+    let interior = PairInterior { left, right, focal_mm: FOCAL_MM, doubt: None, one_lens: stored == Stored::Halved };
+    let options = OrientationOptions { base_mm: Some(92.0), ..OrientationOptions::default() };
+    let found = orient_matches(&matches, &interior, &options).unwrap();
+    let [one, other] = found.cameras.unwrap().map(|camera| camera.focal_mm);
+    assert!((one / other - 1.0).abs() < 1e-3, "{one} {other}");
+    let standard = found.total_standard_errors.unwrap();
+    [standard.omega_deg, standard.phi_deg, standard.kappa_deg]
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stored {
+    AsTaken,
+    Turned,
+    Halved,
+}
+
+#[test]
+fn photos_of_one_lens_share_its_focal_length_however_they_are_stored() {
+    for uncertainty in [CameraUncertainty::EXIF, CameraUncertainty { focal: 0.15, ..CameraUncertainty::ASSUMED }] {
+        let as_taken = errors_deg(uncertainty, Stored::AsTaken);
+        for stored in [Stored::Turned, Stored::Halved] {
+            let found = errors_deg(uncertainty, stored);
+            println!("{stored:?}: {found:.3?}, as taken {as_taken:.3?}");
+            // Their principal points are apart, of 1 % of the focal length each: 0.6° and 0.8° together.
+            let allowed = |k: usize| 2.0 * as_taken[k] + 1.0;
+            assert!((0..3).all(|k| found[k] < allowed(k)), "{stored:?}: {found:?}, as taken {as_taken:?}");
+        }
+    }
+}
+
 /// `least`: the least variance of error over standard error of an unknown of the pose; `beside`: what one exceeds where the camera is taken to be known.
 fn check(uncertainty: CameraUncertainty, least: f64, beside: f64) {
     let nominal = CameraMm::without_distortion(FOCAL_MM, Some(PIXEL_MM));
@@ -46,7 +95,7 @@ fn check(uncertainty: CameraUncertainty, least: f64, beside: f64) {
         let seen_by = Interior::from_pixel_size(&true_camera, SIZE_PX, SIZE_PX).unwrap();
         let known = |camera: &CameraMm| {
             let side = Interior::from_pixel_size(camera, SIZE_PX, SIZE_PX).unwrap();
-            PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None }
+            PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None, one_lens: false }
         };
         let scale = focal_mm / FOCAL_MM;
         let seen = NADIR.observe(600, 0.02, 80_000 + set);

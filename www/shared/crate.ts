@@ -36,6 +36,7 @@ export type {
   NoOrientation,
   OffsetField,
   OrientedPair,
+  PairCameras,
   PairInput,
   PairInterior,
   PairEdit,
@@ -65,6 +66,8 @@ export {
   draw_points,
   draw_vectors,
   message,
+  one_image,
+  pair_cameras,
   project_kind,
   resolved,
 } from '../../pkg/wasm/tiepoint.js';

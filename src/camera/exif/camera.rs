@@ -1,13 +1,13 @@
 //! The camera of a file: of what EXIF, XMP and the table of sensors say, the most certain.
 
 use super::fields::{Directory, Fields, Tag};
-use crate::Location;
 use crate::camera::distortion::fitted_terms;
 use crate::camera::origin::{CameraCaution, CameraOrigin};
 use crate::camera::px::Camera;
-use crate::camera::same::MOST_CONTRADICTION;
+use crate::camera::same::{MOST_CONTRADICTION, is_near};
 use crate::camera::sensors::sensor_mm;
 use crate::camera::xmp::{DjiLens, Pix4dLens, Projection, Xmp};
+use crate::{CameraUncertainty, Location};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -47,6 +47,8 @@ const NOMINAL_PIXEL_MM: f64 = 0.001;
 const CROPPED: std::ops::RangeInclusive<f64> = 0.65..=1.2;
 /// Formats that differ by less, as a share, are the same after rounding to whole px, or to whole blocks of 16 px.
 const SAME_FORMAT: f64 = 0.01;
+/// Taken sides this many times as long as the stored ones say that a photo was resized or cropped: by less its camera hardly changes.
+const FEWER: f64 = 1.02;
 /// A calibration is of images as large as its designed principal point says, where that is no more than this off another known size.
 const SAME_SIZE: f64 = 0.05;
 /// Rays by which a fisheye's distortion is described in the terms of Brown.
@@ -107,6 +109,39 @@ impl ExifCamera {
         }
         let origin = by_exif.map_or(CameraOrigin::FocalLengthAlone, |(_, origin)| origin);
         Some(Self { focal_mm: focal_mm?, pixel_mm: by_exif.map(|(pixel, _)| pixel), origin, cautions, ..named })
+    }
+
+    /// What is not known of it.
+    pub(crate) fn uncertainty(&self) -> CameraUncertainty {
+        let known = CameraUncertainty::of(self.origin);
+        match self.resized_or_cropped().zip(self.pixel_mm) {
+            Some(([taken, stored], pixel_mm)) => {
+                let [taken_px, stored_px] = [taken, stored].map(|size| sides(size.map(f64::from))[0]);
+                known.of_cropped(taken_px / stored_px, 0.5 * (taken_px - stored_px) / (self.focal_mm / pixel_mm))
+            }
+            None => known,
+        }
+    }
+
+    /// The size that a photo was taken with and that of its file, in px, where nothing says whether it was resized or cropped to that: it has fewer
+    /// pixels of the same format.
+    pub(crate) fn resized_or_cropped(&self) -> Option<[[u32; 2]; 2]> {
+        self.cautions.iter().find_map(|caution| match *caution {
+            CameraCaution::Resized { taken_width_px, taken_height_px, width_px, height_px } => {
+                let is_fewer = f64::from(taken_width_px.max(taken_height_px)) > FEWER * f64::from(width_px.max(height_px));
+                is_fewer.then_some([[taken_width_px, taken_height_px], [width_px, height_px]])
+            }
+            _ => None,
+        })
+    }
+
+    /// Whether a photo of this camera at this focal length has the same lens as another: also where one of them was turned or resized.
+    pub(crate) fn is_of_one_lens(&self, other: &Self) -> bool {
+        let lens = |own: &Self| own.lens.as_ref().map(|lens| (lens.radial, lens.tangential));
+        self.model.is_some()
+            && (&self.make, &self.model, self.origin) == (&other.make, &other.model, other.origin)
+            && is_near(self.focal_mm, other.focal_mm, self.focal_mm)
+            && lens(self) == lens(other)
     }
 
     /// Whether it is no photograph of a central perspective.

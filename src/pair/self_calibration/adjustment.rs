@@ -1,6 +1,6 @@
 //! The adjustment of the pose with the constants of the cameras and the modes that matches share, by their prior information.
 
-use super::constants::{CAMERA, cameras_of, effects, growth, priors, rays, with_constants};
+use super::constants::{CAMERA, cameras_of, effects, growth, priors, rays, shared_constants, with_constants};
 use super::measured::Measured;
 use super::result::SelfCalibration;
 use crate::orientation::{Extent, MODES, RelativePose};
@@ -54,12 +54,21 @@ struct Equations {
     cells: BTreeMap<[i64; 2], DVector<f64>>,
 }
 
+/// Adds what an observation of the difference of two unknowns adds to a normal matrix.
+fn add_difference(matrix: &mut DMatrix<f64>, [k, l]: [usize; 2], weight: f64) {
+    for (row, column, sign) in [(k, k, 1.0), (l, l, 1.0), (k, l, -1.0), (l, k, -1.0)] {
+        matrix[(row, column)] += sign * weight;
+    }
+}
+
 /// The adjustment of pose, cameras and modes.
 struct Adjustment<'a> {
     given: &'a PairInterior,
     measured: &'a Measured<'a>,
     cameras: usize,
     priors: DVector<f64>,
+    /// Pairs of values that are equal, each with the standard deviation of their difference.
+    shared: Vec<([usize; 2], f64)>,
     extent: Extent,
 }
 
@@ -67,13 +76,11 @@ impl<'a> Adjustment<'a> {
     fn new(given: &'a PairInterior, measured: &'a Measured<'a>) -> Self {
         let cameras = cameras_of(given);
         let extent = Extent::of(&rays(measured.positions, given));
-        Self {
-            given,
-            measured,
-            cameras,
-            priors: priors(given, cameras, measured.shared_parallax.map(|deviation| deviation * measured.sigma)),
-            extent,
-        }
+        let mut priors = priors(given, cameras, measured.shared_parallax.map(|deviation| deviation * measured.sigma));
+        let shared = shared_constants(given, cameras);
+        // Two values that are equal have what is known of them together.
+        shared.iter().flat_map(|(pair, _)| pair).for_each(|k| priors[*k] *= std::f64::consts::SQRT_2);
+        Self { given, measured, cameras, priors, shared, extent }
     }
 
     /// What the modes add to the misclosure of a ray.
@@ -91,7 +98,9 @@ impl<'a> Adjustment<'a> {
             let distance = growth * misclosure.abs() * weight.sqrt() / self.measured.sigma;
             Some(if distance < HUBER { distance * distance } else { HUBER * (2.0 * distance - HUBER) })
         });
-        of_matches.sum::<f64>() + values.iter().zip(self.priors.iter()).map(|(value, prior)| (value / prior) * (value / prior)).sum::<f64>()
+        let of_priors = values.iter().zip(self.priors.iter()).map(|(value, prior)| (value / prior) * (value / prior)).sum::<f64>();
+        let of_shared = self.shared.iter().map(|([k, l], deviation)| ((values[*k] - values[*l]) / deviation).powi(2)).sum::<f64>();
+        of_matches.sum::<f64>() + of_priors + of_shared
     }
 
     fn equations(&self, State { pose, values }: &State) -> Equations {
@@ -126,6 +135,12 @@ impl<'a> Adjustment<'a> {
             let weight = self.variance() / (prior * prior);
             normal[(POSE + k, POSE + k)] += weight;
             right[POSE + k] -= weight * values[k];
+        }
+        for ([k, l], deviation) in &self.shared {
+            let weight = self.variance() / (deviation * deviation);
+            add_difference(&mut normal, [POSE + k, POSE + l], weight);
+            right[POSE + k] -= weight * (values[*k] - values[*l]);
+            right[POSE + l] += weight * (values[*k] - values[*l]);
         }
         Equations { normal, right, cells }
     }
@@ -171,6 +186,9 @@ impl<'a> Adjustment<'a> {
         let mut sums: DMatrix<f64> = equations.cells.values().fold(DMatrix::zeros(unknowns, unknowns), |sum, s| sum + s * s.transpose());
         for (k, prior) in self.priors.iter().enumerate() {
             sums[(POSE + k, POSE + k)] += variance * variance / (prior * prior);
+        }
+        for ([k, l], deviation) in &self.shared {
+            add_difference(&mut sums, [POSE + k, POSE + l], variance * variance / (deviation * deviation));
         }
         let by_cells = cofactors * sums * cofactors;
         let raised = |k: usize| (by_cells[(k, k)] / (variance * cofactors[(k, k)])).max(1.0).sqrt();

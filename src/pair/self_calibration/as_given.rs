@@ -1,7 +1,7 @@
 //! Cameras that stay as they were given: what is not known of them does to the observations what their priors say.
 
 use super::causes::in_threes;
-use super::constants::{CAMERA, cameras_of, effects, is_uncertain, priors_of_constants};
+use super::constants::{CAMERA, cameras_of, effects, is_uncertain, priors_of_constants, shared_constants};
 use super::decentring::decentring_errors;
 use super::result::cameras_with;
 use crate::pair::geometry::PairInterior;
@@ -16,8 +16,16 @@ pub fn errors_as_given(given: &PairInterior, positions: &[[f64; 4]]) -> Vec<Shar
     let cameras = cameras_of(given);
     let priors = priors_of_constants(given, cameras);
     let by_constants = effects(positions, given, &DVector::zeros(cameras * CAMERA), cameras);
-    let mut errors =
-        in_threes(positions.len(), priors.len(), |index, k| by_constants[k][index].map(|effect| given.focal_mm * effect * priors[k]));
+    // A constant of both photos has one error.
+    let shared = shared_constants(given, cameras);
+    let partner = |k: usize| shared.iter().find(|([left, _], _)| *left == k).map(|([_, right], _)| *right);
+    let causes: Vec<(usize, Option<usize>)> =
+        (0..priors.len()).filter(|k| shared.iter().all(|([_, right], _)| right != k)).map(|k| (k, partner(k))).collect();
+    let mut errors = in_threes(positions.len(), causes.len(), |index, cause| {
+        let (k, partner) = causes[cause];
+        let effect = |c: usize| by_constants[k][index][c] + partner.map_or(0.0, |other| by_constants[other][index][c]);
+        std::array::from_fn(|c| given.focal_mm * effect(c) * priors[k])
+    });
     errors.extend(decentring_errors(given, positions, cameras));
     errors
 }

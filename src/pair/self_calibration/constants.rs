@@ -34,7 +34,8 @@ pub fn cameras_of(given: &PairInterior) -> usize {
     if is_one_camera(given) { 1 } else { 2 }
 }
 
-/// Whether both photos are of one camera, as far as is known: to within what rounding in their files changes.
+/// Whether both photos are of one camera, as far as is known: to within what rounding in their files changes. A principal point that is known less
+/// than that of a camera of which nothing is known is that of a cut image, each of its own.
 fn is_one_camera(PairInterior { left, right, focal_mm, .. }: &PairInterior) -> bool {
     let near = |a: &[f64], b: &[f64], unit: f64| a.iter().zip(b).all(|(a, b)| is_near(*a, *b, unit));
     // Pixels in units of their side, all else in focal lengths.
@@ -48,6 +49,32 @@ fn is_one_camera(PairInterior { left, right, focal_mm, .. }: &PairInterior) -> b
         && terms.into_iter().all(|((a, b), unit)| is_near(*a, *b, unit))
         && near(&left.tangential_distortion, &right.tangential_distortion, 1.0 / f)
         && left.uncertainty == right.uncertainty
+        && left.uncertainty.is_none_or(|known| known.principal_point <= CameraUncertainty::ASSUMED.principal_point)
+}
+
+/// The constants that two photos share which are not of one camera in all: the focal length and k1 of one lens, where the image of one was turned
+/// or resized against that of the other. Their principal points lie elsewhere in either image.
+const OF_LENS: [usize; 2] = [0, 3];
+
+/// Standard deviation of the difference of a constant that two photos share, as a share of that of the constant.
+const SHARED: f64 = 0.01;
+
+/// Whether the cameras of two photos, which are not one, have one lens.
+pub fn is_one_lens(given: &PairInterior) -> bool {
+    let PairInterior { left, right, focal_mm, one_lens, .. } = given;
+    let terms = left.radial_distortion.iter().zip(&right.radial_distortion);
+    let is_near_term = |(power, (a, b)): (i32, (&f64, &f64))| is_near(*a, *b, focal_mm.powi(-2 * power));
+    let are_pixels_equal = || is_near(left.pixel_mm(), right.pixel_mm(), left.pixel_mm());
+    left.uncertainty == right.uncertainty && (1..).zip(terms).all(is_near_term) && (*one_lens || are_pixels_equal())
+}
+
+/// The pairs of constants that are equal, each with the standard deviation of their difference.
+pub fn shared_constants(given: &PairInterior, cameras: usize) -> Vec<([usize; 2], f64)> {
+    if cameras == 1 || !is_one_lens(given) {
+        return Vec::new();
+    }
+    let priors = priors_of_constants(given, cameras);
+    OF_LENS.iter().map(|k| ([*k, k + CAMERA], SHARED * priors[*k])).collect()
 }
 
 /// Prior standard deviations of the constants, those of the left camera first. A camera that is known without error beside one that is not has none that
@@ -136,7 +163,7 @@ mod tests {
     fn an_image_that_was_saved_again_is_of_one_camera_with_the_others() {
         let known = CameraUncertainty::EXIF;
         let left = photo(4.5, 0.01, 1e-3, known);
-        let cameras = |right: Interior| cameras_of(&PairInterior { left, right, focal_mm: 4.5, doubt: None });
+        let cameras = |right: Interior| cameras_of(&PairInterior { left, right, focal_mm: 4.5, doubt: None, one_lens: false });
         assert_eq!(cameras(left), 1);
         assert_eq!(cameras(photo(4.5 * (1.0 + 5e-9), 0.01 + 1e-9, 1e-3 + 1e-10, known)), 1);
         assert_eq!(cameras(photo(4.5 * (1.0 - 2e-6), 0.01, 1e-3, known)), 1);

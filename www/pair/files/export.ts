@@ -71,6 +71,12 @@ function verdictOf(state: State): object | null {
   return verdict === undefined ? null : { ...verdict, text: message('pair_verdict', verdict) };
 }
 
+/** The cameras and where they are known from; or what is missing. */
+function camerasOf(state: State): object {
+  const cameras = pairCameras(state);
+  return 'missing' in cameras ? cameras : { ...cameras, from: state.camera === null ? 'exif' : 'given' };
+}
+
 /** What was done by hand; null where nothing was. */
 function editsOf(state: State): object | null {
   const edited = editedPair(state);
@@ -105,7 +111,7 @@ export function everything(state: State): object {
     verdict: verdictOf(state),
     settings: state.settings,
     images: { left: imageOf(state, 'left'), right: imageOf(state, 'right') },
-    camera: pairCameras(state),
+    camera: camerasOf(state),
     fiducial_model: state.fiducialModel,
     given_offset: state.offset,
     offset: isCurrent(state, 'offset') ? (state.results.offset?.value ?? null) : null,

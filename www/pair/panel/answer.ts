@@ -12,7 +12,7 @@ import { shownPair } from '../state/select';
 import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
 import { summary } from './counts';
-import { areEqual, whyNotOriented } from './orientation';
+import { whyNotOriented } from './orientation';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
 
@@ -92,19 +92,17 @@ function figuresWithout(state: State): Figure[] {
 
 /** Warnings that another camera would answer. */
 function asksForCamera({ kind }: Warning): boolean {
-  return ['unknown_camera', 'focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal'].includes(kind);
+  return ['unknown_camera', 'focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal', 'resized_or_cropped'].includes(kind);
 }
 
 function nextWithout(state: State, actions: AnswerActions): Next {
   const { kind } = whyNone(state);
-  const match = state.results.match?.value;
   const why = { text: say('show-why'), act: actions.why };
   // Other photographs help, nothing that could be given with these.
-  if (kind === 'no_geometry') return { text: say('open-other-photos'), act: () => actions.open(null) };
-  if (kind !== 'panorama' && match?.geometry?.degenerate === 'pure-rotation') {
-    return areEqual(match.matches) ? { text: say('replace-the-right-image'), act: () => actions.open('right') } : why;
-  }
-  const camera = kind === 'no_camera' || kind === 'no_focal_length' || kind === 'no_pixel_size';
+  if (kind === 'no_geometry' || kind === 'parts_of_one_image') return { text: say('open-other-photos'), act: () => actions.open(null) };
+  if (kind === 'one_photo') return { text: say('replace-the-right-image'), act: () => actions.open('right') };
+  if (state.results.match?.value.geometry?.degenerate === 'pure-rotation') return why;
+  const camera = ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered'].includes(kind);
   return camera ? cameraNext(state, actions) : why;
 }
 

@@ -2,6 +2,7 @@
 import type { FiveParameters, Paper, RelativeOrientation } from '../../shared/crate';
 import { interiorInUse } from '../state/interior';
 import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
+import { oneImage } from '../state/one-image';
 import { hasPaperCamera } from '../state/paper';
 import { countsOf, pixelMm } from '../state/residuals';
 import { atBase } from '../../../pkg/pair/at-base.js';
@@ -44,6 +45,7 @@ function content(state: State): HTMLElement[] {
   return [
     ...estimatedFocal(state),
     valueTable(state, result),
+    ...(result.turn_deg === 0 ? [] : [h('p', { class: 'note', testid: 'axes-turned' }, say('axes-turned'))]),
     ...warnings(result),
     precision(state, result),
     h('p', { class: 'caveat', testid: 'sigma-caveat' }, SIGMA_CAVEAT),
@@ -59,32 +61,20 @@ function estimatedFocal(state: State): HTMLElement[] {
   return [h('p', { class: 'note', testid: 'estimated-focal' }, say('estimated-focal', { focal_px: focal.focal_px, error_px: focal.standard_error_px }))];
 }
 
-/** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
-const EQUAL_PX = 0.05;
-
-export function areEqual(matches: Float64Array): boolean {
-  let equal = 0;
-  for (let i = 0; i < matches.length; i += 5) {
-    const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = matches.subarray(i, i + 4);
-    if (Math.abs(xr - xl) < EQUAL_PX && Math.abs(yr - yl) < EQUAL_PX) equal += 1;
-  }
-  return matches.length > 0 && equal > 0.9 * (matches.length / 5);
-}
-
 /** Why there is no orientation for what is wanted now; null where there is one, or one to come. */
 export function whyNotOriented(state: State): string | null {
   const keys = wantedKeys(state);
   if (state.images.left === null || state.images.right === null) return say('two-images-are-needed');
   const match = isCurrent(state, 'match') ? (state.results.match?.value ?? null) : null;
-  if (match?.geometry?.degenerate === 'pure-rotation') {
-    return areEqual(match.matches)
-      ? say('not-oriented-both-images-show')
-      : say('not-oriented-2', { message: message('no_orientation', { kind: 'pure_rotation' }) });
+  const one = match === null ? null : oneImage(state);
+  if (one !== null || match?.geometry?.degenerate === 'pure-rotation') {
+    return say('not-oriented-2', { message: message('no_orientation', one ?? { kind: 'pure_rotation' }) });
   }
   if (match?.no_geometry != null) return say('not-oriented-do-both-photos', { message: message('no_geometry', match.no_geometry) });
   const cameras = pairCameras(state);
   if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras && keys.orientation === null) {
-    if (cameras.missing.kind === 'panorama') return say('not-oriented-2', { message: message('no_orientation', cameras.missing) });
+    // These say themselves what can be given.
+    if (['panorama', 'altered'].includes(cameras.missing.kind)) return say('not-oriented-2', { message: message('no_orientation', cameras.missing) });
     const untold = match?.geometry == null ? '' : say('and-the-matches-do-not');
     return say('not-oriented-give-the-focal', { message: message('no_orientation', cameras.missing), untold });
   }

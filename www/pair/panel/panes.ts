@@ -23,7 +23,7 @@ export function mountPanes(view: View, store: Store, actions: PaneActions): void
       const { style } = labels[side].element;
       const { left, top, width, height } = panes[side];
       // Moved, not laid out anew: nothing else on the page moves along.
-      Object.assign(style, { transform: `translate(${String(left)}px, ${String(top)}px)`, width: `${String(width)}px`, height: `${String(height)}px` });
+      Object.assign(style, { translate: `${String(left)}px ${String(top)}px`, width: `${String(width)}px`, height: `${String(height)}px` });
     }
   };
   // At once: frames that are placed later would move.

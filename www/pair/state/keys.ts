@@ -3,14 +3,15 @@
  * change is not computed again, whatever was changed elsewhere.
  */
 import { measuredPhoto, wholeMarks } from './marks';
-import { camera_of_exif, resolved } from '../../shared/crate';
-import type { CameraMm, NoOrientation, Settings } from '../../shared/crate';
+import { pair_cameras, resolved } from '../../shared/crate';
+import type { CameraMm, NoOrientation, PairCameras, Settings } from '../../shared/crate';
 import { remember } from '../../shared/state/remember';
 import { isNothing, standingOf } from './edits';
 import type { Standing } from './edits';
 import { truthOf } from './truth';
-import { otherSide, SIDES } from './state';
-import type { Side, StageName, State } from './state';
+import { oneImage } from './one-image';
+import { otherSide } from './state';
+import type { Side, StageName, StageValues, State } from './state';
 
 /** The wanted key of each stage; null where an input is missing. */
 export type WantedKeys = Record<StageName, string | null>;
@@ -45,29 +46,19 @@ function keyOf(kind: string, inputs: readonly (string | null)[], options: unknow
   return inputs.includes(null) ? null : shortName([kind, inputs, options]);
 }
 
-/** The cameras of a pair and where they are known from; or what is missing. */
-export type PairCameras = { left: CameraMm; right: CameraMm; from: 'given' | 'exif' } | { missing: NoOrientation };
+type Info = StageValues['openLeft']['info'] | undefined;
 
-/** The camera of both images where one is given, else that of each image's EXIF, as the crate's `match_pair` takes them. */
-export function pairCameras(state: State): PairCameras {
-  const cameras = SIDES.map((side) => cameraOf(state, side));
-  const [left, right] = cameras;
-  if (left !== undefined && 'kind' in left) return { missing: left };
-  if (right !== undefined && 'kind' in right) return { missing: right };
-  if (left === undefined || right === undefined) throw new Error('a pair has two sides');
-  return { left, right, from: state.camera === null ? 'exif' : 'given' };
-}
+/** What of a photo tells its camera; of one that is not open, nothing. */
+const factsOf = (info: Info, has_marks: boolean) => ({ longer_px: Math.max(info?.width ?? 1, info?.height ?? 1), exif: info?.camera ?? null, has_marks });
 
-const cameraOfExif = { left: remember(camera_of_exif), right: remember(camera_of_exif) };
+const camerasOf = remember((given: CameraMm | null, left: Info, right: Info, areMarksLeft: boolean, areMarksRight: boolean) =>
+  pair_cameras(given, factsOf(left, areMarksLeft), factsOf(right, areMarksRight)),
+);
 
-function cameraOf(state: State, side: Side): CameraMm | NoOrientation {
-  const exif = state.results[side === 'left' ? 'openLeft' : 'openRight']?.value.info.camera ?? null;
-  if (state.camera === null && exif?.origin === 'panorama') return { kind: 'panorama', side };
-  const marked = wholeMarks(state.photos[side]).length > 0;
-  const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
-  if (camera === null) return marked ? { kind: 'no_focal_length' } : { kind: 'no_camera', side };
-  if (!marked && camera.pixel_mm == null) return { kind: 'no_pixel_size', side };
-  return camera;
+/** The camera of both images where one is given, else that of each image's EXIF, with what speaks against them; or what is missing. */
+export function pairCameras({ camera, photos, results: { openLeft, openRight } }: State): PairCameras | { missing: NoOrientation } {
+  const areMarks = (side: Side) => wholeMarks(photos[side]).length > 0;
+  return camerasOf(camera, openLeft?.value.info, openRight?.value.info, areMarks('left'), areMarks('right'));
 }
 
 /** Whether a strategy searches the right image itself, in place of its interest points. */
@@ -102,10 +93,10 @@ function estimatedFrom(state: State, settings: Settings, match: string | null): 
   return comparesGradients(settings) && !tellsNone ? '' : null;
 }
 
-/** Photos from one place have no base: there is nothing to orient. */
-function fromOnePlace(state: State, match: string | null): boolean {
+/** Photos from one place, and images of one, have no base: there is nothing to orient. */
+function withoutBase(state: State, match: string | null): boolean {
   const result = state.results.match;
-  return result !== undefined && result.key === match && result.value.geometry?.degenerate === 'pure-rotation';
+  return result !== undefined && result.key === match && (result.value.geometry?.degenerate === 'pure-rotation' || oneImage(state) !== null);
 }
 
 function openKey(state: State, side: Side): string | null {
@@ -140,7 +131,7 @@ function compute(state: State): WantedKeys {
   const offset = gradients ? null : given;
   const cameras = pairCameras(state);
   const interior = (side: Side, open: string | null) =>
-    'missing' in cameras ? null : keyOf('interior', [open], [cameras[side], cameras.left.focal_mm, measuredPhoto(state.photos[side]), state.fiducialModel]);
+    'missing' in cameras ? null : keyOf('interior', [open], [cameras, side, measuredPhoto(state.photos[side]), state.fiducialModel]);
   const interiorLeft = interior('left', openLeft);
   const interiorRight = interior('right', openRight);
   const match = keyOf(
@@ -150,7 +141,7 @@ function compute(state: State): WantedKeys {
   );
   const unknown = settings === null || ('missing' in cameras && cameras.missing.kind === 'panorama') ? null : estimatedFrom(state, settings, match);
   const interiors = 'missing' in cameras ? [unknown] : [interiorLeft, interiorRight];
-  const orientable = fromOnePlace(state, match) ? null : '';
+  const orientable = withoutBase(state, match) ? null : '';
   const truth = truthOf(state);
   const edited = withEdits(state, match);
   // What was found of a point stays what it is whatever is rejected.

@@ -4,6 +4,7 @@ import { BY_HAND, codeOf, UNDECIDED } from './codes';
 import { countsByHand, editedPair } from './edited';
 import type { Edited } from './edited';
 import { interiorInUse } from './interior';
+import { oneImage } from './one-image';
 import { isCurrent, pairCameras, wantedKeys } from './keys';
 import { measuredPhoto } from './marks';
 import { exchangedPair } from './shelf';
@@ -112,6 +113,8 @@ export function whyNone(state: State): NoOrientation {
   if (missing?.kind === 'panorama') return missing;
   // No camera helps photos that have no geometry.
   if (no_geometry !== null) return { kind: 'no_geometry', no_geometry };
+  const one = oneImage(state);
+  if (one !== null) return one;
   if (missing !== null) return missing;
   if (geometry?.degenerate === 'pure-rotation') return { kind: 'pure_rotation' };
   const failures = (['interiorLeft', 'interiorRight', 'orientation'] as const).map((stage) => state.failures[stage]);

@@ -353,10 +353,10 @@ draw-round-an-area-or = { $corners ->
 }
 the-mask-is-not-here = ملف { $name } ليس هنا: افتحه من جديد، أو أزل القناع، قبل رسم مساحة.
 
+axes-turned = المحاور مدارة 90°: يتجه x إلى أعلى في الصورة اليسرى.
 is-computed-from-y-parallaxes = تُحسب σ₀ من اختلافات المنظر الصادية. لا ترى إلا مركبة الخطأ العمودية على الخط القطبي، ولا تثبت صحة مطابقة: مطابقة خاطئة على امتداد الخط لا تغيّرها.
 relative-orientation = التوجيه النسبي
 two-images-are-needed = المطلوب صورتان.
-not-oriented-both-images-show = لم يُوجَّه: تُظهر الصورتان الشيء نفسه في المواضع نفسها. هل هي صورة واحدة مرتين؟
 not-oriented-2 = لم يُوجَّه: { $message }.
 not-oriented-do-both-photos = لم يُوجَّه: { $message }. هل تُظهر الصورتان الأرض نفسها؟
 and-the-matches-do-not = ، والمطابقات لا تحدد البعد البؤري
@@ -677,7 +677,7 @@ off-place = البعد { FIXED($best, digits: 4) }، { ratio }؛ لكنه لا �
 matched = المطابقات: { COUNT($matches) } من { COUNT($points) } نقطة يسرى
 step = الخطوة { $step } من { $steps }: { $stages }
 worked = { $matched }، { FIXED($seconds, digits: 2) } ث من العمل.
-estimated-focal = بالبعد البؤري المقدَّر من المطابقات: { FIXED($focal_px, digits: 0) } ± { FIXED($error_px, digits: 0) } بكسل، وتفترض الأخطاء المعيارية أدناه خلوه من الخطأ. الأطوال بالمليمتر هي لبكسلات قدرها 0.001 مم.
+estimated-focal = بالبعد البؤري المقدَّر من المطابقات: { FIXED($focal_px, digits: 0) } ± { FIXED($error_px, digits: 0) } بكسل. يدخل خطؤه في الأخطاء المعيارية في عمود «الإجمالي». الأطوال بالمليمتر هي لبكسلات قدرها 0.001 مم.
 global-test = مجموع مربعات المتبقيات الموزونة على σ₀² المعطاة: مع مطابقات جيدة بين { FIXED($lower, digits: 1) } و{ FIXED($upper, digits: 1) } في 95 من 100 حالة. فوق ذلك: المطابقات أسوأ من σ₀ المعطاة، أو النموذج لا يصح. دون ذلك: σ₀ المعطاة كبيرة.
 paper = البحث: جدولاه 2 و3 لزوجه (f = { $focal_mm } مم، البكسل { FIXED($pixel_um, digits: 0) } ميكرومتر، b المفترضة = { $base_mm } مم).
 paper-sigma = ‏σ₀ { FIXED($sigma0_mm, digits: 3) } مم = { FIXED($sigma0_px, digits: 1) } بكسل

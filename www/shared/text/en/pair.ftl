@@ -392,10 +392,10 @@ by-bz-ellipse-m-dashed = by, bz: ellipse { $major } × { $minor } µm; dashed: t
 
 ## panel/orientation
 
+axes-turned = Axes turned by 90°: x points up in the left image.
 is-computed-from-y-parallaxes = σ₀ is computed from y-parallaxes. It sees only the component of an error across the epipolar line, and cannot prove a match right: a wrong match along the line leaves it unchanged.
 relative-orientation = Relative orientation
 two-images-are-needed = Two images are needed.
-not-oriented-both-images-show = Not oriented: both images show the same at the same positions. Is it one photo twice?
 not-oriented-2 = Not oriented: { $message }.
 not-oriented-do-both-photos = Not oriented: { $message }. Do both photos show the same ground?
 and-the-matches-do-not = , and the matches do not determine the focal length
@@ -733,7 +733,7 @@ off-place = Distance { FIXED($best, digits: 4) }, { ratio }; but it does not fit
 matched = { COUNT($matches) } matches of { COUNT($points) } left points
 step = Step { $step } of { $steps }: { $stages }
 worked = { $matched }, { FIXED($seconds, digits: 2) } s of work.
-estimated-focal = With the focal length estimated from the matches: { FIXED($focal_px, digits: 0) } ± { FIXED($error_px, digits: 0) } px, which the standard errors below assume to be free of error. Lengths in mm are those of pixels of 0.001 mm.
+estimated-focal = With the focal length estimated from the matches: { FIXED($focal_px, digits: 0) } ± { FIXED($error_px, digits: 0) } px. The standard errors “In total” hold its error. Lengths in mm are those of pixels of 0.001 mm.
 global-test = The weighted sum of squared residuals over the given σ₀²: with good matches between { FIXED($lower, digits: 1) } and { FIXED($upper, digits: 1) } in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.
 paper = Paper: its Tables 2 and 3, of its own pair (f = { $focal_mm } mm, pixel { FIXED($pixel_um, digits: 0) } µm, assumed b = { $base_mm } mm).
 paper-sigma = σ₀ { FIXED($sigma0_mm, digits: 3) } mm = { FIXED($sigma0_px, digits: 1) } px

@@ -1,0 +1,131 @@
+//! The cameras of a pair, given or of its files, and what is known beside their constants.
+
+use super::no_orientation::NoOrientation;
+use crate::camera::{USUAL_FOCAL, contradict};
+use crate::{CameraCaution, CameraMm, Error, ExifCamera, Side, Warning};
+use serde::Serialize;
+
+/// What of a photo tells its camera.
+#[derive(Debug, Clone, Copy)]
+pub struct KnownPhoto<'a> {
+    /// The longer side of its image.
+    pub longer_px: usize,
+    pub exif: Option<&'a ExifCamera>,
+    /// Whether fiducial marks were measured in it: then it is a scan.
+    pub has_marks: bool,
+}
+
+/// The cameras of both photos.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PairCameras {
+    pub left: CameraMm,
+    pub right: CameraMm,
+    /// As in [`PairInterior`](super::PairInterior).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub doubt: Option<Warning>,
+    /// As in [`PairInterior`](super::PairInterior).
+    pub one_lens: bool,
+}
+
+impl PairCameras {
+    /// The cameras; or what is missing. A camera that is given is that of both photos.
+    ///
+    /// # Errors
+    /// As [`CameraMm::from_exif`].
+    pub fn of(given: Option<&CameraMm>, [left, right]: [KnownPhoto<'_>; 2]) -> Result<Result<Self, NoOrientation>, Error> {
+        let (of_left, of_right) = (camera_of(given, Side::Left, left)?, camera_of(given, Side::Right, right)?);
+        let of_one_lens = left.exif.zip(right.exif).is_some_and(|(left, right)| left.is_of_one_lens(right));
+        Ok(of_left.and_then(|(left, left_doubt)| {
+            of_right.map(|(right, right_doubt)| Self {
+                left,
+                right,
+                doubt: left_doubt.or(right_doubt),
+                one_lens: given.is_some() || of_one_lens,
+            })
+        }))
+    }
+}
+
+/// The camera of a photo with what speaks against it; or what is missing.
+fn camera_of(
+    given: Option<&CameraMm>,
+    side: Side,
+    photo: KnownPhoto<'_>,
+) -> Result<Result<(CameraMm, Option<Warning>), NoOrientation>, Error> {
+    let camera = match (given, photo.exif) {
+        (Some(camera), _) => *camera,
+        (None, Some(exif)) if exif.is_panorama() => return Ok(Err(NoOrientation::Panorama { side })),
+        (None, Some(exif)) => CameraMm::from_exif(exif)?,
+        (None, None) if photo.has_marks => return Ok(Err(NoOrientation::NoFocalLength)),
+        (None, None) => return Ok(Err(NoOrientation::NoCamera { side })),
+    };
+    // The focal length of a scan is that of its camera, whatever a scanner wrote.
+    if photo.has_marks {
+        return Ok(Ok((camera, None)));
+    }
+    let of_file = photo.exif.filter(|_| given.is_none());
+    let Some(pixel_mm) = camera.pixel_mm else {
+        let altered = of_file.and_then(altered).map(|camera_caution| NoOrientation::Altered { side, camera_caution });
+        return Ok(Err(altered.unwrap_or(NoOrientation::NoPixelSize { side })));
+    };
+    let file_px = photo.exif.filter(|exif| given.is_some() && !exif.is_panorama()).and_then(|exif| Some(exif.focal_mm / exif.pixel_mm?));
+    let resized = of_file.and_then(|exif| resized_or_cropped(side, exif));
+    Ok(Ok((camera, resized.or_else(|| doubt_of(side, camera.focal_mm / pixel_mm, file_px, photo.longer_px)))))
+}
+
+/// Why nobody knows how many px the focal length of a photo has.
+fn altered(exif: &ExifCamera) -> Option<CameraCaution> {
+    exif.cautions.iter().find(|caution| matches!(caution, CameraCaution::Cropped { .. } | CameraCaution::FocalPlane { .. })).cloned()
+}
+
+fn resized_or_cropped(side: Side, exif: &ExifCamera) -> Option<Warning> {
+    let [[taken_width_px, taken_height_px], [width_px, height_px]] = exif.resized_or_cropped()?;
+    Some(Warning::ResizedOrCropped { side, taken_width_px, taken_height_px, width_px, height_px })
+}
+
+/// What speaks against the focal length of a photo: what its file says, or the longer side of its image.
+fn doubt_of(side: Side, focal_px: f64, file_px: Option<f64>, longer_px: usize) -> Option<Warning> {
+    if let Some(file_px) = file_px.filter(|file_px| contradict(focal_px, *file_px)) {
+        return Some(Warning::ContradictedFocal { side, given_px: focal_px, file_px });
+    }
+    let [least, most] = USUAL_FOCAL;
+    let sides = focal_px / longer_px as f64;
+    (!(least..=most).contains(&sides)).then_some(Warning::DoubtfulFocal { side, sides, least, most })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::CameraOrigin;
+
+    /// What speaks against a camera of this focal length in px, given for photos of 640 px whose right file says what it says.
+    fn doubt(focal_px: f64, exif: Option<&ExifCamera>, has_marks: bool) -> Option<Warning> {
+        let photo = |exif| KnownPhoto { longer_px: 640, exif, has_marks };
+        let camera = CameraMm::without_distortion(0.01 * focal_px, Some(0.01));
+        PairCameras::of(Some(&camera), [photo(None), photo(exif)]).unwrap().unwrap().doubt
+    }
+
+    #[test]
+    fn a_given_focal_length_is_compared_with_what_the_file_says() {
+        let file = ExifCamera { focal_mm: 6.0, pixel_mm: Some(0.01), origin: CameraOrigin::ExifFocalPlane, ..ExifCamera::default() };
+        let contradicted = |given_px| Some(Warning::ContradictedFocal { side: Side::Right, given_px, file_px: 600.0 });
+        for (given_px, expected) in
+            [(600.0, None), (690.0, None), (520.0, None), (1200.0, contradicted(1200.0)), (300.0, contradicted(300.0))]
+        {
+            assert_eq!(doubt(given_px, Some(&file), false), expected, "{given_px}");
+        }
+        // A scan is of a camera that its file does not know; what names no pixel, or a panorama, says nothing.
+        assert_eq!(doubt(1200.0, Some(&file), true), None);
+        assert_eq!(doubt(1200.0, Some(&ExifCamera { pixel_mm: None, ..file.clone() }), false), None);
+        assert_eq!(doubt(1200.0, Some(&ExifCamera { origin: CameraOrigin::Panorama, ..file }), false), None);
+        assert_eq!(doubt(1200.0, None, false), None);
+    }
+
+    #[test]
+    fn a_focal_length_of_no_camera_is_doubted() {
+        let doubtful = |sides| Some(Warning::DoubtfulFocal { side: Side::Left, sides, least: 0.3, most: 20.0 });
+        assert_eq!((doubt(160.0, None, false), doubt(16_000.0, None, false)), (doubtful(0.25), doubtful(25.0)));
+        assert_eq!((doubt(256.0, None, false), doubt(6400.0, None, false)), (None, None));
+    }
+}

@@ -1,0 +1,14 @@
+/** Whether both images are of one: one photo twice, or parts of one image. */
+import { one_image } from '../../shared/crate';
+import type { NoOrientation } from '../../shared/crate';
+import { remember } from '../../shared/state/remember';
+import type { StageValues, State } from './state';
+
+const reasonOf = remember(({ geometry, matches }: StageValues['match'], { info: left }: StageValues['openLeft'], { info: right }: StageValues['openRight']) =>
+  geometry === null ? null : one_image(matches, left.width, left.height, right.width, right.height),
+);
+
+/** Why such images have no base; null where they are no such images, or nothing tells yet. */
+export function oneImage({ results: { match, openLeft, openRight } }: State): NoOrientation | null {
+  return match === undefined || openLeft === undefined || openRight === undefined ? null : reasonOf(match.value, openLeft.value, openRight.value);
+}
