@@ -967,6 +967,22 @@ function message$1(family, message, attribute, language) {
 		wasm.__wbindgen_free(deferred5_0, deferred5_1, 1);
 	}
 }
+function one_image(matches, left_width, left_height, right_width, right_height) {
+	const val2 = +left_width;
+	const val3 = +left_height;
+	const val4 = +right_width;
+	const val5 = +right_height;
+	const ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.one_image(ptr0, len0, val2, val3, val4, val5);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function pair_cameras(given, left, right) {
+	const ret = wasm.pair_cameras(given, left, right);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
 function pair_hint(verdict, settings) {
 	const ret = wasm.pair_hint(verdict, settings);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -5483,6 +5499,11 @@ function truthOf(state) {
 	const { truth, images } = state;
 	return truth !== null && images.left?.id === truth.leftId && images.right?.id === truth.rightId ? truth : null;
 }
+// www/pair/state/one-image.ts
+var reasonOf = remember(({ geometry, matches }, { info: left }, { info: right }) => geometry === null ? null : one_image(matches, left.width, left.height, right.width, right.height));
+function oneImage({ results: { match, openLeft, openRight } }) {
+	return match === void 0 || openLeft === void 0 || openRight === void 0 ? null : reasonOf(match.value, openLeft.value, openRight.value);
+}
 // www/pair/state/state.ts
 var SIDES = ["left", "right"];
 function otherSide(side) {
@@ -5579,38 +5600,15 @@ function keyOf(kind, inputs, options = null) {
 		options
 	]);
 }
-function pairCameras(state) {
-	const [left, right] = SIDES.map((side) => cameraOf$1(state, side));
-	if (left !== void 0 && "kind" in left) return { missing: left };
-	if (right !== void 0 && "kind" in right) return { missing: right };
-	if (left === void 0 || right === void 0) throw new Error("a pair has two sides");
-	return {
-		left,
-		right,
-		from: state.camera === null ? "exif" : "given"
-	};
-}
-var cameraOfExif = {
-	left: remember(camera_of_exif),
-	right: remember(camera_of_exif)
-};
-function cameraOf$1(state, side) {
-	const exif = state.results[side === "left" ? "openLeft" : "openRight"]?.value.info.camera ?? null;
-	if (state.camera === null && exif?.origin === "panorama") return {
-		kind: "panorama",
-		side
-	};
-	const marked = wholeMarks(state.photos[side]).length > 0;
-	const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
-	if (camera === null) return marked ? { kind: "no_focal_length" } : {
-		kind: "no_camera",
-		side
-	};
-	if (!marked && camera.pixel_mm == null) return {
-		kind: "no_pixel_size",
-		side
-	};
-	return camera;
+var factsOf = (info, has_marks) => ({
+	longer_px: Math.max(info?.width ?? 1, info?.height ?? 1),
+	exif: info?.camera ?? null,
+	has_marks
+});
+var camerasOf$1 = remember((given, left, right, areMarksLeft, areMarksRight) => pair_cameras(given, factsOf(left, areMarksLeft), factsOf(right, areMarksRight)));
+function pairCameras({ camera, photos, results: { openLeft, openRight } }) {
+	const areMarks = (side) => wholeMarks(photos[side]).length > 0;
+	return camerasOf$1(camera, openLeft?.value.info, openRight?.value.info, areMarks("left"), areMarks("right"));
 }
 function comparesGreyValues({ matching }) {
 	return matching.strategy === "correlation" || matching.strategy === "least-squares";
@@ -5636,9 +5634,9 @@ function estimatedFrom(state, settings, match) {
 	const tellsNone = result !== void 0 && result.key === match && result.value.estimated === null;
 	return comparesGradients(settings) && !tellsNone ? "" : null;
 }
-function fromOnePlace(state, match) {
+function withoutBase(state, match) {
 	const result = state.results.match;
-	return result !== void 0 && result.key === match && result.value.geometry?.degenerate === "pure-rotation";
+	return result !== void 0 && result.key === match && (result.value.geometry?.degenerate === "pure-rotation" || oneImage(state) !== null);
 }
 function openKey(state, side) {
 	const image = state.images[side];
@@ -5667,8 +5665,8 @@ function compute(state) {
 	const offset = gradients ? null : given;
 	const cameras = pairCameras(state);
 	const interior = (side, open) => "missing" in cameras ? null : keyOf("interior", [open], [
-		cameras[side],
-		cameras.left.focal_mm,
+		cameras,
+		side,
 		measuredPhoto(state.photos[side]),
 		state.fiducialModel
 	]);
@@ -5681,7 +5679,7 @@ function compute(state) {
 	], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
 	const unknown = settings === null || "missing" in cameras && cameras.missing.kind === "panorama" ? null : estimatedFrom(state, settings, match);
 	const interiors = "missing" in cameras ? [unknown] : [interiorLeft, interiorRight];
-	const orientable = fromOnePlace(state, match) ? null : "";
+	const orientable = withoutBase(state, match) ? null : "";
 	const truth = truthOf(state);
 	const edited = withEdits(state, match);
 	const placed = standingOf(state.history.edits, state.history.done).placed.size > 0;
@@ -6040,16 +6038,17 @@ function placeOfLeft({ left, match }, index) {
 }
 var rowOfEdited = remember(rowsOfLefts);
 // www/pair/state/interior.ts
-var paired = remember((left, right, focal) => ({
+var paired = remember((left, right, cameras) => ({
+	...cameras,
 	left: left.interior,
 	right: right.interior,
-	focal_mm: focal
+	focal_mm: cameras.left.focal_mm
 }));
 function knownInterior(state) {
 	const cameras = pairCameras(state);
 	const { interiorLeft, interiorRight } = state.results;
 	if ("missing" in cameras || interiorLeft === void 0 || interiorRight === void 0) return null;
-	return paired(interiorLeft.value, interiorRight.value, cameras.left.focal_mm);
+	return paired(interiorLeft.value, interiorRight.value, cameras);
 }
 function interiorInUse(state) {
 	return "missing" in pairCameras(state) ? state.results.match?.value.estimated ?? null : knownInterior(state);
@@ -6212,6 +6211,8 @@ function whyNone(state) {
 		kind: "no_geometry",
 		no_geometry
 	};
+	const one = oneImage(state);
+	if (one !== null) return one;
 	if (missing !== null) return missing;
 	if (geometry?.degenerate === "pure-rotation") return { kind: "pure_rotation" };
 	const error = [
@@ -7605,6 +7606,13 @@ function verdictOf$1(state) {
 		text: message$1("pair_verdict", verdict)
 	};
 }
+function camerasOf(state) {
+	const cameras = pairCameras(state);
+	return "missing" in cameras ? cameras : {
+		...cameras,
+		from: state.camera === null ? "exif" : "given"
+	};
+}
 function editsOf(state) {
 	const edited = editedPair(state);
 	if (edited === null) return null;
@@ -7640,7 +7648,7 @@ function everything(state) {
 			left: imageOf(state, "left"),
 			right: imageOf(state, "right")
 		},
-		camera: pairCameras(state),
+		camera: camerasOf(state),
 		fiducial_model: state.fiducialModel,
 		given_offset: state.offset,
 		offset: isCurrent(state, "offset") ? state.results.offset?.value ?? null : null,
@@ -10454,6 +10462,10 @@ function content$1(state) {
 	return [
 		...estimatedFocal(state),
 		valueTable(state, result),
+		...result.turn_deg === 0 ? [] : [h("p", {
+			class: "note",
+			testid: "axes-turned"
+		}, say("axes-turned"))],
 		...warnings(result),
 		precision(state, result),
 		h("p", {
@@ -10475,24 +10487,16 @@ function estimatedFocal(state) {
 		error_px: focal.standard_error_px
 	}))];
 }
-var EQUAL_PX = .05;
-function areEqual(matches) {
-	let equal = 0;
-	for (let i = 0; i < matches.length; i += 5) {
-		const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = matches.subarray(i, i + 4);
-		if (Math.abs(xr - xl) < EQUAL_PX && Math.abs(yr - yl) < EQUAL_PX) equal += 1;
-	}
-	return matches.length > 0 && equal > .9 * (matches.length / 5);
-}
 function whyNotOriented(state) {
 	const keys = wantedKeys(state);
 	if (state.images.left === null || state.images.right === null) return say("two-images-are-needed");
 	const match = isCurrent(state, "match") ? state.results.match?.value ?? null : null;
-	if (match?.geometry?.degenerate === "pure-rotation") return areEqual(match.matches) ? say("not-oriented-both-images-show") : say("not-oriented-2", { message: message("no_orientation", { kind: "pure_rotation" }) });
+	const one = match === null ? null : oneImage(state);
+	if (one !== null || match?.geometry?.degenerate === "pure-rotation") return say("not-oriented-2", { message: message("no_orientation", one ?? { kind: "pure_rotation" }) });
 	if (match?.no_geometry != null) return say("not-oriented-do-both-photos", { message: message("no_geometry", match.no_geometry) });
 	const cameras = pairCameras(state);
 	if (state.results.openLeft !== void 0 && state.results.openRight !== void 0 && "missing" in cameras && keys.orientation === null) {
-		if (cameras.missing.kind === "panorama") return say("not-oriented-2", { message: message("no_orientation", cameras.missing) });
+		if (["panorama", "altered"].includes(cameras.missing.kind)) return say("not-oriented-2", { message: message("no_orientation", cameras.missing) });
 		const untold = match?.geometry == null ? "" : say("and-the-matches-do-not");
 		return say("not-oriented-give-the-focal", {
 			message: message("no_orientation", cameras.missing),
@@ -10783,25 +10787,31 @@ function asksForCamera({ kind }) {
 		"focal_length",
 		"wide_angle",
 		"contradicted_focal",
-		"doubtful_focal"
+		"doubtful_focal",
+		"resized_or_cropped"
 	].includes(kind);
 }
 function nextWithout(state, actions) {
 	const { kind } = whyNone(state);
-	const match = state.results.match?.value;
 	const why = {
 		text: say("show-why"),
 		act: actions.why
 	};
-	if (kind === "no_geometry") return {
+	if (kind === "no_geometry" || kind === "parts_of_one_image") return {
 		text: say("open-other-photos"),
 		act: () => actions.open(null)
 	};
-	if (kind !== "panorama" && match?.geometry?.degenerate === "pure-rotation") return areEqual(match.matches) ? {
+	if (kind === "one_photo") return {
 		text: say("replace-the-right-image"),
 		act: () => actions.open("right")
-	} : why;
-	return kind === "no_camera" || kind === "no_focal_length" || kind === "no_pixel_size" ? cameraNext(state, actions) : why;
+	};
+	if (state.results.match?.value.geometry?.degenerate === "pure-rotation") return why;
+	return [
+		"no_camera",
+		"no_focal_length",
+		"no_pixel_size",
+		"altered"
+	].includes(kind) ? cameraNext(state, actions) : why;
 }
 function calibrated(state, actions) {
 	return offeredCalibration(state) === null ? null : {
@@ -11204,10 +11214,11 @@ function mountPanes(view, store, actions) {
 			const { style } = labels[side].element;
 			const { left, top, width, height } = panes[side];
 			Object.assign(style, {
-				transform: `translate(${String(left)}px, ${String(top)}px)`,
 				width: `${String(width)}px`,
 				height: `${String(height)}px`
 			});
+			style.setProperty("--left", `${String(left)}px`);
+			style.setProperty("--top", `${String(top)}px`);
 		}
 	};
 	place();

@@ -58,7 +58,6 @@ const FAULTS = new Set([
   'these images have no truth',
   'the program names no flight',
   'the page and the program do not fit each other: rules {}',
-  'a pair has two sides',
   'no style for code {}',
   'the image is no longer shown',
   '{} is no script of this page',

@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'vite';
+import '../pkg/node.js';
 
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 const WASM = pathToFileURL(join(ROOT, 'pkg', 'wasm', 'tiepoint.js')).href;

@@ -2837,6 +2837,11 @@ export interface CameraUncertainty {
 }
 
 /**
+ * The angle, or the direction of the base, with the widest interval.
+ */
+export type KnownWorst = "omega" | "phi" | "kappa" | "base";
+
+/**
  * The camera of one or more images.
  *
  * With x = -U/W, y = V/W of photo = (U, V, W) = M·(X - X₀), so that y goes down as rows do, and r² = x² + y²:
@@ -2909,6 +2914,22 @@ export interface BlockDescription {
     cameras: KnownCamera[];
     images: KnownImage[];
     control?: GroundControlPoint[];
+}
+
+/**
+ * The cameras of both photos.
+ */
+export interface PairCameras {
+    left: CameraMm;
+    right: CameraMm;
+    /**
+     * As in [`PairInterior`](super::PairInterior).
+     */
+    doubt?: Warning;
+    /**
+     * As in [`PairInterior`](super::PairInterior).
+     */
+    one_lens: boolean;
 }
 
 /**
@@ -3294,6 +3315,10 @@ export interface PairInterior {
      * What speaks against the focal lengths before anything is matched.
      */
     doubt?: Warning;
+    /**
+     * Whether both photos are known to be of one lens at one focal length, however their images are turned or resized.
+     */
+    one_lens?: boolean;
 }
 
 /**
@@ -4149,12 +4174,27 @@ export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unkn
 /**
  * What makes an orientation weak although it could be computed.
  */
-export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "doubtful_focal"; side: Side; sides: number; least: number; most: number } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
+export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "doubtful_focal"; side: Side; sides: number; least: number; most: number } | { kind: "resized_or_cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
 
 /**
  * What may change from round to round of an adjustment.
  */
 export type Unsettled = "gross_errors" | "positions" | "weights";
+
+/**
+ * What of a photo tells its camera, before its interior orientation.
+ */
+export interface PhotoFacts {
+    /**
+     * The longer side of its image.
+     */
+    longer_px: number;
+    exif: ExifCamera | null;
+    /**
+     * Whether fiducial marks were measured in it.
+     */
+    has_marks: boolean;
+}
 
 /**
  * What relates the views; matrices by rows, of homogeneous positions in px and of norm 1.
@@ -4355,7 +4395,7 @@ export interface ComponentSummary extends VarianceComponent {
 /**
  * What the result of a pair is worth.
  */
-export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number; kappa_deg: number; half_width_deg: number } | { kind: "weak"; points: number; warning: Warning } | { kind: "not_oriented"; no_orientation: NoOrientation };
+export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number; kappa_deg: number; half_width_deg: number; worst?: KnownWorst; worst_half_width_deg?: number } | { kind: "weak"; points: number; warning: Warning } | { kind: "not_oriented"; no_orientation: NoOrientation };
 
 /**
  * What the run reports of its input beside the images that it skips.
@@ -4465,7 +4505,7 @@ export type Failure = { kind: "unreadable"; message: string } | { kind: "refused
 /**
  * Why a pair has no orientation.
  */
-export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "panorama"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "refused"; error: { kind: string } };
+export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "altered"; side: Side; camera_caution: CameraCaution } | { kind: "panorama"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "one_photo" } | { kind: "parts_of_one_image" } | { kind: "refused"; error: { kind: string } };
 
 /**
  * Why a pair was chosen.
@@ -5180,6 +5220,12 @@ export function nearest_piece(left: Uint8Array | number[], first: number, end: n
 export function observations(matches: Float64Array | number[], left: Interior, right: Interior): Float64Array;
 
 /**
+ * Why matches (stride 5) between images of these sizes in px have no base: they are one photo twice, or parts of one image. Null where
+ * they are neither.
+ */
+export function one_image(matches: Float64Array | number[], left_width: number, left_height: number, right_width: number, right_height: number): NoOrientation | null;
+
+/**
  * Opens the project file of a pair; one that is damaged or of another kind is refused whole.
  */
 export function open_pair_project(bytes: Uint8Array | number[]): PairProject;
@@ -5199,6 +5245,11 @@ export function orient_matches(matches: Float64Array | number[], fits: Float64Ar
  * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
  */
 export function orient_relative(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>, weights?: Float64Array | number[] | null): RelativeOrientation;
+
+/**
+ * The cameras of a pair, the given one or those of its files, with what speaks against them; or what is missing.
+ */
+export function pair_cameras(given: CameraMm | null, left: PhotoFacts, right: PhotoFacts): PairCameras | { missing: NoOrientation };
 
 /**
  * What else would do for a pair of this verdict and these settings; null where nothing is known to.
@@ -5459,6 +5510,7 @@ export interface InitOutput {
     readonly model_points_csv: (a: number, b: number) => [number, number, number, number];
     readonly nearest_piece: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
     readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
+    readonly one_image: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
     readonly open_pair_project: (a: number, b: number) => [number, number, number];
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
     readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
@@ -5479,6 +5531,7 @@ export interface InitOutput {
     readonly orthophotoreference_rectified: (a: number, b: number, c: number, d: any) => [number, number, number, number];
     readonly orthophotoreference_search: (a: number, b: any) => [number, number, number];
     readonly orthophotoreference_set_heights: (a: number, b: any, c: number, d: number) => [number, number];
+    readonly pair_cameras: (a: any, b: any, c: any) => [number, number, number];
     readonly pair_hint: (a: any, b: any) => [number, number, number];
     readonly pair_preset: (a: any) => [number, number, number];
     readonly pair_presets: () => any;

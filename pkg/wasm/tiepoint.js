@@ -2314,6 +2314,30 @@ export function observations(matches, left, right) {
 }
 
 /**
+ * Why matches (stride 5) between images of these sizes in px have no base: they are one photo twice, or parts of one image. Null where
+ * they are neither.
+ * @param {Float64Array | number[]} matches
+ * @param {number} left_width
+ * @param {number} left_height
+ * @param {number} right_width
+ * @param {number} right_height
+ * @returns {NoOrientation | null}
+ */
+export function one_image(matches, left_width, left_height, right_width, right_height) {
+    const val2 = +left_width;
+    const val3 = +left_height;
+    const val4 = +right_width;
+    const val5 = +right_height;
+    const ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.one_image(ptr0, len0, val2, val3, val4, val5);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Opens the project file of a pair; one that is damaged or of another kind is refused whole.
  * @param {Uint8Array | number[]} bytes
  * @returns {PairProject}
@@ -2393,6 +2417,21 @@ export function orient_relative(observations, focal_mm, options, weights) {
         throw e;
     }
     const ret = wasm.orient_relative(ptr0, len0, val3, options, ptr1, len1);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The cameras of a pair, the given one or those of its files, with what speaks against them; or what is missing.
+ * @param {CameraMm | null} given
+ * @param {PhotoFacts} left
+ * @param {PhotoFacts} right
+ * @returns {PairCameras | { missing: NoOrientation }}
+ */
+export function pair_cameras(given, left, right) {
+    const ret = wasm.pair_cameras(given, left, right);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }

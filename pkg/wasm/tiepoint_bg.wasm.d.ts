@@ -95,6 +95,7 @@ export const model_points: (a: number, b: number, c: number, d: any, e: number, 
 export const model_points_csv: (a: number, b: number) => [number, number, number, number];
 export const nearest_piece: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
 export const observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
+export const one_image: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
 export const open_pair_project: (a: number, b: number) => [number, number, number];
 export const orient_fiducials: (a: any, b: any) => [number, number, number];
 export const orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
@@ -115,6 +116,7 @@ export const orthophotoreference_place: (a: number, b: number, c: number, d: num
 export const orthophotoreference_rectified: (a: number, b: number, c: number, d: any) => [number, number, number, number];
 export const orthophotoreference_search: (a: number, b: any) => [number, number, number];
 export const orthophotoreference_set_heights: (a: number, b: any, c: number, d: number) => [number, number];
+export const pair_cameras: (a: any, b: any, c: any) => [number, number, number];
 export const pair_hint: (a: any, b: any) => [number, number, number];
 export const pair_preset: (a: any) => [number, number, number];
 export const pair_presets: () => any;

@@ -191,7 +191,7 @@ mod tests {
         let strip: Vec<[f64; 4]> = matches(0.5, |[x, y]| [x - 1500.0, y])
             .into_iter()
             .map(|[x, y, u, v]| [1500.0 + x / 20.0, y, u + 1500.0 - 19.0 * x / 20.0, v])
-            .take(60)
+            .take(200)
             .collect();
         assert_eq!(OneImage::of(&strip, [SIZE; 2]), Some(OneImage::Parts));
         // Some matches are wrong.

@@ -127,7 +127,7 @@ mod tests {
         let no_geometry = NoGeometry::Chance { agreeing: 9, matches: 30 };
         assert_eq!(
             text(PairRule::Alike, PairOutcome::NotOriented { no_geometry }),
-            "not connected: 9 of 30 matches agree on one geometry, no more than would by chance; chosen because the images are similar"
+            "not connected: only 9 of 30 candidate matches agree on one geometry, no more than would by chance; none is kept; chosen because the images are similar"
         );
     }
 

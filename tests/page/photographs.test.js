@@ -8,7 +8,7 @@ import { FinishedBlock } from '../../pkg/node.js';
 import { DATA, readJson } from '../../tools/lib/paths.mjs';
 import { directionError, poseOf, rotationError } from '../../tools/score.mjs';
 import { block, status } from './blocks.js';
-import { done, hosted, open, part, saved, SKIP, upload } from './page.js';
+import { done, hosted, open, part, saved, says, SKIP, upload } from './page.js';
 
 hosted('/photographs/');
 
@@ -44,6 +44,54 @@ test('an oblique view with the camera given is oriented right, or not called ori
   const pose = orientation && poseOf(orientation);
   const isRight = pose && rotationError(pose.rotation, R) < 1 && directionError(pose.direction, t) < 1;
   assert.ok(isRight || verdict !== 'oriented', line);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+/**
+ * The middle of a photograph as another program saves it: cropped to a share of both sides, with the EXIF data of the whole.
+ * @param {import('playwright-core').Page} page @param {ReturnType<typeof photograph>} photo @param {number} share @returns {Promise<ReturnType<typeof photograph>>}
+ */
+async function cropped(page, photo, share) {
+  const pixels = await page.evaluate(
+    async ([base64 = '', part = '']) => {
+      const image = await createImageBitmap(new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))]), { imageOrientation: 'none' });
+      const [width, height] = [image.width, image.height].map((side) => Math.round(side * Number(part)));
+      const canvas = new OffscreenCanvas(width ?? 0, height ?? 0);
+      canvas.getContext('2d')?.drawImage(image, Math.round(((width ?? 0) - image.width) / 2), Math.round(((height ?? 0) - image.height) / 2));
+      return [...new Uint8Array(await (await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.95 })).arrayBuffer())];
+    },
+    [photo.buffer.toString('base64'), String(share)],
+  );
+  // The segment of the EXIF data follows the start of the image.
+  const start = photo.buffer.indexOf(Buffer.from([0xff, 0xe1]));
+  const exif = photo.buffer.subarray(start, start + 2 + photo.buffer.readUInt16BE(start + 2));
+  return { ...photo, buffer: Buffer.concat([Buffer.from([0xff, 0xd8]), exif, Buffer.from(pixels.slice(2))]) };
+}
+
+test('photographs that were cropped by another program are oriented with a caution only', { skip: without('block_caliterra') }, async () => {
+  const { page, complaints, close } = await open();
+  const photos = ['IMG_9404.jpg', 'IMG_9405.jpg'].map((name) => photograph('block_caliterra', name));
+  const whole = await verdictOf(page, photos);
+  assert.equal(whole.verdict, 'oriented', whole.line);
+  const parts = await Promise.all(photos.map((photo) => cropped(page, photo, 0.75)));
+  await part(page, 'file-input').setInputFiles(parts);
+  const line = await says(page, 'status', /^(Weak|Not oriented).*cropped/);
+  assert.equal(await part(page, 'answer').getAttribute('data-verdict'), 'weak', line);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a photograph and what was cropped of it are called parts of one image', { skip: without('block_caliterra') }, async () => {
+  const { page, complaints, close } = await open();
+  const photo = photograph('block_caliterra', 'IMG_9404.jpg');
+  const crop = await cropped(page, photo, 0.8);
+  const { line, verdict } = await verdictOf(page, [photo, { ...crop, name: 'crop.jpg' }]);
+  assert.equal(verdict, 'not_oriented', line);
+  assert.match(line, /both may be parts of one image/);
+  await part(page, 'answer')
+    .getByRole('button', { name: /other photos/ })
+    .waitFor();
   assert.deepEqual(complaints, []);
   await close();
 });

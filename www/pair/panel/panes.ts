@@ -22,8 +22,9 @@ export function mountPanes(view: View, store: Store, actions: PaneActions): void
     for (const side of SIDES) {
       const { style } = labels[side].element;
       const { left, top, width, height } = panes[side];
-      // Moved, not laid out anew: nothing else on the page moves along.
-      Object.assign(style, { translate: `${String(left)}px ${String(top)}px`, width: `${String(width)}px`, height: `${String(height)}px` });
+      Object.assign(style, { width: `${String(width)}px`, height: `${String(height)}px` });
+      style.setProperty('--left', `${String(left)}px`);
+      style.setProperty('--top', `${String(top)}px`);
     }
   };
   // At once: frames that are placed later would move.
