@@ -3961,37 +3961,37 @@ function stepFrom(value, name) {
 }
 function editFrom(value, name) {
 	const edit = objectOf(value, name);
-	const kind = likeOf(edit["kind"], "", `${name}.kind`);
+	const kind = likeOf(edit.kind, "", `${name}.kind`);
 	switch (kind) {
 		case "reject_observations":
 		case "restore_observations": return {
 			kind,
-			observations: listOf$1(edit["observations"], `${name}.observations`, observationFrom)
+			observations: listOf$1(edit.observations, `${name}.observations`, observationFrom)
 		};
 		case "reject_points":
 		case "restore_points": return {
 			kind,
-			points: listOf$1(edit["points"], `${name}.points`, sourceFrom)
+			points: listOf$1(edit.points, `${name}.points`, sourceFrom)
 		};
 		case "reject_images":
 		case "restore_images": return {
 			kind,
-			images: listOf$1(edit["images"], `${name}.images`, (image, at) => likeOf(image, 0, at))
+			images: listOf$1(edit.images, `${name}.images`, (image, at) => likeOf(image, 0, at))
 		};
 		case "measure": return {
 			kind,
-			point: sourceFrom(edit["point"], `${name}.point`),
+			point: sourceFrom(edit.point, `${name}.point`),
 			...placeFrom(edit, name)
 		};
 		case "add_point": return {
 			kind,
-			observations: listOf$1(edit["observations"], `${name}.observations`, placeFrom)
+			observations: listOf$1(edit.observations, `${name}.observations`, placeFrom)
 		};
 		case "set_use": {
-			const use = edit["use"];
+			const use = edit.use;
 			return {
 				kind,
-				point: likeOf(edit["point"], 0, `${name}.point`),
+				point: likeOf(edit.point, 0, `${name}.point`),
 				...use === "control" || use === "check" ? { use } : {}
 			};
 		}
@@ -4068,7 +4068,7 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 	if (given === void 0) return none;
 	const kept = objectOf(given, "placing");
 	const raster = (value, name) => {
-		const world = orNull(objectOf(value, name)["world"], (text) => {
+		const world = orNull(objectOf(value, name).world, (text) => {
 			const { name: called, text: content } = objectOf(text, `${name}.world`);
 			return {
 				name: likeOf(called, "", `${name}.world.name`),
@@ -4080,7 +4080,7 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 			world
 		};
 	};
-	const orthophoto = orNull(kept["orthophoto"], (value) => {
+	const orthophoto = orNull(kept.orthophoto, (value) => {
 		const { raster: picture, info, ofBlock } = objectOf(value, "placing.orthophoto");
 		return {
 			raster: raster(picture, "placing.orthophoto.raster"),
@@ -4088,7 +4088,7 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 			ofBlock: orNull(ofBlock, (key) => likeOf(key, "", "placing.orthophoto.ofBlock"))
 		};
 	});
-	const { kind, height, model } = objectOf(kept["heights"], "placing.heights");
+	const { kind, height, model } = objectOf(kept.heights, "placing.heights");
 	const heights = kind === "model" ? {
 		kind,
 		model: raster(model, "placing.heights.model")
@@ -4096,8 +4096,8 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 		kind: "level",
 		height: likeOf(height, 0, "placing.heights.height")
 	};
-	const options = orNull(kept["options"], (value) => fitted(value, catalogue.placing, "placing.options")) ?? catalogue.placing;
-	const purpose = PURPOSES$1.find((one) => one === kept["purpose"]) ?? null;
+	const options = orNull(kept.options, (value) => fitted(value, catalogue.placing, "placing.options")) ?? catalogue.placing;
+	const purpose = PURPOSES$1.find((one) => one === kept.purpose) ?? null;
 	return {
 		...none,
 		orthophoto,
@@ -4325,12 +4325,12 @@ var KeptBlocks = class {
 		if (!(project instanceof Blob)) throw new Error(say("the-finished-block-is-damaged"));
 		const kept = {
 			project,
-			key: likeOf(value["key"], "", "shown.key"),
-			files: listOf$1(value["files"], "shown.files", fileOf$2),
-			steps: objectOf(value["steps"], "shown.steps"),
-			seconds: likeOf(value["seconds"], 0, "shown.seconds"),
-			score: orNull(value["score"], (score) => objectOf(score, "shown.score")),
-			ground: orNull(value["ground"], groundFrom)
+			key: likeOf(value.key, "", "shown.key"),
+			files: listOf$1(value.files, "shown.files", fileOf$2),
+			steps: objectOf(value.steps, "shown.steps"),
+			seconds: likeOf(value.seconds, 0, "shown.seconds"),
+			score: orNull(value.score, (score) => objectOf(score, "shown.score")),
+			ground: orNull(value.ground, groundFrom)
 		};
 		const files = kept.files.map((file) => fileFrom(parts, file));
 		const opened = await this.engine.read(new Uint8Array(await project.arrayBuffer()));
@@ -4397,7 +4397,7 @@ function fileOf$2(value, name) {
 }
 function givenFrom(value, catalogue) {
 	const kept = objectOf(value, "block");
-	const options = objectOf(kept["options"], "options");
+	const options = objectOf(kept.options, "options");
 	const text = (name) => orNull(options[name], (given) => {
 		const { name: called, text: content } = objectOf(given, `options.${name}`);
 		return {
@@ -4405,22 +4405,22 @@ function givenFrom(value, catalogue) {
 			text: likeOf(content, "", `options.${name}.text`)
 		};
 	});
-	const opened = orNull(kept["opened"], (pair) => listOf$1(pair, "opened", (image, name) => likeOf(image, 0, name)));
+	const opened = orNull(kept.opened, (pair) => listOf$1(pair, "opened", (image, name) => likeOf(image, 0, name)));
 	return {
-		files: listOf$1(kept["files"], "files", fileOf$2),
-		removed: listOf$1(kept["removed"] ?? [], "removed", fileOf$2),
-		masks: listOf$1(kept["masks"], "masks", fileOf$2),
+		files: listOf$1(kept.files, "files", fileOf$2),
+		removed: listOf$1(kept.removed ?? [], "removed", fileOf$2),
+		masks: listOf$1(kept.masks, "masks", fileOf$2),
 		options: {
-			settings: orNull(options["settings"], (settings) => fitted(settings, catalogue.defaults, "options.settings")),
-			gps: options["gps"] === "ignore" ? "ignore" : "use",
+			settings: orNull(options.settings, (settings) => fitted(settings, catalogue.defaults, "options.settings")),
+			gps: options.gps === "ignore" ? "ignore" : "use",
 			cameras: text("cameras"),
 			control: text("control"),
 			marks: text("marks")
 		},
-		flight: orNull(kept["flight"], (flight) => fitted(flight, catalogue.flight, "flight")),
-		truth: orNull(kept["truth"], (name) => likeOf(name, "", "truth")),
+		flight: orNull(kept.flight, (flight) => fitted(flight, catalogue.flight, "flight")),
+		truth: orNull(kept.truth, (name) => likeOf(name, "", "truth")),
 		opened: opened?.length === 2 ? opened : null,
-		placing: kept["placing"]
+		placing: kept.placing
 	};
 }
 function fileFrom(parts, { id, name, file: at }) {
@@ -7282,8 +7282,8 @@ function toolsOf$2(host, store, view, looking) {
 		host.style.setProperty("--contrast", String(look.contrast));
 		pair.hidden = pairOf(store) === null;
 		const names = shown?.view.images.map(({ name }) => name) ?? [];
-		if (addSelect.dataset["names"] === names.join("\n")) return;
-		addSelect.dataset["names"] = names.join("\n");
+		if (addSelect.dataset.names === names.join("\n")) return;
+		addSelect.dataset.names = names.join("\n");
 		fill(addSelect, new Option(say("image"), ""), ...names.map((name, image) => new Option(name, String(image))));
 	});
 	store.watch([
@@ -10498,13 +10498,13 @@ function chosenText({ state }) {
 		residual_2: residual[1],
 		hypot: Math.hypot(...residual)
 	});
-	return say("link-of", {
+	return `${say("link-of", {
 		link: placing.chosen.link + 1,
 		count: links.count,
 		what: link.by_hand ? say("measured-by-hand-3") : "",
 		name: useWord(placed, placing.chosen.link, link.role),
 		off
-	}) + `X ${fixed(link.place[0], 2)}, Y ${fixed(link.place[1], 2)}, Z ${fixed(link.place[2], 2)}.`;
+	})}X ${fixed(link.place[0], 2)}, Y ${fixed(link.place[1], 2)}, Z ${fixed(link.place[2], 2)}.`;
 }
 function legendOf(store) {
 	const switches = USES$1.map((use) => {

@@ -1737,7 +1737,7 @@ function modeSwitch(modes, show) {
 	modes.watch(["mode"], ([mode]) => {
 		for (const { mode: own, press } of buttons) press.setAttribute("aria-pressed", String(own === mode));
 		document.querySelector(".skip")?.setAttribute("href", mode === "pair" ? "#view" : "#block-view");
-		document.body.dataset["mode"] = mode;
+		document.body.dataset.mode = mode;
 	});
 	return h("div", {
 		class: "mode",
@@ -1871,7 +1871,7 @@ function makeNear(testid, close) {
 		role: "alert"
 	}, text, shut);
 	const place = () => {
-		if (!element.hidden) lay(element, pressed(element.dataset["near"] ?? ""));
+		if (!element.hidden) lay(element, pressed(element.dataset.near ?? ""));
 	};
 	window.addEventListener("resize", place);
 	window.addEventListener("scroll", place, {
@@ -1889,8 +1889,8 @@ function makeNear(testid, close) {
 				text.textContent = "";
 				return;
 			}
-			element.dataset["near"] = notice.near;
-			element.dataset["kind"] = notice.kind;
+			element.dataset.near = notice.near;
+			element.dataset.kind = notice.kind;
 			if (text.textContent !== notice.text) text.textContent = notice.text;
 			place();
 		}
@@ -3629,7 +3629,7 @@ function makeSlider(parameter, step) {
 function pathOf(settings, key) {
 	const [group = "", field = ""] = key.split(".");
 	if (group in settings) return [group, field];
-	return typeof settings["features"] === "object" ? [
+	return typeof settings.features === "object" ? [
 		"features",
 		group,
 		field
@@ -7471,22 +7471,22 @@ function bytesOf$2(edit) {
 }
 function editFrom(value, name) {
 	const edit = objectOf(value, name);
-	const kind = likeOf(edit["kind"], "", `${name}.kind`);
+	const kind = likeOf(edit.kind, "", `${name}.kind`);
 	switch (kind) {
 		case "reject":
 		case "restore": return {
 			kind,
-			of: listOf(edit["of"], `${name}.of`, targetFrom)
+			of: listOf(edit.of, `${name}.of`, targetFrom)
 		};
 		case "add": return {
 			kind,
-			id: likeOf(edit["id"], 0, `${name}.id`),
-			at: placeFrom(edit["at"], `${name}.at`)
+			id: likeOf(edit.id, 0, `${name}.id`),
+			at: placeFrom(edit.at, `${name}.at`)
 		};
 		case "move": return {
 			kind,
-			of: targetFrom(edit["of"], `${name}.of`),
-			to: placeFrom(edit["to"], `${name}.to`)
+			of: targetFrom(edit.of, `${name}.of`),
+			to: placeFrom(edit.to, `${name}.to`)
 		};
 		default: throw new Error(say("the-field-kind-is-damaged", { name }));
 	}
@@ -8395,11 +8395,11 @@ var KeptPairs = class {
 		if (!parts.has(RESULT)) return null;
 		const value = objectOf(parts.get(RESULT), "result");
 		const kept = {
-			project: likeOf(value["project"], "", "result.project"),
-			typed: typedFrom(value["typed"], this.catalogue, "result.typed"),
-			of: likeOf(value["of"], "", "result.of"),
-			beside: objectOf(value["beside"], "result.beside"),
-			times: objectOf(value["times"], "result.times")
+			project: likeOf(value.project, "", "result.project"),
+			typed: typedFrom(value.typed, this.catalogue, "result.typed"),
+			of: likeOf(value.of, "", "result.of"),
+			beside: objectOf(value.beside, "result.beside"),
+			times: objectOf(value.times, "result.times")
 		};
 		const opened = await readProject(this.engine, new Blob([kept.project]), freshId);
 		const files = [
@@ -8474,28 +8474,28 @@ function givenFrom(value, catalogue) {
 		return bothSides((side) => orNull(sides[side], (one) => file(one, `${name}.${side}`)));
 	};
 	return {
-		typed: typedFrom(kept["typed"], catalogue, "typed"),
-		display: fitted$1(kept["display"], INITIAL.display, "display"),
-		flight: orNull(kept["flight"], (flight) => fitted$1(flight, catalogue.flights[0]?.flight ?? {}, "flight")) ?? null,
-		paused: kept["paused"] === true,
+		typed: typedFrom(kept.typed, catalogue, "typed"),
+		display: fitted$1(kept.display, INITIAL.display, "display"),
+		flight: orNull(kept.flight, (flight) => fitted$1(flight, catalogue.flights[0]?.flight ?? {}, "flight")) ?? null,
+		paused: kept.paused === true,
 		images: files("images"),
 		masks: files("masks"),
-		truth: orNull(kept["truth"], (truth) => objectOf(truth, "truth")) ?? null
+		truth: orNull(kept.truth, (truth) => objectOf(truth, "truth")) ?? null
 	};
 }
 function typedFrom(value, { defaults }, name) {
 	const kept = objectOf(value, name);
-	const settings = fitted$1(kept["settings"], defaults, `${name}.settings`);
+	const settings = fitted$1(kept.settings, defaults, `${name}.settings`);
 	resolved(settings);
-	const camera = orNull(kept["camera"], (given) => objectOf(given, `${name}.camera`));
+	const camera = orNull(kept.camera, (given) => objectOf(given, `${name}.camera`));
 	if (camera !== null) parse_camera(JSON.stringify(camera));
 	const pair = (given, at) => {
 		const [a, b] = listOf(given, at, (number, place) => likeOf(number, 0, place));
 		return [a ?? NaN, b ?? NaN];
 	};
-	const offset = orNull(kept["offset"], (given) => pair(given, `${name}.offset`));
+	const offset = orNull(kept.offset, (given) => pair(given, `${name}.offset`));
 	if (offset !== null) constant_offset(...offset);
-	const photos = objectOf(kept["photos"], `${name}.photos`);
+	const photos = objectOf(kept.photos, `${name}.photos`);
 	const photo = (side) => {
 		const at = `${name}.photos.${side}`;
 		const { fiducials, origin } = objectOf(photos[side], at);
@@ -8504,7 +8504,7 @@ function typedFrom(value, { defaults }, name) {
 			origin: orNull(origin, (given) => pair(given, `${at}.origin`))
 		};
 	};
-	const fiducialModel = likeOf(kept["fiducialModel"], "", `${name}.fiducialModel`);
+	const fiducialModel = likeOf(kept.fiducialModel, "", `${name}.fiducialModel`);
 	return {
 		settings,
 		camera,
@@ -15925,7 +15925,7 @@ async function startProgram() {
 	try {
 		await startParts(opening, mountDrop());
 	} catch (error) {
-		byId("answer").dataset["kind"] = "problem";
+		byId("answer").dataset.kind = "problem";
 		byId("status").textContent = messageOf(error);
 	}
 }

@@ -46,15 +46,15 @@ export function saidIn(name, code) {
 
 /** The names that an argument can be.  @param {AstNode | undefined} node @returns {string[]} */
 function namesIn(node) {
-  if (node?.type === 'ConditionalExpression') return [...namesIn(node['consequent']), ...namesIn(node['alternate'])];
-  return node?.type === 'Literal' && typeof node['value'] === 'string' ? [node['value']] : [];
+  if (node?.type === 'ConditionalExpression') return [...namesIn(node.consequent), ...namesIn(node.alternate)];
+  return node?.type === 'Literal' && typeof node.value === 'string' ? [node.value] : [];
 }
 
 /** @param {AstNode | undefined} node @returns {string[] | null} */
 function figuresIn(node) {
   if (node === undefined) return [];
   if (node.type !== 'ObjectExpression') return null;
-  const properties = /** @type {AstNode[]} */ (node['properties']);
+  const properties = /** @type {AstNode[]} */ (node.properties);
   if (properties.some(({ type, computed }) => type !== 'Property' || computed)) return null;
   return properties.map(({ key }) => key.name ?? key.value);
 }

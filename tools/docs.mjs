@@ -52,54 +52,52 @@ function chapter(title, about, all, standard, called) {
 }
 
 export function optionsPage() {
-  return (
-    [
-      '# Options',
-      '',
-      'Every option of the command, the package, the page and the crate. They are declared once, in the crate; `npm run docs` writes this page.',
-      '',
-      ...chapter(
-        'Pairs',
-        '`tiepoint match` and `tiepoint report` take all of these; `points`, `moments` and `orient` those of their stage. In the package and the crate: `PairSettings`. ' +
-          'The strategy `auto` counts as `gradient` where an option says when it acts, with the refinement `where-possible`.',
-        parameters(),
-        defaults(),
-      ),
-      ...chapter(
-        'Blocks',
-        '`tiepoint block`; in the package and the crate: `BlockSettings`, where `multiscale` and `gradient` stand in `features`.',
-        block_parameters(),
-        block_settings({}),
-        BLOCK_NAMES,
-      ),
-      ...chapter(
-        'Placing on an orthophoto',
-        '`tiepoint place`, and `tiepoint block` beside `--orthophoto`, where `--points` and `--seed` are `--orthophoto-points` and `--orthophoto-seed`; in the package and the crate: `PlacingOptions`. Lengths are in the unit of the map.',
-        placing_parameters(),
-        { placing: placing_defaults() },
-      ),
-      ...chapter(
-        'Simulated pairs',
-        '`tiepoint simulate`; in the package and the crate: `Flight`. The defaults are those of the sample.',
-        flight_parameters(),
-        flight_preset('sample'),
-      ),
-      ...chapter(
-        'Simulated blocks',
-        '`tiepoint simulate --block`; in the package and the crate: `BlockFlight`. The command has other defaults for the size of the photos.',
-        block_flight_parameters(),
-        block_flight_preset('features'),
-      ),
-      ...chapter(
-        'Values of calls',
-        'What commands are given beside settings, where their help lists it; in the package and the crate: arguments of these names, `CALL_PARAMETERS`.',
-        call_parameters(),
-        {},
-      ),
-    ]
-      .join('\n')
-      .trimEnd() + '\n'
-  );
+  return `${[
+    '# Options',
+    '',
+    'Every option of the command, the package, the page and the crate. They are declared once, in the crate; `npm run docs` writes this page.',
+    '',
+    ...chapter(
+      'Pairs',
+      '`tiepoint match` and `tiepoint report` take all of these; `points`, `moments` and `orient` those of their stage. In the package and the crate: `PairSettings`. ' +
+        'The strategy `auto` counts as `gradient` where an option says when it acts, with the refinement `where-possible`.',
+      parameters(),
+      defaults(),
+    ),
+    ...chapter(
+      'Blocks',
+      '`tiepoint block`; in the package and the crate: `BlockSettings`, where `multiscale` and `gradient` stand in `features`.',
+      block_parameters(),
+      block_settings({}),
+      BLOCK_NAMES,
+    ),
+    ...chapter(
+      'Placing on an orthophoto',
+      '`tiepoint place`, and `tiepoint block` beside `--orthophoto`, where `--points` and `--seed` are `--orthophoto-points` and `--orthophoto-seed`; in the package and the crate: `PlacingOptions`. Lengths are in the unit of the map.',
+      placing_parameters(),
+      { placing: placing_defaults() },
+    ),
+    ...chapter(
+      'Simulated pairs',
+      '`tiepoint simulate`; in the package and the crate: `Flight`. The defaults are those of the sample.',
+      flight_parameters(),
+      flight_preset('sample'),
+    ),
+    ...chapter(
+      'Simulated blocks',
+      '`tiepoint simulate --block`; in the package and the crate: `BlockFlight`. The command has other defaults for the size of the photos.',
+      block_flight_parameters(),
+      block_flight_preset('features'),
+    ),
+    ...chapter(
+      'Values of calls',
+      'What commands are given beside settings, where their help lists it; in the package and the crate: arguments of these names, `CALL_PARAMETERS`.',
+      call_parameters(),
+      {},
+    ),
+  ]
+    .join('\n')
+    .trimEnd()}\n`;
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) writeFileSync(OPTIONS_FILE, optionsPage());

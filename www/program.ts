@@ -49,7 +49,7 @@ export async function startProgram(): Promise<void> {
   try {
     await startParts(opening, mountDrop());
   } catch (error) {
-    byId('answer').dataset['kind'] = 'problem';
+    byId('answer').dataset.kind = 'problem';
     byId('status').textContent = messageOf(error);
   }
 }

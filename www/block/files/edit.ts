@@ -48,24 +48,24 @@ export function stepFrom(value: unknown, name: string): EditStep {
 
 function editFrom(value: unknown, name: string): BlockEdit {
   const edit = objectOf(value, name);
-  const kind = likeOf<string>(edit['kind'], '', `${name}.kind`);
+  const kind = likeOf<string>(edit.kind, '', `${name}.kind`);
   switch (kind) {
     case 'reject_observations':
     case 'restore_observations':
-      return { kind, observations: listOf(edit['observations'], `${name}.observations`, observationFrom) };
+      return { kind, observations: listOf(edit.observations, `${name}.observations`, observationFrom) };
     case 'reject_points':
     case 'restore_points':
-      return { kind, points: listOf(edit['points'], `${name}.points`, sourceFrom) };
+      return { kind, points: listOf(edit.points, `${name}.points`, sourceFrom) };
     case 'reject_images':
     case 'restore_images':
-      return { kind, images: listOf(edit['images'], `${name}.images`, (image, at) => likeOf(image, 0, at)) };
+      return { kind, images: listOf(edit.images, `${name}.images`, (image, at) => likeOf(image, 0, at)) };
     case 'measure':
-      return { kind, point: sourceFrom(edit['point'], `${name}.point`), ...placeFrom(edit, name) };
+      return { kind, point: sourceFrom(edit.point, `${name}.point`), ...placeFrom(edit, name) };
     case 'add_point':
-      return { kind, observations: listOf(edit['observations'], `${name}.observations`, placeFrom) };
+      return { kind, observations: listOf(edit.observations, `${name}.observations`, placeFrom) };
     case 'set_use': {
-      const use = edit['use'];
-      return { kind, point: likeOf(edit['point'], 0, `${name}.point`), ...(use === 'control' || use === 'check' ? { use } : {}) };
+      const use = edit.use;
+      return { kind, point: likeOf(edit.point, 0, `${name}.point`), ...(use === 'control' || use === 'check' ? { use } : {}) };
     }
     default:
       throw new Error(say('the-field-kind-is-damaged', { name }));

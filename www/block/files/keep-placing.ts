@@ -48,13 +48,13 @@ export function placingFrom(
   if (given === undefined) return none;
   const kept = objectOf(given, 'placing');
   const raster = (value: unknown, name: string): RasterFile => {
-    const world = orNull(objectOf(value, name)['world'], (text) => {
+    const world = orNull(objectOf(value, name).world, (text) => {
       const { name: called, text: content } = objectOf(text, `${name}.world`);
       return { name: likeOf(called, '', `${name}.world.name`), text: likeOf(content, '', `${name}.world.text`) };
     });
     return { ...open(readFile(value, name)), world };
   };
-  const orthophoto = orNull(kept['orthophoto'], (value): GivenOrthophoto => {
+  const orthophoto = orNull(kept.orthophoto, (value): GivenOrthophoto => {
     const { raster: picture, info, ofBlock } = objectOf(value, 'placing.orthophoto');
     return {
       raster: raster(picture, 'placing.orthophoto.raster'),
@@ -62,11 +62,11 @@ export function placingFrom(
       ofBlock: orNull(ofBlock, (key) => likeOf(key, '', 'placing.orthophoto.ofBlock')),
     };
   });
-  const { kind, height, model } = objectOf(kept['heights'], 'placing.heights');
+  const { kind, height, model } = objectOf(kept.heights, 'placing.heights');
   const heights: GivenHeights =
     kind === 'model' ? { kind, model: raster(model, 'placing.heights.model') } : { kind: 'level', height: likeOf(height, 0, 'placing.heights.height') };
-  const options = orNull(kept['options'], (value) => fitted(value, catalogue.placing, 'placing.options')) ?? catalogue.placing;
-  const purpose = PURPOSES.find((one) => one === kept['purpose']) ?? null;
+  const options = orNull(kept.options, (value) => fitted(value, catalogue.placing, 'placing.options')) ?? catalogue.placing;
+  const purpose = PURPOSES.find((one) => one === kept.purpose) ?? null;
   return { ...none, orthophoto, heights, options: same(options, catalogue), purpose, placed: placedFrom(placed) };
 }
 

@@ -162,12 +162,12 @@ export class KeptBlocks implements Keepable {
     if (!(project instanceof Blob)) throw new Error(say('the-finished-block-is-damaged'));
     const kept: KeptShown = {
       project,
-      key: likeOf(value['key'], '', 'shown.key'),
-      files: listOf(value['files'], 'shown.files', fileOf),
-      steps: objectOf(value['steps'], 'shown.steps'),
-      seconds: likeOf(value['seconds'], 0, 'shown.seconds'),
-      score: orNull(value['score'], (score) => objectOf(score, 'shown.score') as unknown as KeptShown['score']),
-      ground: orNull(value['ground'], groundFrom),
+      key: likeOf(value.key, '', 'shown.key'),
+      files: listOf(value.files, 'shown.files', fileOf),
+      steps: objectOf(value.steps, 'shown.steps'),
+      seconds: likeOf(value.seconds, 0, 'shown.seconds'),
+      score: orNull(value.score, (score) => objectOf(score, 'shown.score') as unknown as KeptShown['score']),
+      ground: orNull(value.ground, groundFrom),
     };
     const files = kept.files.map((file) => fileFrom(parts, file));
     const opened = await this.engine.read(new Uint8Array(await project.arrayBuffer()));
@@ -233,29 +233,29 @@ function fileOf(value: unknown, name: string): KeptFile {
 /** @throws Error naming the field that is damaged */
 function givenFrom(value: unknown, catalogue: BlockCatalogue): Omit<KeptBlock, 'placing'> & { placing: unknown } {
   const kept = objectOf(value, 'block');
-  const options = objectOf(kept['options'], 'options');
+  const options = objectOf(kept.options, 'options');
   const text = (name: string) =>
     orNull(options[name], (given): TextFile => {
       const { name: called, text: content } = objectOf(given, `options.${name}`);
       return { name: likeOf(called, '', `options.${name}.name`), text: likeOf(content, '', `options.${name}.text`) };
     });
-  const opened = orNull(kept['opened'], (pair) => listOf(pair, 'opened', (image, name) => likeOf(image, 0, name)));
+  const opened = orNull(kept.opened, (pair) => listOf(pair, 'opened', (image, name) => likeOf(image, 0, name)));
   return {
-    files: listOf(kept['files'], 'files', fileOf),
+    files: listOf(kept.files, 'files', fileOf),
     // Earlier releases kept none.
-    removed: listOf(kept['removed'] ?? [], 'removed', fileOf),
-    masks: listOf(kept['masks'], 'masks', fileOf),
+    removed: listOf(kept.removed ?? [], 'removed', fileOf),
+    masks: listOf(kept.masks, 'masks', fileOf),
     options: {
-      settings: orNull(options['settings'], (settings) => fitted(settings, catalogue.defaults, 'options.settings')),
-      gps: options['gps'] === 'ignore' ? 'ignore' : 'use',
+      settings: orNull(options.settings, (settings) => fitted(settings, catalogue.defaults, 'options.settings')),
+      gps: options.gps === 'ignore' ? 'ignore' : 'use',
       cameras: text('cameras'),
       control: text('control'),
       marks: text('marks'),
     },
-    flight: orNull(kept['flight'], (flight) => fitted(flight, catalogue.flight, 'flight')),
-    truth: orNull(kept['truth'], (name) => likeOf(name, '', 'truth')),
+    flight: orNull(kept.flight, (flight) => fitted(flight, catalogue.flight, 'flight')),
+    truth: orNull(kept.truth, (name) => likeOf(name, '', 'truth')),
     opened: opened?.length === 2 ? (opened as [number, number]) : null,
-    placing: kept['placing'],
+    placing: kept.placing,
   };
 }
 

@@ -259,8 +259,8 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     host.style.setProperty('--contrast', String(look.contrast));
     pair.hidden = pairOf(store) === null;
     const names = shown?.view.images.map(({ name }) => name) ?? [];
-    if (addSelect.dataset['names'] === names.join('\n')) return;
-    addSelect.dataset['names'] = names.join('\n');
+    if (addSelect.dataset.names === names.join('\n')) return;
+    addSelect.dataset.names = names.join('\n');
     fill(addSelect, new Option(say('image'), ''), ...names.map((name, image) => new Option(name, String(image))));
   });
   store.watch(['running', 'notice', 'placing'], () => {

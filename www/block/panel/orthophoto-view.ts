@@ -125,15 +125,13 @@ function chosenText({ state }: BlockStore): string {
     residual === null
       ? say('the-image-does-not-see')
       : say('residual-px-px', { residual: residual[0], residual_2: residual[1], hypot: Math.hypot(...residual) });
-  return (
-    say('link-of', {
-      link: placing.chosen.link + 1,
-      count: links.count,
-      what: link.by_hand ? say('measured-by-hand-3') : '',
-      name: useWord(placed, placing.chosen.link, link.role),
-      off,
-    }) + `X ${fixed(link.place[0], 2)}, Y ${fixed(link.place[1], 2)}, Z ${fixed(link.place[2], 2)}.`
-  );
+  return `${say('link-of', {
+    link: placing.chosen.link + 1,
+    count: links.count,
+    what: link.by_hand ? say('measured-by-hand-3') : '',
+    name: useWord(placed, placing.chosen.link, link.role),
+    off,
+  })}X ${fixed(link.place[0], 2)}, Y ${fixed(link.place[1], 2)}, Z ${fixed(link.place[2], 2)}.`;
 }
 
 /** What the marks of links, or of the block's places, mean, and which of them are drawn. */

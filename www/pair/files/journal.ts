@@ -46,15 +46,15 @@ function bytesOf(edit: Edit): number {
 /** @throws Error naming the field that is damaged */
 function editFrom(value: unknown, name: string): Edit {
   const edit = objectOf(value, name);
-  const kind: string = likeOf<string>(edit['kind'], '', `${name}.kind`);
+  const kind: string = likeOf<string>(edit.kind, '', `${name}.kind`);
   switch (kind) {
     case 'reject':
     case 'restore':
-      return { kind, of: listOf(edit['of'], `${name}.of`, targetFrom) };
+      return { kind, of: listOf(edit.of, `${name}.of`, targetFrom) };
     case 'add':
-      return { kind, id: likeOf(edit['id'], 0, `${name}.id`), at: placeFrom(edit['at'], `${name}.at`) };
+      return { kind, id: likeOf(edit.id, 0, `${name}.id`), at: placeFrom(edit.at, `${name}.at`) };
     case 'move':
-      return { kind, of: targetFrom(edit['of'], `${name}.of`), to: placeFrom(edit['to'], `${name}.to`) };
+      return { kind, of: targetFrom(edit.of, `${name}.of`), to: placeFrom(edit.to, `${name}.to`) };
     default:
       throw new Error(say('the-field-kind-is-damaged', { name }));
   }

@@ -177,11 +177,11 @@ export class KeptPairs implements Keepable {
     if (!parts.has(RESULT)) return null;
     const value = objectOf(parts.get(RESULT), 'result');
     const kept: KeptResult = {
-      project: likeOf(value['project'], '', 'result.project'),
-      typed: typedFrom(value['typed'], this.catalogue, 'result.typed'),
-      of: likeOf(value['of'], '', 'result.of'),
-      beside: objectOf(value['beside'], 'result.beside'),
-      times: objectOf(value['times'], 'result.times'),
+      project: likeOf(value.project, '', 'result.project'),
+      typed: typedFrom(value.typed, this.catalogue, 'result.typed'),
+      of: likeOf(value.of, '', 'result.of'),
+      beside: objectOf(value.beside, 'result.beside'),
+      times: objectOf(value.times, 'result.times'),
     };
     const opened = await readProject(this.engine, new Blob([kept.project]), freshId);
     const files = [images.left, images.right, masks.left, masks.right].map((given) => given?.file ?? null);
@@ -250,30 +250,30 @@ function givenFrom(value: unknown, catalogue: Catalogue): KeptPair {
     return bothSides((side) => orNull(sides[side], (one) => file(one, `${name}.${side}`)));
   };
   return {
-    typed: typedFrom(kept['typed'], catalogue, 'typed'),
-    display: fitted(kept['display'], INITIAL.display, 'display'),
-    flight: orNull(kept['flight'], (flight) => fitted(flight, catalogue.flights[0]?.flight ?? {}, 'flight') as State['flight']) ?? null,
-    paused: kept['paused'] === true,
+    typed: typedFrom(kept.typed, catalogue, 'typed'),
+    display: fitted(kept.display, INITIAL.display, 'display'),
+    flight: orNull(kept.flight, (flight) => fitted(flight, catalogue.flights[0]?.flight ?? {}, 'flight') as State['flight']) ?? null,
+    paused: kept.paused === true,
     images: files('images'),
     masks: files('masks'),
-    truth: orNull(kept['truth'], (truth) => objectOf(truth, 'truth') as unknown as KeptPair['truth']) ?? null,
+    truth: orNull(kept.truth, (truth) => objectOf(truth, 'truth') as unknown as KeptPair['truth']) ?? null,
   };
 }
 
 /** What was typed, judged as it is where it is typed. @throws Error naming what is damaged */
 function typedFrom(value: unknown, { defaults }: Catalogue, name: string): Typed {
   const kept = objectOf(value, name);
-  const settings = fitted(kept['settings'], defaults, `${name}.settings`);
+  const settings = fitted(kept.settings, defaults, `${name}.settings`);
   resolved(settings);
-  const camera = orNull(kept['camera'], (given) => objectOf(given, `${name}.camera`) as unknown as CameraMm);
+  const camera = orNull(kept.camera, (given) => objectOf(given, `${name}.camera`) as unknown as CameraMm);
   if (camera !== null) parse_camera(JSON.stringify(camera));
   const pair = (given: unknown, at: string): [number, number] => {
     const [a, b] = listOf(given, at, (number, place) => likeOf(number, 0, place));
     return [a ?? NaN, b ?? NaN];
   };
-  const offset = orNull(kept['offset'], (given) => pair(given, `${name}.offset`));
+  const offset = orNull(kept.offset, (given) => pair(given, `${name}.offset`));
   if (offset !== null) constant_offset(...offset);
-  const photos = objectOf(kept['photos'], `${name}.photos`);
+  const photos = objectOf(kept.photos, `${name}.photos`);
   const photo = (side: Side) => {
     const at = `${name}.photos.${side}`;
     const { fiducials, origin } = objectOf(photos[side], at);
@@ -282,7 +282,7 @@ function typedFrom(value: unknown, { defaults }: Catalogue, name: string): Typed
       origin: orNull(origin, (given) => pair(given, `${at}.origin`)),
     };
   };
-  const fiducialModel = likeOf(kept['fiducialModel'], '', `${name}.fiducialModel`) as Typed['fiducialModel'];
+  const fiducialModel = likeOf(kept.fiducialModel, '', `${name}.fiducialModel`) as Typed['fiducialModel'];
   return { settings, camera, photos: bothSides(photo), fiducialModel, offset };
 }
 

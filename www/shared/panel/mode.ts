@@ -14,7 +14,7 @@ export function modeSwitch(modes: Modes, show: (mode: Mode) => void): HTMLElemen
   modes.watch(['mode'], ([mode]) => {
     for (const { mode: own, press } of buttons) press.setAttribute('aria-pressed', String(own === mode));
     document.querySelector('.skip')?.setAttribute('href', mode === 'pair' ? '#view' : '#block-view');
-    document.body.dataset['mode'] = mode;
+    document.body.dataset.mode = mode;
   });
   return h('div', { class: 'mode', role: 'group', aria: { label: say('what-is-matched') } }, ...buttons.map(({ press }) => press));
 }

@@ -24,7 +24,7 @@ export function makeNear(testid: string, close: () => void): Near {
   shut.setAttribute('aria-label', say('close-2'));
   const element = h('div', { class: 'near', testid, hidden: true, role: 'alert' }, text, shut);
   const place = () => {
-    if (!element.hidden) lay(element, pressed(element.dataset['near'] ?? ''));
+    if (!element.hidden) lay(element, pressed(element.dataset.near ?? ''));
   };
   window.addEventListener('resize', place);
   window.addEventListener('scroll', place, { capture: true, passive: true });
@@ -39,8 +39,8 @@ export function makeNear(testid: string, close: () => void): Near {
         text.textContent = '';
         return;
       }
-      element.dataset['near'] = notice.near;
-      element.dataset['kind'] = notice.kind;
+      element.dataset.near = notice.near;
+      element.dataset.kind = notice.kind;
       if (text.textContent !== notice.text) text.textContent = notice.text;
       place();
     },

@@ -8,7 +8,7 @@ function pathOf(settings: object, key: string): string[] {
   const [group = '', field = ''] = key.split('.');
   if (group in settings) return [group, field];
   // A flight has a number of features, and no groups.
-  return typeof (settings as Group)['features'] === 'object' ? ['features', group, field] : [field];
+  return typeof (settings as Group).features === 'object' ? ['features', group, field] : [field];
 }
 
 /** The value of a setting; null where it is absent. */
