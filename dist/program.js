@@ -5499,11 +5499,6 @@ function truthOf(state) {
 	const { truth, images } = state;
 	return truth !== null && images.left?.id === truth.leftId && images.right?.id === truth.rightId ? truth : null;
 }
-// www/pair/state/one-image.ts
-var reasonOf = remember(({ geometry, matches }, { info: left }, { info: right }) => geometry === null ? null : one_image(matches, left.width, left.height, right.width, right.height));
-function oneImage({ results: { match, openLeft, openRight } }) {
-	return match === void 0 || openLeft === void 0 || openRight === void 0 ? null : reasonOf(match.value, openLeft.value, openRight.value);
-}
 // www/pair/state/state.ts
 var SIDES = ["left", "right"];
 function otherSide(side) {
@@ -5573,6 +5568,12 @@ var INITIAL = {
 	},
 	notice: null
 };
+// www/pair/state/one-image.ts
+var reasonOf = remember(({ geometry, matches }, { info: left }, { info: right }) => geometry === null ? null : one_image(matches, left.width, left.height, right.width, right.height));
+function oneImage({ photos, results: { match, openLeft, openRight } }) {
+	if (SIDES.every((side) => wholeMarks(photos[side]).length > 0)) return null;
+	return match === void 0 || openLeft === void 0 || openRight === void 0 ? null : reasonOf(match.value, openLeft.value, openRight.value);
+}
 // www/pair/state/keys.ts
 var numbers$1 = new Map();
 function shortName(parts) {

@@ -67,7 +67,9 @@ impl PairInterior {
         let uncertainty = Some(CameraUncertainty::ASSUMED);
         let camera = CameraMm { uncertainty, ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
         let of = |(width, height)| Interior::from_pixel_size(&camera, width, height).ok();
-        Some(Self { left: of(left)?, right: of(right)?, focal_mm, doubt: None, one_lens: false })
+        // Of images of different sizes one may be resized.
+        let one_lens = left == right || left == (right.1, right.0);
+        Some(Self { left: of(left)?, right: of(right)?, focal_mm, doubt: None, one_lens })
     }
 }
 

@@ -6,11 +6,11 @@
 use super::no_orientation::NoOrientation;
 use crate::math::median;
 
-/// Correlation of the residuals of neighbours. Copies of photographs, compressed, resized, turned and cropped, had up to 0.03; pairs of real ones had
-/// 0.95 and more, but for scans of flat ground with 0.24.
+/// Correlation of the residuals of neighbours. Copies of photographs, compressed, resized, turned and cropped, had up to 0.03; whole pairs of real ones
+/// had 0.95 and more, but for scans of flat ground with 0.24. Where a small part is common to both, real ones have less, too.
 const MOST_CORRELATION: f64 = 0.2;
 /// Fewer matches do not tell that correlation.
-const LEAST_MATCHES: usize = 40;
+const LEAST_MATCHES: usize = 100;
 /// Matches whose neighbours are looked for.
 const PROBES: usize = 1000;
 /// Nearer ones may see the same pixels, and have their errors in common, px.

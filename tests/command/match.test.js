@@ -77,7 +77,7 @@ test('a verdict stands first: in words, in the JSON and as the exit code', () =>
   assert.deepEqual([code, result.verdict.kind, stderr], [0, 'oriented', '']);
   assert.match(
     stdout,
-    /^Oriented from \d+ points, σ0 0\.\d+ px; the right photo is turned in its plane \(κ\) by 0\.\d+° ± 0\.\d+°(, (φ|the direction of the base) is known to ± \d\.\d+°)? \(95 %\)\.\n/,
+    /^Oriented from \d+ points, σ0 0\.\d+ px; the right photo is turned in its plane \(κ\) by 0\.\d+° ± 0\.\d+°, (φ|the direction of the base) is known to ± \d\.\d+° \(95 %\)\.\n/,
   );
   assert.ok(stdout.startsWith(result.verdict.text));
   const corner = image(folder(), 'corner.png', 450, 700, (col, row) => (col > 150 && col < 300 && row > 280 && row < 430 ? 255 : 0));

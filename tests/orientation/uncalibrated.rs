@@ -48,7 +48,7 @@ fn errors_deg(uncertainty: CameraUncertainty, stored: Stored) -> [f64; 3] {
         Match { left: index, right: None, left_px: px(&left, [xl, yl]), right_px: px(&right, right_mm), measure: 0.0, fit: None }
     };
     let matches: Vec<Match> = seen.iter().enumerate().map(|(k, o)| one((k, o.left, o.right))).collect();
-    let interior = PairInterior { left, right, focal_mm: FOCAL_MM, doubt: None, one_lens: stored == Stored::Halved };
+    let interior = PairInterior { left, right, focal_mm: FOCAL_MM, doubt: None, one_lens: stored != Stored::AsTaken };
     let options = OrientationOptions { base_mm: Some(92.0), ..OrientationOptions::default() };
     let found = orient_matches(&matches, &interior, &options).unwrap();
     let [one, other] = found.cameras.unwrap().map(|camera| camera.focal_mm);

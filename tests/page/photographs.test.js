@@ -69,7 +69,7 @@ async function cropped(page, photo, share) {
   return { ...photo, buffer: Buffer.concat([Buffer.from([0xff, 0xd8]), exif, Buffer.from(pixels.slice(2))]) };
 }
 
-test('photographs that were cropped by another program are oriented with a caution only', { skip: without('block_caliterra') }, async () => {
+test('photographs that were cropped by another program make a weak pair, with a caution', { skip: without('block_caliterra') }, async () => {
   const { page, complaints, close } = await open();
   const photos = ['IMG_9404.jpg', 'IMG_9405.jpg'].map((name) => photograph('block_caliterra', name));
   const whole = await verdictOf(page, photos);

@@ -1,5 +1,6 @@
 //! The constants of the cameras: what is known of them before, and what they do to the rays.
 
+use crate::Warning;
 use crate::camera::{CameraUncertainty, Interior, is_near};
 use crate::orientation::{MODES, Ray};
 use crate::pair::geometry::PairInterior;
@@ -34,9 +35,9 @@ pub fn cameras_of(given: &PairInterior) -> usize {
     if is_one_camera(given) { 1 } else { 2 }
 }
 
-/// Whether both photos are of one camera, as far as is known: to within what rounding in their files changes. A principal point that is known less
-/// than that of a camera of which nothing is known is that of a cut image, each of its own.
-fn is_one_camera(PairInterior { left, right, focal_mm, .. }: &PairInterior) -> bool {
+/// Whether both photos are of one camera, as far as is known: to within what rounding in their files changes. Images that may be cropped may be so
+/// each of its own.
+fn is_one_camera(PairInterior { left, right, focal_mm, doubt, .. }: &PairInterior) -> bool {
     let near = |a: &[f64], b: &[f64], unit: f64| a.iter().zip(b).all(|(a, b)| is_near(*a, *b, unit));
     // Pixels in units of their side, all else in focal lengths.
     let rows = || left.parameters.iter().zip(&right.parameters);
@@ -49,7 +50,7 @@ fn is_one_camera(PairInterior { left, right, focal_mm, .. }: &PairInterior) -> b
         && terms.into_iter().all(|((a, b), unit)| is_near(*a, *b, unit))
         && near(&left.tangential_distortion, &right.tangential_distortion, 1.0 / f)
         && left.uncertainty == right.uncertainty
-        && left.uncertainty.is_none_or(|known| known.principal_point <= CameraUncertainty::ASSUMED.principal_point)
+        && !matches!(doubt, Some(Warning::ResizedOrCropped { .. }))
 }
 
 /// The constants that two photos share which are not of one camera in all: the focal length and k1 of one lens, where the image of one was turned
@@ -64,8 +65,7 @@ pub fn is_one_lens(given: &PairInterior) -> bool {
     let PairInterior { left, right, focal_mm, one_lens, .. } = given;
     let terms = left.radial_distortion.iter().zip(&right.radial_distortion);
     let is_near_term = |(power, (a, b)): (i32, (&f64, &f64))| is_near(*a, *b, focal_mm.powi(-2 * power));
-    let are_pixels_equal = || is_near(left.pixel_mm(), right.pixel_mm(), left.pixel_mm());
-    left.uncertainty == right.uncertainty && (1..).zip(terms).all(is_near_term) && (*one_lens || are_pixels_equal())
+    *one_lens && left.uncertainty == right.uncertainty && (1..).zip(terms).all(is_near_term)
 }
 
 /// The pairs of constants that are equal, each with the standard deviation of their difference.
