@@ -949,7 +949,7 @@ var LatePart = class {
 // \0vite/preload-helper.js
 var __vitePreload = (load) => load();
 // www/shared/engine/texts.ts
-var FILES = {
+var FILES$1 = {
 	en: {
 		program: ["en.js", () => __vitePreload(() => import("./en.js"), [], import.meta.url)],
 		block: ["en-block.js", () => __vitePreload(() => import("./en-block.js"), [], import.meta.url)]
@@ -961,7 +961,7 @@ var FILES = {
 };
 var learned = [];
 async function textsOf(language, part) {
-	const { TEXTS } = await loadPart(...FILES[language][part]);
+	const { TEXTS } = await loadPart(...FILES$1[language][part]);
 	return TEXTS;
 }
 async function learnPart(part) {
@@ -978,6 +978,88 @@ async function intoEnglish() {
 		const said = nameOfText(text);
 		return (said === null ? null : english.text(said.name, said.figures)) ?? text;
 	};
+}
+// www/shared/files/drop.ts
+var FILES = "Files";
+function mountDrop() {
+	let serving = null;
+	const waiting = [];
+	const loading = {
+		isActive: () => true,
+		markAt: () => "page",
+		take: (found) => void waiting.push(...found)
+	};
+	const active = () => (serving ?? [loading]).find(({ isActive }) => isActive());
+	const unmark = () => {
+		delete document.body.dataset.drop;
+	};
+	document.addEventListener("dragover", (event) => {
+		const taker = active();
+		if (!hasFiles(event) || taker === void 0) return;
+		event.preventDefault();
+		document.body.dataset.drop = taker.markAt(event);
+	});
+	document.addEventListener("dragleave", (event) => {
+		if (event.relatedTarget === null) unmark();
+	});
+	document.addEventListener("drop", (event) => {
+		unmark();
+		const taker = active();
+		if (!hasFiles(event) || taker === void 0) return;
+		event.preventDefault();
+		const at = taker.markAt(event);
+		const items = [...event.dataTransfer?.items ?? []].map((item) => ({
+			entry: item.webkitGetAsEntry(),
+			file: item.getAsFile()
+		}));
+		Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => {
+			const late = taker === loading && serving !== null;
+			(late ? active() : taker)?.take(lists.flat(), late ? null : at);
+		});
+	});
+	document.addEventListener("paste", (event) => {
+		const pasted = [...event.clipboardData?.files ?? []];
+		const taker = active();
+		if (pasted.length === 0 || taker === void 0) return;
+		event.preventDefault();
+		taker.take(pasted.map((file) => ({
+			file,
+			path: ""
+		})), null);
+	});
+	return (takers) => {
+		serving = takers;
+		if (waiting.length > 0) active()?.take(waiting.splice(0), null);
+	};
+}
+function hasFiles(event) {
+	return event.dataTransfer?.types.includes(FILES) === true;
+}
+async function found(entry, file) {
+	if (entry?.isDirectory !== true) return file === null ? [] : [{
+		file,
+		path: ""
+	}];
+	return below(entry);
+}
+async function below(folder) {
+	return (await Promise.all((await entriesOf(folder)).map(async (entry) => {
+		if (entry.isDirectory) return below(entry);
+		const file = await new Promise((resolve) => entry.file(resolve, () => resolve(null)));
+		return file === null ? [] : [{
+			file,
+			path: entry.fullPath.replace(/^\//u, "")
+		}];
+	}))).flat();
+}
+async function entriesOf(folder) {
+	const reader = folder.createReader();
+	const all = [];
+	for (;;) {
+		const portion = await new Promise((resolve) => reader.readEntries(resolve, () => resolve([])));
+		if (portion.length === 0) return all;
+		all.push(...portion);
+	}
 }
 // www/shared/panel/dom.ts
 function h(tag, attributes = {}, ...children) {
@@ -1076,6 +1158,7 @@ async function change(to, keeper) {
 }
 // www/main.ts
 async function start() {
+	const serveDrop = mountDrop();
 	turnDocument();
 	wasmModule().catch(() => void 0);
 	await learnPart("program");
@@ -1084,7 +1167,7 @@ async function start() {
 		const { startProgram } = await import("./program.js");
 		return { startProgram };
 	}, [], import.meta.url);
-	await startProgram();
+	await startProgram(serveDrop);
 }
 document.getElementById("load-again")?.addEventListener("click", () => location.reload());
 start().catch(() => {

@@ -14772,88 +14772,6 @@ async function ended(error, done, abort) {
 function isFull(error) {
 	return error instanceof DOMException && error.name === "QuotaExceededError";
 }
-// www/shared/files/drop.ts
-var FILES = "Files";
-function mountDrop() {
-	let serving = null;
-	const waiting = [];
-	const loading = {
-		isActive: () => true,
-		markAt: () => "page",
-		take: (found) => void waiting.push(...found)
-	};
-	const active = () => (serving ?? [loading]).find(({ isActive }) => isActive());
-	const unmark = () => {
-		delete document.body.dataset.drop;
-	};
-	document.addEventListener("dragover", (event) => {
-		const taker = active();
-		if (!hasFiles(event) || taker === void 0) return;
-		event.preventDefault();
-		document.body.dataset.drop = taker.markAt(event);
-	});
-	document.addEventListener("dragleave", (event) => {
-		if (event.relatedTarget === null) unmark();
-	});
-	document.addEventListener("drop", (event) => {
-		unmark();
-		const taker = active();
-		if (!hasFiles(event) || taker === void 0) return;
-		event.preventDefault();
-		const at = taker.markAt(event);
-		const items = [...event.dataTransfer?.items ?? []].map((item) => ({
-			entry: item.webkitGetAsEntry(),
-			file: item.getAsFile()
-		}));
-		Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => {
-			const late = taker === loading && serving !== null;
-			(late ? active() : taker)?.take(lists.flat(), late ? null : at);
-		});
-	});
-	document.addEventListener("paste", (event) => {
-		const pasted = [...event.clipboardData?.files ?? []];
-		const taker = active();
-		if (pasted.length === 0 || taker === void 0) return;
-		event.preventDefault();
-		taker.take(pasted.map((file) => ({
-			file,
-			path: ""
-		})), null);
-	});
-	return (takers) => {
-		serving = takers;
-		if (waiting.length > 0) active()?.take(waiting.splice(0), null);
-	};
-}
-function hasFiles(event) {
-	return event.dataTransfer?.types.includes(FILES) === true;
-}
-async function found(entry, file) {
-	if (entry?.isDirectory !== true) return file === null ? [] : [{
-		file,
-		path: ""
-	}];
-	return below(entry);
-}
-async function below(folder) {
-	return (await Promise.all((await entriesOf(folder)).map(async (entry) => {
-		if (entry.isDirectory) return below(entry);
-		const file = await new Promise((resolve) => entry.file(resolve, () => resolve(null)));
-		return file === null ? [] : [{
-			file,
-			path: entry.fullPath.replace(/^\//u, "")
-		}];
-	}))).flat();
-}
-async function entriesOf(folder) {
-	const reader = folder.createReader();
-	const all = [];
-	for (;;) {
-		const portion = await new Promise((resolve) => reader.readEntries(resolve, () => resolve([])));
-		if (portion.length === 0) return all;
-		all.push(...portion);
-	}
-}
 // www/shared/files/claim.ts
 var LEAVING_MS = 1e3;
 var ANSWER_MS = 1500;
@@ -15916,7 +15834,7 @@ function makeModes() {
 // www/program.ts
 var START_BYTES = 1024;
 var keeping = null;
-async function startProgram() {
+async function startProgram(serveDrop) {
 	mountTheme(byId("theme"));
 	mountLanguage(byId("language"), () => keeping);
 	mountActions(byId("actions"));
@@ -15924,7 +15842,7 @@ async function startProgram() {
 	const opening = Database.open();
 	opening.catch(() => void 0);
 	try {
-		await startParts(opening, mountDrop());
+		await startParts(opening, serveDrop);
 	} catch (error) {
 		byId("answer").dataset.kind = "problem";
 		byId("status").textContent = messageOf(error);

@@ -9,16 +9,19 @@ import './block/style/block.css';
 import './pair/style/pair.css';
 import { wasmModule } from './shared/engine/platform';
 import { learnPart } from './shared/engine/texts';
+import { mountDrop } from './shared/files/drop';
 import { sayDocument, turnDocument } from './shared/panel/language';
 
 async function start(): Promise<void> {
+  // First of all: the browser would show a file that nobody takes in place of the page.
+  const serveDrop = mountDrop();
   turnDocument();
   // It takes longest. Where it fails the program asks again, and says why.
   wasmModule().catch(() => undefined);
   await learnPart('program');
   sayDocument();
   const { startProgram } = await import('./program');
-  await startProgram();
+  await startProgram(serveDrop);
 }
 
 // Nothing is on the page yet that a new start would lose.

@@ -12,8 +12,7 @@ import { watchLaunches } from './shared/engine/release';
 import { loadCatalogue } from './shared/engine/start';
 import { learnPart } from './shared/engine/texts';
 import { Database } from './shared/files/database';
-import { mountDrop } from './shared/files/drop';
-import type { FoundFile, Taker } from './shared/files/drop';
+import type { FoundFile, ServeDrop, Taker } from './shared/files/drop';
 import { Keeper } from './shared/files/keeper';
 import { LateKeepable } from './shared/files/late';
 import { nameVersion } from './shared/panel/version';
@@ -38,7 +37,8 @@ const START_BYTES = 1024;
 /** What keeps the work, once it is there. */
 let keeping: Keeper | null = null;
 
-export async function startProgram(): Promise<void> {
+/** `serveDrop`: takes who gets dropped files, and gives what was dropped before. */
+export async function startProgram(serveDrop: ServeDrop): Promise<void> {
   mountTheme(byId('theme'));
   mountLanguage(byId('language'), () => keeping);
   mountActions(byId('actions'));
@@ -47,7 +47,7 @@ export async function startProgram(): Promise<void> {
   // `startParts` waits for it, once the module is there.
   opening.catch(() => undefined);
   try {
-    await startParts(opening, mountDrop());
+    await startParts(opening, serveDrop);
   } catch (error) {
     byId('answer').dataset.kind = 'problem';
     byId('status').textContent = messageOf(error);
@@ -55,7 +55,7 @@ export async function startProgram(): Promise<void> {
 }
 
 /** The module holds words and options of the page: its parts are made once it is there, and show what the browser has kept. */
-async function startParts(opening: Promise<Database>, serveDrop: ReturnType<typeof mountDrop>): Promise<void> {
+async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Promise<void> {
   const catalogue = await loadCatalogue();
   checkRules(catalogue.rules);
   nameVersion(byId('about'), catalogue.version);

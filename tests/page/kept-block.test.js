@@ -107,7 +107,8 @@ test('files that are dropped before the program has loaded are opened when it ha
   const loaded = new Promise((resolve) => {
     load = () => resolve(null);
   });
-  await page.route('**/*.wasm', async (route) => {
+  // Neither the program of the page nor the module is there.
+  await page.route(/\/program\.js$|\.wasm$/, async (route) => {
     await loaded;
     await route.continue();
   });

@@ -17,8 +17,11 @@ export interface Taker {
   take: (found: FoundFile[], at: string | null) => void;
 }
 
+/** Takes those who get files, once they are there. */
+export type ServeDrop = (takers: readonly Taker[]) => void;
+
 /** The first taker that is active gets what is given. Takers come once the program has loaded: what is given before is kept for them. */
-export function mountDrop(): (takers: readonly Taker[]) => void {
+export function mountDrop(): ServeDrop {
   let serving: readonly Taker[] | null = null;
   const waiting: FoundFile[] = [];
   const loading: Taker = { isActive: () => true, markAt: () => 'page', take: (found) => void waiting.push(...found) };
