@@ -4,7 +4,7 @@ use super::frames::CommonFrame;
 use super::geometry::PairInterior;
 use super::orienting::orient_matches;
 use super::settings::PairSettings;
-use super::verification::{PairCameras, guide, verify};
+use super::verification::{IdealCameras, guide, verify};
 use super::weakness::least_matches;
 use crate::matching::{filled_in, refine, verified_set};
 use crate::{
@@ -75,7 +75,7 @@ fn verified(
 ) -> Result<PairMatching, Error> {
     let [left, right] = images;
     let sizes = images.map(|image| (image.grey.width(), image.grey.height()));
-    let cameras = PairCameras::new(interior, sizes);
+    let cameras = IdealCameras::new(interior, sizes);
     let positions = [0, 1].map(|side| cameras.ideal(side, images[side].points.iter().map(|p| [p.x, p.y])));
     let located = |side: usize| Located {
         positions: &positions[side],

@@ -179,13 +179,13 @@ fn pinhole(interior: &Interior, focal_mm: f64) -> Pinhole {
 }
 
 /// What is known of the cameras of a pair, as the geometry of two views takes it, with positions of its images in such cameras.
-pub(super) struct PairCameras<'a> {
+pub(super) struct IdealCameras<'a> {
     interior: Option<&'a PairInterior>,
     /// Middles of the images, for cameras that are not known.
     middles: [[f64; 2]; 2],
 }
 
-impl<'a> PairCameras<'a> {
+impl<'a> IdealCameras<'a> {
     pub(super) fn new(interior: Option<&'a PairInterior>, sizes: [(usize, usize); 2]) -> Self {
         Self { interior, middles: sizes.map(|(width, height)| [0.5 * width as f64, 0.5 * height as f64]) }
     }
