@@ -37,7 +37,7 @@ fn a_cropped_photo_counts_as_one_of_an_unknown_camera() {
     let camera = ExifCamera { pixel_mm: None, cautions: vec![cropped.clone()], ..file_camera(CameraOrigin::FocalLengthAlone) };
     let found = result(&camera, &PairInput::default(), Strategy::Moments);
     let reason = found.orientation.unwrap_err();
-    assert!(reason.to_string().contains("taken with 4000 x 3000 px, but 200 x 150 px large: it was cropped"), "{reason}");
+    assert!(reason.to_string().contains("taken with 4000 x 3000 px, but the file has 200 x 150 px: it was cropped"), "{reason}");
     assert_eq!(reason, NoOrientation::Altered { side: Side::Left, camera_caution: cropped });
     let unlisted = ExifCamera { cautions: vec![], ..camera };
     let found = result(&unlisted, &PairInput::default(), Strategy::Moments);

@@ -189,7 +189,7 @@ function describeGeometry({ geometry, no_geometry: none }) {
 }
 
 /** What a camera that is given would answer. */
-const ASKS_FOR_CAMERA = ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered', 'unknown_camera', 'resized_or_cropped'];
+const ASKS_FOR_CAMERA = ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered', 'unknown_camera', 'resized_or_cropped', 'cropped', 'other_pixels'];
 
 /** Whether a camera is what is wanting.  @param {PairOutput['verdict']} verdict @returns {boolean} */
 function asksForCamera(verdict) {

@@ -689,14 +689,14 @@ camera-origin-focal-length-alone = EXIF (focal length in mm alone)
 camera-origin-panorama = XMP (panorama)
 
 camera-caution-resized = taken with { $taken_width_px } x { $taken_height_px } px, the file has { $width_px } x { $height_px } px: resized or cropped? Its focal length in px is that of a resized photo
-camera-caution-cropped = taken with { $taken_width_px } x { $taken_height_px } px, but { $width_px } x { $height_px } px large: it was cropped, and its focal length in px is not known; give the camera if you know it
+camera-caution-cropped = taken with { $taken_width_px } x { $taken_height_px } px, but the file has { $width_px } x { $height_px } px: it was cropped, and its focal length in px is not known; give the camera if you know it
 camera-caution-focal-plane = EXIF gives pixels of { SIGNIFICANT($pixel_um, digits: 2) } µm, but with this sensor or its 35 mm equivalent those of this photo are { SIGNIFICANT($expected_um, digits: 2) } µm large: it was resized or cropped, and its focal length in px is not known; give the camera if you know it
 camera-caution-contradiction = XMP gives a focal length of { FIXED($xmp_focal_px, digits: 0) } px, EXIF of { FIXED($exif_focal_px, digits: 0) } px: that of EXIF is used
 camera-caution-panorama = a panorama ({ $projection }): it has no central perspective, and no camera
 
 no-orientation-no-camera = no camera is given and the { $side } image names no focal length
 no-orientation-no-focal-length = fiducial marks are given, but no focal length
-no-orientation-no-pixel-size = the focal length of the { $side } image is known in mm, but not in px: neither fiducial marks nor a pixel size are known
+no-orientation-no-pixel-size = the focal length of the { $side } image is known in mm, but not in px: neither fiducial marks nor a pixel size is known
 no-orientation-altered = the { $side } image was altered: { $camera_caution }
 no-orientation-panorama = the { $side } image is a panorama: it has no central perspective, and no camera
 no-orientation-no-geometry = no geometry of the two views: { $no_geometry }
@@ -776,6 +776,8 @@ warning-unknown-camera = The focal length is hardly known and was estimated from
 warning-contradicted-focal = The given focal length is { FIXED($given_px, digits: 0) } px, but the file of the { $side } image says { FIXED($file_px, digits: 0) } px: is the camera that of another photo size, lens or zoom?
 warning-doubtful-focal = The focal length of the { $side } photo is { SIGNIFICANT($sides, digits: 2) } times the longer side of its image, where { $least } to { $most } times are usual: check the focal length and the pixel size.
 warning-resized-or-cropped = The file of the { $side } image has fewer pixels than its EXIF data says ({ $width_px } x { $height_px }, not { $taken_width_px } x { $taken_height_px }): resized or cropped? Its camera is hardly known, and the intervals may not hold: give the camera.
+warning-cropped = The { $side } image was cropped: its file has { $width_px } x { $height_px } px, its EXIF data says { $taken_width_px } x { $taken_height_px }. Its camera is hardly known, and the intervals may not hold: give the camera.
+warning-other-pixels = The { $side } image was resized or cropped: its EXIF data gives pixels of { SIGNIFICANT($pixel_um, digits: 2) } µm, where its sensor or its 35 mm equivalent gives { SIGNIFICANT($expected_um, digits: 2) } µm. Its camera is hardly known, and the intervals may not hold: give the camera.
 warning-exact = σ0 is { SIGNIFICANT($sigma0_px, digits: 1) } px, as of parts of one image; two photographs do not agree to better than { $least_px } px.
 warning-wide-angle = The points reach far from the axis for their focal length (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; up to { $most } is common): is the focal length too short?
 warning-uncertain = The rotation is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.

@@ -154,6 +154,10 @@ messages! {
         DoubtfulFocal { side: Side, sides: f64, least: f64, most: f64 },
         /// The file of a photo has fewer pixels than its EXIF says: whether it was resized or cropped is not known.
         ResizedOrCropped { side: Side, taken_width_px: u32, taken_height_px: u32, width_px: u32, height_px: u32 },
+        /// The file of a photo has another format than its EXIF says: it was cropped, and nobody knows where its principal point lies.
+        Cropped { side: Side, taken_width_px: u32, taken_height_px: u32, width_px: u32, height_px: u32 },
+        /// The pixels of a photo are not those of its sensor: it was resized or cropped.
+        OtherPixels { side: Side, pixel_um: f64, expected_um: f64 },
         /// The matches agree better than those of two photographs ever do.
         Exact { sigma0_px: f64, least_px: f64 },
         /// The points reach farther from the axis than those of perspective cameras do: their root mean square distance from their middle, in
@@ -187,6 +191,8 @@ impl Warning {
             | Self::ContradictedFocal { .. }
             | Self::DoubtfulFocal { .. }
             | Self::ResizedOrCropped { .. }
+            | Self::Cropped { .. }
+            | Self::OtherPixels { .. }
             | Self::Exact { .. }
             | Self::WideAngle { .. }
             | Self::UncertainBase { .. }

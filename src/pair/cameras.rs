@@ -70,8 +70,8 @@ fn camera_of(
         return Ok(Err(altered.unwrap_or(NoOrientation::NoPixelSize { side })));
     };
     let file_px = photo.exif.filter(|exif| given.is_some() && !exif.is_panorama()).and_then(|exif| Some(exif.focal_mm / exif.pixel_mm?));
-    let resized = of_file.and_then(|exif| resized_or_cropped(side, exif));
-    Ok(Ok((camera, resized.or_else(|| doubt_of(side, camera.focal_mm / pixel_mm, file_px, photo.longer_px)))))
+    let part = of_file.and_then(|exif| doubt_of_part(side, exif));
+    Ok(Ok((camera, part.or_else(|| doubt_of(side, camera.focal_mm / pixel_mm, file_px, photo.longer_px)))))
 }
 
 /// Why nobody knows how many px the focal length of a photo has.
@@ -79,9 +79,19 @@ fn altered(exif: &ExifCamera) -> Option<CameraCaution> {
     exif.cautions.iter().find(|caution| matches!(caution, CameraCaution::Cropped { .. } | CameraCaution::FocalPlane { .. })).cloned()
 }
 
-fn resized_or_cropped(side: Side, exif: &ExifCamera) -> Option<Warning> {
-    let [[taken_width_px, taken_height_px], [width_px, height_px]] = exif.resized_or_cropped()?;
-    Some(Warning::ResizedOrCropped { side, taken_width_px, taken_height_px, width_px, height_px })
+/// What speaks against the camera of a photo whose file says that its image may be a part of it.
+pub(super) fn doubt_of_part(side: Side, exif: &ExifCamera) -> Option<Warning> {
+    if let Some([[taken_width_px, taken_height_px], [width_px, height_px]]) = exif.resized_or_cropped() {
+        return Some(Warning::ResizedOrCropped { side, taken_width_px, taken_height_px, width_px, height_px });
+    }
+    // A calibration goes before the pixels of EXIF.
+    match altered(exif).filter(|_| exif.pixel_mm.is_none())? {
+        CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px } => {
+            Some(Warning::Cropped { side, taken_width_px, taken_height_px, width_px, height_px })
+        }
+        CameraCaution::FocalPlane { pixel_um, expected_um } => Some(Warning::OtherPixels { side, pixel_um, expected_um }),
+        _ => None,
+    }
 }
 
 /// What speaks against the focal length of a photo: what its file says, or the longer side of its image.

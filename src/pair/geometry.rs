@@ -1,12 +1,12 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
-use super::cameras::{KnownPhoto, PairCameras};
+use super::cameras::{KnownPhoto, PairCameras, doubt_of_part};
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
 use crate::error::refuse;
 use crate::{
-    CameraMm, CameraUncertainty, Error, EstimatedCamera, Fiducial, Interior, Refusal, RelativeOrientation, TwoView, TwoViewModel, Warning,
-    orient_fiducials,
+    CameraMm, CameraUncertainty, Error, EstimatedCamera, ExifCamera, Fiducial, Interior, Refusal, RelativeOrientation, Side, TwoView,
+    TwoViewModel, Warning, orient_fiducials,
 };
 use serde::{Deserialize, Serialize};
 
@@ -56,20 +56,27 @@ impl PairInterior {
 
     /// Of cameras of which nothing is known but the sizes of their images, in px: principal points in the middle of the images, a pixel being
     /// a thousandth of a millimetre. The focal length is the one that the geometry of the two views gave, or that of most cameras; the
-    /// uncertainty is that of the latter. `None` where the geometry is the map of a plane, which no camera turns into an orientation.
-    pub fn assumed(found: &TwoView, [left, right]: [(usize, usize); 2]) -> Option<Self> {
+    /// uncertainty is that of the latter, and where a file says that its image may be a part of a photo, of that too. `None` where the geometry is the
+    /// map of a plane, which no camera turns into an orientation.
+    pub fn assumed(found: &TwoView, [left, right]: [(usize, usize); 2], files: [Option<&ExifCamera>; 2]) -> Option<Self> {
         if matches!(found.model, TwoViewModel::Homography { .. }) {
             return None;
         }
         let longer = left.0.max(left.1).max(right.0).max(right.1);
         let focal_px = found.focal.map_or(CameraUncertainty::ASSUMED_FOCAL * longer as f64, |focal| focal.focal_px);
         let focal_mm = focal_px * NOMINAL_PIXEL_MM;
-        let uncertainty = Some(CameraUncertainty::ASSUMED);
-        let camera = CameraMm { uncertainty, ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
-        let of = |(width, height)| Interior::from_pixel_size(&camera, width, height).ok();
-        // Of images of different sizes one may be resized.
-        let one_lens = left == right || left == (right.1, right.0);
-        Some(Self { left: of(left)?, right: of(right)?, focal_mm, doubt: None, one_lens })
+        let of = |(width, height), file: Option<&ExifCamera>| {
+            let part = file.and_then(|file| file.part([width, height]));
+            let uncertainty =
+                part.map_or(CameraUncertainty::ASSUMED, |part| CameraUncertainty::ASSUMED.of_cropped(part.times, part.reach_px / focal_px));
+            let camera = CameraMm { uncertainty: Some(uncertainty), ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
+            Interior::from_pixel_size(&camera, width, height).ok()
+        };
+        let doubts = [(Side::Left, files[0]), (Side::Right, files[1])].map(|(side, file)| doubt_of_part(side, file?));
+        let doubt = doubts[0].or(doubts[1]);
+        // Of images of different sizes one may be resized, and so may be a part.
+        let one_lens = doubt.is_none() && (left == right || left == (right.1, right.0));
+        Some(Self { left: of(left, files[0])?, right: of(right, files[1])?, focal_mm, doubt, one_lens })
     }
 }
 
@@ -123,5 +130,35 @@ pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &Ph
     match photo.origin {
         Some(origin) => refuse(Refusal::LoneOrigin { origin: format!("{origin:?}") }),
         None => Interior::from_pixel_size(camera, width, height),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{CameraCaution, CameraOrigin};
+
+    #[test]
+    fn the_principal_point_of_a_cropped_photo_may_lie_anywhere_that_the_crop_allows() {
+        let model = TwoViewModel::Fundamental { fundamental: [[0.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]] };
+        let found = TwoView { model, inliers: vec![], threshold_px: 1.0, sigma_px: 0.3, degenerate: None, homography: None, focal: None };
+        let size = (1000, 900);
+        let file = |caution| ExifCamera { origin: CameraOrigin::FocalLengthAlone, cautions: vec![caution], ..ExifCamera::default() };
+        let [taken_width_px, taken_height_px, width_px, height_px] = [4000, 3000, 1000, 900];
+        let cropped = file(CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px });
+        let other_pixels = file(CameraCaution::FocalPlane { pixel_um: 2.0, expected_um: 4.0 });
+        let assumed = |files| PairInterior::assumed(&found, [size; 2], files).unwrap();
+        let principal_px = |side: &Interior| side.uncertainty.unwrap().principal_point * CameraUncertainty::ASSUMED_FOCAL * 1000.0;
+        // Up to 1,500 px off the middle, uniformly distributed, but no more than a focal length; half as large a part of the sensor, 500 px.
+        for (file, expected_px) in [(&cropped, 850.0), (&other_pixels, 289.0)] {
+            let PairInterior { left, right, doubt, one_lens, .. } = assumed([None, Some(file)]);
+            assert_eq!(left.uncertainty, Some(CameraUncertainty::ASSUMED));
+            assert!((principal_px(&right) - expected_px).abs() < 2.0, "{} px", principal_px(&right));
+            assert!(doubt.is_some_and(|doubt| doubt.is_weakness()) && !one_lens, "{doubt:?}");
+        }
+        let doubt = Warning::Cropped { side: Side::Left, taken_width_px, taken_height_px, width_px, height_px };
+        assert_eq!(assumed([Some(&cropped), Some(&other_pixels)]).doubt, Some(doubt));
+        let PairInterior { doubt, one_lens, .. } = assumed([None, Some(&ExifCamera::default())]);
+        assert!(doubt.is_none() && one_lens);
     }
 }

@@ -69,10 +69,12 @@ pub fn match_described_pair(
         match_in_rounds(images, Expectation { nearest, ..Expectation::from(&expected) }, interior.as_ref().ok(), settings)?;
     let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
     let sizes = [left, right].map(|image| (image.grey.width(), image.grey.height()));
+    // What a scanner wrote is not of the camera.
+    let files = [(left, &input.left), (right, &input.right)].map(|(image, photo)| image.exif.filter(|_| photo.fiducials.is_empty()));
     let interior = match (interior, found) {
         // No camera that may be assumed sees a panorama.
         (Err(reason @ NoOrientation::Panorama { .. }), _) => Err(reason),
-        (Err(reason), Some(found)) => PairInterior::assumed(found, sizes).ok_or(reason),
+        (Err(reason), Some(found)) => PairInterior::assumed(found, sizes, files).ok_or(reason),
         (interior, _) => interior,
     };
     let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));

@@ -18,7 +18,7 @@ pub fn interior(report: &Report) -> Result<Markup, Error> {
         return Ok(html! {
             p {
                 @if known { "No fiducial marks: photo coordinates follow from the pixel size." }
-                @else { "Neither fiducial marks nor a camera with its pixel size are known: there are no photo coordinates." }
+                @else { "Neither fiducial marks nor a camera with its pixel size is known: there are no photo coordinates." }
             }
         });
     }

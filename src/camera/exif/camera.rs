@@ -116,8 +116,8 @@ impl ExifCamera {
         let known = CameraUncertainty::of(self.origin);
         match self.resized_or_cropped().zip(self.pixel_mm) {
             Some(([taken, stored], pixel_mm)) => {
-                let [taken_px, stored_px] = [taken, stored].map(|size| sides(size.map(f64::from))[0]);
-                known.of_cropped(taken_px / stored_px, 0.5 * (taken_px - stored_px) / (self.focal_mm / pixel_mm))
+                let part = Part::of(taken.map(f64::from), stored.map(f64::from));
+                known.of_cropped(part.times, part.reach_px / (self.focal_mm / pixel_mm))
             }
             None => known,
         }
@@ -130,6 +130,25 @@ impl ExifCamera {
             CameraCaution::Resized { taken_width_px, taken_height_px, width_px, height_px } => {
                 let is_fewer = f64::from(taken_width_px.max(taken_height_px)) > FEWER * f64::from(width_px.max(height_px));
                 is_fewer.then_some([[taken_width_px, taken_height_px], [width_px, height_px]])
+            }
+            _ => None,
+        })
+    }
+
+    /// Of what part of a photo the image of a file is, at the least, where that may be less than all of it; `size`: of the image, px.
+    pub(crate) fn part(&self, size: [usize; 2]) -> Option<Part> {
+        self.cautions.iter().find_map(|caution| match *caution {
+            CameraCaution::Resized { .. } => {
+                let [taken, stored] = self.resized_or_cropped()?.map(|size| size.map(f64::from));
+                Some(Part::of(taken, stored))
+            }
+            CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px } => {
+                Some(Part::of([taken_width_px, taken_height_px].map(f64::from), [width_px, height_px].map(f64::from)))
+            }
+            // A photo as large as its sensor would be at the pixels that EXIF has.
+            CameraCaution::FocalPlane { pixel_um, expected_um } => {
+                let stored = size.map(|v| v as f64);
+                Some(Part::of(stored.map(|v| v * expected_um / pixel_um), stored))
             }
             _ => None,
         })
@@ -154,6 +173,25 @@ impl ExifCamera {
         let focal_mm = circle_px.clamp(1.0, 1e7) / (2.0 * PI) * NOMINAL_PIXEL_MM;
         let cautions = vec![CameraCaution::Panorama { projection: projection.to_owned() }];
         Self { focal_mm, pixel_mm: Some(NOMINAL_PIXEL_MM), origin: CameraOrigin::Panorama, cautions, ..self }
+    }
+}
+
+/// What an image that was cut out of a photo without resizing is of it. One that was resized, too, is more of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Part {
+    /// How many times as long the longer side of the photo is, 1 or more.
+    pub times: f64,
+    /// How far the middle of the photo may lie from that of the image along an axis, px.
+    pub reach_px: f64,
+}
+
+impl Part {
+    fn of(taken: [f64; 2], stored: [f64; 2]) -> Self {
+        // A photo that was turned upright may keep the size that it was taken with.
+        let is_turned = (0..2).any(|k| stored[k] > taken[k]) && (0..2).all(|k| stored[k] <= taken[1 - k]);
+        let taken = if is_turned { [taken[1], taken[0]] } else { taken };
+        let reach_px = (0..2).map(|k| 0.5 * (taken[k] - stored[k])).fold(0.0, f64::max);
+        Self { times: (sides(taken)[0] / sides(stored)[0]).max(1.0), reach_px }
     }
 }
 

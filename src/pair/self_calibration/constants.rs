@@ -50,7 +50,7 @@ fn is_one_camera(PairInterior { left, right, focal_mm, doubt, .. }: &PairInterio
         && terms.into_iter().all(|((a, b), unit)| is_near(*a, *b, unit))
         && near(&left.tangential_distortion, &right.tangential_distortion, 1.0 / f)
         && left.uncertainty == right.uncertainty
-        && !matches!(doubt, Some(Warning::ResizedOrCropped { .. }))
+        && !matches!(doubt, Some(Warning::ResizedOrCropped { .. } | Warning::Cropped { .. } | Warning::OtherPixels { .. }))
 }
 
 /// The constants that two photos share which are not of one camera in all: the focal length and k1 of one lens, where the image of one was turned

@@ -5,6 +5,7 @@ import type {
   DescribedPoints,
   DetectedPoints,
   EpipolarGeometry,
+  ExifCamera,
   Fiducial,
   FiducialModel,
   FiducialOrientation,
@@ -132,7 +133,10 @@ export interface PairCalls {
   constantOffset: { input: { dx: number; dy: number }; output: OffsetField };
   /** One piece of the nearest neighbours that `match` looks for where it is given none. */
   nearest: { input: NearestInput; output: NearestPiece };
-  match: { input: MatchInput & { interior: PairInterior | null; settings: Settings; nearest: NearestPiece[] | null }; output: PairMatches };
+  match: {
+    input: MatchInput & { interior: PairInterior | null; files: [ExifCamera | null, ExifCamera | null]; settings: Settings; nearest: NearestPiece[] | null };
+    output: PairMatches;
+  };
   candidates: { input: MatchInput & { index: number; options: Settings['matching'] }; output: Float64Array };
   gradientCandidates: { input: { index: number; left: Uint8Array; right: Uint8Array; most: number }; output: Float64Array };
   epipolarLine: { input: LineInput; output: Float64Array };

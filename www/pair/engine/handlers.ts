@@ -127,7 +127,7 @@ function match(m: Input<'match'>): Output<'match'> {
   if (held === null) throw new Error('no pair is held in this worker');
   const { left, right } = held;
   const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? undefined);
-  return { ...result, estimated: assumed_interior(result.geometry, left.width, left.height, right.width, right.height) };
+  return { ...result, estimated: assumed_interior(result.geometry, left.width, left.height, right.width, right.height, ...m.files) };
 }
 
 function candidatesOf({ left, right, offset, index, options }: Input<'candidates'>): Float64Array {
@@ -224,7 +224,7 @@ export const PAIR_HANDLERS: Handlers<PairCalls> = {
     const project = open_pair_project(bytes);
     const [left, right] = project.images;
     const { geometry } = project.output.match;
-    return { project, estimated: assumed_interior(geometry, left.width_px, left.height_px, right.width_px, right.height_px) };
+    return { project, estimated: assumed_interior(geometry, left.width_px, left.height_px, right.width_px, right.height_px, left.camera, right.camera) };
   },
   projectWrite: (project) => write_pair_project(project),
   matchesCsv: ({ matches }) => matches_csv(matches),

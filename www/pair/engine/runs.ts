@@ -65,7 +65,8 @@ const match: Run<StageValues['match']> = async (state, workers) => {
   const { gradients: ofLeft = NONE.gradients } = input.left;
   const { gradients: ofRight = NONE.gradients } = input.right;
   const [worker, nearest] = await Promise.all([workers.withPair(state), comparesGradients(settings) ? workers.nearest(ofLeft, ofRight) : null]);
-  return worker.call('match', { ...input, interior: ofPair, settings, nearest });
+  const files = [needed(state, 'openLeft').info.camera, needed(state, 'openRight').info.camera] as const;
+  return worker.call('match', { ...input, interior: ofPair, files: [...files], settings, nearest });
 };
 
 function interior(side: Side): Run<StageValues['interiorLeft']> {

@@ -92,7 +92,9 @@ function figuresWithout(state: State): Figure[] {
 
 /** Warnings that another camera would answer. */
 function asksForCamera({ kind }: Warning): boolean {
-  return ['unknown_camera', 'focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal', 'resized_or_cropped'].includes(kind);
+  return ['unknown_camera', 'focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal', 'resized_or_cropped', 'cropped', 'other_pixels'].includes(
+    kind,
+  );
 }
 
 function nextWithout(state: State, actions: AnswerActions): Next {
