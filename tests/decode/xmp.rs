@@ -101,15 +101,24 @@ fn a_designed_focal_length_goes_before_exif_and_is_less_certain_than_a_calibrate
     let by_attributes = camera(&of_drone(), &packet(&attributes, ""));
     assert_eq!(by_attributes.origin, CameraOrigin::XmpDesign);
     assert!((focal_px(&by_attributes) - 366.6666504).abs() < 1e-9);
-    // Of the whole photo: this one, of a tenth of its sides, may be a part of it.
-    let uncertainty = CameraUncertainty::of(by_attributes.origin);
-    assert!(CameraUncertainty::XMP_CALIBRATION.focal < uncertainty.focal && uncertainty.focal < CameraUncertainty::EXIF.focal);
     // Software that resizes a photo may adapt its EXIF, but not its XMP.
     let mut resized = of_drone();
     resized.truncate(4);
     resized.extend([(PIXEL_X, Short(400)), (PIXEL_Y, Short(300))]);
     let unadapted = camera(&resized, &packet(&attributes, ""));
     assert!((focal_px(&unadapted) - 366.6666504).abs() < 1e-9, "{}", focal_px(&unadapted));
+    // Of a whole photo: one with fewer pixels than it was taken with may be a part of it.
+    let calibrated = format!(
+        r#"{DJI} drone-dji:DewarpData="{DEWARP}" drone-dji:DewarpFlag="0" drone-dji:CalibratedOpticalCenterX="2000.0" drone-dji:CalibratedOpticalCenterY="1500.0""#
+    );
+    let [calibrated, designed, by_exif] = [calibrated.as_str(), &attributes, ""].map(|attributes| {
+        let mut whole = of_drone();
+        whole.truncate(4);
+        whole.extend([(PIXEL_X, Short(400)), (PIXEL_Y, Short(300))]);
+        let camera = camera(&whole, &packet(attributes, ""));
+        CameraMm::from_exif(&camera).unwrap().uncertainty.unwrap().focal
+    });
+    assert!(calibrated < designed && designed < by_exif, "{calibrated} {designed} {by_exif}");
 }
 
 #[test]
