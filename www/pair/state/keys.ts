@@ -48,11 +48,14 @@ function keyOf(kind: string, inputs: readonly (string | null)[], options: unknow
 
 type Info = StageValues['openLeft']['info'] | undefined;
 
-/** What of a photo tells its camera; of one that is not open, nothing. */
-const factsOf = (info: Info, has_marks: boolean) => ({ longer_px: Math.max(info?.width ?? 1, info?.height ?? 1), exif: info?.camera ?? null, has_marks });
+/** What of a photo tells its camera; one that is not open is taken to be as large as the other. */
+const factsOf = (info: Info, other: Info, has_marks: boolean) => {
+  const { width, height } = info ?? other ?? { width: 1, height: 1 };
+  return { longer_px: Math.max(width, height), exif: info?.camera ?? null, has_marks };
+};
 
 const camerasOf = remember((given: CameraMm | null, left: Info, right: Info, areMarksLeft: boolean, areMarksRight: boolean) =>
-  pair_cameras(given, factsOf(left, areMarksLeft), factsOf(right, areMarksRight)),
+  pair_cameras(given, factsOf(left, right, areMarksLeft), factsOf(right, left, areMarksRight)),
 );
 
 /** The camera of both images where one is given, else that of each image's EXIF, with what speaks against them; or what is missing. */
@@ -130,17 +133,21 @@ function compute(state: State): WantedKeys {
   const given = state.offset === null ? keyOf('offset', [openLeft, openRight]) : keyOf('offset', [], state.offset);
   const offset = gradients ? null : given;
   const cameras = pairCameras(state);
+  // Both photos are taken to the focal length of the left one; else the camera of the other one changes nothing.
   const interior = (side: Side, open: string | null) =>
-    'missing' in cameras ? null : keyOf('interior', [open], [cameras, side, measuredPhoto(state.photos[side]), state.fiducialModel]);
+    'missing' in cameras
+      ? null
+      : keyOf('interior', [open], [cameras[side], cameras.left.focal_mm, side, measuredPhoto(state.photos[side]), state.fiducialModel]);
   const interiorLeft = interior('left', openLeft);
   const interiorRight = interior('right', openRight);
+  const together = 'missing' in cameras ? null : keyOf('together', [], [cameras.doubt, cameras.one_lens]);
   const match = keyOf(
     'match',
     [descriptorsLeft, descriptorsRight, gradients ? '' : offset],
-    [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])],
+    [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight, together])],
   );
   const unknown = settings === null || ('missing' in cameras && cameras.missing.kind === 'panorama') ? null : estimatedFrom(state, settings, match);
-  const interiors = 'missing' in cameras ? [unknown] : [interiorLeft, interiorRight];
+  const interiors = 'missing' in cameras ? [unknown] : [interiorLeft, interiorRight, together];
   const orientable = withoutBase(state, match) ? null : '';
   const truth = truthOf(state);
   const edited = withEdits(state, match);
