@@ -3,9 +3,9 @@
 use super::known::input;
 use image::ImageEncoder;
 use tiepoint::{
-    CameraMm, DecodeLimits, Degeneracy, Expectation, GreyImage, NoOrientation, OffsetField, Operator, PairImage, PairInput, PairResult,
-    PairSettings, PointOptions, Refinement, Rule, SAMPLE_SEED, Strategy, decode, describe_image, match_in_rounds, match_pair, nearest_of,
-    sample_pair,
+    CameraMm, DecodeLimits, Degeneracy, Expectation, Flight, GreyImage, NoOrientation, OffsetField, Operator, PairImage, PairInput,
+    PairResult, PairSettings, PairVerdict, PointOptions, Refinement, Rule, SAMPLE_SEED, Strategy, decode, describe_image, match_in_rounds,
+    match_pair, nearest_of, sample_pair, simulate,
 };
 
 /// The image as it is read again from a JPEG of this quality.
@@ -107,6 +107,36 @@ fn one_photo_is_named_however_it_was_saved() {
     ] {
         let result = matched(&photo, &right, &PairInput::default(), &settings());
         assert_eq!(result.orientation.as_ref().err(), Some(expected), "{name}: {}", result.verdict());
+    }
+}
+
+#[test]
+fn level_photos_of_flat_ground_are_not_called_parts_of_one_image() {
+    let level = Flight {
+        omega_deg: 0.0,
+        phi_deg: 0.0,
+        kappa_deg: 0.0,
+        by_mm: 0.0,
+        bz_mm: 0.0,
+        left_omega_deg: 0.0,
+        left_phi_deg: 0.0,
+        left_kappa_deg: 0.0,
+        relief_m: 0.0,
+        buildings: 0,
+        trees: 0,
+        ..Flight::default()
+    };
+    let sample = simulate(&level).unwrap();
+    // The simulated patches show the same ground: what is left of them is what overlaps of two photos.
+    let width = sample.left.width();
+    let (left, right) = (columns(&sample.left, 100, width), columns(&sample.right, 0, width - 100));
+    let camera = CameraMm::without_distortion(150.0, Some(0.25));
+    for camera in [None, Some(camera)] {
+        let result = matched(&left, &right, &PairInput { camera, ..PairInput::default() }, &settings());
+        assert!(result.matching.matches.len() > 100, "{:?}", result.matching.counts);
+        println!("{}", result.verdict());
+        assert!(!matches!(result.orientation, Err(NoOrientation::OnePhoto | NoOrientation::PartsOfOneImage)), "{}", result.verdict());
+        assert!(!matches!(result.verdict(), PairVerdict::Oriented { .. }), "{}", result.verdict());
     }
 }
 

@@ -1,12 +1,14 @@
 //! The whole pipeline on photographs beside the project; skipped where they are absent.
 
+use image::ImageEncoder;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tiepoint::{
-    CameraMm, DecodeLimits, Decoded, Degeneracy, Error, Fiducial, FiducialModel, MatchOptions, NoOrientation, Operator, PairImage,
-    PairInput, PairResult, PairSettings, PointOptions, RelativeOrientation, Strategy, Warning, decode, match_pair, orient_fiducials,
+    CameraCaution, CameraMm, CameraOrigin, DecodeLimits, Decoded, Degeneracy, Error, ExifCamera, Fiducial, FiducialModel, GreyImage,
+    MatchOptions, NoOrientation, OneImage, Operator, PairImage, PairInput, PairResult, PairSettings, PairVerdict, PointOptions,
+    RelativeOrientation, Strategy, Warning, decode, match_pair, orient_fiducials,
 };
 
 fn folder(name: &str) -> Option<PathBuf> {
@@ -166,5 +168,96 @@ fn low_relief_without_a_camera_is_a_plane_and_no_rotation() {
         // Two photographs are neither one twice nor parts of one.
         let is_one = matches!(result.orientation, Err(NoOrientation::OnePhoto | NoOrientation::PartsOfOneImage));
         assert!(!is_one, "{name}: {:?}", result.orientation);
+    }
+}
+
+/// Part of an image, from a column and row on.
+fn part(image: &GreyImage, [col0, row0]: [usize; 2], [width, height]: [usize; 2]) -> GreyImage {
+    let view = image.view();
+    GreyImage::from_fn(width, height, |col, row| view.at(col + col0, row + row0)).unwrap()
+}
+
+/// Positions of the matches by gradients of two images of which nothing else is known.
+fn positions(left: &GreyImage, right: &GreyImage) -> Vec<[f64; 4]> {
+    let mut settings = PairSettings::default();
+    settings.matching.strategy = Strategy::Gradient;
+    let [left, right] = [left, right].map(|grey| PairImage { grey: grey.view(), exif: None, mask: None });
+    let matches = match_pair(left, right, &PairInput::default(), &settings).unwrap().matching.matches;
+    matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect()
+}
+
+/// Of windows of 100 to 600 px cut out of the right image with a hundred matches and more: how many are called parts of the left one, and how many
+/// there are.
+fn called_parts(matches: &[[f64; 4]], left: (usize, usize), right: (usize, usize)) -> [usize; 2] {
+    let mut state = 1_u64;
+    let mut below = |most: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % most
+    };
+    let (mut called, mut all) = (0, 0);
+    for _ in 0..300 {
+        let (width, height) = (100 + below(500), 100 + below(500));
+        let (x0, y0) = (below(right.0 - width) as f64, below(right.1 - height) as f64);
+        let inside = |m: &&[f64; 4]| (x0..x0 + width as f64).contains(&m[2]) && (y0..y0 + height as f64).contains(&m[3]);
+        let own: Vec<[f64; 4]> = matches.iter().filter(inside).map(|[x, y, u, v]| [*x, *y, u - x0, v - y0]).collect();
+        if own.len() >= 100 {
+            called += usize::from(OneImage::of(&own, [left, (width, height)]).is_some());
+            all += 1;
+        }
+    }
+    [called, all]
+}
+
+#[test]
+fn windows_of_other_photographs_are_hardly_called_parts_and_windows_of_copies_are() {
+    let Some(folder) = folder("block_caliterra") else { return };
+    let [first, second, third] = ["IMG_9404.jpg", "IMG_9405.jpg", "IMG_9406.jpg"].map(|name| image(&folder, name).grey);
+    let size = (first.width(), first.height());
+    for (left, right) in [(&first, &second), (&second, &third)] {
+        let matches = positions(left, right);
+        assert_eq!(OneImage::of(&matches, [size; 2]), None);
+        let [called, all] = called_parts(&matches, size, size);
+        println!("photographs: {called} of {all} windows are called parts, {} matches", matches.len());
+        assert!(all > 50 && 100 * called <= 4 * all, "{called} of {all}");
+    }
+    let mut file = Vec::new();
+    let encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut file, 50);
+    encoder.write_image(second.data(), size.0 as u32, size.1 as u32, image::ExtendedColorType::L8).unwrap();
+    let copy = decode(&file, &DecodeLimits::default()).unwrap().grey;
+    let [called, all] = called_parts(&positions(&second, &copy), size, size);
+    println!("copies: {called} of {all} windows are called parts");
+    assert!(all > 50 && 100 * called >= 90 * all, "{called} of {all}");
+}
+
+#[test]
+fn photographs_cropped_to_another_format_are_weak_and_their_intervals_hold() {
+    let Some(folder) = folder("truth_terrestrial_fountain") else { return };
+    let truth = truth(&folder);
+    let pair = truth["pairs"].as_array().unwrap().iter().find(|pair| pair["a"] == "0004.jpg" && pair["b"] == "0005.jpg").unwrap();
+    let [left, right] = ["0004.jpg", "0005.jpg"].map(|name| image(&folder, name).grey);
+    for ([at_left, at_right], [width, height]) in [([[400, 80], [300, 40]], [1000, 900]), ([[0, 0], [500, 100]], [900, 900])] {
+        let cropped = [part(&left, at_left, [width, height]), part(&right, at_right, [width, height])];
+        let [width_px, height_px] = [width as u32, height as u32];
+        let caution = CameraCaution::Cropped { taken_width_px: 1536, taken_height_px: 1024, width_px, height_px };
+        let camera =
+            ExifCamera { focal_mm: 20.0, origin: CameraOrigin::FocalLengthAlone, cautions: vec![caution], ..ExifCamera::default() };
+        let images = cropped.each_ref().map(|grey| PairImage { grey: grey.view(), exif: Some(&camera), mask: None });
+        let result = match_pair(images[0], images[1], &PairInput::default(), &PairSettings::default()).unwrap();
+        let verdict = result.verdict();
+        assert!(matches!(verdict, PairVerdict::Weak { warning: Warning::Cropped { .. }, .. }), "{verdict}");
+        let interior = result.interior.unwrap();
+        let found = result.orientation.unwrap();
+        let half = found.half_widths_95.unwrap();
+        let rotation_deg = half.omega_deg.hypot(half.phi_deg).hypot(half.kappa_deg);
+        let base_deg = half.by_mm.hypot(half.bz_mm).atan2(found.base_mm.abs()).to_degrees();
+        let errors = errors_deg(&found, &pair["R"], &pair["t"]);
+        for camera in found.cameras.unwrap() {
+            let [focal_px, error_px] = [camera.focal_mm, camera.focal_standard_error_mm].map(|v| v / interior.left.pixel_mm());
+            println!("{width} x {height} px: focal length {focal_px:.0} ± {error_px:.0} px, true 1381");
+            assert!((focal_px - 1381.0).abs() < 2.5 * error_px, "{focal_px} ± {error_px} px");
+        }
+        println!("rotation off by {:.2} of ± {rotation_deg:.2} deg, base by {:.2} of ± {base_deg:.2} deg", errors[0], errors[1]);
+        // An interval of the base as wide as that says that its direction, and its sense, are not known.
+        assert!(errors[0] < 1.3 * rotation_deg && (errors[1] < 1.3 * base_deg || base_deg > 60.0), "{errors:?} deg");
     }
 }

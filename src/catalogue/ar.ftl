@@ -381,6 +381,7 @@ warning-doubtful-focal = البعد البؤري للصورة { $side } يساو
 warning-resized-or-cropped = في ملف الصورة { $side } بكسلات أقل مما تذكره بيانات EXIF فيه ({ $width_px } × { $height_px } لا { $taken_width_px } × { $taken_height_px }): هل غُيّر حجمها أم قُصّت؟ لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
 warning-cropped = قُصّت الصورة { $side }: في ملفها { $width_px } × { $height_px } بكسل، وتذكر بيانات EXIF فيه { $taken_width_px } × { $taken_height_px }. لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
 warning-other-pixels = غُيّر حجم الصورة { $side } أو قُصّت: تعطي بيانات EXIF فيها بكسلات قدرها { SIGNIFICANT($pixel_um, digits: 2) } ميكرومتر، ويعطي مستشعرها أو مكافئه 35 مم { SIGNIFICANT($expected_um, digits: 2) } ميكرومتر. لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
+warning-similarity-alone = تختلف الصورتان بإزاحة ودوران ومقياس فقط، كما في أجزاء من صورة واحدة، وكما قد يكون في صور مستوية فوق أرض مسطحة: فإن كانتا جزأين من صورة واحدة فالتوجيه خاطئ.
 warning-exact = ‏σ0 تبلغ { SIGNIFICANT($sigma0_px, digits: 1) } بكسل، كما في أجزاء من صورة واحدة؛ ولا تتفق صورتان بأدق من { $least_px } بكسل.
 warning-wide-angle = تبتعد النقاط عن المحور كثيرًا بالنسبة إلى بعدها البؤري (الجذر التربيعي لمتوسط مربعات بعدها عن وسطها { FIXED($coverage, digits: 2) } من البعد البؤري؛ المعتاد حتى { $most }): هل البعد البؤري أقصر من الصحيح؟
 warning-uncertain = يُعرف الدوران بحدود ±{ SIGNIFICANT($half_width_deg, digits: 2) }° فقط (95 %)؛ السليم حتى ±{ $most_deg }°.

@@ -158,6 +158,8 @@ messages! {
         Cropped { side: Side, taken_width_px: u32, taken_height_px: u32, width_px: u32, height_px: u32 },
         /// The pixels of a photo are not those of its sensor: it was resized or cropped.
         OtherPixels { side: Side, pixel_um: f64, expected_um: f64 },
+        /// The matches ask for a similarity alone, as those of parts of one image do, and of level photos over flat ground.
+        SimilarityAlone,
         /// The matches agree better than those of two photographs ever do.
         Exact { sigma0_px: f64, least_px: f64 },
         /// The points reach farther from the axis than those of perspective cameras do: their root mean square distance from their middle, in
@@ -193,6 +195,7 @@ impl Warning {
             | Self::ResizedOrCropped { .. }
             | Self::Cropped { .. }
             | Self::OtherPixels { .. }
+            | Self::SimilarityAlone
             | Self::Exact { .. }
             | Self::WideAngle { .. }
             | Self::UncertainBase { .. }

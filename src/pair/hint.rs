@@ -22,17 +22,22 @@ impl PairHint {
     /// The hint for a verdict on a pair of these settings; `None` where the pair is oriented, or nothing else is known to do better.
     pub fn of(verdict: &PairVerdict, settings: &PairSettings) -> Option<Self> {
         let is_oriented = matches!(verdict, PairVerdict::Oriented { .. });
-        let is_helpless = matches!(verdict, PairVerdict::NotOriented { no_orientation } if is_of_interior(no_orientation));
+        let is_helpless = matches!(verdict, PairVerdict::NotOriented { no_orientation } if is_by_any_strategy(no_orientation));
         let compares_windows = settings.resolved().matching.strategy != Strategy::Gradient;
         (compares_windows && !is_oriented && !is_helpless).then_some(Self::OtherStrategy)
     }
 }
 
 /// Whether what is missing is missing by any strategy.
-fn is_of_interior(no_orientation: &NoOrientation) -> bool {
+fn is_by_any_strategy(no_orientation: &NoOrientation) -> bool {
     matches!(
         no_orientation,
-        NoOrientation::NoFocalLength | NoOrientation::NoPixelSize { .. } | NoOrientation::Altered { .. } | NoOrientation::Panorama { .. }
+        NoOrientation::NoFocalLength
+            | NoOrientation::NoPixelSize { .. }
+            | NoOrientation::Altered { .. }
+            | NoOrientation::Panorama { .. }
+            | NoOrientation::OnePhoto
+            | NoOrientation::PartsOfOneImage
     )
 }
 
@@ -66,6 +71,8 @@ mod tests {
             assert_eq!(PairHint::of(&verdict, &with(Strategy::Gradient)), None, "{verdict:?}");
         }
         assert_eq!(PairHint::of(&oriented, &moments), None);
-        assert_eq!(PairHint::of(&not_oriented(NoOrientation::NoFocalLength), &moments), None);
+        for helpless in [NoOrientation::NoFocalLength, NoOrientation::OnePhoto, NoOrientation::PartsOfOneImage] {
+            assert_eq!(PairHint::of(&not_oriented(helpless), &moments), None);
+        }
     }
 }

@@ -82,7 +82,7 @@ pub fn match_described_pair(
     // Images of one have no base: that is said, not that the camera only turned, or that it is not known. Scans with fiducial
     // marks on both sides are of two photographs.
     let positions: Vec<[f64; 4]> = matching.matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
-    let one_image = found.filter(|_| !are_scans).and_then(|_| OneImage::of(&positions, sizes));
+    let one_image = if are_scans { None } else { OneImage::of(&positions, sizes) };
     let orientation = match (&interior, &geometry, one_image) {
         (Err(reason @ NoOrientation::Panorama { .. }), ..) => Err(reason.clone()),
         // No camera helps photos that have no geometry.

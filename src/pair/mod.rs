@@ -10,6 +10,7 @@ mod input;
 mod match_pair;
 mod no_orientation;
 mod one_image;
+mod one_map;
 mod orienting;
 mod preset;
 mod rounds;

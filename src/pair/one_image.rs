@@ -1,64 +1,40 @@
-//! Images that differ by a shift, a turn and a scale alone: one photograph twice, or parts of one image.
-//!
-//! Such images differ from a similarity by the errors of matching, and these are independent. What a second photograph moves, its relief, its
-//! tilts and its lens, it moves for neighbours together, however little that is: so the residuals of neighbours tell, not their size.
+//! Images of one: a photograph twice, or an image and a part of it.
 
 use super::no_orientation::NoOrientation;
-use crate::math::median;
+use super::one_map::{Evidence, OneMap, length};
 
-/// Correlation of the residuals of neighbours. Copies of photographs, compressed, resized, turned and cropped, had up to 0.03; whole pairs of real ones
-/// had 0.95 and more, but for scans of flat ground with 0.24. Where a small part is common to both, real ones have less, too.
-const MOST_CORRELATION: f64 = 0.2;
-/// Fewer matches do not tell that correlation.
-const LEAST_MATCHES: usize = 100;
-/// Matches whose neighbours are looked for.
-const PROBES: usize = 1000;
-/// Nearer ones may see the same pixels, and have their errors in common, px.
-const NEAREST_PX: f64 = 12.0;
-/// Positions are not measured finer: what is below is how they were rounded, px.
-const FINEST_PX: f64 = 0.02;
-/// Median of the residuals of a copy, in px of the coarser image: up to 0.3 after the strongest compression.
-const MOST_MEDIAN_PX: f64 = 0.6;
-/// Matches that are this many medians off, and this many px, are wrong: at most a tenth.
-const MOST_MEDIANS: f64 = 4.0;
-const LEAST_OFF_PX: f64 = 0.2;
-const SHARE: f64 = 0.9;
-/// Rounds in which they leave the fit.
-const ROUNDS: usize = 5;
-/// Sides of a resized image are whole px: that stretches it by some tenths of a px, root mean square of the matches.
-const MOST_STRETCH_PX: f64 = 0.5;
-/// How far the frames of one photograph, saved again in another size or turned, lie apart, as a share of the diagonal.
+/// Up to this evidence for another map than a similarity, images may be of one: F of 14 and many degrees of freedom is below 3.1 in 9,999 of 10,000
+/// cases, and narrow windows of copies reach 3.9.
+const MOST_OF_PERHAPS: Evidence = Evidence { variance_ratio: 5.0, correlation: 0.3 };
+/// And up to this they are refused: of two photographs of level ground a narrow strip may have as little.
+const MOST_OF_ONE: Evidence = Evidence { variance_ratio: 3.0, correlation: 0.2 };
+/// How far the frames of one photograph, saved again in another size or turned, lie apart, and how far that of a part reaches beyond the image, as a
+/// share of the diagonal.
 const SAME_FRAME: f64 = 0.01;
+/// The frame of a copy or a part is filled with matches: of its cells this share, where the others may show sky or water.
+const CELLS: usize = 4;
+const LEAST_FILLED: f64 = 0.6;
+/// A part has as many px as its place in the image, or fewer: a photograph from nearer by has more.
+const MOST_FINER: f64 = 1.05;
 
 /// What two images are of one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OneImage {
     /// One photo twice.
     Twice,
+    /// One image lies in the other.
     Parts,
 }
 
 impl OneImage {
     /// What images of these sizes are of one by their matches `[x left, y left, x right, y right]`, px; `None` where these ask for more than a
-    /// similarity, or are too few to tell.
+    /// similarity, or are too few to tell, and where two photographs may have the same: see [`may_be_one`].
     pub fn of(matches: &[[f64; 4]], sizes: [(usize, usize); 2]) -> Option<Self> {
-        if matches.len() < LEAST_MATCHES {
-            return None;
+        let map = OneMap::of(matches).filter(|map| map.evidence.is_within(MOST_OF_ONE))?;
+        if are_one_frame(&map, sizes) {
+            return is_filled(&map, 0, sizes).then_some(Self::Twice);
         }
-        let [left, right] = sizes.map(|(width, height)| [width as f64, height as f64]);
-        let mut near: Vec<&[f64; 4]> = matches.iter().collect();
-        let (mut map, mut most_px) = (Map::fitted(&near)?, 0.0);
-        for _ in 0..ROUNDS {
-            let middle = median(&mut matches.iter().map(|m| length(map.residual_px(m))).collect::<Vec<_>>())?;
-            most_px = (MOST_MEDIANS * middle).max(LEAST_OFF_PX);
-            near = matches.iter().filter(|m| length(map.residual_px(m)) <= most_px).collect();
-            map = Map::fitted(&near)?;
-        }
-        let is_one = most_px <= MOST_MEDIANS * MOST_MEDIAN_PX * map.scale().max(1.0)
-            && near.len() as f64 >= SHARE * matches.len() as f64
-            && map.stretch_px(&near) <= MOST_STRETCH_PX
-            && correlation(&map, &near)? <= MOST_CORRELATION;
-        is_one.then(|| if map.is_of_frames(left, right) { Self::Twice } else { Self::Parts })
+        (0..2).any(|side| is_part(&map, side, sizes) && is_filled(&map, side, sizes)).then_some(Self::Parts)
     }
 
     /// Why there is no orientation.
@@ -70,85 +46,46 @@ impl OneImage {
     }
 }
 
-/// Where positions of the left image lie in the right one: an affine map, which is a similarity but for a stretch.
-struct Map {
-    /// Of the matches in the left image and in the right one, px.
-    middles: [[f64; 2]; 2],
-    /// By row.
-    matrix: [[f64; 2]; 2],
-    /// The similarity nearest to it at the matches, as a complex number.
-    similarity: [f64; 2],
+/// Whether matches leave open that their images are parts of one, as those of level photographs of flat ground do.
+pub(super) fn may_be_one(matches: &[[f64; 4]]) -> bool {
+    OneMap::of(matches).is_some_and(|map| map.evidence.is_within(MOST_OF_PERHAPS))
 }
 
-impl Map {
-    /// By least squares; `None` where the matches lie on a line.
-    fn fitted(matches: &[&[f64; 4]]) -> Option<Self> {
-        let mean = [0, 1, 2, 3].map(|k| matches.iter().map(|m| m[k]).sum::<f64>() / matches.len() as f64);
-        let sum = |j: usize, k: usize| matches.iter().map(|m| (m[j] - mean[j]) * (m[k] - mean[k])).sum::<f64>();
-        let [xx, xy, yy] = [sum(0, 0), sum(0, 1), sum(1, 1)];
-        let determinant = xx * yy - xy * xy;
-        let row = |k: usize| {
-            let [x, y] = [sum(0, k), sum(1, k)];
-            [(yy * x - xy * y) / determinant, (xx * y - xy * x) / determinant]
-        };
-        let similarity = [(sum(0, 2) + sum(1, 3)) / (xx + yy), (sum(0, 3) - sum(1, 2)) / (xx + yy)];
-        let middles = [[mean[0], mean[1]], [mean[2], mean[3]]];
-        (determinant > 0.0).then(|| Self { middles, matrix: [row(2), row(3)], similarity })
-    }
-
-    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let [[x0, y0], [u0, v0]] = self.middles;
-        let [[a, b], [c, d]] = self.matrix;
-        [u0 + a * (x - x0) + b * (y - y0), v0 + c * (x - x0) + d * (y - y0)]
-    }
-
-    /// From where the left position lies to the right one.
-    fn residual_px(&self, [x, y, u, v]: &[f64; 4]) -> [f64; 2] {
-        let [place_u, place_v] = self.place([*x, *y]);
-        [u - place_u, v - place_v]
-    }
-
-    fn scale(&self) -> f64 {
-        length(self.similarity)
-    }
-
-    /// Root mean square of how far it takes matches from where the similarity takes them.
-    fn stretch_px(&self, matches: &[&[f64; 4]]) -> f64 {
-        let ([[x0, y0], _], [[a, b], [c, d]], [e, f]) = (self.middles, self.matrix, self.similarity);
-        let square = |m: &&[f64; 4]| {
-            let [x, y] = [m[0] - x0, m[1] - y0];
-            let [u, v] = [(a - e) * x + (b + f) * y, (c - f) * x + (d - e) * y];
-            u * u + v * v
-        };
-        (matches.iter().map(square).sum::<f64>() / matches.len() as f64).sqrt()
-    }
-
-    /// Whether it takes the frame of the left image to that of the right one.
-    fn is_of_frames(&self, left: [f64; 2], right: [f64; 2]) -> bool {
-        let [x, y] = self.place(left.map(|side| 0.5 * side));
-        let off = libm::hypot(x - 0.5 * right[0], y - 0.5 * right[1]) / length(right);
-        off <= SAME_FRAME && (self.scale() * length(left) / length(right) - 1.0).abs() <= SAME_FRAME
+impl Evidence {
+    fn is_within(self, most: Self) -> bool {
+        self.variance_ratio <= most.variance_ratio && self.correlation <= most.correlation
     }
 }
 
-fn length([x, y]: [f64; 2]) -> f64 {
-    libm::hypot(x, y)
+/// Whether the map takes the frame of the left image to that of the right one.
+fn are_one_frame(map: &OneMap, sizes: [(usize, usize); 2]) -> bool {
+    let [left, right] = [0, 1].map(|side| map.reduced(side, sizes[side]));
+    let [x, y] = map.place(0, left.map(|side| 0.5 * side));
+    let off = length([x - 0.5 * right[0], y - 0.5 * right[1]]) / length(right);
+    off <= SAME_FRAME && (length(left) / length(right) - 1.0).abs() <= SAME_FRAME
 }
 
-/// Correlation of the residuals of neighbours; `None` where no match has one.
-fn correlation(map: &Map, matches: &[&[f64; 4]]) -> Option<f64> {
-    let square = |a: &[f64; 4], b: &[f64; 4]| (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
-    let neighbour = |m: &[f64; 4]| {
-        let apart = matches.iter().map(|other| (square(m, other), other)).filter(|(distance, _)| *distance >= NEAREST_PX * NEAREST_PX);
-        apart.min_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, other)| map.residual_px(other))
+/// Whether an image (0 left, 1 right) lies in the other one, as a part that was cut out of it.
+fn is_part(map: &OneMap, side: usize, sizes: [(usize, usize); 2]) -> bool {
+    let ([width, height], other) = (map.reduced(side, sizes[side]), map.reduced(1 - side, sizes[1 - side]));
+    let beyond = SAME_FRAME * length(other);
+    let is_in = |at: [f64; 2]| {
+        let place = map.place(side, at);
+        (0..2).all(|k| (-beyond..=other[k] + beyond).contains(&place[k]))
     };
-    let (mut products, mut squares) = (0.0, 0.0);
-    for m in matches.iter().step_by(matches.len().div_ceil(PROBES)) {
-        let ([x, y], [u, v]) = (map.residual_px(m), neighbour(m)?);
-        products += x * u + y * v;
-        squares += x * x + y * y + FINEST_PX * FINEST_PX;
+    let finer = if side == 0 { 1.0 / map.scale() } else { map.scale() };
+    finer <= MOST_FINER && [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]].into_iter().all(is_in)
+}
+
+/// Whether matches lie all over an image.
+fn is_filled(map: &OneMap, side: usize, sizes: [(usize, usize); 2]) -> bool {
+    let size = map.reduced(side, sizes[side]);
+    let mut filled = [[false; CELLS]; CELLS];
+    for at in map.positions(side) {
+        let [col, row] = [0, 1].map(|k| ((at[k] / size[k] * CELLS as f64).max(0.0) as usize).min(CELLS - 1));
+        filled[row][col] = true;
     }
-    Some(products / squares)
+    filled.as_flattened().iter().filter(|is| **is).count() as f64 >= LEAST_FILLED * (CELLS * CELLS) as f64
 }
 
 #[cfg(test)]
@@ -158,17 +95,26 @@ mod tests {
 
     const SIZE: (usize, usize) = (1600, 1200);
 
-    /// Matches of points all over an image, which lie at `map` of them in the other one but for errors of this many px.
-    fn matches(noise_px: f64, map: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 4]> {
+    /// Matches of points all over a part of an image, which lie at `map` of them in the other one but for errors of this many px.
+    fn matches_in(size: [f64; 2], noise_px: f64, map: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 4]> {
         let mut random = Random::new(7);
         let mut uniform = |most: f64| most * random.below(100_000) as f64 * 1e-5;
         (0..400)
             .map(|_| {
-                let at = [uniform(1600.0), uniform(1200.0)];
+                let at = size.map(&mut uniform);
                 let [x, y] = map(at).map(|v| v + uniform(2.0 * noise_px) - noise_px);
                 [at[0], at[1], x, y]
             })
             .collect()
+    }
+
+    fn matches(noise_px: f64, map: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 4]> {
+        matches_in([1600.0, 1200.0], noise_px, map)
+    }
+
+    /// The same with left and right exchanged.
+    fn exchanged(matches: &[[f64; 4]]) -> Vec<[f64; 4]> {
+        matches.iter().map(|[x, y, u, v]| [*u, *v, *x, *y]).collect()
     }
 
     #[test]
@@ -180,30 +126,60 @@ mod tests {
         let quarter_turn = matches(0.1, |[x, y]| [1200.0 - y, x]);
         for (right, size) in [(exact, SIZE), (saved_again, SIZE), (half, (801, 600)), (quarter_turn, (1200, 1600))] {
             assert_eq!(OneImage::of(&right, [SIZE, size]), Some(OneImage::Twice), "{size:?}");
+            assert_eq!(OneImage::of(&exchanged(&right), [size, SIZE]), Some(OneImage::Twice), "{size:?}, exchanged");
         }
     }
 
     #[test]
-    fn parts_are_told_from_photographs() {
-        let shifted = matches(0.2, |[x, y]| [x - 500.0, y + 1.0]);
-        assert_eq!(OneImage::of(&shifted, [SIZE; 2]), Some(OneImage::Parts));
-        // Halves of one scan have a strip in common.
-        let strip: Vec<[f64; 4]> = matches(0.5, |[x, y]| [x - 1500.0, y])
-            .into_iter()
-            .map(|[x, y, u, v]| [1500.0 + x / 20.0, y, u + 1500.0 - 19.0 * x / 20.0, v])
-            .take(200)
-            .collect();
-        assert_eq!(OneImage::of(&strip, [SIZE; 2]), Some(OneImage::Parts));
+    fn a_part_is_found_whichever_image_it_is_of() {
+        let [width, height] = [1000.0, 800.0];
+        let part = matches_in([width, height], 0.2, |[x, y]| [x + 500.0, y + 300.0]);
         // Some matches are wrong.
-        let mut some_wrong = shifted.clone();
+        let mut some_wrong = part.clone();
         some_wrong.iter_mut().take(20).for_each(|m| m[2] += 40.0);
-        assert_eq!(OneImage::of(&some_wrong, [SIZE; 2]), Some(OneImage::Parts));
+        let reduced: Vec<[f64; 4]> = part.iter().map(|m| [0.5 * m[0], 0.5 * m[1], m[2], m[3]]).collect();
+        for (matches, size) in [(part, (1000, 800)), (some_wrong, (1000, 800)), (reduced, (500, 400))] {
+            assert_eq!(OneImage::of(&matches, [size, SIZE]), Some(OneImage::Parts), "{size:?}");
+            assert_eq!(OneImage::of(&exchanged(&matches), [SIZE, size]), Some(OneImage::Parts), "{size:?}, exchanged");
+        }
+    }
+
+    #[test]
+    fn what_two_photographs_may_have_is_no_proof() {
+        let some = |matches: &[[f64; 4]], sizes| (OneImage::of(matches, sizes), may_be_one(matches));
+        // Halves of one scan have a strip in common, as two level photos over flat ground may have.
+        let strip =
+            matches_in([80.0, 1200.0], 0.5, |[x, y]| [x, y]).into_iter().map(|[x, y, u, v]| [x + 1520.0, y, u, v]).collect::<Vec<_>>();
+        assert_eq!(some(&strip, [SIZE; 2]), (None, true));
+        // Matches in a corner do not fill the part.
+        let corner = matches_in([400.0, 300.0], 0.2, |[x, y]| [x + 500.0, y + 300.0]);
+        assert_eq!(some(&corner, [(1000, 800), SIZE]), (None, true));
+        // A photo from nearer by has more px of the same ground than the image around it.
+        let nearer = matches(0.2, |[x, y]| [0.5 * x + 300.0, 0.5 * y + 200.0]);
+        assert_eq!(some(&nearer, [SIZE; 2]), (None, true));
+    }
+
+    #[test]
+    fn photographs_are_told_from_parts() {
         // Relief, a tilt or the lens of another photo move neighbours together, by less than a pixel too.
         let relief = matches(0.2, |[x, y]| [x - 500.0 + 0.4 * libm::sin(0.01 * y), y]);
         let tilted = matches(0.2, |[x, y]| [x, y].map(|v| v / (1.0 + 2e-6 * x)));
         let lens = matches(0.2, |[x, y]| [x - 500.0 + 0.4 * libm::sin(0.005 * x), y]);
-        for photographs in [relief, tilted, lens, shifted[..30].to_vec()] {
-            assert_eq!(OneImage::of(&photographs, [SIZE; 2]), None);
+        let few = matches(0.2, |[x, y]| [x - 500.0, y])[..30].to_vec();
+        for photographs in [relief, tilted, lens, few] {
+            assert_eq!((OneImage::of(&photographs, [SIZE; 2]), may_be_one(&photographs)), (None, false));
         }
+    }
+
+    #[test]
+    fn a_slow_change_that_neighbours_hardly_share_is_of_photographs() {
+        // 0.1 px of a tilt under errors of 0.3 px: neighbours correlate by less than a fifth.
+        let tilted = matches(0.5, |[x, y]| [x + 0.14 * (x / 800.0 - 1.0) * (x / 800.0 - 1.0), y]);
+        let map = OneMap::of(&tilted).unwrap();
+        assert!(map.evidence.correlation < MOST_OF_ONE.correlation, "{:?}", map.evidence);
+        let strong = matches(0.5, |[x, y]| [x + 0.4 * (x / 800.0 - 1.0) * (x / 800.0 - 1.0), y]);
+        let map = OneMap::of(&strong).unwrap();
+        assert!(map.evidence.variance_ratio > MOST_OF_PERHAPS.variance_ratio, "{:?}", map.evidence);
+        assert!(!may_be_one(&strong));
     }
 }

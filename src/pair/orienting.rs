@@ -21,7 +21,7 @@ const WHOLE_PIXEL_SIGMA: f64 = 0.288_675_134_594_812_9;
 /// Rounds in which unknown cameras and the gross errors are told by each other.
 const CALIBRATIONS: usize = 2;
 
-/// Images are one where more than this share of the matches lie within this distance of the same place of both: refinement moves them by less.
+/// There is no parallax where more than this share of the matches lie within this distance of the same place of both: refinement moves them by less.
 const MOST_EQUAL: f64 = 0.9;
 const SAME_PX: f64 = 0.05;
 
@@ -44,7 +44,7 @@ fn are_whole_pixels(positions: &[f64; 4]) -> bool {
 /// # Errors
 /// As [`orient_relative`](crate::orient_relative).
 pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
-    if are_of_one_photo(matches) {
+    if are_without_parallax(matches) {
         return Err(Error::Degenerate { computation: Computation::RelativeOrientation, cause: Cause::NoParallax });
     }
     let plain = orient_along_x(matches, interior, options);
@@ -61,8 +61,8 @@ pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &Orie
     }
 }
 
-/// Whether both images show the same at the same places.
-fn are_of_one_photo(matches: &[Match]) -> bool {
+/// Whether nothing moves from one image to the other: then any rotation and base fit, whatever the images are and however few the matches.
+fn are_without_parallax(matches: &[Match]) -> bool {
     let stays = |m: &&Match| (0..2).all(|k| (m.left_px[k] - m.right_px[k]).abs() < SAME_PX);
     let equal = matches.iter().filter(stays).count();
     !matches.is_empty() && equal as f64 > MOST_EQUAL * matches.len() as f64

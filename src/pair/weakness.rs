@@ -1,6 +1,7 @@
 //! What makes the orientation of matches weak that the adjustment of their photo coordinates does not see.
 
 use super::geometry::PairInterior;
+use super::one_image::may_be_one;
 use super::self_calibration;
 use crate::{EstimatedCamera, Interior, Match, RelativeOrientation, Side, Warning};
 use std::collections::BTreeSet;
@@ -56,10 +57,13 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
         (angle_deg > LARGEST_ANGLE_DEG, Warning::Uncertain { half_width_deg: angle_deg, most_deg: LARGEST_ANGLE_DEG }),
         (base_deg > LARGEST_BASE_DEG, Warning::UncertainBase { half_width_deg: base_deg, most_deg: LARGEST_BASE_DEG }),
     ];
-    // What was known before stands first: the figures below follow from it.
-    let warnings = interior
-        .doubt
+    // Whether there are two photographs comes before all else. Scans with fiducial marks are.
+    let are_scans = marks.iter().all(|(_, side)| side.covariance.is_some());
+    let similarity_alone = (!are_scans && may_be_one(&positions)).then_some(Warning::SimilarityAlone);
+    // What was known before stands before the figures that follow from it.
+    let warnings = similarity_alone
         .into_iter()
+        .chain(interior.doubt)
         .chain(found.warnings.iter().copied())
         .chain(told.into_iter().filter(|(holds, _)| *holds).map(|(_, warning)| warning));
     RelativeOrientation { warnings: warnings.collect(), ..found }

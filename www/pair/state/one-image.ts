@@ -6,8 +6,8 @@ import { wholeMarks } from './marks';
 import { SIDES } from './state';
 import type { StageValues, State } from './state';
 
-const reasonOf = remember(({ geometry, matches }: StageValues['match'], { info: left }: StageValues['openLeft'], { info: right }: StageValues['openRight']) =>
-  geometry === null ? null : one_image(matches, left.width, left.height, right.width, right.height),
+const reasonOf = remember(({ matches }: StageValues['match'], { info: left }: StageValues['openLeft'], { info: right }: StageValues['openRight']) =>
+  one_image(matches, left.width, left.height, right.width, right.height),
 );
 
 /** Why such images have no base; null where they are no such images, or nothing tells yet. */
