@@ -34,9 +34,7 @@ function pair([left, right], match = null) {
 }
 
 /** Matches at the same places of both images, all over them. */
-const SAME = new Float64Array(
-  Array.from({ length: 400 }, (_, k) => [(k * 379) % 1000, (k * 241) % 800]).flatMap(([x = 0, y = 0]) => [x, y, x, y, 0]),
-);
+const SAME = new Float64Array(Array.from({ length: 400 }, (_, k) => [(k * 379) % 1000, (k * 241) % 800]).flatMap(([x = 0, y = 0]) => [x, y, x, y, 0]));
 const ROTATION = { model: { kind: 'homography' }, degenerate: 'pure-rotation', focal: null };
 
 test('of a panorama it is said that it is one, whatever its matches are; of one photo twice that, and not that the camera turned', () => {
