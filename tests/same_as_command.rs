@@ -13,10 +13,15 @@ mod run_block;
 /// Small photos that are soon rendered: two strips of three.
 const SMALL: [&str; 10] = ["--strips", "2", "--exposures", "3", "--width-px", "480", "--height-px", "360", "--pixel-mm", "0.12"];
 
-/// Calls the command under Node.
+/// Calls the command under the Node that runs the tests.
 fn command(arguments: &[&str]) {
     let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("pkg/bin/tiepoint.js");
-    let ended = Command::new("node").arg(program).args(arguments).args(["--workers", "2"]).output().unwrap();
+    let ended = Command::new(std::env::var_os("NODE").unwrap_or("node".into()))
+        .arg(program)
+        .args(arguments)
+        .args(["--workers", "2"])
+        .output()
+        .unwrap();
     assert!([0, 3, 4].map(Some).contains(&ended.status.code()), "{}", String::from_utf8_lossy(&ended.stderr));
 }
 
