@@ -71,6 +71,8 @@ mod reconstruction_faults;
 mod repeated;
 #[path = "report.rs"]
 mod report;
+#[path = "same_as_command.rs"]
+mod same_as_command;
 #[path = "sample.rs"]
 mod sample;
 #[path = "scaled_pair.rs"]

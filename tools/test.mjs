@@ -47,7 +47,7 @@ async function rustTests(steps, toolchain) {
   await steps.check('rust', 'rustdoc', mustCargo(toolchain, ['doc', '--locked', '--no-deps', '--lib'], { RUSTDOCFLAGS: '-D warnings' }));
   // The library's own program of tests holds the integration tests, so that the library is compiled once. Examples are compiled by clippy: linking
   // them takes longer than all tests of a module.
-  const env = { TIEPOINT_MODULE: join(PKG_WASM, 'tiepoint_bg.wasm') };
+  const env = { TIEPOINT_MODULE: join(PKG_WASM, 'tiepoint_bg.wasm'), NODE: process.execPath };
   await steps.check('rust', 'tests, native', () => cargoTest(toolchain, ['--lib', '--', '--show-output'], env));
   await steps.check('rust', 'tests of memory', () => cargoTest(toolchain, ['--test', 'decode_memory'], UNOPTIMISED));
   await steps.check('rust', 'examples of the documentation', () => cargoTest(toolchain, ['--doc'], UNOPTIMISED));
