@@ -149,7 +149,7 @@ pub use two_view::{
     fundamental_seven_point, homography_direct, two_view,
 };
 
-/// The example of the documentation is compiled and run with the tests.
+/// The examples of the documentation are compiled with the tests.
 #[cfg(doctest)]
 #[doc = include_str!("../docs/rust.md")]
 struct GuideOfRust;

@@ -134,7 +134,6 @@ fn level_photos_of_flat_ground_are_not_called_parts_of_one_image() {
     for camera in [None, Some(camera)] {
         let result = matched(&left, &right, &PairInput { camera, ..PairInput::default() }, &settings());
         assert!(result.matching.matches.len() > 100, "{:?}", result.matching.counts);
-        println!("{}", result.verdict());
         assert!(!matches!(result.orientation, Err(NoOrientation::OnePhoto | NoOrientation::PartsOfOneImage)), "{}", result.verdict());
         assert!(!matches!(result.verdict(), PairVerdict::Oriented { .. }), "{}", result.verdict());
     }
