@@ -2,8 +2,8 @@
 
 use super::known::input;
 use tiepoint::{
-    CameraMm, Error, GreyImage, Interior, KnownWorst, Match, PairImage, PairInput, PairInterior, PairResult, PairSettings, PairVerdict,
-    Refusal, SAMPLE_SEED, Side, Warning, judged, match_pair, sample_pair,
+    CameraMm, Error, GreyImage, KnownWorst, Match, PairImage, PairInput, PairInterior, PairResult, PairSettings, PairVerdict, Refusal,
+    SAMPLE_SEED, Side, Warning, judged, match_pair, sample_pair,
 };
 
 fn matched(left: &GreyImage, right: &GreyImage, mask: Option<&GreyImage>, input: &PairInput) -> PairResult {
@@ -61,8 +61,6 @@ fn matches_of_a_similarity_make_an_orientation_weak() {
         let error = |k: usize| 0.2 * ((k * 7919 % 1000) as f64 / 500.0 - 1.0);
         m.right_px = [m.left_px[0] - 40.0 + error(k), m.left_px[1] + 3.0 + error(3 * k + 1)];
     }
-    let digital = |own: Interior| Interior { covariance: None, ..own };
-    let interior = PairInterior { left: digital(interior.left), right: digital(interior.right), ..interior };
     let verdict = |matches: &[Match], interior: &PairInterior| {
         let points = Some([result.left.points.len(), result.right.points.len()]);
         PairVerdict::of(&judged(orientation.clone(), matches, interior, points), interior.left.pixel_mm())
@@ -70,9 +68,7 @@ fn matches_of_a_similarity_make_an_orientation_weak() {
     assert!(matches!(verdict(&result.matching.matches, &interior), PairVerdict::Oriented { .. }));
     assert!(matches!(verdict(&shifted, &interior), PairVerdict::Weak { warning: Warning::SimilarityAlone, .. }));
     // Scans whose fiducial marks were measured are two photographs.
-    let marks = Some([[1e-8, 0.0, 0.0], [0.0, 1e-8, 0.0], [0.0, 0.0, 1e-6]]);
-    let scan = |own: Interior| Interior { covariance: marks, ..own };
-    let scans = PairInterior { left: scan(interior.left), right: scan(interior.right), ..interior };
+    let scans = PairInterior { are_scans: true, ..interior };
     assert!(!matches!(verdict(&shifted, &scans), PairVerdict::Weak { warning: Warning::SimilarityAlone, .. }));
 }
 

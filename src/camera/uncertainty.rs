@@ -75,14 +75,11 @@ impl CameraUncertainty {
         }
     }
 
-    /// The same where the photo has 1 / `times` of the pixels along a side that it was taken with, and nobody knows whether it was resized, as is
-    /// assumed, or cropped: then its focal length in px is `times` as long, and its principal point anywhere up to `reach` from the middle, in focal
-    /// lengths. Either is as likely: the standard deviation of the logarithm of the focal length is ln `times` / √2 about what is assumed, and the
-    /// principal point is uniformly distributed.
-    pub(crate) fn of_cropped(self, times: f64, reach: f64) -> Self {
+    /// The same where the image may be a part of a photo: that adds `focal` to the logarithm of the focal length, a standard deviation, and leaves the
+    /// principal point anywhere up to `reach` from the middle, in focal lengths, uniformly distributed.
+    pub(crate) fn of_part(self, focal: f64, reach: f64) -> Self {
         let with = |own: f64, other: f64| libm::hypot(own, other).min(*LIMITS.end());
-        let focal = with(self.focal, libm::log(times) / std::f64::consts::SQRT_2);
-        Self { focal, principal_point: with(self.principal_point, reach / 3.0_f64.sqrt()), ..self }
+        Self { focal: with(self.focal, focal), principal_point: with(self.principal_point, reach / 3.0_f64.sqrt()), ..self }
     }
 
     /// Of a camera that is known without error.

@@ -175,6 +175,11 @@ messages! {
 }
 
 impl Warning {
+    /// Whether the image of a photo may be a part of it.
+    pub(crate) fn is_of_part(&self) -> bool {
+        matches!(self, Self::ResizedOrCropped { .. } | Self::Cropped { .. } | Self::OtherPixels { .. })
+    }
+
     /// Whether the orientation may be wrong or of little use. The other warnings tell what was done about the observations, or what the
     /// intervals hold already.
     pub fn is_weakness(&self) -> bool {

@@ -8,8 +8,8 @@ use serde::Serialize;
 /// What of a photo tells its camera.
 #[derive(Debug, Clone, Copy)]
 pub struct KnownPhoto<'a> {
-    /// The longer side of its image.
-    pub longer_px: usize,
+    /// Of its image, px.
+    pub size: (usize, usize),
     pub exif: Option<&'a ExifCamera>,
     /// Whether fiducial marks were measured in it: then it is a scan.
     pub has_marks: bool,
@@ -26,6 +26,24 @@ pub struct PairCameras {
     pub doubt: Option<Warning>,
     /// As in [`PairInterior`](super::PairInterior).
     pub one_lens: bool,
+    /// As in [`PairInterior`](super::PairInterior).
+    pub are_scans: bool,
+}
+
+impl KnownPhoto<'_> {
+    pub(super) fn longer_px(&self) -> usize {
+        self.size.0.max(self.size.1)
+    }
+
+    /// What its file says of its camera: of a scan it says nothing, whatever a scanner wrote.
+    pub(super) fn file(&self) -> Option<&ExifCamera> {
+        self.exif.filter(|_| !self.has_marks)
+    }
+}
+
+/// Whether fiducial marks were measured in both photos.
+pub(super) fn are_scans(photos: &[KnownPhoto<'_>; 2]) -> bool {
+    photos.iter().all(|photo| photo.has_marks)
 }
 
 impl PairCameras {
@@ -35,6 +53,7 @@ impl PairCameras {
     /// As [`CameraMm::from_exif`].
     pub fn of(given: Option<&CameraMm>, [left, right]: [KnownPhoto<'_>; 2]) -> Result<Result<Self, NoOrientation>, Error> {
         let (of_left, of_right) = (camera_of(given, Side::Left, left)?, camera_of(given, Side::Right, right)?);
+        let are_scans = are_scans(&[left, right]);
         let of_one_lens = left.exif.zip(right.exif).is_some_and(|(left, right)| left.is_of_one_lens(right));
         Ok(of_left.and_then(|(left, left_doubt)| {
             of_right.map(|(right, right_doubt)| Self {
@@ -42,6 +61,7 @@ impl PairCameras {
                 right,
                 doubt: left_doubt.or(right_doubt),
                 one_lens: given.is_some() || of_one_lens,
+                are_scans,
             })
         }))
     }
@@ -66,26 +86,21 @@ fn camera_of(
     }
     let of_file = photo.exif.filter(|_| given.is_none());
     let Some(pixel_mm) = camera.pixel_mm else {
-        let altered = of_file.and_then(altered).map(|camera_caution| NoOrientation::Altered { side, camera_caution });
+        let altered = of_file.and_then(ExifCamera::partial).filter(|_| given.is_none());
+        let altered = altered.map(|camera_caution| NoOrientation::Altered { side, camera_caution: camera_caution.clone() });
         return Ok(Err(altered.unwrap_or(NoOrientation::NoPixelSize { side })));
     };
     let file_px = photo.exif.filter(|exif| given.is_some() && !exif.is_panorama()).and_then(|exif| Some(exif.focal_mm / exif.pixel_mm?));
     let part = of_file.and_then(|exif| doubt_of_part(side, exif));
-    Ok(Ok((camera, part.or_else(|| doubt_of(side, camera.focal_mm / pixel_mm, file_px, photo.longer_px)))))
-}
-
-/// Why nobody knows how many px the focal length of a photo has.
-fn altered(exif: &ExifCamera) -> Option<CameraCaution> {
-    exif.cautions.iter().find(|caution| matches!(caution, CameraCaution::Cropped { .. } | CameraCaution::FocalPlane { .. })).cloned()
+    Ok(Ok((camera, part.or_else(|| doubt_of(side, camera.focal_mm / pixel_mm, file_px, photo.longer_px())))))
 }
 
 /// What speaks against the camera of a photo whose file says that its image may be a part of it.
 pub(super) fn doubt_of_part(side: Side, exif: &ExifCamera) -> Option<Warning> {
-    if let Some([[taken_width_px, taken_height_px], [width_px, height_px]]) = exif.resized_or_cropped() {
-        return Some(Warning::ResizedOrCropped { side, taken_width_px, taken_height_px, width_px, height_px });
-    }
-    // A calibration goes before the pixels of EXIF.
-    match altered(exif).filter(|_| exif.pixel_mm.is_none())? {
+    match *exif.partial()? {
+        CameraCaution::Resized { taken_width_px, taken_height_px, width_px, height_px } => {
+            Some(Warning::ResizedOrCropped { side, taken_width_px, taken_height_px, width_px, height_px })
+        }
         CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px } => {
             Some(Warning::Cropped { side, taken_width_px, taken_height_px, width_px, height_px })
         }
@@ -111,7 +126,7 @@ mod tests {
 
     /// What speaks against a camera of this focal length in px, given for photos of 640 px whose right file says what it says.
     fn doubt(focal_px: f64, exif: Option<&ExifCamera>, has_marks: bool) -> Option<Warning> {
-        let photo = |exif| KnownPhoto { longer_px: 640, exif, has_marks };
+        let photo = |exif| KnownPhoto { size: (640, 480), exif, has_marks };
         let camera = CameraMm::without_distortion(0.01 * focal_px, Some(0.01));
         PairCameras::of(Some(&camera), [photo(None), photo(exif)]).unwrap().unwrap().doubt
     }

@@ -80,7 +80,7 @@ mod tests {
             ..CameraMm::without_distortion(20.0, Some(0.02))
         };
         let side = Interior::from_pixel_size(&camera, 1000, 800).unwrap();
-        PairInterior { left: side, right: side, focal_mm: 20.0, doubt: None, one_lens: false }
+        PairInterior { left: side, right: side, focal_mm: 20.0, doubt: None, one_lens: false, are_scans: false }
     }
 
     /// Rows of equal y: the photos stand side by side.

@@ -1,12 +1,12 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
-use super::cameras::{KnownPhoto, PairCameras, doubt_of_part};
+use super::cameras::{KnownPhoto, PairCameras, are_scans, doubt_of_part};
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
 use crate::error::refuse;
 use crate::{
-    CameraMm, CameraUncertainty, Error, EstimatedCamera, ExifCamera, Fiducial, Interior, Refusal, RelativeOrientation, Side, TwoView,
-    TwoViewModel, Warning, orient_fiducials,
+    CameraMm, CameraUncertainty, Error, EstimatedCamera, Fiducial, Interior, Refusal, RelativeOrientation, Side, TwoView, TwoViewModel,
+    Warning, orient_fiducials,
 };
 use serde::{Deserialize, Serialize};
 
@@ -32,6 +32,9 @@ pub struct PairInterior {
     /// Whether both photos are known to be of one lens at one focal length, however their images are turned or resized.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub one_lens: bool,
+    /// Whether fiducial marks were measured in both: then they are two photographs, however alike.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub are_scans: bool,
 }
 
 impl PairInterior {
@@ -54,30 +57,48 @@ impl PairInterior {
         })
     }
 
-    /// Of cameras of which nothing is known but the sizes of their images, in px: principal points in the middle of the images, a pixel being
-    /// a thousandth of a millimetre. The focal length is the one that the geometry of the two views gave, or that of most cameras; the
-    /// uncertainty is that of the latter, and where a file says that its image may be a part of a photo, of that too. `None` where the geometry is the
-    /// map of a plane, which no camera turns into an orientation.
-    pub fn assumed(found: &TwoView, [left, right]: [(usize, usize); 2], files: [Option<&ExifCamera>; 2]) -> Option<Self> {
+    /// Of cameras of which nothing is known but the sizes of their images: principal points in the middle of the images, a pixel being a
+    /// thousandth of a millimetre. The focal length is the one that the geometry of the two views gave, or that of most cameras; the uncertainty is that of
+    /// the latter, and where a file says that its image may be a part of a photo, of that too. `None` where the geometry is the map of a plane, which no
+    /// camera turns into an orientation.
+    pub fn assumed(found: &TwoView, photos: [KnownPhoto<'_>; 2]) -> Option<Self> {
         if matches!(found.model, TwoViewModel::Homography { .. }) {
             return None;
         }
-        let longer = left.0.max(left.1).max(right.0).max(right.1);
-        let focal_px = found.focal.map_or(CameraUncertainty::ASSUMED_FOCAL * longer as f64, |focal| focal.focal_px);
-        let focal_mm = focal_px * NOMINAL_PIXEL_MM;
-        let of = |(width, height), file: Option<&ExifCamera>| {
-            let part = file.and_then(|file| file.part([width, height]));
-            let uncertainty =
-                part.map_or(CameraUncertainty::ASSUMED, |part| CameraUncertainty::ASSUMED.of_cropped(part.times, part.reach_px / focal_px));
-            let camera = CameraMm { uncertainty: Some(uncertainty), ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
-            Interior::from_pixel_size(&camera, width, height).ok()
-        };
-        let doubts = [(Side::Left, files[0]), (Side::Right, files[1])].map(|(side, file)| doubt_of_part(side, file?));
+        let [(left, left_mm), (right, right_mm)] = photos.map(|photo| assumed_interior(found, photo, photos));
+        let doubts = [(Side::Left, photos[0]), (Side::Right, photos[1])].map(|(side, photo)| doubt_of_part(side, photo.file()?));
         let doubt = doubts[0].or(doubts[1]);
         // Of images of different sizes one may be resized, and so may be a part.
-        let one_lens = doubt.is_none() && (left == right || left == (right.1, right.0));
-        Some(Self { left: of(left, files[0])?, right: of(right, files[1])?, focal_mm, doubt, one_lens })
+        let [(width, height), other] = photos.map(|photo| photo.size);
+        let one_lens = doubt.is_none() && ((width, height) == other || (height, width) == other);
+        // As in `pair_interior`.
+        let right = right?.scaled(left_mm / right_mm);
+        Some(Self { left: left?, right, focal_mm: left_mm, doubt, one_lens, are_scans: are_scans(&photos) })
     }
+}
+
+/// The interior orientation of one of both photos of which nothing is known, and its focal length in mm.
+fn assumed_interior(found: &TwoView, photo: KnownPhoto<'_>, photos: [KnownPhoto<'_>; 2]) -> (Option<Interior>, f64) {
+    let longer_px = photos.iter().map(KnownPhoto::longer_px).max().unwrap_or_default() as f64;
+    let part = photo.file().and_then(|file| file.part(photo.size));
+    // The photo is between as large as its image, which was resized then, and so many times as large: in the middle of both, either being as likely.
+    let times = part.map_or(1.0, |part| part.times);
+    let focal_px = found.focal.map_or(CameraUncertainty::ASSUMED_FOCAL * longer_px * times.sqrt(), |focal| focal.focal_px);
+    let assumed = CameraUncertainty::ASSUMED;
+    let uncertainty = part.map_or(assumed, |part| assumed.of_part(0.5 * libm::log(times), part.reach_px / focal_px));
+    let focal_mm = focal_px * NOMINAL_PIXEL_MM;
+    let camera = CameraMm { uncertainty: Some(uncertainty), ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
+    let (width, height) = photo.size;
+    (Interior::from_pixel_size(&camera, width, height).ok(), focal_mm)
+}
+
+/// What is known of both photos.
+pub(super) fn known_photos<'a>(left: PairImage<'a>, right: PairImage<'a>, input: &PairInput) -> [KnownPhoto<'a>; 2] {
+    [(left, &input.left), (right, &input.right)].map(|(image, photo)| KnownPhoto {
+        size: (image.grey.width(), image.grey.height()),
+        exif: image.exif,
+        has_marks: !photo.fiducials.is_empty(),
+    })
 }
 
 /// The interior orientations; or what is missing.
@@ -86,21 +107,16 @@ pub(super) fn pair_interior(
     right: PairImage<'_>,
     input: &PairInput,
 ) -> Result<Result<PairInterior, NoOrientation>, Error> {
-    let known = [(left, &input.left), (right, &input.right)].map(|(image, photo)| KnownPhoto {
-        longer_px: image.grey.width().max(image.grey.height()),
-        exif: image.exif,
-        has_marks: !photo.fiducials.is_empty(),
-    });
-    let cameras = match PairCameras::of(input.camera.as_ref(), known)? {
+    let cameras = match PairCameras::of(input.camera.as_ref(), known_photos(left, right, input))? {
         Ok(cameras) => cameras,
         Err(reason) => return Ok(Err(reason)),
     };
-    let PairCameras { left: left_camera, right: right_camera, doubt, one_lens } = cameras;
+    let PairCameras { left: left_camera, right: right_camera, doubt, one_lens, are_scans } = cameras;
     let own = |camera, image: PairImage<'_>, photo| photo_interior(camera, image.grey.width(), image.grey.height(), photo);
     let (left, right) = (own(&left_camera, left, &input.left)?, own(&right_camera, right, &input.right)?);
     // Only directions matter: the right photo is taken to the focal length of the left one.
     let focal_mm = left_camera.focal_mm;
-    Ok(Ok(PairInterior { left, right: right.scaled(focal_mm / right_camera.focal_mm), focal_mm, doubt, one_lens }))
+    Ok(Ok(PairInterior { left, right: right.scaled(focal_mm / right_camera.focal_mm), focal_mm, doubt, one_lens, are_scans }))
 }
 
 /// Refuses marks that cannot have been measured in the image.
@@ -136,26 +152,37 @@ pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &Ph
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{CameraCaution, CameraOrigin};
+    use crate::{CameraCaution, CameraOrigin, ExifCamera};
+
+    fn photo(exif: Option<&ExifCamera>) -> KnownPhoto<'_> {
+        KnownPhoto { size: (1000, 900), exif, has_marks: false }
+    }
 
     #[test]
     fn the_principal_point_of_a_cropped_photo_may_lie_anywhere_that_the_crop_allows() {
         let model = TwoViewModel::Fundamental { fundamental: [[0.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]] };
         let found = TwoView { model, inliers: vec![], threshold_px: 1.0, sigma_px: 0.3, degenerate: None, homography: None, focal: None };
-        let size = (1000, 900);
         let file = |caution| ExifCamera { origin: CameraOrigin::FocalLengthAlone, cautions: vec![caution], ..ExifCamera::default() };
         let [taken_width_px, taken_height_px, width_px, height_px] = [4000, 3000, 1000, 900];
         let cropped = file(CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px });
         let other_pixels = file(CameraCaution::FocalPlane { pixel_um: 2.0, expected_um: 4.0 });
-        let assumed = |files| PairInterior::assumed(&found, [size; 2], files).unwrap();
-        let principal_px = |side: &Interior| side.uncertainty.unwrap().principal_point * CameraUncertainty::ASSUMED_FOCAL * 1000.0;
-        // Up to 1,500 px off the middle, uniformly distributed, but no more than a focal length; half as large a part of the sensor, 500 px.
-        for (file, expected_px) in [(&cropped, 850.0), (&other_pixels, 289.0)] {
-            let PairInterior { left, right, doubt, one_lens, .. } = assumed([None, Some(file)]);
+        let assumed = |files: [Option<&ExifCamera>; 2]| PairInterior::assumed(&found, files.map(photo)).unwrap();
+        // Up to 1,550 px off the middle, uniformly distributed, where the focal length is twice as long as that of a whole photo; of a photo that
+        // may be twice as large, up to 500 px.
+        for (file, times, reach_px) in [(&cropped, 4.0_f64, 1550.0), (&other_pixels, 2.0, 500.0)] {
+            let PairInterior { left, right, focal_mm, doubt, one_lens, .. } = assumed([None, Some(file)]);
             assert_eq!(left.uncertainty, Some(CameraUncertainty::ASSUMED));
-            assert!((principal_px(&right) - expected_px).abs() < 2.0, "{} px", principal_px(&right));
+            let own_px = times.sqrt() * CameraUncertainty::ASSUMED_FOCAL * 1000.0;
+            assert!((focal_mm / right.pixel_mm() - own_px).abs() < 1e-6, "{} px", focal_mm / right.pixel_mm());
+            let CameraUncertainty { focal, principal_point, .. } = right.uncertainty.unwrap();
+            assert!((focal - 0.4_f64.hypot(0.5 * times.ln())).abs() < 1e-12, "{focal}");
+            assert!((principal_point * own_px - reach_px / 3.0_f64.sqrt()).abs() < 1.0, "{} px", principal_point * own_px);
             assert!(doubt.is_some_and(|doubt| doubt.is_weakness()) && !one_lens, "{doubt:?}");
         }
+        // A scanner may write what it likes.
+        let scans = [&cropped, &other_pixels].map(|file| KnownPhoto { has_marks: true, ..photo(Some(file)) });
+        let PairInterior { right, doubt, are_scans, .. } = PairInterior::assumed(&found, scans).unwrap();
+        assert!(right.uncertainty == Some(CameraUncertainty::ASSUMED) && doubt.is_none() && are_scans, "{doubt:?}");
         let doubt = Warning::Cropped { side: Side::Left, taken_width_px, taken_height_px, width_px, height_px };
         assert_eq!(assumed([Some(&cropped), Some(&other_pixels)]).doubt, Some(doubt));
         let PairInterior { doubt, one_lens, .. } = assumed([None, Some(&ExifCamera::default())]);

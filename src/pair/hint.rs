@@ -3,8 +3,8 @@
 use super::no_orientation::NoOrientation;
 use super::settings::PairSettings;
 use super::verdict::PairVerdict;
-use crate::Strategy;
 use crate::message::messages;
+use crate::{Strategy, Warning};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -21,10 +21,14 @@ messages! {
 impl PairHint {
     /// The hint for a verdict on a pair of these settings; `None` where the pair is oriented, or nothing else is known to do better.
     pub fn of(verdict: &PairVerdict, settings: &PairSettings) -> Option<Self> {
-        let is_oriented = matches!(verdict, PairVerdict::Oriented { .. });
-        let is_helpless = matches!(verdict, PairVerdict::NotOriented { no_orientation } if is_by_any_strategy(no_orientation));
+        let is_helpless = match verdict {
+            PairVerdict::Oriented { .. } => true,
+            // What was known before is known by any strategy.
+            PairVerdict::Weak { warning, .. } => *warning == Warning::SimilarityAlone || warning.is_of_part(),
+            PairVerdict::NotOriented { no_orientation } => is_by_any_strategy(no_orientation),
+        };
         let compares_windows = settings.resolved().matching.strategy != Strategy::Gradient;
-        (compares_windows && !is_oriented && !is_helpless).then_some(Self::OtherStrategy)
+        (compares_windows && !is_helpless).then_some(Self::OtherStrategy)
     }
 }
 
@@ -44,7 +48,7 @@ fn is_by_any_strategy(no_orientation: &NoOrientation) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{KnownWorst, Side, Warning};
+    use crate::{KnownWorst, Side};
 
     #[test]
     fn only_what_another_strategy_may_mend_is_hinted_at() {
@@ -73,6 +77,10 @@ mod tests {
         assert_eq!(PairHint::of(&oriented, &moments), None);
         for helpless in [NoOrientation::NoFocalLength, NoOrientation::OnePhoto, NoOrientation::PartsOfOneImage] {
             assert_eq!(PairHint::of(&not_oriented(helpless), &moments), None);
+        }
+        let other_pixels = Warning::OtherPixels { side: Side::Left, pixel_um: 2.0, expected_um: 4.0 };
+        for warning in [Warning::SimilarityAlone, other_pixels] {
+            assert_eq!(PairHint::of(&PairVerdict::Weak { points: 400, warning }, &moments), None);
         }
     }
 }

@@ -1,7 +1,8 @@
 //! From two images to their matches and relative orientation.
 
+use super::cameras::are_scans;
 use super::described::{DescribedImage, describe_image};
-use super::geometry::{PairInterior, pair_interior};
+use super::geometry::{PairInterior, known_photos, pair_interior};
 use super::input::{PairImage, PairInput};
 use super::no_orientation::NoOrientation;
 use super::one_image::OneImage;
@@ -68,21 +69,18 @@ pub fn match_described_pair(
     let PairMatching { set: matching, geometry } =
         match_in_rounds(images, Expectation { nearest, ..Expectation::from(&expected) }, interior.as_ref().ok(), settings)?;
     let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
-    let sizes = [left, right].map(|image| (image.grey.width(), image.grey.height()));
-    // What a scanner wrote is not of the camera.
-    let files = [(left, &input.left), (right, &input.right)].map(|(image, photo)| image.exif.filter(|_| photo.fiducials.is_empty()));
+    let known = known_photos(left, right, input);
     let interior = match (interior, found) {
         // No camera that may be assumed sees a panorama.
         (Err(reason @ NoOrientation::Panorama { .. }), _) => Err(reason),
-        (Err(reason), Some(found)) => PairInterior::assumed(found, sizes, files).ok_or(reason),
+        (Err(reason), Some(found)) => PairInterior::assumed(found, known).ok_or(reason),
         (interior, _) => interior,
     };
     let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
-    let are_scans = [&input.left, &input.right].iter().all(|photo| !photo.fiducials.is_empty());
     // Images of one have no base: that is said, not that the camera only turned, or that it is not known. Scans with fiducial
     // marks on both sides are of two photographs.
     let positions: Vec<[f64; 4]> = matching.matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
-    let one_image = if are_scans { None } else { OneImage::of(&positions, sizes) };
+    let one_image = if are_scans(&known) { None } else { OneImage::of(&positions, known.map(|photo| photo.size)) };
     let orientation = match (&interior, &geometry, one_image) {
         (Err(reason @ NoOrientation::Panorama { .. }), ..) => Err(reason.clone()),
         // No camera helps photos that have no geometry.

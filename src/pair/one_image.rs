@@ -3,15 +3,15 @@
 use super::no_orientation::NoOrientation;
 use super::one_map::{Evidence, OneMap, length};
 
-/// Up to this evidence for another map than a similarity, images may be of one: F of 14 and many degrees of freedom is below 3.1 in 9,999 of 10,000
-/// cases, and narrow windows of copies reach 3.9.
+/// Up to this evidence for another map than a similarity, images may be of one: F of 14 and 100 degrees of freedom, those of 60 matches, is below 3.6 in
+/// 9,999 of 10,000 cases, of many below 3.1, and narrow windows of copies reach 3.9.
 const MOST_OF_PERHAPS: Evidence = Evidence { variance_ratio: 5.0, correlation: 0.3 };
 /// And up to this they are refused: of two photographs of level ground a narrow strip may have as little.
 const MOST_OF_ONE: Evidence = Evidence { variance_ratio: 3.0, correlation: 0.2 };
 /// How far the frames of one photograph, saved again in another size or turned, lie apart, and how far that of a part reaches beyond the image, as a
 /// share of the diagonal.
 const SAME_FRAME: f64 = 0.01;
-/// The frame of a copy or a part is filled with matches: of its cells this share, where the others may show sky or water.
+/// The frame of a part is filled with matches: of its cells this share, where the others may show sky or water.
 const CELLS: usize = 4;
 const LEAST_FILLED: f64 = 0.6;
 /// A part has as many px as its place in the image, or fewer: a photograph from nearer by has more.
@@ -32,7 +32,7 @@ impl OneImage {
     pub fn of(matches: &[[f64; 4]], sizes: [(usize, usize); 2]) -> Option<Self> {
         let map = OneMap::of(matches).filter(|map| map.evidence.is_within(MOST_OF_ONE))?;
         if are_one_frame(&map, sizes) {
-            return is_filled(&map, 0, sizes).then_some(Self::Twice);
+            return Some(Self::Twice);
         }
         (0..2).any(|side| is_part(&map, side, sizes) && is_filled(&map, side, sizes)).then_some(Self::Parts)
     }
@@ -128,6 +128,9 @@ mod tests {
             assert_eq!(OneImage::of(&right, [SIZE, size]), Some(OneImage::Twice), "{size:?}");
             assert_eq!(OneImage::of(&exchanged(&right), [size, SIZE]), Some(OneImage::Twice), "{size:?}, exchanged");
         }
+        // Half of it is sky.
+        let half_sky = matches_in([1600.0, 500.0], 0.2, |[x, y]| [x, y]);
+        assert_eq!(OneImage::of(&half_sky, [SIZE; 2]), Some(OneImage::Twice));
     }
 
     #[test]

@@ -9,8 +9,9 @@ use nalgebra::{SMatrix, SVector};
 
 /// Fewer matches do not tell.
 const LEAST_MATCHES: usize = 100;
-/// Matches of one cell of this side may see the same pixels, and have their errors in common: one of them counts. Residuals of true copies have
-/// the distribution of independent ones then; of all matches their ratio of variances is half as large again. In px of the coarser image.
+/// Matches of one cell of this side may see the same pixels, and have their errors in common: one of them counts. Residuals of true copies, matched by
+/// gradients or by windows no wider than this, have the distribution of independent ones then; of all matches their ratio of variances is half as large
+/// again. Those of wider windows correlate farther, and copies may pass as photographs. In px of the coarser image.
 const CELL_PX: f64 = 12.0;
 /// Cells with matches that tell: the cubic map has ten terms.
 const LEAST_CELLS: usize = 60;

@@ -58,8 +58,7 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
         (base_deg > LARGEST_BASE_DEG, Warning::UncertainBase { half_width_deg: base_deg, most_deg: LARGEST_BASE_DEG }),
     ];
     // Whether there are two photographs comes before all else. Scans with fiducial marks are.
-    let are_scans = marks.iter().all(|(_, side)| side.covariance.is_some());
-    let similarity_alone = (!are_scans && may_be_one(&positions)).then_some(Warning::SimilarityAlone);
+    let similarity_alone = (!interior.are_scans && may_be_one(&positions)).then_some(Warning::SimilarityAlone);
     // What was known before stands before the figures that follow from it.
     let warnings = similarity_alone
         .into_iter()

@@ -5,11 +5,10 @@ use super::descriptors::read_pieces;
 use super::orientation::pack_oriented;
 use super::photo::{Photo, pack_points};
 use crate::{
-    DescribedImage, Descriptor, Error, ExifCamera, Expectation, Fit, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions, MatchSet,
-    NoGeometry, OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced, Rule, Side,
-    TwoView, TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
-    gradient_candidates as nearest_by_gradients, match_described_pair as match_described, match_in_rounds, match_pair as match_images,
-    match_points as match_by_moments,
+    DescribedImage, Descriptor, Error, Expectation, Fit, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions, MatchSet, NoGeometry,
+    OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced, Rule, Side, TwoView,
+    TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced, gradient_candidates as nearest_by_gradients,
+    match_described_pair as match_described, match_in_rounds, match_pair as match_images, match_points as match_by_moments,
 };
 use js_sys::{Int32Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -144,24 +143,6 @@ pub fn match_photos(
 pub fn gradient_candidates(index: usize, left_gradients: &[u8], right_gradients: &[u8], most: usize) -> JsResult<Vec<f64>> {
     let all = nearest_by_gradients(index, left_gradients, right_gradients, most).map_err(thrown)?;
     Ok(all.iter().flat_map(|c| [c.right as f64, c.measure]).collect())
-}
-
-/// The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane, or
-/// there is none. Sizes in px; what the files say of their cameras.
-#[wasm_bindgen(unchecked_return_type = "PairInterior | null")]
-pub fn assumed_interior(
-    #[wasm_bindgen(unchecked_param_type = "Omit<TwoView, \"inliers\"> | null")] geometry: &JsValue,
-    left_width: usize,
-    left_height: usize,
-    right_width: usize,
-    right_height: usize,
-    #[wasm_bindgen(unchecked_param_type = "ExifCamera | null")] left_exif: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "ExifCamera | null")] right_exif: &JsValue,
-) -> JsResult<JsValue> {
-    let found: Option<TwoView> = read("geometry", geometry)?;
-    let files: [Option<ExifCamera>; 2] = [read("left_exif", left_exif)?, read("right_exif", right_exif)?];
-    let sizes = [(left_width, left_height), (right_width, right_height)];
-    Ok(pack(&found.and_then(|found| PairInterior::assumed(&found, sizes, files.each_ref().map(Option::as_ref)))))
 }
 
 /// Where a point of one image may be seen in the other, by the geometry that `match_photos` gave with the same interior orientations:

@@ -60,11 +60,18 @@ pub fn camera_of_exif(#[wasm_bindgen(unchecked_param_type = "ExifCamera")] exif:
 #[derive(Serialize, Deserialize, tsify::Tsify)]
 #[serde(deny_unknown_fields)]
 pub struct PhotoFacts {
-    /// The longer side of its image.
-    pub longer_px: usize,
+    /// Of its image.
+    pub width_px: usize,
+    pub height_px: usize,
     pub exif: Option<ExifCamera>,
     /// Whether fiducial marks were measured in it.
     pub has_marks: bool,
+}
+
+impl PhotoFacts {
+    fn known(&self) -> KnownPhoto<'_> {
+        KnownPhoto { size: (self.width_px, self.height_px), exif: self.exif.as_ref(), has_marks: self.has_marks }
+    }
 }
 
 /// The cameras of a pair, the given one or those of its files, with what speaks against them; or what is missing.
@@ -76,10 +83,20 @@ pub fn pair_cameras(
 ) -> JsResult<JsValue> {
     let given: Option<CameraMm> = read("camera", given)?;
     let photos: [PhotoFacts; 2] = [read("left", left)?, read("right", right)?];
-    let known =
-        photos.each_ref().map(|photo| KnownPhoto { longer_px: photo.longer_px, exif: photo.exif.as_ref(), has_marks: photo.has_marks });
-    let cameras = PairCameras::of(given.as_ref(), known).map_err(thrown)?;
+    let cameras = PairCameras::of(given.as_ref(), photos.each_ref().map(PhotoFacts::known)).map_err(thrown)?;
     Ok(cameras.map_or_else(|reason| object([("missing", pack(&reason))]), |cameras| pack(&cameras)))
+}
+
+/// The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane.
+#[wasm_bindgen(unchecked_return_type = "PairInterior | null")]
+pub fn assumed_interior(
+    #[wasm_bindgen(unchecked_param_type = "Omit<TwoView, \"inliers\">")] geometry: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "PhotoFacts")] left: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "PhotoFacts")] right: &JsValue,
+) -> JsResult<JsValue> {
+    let found: TwoView = read("geometry", geometry)?;
+    let photos: [PhotoFacts; 2] = [read("left", left)?, read("right", right)?];
+    Ok(pack(&PairInterior::assumed(&found, photos.each_ref().map(PhotoFacts::known))))
 }
 
 /// Why matches (stride 5) between images of these sizes in px have no base: they are one photo twice, or parts of one image. Null where

@@ -36,6 +36,7 @@ fn total_standard_errors_hold_those_of_the_marks() {
             focal_mm: FOCAL_MM,
             doubt: None,
             one_lens: false,
+            are_scans: true,
         };
         let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];
         let seen = NADIR.observe(300, sigma_mm, 60_000 + set as u64);
@@ -69,7 +70,7 @@ fn without_redundancy_of_the_marks_nothing_is_claimed_of_them() {
     let exact = Some(CameraUncertainty::NONE);
     let camera = CameraMm { uncertainty: exact, ..CameraMm::without_distortion(FOCAL_MM, Some(PIXEL_MM)) };
     let side = Interior::from_pixel_size(&camera, 910, 910).unwrap();
-    let interior = PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None, one_lens: false };
+    let interior = PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None, one_lens: false, are_scans: true };
     let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];
     let matched = NADIR.observe(50, 0.02, 3).into_iter().enumerate();
     let matched = matched.map(|(left, o)| Match { left, right: None, left_px: px(o.left), right_px: px(o.right), measure: 0.0, fit: None });

@@ -48,7 +48,7 @@ fn errors_deg(uncertainty: CameraUncertainty, stored: Stored) -> [f64; 3] {
         Match { left: index, right: None, left_px: px(&left, [xl, yl]), right_px: px(&right, right_mm), measure: 0.0, fit: None }
     };
     let matches: Vec<Match> = seen.iter().enumerate().map(|(k, o)| one((k, o.left, o.right))).collect();
-    let interior = PairInterior { left, right, focal_mm: FOCAL_MM, doubt: None, one_lens: stored != Stored::AsTaken };
+    let interior = PairInterior { left, right, focal_mm: FOCAL_MM, doubt: None, one_lens: stored != Stored::AsTaken, are_scans: false };
     let options = OrientationOptions { base_mm: Some(92.0), ..OrientationOptions::default() };
     let found = orient_matches(&matches, &interior, &options).unwrap();
     let [one, other] = found.cameras.unwrap().map(|camera| camera.focal_mm);
@@ -94,7 +94,7 @@ fn check(uncertainty: CameraUncertainty, least: f64, beside: f64) {
         let seen_by = Interior::from_pixel_size(&true_camera, SIZE_PX, SIZE_PX).unwrap();
         let known = |camera: &CameraMm| {
             let side = Interior::from_pixel_size(camera, SIZE_PX, SIZE_PX).unwrap();
-            PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None, one_lens: false }
+            PairInterior { left: side, right: side, focal_mm: FOCAL_MM, doubt: None, one_lens: false, are_scans: false }
         };
         let scale = focal_mm / FOCAL_MM;
         let seen = NADIR.observe(600, 0.02, 80_000 + set);

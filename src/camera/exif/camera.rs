@@ -9,7 +9,7 @@ use crate::camera::sensors::sensor_mm;
 use crate::camera::xmp::{DjiLens, Pix4dLens, Projection, Xmp};
 use crate::{CameraUncertainty, Location};
 use serde::{Deserialize, Serialize};
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::{FRAC_2_PI, PI, SQRT_2};
 
 const MAKE: Tag = (Directory::Main, 0x010f);
 const MODEL: Tag = (Directory::Main, 0x0110);
@@ -114,44 +114,44 @@ impl ExifCamera {
     /// What is not known of it.
     pub(crate) fn uncertainty(&self) -> CameraUncertainty {
         let known = CameraUncertainty::of(self.origin);
-        match self.resized_or_cropped().zip(self.pixel_mm) {
-            Some(([taken, stored], pixel_mm)) => {
-                let part = Part::of(taken.map(f64::from), stored.map(f64::from));
-                known.of_cropped(part.times, part.reach_px / (self.focal_mm / pixel_mm))
+        match (self.partial(), self.pixel_mm) {
+            (Some(CameraCaution::Resized { taken_width_px, taken_height_px, width_px, height_px }), Some(pixel_mm)) => {
+                let part = Part::of_format([*taken_width_px, *taken_height_px], [*width_px, *height_px]);
+                // Resized, as is assumed, or cropped: either is as likely.
+                known.of_part(libm::log(part.times) / SQRT_2, part.reach_px / (self.focal_mm / pixel_mm))
             }
-            None => known,
+            _ => known,
         }
     }
 
-    /// The size that a photo was taken with and that of its file, in px, where nothing says whether it was resized or cropped to that: it has fewer
-    /// pixels of the same format.
-    pub(crate) fn resized_or_cropped(&self) -> Option<[[u32; 2]; 2]> {
-        self.cautions.iter().find_map(|caution| match *caution {
+    /// The caution that says that the image of a file may be a part of a photo: one that has fewer pixels than it was taken with, or others. A calibration
+    /// goes before the pixels of EXIF.
+    pub(crate) fn partial(&self) -> Option<&CameraCaution> {
+        self.cautions.iter().find(|caution| match **caution {
             CameraCaution::Resized { taken_width_px, taken_height_px, width_px, height_px } => {
-                let is_fewer = f64::from(taken_width_px.max(taken_height_px)) > FEWER * f64::from(width_px.max(height_px));
-                is_fewer.then_some([[taken_width_px, taken_height_px], [width_px, height_px]])
+                f64::from(taken_width_px.max(taken_height_px)) > FEWER * f64::from(width_px.max(height_px))
             }
-            _ => None,
+            CameraCaution::Cropped { .. } | CameraCaution::FocalPlane { .. } => self.pixel_mm.is_none(),
+            CameraCaution::Contradiction { .. } | CameraCaution::Panorama { .. } => false,
         })
     }
 
-    /// Of what part of a photo the image of a file is, at the least, where that may be less than all of it; `size`: of the image, px.
-    pub(crate) fn part(&self, size: [usize; 2]) -> Option<Part> {
-        self.cautions.iter().find_map(|caution| match *caution {
-            CameraCaution::Resized { .. } => {
-                let [taken, stored] = self.resized_or_cropped()?.map(|size| size.map(f64::from));
-                Some(Part::of(taken, stored))
+    /// What the image of a file, of this size in px, is at the least of its photo, where it may be a part of it.
+    pub(crate) fn part(&self, (width, height): (usize, usize)) -> Option<Part> {
+        match *self.partial()? {
+            CameraCaution::Resized { taken_width_px, taken_height_px, width_px, height_px } => {
+                Some(Part::of_format([taken_width_px, taken_height_px], [width_px, height_px]))
             }
             CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px } => {
-                Some(Part::of([taken_width_px, taken_height_px].map(f64::from), [width_px, height_px].map(f64::from)))
+                Some(Part::of_any([taken_width_px, taken_height_px], [width_px, height_px]))
             }
             // A photo as large as its sensor would be at the pixels that EXIF has.
             CameraCaution::FocalPlane { pixel_um, expected_um } => {
-                let stored = size.map(|v| v as f64);
+                let stored = [width, height].map(|v| v as f64);
                 Some(Part::of(stored.map(|v| v * expected_um / pixel_um), stored))
             }
-            _ => None,
-        })
+            CameraCaution::Contradiction { .. } | CameraCaution::Panorama { .. } => None,
+        }
     }
 
     /// Whether a photo of this camera at this focal length has the same lens as another: also where one of them was turned or resized.
@@ -176,7 +176,7 @@ impl ExifCamera {
     }
 }
 
-/// What an image that was cut out of a photo without resizing is of it. One that was resized, too, is more of it.
+/// What an image is of its photo if it was cut out of it. If it was also resized, it shows more of the photo.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Part {
     /// How many times as long the longer side of the photo is, 1 or more.
@@ -187,11 +187,23 @@ pub(crate) struct Part {
 
 impl Part {
     fn of(taken: [f64; 2], stored: [f64; 2]) -> Self {
-        // A photo that was turned upright may keep the size that it was taken with.
-        let is_turned = (0..2).any(|k| stored[k] > taken[k]) && (0..2).all(|k| stored[k] <= taken[1 - k]);
-        let taken = if is_turned { [taken[1], taken[0]] } else { taken };
         let reach_px = (0..2).map(|k| 0.5 * (taken[k] - stored[k])).fold(0.0, f64::max);
         Self { times: (sides(taken)[0] / sides(stored)[0]).max(1.0), reach_px }
+    }
+
+    /// Of a photo of the same format, which may have been turned.
+    fn of_format(taken: [u32; 2], stored: [u32; 2]) -> Self {
+        Self::of(sides(taken.map(f64::from)), sides(stored.map(f64::from)))
+    }
+
+    /// Of a photo of another format. A photo that was turned upright may keep the size that it was taken with: of both ways in which the image fits into
+    /// it the one that leaves more open.
+    fn of_any(taken: [u32; 2], stored: [u32; 2]) -> Self {
+        let [taken, stored] = [taken, stored].map(|size| size.map(f64::from));
+        let ways = [taken, [taken[1], taken[0]]];
+        let fits = |way: &&[f64; 2]| (0..2).all(|k| stored[k] <= way[k]);
+        let parts = ways.iter().filter(fits).map(|way| Self::of(*way, stored));
+        parts.max_by(|a, b| a.reach_px.total_cmp(&b.reach_px)).unwrap_or_else(|| Self::of(sides(taken), sides(stored)))
     }
 }
 
@@ -348,4 +360,37 @@ fn fisheye_radial(scale_px: f64, [p2, p3]: [f64; 2], camera: &Camera) -> [f64; 3
         (libm::tan(angle), seen(angle))
     });
     fitted_terms(rays, libm::tan(inside))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(caution: CameraCaution, pixel_mm: Option<f64>) -> Option<(f64, f64)> {
+        let camera = ExifCamera { pixel_mm, cautions: vec![caution], ..ExifCamera::default() };
+        camera.part((1000, 900)).map(|part| (part.times, part.reach_px))
+    }
+
+    #[test]
+    fn a_part_of_a_turned_photo_leaves_open_what_either_way_does() {
+        let cropped = |[taken_width_px, taken_height_px]: [u32; 2], [width_px, height_px]: [u32; 2]| {
+            part(CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px }, None).unwrap()
+        };
+        assert_eq!(cropped([4000, 3000], [1000, 900]), (4.0, 1550.0));
+        // Higher than the photo was taken: it was turned. Of one that fits both ways the worse counts.
+        assert_eq!(cropped([4000, 3000], [1000, 3500]), (4000.0 / 3500.0, 1000.0));
+        assert_eq!(cropped([4000, 3000], [2900, 2000]), (4000.0 / 2900.0, 1000.0));
+        // Enlarged.
+        assert_eq!(cropped([400, 300], [1000, 900]), (1.0, 0.0));
+        // Turned and halved, the format is the same: sides belong to each other.
+        let resized = CameraCaution::Resized { taken_width_px: 4000, taken_height_px: 3000, width_px: 1500, height_px: 2000 };
+        assert_eq!(part(resized, Some(0.001)), Some((2.0, 1000.0)));
+    }
+
+    #[test]
+    fn a_calibration_goes_before_the_pixels_of_exif() {
+        let other_pixels = CameraCaution::FocalPlane { pixel_um: 2.0, expected_um: 4.0 };
+        assert_eq!(part(other_pixels.clone(), None), Some((2.0, 500.0)));
+        assert_eq!(part(other_pixels, Some(0.001)), None);
+    }
 }

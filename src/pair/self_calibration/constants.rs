@@ -1,6 +1,5 @@
 //! The constants of the cameras: what is known of them before, and what they do to the rays.
 
-use crate::Warning;
 use crate::camera::{CameraUncertainty, Interior, is_near};
 use crate::orientation::{MODES, Ray};
 use crate::pair::geometry::PairInterior;
@@ -50,7 +49,7 @@ fn is_one_camera(PairInterior { left, right, focal_mm, doubt, .. }: &PairInterio
         && terms.into_iter().all(|((a, b), unit)| is_near(*a, *b, unit))
         && near(&left.tangential_distortion, &right.tangential_distortion, 1.0 / f)
         && left.uncertainty == right.uncertainty
-        && !matches!(doubt, Some(Warning::ResizedOrCropped { .. } | Warning::Cropped { .. } | Warning::OtherPixels { .. }))
+        && !doubt.is_some_and(|doubt| doubt.is_of_part())
 }
 
 /// The constants that two photos share which are not of one camera in all: the focal length and k1 of one lens, where the image of one was turned
@@ -163,7 +162,8 @@ mod tests {
     fn an_image_that_was_saved_again_is_of_one_camera_with_the_others() {
         let known = CameraUncertainty::EXIF;
         let left = photo(4.5, 0.01, 1e-3, known);
-        let cameras = |right: Interior| cameras_of(&PairInterior { left, right, focal_mm: 4.5, doubt: None, one_lens: false });
+        let cameras =
+            |right: Interior| cameras_of(&PairInterior { left, right, focal_mm: 4.5, doubt: None, one_lens: false, are_scans: false });
         assert_eq!(cameras(left), 1);
         assert_eq!(cameras(photo(4.5 * (1.0 + 5e-9), 0.01 + 1e-9, 1e-3 + 1e-10, known)), 1);
         assert_eq!(cameras(photo(4.5 * (1.0 - 2e-6), 0.01, 1e-3, known)), 1);

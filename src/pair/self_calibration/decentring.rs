@@ -42,7 +42,7 @@ mod tests {
     fn pair(uncertainty: CameraUncertainty) -> PairInterior {
         let camera = CameraMm { uncertainty: Some(uncertainty), ..CameraMm::without_distortion(5.0, Some(0.005)) };
         let side = Interior::from_pixel_size(&camera, 1200, 800).unwrap();
-        PairInterior { left: side, right: side, focal_mm: 5.0, doubt: None, one_lens: false }
+        PairInterior { left: side, right: side, focal_mm: 5.0, doubt: None, one_lens: false, are_scans: false }
     }
 
     #[test]

@@ -5,7 +5,6 @@ import type {
   DescribedPoints,
   DetectedPoints,
   EpipolarGeometry,
-  ExifCamera,
   Fiducial,
   FiducialModel,
   FiducialOrientation,
@@ -29,7 +28,7 @@ import type {
   TwoViewModel,
   WindowReport,
 } from '../../shared/crate';
-import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from '../state/data';
+import type { ImageSource, InteriorOutput, MaskImage, Overview } from '../state/data';
 
 /** Points of both images with what is compared, and the offset between them where the strategy needs one: what matching starts from. */
 export interface MatchInput {
@@ -134,8 +133,8 @@ export interface PairCalls {
   /** One piece of the nearest neighbours that `match` looks for where it is given none. */
   nearest: { input: NearestInput; output: NearestPiece };
   match: {
-    input: MatchInput & { interior: PairInterior | null; files: [ExifCamera | null, ExifCamera | null]; settings: Settings; nearest: NearestPiece[] | null };
-    output: PairMatches;
+    input: MatchInput & { interior: PairInterior | null; settings: Settings; nearest: NearestPiece[] | null };
+    output: MatchResult;
   };
   candidates: { input: MatchInput & { index: number; options: Settings['matching'] }; output: Float64Array };
   gradientCandidates: { input: { index: number; left: Uint8Array; right: Uint8Array; most: number }; output: Float64Array };
@@ -162,7 +161,7 @@ export interface PairCalls {
   parseCamera: { input: { text: string }; output: CameraMm };
   /** SHA-256 in hexadecimal digits. */
   digest: { input: { file: Blob }; output: string };
-  projectOpen: { input: { bytes: Uint8Array }; output: { project: PairProject; estimated: PairInterior | null } };
+  projectOpen: { input: { bytes: Uint8Array }; output: PairProject };
   projectWrite: { input: PairProject; output: string };
   matchesCsv: { input: { matches: Float64Array }; output: string };
 }

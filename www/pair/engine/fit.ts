@@ -14,7 +14,6 @@ export async function fitted(state: State, workers: Workers, left: Position, rig
     right: { points: new Float64Array() },
     offset,
     interior: null,
-    files: [null, null],
     settings,
     nearest: null,
   });

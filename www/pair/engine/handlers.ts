@@ -8,7 +8,6 @@ import {
   constant_offset,
   epipolar_line,
   estimate_offset,
-  assumed_interior,
   gradient_candidates,
   grey_png,
   interior,
@@ -126,8 +125,7 @@ function hold({ left, right }: Input<'hold'>): null {
 function match(m: Input<'match'>): Output<'match'> {
   if (held === null) throw new Error('no pair is held in this worker');
   const { left, right } = held;
-  const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? undefined);
-  return { ...result, estimated: assumed_interior(result.geometry, left.width, left.height, right.width, right.height, ...m.files) };
+  return match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? undefined);
 }
 
 function candidatesOf({ left, right, offset, index, options }: Input<'candidates'>): Float64Array {
@@ -220,12 +218,7 @@ export const PAIR_HANDLERS: Handlers<PairCalls> = {
   mask,
   paintMask,
   digest: async ({ file }) => digestOf(new Uint8Array(await file.arrayBuffer())),
-  projectOpen: ({ bytes }) => {
-    const project = open_pair_project(bytes);
-    const [left, right] = project.images;
-    const { geometry } = project.output.match;
-    return { project, estimated: assumed_interior(geometry, left.width_px, left.height_px, right.width_px, right.height_px, left.camera, right.camera) };
-  },
+  projectOpen: ({ bytes }) => open_pair_project(bytes),
   projectWrite: (project) => write_pair_project(project),
   matchesCsv: ({ matches }) => matches_csv(matches),
 };

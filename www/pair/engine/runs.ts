@@ -4,7 +4,8 @@ import type { Side, StageName, StageValues, State } from '../state/state';
 import { editedPair } from '../state/edited';
 import type { Edited } from '../state/edited';
 import { interiorInUse, knownInterior } from '../state/interior';
-import { comparesGradients, comparesMoments, isCurrent, pairCameras } from '../state/keys';
+import { pairCameras } from '../state/cameras';
+import { comparesGradients, comparesMoments, isCurrent } from '../state/keys';
 import { truthOf } from '../state/truth';
 import { matchInput, needed, settingsOf } from './inputs';
 import type { Run } from './inputs';
@@ -65,8 +66,7 @@ const match: Run<StageValues['match']> = async (state, workers) => {
   const { gradients: ofLeft = NONE.gradients } = input.left;
   const { gradients: ofRight = NONE.gradients } = input.right;
   const [worker, nearest] = await Promise.all([workers.withPair(state), comparesGradients(settings) ? workers.nearest(ofLeft, ofRight) : null]);
-  const files = [needed(state, 'openLeft').info.camera, needed(state, 'openRight').info.camera] as const;
-  return worker.call('match', { ...input, interior: ofPair, files: [...files], settings, nearest });
+  return worker.call('match', { ...input, interior: ofPair, settings, nearest });
 };
 
 function interior(side: Side): Run<StageValues['interiorLeft']> {

@@ -190,7 +190,6 @@ export class KeptPairs implements Keepable {
       ...kept,
       kept: value as unknown as KeptResult,
       project: opened.project,
-      estimated: opened.estimated,
       masks: opened.masks,
       standing: standingFor(opened),
     };

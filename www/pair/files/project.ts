@@ -61,7 +61,7 @@ export async function haveSameContent(a: ImageSource, b: ImageSource, engine: En
 /** Reads a project; what stands for its images has their names and sizes. `nextId` numbers images and masks. */
 export async function readProject(engine: Engine, file: Blob, nextId: () => number): Promise<OpenedProject> {
   const bytes = new Uint8Array(await file.arrayBuffer());
-  const { project, estimated } = await engine.client('pair').call('projectOpen', { bytes }, [bytes.buffer]);
+  const project = await engine.client('pair').call('projectOpen', { bytes }, [bytes.buffer]);
   const [left, right] = project.images;
   const of = { left, right };
   const image = (side: Side): GivenImage => ({ id: nextId(), name: of[side].name, source: { kind: 'project', content: of[side].content ?? null } });
@@ -81,7 +81,7 @@ export async function readProject(engine: Engine, file: Blob, nextId: () => numb
           overlay: overviews[side].clear,
         };
   };
-  return { project, estimated, overviews, images: { left: image('left'), right: image('right') }, masks: { left: mask('left'), right: mask('right') } };
+  return { project, overviews, images: { left: image('left'), right: image('right') }, masks: { left: mask('left'), right: mask('right') } };
 }
 
 /** A grey area of the size of an image, and a clear one. */

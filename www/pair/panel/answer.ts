@@ -1,12 +1,12 @@
 /** What came of a pair: its verdict, the figures that decided, and what to do next. */
 import { pair_hint } from '../../shared/crate';
-import type { OrientedPair, Warning } from '../../shared/crate';
+import type { OrientedPair, PairHint, PairVerdict, Warning } from '../../shared/crate';
 import type { Answer, Figure, Next } from '../../shared/panel/answer';
 import { count, decimalsOfError, fixed } from '../../shared/text/format';
 import { offeredCalibration } from '../state/calibration';
 import { interiorInUse } from '../state/interior';
 import { isCurrent } from '../state/keys';
-import { whyNone } from '../state/project';
+import { whyNone } from '../state/no-orientation';
 import { countsOf, pixelMm } from '../state/residuals';
 import { shownPair } from '../state/select';
 import { SIDES } from '../state/state';
@@ -54,7 +54,7 @@ function answered(state: State, actions: AnswerActions): Answer {
   const reason = whyNotOriented(state);
   const oriented = reason === null && isCurrent(state, 'orientation') ? state.results.orientation?.value : undefined;
   const verdict = oriented?.verdict;
-  const hint = state.settings === null ? null : pair_hint(verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) }, state.settings);
+  const hint = hintFor(state, verdict);
   const more = `${matched}${hint === null ? '' : ` ${message('pair_hint', hint)}`}`;
   if (oriented === undefined || verdict === undefined) {
     const next = hint === null ? nextWithout(state, actions) : { text: say('use-auto'), act: actions.otherStrategy };
@@ -65,6 +65,13 @@ function answered(state: State, actions: AnswerActions): Answer {
   if (verdict.kind === 'oriented') return { ...answer, kind: 'done', verdict: 'oriented', next: calibrated(state, actions) ?? nextAfter(state, actions) };
   const next = verdict.kind === 'weak' && asksForCamera(verdict.warning) ? cameraNext(state, actions) : { text: say('show-why'), act: actions.why };
   return { ...answer, kind: 'partial', verdict: verdict.kind, next };
+}
+
+/** What else would do; null where the pair is oriented, or nothing is known to do better. */
+function hintFor(state: State, verdict: PairVerdict | undefined): PairHint | null {
+  const none = whyNone(state);
+  const judged = verdict ?? (none === null ? null : ({ kind: 'not_oriented', no_orientation: none } as const));
+  return state.settings === null || judged === null ? null : pair_hint(judged, state.settings);
 }
 
 function figuresOf(state: State, result: OrientedPair): Figure[] {
@@ -98,12 +105,11 @@ function asksForCamera({ kind }: Warning): boolean {
 }
 
 function nextWithout(state: State, actions: AnswerActions): Next {
-  const { kind } = whyNone(state);
+  const kind = whyNone(state)?.kind ?? '';
   const why = { text: say('show-why'), act: actions.why };
   // Other photographs help, nothing that could be given with these.
   if (kind === 'no_geometry' || kind === 'parts_of_one_image') return { text: say('open-other-photos'), act: () => actions.open(null) };
   if (kind === 'one_photo') return { text: say('replace-the-right-image'), act: () => actions.open('right') };
-  if (state.results.match?.value.geometry?.degenerate === 'pure-rotation') return why;
   const camera = ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered'].includes(kind);
   return camera ? cameraNext(state, actions) : why;
 }

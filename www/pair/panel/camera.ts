@@ -2,7 +2,8 @@
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
 import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { calibrationGroup } from './calibration';
-import { comparesGradients, isCurrent, pairCameras } from '../state/keys';
+import { pairCameras } from '../state/cameras';
+import { comparesGradients, isCurrent } from '../state/keys';
 import { interiorInUse } from '../state/interior';
 import { pixelMm } from '../state/residuals';
 import type { State } from '../state/state';
@@ -123,7 +124,7 @@ function sourceText(state: State): string {
   const told = estimatedText(state);
   if (state.camera !== null) return say('in-use-the-values-below', { what: state.truth === null ? '' : say('they-came-with-the-sample'), told, exif });
   if (!('missing' in used)) return say('in-use-the-photos-own', { told, exif });
-  if (used.missing.kind !== 'panorama' && state.results.match?.value.estimated != null) {
+  if (interiorInUse(state) !== null) {
     return say('no-camera-is-known-that', { told, exif });
   }
   return say('orientation-needs-a-focal-length', { exif });

@@ -1,8 +1,9 @@
 /** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
-import type { FiveParameters, NoOrientation, PairInterior, Paper, RelativeOrientation } from '../../shared/crate';
+import type { FiveParameters, Paper, RelativeOrientation } from '../../shared/crate';
 import { interiorInUse } from '../state/interior';
-import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
-import { oneImage } from '../state/one-image';
+import { pairCameras } from '../state/cameras';
+import { isCurrent, isStale } from '../state/keys';
+import { failureOf, whyNone } from '../state/no-orientation';
 import { hasPaperCamera } from '../state/paper';
 import { countsOf, pixelMm } from '../state/residuals';
 import { atBase } from '../../../pkg/pair/at-base.js';
@@ -57,43 +58,33 @@ function content(state: State): HTMLElement[] {
 function estimatedFocal(state: State): HTMLElement[] {
   const { match } = state.results;
   const focal = match?.value.geometry?.focal ?? null;
-  if (!('missing' in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
+  if (!('missing' in pairCameras(state)) || focal === null || interiorInUse(state) === null) return [];
   return [h('p', { class: 'note', testid: 'estimated-focal' }, say('estimated-focal', { focal_px: focal.focal_px, error_px: focal.standard_error_px }))];
-}
-
-/** What of the cameras is missing that the matches do not tell either; null where nothing is, or an image is still to open. */
-function missingCamera(state: State, estimated: PairInterior | null): NoOrientation | null {
-  const { openLeft, openRight } = state.results;
-  const cameras = pairCameras(state);
-  if (openLeft === undefined || openRight === undefined || !('missing' in cameras)) return null;
-  return estimated === null || cameras.missing.kind === 'panorama' ? cameras.missing : null;
 }
 
 /** Why there is no orientation for what is wanted now; null where there is one, or one to come. */
 export function whyNotOriented(state: State): string | null {
-  const keys = wantedKeys(state);
   if (state.images.left === null || state.images.right === null) return say('two-images-are-needed');
-  const match = isCurrent(state, 'match') ? (state.results.match?.value ?? null) : null;
-  const without = (reason: NoOrientation) => say('not-oriented-2', { message: message('no_orientation', reason) });
-  const missing = missingCamera(state, match?.estimated ?? null);
-  // In the order in which the crate asks.
-  if (missing?.kind === 'panorama') return without(missing);
-  if (match?.no_geometry != null) return say('not-oriented-do-both-photos', { message: message('no_geometry', match.no_geometry) });
-  const one = match === null ? null : oneImage(state);
-  if (one !== null) return without(one);
-  const isRotation = match?.geometry?.degenerate === 'pure-rotation';
-  if (missing !== null && (keys.orientation === null || isRotation)) {
-    // It says itself what can be given.
-    if (missing.kind === 'altered') return without(missing);
-    const untold = match?.geometry == null ? '' : say('and-the-matches-do-not');
-    return say('not-oriented-give-the-focal', { message: message('no_orientation', missing), untold });
+  const reason = whyNone(state);
+  switch (reason?.kind) {
+    case undefined:
+    case 'refused': {
+      const failure = failureOf(state);
+      return failure === null ? null : say('not-oriented-3', { message: failure.message });
+    }
+    case 'no_geometry':
+      return say('not-oriented-do-both-photos', { message: message('no_geometry', reason.no_geometry) });
+    case 'no_camera':
+    case 'no_focal_length':
+    case 'no_pixel_size': {
+      const isTold = isCurrent(state, 'match') && state.results.match?.value.geometry != null;
+      const untold = isTold ? say('and-the-matches-do-not') : '';
+      return say('not-oriented-give-the-focal', { message: message('no_orientation', reason), untold });
+    }
+    default:
+      // These say themselves what can be given, if anything.
+      return say('not-oriented-2', { message: message('no_orientation', reason) });
   }
-  if (isRotation) return without({ kind: 'pure_rotation' });
-  for (const stage of ['interiorLeft', 'interiorRight', 'orientation'] as const) {
-    const failure = state.failures[stage];
-    if (failure !== undefined && failure.key === keys[stage]) return say('not-oriented-3', { message: failure.message });
-  }
-  return null;
 }
 
 /** The true orientation at the scale of a result's base; null where it is not known. */

@@ -5,9 +5,9 @@ import { whenInSight } from '../../shared/panel/sight';
 import { Table } from '../../shared/panel/table';
 import type { Column } from '../../shared/state/rows';
 import { count } from '../../shared/text/format';
+import type { MatchResult } from '../../shared/crate';
 import { chosenLefts } from '../state/choice';
 import { BY_HAND, GROSS_ERROR, MANUAL } from '../state/codes';
-import type { PairMatches } from '../state/data';
 import type { Editing } from '../state/editing';
 import { interiorInUse } from '../state/interior';
 import { isStale } from '../state/keys';
@@ -56,7 +56,7 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
   let chosen: ReadonlySet<number> = new Set();
   let statistics: Statistics | null = null;
   /** The matches that they are of, without edits. */
-  let found: PairMatches | null = null;
+  let found: MatchResult | null = null;
   let columns: readonly Column[] = [];
   const leftsOf = (rows: Iterable<number>) => [...rows].flatMap((row) => statistics?.lefts[row] ?? []);
   const chooseListed = () => {
@@ -126,7 +126,7 @@ function statisticsOfState(state: State): Statistics | null {
 }
 
 /** Whether the figures of edited matches are under way: their rows come with these, which rows without them would keep waiting. */
-function isAwaited(state: State, found: PairMatches | null): boolean {
+function isAwaited(state: State, found: MatchResult | null): boolean {
   const { edited } = shownPair(state);
   const { orientation, score } = state.running;
   return (orientation !== undefined || score !== undefined) && edited !== null && edited.found === found;

@@ -1,5 +1,5 @@
 /** What passes between the stages of a pair. */
-import type { FiducialOrientation, Interior, MatchResult, PairInterior, SampleImage } from '../../shared/crate';
+import type { FiducialOrientation, Interior, MatchResult, SampleImage } from '../../shared/crate';
 
 /**
  * Where an image comes from. It is kept by the page, so that a fresh worker can open it again. Of an image of a project that was opened only
@@ -13,15 +13,10 @@ export interface Overview {
   halvings: number;
 }
 
-/** The matches of a pair, with the interior orientations that they themselves tell where no camera is known. */
-export interface PairMatches extends MatchResult {
-  estimated: PairInterior | null;
-}
-
 /** Matches as they are used, with the edits by hand, beside those that were found. */
 export interface MatchesInUse {
-  match: PairMatches;
-  found: PairMatches;
+  match: MatchResult;
+  found: MatchResult;
 }
 
 /** A grey image of the size of another: where it is 0, no points are wanted. */

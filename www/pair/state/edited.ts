@@ -1,7 +1,7 @@
 /** The pair with the edits by hand: a pure function of what the matching found and of what stands after the edits. */
 import { remember } from '../../shared/state/remember';
 import { BY_HAND, MATCHED, UNDECIDED } from './codes';
-import type { MatchesInUse, PairMatches } from './data';
+import type { MatchesInUse } from './data';
 import { isNothing, keyOfTarget, standingOf } from './edits';
 import type { Place, Standing, Target } from './edits';
 import type { State } from './state';
@@ -27,7 +27,7 @@ export interface Edited extends MatchesInUse {
 }
 
 /** Whether the place of a match was measured by hand. */
-export function isManual({ matches }: Pick<PairMatches, 'matches'>, row: number): boolean {
+export function isManual({ matches }: Pick<MatchResult, 'matches'>, row: number): boolean {
   return matches[5 * row + 4] === MANUAL_MEASURE;
 }
 
@@ -90,7 +90,7 @@ class Rows {
   private count = 0;
 
   constructor(
-    private readonly found: PairMatches,
+    private readonly found: MatchResult,
     most: number,
   ) {
     this.matches = new Float64Array(5 * most);
@@ -115,7 +115,7 @@ class Rows {
     this.count += 1;
   }
 
-  get all(): Pick<PairMatches, 'matches' | 'fits' | 'indices'> {
+  get all(): Pick<MatchResult, 'matches' | 'fits' | 'indices'> {
     const { matches, fits, indices, count } = this;
     return { matches: matches.slice(0, 5 * count), fits: fits.slice(0, 5 * count), indices: indices.slice(0, 2 * count) };
   }
@@ -129,7 +129,7 @@ function longer<A extends Uint8Array | Int32Array | Float64Array>(values: A, mor
 }
 
 /** What each edit did to the matches that were found. The same objects where nothing stands. */
-export function applied(left: Float64Array, found: PairMatches, standing: Standing): Edited {
+export function applied(left: Float64Array, found: MatchResult, standing: Standing): Edited {
   return isNothing(standing) ? { left, match: found, found, appended: [], lost: 0 } : new Applying(left, found, standing).edited();
 }
 
@@ -156,7 +156,7 @@ class Applying {
 
   constructor(
     private readonly left: Float64Array,
-    private readonly found: PairMatches,
+    private readonly found: MatchResult,
     private readonly standing: Standing,
   ) {
     this.count = left.length / 3;
@@ -223,7 +223,7 @@ class Applying {
   }
 
   /** `all`: so many left points. */
-  private match(all: number): PairMatches {
+  private match(all: number): MatchResult {
     const used = this.rows.all;
     return {
       ...this.found,
@@ -238,7 +238,7 @@ class Applying {
 }
 
 /** How many matches were rejected and measured by hand. */
-export function countsByHand(match: Pick<PairMatches, 'matches' | 'rules'>): { rejected: number; manual: number } {
+export function countsByHand(match: Pick<MatchResult, 'matches' | 'rules'>): { rejected: number; manual: number } {
   let manual = 0;
   for (let row = 0; 5 * row < match.matches.length; row++) manual += Number(isManual(match, row));
   return { rejected: match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND), 0), manual };
@@ -277,7 +277,7 @@ export function targetOfLeft({ found, match, appended }: Edited, left: number): 
 }
 
 /** The row of the match of each left point; -1 where it has none. */
-export function rowsOfLefts(match: Pick<PairMatches, 'rules' | 'indices'>): Int32Array {
+export function rowsOfLefts(match: Pick<MatchResult, 'rules' | 'indices'>): Int32Array {
   const rows = new Int32Array(match.rules.length).fill(-1);
   for (let i = 0; i < match.indices.length; i += 2) rows[match.indices[i] ?? NO_POINT] = i / 2;
   return rows;

@@ -1,7 +1,8 @@
 /** The interior orientations of the pair on the screen: of known cameras, or as the matches tell them. */
-import type { PairCameras, PairInterior } from '../../shared/crate';
-import { pairCameras } from './keys';
+import { assumed_interior } from '../../shared/crate';
+import type { PairCameras, PairInterior, PhotoFacts } from '../../shared/crate';
 import { remember } from '../../shared/state/remember';
+import { pairCameras, photoFacts } from './cameras';
 import type { StageValues, State } from './state';
 
 type Known = StageValues['interiorLeft'];
@@ -23,7 +24,19 @@ export function knownInterior(state: State): PairInterior | null {
   return paired(interiorLeft.value, interiorRight.value, cameras);
 }
 
+const assumed = remember((geometry: StageValues['match']['geometry'], facts: [PhotoFacts, PhotoFacts]) =>
+  geometry === null ? null : assumed_interior(geometry, ...facts),
+);
+
+/** Those that the matches tell where a camera is missing; null where they tell none. No camera that may be assumed sees a panorama. */
+export function assumedInterior(state: State): PairInterior | null {
+  const cameras = pairCameras(state);
+  const { match } = state.results;
+  if (!('missing' in cameras) || cameras.missing.kind === 'panorama' || match === undefined) return null;
+  return assumed(match.value.geometry, photoFacts(state));
+}
+
 /** Those in use: where no camera is known, as the matches tell them. */
 export function interiorInUse(state: State): PairInterior | null {
-  return 'missing' in pairCameras(state) ? (state.results.match?.value.estimated ?? null) : knownInterior(state);
+  return 'missing' in pairCameras(state) ? assumedInterior(state) : knownInterior(state);
 }

@@ -66,7 +66,7 @@ export interface RestoredPair {
   shelf: Shelf;
   /** The images as they are opened again. */
   opened: Pick<Beside, 'openLeft' | 'openRight'>;
-  result: { project: PairProject; estimated: PairInterior | null; typed: Typed; beside: Beside; times: Times } | null;
+  result: { project: PairProject; typed: Typed; beside: Beside; times: Times } | null;
 }
 
 export function typedOf({ settings, camera, photos, fiducialModel, offset }: State): Typed | null {

@@ -2,16 +2,18 @@
  * What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
  * change is not computed again, whatever was changed elsewhere.
  */
-import { measuredPhoto, wholeMarks } from './marks';
-import { pair_cameras, resolved } from '../../shared/crate';
-import type { CameraMm, NoOrientation, PairCameras, Settings } from '../../shared/crate';
+import { pairCameras, photoFacts } from './cameras';
+import { assumedInterior } from './interior';
+import { measuredPhoto } from './marks';
+import { resolved } from '../../shared/crate';
+import type { Settings } from '../../shared/crate';
 import { remember } from '../../shared/state/remember';
 import { isNothing, standingOf } from './edits';
 import type { Standing } from './edits';
 import { truthOf } from './truth';
 import { oneImage } from './one-image';
 import { otherSide } from './state';
-import type { Side, StageName, StageValues, State } from './state';
+import type { Side, StageName, State } from './state';
 
 /** The wanted key of each stage; null where an input is missing. */
 export type WantedKeys = Record<StageName, string | null>;
@@ -46,24 +48,6 @@ function keyOf(kind: string, inputs: readonly (string | null)[], options: unknow
   return inputs.includes(null) ? null : shortName([kind, inputs, options]);
 }
 
-type Info = StageValues['openLeft']['info'] | undefined;
-
-/** What of a photo tells its camera; one that is not open is taken to be as large as the other. */
-const factsOf = (info: Info, other: Info, has_marks: boolean) => {
-  const { width, height } = info ?? other ?? { width: 1, height: 1 };
-  return { longer_px: Math.max(width, height), exif: info?.camera ?? null, has_marks };
-};
-
-const camerasOf = remember((given: CameraMm | null, left: Info, right: Info, areMarksLeft: boolean, areMarksRight: boolean) =>
-  pair_cameras(given, factsOf(left, right, areMarksLeft), factsOf(right, left, areMarksRight)),
-);
-
-/** The camera of both images where one is given, else that of each image's EXIF, with what speaks against them; or what is missing. */
-export function pairCameras({ camera, photos, results: { openLeft, openRight } }: State): PairCameras | { missing: NoOrientation } {
-  const areMarks = (side: Side) => wholeMarks(photos[side]).length > 0;
-  return camerasOf(camera, openLeft?.value.info, openRight?.value.info, areMarks('left'), areMarks('right'));
-}
-
 /** Whether a strategy searches the right image itself, in place of its interest points. */
 export function comparesGreyValues({ matching }: Settings): boolean {
   return matching.strategy === 'correlation' || matching.strategy === 'least-squares';
@@ -89,11 +73,11 @@ function pointSettings(settings: Settings): unknown[] {
   return [settings.points, scales ? settings.multiscale : null, gradients ? settings.gradient : null];
 }
 
-/** What the interior orientation of the matches' own making comes from: the matches, where they tell it or are still to come. */
+/** What the interior orientation of the matches' own making comes from beside them, where they tell it or are still to come. */
 function estimatedFrom(state: State, settings: Settings, match: string | null): string | null {
   const result = state.results.match;
-  const tellsNone = result !== undefined && result.key === match && result.value.estimated === null;
-  return comparesGradients(settings) && !tellsNone ? '' : null;
+  const tellsNone = result !== undefined && result.key === match && assumedInterior(state) === null;
+  return comparesGradients(settings) && !tellsNone ? keyOf('assumed', [], photoFacts(state)) : null;
 }
 
 /** Photos from one place, and images of one, have no base: there is nothing to orient. */

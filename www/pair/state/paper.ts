@@ -1,5 +1,5 @@
 /** Whether what the paper printed of its own pair can be set beside the results. */
-import { pairCameras } from './keys';
+import { pairCameras } from './cameras';
 import type { State } from './state';
 
 /** Whether the images are of the paper's camera, which the flight of that name has: other pairs have nothing in common with the paper's. */

@@ -1,12 +1,12 @@
 /** A pair as a project file holds it: of the state, and back. */
-import type { MatchResult, NoOrientation, PairEdit, PairEdits, PairInterior, PairProject, PairTruth } from '../../shared/crate';
+import type { MatchResult, NoOrientation, PairEdit, PairEdits, PairProject, PairTruth } from '../../shared/crate';
 import { BY_HAND, codeOf, UNDECIDED } from './codes';
 import { countsByHand, editedPair } from './edited';
 import type { Edited } from './edited';
 import { interiorInUse } from './interior';
-import { oneImage } from './one-image';
-import { isCurrent, pairCameras, wantedKeys } from './keys';
+import { isCurrent, wantedKeys } from './keys';
 import { measuredPhoto } from './marks';
+import { whyNone } from './no-orientation';
 import { exchangedPair } from './shelf';
 import { SIDES, UNEDITED } from './state';
 import type { GivenImage, GivenMask, Results, Side, StageName, StageValues, State } from './state';
@@ -20,9 +20,10 @@ export interface OpenedProject {
   images: Record<Side, GivenImage>;
   overviews: Record<Side, Overview>;
   masks: Record<Side, GivenMask | null>;
-  /** The interior orientations that the matches tell. */
-  estimated: PairInterior | null;
 }
+
+/** What a project says where nothing tells yet why there is no orientation. */
+const NOT_YET: NoOrientation = { kind: 'no_camera', side: 'left' };
 
 /** All that is known of the pair on the screen; null while parts of it are missing or out of date. `contents`: digests of the image files. */
 export function projectOf(state: State, contents: Record<Side, string | null>): PairProject | null {
@@ -40,7 +41,7 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
     return { name, content: contents[side], width_px: width, height_px: height, format, bits_per_sample, mask, camera: named };
   };
   const oriented = isCurrent(state, 'orientation') ? (orientation?.value ?? null) : null;
-  const none = oriented === null ? whyNone(state) : null;
+  const none = oriented === null ? (whyNone(state) ?? NOT_YET) : null;
   const interior = interiorInUse(state);
   const points = ({ counts, threshold, points: at, frames }: StageValues['pointsLeft']) => ({ counts, threshold, points: at, frames });
   const given = (side: Side) => ({ ...measuredPhoto(photos[side]), model: fiducialModel });
@@ -58,7 +59,7 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
       orientation: oriented,
       no_orientation: none,
       // Made anew from the rest when the project is opened.
-      verdict: oriented?.verdict ?? { kind: 'not_oriented', no_orientation: none ?? whyNone(state) },
+      verdict: oriented?.verdict ?? { kind: 'not_oriented', no_orientation: none ?? NOT_YET },
     },
     truth: truthFor(state),
     edited: editsFor(state, edited),
@@ -105,23 +106,6 @@ export function editsOfFile({ output, edited }: PairProject): { rejected: number
   return edited == null ? countsByHand(unfiled(output.match)) : { rejected: 0, manual: 0 };
 }
 
-/** Why there is no orientation, in the order in which the crate's `match_pair` asks. */
-export function whyNone(state: State): NoOrientation {
-  const cameras = pairCameras(state);
-  const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
-  const missing = 'missing' in cameras && interiorInUse(state) === null ? cameras.missing : null;
-  if (missing?.kind === 'panorama') return missing;
-  // No camera helps photos that have no geometry.
-  if (no_geometry !== null) return { kind: 'no_geometry', no_geometry };
-  const one = oneImage(state);
-  if (one !== null) return one;
-  if (missing !== null) return missing;
-  if (geometry?.degenerate === 'pure-rotation') return { kind: 'pure_rotation' };
-  const failures = (['interiorLeft', 'interiorRight', 'orientation'] as const).map((stage) => state.failures[stage]);
-  const error = failures.find((failure) => failure?.error != null)?.error;
-  return error == null ? { kind: 'no_camera', side: 'left' } : { kind: 'refused', error };
-}
-
 function truthFor(state: State): PairTruth | null {
   const truth = truthOf(state);
   const score = isCurrent(state, 'score') ? state.results.score?.value : undefined;
@@ -129,7 +113,7 @@ function truthFor(state: State): PairTruth | null {
 }
 
 /** The state that shows a project: its results stand as if they had just been computed. What costs nothing and needs no image is computed. */
-export function withProject(state: State, { project, images, overviews, masks, estimated }: OpenedProject): State {
+export function withProject(state: State, { project, images, overviews, masks }: OpenedProject): State {
   const { input, settings, truth, edited } = project;
   const [left] = project.images;
   const photo = (side: Side) => ({ fiducials: input[side]?.fiducials ?? [], origin: input[side]?.origin ?? null });
@@ -165,7 +149,7 @@ export function withProject(state: State, { project, images, overviews, masks, e
     ...(edited == null ? {} : { history: { edits: edited.edits, done: edited.edits.length } }),
     views: { left: null, right: null },
   };
-  return withResults(given, { project, estimated }, standingFor({ project, overviews }), {});
+  return withResults(given, project, standingFor({ project, overviews }), {});
 }
 
 /** What stands for images whose files are not there. */
@@ -189,7 +173,7 @@ export type Beside = Partial<Pick<StageValues, 'openLeft' | 'openRight' | 'inter
 export type Times = Partial<Record<StageName, number>>;
 
 /** The state with the results of a project, which it was made from: they are kept under the keys of what the state has now. Its history is that of the project. */
-export function withResults(state: State, { project, estimated }: Pick<OpenedProject, 'project' | 'estimated'>, beside: Beside, times: Times): State {
+export function withResults(state: State, project: PairProject, beside: Beside, times: Times): State {
   const { output, truth, edited } = project;
   let next: State = { ...state, results: {} };
   const put = <S extends StageName>(stage: S, value: StageValues[S] | null | undefined, of?: MatchesInUse) => {
@@ -200,7 +184,7 @@ export function withResults(state: State, { project, estimated }: Pick<OpenedPro
   const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
   put('openLeft', beside.openLeft);
   put('openRight', beside.openRight);
-  const match = { ...(edited == null ? unfiled(output.match) : { ...output.match, ...edited.found }), estimated };
+  const match = edited == null ? unfiled(output.match) : { ...output.match, ...edited.found };
   put('pointsLeft', { ...firstOf(output.left, match.rules.length), gradients: descriptorsLeft.gradients });
   put('pointsRight', { ...output.right, gradients: descriptorsRight.gradients });
   put('descriptorsLeft', descriptorsLeft);

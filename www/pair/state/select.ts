@@ -1,6 +1,6 @@
 /** What the panels and views read from the state. Pure; the costly ones are remembered for the last input. */
 import type { MatchResult, RelativeOrientation } from '../../shared/crate';
-import type { MatchesInUse, PairMatches } from './data';
+import type { MatchesInUse } from './data';
 import type { Side, StageName, State } from './state';
 import { STAGES } from './stages';
 import { BY_HAND, GROSS_ERROR, MANUAL, MATCHED, UNDECIDED } from './codes';
@@ -59,7 +59,7 @@ const orientationOf = remember((orientation: RelativeOrientation, of: MatchesInU
 });
 
 /** The row that each match had among earlier ones; -1 where none of them was the same. */
-function rowsThen(earlier: PairMatches, now: PairMatches): Int32Array {
+function rowsThen(earlier: MatchResult, now: MatchResult): Int32Array {
   const rowOfLeft = rowsOfLefts(earlier);
   const rows = new Int32Array(now.indices.length / 2).fill(-1);
   for (let row = 0; row < rows.length; row++) {

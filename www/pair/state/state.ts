@@ -1,6 +1,6 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
 import type { PaneView } from '../../shared/state/pane';
-import type { ImageSource, InteriorOutput, MaskImage, MatchesInUse, Overview, PairMatches } from './data';
+import type { ImageSource, InteriorOutput, MaskImage, MatchesInUse, Overview } from './data';
 import type {
   CameraMm,
   Catalogue,
@@ -10,6 +10,7 @@ import type {
   FiducialModel,
   FiveParameters,
   Flight,
+  MatchResult,
   MatchScore,
   OffsetField,
   Settings,
@@ -117,7 +118,7 @@ export interface StageValues {
   descriptorsLeft: GivenDescriptors;
   descriptorsRight: GivenDescriptors;
   offset: OffsetField;
-  match: PairMatches;
+  match: MatchResult;
   interiorLeft: InteriorOutput;
   interiorRight: InteriorOutput;
   orientation: OrientedPair;
