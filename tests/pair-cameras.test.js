@@ -9,7 +9,14 @@ import { pageModules } from './www.js';
 let page = {};
 
 before(async () => {
-  page = await pageModules(['pair/panel/orientation', 'pair/state/cameras', 'pair/state/interior', 'pair/state/keys', 'pair/state/no-orientation', 'pair/state/state']);
+  page = await pageModules([
+    'pair/panel/orientation',
+    'pair/state/cameras',
+    'pair/state/interior',
+    'pair/state/keys',
+    'pair/state/no-orientation',
+    'pair/state/state',
+  ]);
 });
 
 const CAMERA = { make: 'A', model: 'B', focal_mm: 4, pixel_mm: 0.005, origin: 'exif_focal_plane' };
@@ -34,7 +41,14 @@ function pair([left, right], match = null) {
 }
 
 const FUNDAMENTAL = {
-  model: { kind: 'fundamental', fundamental: [[0, 0, 0], [0, 0, -1], [0, 1, 0]] },
+  model: {
+    kind: 'fundamental',
+    fundamental: [
+      [0, 0, 0],
+      [0, 0, -1],
+      [0, 1, 0],
+    ],
+  },
   threshold_px: 1,
   sigma_px: 0.3,
   degenerate: null,

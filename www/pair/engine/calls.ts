@@ -10,6 +10,7 @@ import type {
   FiducialOrientation,
   Flight,
   GivenPoints,
+  MatchResult,
   MatchScore,
   NearestPiece,
   OffsetField,

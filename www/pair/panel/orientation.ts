@@ -66,12 +66,11 @@ function estimatedFocal(state: State): HTMLElement[] {
 export function whyNotOriented(state: State): string | null {
   if (state.images.left === null || state.images.right === null) return say('two-images-are-needed');
   const reason = whyNone(state);
-  switch (reason?.kind) {
-    case undefined:
-    case 'refused': {
-      const failure = failureOf(state);
-      return failure === null ? null : say('not-oriented-3', { message: failure.message });
-    }
+  if (reason === null || reason.kind === 'refused') {
+    const failure = failureOf(state);
+    return failure === null ? null : say('not-oriented-3', { message: failure.message });
+  }
+  switch (reason.kind) {
     case 'no_geometry':
       return say('not-oriented-do-both-photos', { message: message('no_geometry', reason.no_geometry) });
     case 'no_camera':

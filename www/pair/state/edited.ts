@@ -1,4 +1,5 @@
 /** The pair with the edits by hand: a pure function of what the matching found and of what stands after the edits. */
+import type { MatchResult } from '../../shared/crate';
 import { remember } from '../../shared/state/remember';
 import { BY_HAND, MATCHED, UNDECIDED } from './codes';
 import type { MatchesInUse } from './data';

@@ -1,7 +1,7 @@
 /** What of the pair is kept in the browser's storage: of the state, and back. */
 import { NO_HISTORY } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
-import type { CameraMm, Flight, PairInterior, PairProject, Settings } from '../../shared/crate';
+import type { CameraMm, Flight, PairProject, Settings } from '../../shared/crate';
 import { isNothing, standingOf } from './edits';
 import type { Edit } from './edits';
 import { isCurrent, wantedKeys } from './keys';
@@ -150,7 +150,7 @@ export function areSame(kept: readonly unknown[], now: readonly unknown[]): bool
 export function withKept(state: State, { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result }: RestoredPair): State {
   const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...typed, display, flight, paused, images, masks, truth, shelf };
   if (result === null) return { ...fresh, history };
-  const made = withResults({ ...fresh, ...result.typed }, result, { ...result.beside, ...opened }, result.times);
+  const made = withResults({ ...fresh, ...result.typed }, result.project, { ...result.beside, ...opened }, result.times);
   // What the edits do is compared with what was before all of them.
   return { ...made, ...typed, history, before: history.done === 0 ? null : (made.results.orientation?.value ?? null) };
 }
