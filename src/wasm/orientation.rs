@@ -3,7 +3,7 @@
 use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, set, thrown};
 use crate::{
     CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, KnownPhoto, Match, ModelPoint, Observation, OneImage,
-    OrientationOptions, PairCameras, PairInterior, PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, judged,
+    OrientationOptions, PairCameras, PairInterior, PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, TwoView, judged,
     model_points as points_of, observations as photo_observations, orient_fiducials as orient_marks, orient_matches as orient_by_matches,
     orient_relative as orient_pair, photo_interior,
 };
