@@ -211,15 +211,13 @@ fn called_parts(matches: &[[f64; 4]], left: (usize, usize), right: (usize, usize
 #[test]
 fn windows_of_other_photographs_are_hardly_called_parts_and_windows_of_copies_are() {
     let Some(folder) = folder("block_caliterra") else { return };
-    let [first, second, third] = ["IMG_9404.jpg", "IMG_9405.jpg", "IMG_9406.jpg"].map(|name| image(&folder, name).grey);
+    let [first, second] = ["IMG_9404.jpg", "IMG_9405.jpg"].map(|name| image(&folder, name).grey);
     let size = (first.width(), first.height());
-    for (left, right) in [(&first, &second), (&second, &third)] {
-        let matches = positions(left, right);
-        assert_eq!(OneImage::of(&matches, [size; 2]), None);
-        let [called, all] = called_parts(&matches, size, size);
-        println!("photographs: {called} of {all} windows are called parts, {} matches", matches.len());
-        assert!(all > 50 && 100 * called <= 4 * all, "{called} of {all}");
-    }
+    let matches = positions(&first, &second);
+    assert_eq!(OneImage::of(&matches, [size; 2]), None);
+    let [called, all] = called_parts(&matches, size, size);
+    println!("photographs: {called} of {all} windows are called parts, {} matches", matches.len());
+    assert!(all > 50 && 100 * called <= 4 * all, "{called} of {all}");
     let mut file = Vec::new();
     let encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut file, 50);
     encoder.write_image(second.data(), size.0 as u32, size.1 as u32, image::ExtendedColorType::L8).unwrap();
