@@ -700,6 +700,11 @@ function acting_parameters(settings) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
+function assumed_interior(geometry, left, right) {
+	const ret = wasm.assumed_interior(geometry, left, right);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
 function block_flight_parameters() {
 	return wasm.block_flight_parameters();
 }
@@ -5494,6 +5499,53 @@ function placeOfMark({ origin }, mark) {
 	return mark !== void 0 && isMeasured(mark) ? [mark.col - left, mark.row - top] : null;
 }
 var markInHand = ({ mark, photos }) => mark === null ? void 0 : photos[mark.side].fiducials[mark.index];
+// www/pair/state/cameras.ts
+var factsOf = remember((left, right, areMarksLeft, areMarksRight) => {
+	const facts = (info, other, has_marks) => {
+		const { width, height } = info ?? other ?? {
+			width: 1,
+			height: 1
+		};
+		return {
+			width_px: width,
+			height_px: height,
+			exif: info?.camera ?? null,
+			has_marks
+		};
+	};
+	return [facts(left, right, areMarksLeft), facts(right, left, areMarksRight)];
+});
+function photoFacts({ photos, results: { openLeft, openRight } }) {
+	const areMarks = (side) => wholeMarks(photos[side]).length > 0;
+	return factsOf(openLeft?.value.info, openRight?.value.info, areMarks("left"), areMarks("right"));
+}
+var camerasOf$1 = remember((given, facts) => pair_cameras(given, ...facts));
+function pairCameras(state) {
+	return camerasOf$1(state.camera, photoFacts(state));
+}
+// www/pair/state/interior.ts
+var paired = remember((left, right, cameras) => ({
+	...cameras,
+	left: left.interior,
+	right: right.interior,
+	focal_mm: cameras.left.focal_mm
+}));
+function knownInterior(state) {
+	const cameras = pairCameras(state);
+	const { interiorLeft, interiorRight } = state.results;
+	if ("missing" in cameras || interiorLeft === void 0 || interiorRight === void 0) return null;
+	return paired(interiorLeft.value, interiorRight.value, cameras);
+}
+var assumed = remember((geometry, facts) => geometry === null ? null : assumed_interior(geometry, ...facts));
+function assumedInterior(state) {
+	const cameras = pairCameras(state);
+	const { match } = state.results;
+	if (!("missing" in cameras) || cameras.missing.kind === "panorama" || match === void 0) return null;
+	return assumed(match.value.geometry, photoFacts(state));
+}
+function interiorInUse(state) {
+	return "missing" in pairCameras(state) ? assumedInterior(state) : knownInterior(state);
+}
 // www/pair/state/truth.ts
 function truthOf(state) {
 	const { truth, images } = state;
@@ -5569,7 +5621,7 @@ var INITIAL = {
 	notice: null
 };
 // www/pair/state/one-image.ts
-var reasonOf = remember(({ geometry, matches }, { info: left }, { info: right }) => geometry === null ? null : one_image(matches, left.width, left.height, right.width, right.height));
+var reasonOf = remember(({ matches }, { info: left }, { info: right }) => one_image(matches, left.width, left.height, right.width, right.height));
 function oneImage({ photos, results: { match, openLeft, openRight } }) {
 	if (SIDES.every((side) => wholeMarks(photos[side]).length > 0)) return null;
 	return match === void 0 || openLeft === void 0 || openRight === void 0 ? null : reasonOf(match.value, openLeft.value, openRight.value);
@@ -5601,16 +5653,6 @@ function keyOf(kind, inputs, options = null) {
 		options
 	]);
 }
-var factsOf = (info, has_marks) => ({
-	longer_px: Math.max(info?.width ?? 1, info?.height ?? 1),
-	exif: info?.camera ?? null,
-	has_marks
-});
-var camerasOf$1 = remember((given, left, right, areMarksLeft, areMarksRight) => pair_cameras(given, factsOf(left, areMarksLeft), factsOf(right, areMarksRight)));
-function pairCameras({ camera, photos, results: { openLeft, openRight } }) {
-	const areMarks = (side) => wholeMarks(photos[side]).length > 0;
-	return camerasOf$1(camera, openLeft?.value.info, openRight?.value.info, areMarks("left"), areMarks("right"));
-}
 function comparesGreyValues({ matching }) {
 	return matching.strategy === "correlation" || matching.strategy === "least-squares";
 }
@@ -5632,8 +5674,8 @@ function pointSettings(settings) {
 }
 function estimatedFrom(state, settings, match) {
 	const result = state.results.match;
-	const tellsNone = result !== void 0 && result.key === match && result.value.estimated === null;
-	return comparesGradients(settings) && !tellsNone ? "" : null;
+	const tellsNone = result !== void 0 && result.key === match && assumedInterior(state) === null;
+	return comparesGradients(settings) && !tellsNone ? keyOf("assumed", [], photoFacts(state)) : null;
 }
 function withoutBase(state, match) {
 	const result = state.results.match;
@@ -5666,20 +5708,30 @@ function compute(state) {
 	const offset = gradients ? null : given;
 	const cameras = pairCameras(state);
 	const interior = (side, open) => "missing" in cameras ? null : keyOf("interior", [open], [
-		cameras,
+		cameras[side],
+		cameras.left.focal_mm,
 		side,
 		measuredPhoto(state.photos[side]),
 		state.fiducialModel
 	]);
 	const interiorLeft = interior("left", openLeft);
 	const interiorRight = interior("right", openRight);
+	const together = "missing" in cameras ? null : keyOf("together", [], [cameras.doubt, cameras.one_lens]);
 	const match = keyOf("match", [
 		descriptorsLeft,
 		descriptorsRight,
 		gradients ? "" : offset
-	], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
+	], [settings?.matching, ofCameras(settings, [
+		interiorLeft,
+		interiorRight,
+		together
+	])]);
 	const unknown = settings === null || "missing" in cameras && cameras.missing.kind === "panorama" ? null : estimatedFrom(state, settings, match);
-	const interiors = "missing" in cameras ? [unknown] : [interiorLeft, interiorRight];
+	const interiors = "missing" in cameras ? [unknown] : [
+		interiorLeft,
+		interiorRight,
+		together
+	];
 	const orientable = withoutBase(state, match) ? null : "";
 	const truth = truthOf(state);
 	const edited = withEdits(state, match);
@@ -6038,21 +6090,37 @@ function placeOfLeft({ left, match }, index) {
 	];
 }
 var rowOfEdited = remember(rowsOfLefts);
-// www/pair/state/interior.ts
-var paired = remember((left, right, cameras) => ({
-	...cameras,
-	left: left.interior,
-	right: right.interior,
-	focal_mm: cameras.left.focal_mm
-}));
-function knownInterior(state) {
+// www/pair/state/no-orientation.ts
+function whyNone(state) {
+	const { results } = state;
 	const cameras = pairCameras(state);
-	const { interiorLeft, interiorRight } = state.results;
-	if ("missing" in cameras || interiorLeft === void 0 || interiorRight === void 0) return null;
-	return paired(interiorLeft.value, interiorRight.value, cameras);
+	const areOpen = results.openLeft !== void 0 && results.openRight !== void 0;
+	const keys = wantedKeys(state);
+	const match = isCurrent(state, "match") ? results.match?.value : void 0;
+	const missing = areOpen && "missing" in cameras && (match === void 0 ? keys.orientation === null : interiorInUse(state) === null) ? cameras.missing : null;
+	if (missing?.kind === "panorama") return missing;
+	if (match?.no_geometry != null) return {
+		kind: "no_geometry",
+		no_geometry: match.no_geometry
+	};
+	const one = match === void 0 ? null : oneImage(state);
+	if (one !== null) return one;
+	if (missing !== null) return missing;
+	if (match?.geometry?.degenerate === "pure-rotation") return { kind: "pure_rotation" };
+	const error = failureOf(state)?.error ?? null;
+	return error === null ? null : {
+		kind: "refused",
+		error
+	};
 }
-function interiorInUse(state) {
-	return "missing" in pairCameras(state) ? state.results.match?.value.estimated ?? null : knownInterior(state);
+function failureOf(state) {
+	const keys = wantedKeys(state);
+	const stage = [
+		"interiorLeft",
+		"interiorRight",
+		"orientation"
+	].find((own) => state.failures[own]?.key === keys[own]);
+	return stage === void 0 ? null : state.failures[stage] ?? null;
 }
 // www/pair/state/shelf.ts
 function keyOfPair(images) {
@@ -6079,6 +6147,10 @@ function exchangedPair(state, images) {
 	};
 }
 // www/pair/state/project.ts
+var NOT_YET = {
+	kind: "no_camera",
+	side: "left"
+};
 function projectOf(state, contents) {
 	const { settings, camera, offset, photos, fiducialModel, results } = state;
 	const { openLeft, openRight, pointsLeft, pointsRight, match, orientation } = results;
@@ -6109,7 +6181,7 @@ function projectOf(state, contents) {
 		};
 	};
 	const oriented = isCurrent(state, "orientation") ? orientation?.value ?? null : null;
-	const none = oriented === null ? whyNone(state) : null;
+	const none = oriented === null ? whyNone(state) ?? NOT_YET : null;
 	const interior = interiorInUse(state);
 	const points = ({ counts, threshold, points: at, frames }) => ({
 		counts,
@@ -6144,7 +6216,7 @@ function projectOf(state, contents) {
 			no_orientation: none,
 			verdict: oriented?.verdict ?? {
 				kind: "not_oriented",
-				no_orientation: none ?? whyNone(state)
+				no_orientation: none ?? NOT_YET
 			}
 		},
 		truth: truthFor$1(state),
@@ -6203,32 +6275,6 @@ function editsOfFile({ output, edited }) {
 		manual: 0
 	};
 }
-function whyNone(state) {
-	const cameras = pairCameras(state);
-	const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
-	const missing = "missing" in cameras && interiorInUse(state) === null ? cameras.missing : null;
-	if (missing?.kind === "panorama") return missing;
-	if (no_geometry !== null) return {
-		kind: "no_geometry",
-		no_geometry
-	};
-	const one = oneImage(state);
-	if (one !== null) return one;
-	if (missing !== null) return missing;
-	if (geometry?.degenerate === "pure-rotation") return { kind: "pure_rotation" };
-	const error = [
-		"interiorLeft",
-		"interiorRight",
-		"orientation"
-	].map((stage) => state.failures[stage]).find((failure) => failure?.error != null)?.error;
-	return error == null ? {
-		kind: "no_camera",
-		side: "left"
-	} : {
-		kind: "refused",
-		error
-	};
-}
 function truthFor$1(state) {
 	const truth = truthOf(state);
 	const score = isCurrent(state, "score") ? state.results.score?.value : void 0;
@@ -6238,7 +6284,7 @@ function truthFor$1(state) {
 		score
 	};
 }
-function withProject(state, { project, images, overviews, masks, estimated }) {
+function withProject(state, { project, images, overviews, masks }) {
 	const { input, settings, truth, edited } = project;
 	const [left] = project.images;
 	const photo = (side) => ({
@@ -6280,10 +6326,7 @@ function withProject(state, { project, images, overviews, masks, estimated }) {
 			left: null,
 			right: null
 		}
-	}, {
-		project,
-		estimated
-	}, standingFor$1({
+	}, project, standingFor$1({
 		project,
 		overviews
 	}), {});
@@ -6309,7 +6352,7 @@ function standingFor$1({ project: { images }, overviews }) {
 		}
 	};
 }
-function withResults(state, { project, estimated }, beside, times) {
+function withResults(state, project, beside, times) {
 	const { output, truth, edited } = project;
 	let next = {
 		...state,
@@ -6333,12 +6376,9 @@ function withResults(state, { project, estimated }, beside, times) {
 	const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
 	put("openLeft", beside.openLeft);
 	put("openRight", beside.openRight);
-	const match = {
-		...edited == null ? unfiled(output.match) : {
-			...output.match,
-			...edited.found
-		},
-		estimated
+	const match = edited == null ? unfiled(output.match) : {
+		...output.match,
+		...edited.found
 	};
 	put("pointsLeft", {
 		...firstOf(output.left, match.rules.length),
@@ -6793,7 +6833,7 @@ function withKept(state, { typed, display, flight, paused, images, masks, truth,
 	const made = withResults({
 		...fresh,
 		...result.typed
-	}, result, {
+	}, result.project, {
 		...result.beside,
 		...opened
 	}, result.times);
@@ -7761,7 +7801,7 @@ async function haveSameContent(a, b, engine) {
 }
 async function readProject(engine, file, nextId) {
 	const bytes = new Uint8Array(await file.arrayBuffer());
-	const { project, estimated } = await engine.client("pair").call("projectOpen", { bytes }, [bytes.buffer]);
+	const project = await engine.client("pair").call("projectOpen", { bytes }, [bytes.buffer]);
 	const [left, right] = project.images;
 	const of = {
 		left,
@@ -7797,7 +7837,6 @@ async function readProject(engine, file, nextId) {
 	};
 	return {
 		project,
-		estimated,
 		overviews,
 		images: {
 			left: image("left"),
@@ -8414,7 +8453,6 @@ var KeptPairs = class {
 			...kept,
 			kept: value,
 			project: opened.project,
-			estimated: opened.estimated,
 			masks: opened.masks,
 			standing: standingFor$1(opened)
 		};
@@ -9019,7 +9057,7 @@ function sourceText(state) {
 		told,
 		exif
 	});
-	if (used.missing.kind !== "panorama" && state.results.match?.value.estimated != null) return say("no-camera-is-known-that", {
+	if (interiorInUse(state) !== null) return say("no-camera-is-known-that", {
 		told,
 		exif
 	});
@@ -10479,7 +10517,7 @@ function content$1(state) {
 function estimatedFocal(state) {
 	const { match } = state.results;
 	const focal = match?.value.geometry?.focal ?? null;
-	if (!("missing" in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
+	if (!("missing" in pairCameras(state)) || focal === null || interiorInUse(state) === null) return [];
 	return [h("p", {
 		class: "note",
 		testid: "estimated-focal"
@@ -10489,30 +10527,25 @@ function estimatedFocal(state) {
 	}))];
 }
 function whyNotOriented(state) {
-	const keys = wantedKeys(state);
 	if (state.images.left === null || state.images.right === null) return say("two-images-are-needed");
-	const match = isCurrent(state, "match") ? state.results.match?.value ?? null : null;
-	const one = match === null ? null : oneImage(state);
-	if (one !== null || match?.geometry?.degenerate === "pure-rotation") return say("not-oriented-2", { message: message("no_orientation", one ?? { kind: "pure_rotation" }) });
-	if (match?.no_geometry != null) return say("not-oriented-do-both-photos", { message: message("no_geometry", match.no_geometry) });
-	const cameras = pairCameras(state);
-	if (state.results.openLeft !== void 0 && state.results.openRight !== void 0 && "missing" in cameras && keys.orientation === null) {
-		if (["panorama", "altered"].includes(cameras.missing.kind)) return say("not-oriented-2", { message: message("no_orientation", cameras.missing) });
-		const untold = match?.geometry == null ? "" : say("and-the-matches-do-not");
-		return say("not-oriented-give-the-focal", {
-			message: message("no_orientation", cameras.missing),
-			untold
-		});
+	const reason = whyNone(state);
+	if (reason === null || reason.kind === "refused") {
+		const failure = failureOf(state);
+		return failure === null ? null : say("not-oriented-3", { message: failure.message });
 	}
-	for (const stage of [
-		"interiorLeft",
-		"interiorRight",
-		"orientation"
-	]) {
-		const failure = state.failures[stage];
-		if (failure !== void 0 && failure.key === keys[stage]) return say("not-oriented-3", { message: failure.message });
+	switch (reason.kind) {
+		case "no_geometry": return say("not-oriented-do-both-photos", { message: message("no_geometry", reason.no_geometry) });
+		case "no_camera":
+		case "no_focal_length":
+		case "no_pixel_size": {
+			const untold = isCurrent(state, "match") && state.results.match?.value.geometry != null ? say("and-the-matches-do-not") : "";
+			return say("not-oriented-give-the-focal", {
+				message: message("no_orientation", reason),
+				untold
+			});
+		}
+		default: return say("not-oriented-2", { message: message("no_orientation", reason) });
 	}
-	return null;
 }
 function truthFor(state, { base_mm: base }) {
 	const truth = truthOf(state);
@@ -10704,10 +10737,7 @@ function answered(state, actions) {
 	const reason = whyNotOriented(state);
 	const oriented = reason === null && isCurrent(state, "orientation") ? state.results.orientation?.value : void 0;
 	const verdict = oriented?.verdict;
-	const hint = state.settings === null ? null : pair_hint(verdict ?? {
-		kind: "not_oriented",
-		no_orientation: whyNone(state)
-	}, state.settings);
+	const hint = hintFor(state, verdict);
 	const more = `${matched}${hint === null ? "" : ` ${message("pair_hint", hint)}`}`;
 	if (oriented === void 0 || verdict === void 0) {
 		const next = hint === null ? nextWithout(state, actions) : {
@@ -10751,6 +10781,14 @@ function answered(state, actions) {
 		next
 	};
 }
+function hintFor(state, verdict) {
+	const none = whyNone(state);
+	const judged = verdict ?? (none === null ? null : {
+		kind: "not_oriented",
+		no_orientation: none
+	});
+	return state.settings === null || judged === null ? null : pair_hint(judged, state.settings);
+}
 function figuresOf(state, result) {
 	const { used } = countsOf$1(result);
 	const interior = interiorInUse(state)?.left;
@@ -10789,11 +10827,13 @@ function asksForCamera({ kind }) {
 		"wide_angle",
 		"contradicted_focal",
 		"doubtful_focal",
-		"resized_or_cropped"
+		"resized_or_cropped",
+		"cropped",
+		"other_pixels"
 	].includes(kind);
 }
 function nextWithout(state, actions) {
-	const { kind } = whyNone(state);
+	const kind = whyNone(state)?.kind ?? "";
 	const why = {
 		text: say("show-why"),
 		act: actions.why
@@ -10806,7 +10846,6 @@ function nextWithout(state, actions) {
 		text: say("replace-the-right-image"),
 		act: () => actions.open("right")
 	};
-	if (state.results.match?.value.geometry?.degenerate === "pure-rotation") return why;
 	return [
 		"no_camera",
 		"no_focal_length",

@@ -690,11 +690,6 @@
 		}
 	};
 	if (Symbol.dispose) Run.prototype[Symbol.dispose] = Run.prototype.free;
-	function assumed_interior(geometry, left_width, left_height, right_width, right_height) {
-		const ret = wasm.assumed_interior(geometry, left_width, left_height, right_width, right_height);
-		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
-		return takeFromExternrefTable0(ret[0]);
-	}
 	function candidates(index, left_points, left_descriptors, right_points, right_descriptors, offset, options) {
 		const val5 = +index;
 		let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
@@ -4194,11 +4189,7 @@
 	function match(m) {
 		if (held === null) throw new Error("no pair is held in this worker");
 		const { left, right } = held;
-		const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? void 0);
-		return {
-			...result,
-			estimated: assumed_interior(result.geometry, left.width, left.height, right.width, right.height)
-		};
+		return match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? void 0);
 	}
 	function candidatesOf({ left, right, offset, index, options }) {
 		if (offset === null) throw new Error("these candidates lie around an expected place");
@@ -4298,15 +4289,7 @@
 		mask,
 		paintMask,
 		digest: async ({ file }) => digestOf(new Uint8Array(await file.arrayBuffer())),
-		projectOpen: ({ bytes }) => {
-			const project = open_pair_project(bytes);
-			const [left, right] = project.images;
-			const { geometry } = project.output.match;
-			return {
-				project,
-				estimated: assumed_interior(geometry, left.width_px, left.height_px, right.width_px, right.height_px)
-			};
-		},
+		projectOpen: ({ bytes }) => open_pair_project(bytes),
 		projectWrite: (project) => write_pair_project(project),
 		matchesCsv: ({ matches }) => matches_csv(matches)
 	};

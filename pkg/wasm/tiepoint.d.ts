@@ -2930,6 +2930,10 @@ export interface PairCameras {
      * As in [`PairInterior`](super::PairInterior).
      */
     one_lens: boolean;
+    /**
+     * As in [`PairInterior`](super::PairInterior).
+     */
+    are_scans: boolean;
 }
 
 /**
@@ -3319,6 +3323,10 @@ export interface PairInterior {
      * Whether both photos are known to be of one lens at one focal length, however their images are turned or resized.
      */
     one_lens?: boolean;
+    /**
+     * Whether fiducial marks were measured in both: then they are two photographs, however alike.
+     */
+    are_scans?: boolean;
 }
 
 /**
@@ -4174,7 +4182,7 @@ export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unkn
 /**
  * What makes an orientation weak although it could be computed.
  */
-export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "doubtful_focal"; side: Side; sides: number; least: number; most: number } | { kind: "resized_or_cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
+export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "doubtful_focal"; side: Side; sides: number; least: number; most: number } | { kind: "resized_or_cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "other_pixels"; side: Side; pixel_um: number; expected_um: number } | { kind: "similarity_alone" } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
 
 /**
  * What may change from round to round of an adjustment.
@@ -4186,9 +4194,10 @@ export type Unsettled = "gross_errors" | "positions" | "weights";
  */
 export interface PhotoFacts {
     /**
-     * The longer side of its image.
+     * Of its image.
      */
-    longer_px: number;
+    width_px: number;
+    height_px: number;
     exif: ExifCamera | null;
     /**
      * Whether fiducial marks were measured in it.
@@ -4951,10 +4960,9 @@ export function acting_block_parameters(settings: Given<BlockSettings>): string[
 export function acting_parameters(settings: Given<PairSettings>): string[];
 
 /**
- * The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane, or
- * there is none. Sizes in px.
+ * The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane.
  */
-export function assumed_interior(geometry: Omit<TwoView, "inliers"> | null, left_width: number, left_height: number, right_width: number, right_height: number): PairInterior | null;
+export function assumed_interior(geometry: Omit<TwoView, "inliers">, left: PhotoFacts, right: PhotoFacts): PairInterior | null;
 
 /**
  * Every parameter of a block's flight on which photos depend.
@@ -5428,7 +5436,7 @@ export interface InitOutput {
     readonly __wbg_run_free: (a: number, b: number) => void;
     readonly acting_block_parameters: (a: any) => [number, number, number];
     readonly acting_parameters: (a: any) => [number, number, number];
-    readonly assumed_interior: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
+    readonly assumed_interior: (a: any, b: any, c: any) => [number, number, number];
     readonly block_flight_parameters: () => any;
     readonly block_flight_preset: (a: any) => [number, number, number];
     readonly block_parameters: () => any;

@@ -1269,17 +1269,14 @@ export function acting_parameters(settings) {
 }
 
 /**
- * The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane, or
- * there is none. Sizes in px.
- * @param {Omit<TwoView, "inliers"> | null} geometry
- * @param {number} left_width
- * @param {number} left_height
- * @param {number} right_width
- * @param {number} right_height
+ * The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane.
+ * @param {Omit<TwoView, "inliers">} geometry
+ * @param {PhotoFacts} left
+ * @param {PhotoFacts} right
  * @returns {PairInterior | null}
  */
-export function assumed_interior(geometry, left_width, left_height, right_width, right_height) {
-    const ret = wasm.assumed_interior(geometry, left_width, left_height, right_width, right_height);
+export function assumed_interior(geometry, left, right) {
+    const ret = wasm.assumed_interior(geometry, left, right);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }

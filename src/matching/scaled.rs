@@ -131,7 +131,6 @@ mod tests {
         let fine = zoom.max(1.0 / zoom);
         let (sin, cos) = (libm::sin(TURN), libm::cos(TURN));
         // `fine` px of the sharp image, turned, are one of the blurred one.
-        let sharp = sharp(3 * SIZE);
         let to_sharp = |[x, y]: [f64; 2]| [cos * x + sin * y, cos * y - sin * x].map(|v| fine * v);
         let places: Vec<[f64; 2]> = (0..200).map(|k| [150.5 + ((k * 37) % 150) as f64, 150.5 + ((k * 53) % 150) as f64]).collect();
         let (growth, off) = (1.15, 0.1);
