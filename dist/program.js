@@ -10206,7 +10206,7 @@ function content$2(state) {
 			testid: "geometry-reason"
 		}, none === null ? say("not-computed-yet") : say("none", { message: message("no_geometry", none) }))];
 	}
-	const { degenerate } = match.geometry;
+	const degenerate = oneImage(state) === null ? match.geometry.degenerate : null;
 	return [...degenerate === null ? [] : [h("p", {
 		class: "field-problem",
 		testid: `degenerate-${degenerate}`

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
-    Axis, BlockEdit, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning, ControlTexts,
-    DecodeLimits, Heights, MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, OverviewWarning, PlacingOptions, RunInput, SearchArea,
-    decode, run_block,
+    Axis, BlockEdit, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning, ControlRole,
+    ControlTexts, DecodeLimits, Heights, MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, OverviewWarning, PlacingOptions, RunInput,
+    SearchArea, decode, parse_ground_control_points, run_block,
 };
 
 /// Of the map, from that of the scene.
@@ -134,7 +134,7 @@ fn a_block_comes_into_the_system_of_its_orthophoto() {
     let mean_square = errors.iter().flatten().map(|(_, ratio)| ratio * ratio).sum::<f64>() / (3 * errors.len()) as f64;
     assert!((0.05..4.0).contains(&mean_square), "{mean_square}");
     let model = &found.reconstruction.as_ref().unwrap().models[0];
-    let checks: Vec<_> = model.surveyed.iter().filter(|point| point.role == tiepoint::ControlRole::Check).collect();
+    let checks: Vec<_> = model.surveyed.iter().filter(|point| point.role == ControlRole::Check).collect();
     let squares: Vec<f64> = checks
         .iter()
         .flat_map(|point| (0..3).map(|k| point.difference_m[k] / point.standard_errors_m[k].unwrap()))
@@ -142,6 +142,18 @@ fn a_block_comes_into_the_system_of_its_orthophoto() {
         .collect();
     let ratio = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
     assert!((0.2..2.0).contains(&ratio), "{ratio}");
+    // Residuals have weighted the points: at first each stood for all others. A check point stands for itself.
+    let rows = parse_ground_control_points(&found.input.control.as_ref().unwrap().points).unwrap();
+    let sigma = |role, k: usize| {
+        let of_role = rows.iter().filter(|row| row.role == Some(role));
+        of_role.map(|row| row.standard_errors.unwrap()[k]).fold(f64::INFINITY, f64::min)
+    };
+    let at_first = (1.0 + 0.25 * points as f64).sqrt();
+    for k in 0..2 {
+        let times = sigma(ControlRole::Control, k) / sigma(ControlRole::Check, k);
+        println!("a place stands for as many errors as {times:.2} of its own, {at_first:.2} at first");
+        assert!((1.0..0.9 * at_first).contains(&times), "{times} {at_first}");
+    }
     // The block that it was is not changed, and edits are applied to the one that is linked.
     assert!(before.orthophoto.is_none() && found.found() == found);
     let name = model.surveyed[0].name.clone();
@@ -179,6 +191,9 @@ fn ground_control_points_take_part_beside_the_orthophoto_or_contradict_its_heigh
     let model = &both.reconstruction.as_ref().unwrap().models[0];
     let control = |begins: &str| model.surveyed.iter().filter(|point| point.name.starts_with(begins)).count();
     assert!(control("G") >= 4 && control("orthophoto_") >= points, "{points}");
+    // A height model that is off as a whole by less than what is stated of a place, which residuals do not show, contradicts nothing.
+    let found = linked(&run(Some(surveyed(0.3, 0.0))));
+    assert!(matches!(outcome(&found), OnOrthophoto::Linked { .. }), "{}", outcome(&found));
     // Heights of the model that are 5 m lower than those that were surveyed.
     let low = run(Some(surveyed(5.0, 0.0)));
     let found = linked(&low);

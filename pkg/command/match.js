@@ -171,8 +171,11 @@ function describeScore(score, output) {
   ];
 }
 
-/** @param {PairOutput['match']} match @returns {string[]} */
-function describeGeometry({ geometry, no_geometry: none }) {
+/** Reasons of the verdict beside which a rotation that fits as well says nothing, or contradicts. */
+const SAYS_THAT_THERE_IS_NO_BASE = ['pure_rotation', 'one_photo', 'parts_of_one_image'];
+
+/** @param {PairOutput} output @returns {string[]} */
+function describeGeometry({ match: { geometry, no_geometry: none }, no_orientation: reason }) {
   if (!geometry) return none ? [`no geometry of the two views: ${message('no_geometry', none)}`] : [];
   const {
     model: { kind },
@@ -183,7 +186,7 @@ function describeGeometry({ geometry, no_geometry: none }) {
   } = geometry;
   return [
     `geometry of the two views: ${message('two_view_model', { kind })}, standard error ${fixed(sigma, 2)} px, threshold ${fixed(threshold, 2)} px`,
-    ...(degenerate ? [message('degeneracy', degenerate)] : []),
+    ...(degenerate && !SAYS_THAT_THERE_IS_NO_BASE.includes(reason?.kind ?? '') ? [message('degeneracy', degenerate)] : []),
     ...(focal ? [`focal length by the matches ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px`] : []),
   ];
 }
@@ -216,7 +219,7 @@ export function describe(output, settings) {
       ...Object.entries(rejected).map(([rule, count]) => [`rejected: ${message('verdict', /** @type {import('../node.js').Rule} */ (rule), 'label')}`, count]),
     ]),
     ...(output.offset ? [`offset ${output.offset.median_px.map((v) => fixed(v, 1)).join(', ')} px`] : []),
-    ...describeGeometry(output.match),
+    ...describeGeometry(output),
     ...(output.orientation ? ['', ...describeOrientation(output.orientation, output.pixel_mm)] : []),
   ];
 }

@@ -26,9 +26,6 @@ const CELLS: f64 = 10.0;
 const ONE_PLACE_PX: f64 = 2.0;
 /// The median length of a standard normal variable.
 const NORMAL_MEDIAN: f64 = 0.6745;
-/// All squares share errors, too: of light, and of what is seen beside walls and trees, which is drawn outwards in all images. However many
-/// places there are, standard errors of the block hold this share of one's. Set on one simulated town.
-const COMMON: f64 = 0.5;
 /// Standard errors are no smaller than this share of what was stated, and those of coordinates in images within what is allowed of them, in px.
 const LEAST_FACTOR: f64 = 0.05;
 const LEAST_SIGMA_PX: f64 = 0.02;
@@ -169,15 +166,9 @@ impl BlockLinks {
         let within = ONE_PLACE_PX * gsd.max(of_images);
         let chosen: Vec<(&Found, Vec<&Seeing>)> = squares.values().filter_map(|links| most_seen(links, within)).collect();
         let parts = checks(chosen.len(), options.check_share);
-        let controls = parts.iter().filter(|part| **part != Part::Check).count();
-        let enlarged = factor * (1.0 + COMMON * COMMON * controls as f64).sqrt();
         let points = chosen.into_iter().zip(parts).map(|((of, links), part)| GroundPoint {
             place: of.place,
-            sigma: {
-                // What all share is in where the block lies already.
-                let times = if part == Part::Check { factor } else { enlarged };
-                [errors.plan, libm::hypot(errors.height, of.height_spread)].map(|sigma| times * sigma)
-            },
+            sigma: [errors.plan, libm::hypot(errors.height, of.height_spread)].map(|sigma| factor * sigma),
             sigma_px: (factor * MEASURED_PX).clamp(LEAST_SIGMA_PX, MOST_SIGMA_PX),
             role: if part == Part::Check { ControlRole::Check } else { ControlRole::Control },
             seen: links.into_iter().filter_map(|seeing| Some((seeing.image, self.seen_at(seeing, &of.place)?))).collect(),

@@ -1,6 +1,7 @@
 //! A finished block in the system of an orthophoto: places of its ground that images show become ground control points.
 
 use super::mistakes::explain_control;
+use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
 use super::points::reconstruction_options;
 use super::state::describe;
 use super::system::system_of;
@@ -10,8 +11,8 @@ use crate::formats::{ground_control_table, image_measurement_table};
 use crate::math::{dot3, median};
 use crate::reconstruction::{origin_of, with_further_control};
 use crate::{
-    BlockDescription, ControlRole, Error, Failure, GroundControlRow, ImageMeasurementRow, ObservationVerdict, PointSource,
-    ReconstructedModel, ReconstructionOptions, Refusal, parse_ground_control_points, parse_image_measurements,
+    BlockDescription, ControlPoint, ControlRole, Error, Failure, GroundControlRow, ImageMeasurementRow, ObservationVerdict, PointSource,
+    PriorStatistics, ReconstructedModel, ReconstructionOptions, Refusal, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,8 +24,13 @@ const GROSS: f64 = 3.29;
 const NORMAL_MEDIAN: f64 = 0.6745;
 /// A wrong point pulls at its neighbours: only those with this share of the largest test are rejected at a time.
 const NEAR_WORST: f64 = 0.7;
-/// Adjustments until no point is rejected any more, at most.
-const ROUNDS: usize = 8;
+/// Adjustments until no point is rejected and no weight changes any more, at most.
+const MOST_ADJUSTMENTS: usize = 24;
+/// What all points may share of one's standard error, as an orthophoto that is off as a whole has it: residuals do not show it. At first the
+/// points are weighted as if they did: the block hardly follows them, so that residuals show their errors.
+const SHARED: f64 = 0.5;
+/// The change of a standard error, as a share of it, that is none.
+const SAME: f64 = 0.05;
 /// What names of these points begin with.
 const NAME: &str = "orthophoto_";
 
@@ -32,7 +38,7 @@ const NAME: &str = "orthophoto_";
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GroundPoint {
     pub place: [f64; 3],
-    /// Standard errors in plan and of the height.
+    /// Standard errors in plan and of the height, of this point alone.
     pub sigma: [f64; 2],
     /// Standard error of a coordinate in an image, in px.
     pub sigma_px: f64,
@@ -72,6 +78,10 @@ struct Ground<'a> {
     own: Vec<GroundControlRow>,
     /// Those of the orthophoto; one that was rejected has no role.
     added: Vec<GroundControlRow>,
+    /// Of these what is stated: standard errors in plan and height, and whether one is to check the others.
+    stated: Vec<([f64; 2], ControlRole)>,
+    /// By how much the standard errors are enlarged.
+    factors: PlaceFactors,
     measurements: Vec<ImageMeasurementRow>,
     /// The code of the orthophoto's system.
     epsg: Option<u16>,
@@ -110,7 +120,51 @@ impl<'a> Ground<'a> {
                 sigma_px: Some(point.sigma_px),
             });
         }
-        Ok(Self { found, own, added, measurements, epsg })
+        let stated = points.iter().map(|point| (point.sigma, point.role)).collect();
+        let factors = PlaceFactors { own: [1.0; 2], among_others: [1.0; 2] };
+        let mut ground = Self { found, own, added, stated, factors, measurements, epsg };
+        let shared = SHARED * SHARED * ground.used(ControlRole::Control) as f64;
+        ground.enlarge(PlaceFactors { among_others: [(1.0 + shared).sqrt(); 2], ..factors });
+        Ok(ground)
+    }
+
+    /// Gives the points standard errors so many times as large as stated.
+    fn enlarge(&mut self, factors: PlaceFactors) {
+        self.factors = factors;
+        for (row, (stated, role)) in self.added.iter_mut().zip(&self.stated) {
+            let factors = if *role == ControlRole::Check { factors.own } else { factors.among_others };
+            row.standard_errors = Some([0, 1].map(|k| factors[k] * stated[k]));
+        }
+    }
+
+    /// By how much residuals enlarge the standard errors, where that differs from what was used. No point is more precise than stated.
+    fn other_factors(&self, attempt: &Attempt) -> Option<PlaceFactors> {
+        let found = place_factors(&self.residuals(attempt))?;
+        let at_least_as_stated = |factors: [f64; 2]| factors.map(|factor| factor.max(1.0));
+        let factors = PlaceFactors { own: at_least_as_stated(found.own), among_others: at_least_as_stated(found.among_others) };
+        let is_same = |now: [f64; 2], before: [f64; 2]| (0..2).all(|k| (now[k] / before[k] - 1.0).abs() < SAME);
+        let is_settled = is_same(factors.among_others, self.factors.among_others) && is_same(factors.own, self.factors.own);
+        (!is_settled).then_some(factors)
+    }
+
+    /// The residuals of the points by what was stated of them.
+    fn residuals(&self, attempt: &Attempt) -> Vec<PlaceResidual> {
+        let Attempt { description, model, .. } = attempt;
+        let used: BTreeSet<&str> =
+            self.added.iter().filter(|row| row.role == Some(ControlRole::Control)).map(|row| row.name.as_str()).collect();
+        let [plan, height] = self.factors.among_others;
+        let control = model.adjusted.block.control.iter().zip(&model.adjusted.control);
+        let residual = |(control, statistics): (&ControlPoint, &Option<PriorStatistics>)| {
+            let PointSource::GroundControl(index) = model.points[control.point] else { return None };
+            let statistics = statistics.as_ref().filter(|statistics| statistics.accepted)?;
+            let residual = |k: usize, factor: f64| factor * statistics.residual[k] / control.sigma[k];
+            used.contains(description.control[index].name.as_str()).then_some(PlaceResidual {
+                at: [control.position[0], control.position[1]],
+                residual: [residual(0, plan), residual(1, plan), residual(2, height)],
+                redundancy: statistics.redundancy?,
+            })
+        };
+        control.filter_map(residual).collect()
     }
 
     fn used(&self, role: ControlRole) -> usize {
@@ -127,28 +181,47 @@ impl<'a> Ground<'a> {
         // Alone first, so that what was given says whether it agrees.
         let checking: Vec<GroundControlRow> =
             self.own.iter().map(|row| GroundControlRow { role: row.role.and(Some(ControlRole::Check)), ..row.clone() }).collect();
-        let mut last = self.attempt(if places { &checking } else { &self.own })?;
-        for _ in 0..ROUNDS {
-            let Ok(attempt) = &last else { break };
-            let rejected = self.gross(attempt);
-            if rejected.is_empty() {
-                break;
-            }
-            rejected.iter().for_each(|row| self.added[*row].role = None);
-            let left = self.used(ControlRole::Control);
-            if left < LEAST_POINTS || 2 * left < points {
-                return Ok(Err(NotLinked::Disagreement { rejected: points - left, points }));
-            }
-            last = self.attempt(if places { &checking } else { &self.own })?;
-        }
-        let attempt = match last {
-            Ok(attempt) if places => match contradiction(&attempt, &self.own)? {
+        let others = if places { checking } else { self.own.clone() };
+        let attempt = match self.settled(&others, points)? {
+            Ok(attempt) if places => match contradiction(&attempt, &self.own, self.shared_errors())? {
                 Some(contradiction) => return Ok(Err(contradiction)),
                 None => self.attempt(&self.own)?,
             },
             other => other,
         };
         attempt.map_or_else(|not_linked| Ok(Err(not_linked)), |attempt| self.run(attempt).map(Ok))
+    }
+
+    /// Adjusts until no point of so many is rejected, and residuals weight the points as they were weighted.
+    fn settled(&mut self, own: &[GroundControlRow], points: usize) -> Result<Result<Attempt, NotLinked>, Error> {
+        let mut last = self.attempt(own)?;
+        // The latest without a point to reject, with what it was made of: a weighting that leads nowhere is not taken.
+        let mut whole = None;
+        for _ in 1..MOST_ADJUSTMENTS {
+            let Ok(attempt) = last else { break };
+            let rejected = self.gross(&attempt);
+            if rejected.is_empty() {
+                let Some(factors) = self.other_factors(&attempt) else { return Ok(Ok(attempt)) };
+                whole = Some((attempt, self.added.clone(), self.factors));
+                self.enlarge(factors);
+            }
+            rejected.iter().for_each(|row| self.added[*row].role = None);
+            let left = self.used(ControlRole::Control);
+            last = if left < LEAST_POINTS || 2 * left < points {
+                Err(NotLinked::Disagreement { rejected: points - left, points })
+            } else {
+                self.attempt(own)?
+            };
+        }
+        let Some((attempt, added, factors)) = whole.filter(|_| last.is_err()) else { return Ok(last) };
+        (self.added, self.factors) = (added, factors);
+        Ok(Ok(attempt))
+    }
+
+    /// What all points may share along the axes, in m.
+    fn shared_errors(&self) -> [f64; 3] {
+        let middle = |k: usize| median(&mut self.stated.iter().map(|(sigma, _)| sigma[k]).collect::<Vec<_>>()).unwrap_or(0.0);
+        [middle(0), middle(0), middle(1)].map(|sigma| SHARED * sigma)
     }
 
     /// Adjusts by the points of the orthophoto and what was given, in these roles.
@@ -258,12 +331,13 @@ fn has_crs(input: &RunInput) -> bool {
 
 /// Whether the ground control points of a block that lies where the orthophoto has it are all elsewhere: by the medians of their differences,
 /// since errors of the orthophoto as a whole are common to them. They are given along the axes of the coordinate reference system, where the block has one.
-fn contradiction(attempt: &Attempt, own: &[GroundControlRow]) -> Result<Option<NotLinked>, Error> {
+/// `shared`: standard errors of the orthophoto as a whole, which those of the block do not hold.
+fn contradiction(attempt: &Attempt, own: &[GroundControlRow], shared: [f64; 3]) -> Result<Option<NotLinked>, Error> {
     let names: BTreeSet<&str> = own.iter().map(|row| row.name.as_str()).collect();
     let given = || attempt.model.surveyed.iter().filter(|point| names.contains(point.name.as_str()));
     let middle = |k: usize| median(&mut given().map(|point| point.difference_m[k]).collect::<Vec<_>>());
     let error = |k: usize| median(&mut given().filter_map(|point| point.standard_errors_m[k]).collect::<Vec<_>>());
-    let differs = |k: usize| matches!((middle(k), error(k)), (Some(difference), Some(error)) if difference.abs() > GROSS * error);
+    let differs = |k: usize| matches!((middle(k), error(k)), (Some(difference), Some(error)) if difference.abs() > GROSS * libm::hypot(error, shared[k]));
     if !(0..3).any(differs) {
         return Ok(None);
     }

@@ -22,6 +22,7 @@ mod masks;
 mod mistakes;
 mod on_orthophoto;
 mod pairs;
+mod place_factors;
 mod points;
 mod records;
 mod refinement;

@@ -1,6 +1,7 @@
 /** What relates the two views, by which matches of gradients were verified: the kind of model, its precision, where it is degenerate. */
 import type { MatchResult } from '../../shared/crate';
 import { comparesGradients, isStale } from '../state/keys';
+import { oneImage } from '../state/one-image';
 import { shownPair } from '../state/select';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -41,7 +42,8 @@ function content(state: State): HTMLElement[] {
       ),
     ];
   }
-  const { degenerate } = match.geometry;
+  // Of one photo twice it is said that it is one: a rotation by nothing fits, too.
+  const degenerate = oneImage(state) === null ? match.geometry.degenerate : null;
   return [
     ...(degenerate === null ? [] : [h('p', { class: 'field-problem', testid: `degenerate-${degenerate}` }, message('degeneracy', degenerate))]),
     facts(figures(match, match.geometry)),
