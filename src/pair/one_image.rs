@@ -28,7 +28,7 @@ pub enum OneImage {
 
 impl OneImage {
     /// What images of these sizes are of one by their matches `[x left, y left, x right, y right]`, px; `None` where these ask for more than a
-    /// similarity, or are too few to tell, and where two photographs may have the same: see [`may_be_one`].
+    /// similarity, or are too few to tell, and where two photographs may have the same: see `may_be_one`.
     pub fn of(matches: &[[f64; 4]], sizes: [(usize, usize); 2]) -> Option<Self> {
         let map = OneMap::of(matches).filter(|map| map.evidence.is_within(MOST_OF_ONE))?;
         if are_one_frame(&map, sizes) {
