@@ -54,7 +54,8 @@ fn photos_of_different_towns_and_one_photo_twice_are_not_oriented() {
 fn matches_of_a_similarity_make_an_orientation_weak() {
     let sample = sample_pair(SAMPLE_SEED).unwrap();
     let result = matched(&sample.left, &sample.right, None, &input(&sample));
-    let (orientation, interior) = (result.orientation.unwrap(), result.interior.unwrap());
+    // As if the photos were digital ones.
+    let (orientation, interior) = (result.orientation.unwrap(), PairInterior { are_scans: false, ..result.interior.unwrap() });
     // The same left positions with what a shift makes of them, whatever the orientation came of.
     let mut shifted = result.matching.matches.clone();
     for (k, m) in shifted.iter_mut().enumerate() {
