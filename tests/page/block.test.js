@@ -3,12 +3,10 @@ import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { unzipSync } from 'fflate';
-import { chromium } from 'playwright-core';
 import { grey_png } from '../../pkg/node.js';
-import { findChromium } from '../../tools/lib/setup.mjs';
 import { servePage } from '../../tools/lib/page-server.mjs';
 import { block, drop, photoFolder, photograph, photos, status } from './blocks.js';
-import { done, enabled, hosted, number, part, saved, says, SHOTS, singleUrl, SKIP, upload } from './page.js';
+import { done, enabled, hosted, launch, number, part, saved, says, SHOTS, singleUrl, SKIP, upload } from './page.js';
 
 hosted('/block/');
 
@@ -218,7 +216,7 @@ test('masks of the block leave features out, and one of no image is told', { ski
 
 test('a page from plain http runs a block as a secure one does', { skip: SKIP }, async () => {
   const server = await servePage({ prefix: '/plain/' });
-  const browser = await chromium.launch({ executablePath: findChromium() ?? '', args: ['--no-sandbox', '--host-resolver-rules=MAP lecture.hall 127.0.0.1'] });
+  const browser = await launch(['--no-sandbox', '--host-resolver-rules=MAP lecture.hall 127.0.0.1']);
   const page = await browser.newPage();
   await page.goto(server.url.replace(/\/\/[^:/]+/, '//lecture.hall'));
   assert.equal(await page.evaluate(() => window.isSecureContext), false);

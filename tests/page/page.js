@@ -60,6 +60,21 @@ const PATIENCE_MS = 180_000;
 /** What the tests of a file have opened. @type {Set<import('playwright-core').BrowserContext>} */
 const opened = new Set();
 
+/** How often Chromium is started before its failure counts: on a loaded machine one start in hundreds dies before it draws anything. */
+const STARTS = 3;
+
+/** A browser of its own, with these arguments.  @param {string[]} args @returns {Promise<import('playwright-core').Browser>} */
+export async function launch(args) {
+  for (let start = 1; ; start++) {
+    try {
+      return await chromium.launch({ executablePath: program ?? '', args });
+    } catch (error) {
+      if (start === STARTS) throw error;
+      console.log(`Chromium did not start: ${String(error).split('\n')[0]}`);
+    }
+  }
+}
+
 /** Starts browser and server for the tests of a file; gives the page's address below a folder. */
 export function hosted(prefix = '/') {
   before(async () => {
@@ -67,7 +82,7 @@ export function hosted(prefix = '/') {
     mkdirSync(SHOTS, { recursive: true });
     // What it sends is not compressed: each file of tests would compress the module anew (tests/server.test.js holds what a host sends).
     server = await servePage({ prefix, compresses: false });
-    browser = await chromium.launch({ executablePath: program, args: FLAGS });
+    browser = await launch(FLAGS);
   });
   // A test that failed leaves its page to go on, and would slow down those after it.
   afterEach(async () => {
