@@ -234,6 +234,40 @@ fn control_points_that_all_contradict_the_positions_stay_used() {
 }
 
 #[test]
+fn what_all_positions_differ_by_from_the_control_is_said() {
+    let apart = |scene: &Scene| {
+        let of = |warning: BlockWarning| match warning {
+            BlockWarning::PositionsApart { axis, difference_m, times } => Some((axis, difference_m, times)),
+            _ => None,
+        };
+        adjusted(scene).warnings.into_iter().find_map(of)
+    };
+    for seed in [4, 5] {
+        let mut scene = flown(8, true, seed);
+        // Over flat ground a focal length that is estimated takes an offset of heights upon itself.
+        scene.description.cameras.iter_mut().for_each(|camera| camera.free.focal = false);
+        assert_eq!(apart(&scene), None);
+        // As heights above the sea beside heights above an ellipsoid.
+        for k in control(&scene) {
+            place(&mut scene.description.control[k])[2] += 2.0;
+        }
+        let (axis, difference_m, times) = apart(&scene).unwrap();
+        assert!(axis == Axis::Z && (-2.4..-1.0).contains(&difference_m) && times > 5.0, "{axis:?} {difference_m} {times}");
+    }
+}
+
+#[test]
+fn exchanged_axes_of_all_points_are_said_where_the_block_is_seen_from_below() {
+    let mut scene = flown(8, false, 6);
+    for k in control(&scene) {
+        place(&mut scene.description.control[k]).swap(0, 1);
+    }
+    let model = adjusted(&scene);
+    let up = |warning: &BlockWarning| matches!(warning, BlockWarning::LookingUp { tilt_deg, .. } if *tilt_deg > 170.0);
+    assert!(model.warnings.iter().any(up), "{:?}", model.warnings);
+}
+
+#[test]
 fn standard_errors_that_are_stated_too_small_make_no_point_wrong() {
     let mut scene = flown(8, false, 9);
     for point in &mut scene.description.control {

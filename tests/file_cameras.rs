@@ -39,9 +39,13 @@ fn a_cropped_photo_counts_as_one_of_an_unknown_camera() {
     let reason = found.orientation.unwrap_err();
     assert!(reason.to_string().contains("taken with 4000 x 3000 px, but the file has 200 x 150 px: it was cropped"), "{reason}");
     assert_eq!(reason, NoOrientation::Altered { side: Side::Left, camera_caution: cropped });
-    let unlisted = ExifCamera { cautions: vec![], ..camera };
-    let found = result(&unlisted, &PairInput::default(), Strategy::Moments);
-    assert_eq!(found.orientation.unwrap_err(), NoOrientation::NoPixelSize { side: Side::Left });
+    // Of a camera that no table lists, resized or not, the size of a pixel is what is missing.
+    let resized = CameraCaution::Resized { taken_width_px, taken_height_px, width_px, height_px };
+    for cautions in [vec![], vec![resized]] {
+        let unlisted = ExifCamera { cautions, ..camera.clone() };
+        let found = result(&unlisted, &PairInput::default(), Strategy::Moments);
+        assert_eq!(found.orientation.unwrap_err(), NoOrientation::NoPixelSize { side: Side::Left });
+    }
 }
 
 #[test]

@@ -175,7 +175,7 @@ unsupported-tiff-floats = ‏TIFF بعينات الفاصلة العائمة غ�
 unsupported-tiff-signed = ‏TIFF بعينات ذات إشارة أو غير معرَّفة غير مدعوم؛ المسموح: أعداد صحيحة بلا إشارة من 8 أو 16 بت
 unsupported-tiff-bits = ‏TIFF من { $bits } بت للعينة غير مدعوم؛ المسموح: 8 أو 16 بت للعينة
 unsupported-tiff-colours = ‏TIFF بالتفسير الضوئي { $photometric } و{ $samples } من العينات بقدر { $bits } بت غير مدعوم؛ المسموح: رمادي (0، 1)، وRGB (2) بثلاث عينات أو أكثر، ولوحة ألوان (3) من 8 بت
-unsupported-tiff-compression = ‏TIFF بالضغط { $compression } غير مدعوم؛ المسموح: بلا ضغط، LZW، Deflate، PackBits (1، 5، 8، 32946، 32773)
+unsupported-tiff-compression = ‏TIFF بالضغط { $compression } غير مدعوم؛ المسموح: بلا ضغط، LZW، JPEG، Deflate، PackBits (1، 5، 7، 8، 32946، 32773)
 unsupported-tiff-tile-side = ‏TIFF بضلع بلاطة أكبر من 65536 بكسل غير مدعوم؛ المسموح: حتى 65536 بكسل
 unsupported-tiff-tile-row = ‏TIFF فيه { $bytes } بايت في صف بلاطة غير مدعوم؛ المسموح: حتى 16777216
 unsupported-tiff-bands = ‏TIFF من { $bands } نطاقات مع متنبئ غير مدعوم؛ المسموح: 1 أو 3 أو 4 نطاقات (رابعها الشفافية)، أو بلا متنبئ
@@ -491,6 +491,7 @@ block-warning-uncertain-rotation =
         [none] .
        *[other] ؛ تميل المشاهد { FIXED($tilt_deg, digits: 0) }° عن الشاقول في المتوسط.
     }
+block-warning-looking-up = تنظر المشاهد إلى أعلى، بزاوية { FIXED($tilt_deg, digits: 0) }° عن الشاقول: يبدو أن محورين من { $observed } متبادلان، كأن يسبق الشمالُ الشرقَ في الملف، أو أن الارتفاعات تتجه إلى أسفل.
 block-warning-levelled =
     مواضع GNSS { $error_deg ->
         [none] لا تحدد دوران الكتلة كلها
@@ -513,6 +514,11 @@ block-warning-positions-rejected =
        *[other] {" "}و{ $images_more } أخرى.
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } م)
+block-warning-positions-apart =
+    تختلف مواضع GNSS كلها على السواء عن نقاط الضبط في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال ما تسمح به أخطاؤها المعيارية: { $axis ->
+        [z] ربما تُحسب الارتفاعات في أحدهما من المجسم الإهليلجي وفي الآخر من سطح البحر (--geoid-m)، أو
+       *[other] ربما كان أحدهما في نظام آخر، أو
+    } للمواضع إزاحة مشتركة (--gnss-errors offset).
 block-warning-position-errors-undetermined =
     { $errors ->
         [one] خطأ منتظم واحد لمواضع GNSS غير محدد فعُدّ صفرًا
@@ -816,8 +822,8 @@ placing-weakness-camera = تطلب النقاط { $camera_parameter } بمقدا
 placing-weakness-noise = الجذر التربيعي لمتوسط مربعات المتبقيات { FIXED($rmse_px, digits: 2) } بكسل، وتبلغ الصور الجيدة { FIXED($usual_px, digits: 2) } بكسل: تحقق من الارتفاعات ومن عمر الصورة المصححة.
 
 # How an image with a GNSS position was sought on an orthophoto.
-place-search-gnss = عُثر عليها ضمن { NUMBER($within_m) } م من موقعها في GNSS.
-place-search-beyond-gnss = لم يُعثر عليها ضمن { NUMBER($within_m) } م من موقعها في GNSS؛ وبُحث في الصورة المصححة كلها.
+place-search-gnss = عُثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS.
+place-search-beyond-gnss = لم يُعثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS؛ وبُحث في الصورة المصححة كلها.
 
 # What the place of an image is worth.
 placing-verdict-placed = وُضعت بعدد { $links } من النقاط، σ0 { FIXED($sigma0_px, digits: 2) } بكسل؛ مركز الإسقاط ± { SIGNIFICANT($half_width_m, digits: 2) } م (95 %).
@@ -1046,7 +1052,7 @@ refusal-link-place = مكان رابط على الأرض: أُعطي { $place } 
 refusal-world-file = ملف الإحداثيات (world file): أُعطي { $text }؛ المسموح: ستة أعداد، عدد في كل سطر: A وD وB وE للبكسل، وX وY لمركز البكسل العلوي الأيسر
 refusal-georeference = الإسناد الجغرافي: أُعطي { $numbers }؛ المسموح: إحداثيات منتهية وبكسلات لها امتداد
 refusal-degrees = إحداثيات صورة الأرض: أُعطي خط الطول والعرض بالدرجات؛ المسموح: نظام إسقاط بالأمتار أو الأقدام: أعد إسقاطها، بالأمر gdalwarp -t_srs مثلًا
-refusal-height-count = نموذج الارتفاعات: أُعطي { $heights } من الارتفاعات لأبعاد { $width } × { $height }؛ المسموح: 2 × 2 من الارتفاعات أو أكثر، ارتفاع لكل موضع
+refusal-height-count = نموذج الارتفاعات: أُعطي { $heights } من الارتفاعات لأبعاد { $width } × { $height }؛ المسموح: ارتفاع لكل موضع، من 2 × 2 من المواضع أو أكثر؛ وفي الملف المبتور أقل
 refusal-height-range = ارتفاعات نموذج الارتفاعات: أُعطي من { $low } إلى { $high }؛ المسموح: من -1000 إلى 20000، وفيها ارتفاع واحد على الأقل؛ ويجب التصريح بالقيمة الدالة على «لا ارتفاع»
 refusal-no-height-model = نموذج الارتفاعات: ليس TIFF ولا نصًا؛ المسموح: GeoTIFF أو شبكة ESRI ASCII
 refusal-heights-without-place = نموذج الارتفاعات: أُعطي TIFF لا يذكر موضعه؛ المسموح: GeoTIFF، أو ملف إحداثيات (world file) بجانبه

@@ -180,7 +180,7 @@ unsupported-tiff-floats = TIFF with floating-point samples is not supported; all
 unsupported-tiff-signed = TIFF with signed or undefined samples is not supported; allowed: unsigned integers of 8 or 16 bits
 unsupported-tiff-bits = TIFF of { $bits } bits a sample is not supported; allowed: 8 or 16 bits a sample
 unsupported-tiff-colours = TIFF of photometric interpretation { $photometric } with { $samples } samples of { $bits } bits is not supported; allowed: grey (0, 1), RGB (2) with 3 or more samples, palette (3) of 8 bits
-unsupported-tiff-compression = TIFF with compression { $compression } is not supported; allowed: none, LZW, Deflate, PackBits (1, 5, 8, 32946, 32773)
+unsupported-tiff-compression = TIFF with compression { $compression } is not supported; allowed: none, LZW, JPEG, Deflate, PackBits (1, 5, 7, 8, 32946, 32773)
 unsupported-tiff-tile-side = TIFF with a tile side of more than 65,536 px is not supported; allowed: tile sides of up to 65,536 px
 unsupported-tiff-tile-row = TIFF with { $bytes } bytes in a row of a tile is not supported; allowed: up to 16,777,216
 unsupported-tiff-bands = TIFF of { $bands } bands with a predictor is not supported; allowed: 1, 3 or 4 bands (the fourth alpha), or no predictor
@@ -436,7 +436,7 @@ refusal-link-place = place of a link: got { $place }, of link { $link }; allowed
 refusal-world-file = world file: got { $text }; allowed: six numbers, one per line: A, D, B, E of the pixel, X and Y of the centre of the top-left pixel
 refusal-georeference = georeference: got { $numbers }; allowed: finite coordinates and pixels with an extent
 refusal-degrees = coordinates of a picture of the ground: got longitude and latitude in degrees; allowed: a projected system in metres or feet: reproject it, with gdalwarp -t_srs say
-refusal-height-count = height model: got { $heights } heights for { $width } x { $height }; allowed: 2 x 2 heights or more, one per node
+refusal-height-count = height model: got { $heights } heights for { $width } x { $height }; allowed: one height for each node, of 2 x 2 nodes or more; a truncated file has fewer
 refusal-height-range = heights of a height model: got { $low } to { $high }; allowed: -1000 to 20000, with at least one; what stands for 'no height' must be declared
 refusal-no-height-model = height model: got neither a TIFF nor text; allowed: a GeoTIFF or an ESRI ASCII grid
 refusal-heights-without-place = height model: got a TIFF that does not say where it lies; allowed: a GeoTIFF, or a world file beside it
@@ -882,6 +882,7 @@ block-warning-uncertain-rotation =
         [none] .
        *[other] ; the views are { FIXED($tilt_deg, digits: 0) }° off the vertical on average.
     }
+block-warning-looking-up = The views look up, { FIXED($tilt_deg, digits: 0) }° off the vertical: two axes of the { $observed } seem to be exchanged, as where a file has north before east, or heights point down.
 block-warning-levelled =
     The GNSS positions { $error_deg ->
         [none] do not determine the rotation of the whole block
@@ -903,6 +904,11 @@ block-warning-positions-rejected =
        *[other] {" "}and { $images_more } more.
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } m)
+block-warning-positions-apart =
+    In { $axis } all GNSS positions differ alike from the ground control, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times as much as their standard errors let expect: { $axis ->
+        [z] one of both may count heights from the ellipsoid and the other from the sea (--geoid-m), or
+       *[other] one of both may be in another system, or
+    } the positions have an offset in common (--gnss-errors offset).
 block-warning-position-errors-undetermined =
     { $errors ->
         [one] 1 systematic error of GNSS positions is not determined and taken as zero
@@ -1199,8 +1205,8 @@ placing-weakness-camera = The points ask for { $camera_parameter } of { FIXED($e
 placing-weakness-noise = Residuals are { FIXED($rmse_px, digits: 2) } px in the root mean square, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
 
 # How an image with a GNSS position was sought on an orthophoto.
-place-search-gnss = Found within { NUMBER($within_m) } m of its GNSS position.
-place-search-beyond-gnss = Not found within { NUMBER($within_m) } m of its GNSS position; all of the orthophoto was searched.
+place-search-gnss = Found within { FIXED($within_m, digits: 0) } m of its GNSS position.
+place-search-beyond-gnss = Not found within { FIXED($within_m, digits: 0) } m of its GNSS position; all of the orthophoto was searched.
 
 # What the place of an image is worth.
 placing-verdict-placed = Placed by { $links } points, σ0 { FIXED($sigma0_px, digits: 2) } px; projection centre ± { SIGNIFICANT($half_width_m, digits: 2) } m (95 %).

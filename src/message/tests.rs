@@ -132,6 +132,20 @@ fn every_kind_has_a_text_and_every_text_a_kind() {
 }
 
 #[test]
+fn catalogues_call_functions_that_there_are() {
+    for catalogue in [ENGLISH, ARABIC] {
+        // `{ NAME(` begins a call.
+        let calls = catalogue.split("{ ").skip(1).filter_map(|rest| {
+            let (name, _) = rest.split_once('(')?;
+            (!name.is_empty() && name.chars().all(|c| c.is_ascii_uppercase())).then_some(name)
+        });
+        let names: BTreeSet<&str> = calls.collect();
+        let known: BTreeSet<&str> = super::texts::FORMATS.iter().map(|(name, _)| *name).chain(["LIKE"]).collect();
+        assert!(names.is_subset(&known) && names.len() > 3, "{names:?}");
+    }
+}
+
+#[test]
 fn texts_name_the_figures_of_their_messages() {
     for (id, figures) in messages() {
         let given = |name: &str| figures.iter().any(|f| name == *f || name == format!("{f}_more") || name == format!("{f}_count"));

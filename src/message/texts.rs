@@ -177,7 +177,7 @@ impl Texts {
 type Format = fn(f64, usize) -> String;
 
 /// The functions of catalogues beside [`like`]: hexadecimal digits; digits after the point, significant digits, and powers of ten; a share in per cent.
-const FORMATS: [(&str, Format); 5] = [
+pub(super) const FORMATS: [(&str, Format); 5] = [
     ("HEX", |value, digits| format!("{:0digits$x}", value as u64)),
     ("FIXED", |value, digits| format!("{value:.digits$}")),
     ("SIGNIFICANT", significant),

@@ -12,7 +12,7 @@ use super::placement::Part;
 use super::rectify::Seen;
 use super::reference::Orthophoto;
 use super::search_area::SearchArea;
-use crate::math::{dot3, median, minus};
+use crate::math::{NORMAL_MEDIAN, dot3, median, minus};
 use crate::pipeline::GroundPoint;
 use crate::{BlockRun, ControlRole, Error, GreyView, NotLinked, Pose};
 use std::borrow::Cow;
@@ -24,8 +24,6 @@ const LEAST_IMAGES: usize = 2;
 const CELLS: f64 = 10.0;
 /// Links of several images within so many px, of the orthophoto or of the images, whose are larger, are of one place.
 const ONE_PLACE_PX: f64 = 2.0;
-/// The median length of a standard normal variable.
-const NORMAL_MEDIAN: f64 = 0.6745;
 /// Standard errors are no smaller than this share of what was stated, and those of coordinates in images within what is allowed of them, in px.
 const LEAST_FACTOR: f64 = 0.05;
 const LEAST_SIGMA_PX: f64 = 0.02;

@@ -86,7 +86,8 @@ fn camera_of(
     }
     let of_file = photo.exif.filter(|_| given.is_none());
     let Some(pixel_mm) = camera.pixel_mm else {
-        let altered = of_file.and_then(ExifCamera::partial).filter(|_| given.is_none());
+        // Fewer pixels alone would leave a focal length in mm without the size of a pixel just so.
+        let altered = of_file.and_then(ExifCamera::partial).filter(|caution| !matches!(caution, CameraCaution::Resized { .. }));
         let altered = altered.map(|camera_caution| NoOrientation::Altered { side, camera_caution: camera_caution.clone() });
         return Ok(Err(altered.unwrap_or(NoOrientation::NoPixelSize { side })));
     };

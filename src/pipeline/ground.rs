@@ -1,5 +1,6 @@
 //! A finished block in the system of an orthophoto: places of its ground that images show become ground control points.
 
+use super::gross_places::beside_neighbours;
 use super::mistakes::explain_control;
 use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
 use super::points::reconstruction_options;
@@ -8,7 +9,7 @@ use super::system::system_of;
 use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, Remark, RunInput};
 use crate::error::refuse;
 use crate::formats::{ground_control_table, image_measurement_table};
-use crate::math::{dot3, median};
+use crate::math::{NORMAL_MEDIAN, dot3, median};
 use crate::reconstruction::{origin_of, with_further_control};
 use crate::{
     BlockDescription, ControlPoint, ControlRole, Error, Failure, GroundControlRow, ImageMeasurementRow, ObservationVerdict, PointSource,
@@ -20,8 +21,6 @@ use std::collections::{BTreeMap, BTreeSet};
 const LEAST_POINTS: usize = 10;
 /// A residual beyond so many standard errors is a gross error.
 const GROSS: f64 = 3.29;
-/// The median length of a standard normal variable.
-const NORMAL_MEDIAN: f64 = 0.6745;
 /// A wrong point pulls at its neighbours: only those with this share of the largest test are rejected at a time.
 const NEAR_WORST: f64 = 0.7;
 /// Adjustments until no point is rejected and no weight changes any more, at most.
@@ -139,7 +138,8 @@ impl<'a> Ground<'a> {
 
     /// By how much residuals enlarge the standard errors, where that differs from what was used. No point is more precise than stated.
     fn other_factors(&self, attempt: &Attempt) -> Option<PlaceFactors> {
-        let found = place_factors(&self.residuals(attempt))?;
+        let residuals: Vec<PlaceResidual> = self.residuals(attempt).into_iter().map(|(_, residual)| residual).collect();
+        let found = place_factors(&residuals)?;
         let at_least_as_stated = |factors: [f64; 2]| factors.map(|factor| factor.max(1.0));
         let factors = PlaceFactors { own: at_least_as_stated(found.own), among_others: at_least_as_stated(found.among_others) };
         let is_same = |now: [f64; 2], before: [f64; 2]| (0..2).all(|k| (now[k] / before[k] - 1.0).abs() < SAME);
@@ -147,22 +147,21 @@ impl<'a> Ground<'a> {
         (!is_settled).then_some(factors)
     }
 
-    /// The residuals of the points by what was stated of them.
-    fn residuals(&self, attempt: &Attempt) -> Vec<PlaceResidual> {
+    /// The residuals of the points that take part by what was stated of them, each with its row.
+    fn residuals(&self, attempt: &Attempt) -> Vec<(usize, PlaceResidual)> {
         let Attempt { description, model, .. } = attempt;
-        let used: BTreeSet<&str> =
-            self.added.iter().filter(|row| row.role == Some(ControlRole::Control)).map(|row| row.name.as_str()).collect();
+        let rows = self.added.iter().enumerate().filter(|(_, row)| row.role == Some(ControlRole::Control));
+        let used: BTreeMap<&str, usize> = rows.map(|(index, row)| (row.name.as_str(), index)).collect();
         let [plan, height] = self.factors.among_others;
         let control = model.adjusted.block.control.iter().zip(&model.adjusted.control);
         let residual = |(control, statistics): (&ControlPoint, &Option<PriorStatistics>)| {
             let PointSource::GroundControl(index) = model.points[control.point] else { return None };
             let statistics = statistics.as_ref().filter(|statistics| statistics.accepted)?;
             let residual = |k: usize, factor: f64| factor * statistics.residual[k] / control.sigma[k];
-            used.contains(description.control[index].name.as_str()).then_some(PlaceResidual {
-                at: [control.position[0], control.position[1]],
-                residual: [residual(0, plan), residual(1, plan), residual(2, height)],
-                redundancy: statistics.redundancy?,
-            })
+            let row = *used.get(description.control[index].name.as_str())?;
+            let at = [control.position[0], control.position[1]];
+            let residual = [residual(0, plan), residual(1, plan), residual(2, height)];
+            Some((row, PlaceResidual { at, residual, redundancy: statistics.redundancy? }))
         };
         control.filter_map(residual).collect()
     }
@@ -254,7 +253,7 @@ impl<'a> Ground<'a> {
     }
 
     /// The points that are rejected after an adjustment: those that images do not show alike, and of the others those that lie farthest from
-    /// where the block has them. Differences of check points reject none of them.
+    /// where the block has them, or from where their neighbours would. Differences of check points reject none of them.
     fn gross(&self, attempt: &Attempt) -> Vec<usize> {
         let Attempt { description, model, .. } = attempt;
         let row_of: BTreeMap<&str, usize> = self.added.iter().enumerate().map(|(row, point)| (point.name.as_str(), row)).collect();
@@ -277,9 +276,11 @@ impl<'a> Ground<'a> {
         let largest = |w: &[f64; 3]| w.iter().fold(0.0, |most: f64, w| most.max(w.abs()));
         // Standard errors that were stated too small make no point wrong.
         let middle = median(&mut tests.iter().flat_map(|(_, w)| w.map(f64::abs)).collect::<Vec<_>>()).unwrap_or(0.0);
-        let worst = tests.iter().map(|(_, w)| largest(w)).fold(0.0, f64::max);
-        let limit = (GROSS * (middle / NORMAL_MEDIAN).max(1.0)).max(NEAR_WORST * worst);
-        apart.chain(tests.iter().filter(|(_, w)| largest(w) > limit).map(|(row, _)| *row)).collect()
+        let scatter = (middle / NORMAL_MEDIAN).max(1.0);
+        let far = beyond(tests.iter().map(|(row, w)| (*row, largest(w) / scatter)).collect());
+        let (rows, residuals): (Vec<usize>, Vec<PlaceResidual>) = self.residuals(attempt).into_iter().unzip();
+        let unlike = beyond(rows.into_iter().zip(beside_neighbours(&residuals)).collect());
+        apart.chain(far).chain(unlike).collect::<BTreeSet<usize>>().into_iter().collect()
     }
 
     /// The block of an adjustment.
@@ -313,6 +314,13 @@ impl<'a> Ground<'a> {
         let model = reconstruction.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
         Ok(BlockRun { input, reconstruction: Ok(reconstruction), model, orthophoto: Some(outcome), ..found.clone() })
     }
+}
+
+/// The rows whose tests are gross errors; of those of one adjustment only the largest.
+fn beyond(tests: Vec<(usize, f64)>) -> Vec<usize> {
+    let worst = tests.iter().map(|(_, size)| *size).fold(0.0, f64::max);
+    let limit = GROSS.max(NEAR_WORST * worst);
+    tests.into_iter().filter(|(_, size)| *size > limit).map(|(row, _)| row).collect()
 }
 
 /// How many control points of a block that is linked to an orthophoto were given: the first of all.

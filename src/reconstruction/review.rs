@@ -6,12 +6,13 @@ use super::control_spread::of_spread;
 use super::frame::Frame;
 use super::level::{LEVEL_DEG, UNCERTAIN_TURN_DEG, uncertainty_deg};
 use super::material::Known;
-use super::mistake::Doubted;
+use super::mistake::{Axis, Doubted};
 use super::placing::Placing;
 use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
 use crate::adjustment::{ObservationVerdict, SystematicError, SystematicVerdict};
+use crate::math::median;
 use crate::model::BlockDescription;
 use crate::pair::LARGEST_SIGMA0_PX;
 
@@ -25,12 +26,20 @@ const MANY_REJECTED: f64 = 0.2;
 /// Views that are this far off the vertical are no vertical photographs.
 const OBLIQUE_DEG: f64 = 10.0;
 
+/// Views that are farther off the vertical look up.
+const LOOKING_UP_DEG: f64 = 120.0;
+
+/// GNSS positions whose median tells what all have in common.
+const LEAST_POSITIONS: usize = 4;
+/// The standard error of a median of many normal variables, in that of their mean.
+const MEDIAN_BY_MEAN: f64 = 1.2533;
+
 /// `placing`: how the model came to lie where it does.
 pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: Placing, tests: &ControlTests) -> Vec<BlockWarning> {
     let Known { description, frame, .. } = *known;
     let mut found = Vec::new();
     found.extend(match placing {
-        Placing::Observed => of_rotation(model),
+        Placing::Observed => of_view(model).or_else(|| of_rotation(model)),
         Placing::Levelled { recorded, error_deg } => {
             // What may be off by any angle is not determined.
             let error_deg = error_deg.filter(|error| *error < UNKNOWN_TURN_DEG);
@@ -41,6 +50,7 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     found.extend(of_sigma(model));
     found.extend(of_weights(model));
     found.extend(of_positions(model, description, frame));
+    found.extend(of_common_positions(model, known.options.adjustment.limit()));
     found.extend(of_position_errors(model));
     found.extend(of_units(model, description, frame));
     found.extend(of_control(model, known, tests));
@@ -63,16 +73,27 @@ fn of_weights(model: &ReconstructedModel) -> Option<BlockWarning> {
     Some(BlockWarning::WeightsNotConverged { rounds: weighting.rounds })
 }
 
+/// Points or positions of which two axes are exchanged are those of a mirrored ground, which fits as well from below where it is flat.
+fn of_view(model: &ReconstructedModel) -> Option<BlockWarning> {
+    let tilt_deg = mean_tilt_deg(model);
+    (tilt_deg > LOOKING_UP_DEG).then(|| BlockWarning::LookingUp { observed: observed_by(model), tilt_deg })
+}
+
+/// What was observed of where the model lies.
+fn observed_by(model: &ReconstructedModel) -> Observed {
+    let datum = model.adjusted.datum;
+    match (datum.uses_gnss(), datum.uses_control()) {
+        (true, true) => Observed::Both,
+        (false, true) => Observed::Points,
+        _ => Observed::Positions,
+    }
+}
+
 /// Positions along a line leave the turn about it to their own errors. Errors that the positions of a strip have in common, as those of
 /// heights, turn the block further than standard errors say: what shows of it is the tilt of views that were meant to be vertical.
 fn of_rotation(model: &ReconstructedModel) -> Option<BlockWarning> {
     let error_deg = uncertainty_deg(&model.adjusted)?;
-    let datum = model.adjusted.datum;
-    let observed = match (datum.uses_gnss(), datum.uses_control()) {
-        (true, true) => Observed::Both,
-        (false, true) => Observed::Points,
-        _ => Observed::Positions,
-    };
+    let observed = observed_by(model);
     let tilt_deg = Some(mean_tilt_deg(model)).filter(|tilt| *tilt > OBLIQUE_DEG);
     match error_deg {
         error if error > UNKNOWN_TURN_DEG => Some(BlockWarning::UnknownRotation { observed, tilt_deg }),
@@ -99,6 +120,26 @@ fn of_positions(model: &ReconstructedModel, description: &BlockDescription, fram
     let images: Vec<RejectedPosition> = images.collect();
     let level = (frame.is_levelled && model.adjusted.datum.uses_gnss()).then_some(BlockWarning::NoHeights);
     level.into_iter().chain((!images.is_empty()).then_some(BlockWarning::PositionsRejected { images })).collect()
+}
+
+/// What all GNSS positions differ by from the ground control, as heights above the ellipsoid do from those above the sea: no single one of them shows
+/// it. Residuals of a coordinate have no more in common by chance than their standard errors say, whatever the adjustment took of it.
+fn of_common_positions(model: &ReconstructedModel, limit: f64) -> Option<BlockWarning> {
+    let datum = model.adjusted.datum;
+    if !datum.uses_gnss() || !datum.uses_control() || model.adjusted.systematic.is_some() {
+        return None;
+    }
+    let of_axis = |axis: Axis| {
+        let k = axis.index();
+        let gnss = || model.adjusted.images.iter().filter_map(|image| image.gnss);
+        let mut sizes: Vec<f64> = gnss().filter_map(|gnss| Some(gnss.w?[k] * gnss.redundancy?[k].max(0.0).sqrt())).collect();
+        let mut residuals: Vec<f64> = gnss().map(|gnss| gnss.residual[k]).collect();
+        let number = sizes.len();
+        let times = median(&mut sizes).filter(|_| number >= LEAST_POSITIONS)?.abs() * (number as f64).sqrt() / MEDIAN_BY_MEAN;
+        Some((times, BlockWarning::PositionsApart { axis, difference_m: median(&mut residuals)?, times }))
+    };
+    let apart = Axis::ALL.into_iter().filter_map(of_axis).filter(|(times, _)| *times > limit);
+    apart.max_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, warning)| warning)
 }
 
 /// Systematic errors of GNSS positions that the block does not determine, or only beside each other.
