@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isOwnSettings, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -122,7 +122,8 @@ var UNEDITED = {
 	history: NO_HISTORY,
 	before: null,
 	adjusting: false,
-	draft: null
+	draft: null,
+	former: []
 };
 function figuresOf$3(view) {
 	const { sigma0Px, rmsePx, oriented, points, checks, images } = view;
@@ -1858,6 +1859,30 @@ function removable(files, choice, names) {
 	const found = files.filter(({ name }) => chosen.has(name));
 	return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }
+// www/block/state/former.ts
+function nameOfFound({ images, points }) {
+	let code = 2166136261;
+	const add = (value) => {
+		code = Math.imul(code ^ value & 65535, 16777619);
+		code = Math.imul(code ^ Math.floor(value / 65536), 16777619) >>> 0;
+	};
+	points.sources.forEach(add);
+	points.rays.forEach(add);
+	return JSON.stringify([
+		images.map(({ name, features }) => [name, features]),
+		points.count,
+		code
+	]);
+}
+function withFormer(former, one) {
+	return [...former.filter(({ found }) => found !== one.found), one].slice(-20);
+}
+function formerOf(former, found, { edits, done }) {
+	return former.find((one) => one.found === found && one.kept.edits === edits && one.kept.done === done) ?? null;
+}
+function placesBefore({ left, places }, now) {
+	return now.length === places.length ? places : now.map(({ after }) => Math.max(0, left.lastIndexOf(after)));
+}
 // www/block/state/editing.ts
 function isEditable({ shown, running }) {
 	return shown !== null && !shown.view.partial && shown.view.oriented > 0 && running.kind !== "yes";
@@ -2011,10 +2036,40 @@ var NOTHING_CARRIED = {
 	lost: 0,
 	aside: []
 };
-function carried({ history, marks, shown }, view) {
-	if (shown === null || history.edits.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
+function carried({ history, marks, shown, former }, view) {
+	if (shown === null || history.edits.length === 0 && former.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
+	const [before, after] = [nameOfFound(shown.found), nameOfFound(view)];
+	const again = before === after ? null : formerOf(former, after, history);
+	if (again !== null) {
+		const held = editsInForce(again.history).length;
+		const places = placesBefore(again, marks.edits);
+		return {
+			edits: {
+				...UNEDITED,
+				former,
+				history: again.history,
+				marks: besideEdits(marks, (after, at) => places[at] ?? after)
+			},
+			said: held === 0 ? "" : say("by-hand-kept", { edits: held })
+		};
+	}
 	const names = namesOf(shown.found);
-	return keptOf(carriedOver(history, names, namesOf(view)), marks, names);
+	const found = carriedOver(history, names, namesOf(view), before === after);
+	const { edits, said } = keptOf(found, marks, names);
+	const places = marks.edits.map((step) => step.after);
+	return {
+		edits: {
+			...edits,
+			former: withFormer(former, {
+				found: before,
+				history,
+				kept: found.history,
+				left: found.left,
+				places
+			})
+		},
+		said
+	};
 }
 function carriedToGround({ history, marks, shown }, view) {
 	const names = shown === null ? NO_NAMES : namesOf(shown.found);
@@ -2503,6 +2558,175 @@ function heldAt(both, place) {
 		marks
 	};
 }
+// www/block/state/scale.ts
+function unitOf({ origin, surveyed }) {
+	return origin !== null || surveyed.some(({ role }) => role === "control") ? "m" : "";
+}
+function inUnitOf(view, coordinates) {
+	return withUnit(coordinates, unitOf(view));
+}
+// www/block/state/words.ts
+function connectionOf(view, [a, b]) {
+	return connectionsOf(view).get(pairKey(a, b));
+}
+function pairKey(a, b) {
+	return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
+}
+var CONNECTIONS = new WeakMap();
+function connectionsOf(view) {
+	const known = CONNECTIONS.get(view);
+	if (known !== void 0) return known;
+	const made = new Map(view.connections.map((connection) => [pairKey(...connection.images), connection]));
+	CONNECTIONS.set(view, made);
+	return made;
+}
+function matchesOf({ outcome }) {
+	return outcome.kind === "connected" ? outcome.matches : 0;
+}
+function mostMatches({ connections }) {
+	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+}
+function describe({ view, given }, choice) {
+	switch (choice.kind) {
+		case "image": return describeImage(view, choice.image);
+		case "images": return describeImages(view, choice.images);
+		case "pair": return describePair(view, choice.images);
+		case "point": return describePoint(view, choice.point);
+		case "observation": return `${view.images[choice.image]?.name ?? ""}, ${describePoint(view, choice.point)}`;
+		case "points": return describePoints(view, choice.points);
+		case "given": return describeGiven(given, choice.name);
+	}
+}
+function describeImage(view, index) {
+	const image = view.images[index];
+	if (image === void 0) return "";
+	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
+	return `${[
+		say("observations-4", {
+			name: image.name,
+			what: image.features === null ? "" : say("features-2", { features: image.features }),
+			rays: image.rays,
+			what_2: image.places === null ? "" : say("in-of-9-von-gruber", { places: image.places })
+		}),
+		say("connected-with-of-images", {
+			partners,
+			images: view.images.length - 1
+		}),
+		image.rmsePx === null ? "" : say("rmse-px-3", { rmse_px: image.rmsePx }),
+		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
+		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
+	].filter((part) => part !== "").join("; ")}.`;
+}
+var MOST_NAMES$2 = 6;
+function describeImages({ images }, chosen) {
+	const names = chosen.slice(0, MOST_NAMES$2).map((image) => images[image]?.name ?? "");
+	return say("several-images", {
+		images: chosen.length,
+		names: [...names, ...chosen.length > MOST_NAMES$2 ? ["…"] : []].join(", ")
+	});
+}
+var GEOMETRIES = new WeakMap();
+function geometryText(geometry) {
+	if (geometry === null) return "";
+	const { kind, degenerate, sigmaPx } = geometry;
+	const weak = degenerate === null ? null : message("degeneracy", degenerate, "short");
+	const text = GEOMETRIES.get(geometry) ?? say("geometry", {
+		model: message("two_view_model", { kind }, "short"),
+		weak,
+		sigma_px: sigmaPx
+	});
+	GEOMETRIES.set(geometry, text);
+	return text;
+}
+function describePair(view, images) {
+	const names = images.map((image) => view.images[image]?.name ?? "").join(" – ");
+	const connection = connectionOf(view, images);
+	if (connection === void 0) return say("this-pair-was-not-tried", { names });
+	const { reason, geometry, shared, chosen } = connection;
+	return `${names}: ${[
+		reason.replace(/\.$/u, ""),
+		geometryText(geometry),
+		shared > 0 ? say("common-points-selected", {
+			shared,
+			chosen
+		}) : ""
+	].filter((part) => part !== "").join("; ")}.`;
+}
+function nameOfPoint({ surveyed }, point) {
+	return surveyed.find((known) => known.point === point)?.name ?? say("point-of-number", { number: point + 1 });
+}
+function describePoint(view, point) {
+	const { points } = view;
+	const axes = [
+		0,
+		1,
+		2
+	].map((axis) => 3 * point + axis);
+	const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(" ");
+	const errors = axes.map((at) => points.errors[at] ?? NaN);
+	return `${[
+		say("rays-3", {
+			name: nameOfPoint(view, point),
+			rays: points.rays[point] ?? 0
+		}),
+		known$2(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
+		known$2(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say("not-intersected"),
+		errors.every(known$2) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
+		point < points.taking ? "" : say("rejected-by-hand-2")
+	].filter((part) => part !== "").join("; ")}.`;
+}
+function describeGiven(given, name) {
+	const point = given.find((own) => own.name === name);
+	if (point === void 0) return name;
+	const said = {
+		name,
+		place: (point.place ?? point.position).map((value) => fixed(value, 3)).join(" "),
+		use: givenUse(point)
+	};
+	return point.place === null ? say("given-point-of-file", said) : say("given-point", said);
+}
+function controlText(state) {
+	return say("control-waits", {
+		twice: collectedOf(state).twice,
+		needed: 3
+	});
+}
+function givenUse({ role, images }) {
+	return sayNamed("given-use", {
+		role: role ?? "none",
+		images
+	});
+}
+function describePoints({ points }, chosen) {
+	let [least, most, squares, adjusted] = [
+		Infinity,
+		0,
+		0,
+		0
+	];
+	for (const point of chosen) {
+		const rays = points.rays[point] ?? 0;
+		[least, most] = [Math.min(least, rays), Math.max(most, rays)];
+		const rmse = points.rmsePx[point] ?? NaN;
+		if (!known$2(rmse)) continue;
+		squares += rays * rmse * rmse;
+		adjusted += rays;
+	}
+	const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
+	const rays = least === most ? count(most) : say("to", {
+		least,
+		most
+	});
+	return say("tie-points-of-rays", {
+		chosen: chosen.length,
+		rays,
+		what: adjusted > 0 ? say("rmse-px-5", { squares: Math.sqrt(squares / adjusted) }) : "",
+		what_2: gone > 0 ? say("rejected-by-hand-3", { gone }) : ""
+	});
+}
+function known$2(value) {
+	return value !== void 0 && !Number.isNaN(value);
+}
 // www/block/panel/edits.ts
 function editOf({ selection, shown }, kind, whole = false) {
 	return shown === null ? null : editOfChoice(kind, selection.chosen, shown.view, standingOf(shown.edits), whole);
@@ -2888,10 +3112,14 @@ function restoreButton(store, name, edit) {
 var LISTED$1 = 200;
 function rejectedRows(view, { images, points, unused, observations }) {
 	const imageName = (image) => view.images[image]?.name ?? "";
-	const pointName = (point) => Object.entries(point).map(([kind, number]) => say("point-of-kind", {
-		kind,
-		number: Number(number)
-	})).join("");
+	const pointName = (point) => {
+		const index = indexOfSource(view, point);
+		if (index >= 0) return nameOfPoint(view, index);
+		return Object.entries(point).map(([kind, number]) => say("point-of-kind", {
+			kind,
+			number: Number(number)
+		})).join("");
+	};
 	return [
 		...[...images].map((image) => ({
 			name: imageName(image),
@@ -3260,172 +3488,6 @@ async function saveAs(store, engine, kind, near = EXPORT$1) {
 }
 // pkg/block/image-files.js
 var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
-// www/block/state/scale.ts
-function unitOf({ origin, surveyed }) {
-	return origin !== null || surveyed.some(({ role }) => role === "control") ? "m" : "";
-}
-function inUnitOf(view, coordinates) {
-	return withUnit(coordinates, unitOf(view));
-}
-// www/block/state/words.ts
-function connectionOf(view, [a, b]) {
-	return connectionsOf(view).get(pairKey(a, b));
-}
-function pairKey(a, b) {
-	return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
-}
-var CONNECTIONS = new WeakMap();
-function connectionsOf(view) {
-	const known = CONNECTIONS.get(view);
-	if (known !== void 0) return known;
-	const made = new Map(view.connections.map((connection) => [pairKey(...connection.images), connection]));
-	CONNECTIONS.set(view, made);
-	return made;
-}
-function matchesOf({ outcome }) {
-	return outcome.kind === "connected" ? outcome.matches : 0;
-}
-function mostMatches({ connections }) {
-	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
-}
-function describe({ view, given }, choice) {
-	switch (choice.kind) {
-		case "image": return describeImage(view, choice.image);
-		case "images": return describeImages(view, choice.images);
-		case "pair": return describePair(view, choice.images);
-		case "point": return describePoint(view, choice.point);
-		case "observation": return `${view.images[choice.image]?.name ?? ""}, ${describePoint(view, choice.point)}`;
-		case "points": return describePoints(view, choice.points);
-		case "given": return describeGiven(given, choice.name);
-	}
-}
-function describeImage(view, index) {
-	const image = view.images[index];
-	if (image === void 0) return "";
-	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
-	return `${[
-		say("observations-4", {
-			name: image.name,
-			what: image.features === null ? "" : say("features-2", { features: image.features }),
-			rays: image.rays,
-			what_2: image.places === null ? "" : say("in-of-9-von-gruber", { places: image.places })
-		}),
-		say("connected-with-of-images", {
-			partners,
-			images: view.images.length - 1
-		}),
-		image.rmsePx === null ? "" : say("rmse-px-3", { rmse_px: image.rmsePx }),
-		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
-		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
-	].filter((part) => part !== "").join("; ")}.`;
-}
-var MOST_NAMES$2 = 6;
-function describeImages({ images }, chosen) {
-	const names = chosen.slice(0, MOST_NAMES$2).map((image) => images[image]?.name ?? "");
-	return say("several-images", {
-		images: chosen.length,
-		names: [...names, ...chosen.length > MOST_NAMES$2 ? ["…"] : []].join(", ")
-	});
-}
-var GEOMETRIES = new WeakMap();
-function geometryText(geometry) {
-	if (geometry === null) return "";
-	const { kind, degenerate, sigmaPx } = geometry;
-	const weak = degenerate === null ? null : message("degeneracy", degenerate, "short");
-	const text = GEOMETRIES.get(geometry) ?? say("geometry", {
-		model: message("two_view_model", { kind }, "short"),
-		weak,
-		sigma_px: sigmaPx
-	});
-	GEOMETRIES.set(geometry, text);
-	return text;
-}
-function describePair(view, images) {
-	const names = images.map((image) => view.images[image]?.name ?? "").join(" – ");
-	const connection = connectionOf(view, images);
-	if (connection === void 0) return say("this-pair-was-not-tried", { names });
-	const { reason, geometry, shared, chosen } = connection;
-	return `${names}: ${[
-		reason.replace(/\.$/u, ""),
-		geometryText(geometry),
-		shared > 0 ? say("common-points-selected", {
-			shared,
-			chosen
-		}) : ""
-	].filter((part) => part !== "").join("; ")}.`;
-}
-function describePoint(view, point) {
-	const { points, surveyed } = view;
-	const axes = [
-		0,
-		1,
-		2
-	].map((axis) => 3 * point + axis);
-	const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(" ");
-	const errors = axes.map((at) => points.errors[at] ?? NaN);
-	return `${[
-		say("rays-3", {
-			name: surveyed.find((known) => known.point === point)?.name ?? say("point-of-number", { number: point + 1 }),
-			rays: points.rays[point] ?? 0
-		}),
-		known$2(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
-		known$2(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say("not-intersected"),
-		errors.every(known$2) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
-		point < points.taking ? "" : say("rejected-by-hand-2")
-	].filter((part) => part !== "").join("; ")}.`;
-}
-function describeGiven(given, name) {
-	const point = given.find((own) => own.name === name);
-	if (point === void 0) return name;
-	const said = {
-		name,
-		place: (point.place ?? point.position).map((value) => fixed(value, 3)).join(" "),
-		use: givenUse(point)
-	};
-	return point.place === null ? say("given-point-of-file", said) : say("given-point", said);
-}
-function controlText(state) {
-	return say("control-waits", {
-		twice: collectedOf(state).twice,
-		needed: 3
-	});
-}
-function givenUse({ role, images }) {
-	return sayNamed("given-use", {
-		role: role ?? "none",
-		images
-	});
-}
-function describePoints({ points }, chosen) {
-	let [least, most, squares, adjusted] = [
-		Infinity,
-		0,
-		0,
-		0
-	];
-	for (const point of chosen) {
-		const rays = points.rays[point] ?? 0;
-		[least, most] = [Math.min(least, rays), Math.max(most, rays)];
-		const rmse = points.rmsePx[point] ?? NaN;
-		if (!known$2(rmse)) continue;
-		squares += rays * rmse * rmse;
-		adjusted += rays;
-	}
-	const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
-	const rays = least === most ? count(most) : say("to", {
-		least,
-		most
-	});
-	return say("tie-points-of-rays", {
-		chosen: chosen.length,
-		rays,
-		what: adjusted > 0 ? say("rmse-px-5", { squares: Math.sqrt(squares / adjusted) }) : "",
-		what_2: gone > 0 ? say("rejected-by-hand-3", { gone }) : ""
-	});
-}
-function known$2(value) {
-	return value !== void 0 && !Number.isNaN(value);
-}
 // www/block/files/tables.ts
 var OF_TIE_POINTS = ["confidence", "rmse_px"];
 function kindOfTable(text, images) {
@@ -3516,12 +3578,13 @@ var BlockFiles = class {
 		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name));
 		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
 		if (project !== void 0) await this.openProject(project.file);
-		if (cameras !== void 0) await this.takeText("cameras", cameras.file);
+		const notCameras = cameras === void 0 ? "" : await this.takeCameras(cameras.file, photos);
 		const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
 		const aside = found.length - photos.length - tables.count - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "));
 		else await this.said(said);
-		if (tables.aside !== "") this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, tables.aside);
+		const putAside = [notCameras, tables.aside].filter((text) => text !== "").join(" ");
+		if (putAside !== "") this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
 	}
 	async takeGround(given, asHeights = false) {
 		const { others, ...sorted } = await sortRasters(given.map((file) => ({
@@ -3623,6 +3686,31 @@ var BlockFiles = class {
 			this.failed(say("the-block-could-not-be"), error);
 			return false;
 		}
+	}
+	async takeCameras(file, photos) {
+		const { state } = this.store;
+		const text = await file.text();
+		const files = [...state.files, ...photos.map((photo) => ({
+			id: 0,
+			name: photo.file.name,
+			file: photo.file
+		}))];
+		const { cameras: problem } = problemsOf({
+			...state,
+			files,
+			options: {
+				...state.options,
+				cameras: {
+					name: file.name,
+					text
+				}
+			}
+		});
+		if (problem === void 0) {
+			await this.takeText("cameras", file);
+			return "";
+		}
+		return isOwnSettings(text) ? say("holds-settings", { name: file.name }) : say("holds-no-cameras", { problem: sentence(problem) });
 	}
 	async takeTables(files) {
 		const names = new Set(this.store.state.files.map(({ name }) => name));
@@ -3737,7 +3825,8 @@ var BlockFiles = class {
 	async run() {
 		const { shown, history } = this.store.state;
 		const names = shown === null ? null : namesOf(shown.found);
-		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names));
+		const isSame = shown !== null && shown.key === wantedKey(this.store.state);
+		const { lost, aside } = names === null || isSame ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names));
 		if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
 		this.tell("busy", say("keeping-the-edited-block"));
 		const stays = await this.leave(say("run-it-again"));
@@ -3758,18 +3847,22 @@ var BlockFiles = class {
 		});
 	}
 	async clear() {
-		const { shown } = this.store.state;
+		const { shown, history, marks } = this.store.state;
+		const isEdited = history.edits.length + marks.edits.length > 0;
 		const stays = await this.leave(say("remove-all-images"));
 		if (stays === null) return;
 		this.store.dispatch({ type: "clear" });
-		if (stays) this.tell("info", say("the-stays-under-projects", { what: shown === null ? say("project") : say("edited-block") }));
+		const what = shown === null ? say("project") : isEdited ? say("edited-block") : say("oriented-block");
+		if (stays) this.tell("info", say("the-stays-under-projects", { what }));
 	}
 	async leave(step) {
-		const { history, marks, placing } = this.store.state;
+		const { shown, truth, history, marks, placing } = this.store.state;
 		const length = history.edits.length + marks.edits.length;
-		if (length === 0 && placing.placed.size === 0) return false;
+		const isFound = shown !== null && !shown.view.partial && truth === null;
+		if (length === 0 && placing.placed.size === 0 && !isFound) return false;
 		if (await this.putAside()) return true;
-		const edits = length === 0 ? say("what-was-placed-on-the") : length === 1 ? say("the-edit-by-hand-of") : say("the-edits-by-hand-of", { length });
+		const what = placing.placed.size > 0 ? say("what-was-placed-on-the") : say("the-block-of-these-photos");
+		const edits = length === 0 ? what : length === 1 ? say("the-edit-by-hand-of") : say("the-edits-by-hand-of", { length });
 		return window.confirm(say("cannot-be-kept-in-this", {
 			edits,
 			step,
@@ -3778,7 +3871,7 @@ var BlockFiles = class {
 	}
 	add(found, aside, why) {
 		const files = new Map(this.store.state.files.map((file) => [file.name, file]));
-		const before = files.size;
+		const [before, noticed] = [files.size, this.store.state.notice];
 		for (const { file, path } of found) {
 			const name = [file.name, path].find((text) => text !== "" && !files.has(text));
 			if (name !== void 0) files.set(name, {
@@ -3807,7 +3900,8 @@ var BlockFiles = class {
 			aside > 0 ? say("skipped-not-an-image-by", { aside }) : "",
 			runs || own !== null ? "" : purposeOf(this.store.state) === "images" ? say("press-place") : sorted.length >= 2 ? say("press-run") : NEEDS_MORE
 		].filter((note) => note !== "");
-		if (notes.length === 0 || this.store.state.notice?.kind === "problem") return;
+		const { notice } = this.store.state;
+		if (notes.length === 0 || notice?.kind === "problem" && notice !== noticed) return;
 		this.store.dispatch({
 			type: "notice",
 			notice: {
@@ -12204,7 +12298,7 @@ function invited(store, { sample, placedSample, open }) {
 		"catalogue",
 		"onStage",
 		"placing"
-	], ([shown, given, , , catalogue, onStage]) => {
+	], ([shown, given, , , catalogue, onStage, placing]) => {
 		welcome.hidden = shown !== null || onStage === "orthophoto";
 		for (const press of [
 			own,
@@ -12213,11 +12307,13 @@ function invited(store, { sample, placedSample, open }) {
 		]) press.disabled = catalogue === null || isBusy(store.state);
 		const names = given.map(({ name }) => name);
 		own.classList.toggle("primary", names.length < 2);
-		fill(list, names.length === 0 ? "" : say("images-3", {
+		const there = say("images-3", {
 			names: names.length,
 			join: names.slice(0, 8).join(", "),
 			what: names.length > 8 ? " …" : ""
-		}));
+		});
+		const onOrthophoto = placing.placed.size;
+		fill(list, names.length === 0 ? "" : onOrthophoto === 0 ? there : `${there} ${say("are-placed-on-the-orthophoto", { placed: onOrthophoto })}`);
 	});
 	return welcome;
 }

@@ -981,13 +981,17 @@ async function intoEnglish() {
 }
 // www/shared/files/drop.ts
 var FILES = "Files";
-function mountDrop() {
+function mountDrop(tell) {
 	let serving = null;
 	const waiting = [];
+	const take = (found) => {
+		waiting.push(...found);
+		tell(waiting.length);
+	};
 	const loading = {
 		isActive: () => true,
 		markAt: () => "page",
-		take: (found) => void waiting.push(...found)
+		take
 	};
 	const active = () => (serving ?? [loading]).find(({ isActive }) => isActive());
 	const unmark = () => {
@@ -1158,11 +1162,21 @@ async function change(to, keeper) {
 }
 // www/main.ts
 async function start() {
-	const serveDrop = mountDrop();
+	const answer = document.getElementById("status");
+	let [given, hasTexts] = [0, false];
+	const tell = () => {
+		if (hasTexts && given > 0) answer?.replaceChildren(say("loading-the-program-files", { files: given }));
+	};
+	const serveDrop = mountDrop((waiting) => {
+		given = waiting;
+		tell();
+	});
 	turnDocument();
 	wasmModule().catch(() => void 0);
 	await learnPart("program");
 	sayDocument();
+	hasTexts = true;
+	tell();
 	const { startProgram } = await __vitePreload(async () => {
 		const { startProgram } = await import("./program.js");
 		return { startProgram };

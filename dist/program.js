@@ -2597,6 +2597,16 @@ function save(blob, name) {
 	link.click();
 	window.setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
 }
+// www/shared/files/own-settings.ts
+var OWN_SETTINGS = "tiepoint_settings";
+function isOwnSettings(text) {
+	try {
+		const read = JSON.parse(text);
+		return typeof read === "object" && read !== null && "tiepoint_settings" in read;
+	} catch {
+		return false;
+	}
+}
 // www/block/files/rasters.ts
 var WORLD = /\.(?:tfw|jgw|pgw|bpw|gfw|tifw|tiffw|jpgw|jpegw|pngw|wld)$/iu;
 var TIFF = /\.tiff?$/iu;
@@ -3657,12 +3667,12 @@ function changed$1(at, [name = "", ...rest], value) {
 function writeOwn(of, parameters, defaults, settings) {
 	const own = parameters.map(({ key }) => [key, readSetting(settings, key)]).filter(([key, value]) => readSetting(defaults, key) !== value);
 	return `${JSON.stringify({
-		tiepoint_settings: of,
+		[OWN_SETTINGS]: of,
 		changed: Object.fromEntries(own)
 	}, null, 2)}\n`;
 }
 function readOwn(text, of, parameters, defaults) {
-	const { tiepoint_settings: subject, changed } = fieldsOf(text);
+	const { [OWN_SETTINGS]: subject, changed } = fieldsOf(text);
 	if (typeof changed !== "object" || changed === null || Array.isArray(changed)) throw new Error(say("the-file-holds-no-settings"));
 	if (subject !== of) throw new Error(say("the-file-holds-settings-of", {
 		subject: String(subject),
@@ -15767,8 +15777,12 @@ var ProjectList = class {
 		const current = id === this.keeper.keeping.state.project;
 		const open = button(title, `project-open-${id}`, () => void this.leave(() => current ? Promise.resolve() : this.keeper.open(id)), say("open-this-project"));
 		open.className = "link";
-		const images = say("so-many-images", { images: row.images.length });
-		const facts = h("span", { class: "note" }, `${images} · ${sizeText(row.bytes)} · ${DATE.format(row.changed)}${current ? say("on-the-page") : ""}`);
+		const parts = [
+			say("so-many-images", { images: row.images.length }),
+			sizeText(row.bytes),
+			DATE.format(row.changed)
+		].flatMap((text) => [" · ", h("bdi", {}, text)]).slice(1);
+		const facts = h("span", { class: "note" }, ...parts, current ? say("on-the-page") : "");
 		const named = (text, what, action) => {
 			const made = button(text, `project-${what}-${id}`, action);
 			made.setAttribute("aria-label", `${text}: ${title}`);
@@ -16005,4 +16019,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isOwnSettings, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };

@@ -37,7 +37,12 @@ const viewOf = (points, sigma0Px = 0.5) => ({
   sigma0Px,
   rmsePx: 0.3,
   checks: null,
-  points: { count: points.length, taking: points.length, sources: Float64Array.from(points, (point) => page.edits.codeOfSource({ tie_point: point })) },
+  points: {
+    count: points.length,
+    taking: points.length,
+    sources: Float64Array.from(points, (point) => page.edits.codeOfSource({ tie_point: point })),
+    rays: Uint16Array.from(points, () => 2),
+  },
 });
 
 /** The state after actions on a block that was run.  @param {any[]} actions */
@@ -247,6 +252,30 @@ test('after a new run steps stay steps, and those that were undone are done agai
   // Where all were undone they are kept as well, and nothing is said where none is lost.
   const undone = anew(after({ type: 'edit', edits: [add(0, 1)] }, { type: 'goto', done: 0 }));
   assert.deepEqual([undone.history, undone.notice], [{ edits: [[add(0, 1)]], done: 0 }, null]);
+});
+
+test('a block that is found as it was keeps all its edits, and one that is so again has them back', () => {
+  const image = { kind: 'reject_images', images: [0] };
+  const other = { kind: 'reject_points', points: [{ tie_point: 12 }] };
+  const mark = { type: 'mark', step: { kind: 'measure', marks: [{ image: 'a', point: 'A', x_px: 1, y_px: 2 }], after: 2 } };
+  const edited = after(...[reject, image].map((edit) => ({ type: 'edit', edits: [edit] })), mark, { type: 'edit', edits: [other] }, { type: 'goto', done: 2 });
+  const again = anew(edited, viewOf([10, 11, 12]));
+  assert.deepEqual(again.history, { edits: [[reject], [image], [other]], done: 2 });
+  assert.equal(again.notice.text, '2 edits by hand were kept.');
+  // Points of other rays are others.
+  const rays = (/** @type {any} */ view) => ({ ...view, points: { ...view.points, rays: Uint16Array.of(2, 3, 2) } });
+  assert.deepEqual(anew(edited, rays(viewOf([10, 11, 12]))).history.edits, [[image]]);
+  // An image is taken out, and comes back.
+  const without = anew(again);
+  assert.deepEqual(without.history, { edits: [[image]], done: 1 });
+  assert.equal(without.marks.edits[0].after, 1);
+  const back = anew(without, viewOf([10, 11, 12]));
+  assert.deepEqual(back.history, again.history);
+  assert.deepEqual(back.marks, again.marks);
+  assert.equal(back.notice.text, '2 edits by hand were kept.');
+  // What was edited meanwhile is not lost for it.
+  const added = page.reducer.reduceBlock(without, { type: 'edit', edits: [{ kind: 'reject_images', images: [1] }] });
+  assert.deepEqual(anew(added, viewOf([10, 11, 12])).history.edits, [[image], [{ kind: 'reject_images', images: [1] }]]);
 });
 
 test('steps beside the edits keep their places among them through a new run, a refusal, and a new edit after others were undone', () => {

@@ -11,15 +11,26 @@ import { wasmModule } from './shared/engine/platform';
 import { learnPart } from './shared/engine/texts';
 import { mountDrop } from './shared/files/drop';
 import { sayDocument, turnDocument } from './shared/panel/language';
+import { say } from './shared/text/words';
 
 async function start(): Promise<void> {
   // First of all: the browser would show a file that nobody takes in place of the page.
-  const serveDrop = mountDrop();
+  const answer = document.getElementById('status');
+  let [given, hasTexts] = [0, false];
+  const tell = () => {
+    if (hasTexts && given > 0) answer?.replaceChildren(say('loading-the-program-files', { files: given }));
+  };
+  const serveDrop = mountDrop((waiting) => {
+    given = waiting;
+    tell();
+  });
   turnDocument();
   // It takes longest. Where it fails the program asks again, and says why.
   wasmModule().catch(() => undefined);
   await learnPart('program');
   sayDocument();
+  hasTexts = true;
+  tell();
   const { startProgram } = await import('./program');
   await startProgram(serveDrop);
 }

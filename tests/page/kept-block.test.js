@@ -115,6 +115,7 @@ test('files that are dropped before the program has loaded are opened when it ha
   await page.goto(url);
   const transfer = await transferOf(page, pngs());
   for (const type of ['dragover', 'drop']) await part(page, 'view').dispatchEvent(type, { dataTransfer: transfer });
+  await says(page, 'status', /Loading the program … 2 files wait to be opened\./);
   load();
   await page.waitForFunction(() => /matches/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
   assert.ok((await number(page, 'count-matches')) > 500);

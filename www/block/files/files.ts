@@ -4,7 +4,7 @@ import { Cancelled } from '../../shared/engine/client';
 import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
 import { keepChoice, keptChoice } from '../../shared/choices';
 import { sentence } from '../../shared/text/format';
-import { isOutdated } from '../state/state';
+import { isOutdated, wantedKey } from '../state/state';
 import { removesOthers } from '../state/removing';
 import type { BlockFile, BlockState } from '../state/state';
 import type { Notice } from '../../shared/state/notice';
@@ -21,6 +21,7 @@ import { controlText } from '../state/words';
 import type { GivenText } from '../state/given';
 import { GroundFiles } from './ground';
 import { newId } from './ids';
+import { isOwnSettings } from '../../shared/files/own-settings';
 import { asGiven, sortRasters } from './rasters';
 import type { BlockRuns } from './runs';
 import { kindOfTable } from './tables';
@@ -89,12 +90,13 @@ export class BlockFiles {
     const cameras = alone.find(({ file }) => CAMERAS.test(file.name));
     const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.openProject(project.file);
-    if (cameras !== undefined) await this.takeText('cameras', cameras.file);
+    const notCameras = cameras === undefined ? '' : await this.takeCameras(cameras.file, photos);
     const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
     const aside = found.length - photos.length - tables.count - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '));
     else await this.said(said);
-    if (tables.aside !== '') this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, tables.aside);
+    const putAside = [notCameras, tables.aside].filter((text) => text !== '').join(' ');
+    if (putAside !== '') this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
   }
 
   /** Takes files that are given as an orthophoto with what belongs to it, or as its heights: what they hold decides where it can be told. */
@@ -191,6 +193,19 @@ export class BlockFiles {
     }
   }
 
+  /** Takes cameras that were given with these photos; a file that holds none is put aside, and changes nothing: what is said of it. */
+  private async takeCameras(file: File, photos: readonly FoundFile[]): Promise<string> {
+    const { state } = this.store;
+    const text = await file.text();
+    const files = [...state.files, ...photos.map((photo) => ({ id: 0, name: photo.file.name, file: photo.file }))];
+    const { cameras: problem } = problemsOf({ ...state, files, options: { ...state.options, cameras: { name: file.name, text } } });
+    if (problem === undefined) {
+      await this.takeText('cameras', file);
+      return '';
+    }
+    return isOwnSettings(text) ? say('holds-settings', { name: file.name }) : say('holds-no-cameras', { problem: sentence(problem) });
+  }
+
   /** Takes tables of control points and of image measurements; what is neither is left aside, and changes nothing. `count`: those that are said something of. */
   private async takeTables(files: readonly File[]): Promise<{ count: number; aside: string }> {
     const names = new Set(this.store.state.files.map(({ name }) => name));
@@ -263,7 +278,9 @@ export class BlockFiles {
   async run(): Promise<void> {
     const { shown, history } = this.store.state;
     const names = shown === null ? null : namesOf(shown.found);
-    const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names));
+    // The same files and settings give the same block.
+    const isSame = shown !== null && shown.key === wantedKey(this.store.state);
+    const { lost, aside } = names === null || isSame ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names));
     if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
     this.tell('busy', say('keeping-the-edited-block'));
     const stays = await this.leave(say('run-it-again'));
@@ -277,26 +294,33 @@ export class BlockFiles {
 
   /** Removes all images, and the block. */
   async clear(): Promise<void> {
-    const { shown } = this.store.state;
+    const { shown, history, marks } = this.store.state;
+    const isEdited = history.edits.length + marks.edits.length > 0;
     const stays = await this.leave(say('remove-all-images'));
     if (stays === null) return;
     this.store.dispatch({ type: 'clear' });
-    if (stays) this.tell('info', say('the-stays-under-projects', { what: shown === null ? say('project') : say('edited-block') }));
+    const what = shown === null ? say('project') : isEdited ? say('edited-block') : say('oriented-block');
+    if (stays) this.tell('info', say('the-stays-under-projects', { what }));
   }
 
-  /** Before the block is gone: one with edits, and what was placed on an orthophoto, stay in the list of projects, which is true then. Null where it cannot, and the user keeps it. */
+  /**
+   * Before the block is gone: one of photos that were not simulated, one with edits, and what was placed on an orthophoto stay in the list of projects, which
+   * is true then. Null where it cannot, and the user keeps it.
+   */
   private async leave(step: string): Promise<boolean | null> {
-    const { history, marks, placing } = this.store.state;
+    const { shown, truth, history, marks, placing } = this.store.state;
     const length = history.edits.length + marks.edits.length;
-    if (length === 0 && placing.placed.size === 0) return false;
+    const isFound = shown !== null && !shown.view.partial && truth === null;
+    if (length === 0 && placing.placed.size === 0 && !isFound) return false;
     if (await this.putAside()) return true;
-    const edits = length === 0 ? say('what-was-placed-on-the') : length === 1 ? say('the-edit-by-hand-of') : say('the-edits-by-hand-of', { length });
+    const what = placing.placed.size > 0 ? say('what-was-placed-on-the') : say('the-block-of-these-photos');
+    const edits = length === 0 ? what : length === 1 ? say('the-edit-by-hand-of') : say('the-edits-by-hand-of', { length });
     return window.confirm(say('cannot-be-kept-in-this', { edits, step, length })) ? false : null;
   }
 
   private add(found: readonly FoundFile[], aside: number, why: string): void {
     const files = new Map(this.store.state.files.map((file) => [file.name, file]));
-    const before = files.size;
+    const [before, noticed] = [files.size, this.store.state.notice];
     for (const { file, path } of found) {
       // Images of one name in two folders are told apart by their paths.
       const name = [file.name, path].find((text) => text !== '' && !files.has(text));
@@ -319,8 +343,9 @@ export class BlockFiles {
       aside > 0 ? say('skipped-not-an-image-by', { aside }) : '',
       runs || own !== null ? '' : purposeOf(this.store.state) === 'images' ? say('press-place') : sorted.length >= 2 ? say('press-run') : NEEDS_MORE,
     ].filter((note) => note !== '');
-    // Why it cannot be run was said.
-    if (notes.length === 0 || this.store.state.notice?.kind === 'problem') return;
+    // Why it cannot be run was said just now.
+    const { notice } = this.store.state;
+    if (notes.length === 0 || (notice?.kind === 'problem' && notice !== noticed)) return;
     this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: notes.join(' '), beside: runs, passing: notes.length === 1 && why !== '' } });
   }
 

@@ -13,11 +13,11 @@ import { isGiven, stepOfDraft } from '../state/draft';
 import { figuresOf } from '../state/edited';
 import type { Figures } from '../state/edited';
 import { isEditable } from '../state/editing';
-import { editOfChoice, standingOf } from '../state/edits';
+import { editOfChoice, indexOfSource, standingOf } from '../state/edits';
 import { marksByHand } from '../state/marks';
 import type { MarkStep } from '../state/marks';
 import { nameOfEdit, nameOfMarks, nameOfStep, namesOf, NO_NAMES } from '../state/naming';
-import type { BlockEdit, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, PointDetail, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import type { Standing } from '../state/edits';
 import type { Names } from '../state/naming';
 import { blockOnOrthophoto } from '../state/showing';
@@ -30,6 +30,7 @@ import type { Held, TimedStep } from '../state/timeline';
 import { isBusy } from '../state/state';
 import type { BlockState } from '../state/state';
 import type { BlockView } from '../state/view';
+import { nameOfPoint } from '../state/words';
 import { say } from '../../shared/text/words';
 
 /** What measures points, once the images view is there. */
@@ -340,10 +341,13 @@ const LISTED = 200;
 
 function rejectedRows(view: BlockView, { images, points, unused, observations }: Standing): { name: string; edit: BlockEdit }[] {
   const imageName = (image: number) => view.images[image]?.name ?? '';
-  const pointName = (point: object) =>
-    Object.entries(point)
+  const pointName = (point: PointSource) => {
+    const index = indexOfSource(view, point);
+    if (index >= 0) return nameOfPoint(view, index);
+    return Object.entries(point)
       .map(([kind, number]) => say('point-of-kind', { kind, number: Number(number) }))
       .join('');
+  };
   return [
     ...[...images].map((image) => ({ name: imageName(image), edit: { kind: 'restore_images' as const, images: [image] } })),
     ...[...points.values()].map((point) => ({ name: pointName(point), edit: { kind: 'restore_points' as const, points: [point] } })),

@@ -138,13 +138,15 @@ function invited(store: BlockStore, { sample, placedSample, open }: Invitation):
     list,
     h('p', { class: 'note' }, say('nothing-leaves-this-computer-work')),
   );
-  store.watch(['shown', 'files', 'running', 'notice', 'catalogue', 'onStage', 'placing'], ([shown, given, , , catalogue, onStage]) => {
+  store.watch(['shown', 'files', 'running', 'notice', 'catalogue', 'onStage', 'placing'], ([shown, given, , , catalogue, onStage, placing]) => {
     welcome.hidden = shown !== null || onStage === 'orthophoto';
     for (const press of [own, simulate, placed]) press.disabled = catalogue === null || isBusy(store.state);
     const names = given.map(({ name }) => name);
     // Photos that are there are to be run.
     own.classList.toggle('primary', names.length < 2);
-    fill(list, names.length === 0 ? '' : say('images-3', { names: names.length, join: names.slice(0, 8).join(', '), what: names.length > 8 ? ' …' : '' }));
+    const there = say('images-3', { names: names.length, join: names.slice(0, 8).join(', '), what: names.length > 8 ? ' …' : '' });
+    const onOrthophoto = placing.placed.size;
+    fill(list, names.length === 0 ? '' : onOrthophoto === 0 ? there : `${there} ${say('are-placed-on-the-orthophoto', { placed: onOrthophoto })}`);
   });
   return welcome;
 }

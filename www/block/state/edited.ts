@@ -4,6 +4,7 @@ import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import type { MeasuredBy, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import type { EditStep } from './edits';
+import type { Former } from './former';
 import type { BlockView } from './view';
 
 /** What says how good a block is, before an edit and after it. */
@@ -44,9 +45,11 @@ export interface Edits {
   /** The block is adjusted with other edits. */
   adjusting: boolean;
   draft: Draft | null;
+  /** Edits of blocks that were found before this one. */
+  former: readonly Former[];
 }
 
-export const UNEDITED: Edits = { history: NO_HISTORY, before: null, adjusting: false, draft: null };
+export const UNEDITED: Edits = { history: NO_HISTORY, before: null, adjusting: false, draft: null, former: [] };
 
 export function figuresOf(view: BlockView): Figures {
   const { sigma0Px, rmsePx, oriented, points, checks, images } = view;

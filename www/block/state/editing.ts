@@ -11,6 +11,7 @@ import type { Names } from './naming';
 import type { Choice } from './selection';
 import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
+import { formerOf, nameOfFound, placesBefore, withFormer } from './former';
 import type { Draft, Edits } from './edited';
 import type { BlockEdit } from '../../../pkg/wasm/tiepoint.js';
 import { besideEdits } from './marks';
@@ -150,11 +151,25 @@ const NOTHING_CARRIED: CarriedOver = { history: NO_HISTORY, left: [0], lost: 0, 
 
 type Carried = Pick<BlockState, keyof Edits | 'marks'>;
 
-/** The edits of a block that was found anew, of what the former one had, with the steps beside them; `said`: what became of them. */
-export function carried({ history, marks, shown }: BlockState, view: BlockView): { edits: Carried; said: string } {
-  if (shown === null || history.edits.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
+/**
+ * The edits of a block that was found anew, of what the former one had, with the steps beside them; `said`: what became of them. All hold where it was
+ * found as it was; one that is again what it was before, and was not edited since, has the edits that it had then.
+ */
+export function carried({ history, marks, shown, former }: BlockState, view: BlockView): { edits: Carried; said: string } {
+  if (shown === null || (history.edits.length === 0 && former.length === 0)) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
+  const [before, after] = [nameOfFound(shown.found), nameOfFound(view)];
+  const again = before === after ? null : formerOf(former, after, history);
+  if (again !== null) {
+    const held = editsInForce(again.history).length;
+    const places = placesBefore(again, marks.edits);
+    const edits = { ...UNEDITED, former, history: again.history, marks: besideEdits(marks, (after, at) => places[at] ?? after) };
+    return { edits, said: held === 0 ? '' : say('by-hand-kept', { edits: held }) };
+  }
   const names = namesOf(shown.found);
-  return keptOf(carriedOver(history, names, namesOf(view)), marks, names);
+  const found = carriedOver(history, names, namesOf(view), before === after);
+  const { edits, said } = keptOf(found, marks, names);
+  const places = marks.edits.map((step) => step.after);
+  return { edits: { ...edits, former: withFormer(former, { found: before, history, kept: found.history, left: found.left, places }) }, said };
 }
 
 /** The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. */

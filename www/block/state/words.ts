@@ -106,16 +106,18 @@ function describePair(view: BlockView, images: readonly [number, number]): strin
   return `${names}: ${parts.filter((part) => part !== '').join('; ')}.`;
 }
 
+/** As tables and views call it: of a surveyed point its name. */
+export function nameOfPoint({ surveyed }: BlockView, point: number): string {
+  return surveyed.find((known) => known.point === point)?.name ?? say('point-of-number', { number: point + 1 });
+}
+
 function describePoint(view: BlockView, point: number): string {
-  const { points, surveyed } = view;
+  const { points } = view;
   const axes = [0, 1, 2].map((axis) => 3 * point + axis);
   const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(' ');
   const errors = axes.map((at) => points.errors[at] ?? NaN);
   const parts = [
-    say('rays-3', {
-      name: surveyed.find((known) => known.point === point)?.name ?? say('point-of-number', { number: point + 1 }),
-      rays: points.rays[point] ?? 0,
-    }),
+    say('rays-3', { name: nameOfPoint(view, point), rays: points.rays[point] ?? 0 }),
     known(points.rmsePx[point]) ? say('rmse-px-3', { rmse_px: points.rmsePx[point] ?? NaN }) : '',
     known(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say('not-intersected'),
     errors.every(known) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(' ')}`) : '',

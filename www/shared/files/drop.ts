@@ -20,11 +20,15 @@ export interface Taker {
 /** Takes those who get files, once they are there. */
 export type ServeDrop = (takers: readonly Taker[]) => void;
 
-/** The first taker that is active gets what is given. Takers come once the program has loaded: what is given before is kept for them. */
-export function mountDrop(): ServeDrop {
+/** The first taker that is active gets what is given. Takers come once the program has loaded: what is given before is kept for them, and `tell` says how much. */
+export function mountDrop(tell: (waiting: number) => void): ServeDrop {
   let serving: readonly Taker[] | null = null;
   const waiting: FoundFile[] = [];
-  const loading: Taker = { isActive: () => true, markAt: () => 'page', take: (found) => void waiting.push(...found) };
+  const take = (found: FoundFile[]) => {
+    waiting.push(...found);
+    tell(waiting.length);
+  };
+  const loading: Taker = { isActive: () => true, markAt: () => 'page', take };
   const active = () => (serving ?? [loading]).find(({ isActive }) => isActive());
   const unmark = () => {
     delete document.body.dataset.drop;

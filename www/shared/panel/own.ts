@@ -2,25 +2,26 @@
 import type { Parameter } from '../crate';
 import type { Value } from './control';
 import { readSetting, withSetting } from './settings';
+import { OWN_SETTINGS } from '../files/own-settings';
 import { say } from '../text/words';
 
 /** What the settings are of. */
 export type Subject = 'pair' | 'block';
 
 interface OwnSettings {
-  tiepoint_settings: Subject;
+  [OWN_SETTINGS]: Subject;
   changed: Readonly<Record<string, Value>>;
 }
 
 /** The file of settings. */
 export function writeOwn(of: Subject, parameters: readonly Parameter[], defaults: object, settings: object): string {
   const own = parameters.map(({ key }) => [key, readSetting(settings, key)] as const).filter(([key, value]) => readSetting(defaults, key) !== value);
-  return `${JSON.stringify({ tiepoint_settings: of, changed: Object.fromEntries(own) } satisfies OwnSettings, null, 2)}\n`;
+  return `${JSON.stringify({ [OWN_SETTINGS]: of, changed: Object.fromEntries(own) } satisfies OwnSettings, null, 2)}\n`;
 }
 
 /** The settings of a file: the defaults with what it changes. @throws Error where the file holds none of this kind, or a value that is not allowed */
 export function readOwn<T extends object>(text: string, of: Subject, parameters: readonly Parameter[], defaults: T): T {
-  const { tiepoint_settings: subject, changed } = fieldsOf(text);
+  const { [OWN_SETTINGS]: subject, changed } = fieldsOf(text);
   if (typeof changed !== 'object' || changed === null || Array.isArray(changed)) throw new Error(say('the-file-holds-no-settings'));
   if (subject !== of) throw new Error(say('the-file-holds-settings-of', { subject: String(subject), of }));
   return Object.entries(changed as Record<string, unknown>).reduce<T>((settings, [key, value]) => {

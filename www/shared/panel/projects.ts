@@ -134,7 +134,9 @@ class ProjectList {
     );
     open.className = 'link';
     const images = say('so-many-images', { images: row.images.length });
-    const facts = h('span', { class: 'note' }, `${images} · ${sizeText(row.bytes)} · ${DATE.format(row.changed)}${current ? say('on-the-page') : ''}`);
+    // Each by itself: figures beside each other run together from right to left.
+    const parts = [images, sizeText(row.bytes), DATE.format(row.changed)].flatMap((text) => [' · ', h('bdi', {}, text)]).slice(1);
+    const facts = h('span', { class: 'note' }, ...parts, current ? say('on-the-page') : '');
     const named = (text: string, what: string, action: () => void) => {
       const made = button(text, `project-${what}-${id}`, action);
       made.setAttribute('aria-label', `${text}: ${title}`);

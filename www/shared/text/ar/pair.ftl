@@ -87,6 +87,7 @@ point-at =
        *[right] اليمنى
     } { COUNT($index) } عند { FIXED($x, digits: 1) }، { FIXED($y, digits: 1) } بكسل. { $what }
 loading-the-program = يُحمَّل البرنامج …
+loading-the-program-files = يُحمَّل البرنامج … ملفات تنتظر أن تُفتح: { COUNT($files) }.
 ready-open-two-overlapping-images = جاهز. افتح صورتين متداخلتين، أو استعمل الزوج النموذجي.
 one-image-is-open-open = صورة واحدة مفتوحة. افتح الصورة { $missing ->
         [left] اليسرى

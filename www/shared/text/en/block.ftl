@@ -63,6 +63,8 @@ run-it-again = Run it again
 the-former-block-stays-under-projects = { $text } The former block stays under Projects.
 remove-all-images = Remove all images
 project = project
+oriented-block = oriented block
+the-block-of-these-photos = The block of these photographs
 edited-block = edited block
 the-stays-under-projects = The { $what } stays under Projects.
 what-was-placed-on-the = What was placed on the orthophoto
@@ -74,6 +76,8 @@ cannot-be-kept-in-this = { $edits } cannot be kept in this browser. { $step } wi
     }?
 in-the-block = { $sorted } in the block.
 skipped-their-names-are-in = { $twice } skipped: their names are in the block already.
+holds-settings = { $name } holds settings: load it under Settings. It is put aside.
+holds-no-cameras = { $problem } It holds no cameras and is put aside.
 is-no-table-of = { $name } is put aside, neither control points nor image measurements: { $why }
 it-has-no-rows = it has no rows
 its-rows-are-images = its rows are images, not surveyed points
@@ -490,7 +494,7 @@ plot-of-the-block = Plot of the block
 plot = Plot
 saves-the-plot-as-it = Saves the plot as it is shown, as a picture
 saves-the-values-of-the = Saves the values of the plot
-there-are-no-such-values = There are no such values: they come with the oriented block.
+there-are-no-such-values = There are no such values: this block has none, or is not oriented yet.
 n--2 = {" "}{ $unit }
 axis-title = { $label }, { $unit }
 values-over-median-from-to = { COUNT($sorted) } values over { $to_lower_case }. { $label }: median { $at }, from { $at_2 } to { $at_3 }{ $what }.
@@ -610,7 +614,16 @@ files-for-other-programs-colmap = files for other programs: COLMAP, MicMac, Open
 where-did-each-photo-stand = Where was each photo taken from?
 drop-the-photographs-of-a = Drop the photographs of a flight or of a walk around something, or a folder of them, anywhere on this page. You get:
 nothing-leaves-this-computer-work = Nothing leaves this computer. Work is kept in this browser: a run that was cancelled, or ended with its tab, goes on from there.
-images-3 = { $names } images: { $join }{ $what }
+are-placed-on-the-orthophoto =
+    { $placed ->
+        [one] 1 of them is
+       *[other] { $placed } of them are
+    } on the orthophoto, each by itself: see the view Orthophoto. This view shows them once they are run as a block.
+images-3 =
+    { $names ->
+        [one] 1 image
+       *[other] { $names } images
+    }: { $join }{ $what }
 
 ## panel/status
 

@@ -107,6 +107,11 @@ point-at =
 ## panel/answer
 
 loading-the-program = Loading the program …
+loading-the-program-files =
+    Loading the program … { $files ->
+        [one] 1 file waits
+       *[other] { COUNT($files) } files wait
+    } to be opened.
 ready-open-two-overlapping-images = Ready. Open two overlapping images, or use the sample pair.
 one-image-is-open-open = One image is open. Open the { $missing ->
         [left] left
