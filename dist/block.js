@@ -4970,7 +4970,7 @@ var TABLES = [
 ];
 var HEIGHT = "tiepoint-dock";
 var STEP$2 = 24;
-var LEAST = 110;
+var LEAST = 170;
 var ABOVE = 240;
 function makeDock(store, looking, facts, others) {
 	const sources = TABLES.map(([subject, title]) => subject === "observations" ? observationSource(facts, () => draw()) : sourceOf(subject, title));

@@ -77,8 +77,12 @@ test('a run that a reload breaks off goes on where it stood', { skip: SKIP }, as
   await part(page, 'block-run').click();
   assert.match(await status(page, FINISHED), /^(Oriented|Weak orientation): .*\. 4 images/);
   assert.match((await part(page, 'stage-images').textContent()) ?? '', /4 of 4, [1-4] from an earlier run/);
-  // Images that are removed are not kept either.
+  // A block that is removed stays under Projects, and is kept no longer where it is deleted there.
   await part(page, 'block-clear').click();
+  await status(page, /The oriented block stays under Projects\./);
+  await part(page, 'projects').click();
+  await page.locator('[data-testid="project"]:not([aria-current]) [data-testid^="project-delete-"]').click();
+  await part(page, 'project-delete').click();
   await until(page, 'nothing of the block is kept', async () => (await partsNamed(page, 'block/')) === 0);
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);

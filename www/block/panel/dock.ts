@@ -29,7 +29,7 @@ const TABLES: readonly (readonly [Subject, string])[] = [
 const HEIGHT = 'tiepoint-dock';
 /** A step of the splitter by keys, and how low and high the tables may be, CSS px. */
 const STEP = 24;
-const LEAST = 110;
+const LEAST = 170;
 /** So much of the stage is left to the picture. */
 const ABOVE = 240;
 
