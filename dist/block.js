@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isOwnSettings, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, hasField, inPane, isHidden, isOpen, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -1860,7 +1860,7 @@ function removable(files, choice, names) {
 	return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }
 // www/block/state/former.ts
-function nameOfFound({ images, points }) {
+function nameOfTiePoints({ images, points }) {
 	let code = 2166136261;
 	const add = (value) => {
 		code = Math.imul(code ^ value & 65535, 16777619);
@@ -1875,10 +1875,18 @@ function nameOfFound({ images, points }) {
 	]);
 }
 function withFormer(former, one) {
-	return [...former.filter(({ found }) => found !== one.found), one].slice(-20);
+	return [...former.filter(({ tiePoints }) => tiePoints !== one.tiePoints), one].slice(-20);
 }
-function formerOf(former, found, { edits, done }) {
-	return former.find((one) => one.found === found && one.kept.edits === edits && one.kept.done === done) ?? null;
+function wayBack(former, tiePoints, history) {
+	const way = [];
+	let now = history;
+	for (const one of [...former].reverse()) {
+		if (one.kept.edits !== now.edits || one.kept.done !== now.done) continue;
+		way.push(one);
+		if (one.tiePoints === tiePoints) return way;
+		now = one.history;
+	}
+	return [];
 }
 function placesBefore({ left, places }, now) {
 	return now.length === places.length ? places : now.map(({ after }) => Math.max(0, left.lastIndexOf(after)));
@@ -2038,38 +2046,60 @@ var NOTHING_CARRIED = {
 };
 function carried({ history, marks, shown, former }, view) {
 	if (shown === null || history.edits.length === 0 && former.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
-	const [before, after] = [nameOfFound(shown.found), nameOfFound(view)];
-	const again = before === after ? null : formerOf(former, after, history);
-	if (again !== null) {
-		const held = editsInForce(again.history).length;
-		const places = placesBefore(again, marks.edits);
+	const names = namesOf(shown.found);
+	const [before, after] = [shown.tiePoints, nameOfTiePoints(view)];
+	const isSame = before === after;
+	const way = isSame ? [] : wayBack(former, after, history);
+	const [last] = way.slice(-1);
+	if (last !== void 0) {
+		const back = way.reduce((steps, one) => {
+			const places = placesBefore(one, steps.edits);
+			return besideEdits(steps, (place, at) => places[at] ?? place);
+		}, marks);
 		return {
 			edits: {
 				...UNEDITED,
 				former,
-				history: again.history,
-				marks: besideEdits(marks, (after, at) => places[at] ?? after)
+				history: last.history,
+				marks: back
 			},
-			said: held === 0 ? "" : say("by-hand-kept", { edits: held })
+			said: saidOfKept(last.history)
 		};
 	}
-	const names = namesOf(shown.found);
-	const found = carriedOver(history, names, namesOf(view), before === after);
+	const found = carriedOver(history, names, namesOf(view), isSame);
+	if (isSame && found.lost + found.aside.length === 0) return {
+		edits: {
+			...UNEDITED,
+			former,
+			history,
+			marks
+		},
+		said: saidOfKept(history)
+	};
 	const { edits, said } = keptOf(found, marks, names);
+	if (before === "") return {
+		edits,
+		said
+	};
 	const places = marks.edits.map((step) => step.after);
+	const one = {
+		tiePoints: before,
+		history,
+		kept: found.history,
+		left: found.left,
+		places
+	};
 	return {
 		edits: {
 			...edits,
-			former: withFormer(former, {
-				found: before,
-				history,
-				kept: found.history,
-				left: found.left,
-				places
-			})
+			former: withFormer(former, one)
 		},
 		said
 	};
+}
+function saidOfKept(history) {
+	const held = editsInForce(history).length;
+	return held === 0 ? "" : say("by-hand-kept", { edits: held });
 }
 function carriedToGround({ history, marks, shown }, view) {
 	const names = shown === null ? NO_NAMES : namesOf(shown.found);
@@ -2085,10 +2115,9 @@ function carriedToGround({ history, marks, shown }, view) {
 }
 var MOST_NAMED$1 = 3;
 function keptOf({ history, left, lost, aside }, marks, names) {
-	const held = editsInForce(history).length;
 	const steps = [...aside.slice(0, MOST_NAMED$1).map((step) => nameOfStep(step, names)), ...aside.length > MOST_NAMED$1 ? ["…"] : []].join(", ");
 	const said = [
-		held === 0 ? "" : say("by-hand-kept", { edits: held }),
+		saidOfKept(history),
 		lost === 0 ? "" : say("of-points-of-the-former", { lost }),
 		aside.length === 0 ? "" : say("cannot-be-done-again", {
 			undone: aside.length,
@@ -3581,7 +3610,7 @@ var BlockFiles = class {
 		const notCameras = cameras === void 0 ? "" : await this.takeCameras(cameras.file, photos);
 		const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
 		const aside = found.length - photos.length - tables.count - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
-		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "));
+		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
 		else await this.said(said);
 		const putAside = [notCameras, tables.aside].filter((text) => text !== "").join(" ");
 		if (putAside !== "") this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
@@ -3665,14 +3694,15 @@ var BlockFiles = class {
 				count,
 				of
 			})));
-			if (await this.leave(say("photograph-another-block")) === null) {
+			const stays = await this.leave(say("photograph-another-block"));
+			if (stays === null) {
 				this.store.dispatch({
 					type: "notice",
 					notice: null
 				});
 				return false;
 			}
-			if (this.store.state.history.edits.length + this.store.state.marks.edits.length > 0 || this.store.state.placing.orthophoto !== null) this.store.dispatch({ type: "clear" });
+			if (stays || this.store.state.history.edits.length + this.store.state.marks.edits.length > 0 || this.store.state.placing.orthophoto !== null) this.store.dispatch({ type: "clear" });
 			this.store.dispatch({
 				type: "files",
 				files: files.map((file) => ({
@@ -3710,7 +3740,8 @@ var BlockFiles = class {
 			await this.takeText("cameras", file);
 			return "";
 		}
-		return isOwnSettings(text) ? say("holds-settings", { name: file.name }) : say("holds-no-cameras", { problem: sentence(problem) });
+		if (hasField(text, "tiepoint_settings")) return say("holds-settings", { name: file.name });
+		return say(hasField(text, "cameras") ? "cameras-are-put-aside" : "holds-no-cameras", { problem: sentence(problem) });
 	}
 	async takeTables(files) {
 		const names = new Set(this.store.state.files.map(({ name }) => name));
@@ -3825,8 +3856,8 @@ var BlockFiles = class {
 	async run() {
 		const { shown, history } = this.store.state;
 		const names = shown === null ? null : namesOf(shown.found);
-		const isSame = shown !== null && shown.key === wantedKey(this.store.state);
-		const { lost, aside } = names === null || isSame ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names));
+		const isSame = shown !== null && shown.tiePoints !== "" && shown.key === wantedKey(this.store.state);
+		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names), isSame);
 		if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
 		this.tell("busy", say("keeping-the-edited-block"));
 		const stays = await this.leave(say("run-it-again"));
@@ -3858,7 +3889,7 @@ var BlockFiles = class {
 	async leave(step) {
 		const { shown, truth, history, marks, placing } = this.store.state;
 		const length = history.edits.length + marks.edits.length;
-		const isFound = shown !== null && !shown.view.partial && truth === null;
+		const isFound = shown !== null && !shown.view.partial && shown.view.oriented > 0 && truth === null;
 		if (length === 0 && placing.placed.size === 0 && !isFound) return false;
 		if (await this.putAside()) return true;
 		const what = placing.placed.size > 0 ? say("what-was-placed-on-the") : say("the-block-of-these-photos");
@@ -3866,12 +3897,12 @@ var BlockFiles = class {
 		return window.confirm(say("cannot-be-kept-in-this", {
 			edits,
 			step,
-			length
+			length: Math.max(1, length)
 		})) ? false : null;
 	}
-	add(found, aside, why) {
+	add(found, aside, why, noticed) {
 		const files = new Map(this.store.state.files.map((file) => [file.name, file]));
-		const [before, noticed] = [files.size, this.store.state.notice];
+		const before = files.size;
 		for (const { file, path } of found) {
 			const name = [file.name, path].find((text) => text !== "" && !files.has(text));
 			if (name !== void 0) files.set(name, {
@@ -4442,6 +4473,7 @@ var KeptBlocks = class {
 				view,
 				given: NONE_GIVEN,
 				found: view,
+				tiePoints: "",
 				edits: theSame(opened.edits, history.edits.flat()),
 				ground
 			},
@@ -5488,6 +5520,7 @@ function reduced(state, action) {
 				view: action.view,
 				given: NONE_GIVEN,
 				found: action.view,
+				tiePoints: "",
 				edits: action.edits,
 				files: [],
 				steps: {},
@@ -5598,6 +5631,7 @@ function withRun(state, action) {
 				view,
 				given: NONE_GIVEN,
 				found: view,
+				tiePoints: "",
 				edits: [],
 				files,
 				seconds: 0,
@@ -5630,6 +5664,7 @@ function withRun(state, action) {
 					view,
 					given: NONE_GIVEN,
 					found: view,
+					tiePoints: nameOfTiePoints(view),
 					edits: [],
 					files,
 					seconds,

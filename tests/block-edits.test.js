@@ -273,6 +273,12 @@ test('a block that is found as it was keeps all its edits, and one that is so ag
   assert.deepEqual(back.history, again.history);
   assert.deepEqual(back.marks, again.marks);
   assert.equal(back.notice.text, '2 edits by hand were kept.');
+  // Another one is taken out after a run that changed nothing, and both come back at once.
+  const two = anew(anew(without), { ...viewOf([6]), images: ['a', 'b'].map((name) => ({ name, rays: 1 })) });
+  assert.deepEqual([anew(two, viewOf([10, 11, 12])).history, anew(two, viewOf([10, 11, 12])).marks], [again.history, again.marks]);
+  // Which tie points a block has that was opened or restored is not known.
+  const restored = { ...edited, shown: { ...edited.shown, tiePoints: '' } };
+  assert.deepEqual(anew(restored, viewOf([10, 11, 12])).history.edits, [[image]]);
   // What was edited meanwhile is not lost for it.
   const added = page.reducer.reduceBlock(without, { type: 'edit', edits: [{ kind: 'reject_images', images: [1] }] });
   assert.deepEqual(anew(added, viewOf([10, 11, 12])).history.edits, [[image], [{ kind: 'reject_images', images: [1] }]]);

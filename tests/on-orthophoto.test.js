@@ -21,7 +21,7 @@ const view = (/** @type {string[]} */ surveyed = [], more = {}) => ({
   partial: false,
   oriented: 2,
   images: [1, 2].map((id) => ({ name: `photo_${id}.png`, rays: 0 })),
-  points: { taking: 0, sources: new Float64Array() },
+  points: { count: 0, taking: 0, sources: new Float64Array(), rays: new Uint16Array() },
   surveyed: surveyed.map((name, control) => ({ name, control })),
   orthophoto: null,
   ...more,

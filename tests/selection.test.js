@@ -12,7 +12,11 @@ before(async () => {
 });
 
 /** A view of images of these names.  @param {string[]} names */
-const viewOf = (...names) => ({ partial: false, images: names.map((name) => ({ name })) });
+const viewOf = (...names) => ({
+  partial: false,
+  images: names.map((name) => ({ name })),
+  points: { count: 0, sources: new Float64Array(), rays: new Uint16Array() },
+});
 
 /** @param {Record<string, unknown>} view */
 const shown = (view) => ({ type: 'done', key: '', view, files: [], seconds: 0 });

@@ -39,7 +39,7 @@ const viewOf = (names) => ({
   oriented: names.length,
   surveyed: [],
   checks: null,
-  points: { count: 0, taking: 0, sources: new Float64Array() },
+  points: { count: 0, taking: 0, sources: new Float64Array(), rays: new Uint16Array() },
 });
 
 /** A finished block of these images.  @param {readonly string[]} names */

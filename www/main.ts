@@ -18,7 +18,8 @@ async function start(): Promise<void> {
   const answer = document.getElementById('status');
   let [given, hasTexts] = [0, false];
   const tell = () => {
-    if (hasTexts && given > 0) answer?.replaceChildren(say('loading-the-program-files', { files: given }));
+    const hasFailed = document.getElementById('answer')?.dataset.kind === 'problem';
+    if (hasTexts && !hasFailed && given > 0) answer?.replaceChildren(say('loading-the-program-files', { files: given }));
   };
   const serveDrop = mountDrop((waiting) => {
     given = waiting;

@@ -491,7 +491,7 @@ block-warning-uncertain-rotation =
         [none] .
        *[other] ؛ تميل المشاهد { FIXED($tilt_deg, digits: 0) }° عن الشاقول في المتوسط.
     }
-block-warning-looking-up = تنظر المشاهد إلى أعلى، بزاوية { FIXED($tilt_deg, digits: 0) }° عن الشاقول: يبدو أن محورين من { $observed } متبادلان، كأن يسبق الشمالُ الشرقَ في الملف، أو أن الارتفاعات تتجه إلى أسفل.
+block-warning-looking-up = تنظر معظم المشاهد إلى أعلى، بزاوية { FIXED($tilt_deg, digits: 0) }° عن الشاقول. ما لم تُظهر سقفًا فإن محورين من { $observed } متبادلان، كأن يسبق الشمالُ الشرقَ في الملف، أو أن الارتفاعات تتجه إلى أسفل.
 block-warning-levelled =
     مواضع GNSS { $error_deg ->
         [none] لا تحدد دوران الكتلة كلها
@@ -515,9 +515,9 @@ block-warning-positions-rejected =
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } م)
 block-warning-positions-apart =
-    تختلف مواضع GNSS كلها على السواء عن نقاط الضبط في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال ما تسمح به أخطاؤها المعيارية: { $axis ->
-        [z] ربما تُحسب الارتفاعات في أحدهما من المجسم الإهليلجي وفي الآخر من سطح البحر (--geoid-m)، أو
-       *[other] ربما كان أحدهما في نظام آخر، أو
+    تختلف مواضع GNSS كلها على السواء عن الكتلة المضبوطة في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال ما تسمح به أخطاؤها المعيارية: { $axis ->
+        [z] ربما تُحسب ارتفاعاتها وارتفاعات نقاط الضبط من صفرين مختلفين، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو
+       *[other] ربما كانت هي ونقاط الضبط في نظامين مختلفين، أو
     } للمواضع إزاحة مشتركة (--gnss-errors offset).
 block-warning-position-errors-undetermined =
     { $errors ->

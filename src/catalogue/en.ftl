@@ -882,7 +882,7 @@ block-warning-uncertain-rotation =
         [none] .
        *[other] ; the views are { FIXED($tilt_deg, digits: 0) }° off the vertical on average.
     }
-block-warning-looking-up = The views look up, { FIXED($tilt_deg, digits: 0) }° off the vertical: two axes of the { $observed } seem to be exchanged, as where a file has north before east, or heights point down.
+block-warning-looking-up = Most views look up, { FIXED($tilt_deg, digits: 0) }° off the vertical. Unless they show a ceiling, two axes of the { $observed } are exchanged, as where a file has north before east, or heights point down.
 block-warning-levelled =
     The GNSS positions { $error_deg ->
         [none] do not determine the rotation of the whole block
@@ -905,9 +905,9 @@ block-warning-positions-rejected =
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } m)
 block-warning-positions-apart =
-    In { $axis } all GNSS positions differ alike from the ground control, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times as much as their standard errors let expect: { $axis ->
-        [z] one of both may count heights from the ellipsoid and the other from the sea (--geoid-m), or
-       *[other] one of both may be in another system, or
+    In { $axis } all GNSS positions differ alike from the adjusted block, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times as much as their standard errors lead one to expect: { $axis ->
+        [z] they and the control points may count heights from different zeros, such as the ellipsoid and sea level (--geoid-m), or
+       *[other] they and the control points may be in different systems, or
     } the positions have an offset in common (--gnss-errors offset).
 block-warning-position-errors-undetermined =
     { $errors ->

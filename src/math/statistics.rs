@@ -3,7 +3,7 @@
 /// The median length of a two-dimensional normal error, in standard errors of a coordinate: √(2 ln 2).
 pub(crate) const MEDIAN_LENGTH: f64 = 1.177_41;
 
-/// The median length of a standard normal variable.
+/// The median absolute value of a standard normal variable.
 pub(crate) const NORMAL_MEDIAN: f64 = 0.6745;
 
 /// The `rank`-th smallest value (0 is the smallest); reorders `values`, which must hold more than `rank` of them.

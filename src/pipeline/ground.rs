@@ -1,6 +1,6 @@
 //! A finished block in the system of an orthophoto: places of its ground that images show become ground control points.
 
-use super::gross_places::beside_neighbours;
+use super::gross_places::{GROSS, beside_neighbours, beyond};
 use super::mistakes::explain_control;
 use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
 use super::points::reconstruction_options;
@@ -19,10 +19,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Points that take part, at least: fewer do not tell which of them are wrong.
 const LEAST_POINTS: usize = 10;
-/// A residual beyond so many standard errors is a gross error.
-const GROSS: f64 = 3.29;
-/// A wrong point pulls at its neighbours: only those with this share of the largest test are rejected at a time.
-const NEAR_WORST: f64 = 0.7;
 /// Adjustments until no point is rejected and no weight changes any more, at most.
 const MOST_ADJUSTMENTS: usize = 24;
 /// What all points may share of one's standard error, as an orthophoto that is off as a whole has it: residuals do not show it. At first the
@@ -157,11 +153,12 @@ impl<'a> Ground<'a> {
         let residual = |(control, statistics): (&ControlPoint, &Option<PriorStatistics>)| {
             let PointSource::GroundControl(index) = model.points[control.point] else { return None };
             let statistics = statistics.as_ref().filter(|statistics| statistics.accepted)?;
-            let residual = |k: usize, factor: f64| factor * statistics.residual[k] / control.sigma[k];
+            // What was used is what was stated times its factor.
+            let sigma = [0, 1, 2].map(|k| control.sigma[k] / [plan, plan, height][k]);
             let row = *used.get(description.control[index].name.as_str())?;
             let at = [control.position[0], control.position[1]];
-            let residual = [residual(0, plan), residual(1, plan), residual(2, height)];
-            Some((row, PlaceResidual { at, residual, redundancy: statistics.redundancy? }))
+            let residual = [0, 1, 2].map(|k| statistics.residual[k] / sigma[k]);
+            Some((row, PlaceResidual { at, residual, sigma, redundancy: statistics.redundancy? }))
         };
         control.filter_map(residual).collect()
     }
@@ -314,13 +311,6 @@ impl<'a> Ground<'a> {
         let model = reconstruction.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
         Ok(BlockRun { input, reconstruction: Ok(reconstruction), model, orthophoto: Some(outcome), ..found.clone() })
     }
-}
-
-/// The rows whose tests are gross errors; of those of one adjustment only the largest.
-fn beyond(tests: Vec<(usize, f64)>) -> Vec<usize> {
-    let worst = tests.iter().map(|(_, size)| *size).fold(0.0, f64::max);
-    let limit = GROSS.max(NEAR_WORST * worst);
-    tests.into_iter().filter(|(_, size)| *size > limit).map(|(row, _)| row).collect()
 }
 
 /// How many control points of a block that is linked to an orthophoto were given: the first of all.

@@ -14,6 +14,8 @@
 pub(super) struct PlaceResidual {
     pub at: [f64; 2],
     pub residual: [f64; 3],
+    /// Those standard errors, in m.
+    pub sigma: [f64; 3],
     /// Redundancy numbers of the three.
     pub redundancy: [f64; 3],
 }
@@ -102,7 +104,7 @@ mod tests {
             let (column, row) = (k % side, k / side);
             let patch = patches[column / together + side * (row / together)];
             let residual = [error(), error(), patch].map(|error| REDUNDANCY.sqrt() * error);
-            PlaceResidual { at: [10.0 * column as f64, 10.0 * row as f64], residual, redundancy: [REDUNDANCY; 3] }
+            PlaceResidual { at: [10.0 * column as f64, 10.0 * row as f64], residual, sigma: [0.3; 3], redundancy: [REDUNDANCY; 3] }
         };
         (0..side * side).map(place).collect()
     }

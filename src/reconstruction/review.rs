@@ -11,8 +11,8 @@ use super::placing::Placing;
 use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
-use crate::adjustment::{ObservationVerdict, SystematicError, SystematicVerdict};
-use crate::math::median;
+use crate::adjustment::{ObservationVerdict, PriorStatistics, SystematicError, SystematicVerdict};
+use crate::math::{NORMAL_MEDIAN, median};
 use crate::model::BlockDescription;
 use crate::pair::LARGEST_SIGMA0_PX;
 
@@ -26,10 +26,10 @@ const MANY_REJECTED: f64 = 0.2;
 /// Views that are this far off the vertical are no vertical photographs.
 const OBLIQUE_DEG: f64 = 10.0;
 
-/// Views that are farther off the vertical look up.
-const LOOKING_UP_DEG: f64 = 120.0;
+/// Most views of a flight that are farther off the vertical look up at ground that is mirrored.
+const LOOKING_UP_DEG: f64 = 150.0;
 
-/// GNSS positions whose median tells what all have in common.
+/// GNSS positions, at least, whose median tells what all have in common.
 const LEAST_POSITIONS: usize = 4;
 /// The standard error of a median of many normal variables, in that of their mean.
 const MEDIAN_BY_MEAN: f64 = 1.2533;
@@ -39,7 +39,7 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     let Known { description, frame, .. } = *known;
     let mut found = Vec::new();
     found.extend(match placing {
-        Placing::Observed => of_view(model).or_else(|| of_rotation(model)),
+        Placing::Observed => of_rotation(model).or_else(|| of_view(model)),
         Placing::Levelled { recorded, error_deg } => {
             // What may be off by any angle is not determined.
             let error_deg = error_deg.filter(|error| *error < UNKNOWN_TURN_DEG);
@@ -75,7 +75,10 @@ fn of_weights(model: &ReconstructedModel) -> Option<BlockWarning> {
 
 /// Points or positions of which two axes are exchanged are those of a mirrored ground, which fits as well from below where it is flat.
 fn of_view(model: &ReconstructedModel) -> Option<BlockWarning> {
-    let tilt_deg = mean_tilt_deg(model);
+    // Each by itself: the mean of views all around is any direction.
+    let tilt_deg = |rotation: &[[f64; 3]; 3]| libm::acos(rotation[2][2].clamp(-1.0, 1.0)).to_degrees();
+    let mut tilts: Vec<f64> = model.adjusted.block.images.iter().map(|image| tilt_deg(&image.pose.rotation)).collect();
+    let tilt_deg = median(&mut tilts)?;
     (tilt_deg > LOOKING_UP_DEG).then(|| BlockWarning::LookingUp { observed: observed_by(model), tilt_deg })
 }
 
@@ -122,8 +125,9 @@ fn of_positions(model: &ReconstructedModel, description: &BlockDescription, fram
     level.into_iter().chain((!images.is_empty()).then_some(BlockWarning::PositionsRejected { images })).collect()
 }
 
-/// What all GNSS positions differ by from the ground control, as heights above the ellipsoid do from those above the sea: no single one of them shows
-/// it. Residuals of a coordinate have no more in common by chance than their standard errors say, whatever the adjustment took of it.
+/// What all GNSS positions differ by from the block that ground control places, as heights above the ellipsoid do from those above the sea: no single
+/// one of them shows it. Residuals of a coordinate have no more in common by chance than their standard errors say, or their scatter where these are
+/// stated too small, whatever the adjustment took of it.
 fn of_common_positions(model: &ReconstructedModel, limit: f64) -> Option<BlockWarning> {
     let datum = model.adjusted.datum;
     if !datum.uses_gnss() || !datum.uses_control() || model.adjusted.systematic.is_some() {
@@ -131,11 +135,18 @@ fn of_common_positions(model: &ReconstructedModel, limit: f64) -> Option<BlockWa
     }
     let of_axis = |axis: Axis| {
         let k = axis.index();
-        let gnss = || model.adjusted.images.iter().filter_map(|image| image.gnss);
-        let mut sizes: Vec<f64> = gnss().filter_map(|gnss| Some(gnss.w?[k] * gnss.redundancy?[k].max(0.0).sqrt())).collect();
-        let mut residuals: Vec<f64> = gnss().map(|gnss| gnss.residual[k]).collect();
+        let taking = model.adjusted.images.iter().filter_map(|image| image.gnss).filter(|gnss| gnss.accepted);
+        // By its standard error, and in m; a coordinate that was not observed has no redundancy.
+        let residual = |gnss: PriorStatistics| {
+            let redundancy = gnss.redundancy?[k];
+            (redundancy > 0.0).then_some((gnss.w?[k] * redundancy.sqrt(), gnss.residual[k]))
+        };
+        let (mut sizes, mut residuals): (Vec<f64>, Vec<f64>) = taking.filter_map(residual).unzip();
         let number = sizes.len();
-        let times = median(&mut sizes).filter(|_| number >= LEAST_POSITIONS)?.abs() * (number as f64).sqrt() / MEDIAN_BY_MEAN;
+        let middle = median(&mut sizes).filter(|_| number >= LEAST_POSITIONS)?;
+        let mut around: Vec<f64> = sizes.iter().map(|size| (size - middle).abs()).collect();
+        let scatter = (median(&mut around)? / NORMAL_MEDIAN).max(1.0);
+        let times = middle.abs() / scatter * (number as f64).sqrt() / MEDIAN_BY_MEAN;
         Some((times, BlockWarning::PositionsApart { axis, difference_m: median(&mut residuals)?, times }))
     };
     let apart = Axis::ALL.into_iter().filter_map(of_axis).filter(|(times, _)| *times > limit);

@@ -18,7 +18,7 @@ messages! {
         UnknownRotation { observed: Observed, tilt_deg: Option<f64> },
         /// The angles of no image are known better than `error_deg`.
         UncertainRotation { observed: Observed, error_deg: f64, tilt_deg: Option<f64> },
-        /// The views look up, so far off the vertical on average, as where two axes of what was observed are exchanged.
+        /// Most views look up, so far off the vertical in the median, as where two axes of what was observed are exchanged.
         LookingUp { observed: Observed, tilt_deg: f64 },
         /// The GNSS positions hardly tell the rotation of the whole block (`error_deg`; absent: not at all): it was levelled, by directions of
         /// view that were `recorded`, or by views that are taken as vertical on average.
@@ -27,8 +27,8 @@ messages! {
         NoHeights,
         /// GNSS positions that do not fit.
         PositionsRejected { images: Vec<RejectedPosition> },
-        /// A coordinate of the GNSS positions that differs from that of the ground control for all alike. `difference_m`: that of the positions minus that
-        /// of the block, in the median; `times`: by the standard error that such a median may have.
+        /// A coordinate in which all GNSS positions differ alike from the block that ground control places. `difference_m`: that of the positions minus that
+        /// of the block, in the median; `times`: by the standard error of such a median.
         PositionsApart { axis: Axis, difference_m: f64, times: f64 },
         /// σ₀ is above what matching reaches.
         Imprecise { sigma0_px: f64, most_px: f64 },

@@ -21,7 +21,7 @@ import { controlText } from '../state/words';
 import type { GivenText } from '../state/given';
 import { GroundFiles } from './ground';
 import { newId } from './ids';
-import { isOwnSettings } from '../../shared/files/own-settings';
+import { hasField, OWN_SETTINGS } from '../../shared/files/json';
 import { asGiven, sortRasters } from './rasters';
 import type { BlockRuns } from './runs';
 import { kindOfTable } from './tables';
@@ -93,7 +93,7 @@ export class BlockFiles {
     const notCameras = cameras === undefined ? '' : await this.takeCameras(cameras.file, photos);
     const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
     const aside = found.length - photos.length - tables.count - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
-    if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '));
+    if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
     else await this.said(said);
     const putAside = [notCameras, tables.aside].filter((text) => text !== '').join(' ');
     if (putAside !== '') this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
@@ -182,8 +182,9 @@ export class BlockFiles {
         this.store.dispatch({ type: 'notice', notice: null });
         return false;
       }
-      // A block with edits would lend them to the images of the next one, which have the same names; its orthophoto shows other ground.
-      if (this.store.state.history.edits.length + this.store.state.marks.edits.length > 0 || this.store.state.placing.orthophoto !== null)
+      // What stays in the list is not shown any more. A block with edits would lend them to the images of the next one, which have the same names; its
+      // orthophoto shows other ground.
+      if (stays || this.store.state.history.edits.length + this.store.state.marks.edits.length > 0 || this.store.state.placing.orthophoto !== null)
         this.store.dispatch({ type: 'clear' });
       this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: newId() })), truth });
       return true;
@@ -193,7 +194,7 @@ export class BlockFiles {
     }
   }
 
-  /** Takes cameras that were given with these photos; a file that holds none is put aside, and changes nothing: what is said of it. */
+  /** Takes cameras that were given with these photos; a file that cannot be used is put aside, and changes nothing: what is said of it. */
   private async takeCameras(file: File, photos: readonly FoundFile[]): Promise<string> {
     const { state } = this.store;
     const text = await file.text();
@@ -203,7 +204,8 @@ export class BlockFiles {
       await this.takeText('cameras', file);
       return '';
     }
-    return isOwnSettings(text) ? say('holds-settings', { name: file.name }) : say('holds-no-cameras', { problem: sentence(problem) });
+    if (hasField(text, OWN_SETTINGS)) return say('holds-settings', { name: file.name });
+    return say(hasField(text, 'cameras') ? 'cameras-are-put-aside' : 'holds-no-cameras', { problem: sentence(problem) });
   }
 
   /** Takes tables of control points and of image measurements; what is neither is left aside, and changes nothing. `count`: those that are said something of. */
@@ -278,9 +280,9 @@ export class BlockFiles {
   async run(): Promise<void> {
     const { shown, history } = this.store.state;
     const names = shown === null ? null : namesOf(shown.found);
-    // The same files and settings give the same block.
-    const isSame = shown !== null && shown.key === wantedKey(this.store.state);
-    const { lost, aside } = names === null || isSame ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names));
+    // The same files and settings give the same tie points.
+    const isSame = shown !== null && shown.tiePoints !== '' && shown.key === wantedKey(this.store.state);
+    const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names), isSame);
     if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
     this.tell('busy', say('keeping-the-edited-block'));
     const stays = await this.leave(say('run-it-again'));
@@ -310,17 +312,18 @@ export class BlockFiles {
   private async leave(step: string): Promise<boolean | null> {
     const { shown, truth, history, marks, placing } = this.store.state;
     const length = history.edits.length + marks.edits.length;
-    const isFound = shown !== null && !shown.view.partial && truth === null;
+    const isFound = shown !== null && !shown.view.partial && shown.view.oriented > 0 && truth === null;
     if (length === 0 && placing.placed.size === 0 && !isFound) return false;
     if (await this.putAside()) return true;
     const what = placing.placed.size > 0 ? say('what-was-placed-on-the') : say('the-block-of-these-photos');
     const edits = length === 0 ? what : length === 1 ? say('the-edit-by-hand-of') : say('the-edits-by-hand-of', { length });
-    return window.confirm(say('cannot-be-kept-in-this', { edits, step, length })) ? false : null;
+    return window.confirm(say('cannot-be-kept-in-this', { edits, step, length: Math.max(1, length) })) ? false : null;
   }
 
-  private add(found: readonly FoundFile[], aside: number, why: string): void {
+  /** `noticed`: what was said before the files were given. */
+  private add(found: readonly FoundFile[], aside: number, why: string, noticed: Notice | null): void {
     const files = new Map(this.store.state.files.map((file) => [file.name, file]));
-    const [before, noticed] = [files.size, this.store.state.notice];
+    const before = files.size;
     for (const { file, path } of found) {
       // Images of one name in two folders are told apart by their paths.
       const name = [file.name, path].find((text) => text !== '' && !files.has(text));
@@ -343,7 +346,7 @@ export class BlockFiles {
       aside > 0 ? say('skipped-not-an-image-by', { aside }) : '',
       runs || own !== null ? '' : purposeOf(this.store.state) === 'images' ? say('press-place') : sorted.length >= 2 ? say('press-run') : NEEDS_MORE,
     ].filter((note) => note !== '');
-    // Why it cannot be run was said just now.
+    // What is wrong with a file, or why the block cannot be run, was said just now.
     const { notice } = this.store.state;
     if (notes.length === 0 || (notice?.kind === 'problem' && notice !== noticed)) return;
     this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: notes.join(' '), beside: runs, passing: notes.length === 1 && why !== '' } });

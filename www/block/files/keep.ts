@@ -174,7 +174,7 @@ export class KeptBlocks implements Keepable {
     const { key, steps, seconds, score, ground } = kept;
     const view = { ...opened.view, score };
     return {
-      shown: { key, files, steps, seconds, view, given: NONE_GIVEN, found: view, edits: theSame(opened.edits, history.edits.flat()), ground },
+      shown: { key, files, steps, seconds, view, given: NONE_GIVEN, found: view, tiePoints: '', edits: theSame(opened.edits, history.edits.flat()), ground },
       kept: value as unknown as KeptShown,
       hold: opened.hold,
     };

@@ -11,7 +11,7 @@ import type { Names } from './naming';
 import type { Choice } from './selection';
 import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
-import { formerOf, nameOfFound, placesBefore, withFormer } from './former';
+import { nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
 import type { Draft, Edits } from './edited';
 import type { BlockEdit } from '../../../pkg/wasm/tiepoint.js';
 import { besideEdits } from './marks';
@@ -152,24 +152,35 @@ const NOTHING_CARRIED: CarriedOver = { history: NO_HISTORY, left: [0], lost: 0, 
 type Carried = Pick<BlockState, keyof Edits | 'marks'>;
 
 /**
- * The edits of a block that was found anew, of what the former one had, with the steps beside them; `said`: what became of them. All hold where it was
- * found as it was; one that is again what it was before, and was not edited since, has the edits that it had then.
+ * The edits of a block that was found anew, of what the former one had, with the steps beside them; `said`: what became of them. All hold where its tie
+ * points are those of the former one; where they are again those of one before it, and nothing was edited since, it has the edits of that.
  */
 export function carried({ history, marks, shown, former }: BlockState, view: BlockView): { edits: Carried; said: string } {
   if (shown === null || (history.edits.length === 0 && former.length === 0)) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
-  const [before, after] = [nameOfFound(shown.found), nameOfFound(view)];
-  const again = before === after ? null : formerOf(former, after, history);
-  if (again !== null) {
-    const held = editsInForce(again.history).length;
-    const places = placesBefore(again, marks.edits);
-    const edits = { ...UNEDITED, former, history: again.history, marks: besideEdits(marks, (after, at) => places[at] ?? after) };
-    return { edits, said: held === 0 ? '' : say('by-hand-kept', { edits: held }) };
-  }
   const names = namesOf(shown.found);
-  const found = carriedOver(history, names, namesOf(view), before === after);
+  const [before, after] = [shown.tiePoints, nameOfTiePoints(view)];
+  const isSame = before === after;
+  const way = isSame ? [] : wayBack(former, after, history);
+  const [last] = way.slice(-1);
+  if (last !== undefined) {
+    const back = way.reduce((steps, one) => {
+      const places = placesBefore(one, steps.edits);
+      return besideEdits(steps, (place, at) => places[at] ?? place);
+    }, marks);
+    return { edits: { ...UNEDITED, former, history: last.history, marks: back }, said: saidOfKept(last.history) };
+  }
+  const found = carriedOver(history, names, namesOf(view), isSame);
+  if (isSame && found.lost + found.aside.length === 0) return { edits: { ...UNEDITED, former, history, marks }, said: saidOfKept(history) };
   const { edits, said } = keptOf(found, marks, names);
+  if (before === '') return { edits, said };
   const places = marks.edits.map((step) => step.after);
-  return { edits: { ...edits, former: withFormer(former, { found: before, history, kept: found.history, left: found.left, places }) }, said };
+  const one = { tiePoints: before, history, kept: found.history, left: found.left, places };
+  return { edits: { ...edits, former: withFormer(former, one) }, said };
+}
+
+function saidOfKept(history: History<EditStep>): string {
+  const held = editsInForce(history).length;
+  return held === 0 ? '' : say('by-hand-kept', { edits: held });
 }
 
 /** The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. */
@@ -183,11 +194,10 @@ export function carriedToGround({ history, marks, shown }: BlockState, view: Blo
 const MOST_NAMED = 3;
 
 function keptOf({ history, left, lost, aside }: CarriedOver, marks: BlockState['marks'], names: Names): { edits: Carried; said: string } {
-  const held = editsInForce(history).length;
   const named = aside.slice(0, MOST_NAMED).map((step) => nameOfStep(step, names));
   const steps = [...named, ...(aside.length > MOST_NAMED ? ['…'] : [])].join(', ');
   const said = [
-    held === 0 ? '' : say('by-hand-kept', { edits: held }),
+    saidOfKept(history),
     lost === 0 ? '' : say('of-points-of-the-former', { lost }),
     aside.length === 0 ? '' : say('cannot-be-done-again', { undone: aside.length, steps }),
   ];

@@ -8,7 +8,7 @@ import type { BlockView } from './view';
 /** A block that was found, and its edits before another one took its place. */
 export interface Former {
   /** Names it. */
-  found: string;
+  tiePoints: string;
   history: History<EditStep>;
   /** What was left of them, and of the first so many steps. */
   kept: History<EditStep>;
@@ -20,8 +20,8 @@ export interface Former {
 /** So many are remembered. */
 const MOST = 20;
 
-/** Names a block by its images and its points: another one with the same has the same tie points. */
-export function nameOfFound({ images, points }: BlockView): string {
+/** Names the tie points of a block by its images and the points that its adjustment has. */
+export function nameOfTiePoints({ images, points }: BlockView): string {
   let code = 0x811c9dc5;
   const add = (value: number) => {
     code = Math.imul(code ^ (value & 0xffff), 0x01000193);
@@ -34,12 +34,20 @@ export function nameOfFound({ images, points }: BlockView): string {
 
 /** With one more. */
 export function withFormer(former: readonly Former[], one: Former): readonly Former[] {
-  return [...former.filter(({ found }) => found !== one.found), one].slice(-MOST);
+  return [...former.filter(({ tiePoints }) => tiePoints !== one.tiePoints), one].slice(-MOST);
 }
 
-/** The one that a block was, where nothing was edited since: null of any other. */
-export function formerOf(former: readonly Former[], found: string, { edits, done }: History<EditStep>): Former | null {
-  return former.find((one) => one.found === found && one.kept.edits === edits && one.kept.done === done) ?? null;
+/** The blocks from the present one back to one with these tie points, the latest first, where nothing was edited since: none where there is no such one. */
+export function wayBack(former: readonly Former[], tiePoints: string, history: History<EditStep>): readonly Former[] {
+  const way: Former[] = [];
+  let now = history;
+  for (const one of [...former].reverse()) {
+    if (one.kept.edits !== now.edits || one.kept.done !== now.done) continue;
+    way.push(one);
+    if (one.tiePoints === tiePoints) return way;
+    now = one.history;
+  }
+  return [];
 }
 
 /** After how many of its steps the steps beside them come: where they were, or after those that were left. */

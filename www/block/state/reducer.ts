@@ -6,6 +6,7 @@ import type { Notice } from '../../shared/state/notice';
 import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Shown, ViewName } from './state';
 import { BLOCK_INITIAL } from './state';
 import { UNEDITED } from './edited';
+import { nameOfTiePoints } from './former';
 import { carried, carriedToGround, reduceEdits } from './editing';
 import type { EditsAction } from './editing';
 import { givenBeside, NONE_GIVEN } from './given-points';
@@ -152,7 +153,18 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
         // The truth is that of the photos that were simulated, not of this block.
         truth: null,
         running: { kind: 'no' },
-        shown: { key: '', view: action.view, given: NONE_GIVEN, found: action.view, edits: action.edits, files: [], steps: {}, seconds: 0, ground: null },
+        shown: {
+          key: '',
+          view: action.view,
+          given: NONE_GIVEN,
+          found: action.view,
+          tiePoints: '',
+          edits: action.edits,
+          files: [],
+          steps: {},
+          seconds: 0,
+          ground: null,
+        },
       };
     case 'restored':
       return { ...BLOCK_INITIAL, catalogue: state.catalogue, ...action.restored, onStage: viewOf(action.restored) };
@@ -221,7 +233,7 @@ function withRun(state: BlockState, action: RunAction): BlockState {
     case 'part': {
       if (running.kind !== 'yes' || (state.shown !== null && !state.shown.view.partial)) return state;
       const { view, files } = action;
-      const shown = { key: running.key, view, given: NONE_GIVEN, found: view, edits: [], files, seconds: 0, steps: {}, ground: null };
+      const shown = { key: running.key, view, given: NONE_GIVEN, found: view, tiePoints: '', edits: [], files, seconds: 0, steps: {}, ground: null };
       return { ...state, shown, opened: null, ...inOther(state, view) };
     }
     case 'done': {
@@ -234,7 +246,18 @@ function withRun(state: BlockState, action: RunAction): BlockState {
         ...edits,
         ...(said === '' ? {} : { notice: { kind: 'info', text: said, beside: true } }),
         running: { kind: 'no' },
-        shown: { key, view, given: NONE_GIVEN, found: view, edits: [], files, seconds, steps: running.kind === 'yes' ? running.steps : {}, ground: null },
+        shown: {
+          key,
+          view,
+          given: NONE_GIVEN,
+          found: view,
+          tiePoints: nameOfTiePoints(view),
+          edits: [],
+          files,
+          seconds,
+          steps: running.kind === 'yes' ? running.steps : {},
+          ground: null,
+        },
       };
     }
     case 'ended':

@@ -63,6 +63,8 @@ export interface Shown {
   key: string;
   /** The block as it was found or opened: the same one whatever is edited. */
   found: BlockView;
+  /** Names its tie points; empty where no run of this page found them. */
+  tiePoints: string;
   /** The edits that the view is made of. */
   edits: readonly BlockEdit[];
   view: BlockView;

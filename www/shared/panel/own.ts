@@ -2,7 +2,7 @@
 import type { Parameter } from '../crate';
 import type { Value } from './control';
 import { readSetting, withSetting } from './settings';
-import { OWN_SETTINGS } from '../files/own-settings';
+import { OWN_SETTINGS } from '../files/json';
 import { say } from '../text/words';
 
 /** What the settings are of. */

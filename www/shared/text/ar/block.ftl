@@ -48,8 +48,8 @@ run-it-again = أعد التشغيل
 the-former-block-stays-under-projects = { $text } الكتلة السابقة باقية في المشاريع.
 remove-all-images = إزالة جميع الصور
 project = المشروع
-oriented-block = كتلة موجَّهة
-the-block-of-these-photos = كتلة هذه الصور
+oriented-block = الكتلة الموجَّهة
+the-block-of-these-photos = العمل على هذه الصور
 edited-block = الكتلة المعدلة
 the-stays-under-projects = يبقى ذلك في المشاريع: { $what }.
 what-was-placed-on-the = ما وُضع على الصورة المصححة
@@ -62,6 +62,7 @@ cannot-be-kept-in-this = لا يمكن في هذا المتصفح حفظ: { $edi
 in-the-block = { $sorted } في الكتلة.
 skipped-their-names-are-in = تُخطّيت { $twice }: أسماؤها في الكتلة من قبل.
 holds-settings = { $name } ملف إعدادات: حمّله من «الإعدادات». وُضع جانبًا.
+cameras-are-put-aside = { $problem } وُضع الملف جانبًا.
 holds-no-cameras = { $problem } لا كاميرات فيه، فوُضع جانبًا.
 is-no-table-of = نُحّي { $name } جانبًا، فليس نقاط ضبط أرضي ولا قياسات صورية: { $why }
 it-has-no-rows = لا صفوف فيه
@@ -117,7 +118,7 @@ folder-of-images = مجلد صور
 all-images-of-a-folder = جميع صور مجلد
 simulated-block = كتلة محاكاة
 photos-of-a-synthetic-scene = صور لمشهد اصطناعي تُولَّد في هذا اللسان
-removes-all-images-an-edited = يزيل جميع الصور؛ والكتلة المعدلة تبقى في المشاريع
+removes-all-images-an-edited = يزيل جميع الصور؛ والكتلة الموجَّهة أو المعدلة تبقى في المشاريع
 the-files-of-these-images = ملفات هذه الصور غير مفتوحة: أفلتها وحاول من جديد.
 the-pair-cannot-be-shown = لا يمكن عرض الزوج: { $error }.
 
@@ -556,7 +557,7 @@ where-did-each-photo-stand = أين كانت كل صورة؟
 drop-the-photographs-of-a = أفلت صور طيران أو صور جولة حول شيء، أو مجلدًا منها، في أي مكان من هذه الصفحة. تحصل على:
 nothing-leaves-this-computer-work = لا شيء يغادر هذا الحاسوب. يُحفظ العمل في هذا المتصفح: ما أُلغي من تشغيل أو انتهى مع لسانه يُتابع من هناك.
 are-placed-on-the-orthophoto =
-    موضوع منها على الصورة المصححة، كل واحدة على حدة: { $placed }؛ انظر عرض الصورة المصححة. يعرضها هذا العرض بعد تشغيلها كتلةً.
+    الموضوعة منها على الصورة المصححة، كلٌّ على حدة: { $placed }؛ انظر عرض الصورة المصححة. يعرضها هذا العرض بعد تشغيلها كتلةً.
 images-3 = الصور: { $names }: { $join }{ $what }
 go-on = متابعة
 the-screen-shows-the-former = {" "}تعرض الشاشة الكتلة السابقة.

@@ -77,6 +77,7 @@ cannot-be-kept-in-this = { $edits } cannot be kept in this browser. { $step } wi
 in-the-block = { $sorted } in the block.
 skipped-their-names-are-in = { $twice } skipped: their names are in the block already.
 holds-settings = { $name } holds settings: load it under Settings. It is put aside.
+cameras-are-put-aside = { $problem } The file is put aside.
 holds-no-cameras = { $problem } It holds no cameras and is put aside.
 is-no-table-of = { $name } is put aside, neither control points nor image measurements: { $why }
 it-has-no-rows = it has no rows
@@ -139,7 +140,7 @@ folder-of-images = Folder of images
 all-images-of-a-folder = All images of a folder
 simulated-block = Simulated block
 photos-of-a-synthetic-scene = Photos of a synthetic scene, rendered in this tab
-removes-all-images-an-edited = Removes all images; an edited block stays under Projects
+removes-all-images-an-edited = Removes all images; an oriented or edited block stays under Projects
 
 ## pair
 
