@@ -21,7 +21,7 @@ import { controlText } from '../state/words';
 import type { GivenText } from '../state/given';
 import { GroundFiles } from './ground';
 import { newId } from './ids';
-import { hasField, OWN_SETTINGS } from '../../shared/files/json';
+import { fieldsOf, OWN_SETTINGS } from '../../shared/files/json';
 import { asGiven, sortRasters } from './rasters';
 import type { BlockRuns } from './runs';
 import { kindOfTable } from './tables';
@@ -204,8 +204,9 @@ export class BlockFiles {
       await this.takeText('cameras', file);
       return '';
     }
-    if (hasField(text, OWN_SETTINGS)) return say('holds-settings', { name: file.name });
-    return say(hasField(text, 'cameras') ? 'cameras-are-put-aside' : 'holds-no-cameras', { problem: sentence(problem) });
+    const fields = fieldsOf(text);
+    if (OWN_SETTINGS in fields) return say('holds-settings', { name: file.name });
+    return say('cameras' in fields ? 'cameras-are-put-aside' : 'holds-no-cameras', { problem: sentence(problem) });
   }
 
   /** Takes tables of control points and of image measurements; what is neither is left aside, and changes nothing. `count`: those that are said something of. */

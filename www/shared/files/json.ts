@@ -3,12 +3,13 @@
 /** The field that says what settings of one's own are of. */
 export const OWN_SETTINGS = 'tiepoint_settings';
 
-/** Whether a text is an object with this field. */
-export function hasField(text: string, field: string): boolean {
+/** The fields of an object; none of any other text. */
+export function fieldsOf(text: string): Record<string, unknown> {
+  let read: unknown;
   try {
-    const read: unknown = JSON.parse(text);
-    return typeof read === 'object' && read !== null && field in read;
+    read = JSON.parse(text);
   } catch {
-    return false;
+    read = null;
   }
+  return typeof read === 'object' && read !== null ? (read as Record<string, unknown>) : {};
 }

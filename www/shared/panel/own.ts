@@ -2,7 +2,7 @@
 import type { Parameter } from '../crate';
 import type { Value } from './control';
 import { readSetting, withSetting } from './settings';
-import { OWN_SETTINGS } from '../files/json';
+import { fieldsOf, OWN_SETTINGS } from '../files/json';
 import { say } from '../text/words';
 
 /** What the settings are of. */
@@ -31,16 +31,6 @@ export function readOwn<T extends object>(text: string, of: Subject, parameters:
       throw new Error(say('is-not-allowed', { label: parameter.label, value: JSON.stringify(value) }));
     return withSetting(settings, key, value as Value);
   }, defaults);
-}
-
-function fieldsOf(text: string): Record<string, unknown> {
-  let read: unknown;
-  try {
-    read = JSON.parse(text);
-  } catch {
-    read = null;
-  }
-  return typeof read === 'object' && read !== null ? (read as Record<string, unknown>) : {};
 }
 
 /** By what the crate says of the parameter. `optional`: whether it may be absent. */
