@@ -117,10 +117,19 @@ test('a control point is measured where it is predicted, used as check point, le
   await says(page, 'block-points-caption', new RegExp(`${before.replaceAll(/[\u202f ]/gu, '.')}$`));
   await part(page, 'block-points-clear').click();
 
-  // What was done to surveyed points holds for a new run; what was done to tie points does not, and stays with the former block.
+  // All holds for a new run that finds the same tie points. Of one that finds others, what was done to surveyed points holds; what was done to tie
+  // points does not, and stays with the former block.
   await page.locator('[data-testid="block-points"] tbody tr:not(.filler)').first().click();
   await page.keyboard.press('Delete');
   await undoIs(page, /^Undo: reject 1 point \(/);
+  await part(page, 'block-run').click();
+  await status(page, /[2-9] edits by hand were kept\.$/);
+  await undoIs(page, /^Undo: reject 1 point \(/);
+  if (await page.locator('#panel-block-settings').isHidden()) await part(page, 'block-settings').click();
+  const unfold = page.locator('#panel-block-settings [data-testid="all-settings"]');
+  if ((await unfold.textContent()) === 'Unfold all') await unfold.click();
+  await page.locator('#panel-block-settings [data-key="multiscale.number"]').first().fill('300');
+  await part(page, 'close-block-settings').click();
   await part(page, 'block-run').click();
   await status(page, /edits by hand were kept\. 1 edit of points of the former block does not apply to the new one\. The former block stays under Projects\./);
   await part(page, 'tab-block-surveyed').click();
