@@ -1,10 +1,10 @@
-//! Photos placed on an orthophoto of the scene that they show: errors beside standard errors, and photos of another scene, which must not be
-//! placed. Arguments: first seed, number of seeds.
+//! Photos placed on an orthophoto of the scene that they show: errors beside standard errors; with heights that are not those of the scene; and photos of
+//! another scene, which must not be placed. Arguments: first seed, number of seeds.
 
 use std::process::ExitCode;
 use tiepoint::{
-    BlockFlight, BlockScene, BlockView, Camera, CameraUncertainty, Orthophoto, PlacingCamera, PlacingOptions, PlacingVerdict, SearchArea,
-    place_image,
+    BlockFlight, BlockScene, BlockView, Camera, CameraUncertainty, HeightModel, Heights, Orthophoto, PlacingCamera, PlacingOptions,
+    PlacingVerdict, SearchArea, place_image,
 };
 
 const CALIBRATED: CameraUncertainty = CameraUncertainty { focal: 0.0, principal_point: 0.0, k1: 0.0 };
@@ -59,6 +59,30 @@ fn trial(scene: &BlockScene, index: usize, area: &(Orthophoto, SearchArea), came
     tally.squares.iter_mut().zip(ratios).for_each(|(all, ratio)| all.push(ratio * ratio));
 }
 
+/// Heights that are not those of the scene, by the right ones and those of the place across the middle, about their mean.
+const WRONG_HEIGHTS: [(&str, fn(f64, f64) -> f64); 5] = [
+    ("feet taken as metres", |own, _| 3.28084 * own),
+    ("metres taken as feet", |own, _| 0.3048 * own),
+    ("half of them", |own, _| 0.5 * own),
+    ("one level", |_, _| 0.0),
+    ("those of other ground", |_, other| other),
+];
+
+/// An orthophoto with other heights.
+fn with_heights(orthophoto: &Orthophoto, height: fn(f64, f64) -> f64) -> Orthophoto {
+    let (georeference, [width, height_px]) = (orthophoto.georeference, orthophoto.size());
+    let at = |k: usize| {
+        let position = [(k % width) as f64 + 0.5, (k / width) as f64 + 0.5];
+        orthophoto.heights.at(georeference.ground(position)).expect("heights everywhere")
+    };
+    let own: Vec<f64> = (0..width * height_px).map(at).collect();
+    let mean = own.iter().sum::<f64>() / own.len() as f64;
+    let other = own.iter().rev();
+    let values = own.iter().zip(other).map(|(own, other)| (mean + height(own - mean, other - mean)) as f32).collect();
+    let model = HeightModel::new(width, height_px, values, georeference).expect("heights of the earth");
+    Orthophoto::new(orthophoto.grey().expect("less than 100 MP"), georeference, Heights::Model(model)).expect("a place")
+}
+
 fn options() -> PlacingOptions {
     PlacingOptions { points: 4000, ..PlacingOptions::default() }
 }
@@ -86,6 +110,21 @@ fn main() -> ExitCode {
             );
             wrong += tally.wrong;
         }
+    }
+    for (name, height) in WRONG_HEIGHTS {
+        let mut tally = Tally::default();
+        println!("calibrated, {name}");
+        for (kind, seed) in [0, 1].into_iter().flat_map(|kind| (first..first + seeds).map(move |seed| (kind, seed))) {
+            let scene = BlockScene::new(&flights(seed)[kind].1).expect("a flight that can be flown");
+            let orthophoto = with_heights(&scene.orthophoto(0.5).expect("an orthophoto of less than 100 MP"), height);
+            let area = SearchArea::new(&orthophoto, &options()).expect("options within their ranges");
+            let area = (orthophoto, area);
+            (0..scene.photos()).for_each(|index| trial(&scene, index, &area, &CAMERAS[0], &mut tally));
+        }
+        println!(
+            "town and open, calibrated, {name}: {} photos, {} placed, {} weak; {} placed and off by more than ten standard errors or 1°",
+            tally.photos, tally.placed, tally.weak, tally.wrong
+        );
     }
     // Photos of one town on the orthophoto of another.
     let other = BlockScene::new(&flights(first + 1000)[0].1).expect("a flight that can be flown");

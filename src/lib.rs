@@ -95,10 +95,10 @@ pub use orientation::{
     PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, model_points, orient_relative, orient_relative_with,
 };
 pub use orthophoto::{
-    BlockLinks, Georeference, GivenLink, GivenUse, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced, Orthophoto,
-    PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, SearchArea,
-    ground_positions, heights_of_points, image_positions, links_table, place_by_links, place_image, place_recorded, placed_table, rectify,
-    rectify_placed, write_geotiff, write_heights,
+    BlockLinks, Georeference, GivenLink, GivenUse, HeightFactor, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced,
+    Orthophoto, PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, Relief,
+    SearchArea, ground_positions, heights_of_points, image_positions, links_table, place_by_links, place_image, place_recorded,
+    placed_table, rectify, rectify_placed, write_geotiff, write_heights,
 };
 pub use outputs::{
     AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,

@@ -1663,6 +1663,14 @@ export interface Factors95 {
 }
 
 /**
+ * By what the differences of the heights from their mean would have to be multiplied to fit the image best.
+ */
+export interface HeightFactor {
+    factor: number;
+    standard_error: number;
+}
+
+/**
  * Errors that GNSS positions share.
  */
 export type GnssErrors = "none" | "offset" | "strip-offsets" | "strip-drifts";
@@ -1753,7 +1761,7 @@ export type PointPosition = "quadratic" | "forstner";
 /**
  * How an image with a GNSS position was sought on an orthophoto whose system is known.
  */
-export type PlaceSearch = { kind: "gnss"; within_m: number } | { kind: "beyond_gnss"; within_m: number };
+export type PlaceSearch = { kind: "gnss"; within_m: number; plan_m?: number } | { kind: "apart_from_gnss"; plan_m: number; usual_m: number } | { kind: "beyond_gnss"; within_m: number };
 
 /**
  * How far a stage is.
@@ -3506,6 +3514,10 @@ export interface Placement {
     coverage: number;
     links: Link[];
     checks: LinkChecks | null;
+    /**
+     * What the image says of the heights.
+     */
+    relief?: Relief;
 }
 
 /**
@@ -4223,7 +4235,7 @@ export type CameraCaution = { kind: "resized"; taken_width_px: number; taken_hei
 /**
  * What speaks against the orientation of an image on an orthophoto.
  */
-export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "rejected"; rejected: number; links: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "plan"; height_m: number; half_width_m: number } | { kind: "camera"; camera_parameter: CameraParameter; estimated_px: number; prior_px: number; apart: number } | { kind: "noise"; rmse_px: number; usual_px: number };
+export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "rejected"; rejected: number; links: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "plan"; height_m: number; half_width_m: number } | { kind: "camera"; camera_parameter: CameraParameter; estimated_px: number; prior_px: number; apart: number } | { kind: "height_factor"; factor: number; standard_error: number } | { kind: "relief"; displaced: number } | { kind: "noise"; rmse_px: number; usual_px: number };
 
 /**
  * What the adjustment says of an observed position; 0 for a coordinate that was not observed.
@@ -4303,6 +4315,21 @@ export type ControlRole = "control" | "check";
  * What the difference of two moments is divided by.
  */
 export type Denominator = "maxabs" | "floor";
+
+/**
+ * What the image says of the heights of the ground.
+ */
+export interface Relief {
+    /**
+     * Absent where the ground has no relief by which it could be told.
+     */
+    factor?: HeightFactor;
+    /**
+     * The share of the cells of the image, of those with enough points, whose points lie together elsewhere than the heights put them. Absent where there
+     * are few such cells.
+     */
+    displaced?: number;
+}
 
 /**
  * What the links say that took no part.

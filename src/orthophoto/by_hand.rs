@@ -11,6 +11,7 @@ use super::placement::{Part, moved, placement};
 use super::precision::total_errors;
 use super::rectify::Seen;
 use super::reference::Orthophoto;
+use super::relief::{Relief, height_factor};
 use super::verdict::verdict;
 use crate::error::refuse;
 use crate::{Camera, Error, Failure, Few, Location, Refusal};
@@ -127,7 +128,9 @@ pub fn place_by_links(
     };
     let (camera, pose) = (result.block.cameras[0], result.block.images[0].pose);
     let over = Over { image: &[], camera, pose, reference, georeference, heights: &heights };
-    let mut placement = placement(&over, &found, &parts, &result, &total_errors(&result, known));
+    // The heights are what they were where the image was placed.
+    let relief = Relief { factor: height_factor(&result, known), displaced: start.and_then(|start| start.relief.displaced) };
+    let mut placement = placement(&over, &found, &parts, &result, &total_errors(&result, known), relief);
     placement.links.iter_mut().zip(links).for_each(|(link, given)| link.by_hand = given.by_hand);
     let placement = moved(placement, first);
     // What somebody rejected contradicts nothing.

@@ -9,6 +9,7 @@ use super::placement::{Part, moved, placement};
 use super::precision::total_errors;
 use super::rectify::Seen;
 use super::reference::Orthophoto;
+use super::relief::{Relief, displaced, height_factor};
 use super::search_area::of_number;
 use crate::two_view::Support;
 use crate::{Camera, Error, Failure, FeatureOptions, GreyView, Pose};
@@ -39,19 +40,20 @@ pub(super) fn confirmed(
     let has_model = matches!(heights, Heights::Model(_));
     let errors = PlaceErrors::new(options, georeference.gsd(), has_model);
     let features = of_number(options.points);
-    if let Err(refused) = coarse(&mut over, known, errors, &features)? {
-        return Ok(Err(refused));
-    }
-    fine(&mut over, known, errors, &features, options).map(|fine| fine.map(|placement| moved(placement, first)))
+    let everywhere = match coarse(&mut over, known, errors, &features)? {
+        Ok(links) => links,
+        Err(refused) => return Ok(Err(refused)),
+    };
+    fine(&mut over, known, errors, &features, options, &everywhere).map(|fine| fine.map(|placement| moved(placement, first)))
 }
 
-/// Links over a coarse picture orient the image better, and say whether it is there at all.
+/// Links over a coarse picture, wherever they are found: they orient the image better, and say whether it is there at all.
 fn coarse(
     over: &mut Over<'_>,
     known: &PlacingCamera,
     errors: PlaceErrors,
     features: &FeatureOptions,
-) -> Result<Result<(), NotPlaced>, Error> {
+) -> Result<Result<Vec<Found>, NotPlaced>, Error> {
     let links = over.links(&COARSE, features)?;
     let refused = |agreeing: usize| Ok(Err(NotPlaced::NotConfirmed { links: links.len(), agreeing }));
     if links.len() < LEAST_LINKS {
@@ -71,16 +73,18 @@ fn coarse(
         return refused(agreeing);
     }
     (over.camera, over.pose) = (result.block.cameras[0], result.block.images[0].pose);
-    Ok(Ok(()))
+    Ok(Ok(links))
 }
 
-/// Links over the finest picture that both have, the adjustment by most of them and what the others say of it.
+/// Links over the finest picture that both have, the adjustment by most of them and what the others say of it. `everywhere`: links that were sought
+/// farther away.
 fn fine(
     over: &mut Over<'_>,
     known: &PlacingCamera,
     errors: PlaceErrors,
     features: &FeatureOptions,
     options: &PlacingOptions,
+    everywhere: &[Found],
 ) -> Result<Result<Placement, NotPlaced>, Error> {
     let links = over.links(&FINE, features)?;
     let parts = checks(links.len(), options.check_share);
@@ -93,7 +97,8 @@ fn fine(
         Err(error) => return Ok(Err(NotPlaced::Failed { failure: Failure::from(&error) })),
     };
     (over.camera, over.pose) = (result.block.cameras[0], result.block.images[0].pose);
-    let mut placement = placement(over, &links, &parts, &result, &total_errors(&result, known));
+    let relief = Relief { factor: height_factor(&result, known), displaced: displaced(everywhere, &over.camera, &over.pose) };
+    let mut placement = placement(over, &links, &parts, &result, &total_errors(&result, known), relief);
     placement.links.retain(|link| link.residual_px.is_some());
     Ok(Ok(placement))
 }

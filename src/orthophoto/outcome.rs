@@ -1,5 +1,6 @@
 //! What comes of placing an image: its orientation in the system of the orthophoto, and what that is worth.
 
+use super::relief::Relief;
 use crate::message::messages;
 use crate::{Camera, CameraParameter, Failure, Pose};
 use serde::{Deserialize, Serialize};
@@ -40,6 +41,10 @@ messages! {
         Plan { height_m: f64, half_width_m: f64 },
         /// The camera that the links ask for is not the one that was known: so many standard deviations of what was known apart.
         Camera { camera_parameter: CameraParameter, estimated_px: f64, prior_px: f64, apart: f64 },
+        /// The heights would have to be so many times what they are about their mean.
+        HeightFactor { factor: f64, standard_error: f64 },
+        /// In this share of the image points lie together elsewhere than the heights put them.
+        Relief { displaced: f64 },
         /// Links disagree far more than those of good pictures do.
         Noise { rmse_px: f64, usual_px: f64 },
     }
@@ -64,8 +69,14 @@ messages! {
     #[serde(tag = "kind", rename_all = "snake_case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     pub enum PlaceSearch as "place_search" {
-        /// It was found about its position.
-        Gnss { within_m: f64 },
+        /// It was found about its position, so far from it in plan.
+        Gnss {
+            within_m: f64,
+            #[serde(default)]
+            plan_m: f64,
+        },
+        /// It was found farther from its position, in plan, than receivers of cameras err.
+        ApartFromGnss { plan_m: f64, usual_m: f64 },
         /// It was not: all that may be searched was.
         BeyondGnss { within_m: f64 },
     }
@@ -141,6 +152,9 @@ pub struct Placement {
     pub coverage: f64,
     pub links: Vec<Link>,
     pub checks: Option<LinkChecks>,
+    /// What the image says of the heights.
+    #[serde(default)]
+    pub relief: Relief,
 }
 
 /// An image with its verdict.

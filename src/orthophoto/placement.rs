@@ -4,6 +4,7 @@ use super::links::{Found, Over};
 use super::outcome::{Link, LinkChecks, LinkUse, Placement};
 use super::precision::TotalErrors;
 use super::rectify::Seen;
+use super::relief::Relief;
 use crate::{AdjustmentResult, Camera, ObservationVerdict};
 
 /// Residuals of check links beyond so many standard errors are gross errors.
@@ -20,7 +21,14 @@ pub(super) enum Part {
 }
 
 /// What comes of an adjustment, whose rays are the links that take part in their order.
-pub(super) fn placement(over: &Over<'_>, links: &[Found], parts: &[Part], result: &AdjustmentResult, errors: &TotalErrors) -> Placement {
+pub(super) fn placement(
+    over: &Over<'_>,
+    links: &[Found],
+    parts: &[Part],
+    result: &AdjustmentResult,
+    errors: &TotalErrors,
+    relief: Relief,
+) -> Placement {
     let (camera, pose) = (over.camera, over.pose);
     let seen = Seen::new(&camera, &pose);
     let mut rays = result.rays.iter();
@@ -54,6 +62,7 @@ pub(super) fn placement(over: &Over<'_>, links: &[Found], parts: &[Part], result
         coverage: coverage(&camera, &links),
         checks: check_links(&links, gsd_m),
         links,
+        relief,
     }
 }
 

@@ -3,12 +3,13 @@
 use super::adjusting::PlacingCamera;
 use crate::adjustment::{image_errors, linearise};
 use crate::camera::CAMERA_PARAMETERS;
-use crate::{AdjustmentResult, Camera, ObservationVerdict};
+use crate::{AdjustmentResult, BlockObservation, Camera, ObservationStatistics, ObservationVerdict};
 use nalgebra::{DMatrix, DVector};
+use std::collections::BTreeMap;
 
 /// Cells on the longer side of the image within which links may share errors.
 const CELLS: f64 = 10.0;
-const OF_IMAGE: usize = 6;
+pub(super) const OF_IMAGE: usize = 6;
 
 /// Standard deviations of errors that all links share, as shares of the root mean square of a residual: of a shift along both axes; at the
 /// edge of the image, of what grows with x and with y along both axes; of what grows outwards, with the third power, and with the height of
@@ -80,51 +81,91 @@ pub(super) fn total_errors(result: &AdjustmentResult, known: &PlacingCamera) -> 
     }
 }
 
+/// An accepted observation, with the derivatives of its column and row.
+pub(super) struct Row {
+    pub at: [f64; 2],
+    pub place: [f64; 3],
+    pub weight: f64,
+    pub residual_px: [f64; 2],
+    /// By the unknowns of the image, then by what is estimated of the camera.
+    pub by_unknowns: [DVector<f64>; 2],
+    pub by_height: [f64; 2],
+}
+
+/// The parameters of the camera that an adjustment estimated.
+pub(super) fn estimated(result: &AdjustmentResult) -> Vec<usize> {
+    (0..CAMERA_PARAMETERS).filter(|k| result.cameras[0].standard_errors[*k].is_some()).collect()
+}
+
+/// `free`: of [`estimated`].
+pub(super) fn accepted_rows(result: &AdjustmentResult, free: &[usize]) -> Vec<Row> {
+    let (values, pose) = (result.block.cameras[0].values(), &result.block.images[0].pose);
+    let accepted = result.block.rays.iter().zip(&result.rays).filter(|(_, statistics)| statistics.verdict == ObservationVerdict::Accepted);
+    let row = |(ray, statistics): (&BlockObservation, &ObservationStatistics)| {
+        let place = result.block.points[ray.point];
+        let line = linearise(&values, pose, &place);
+        let by_unknowns = [0, 1].map(|axis| {
+            let of_camera = free.iter().map(|k| line.by_camera[axis][*k]);
+            DVector::from_iterator(OF_IMAGE + free.len(), line.by_image[axis].into_iter().chain(of_camera))
+        });
+        let by_height = line.by_point.map(|by_point| by_point[2]);
+        Row { at: [ray.x_px, ray.y_px], place, weight: ray.weight, residual_px: statistics.residual_px, by_unknowns, by_height }
+    };
+    accepted.map(row).collect()
+}
+
+/// What holds the unknowns of the camera: which, and its weight.
+pub(super) fn prior_weights<'a>(free: &'a [usize], known: &PlacingCamera, sigma0: f64) -> impl Iterator<Item = (usize, f64)> + use<'a> {
+    let sigma = known.prior().sigma;
+    free.iter().enumerate().filter_map(move |(column, k)| {
+        let weight = sigma0 / sigma[*k]? * (sigma0 / sigma[*k]?);
+        Some((OF_IMAGE + column, weight))
+    })
+}
+
+/// The squares of the sums in each cell of the image, which errors that its links share enlarge. Absent where all lie in one.
+pub(super) fn in_cells(camera: &Camera, weighted: impl Iterator<Item = ([f64; 2], DVector<f64>)>, unknowns: usize) -> Option<DMatrix<f64>> {
+    let side = f64::from(camera.width_px.max(camera.height_px)) / CELLS;
+    let mut sums = BTreeMap::new();
+    for (at, vector) in weighted {
+        *sums.entry(at.map(|v| (v / side) as i64)).or_insert_with(|| DVector::<f64>::zeros(unknowns)) += vector;
+    }
+    let cells = sums.len() as f64;
+    let middle =
+        || sums.values().fold(DMatrix::zeros(unknowns, unknowns), |middle, sum| middle + cells / (cells - 1.0) * sum * sum.transpose());
+    (cells >= 2.0).then(middle)
+}
+
 fn clustered(result: &AdjustmentResult, known: &PlacingCamera) -> Option<TotalErrors> {
     let (camera, pose) = (&result.block.cameras[0], &result.block.images[0].pose);
-    let free: Vec<usize> = (0..CAMERA_PARAMETERS).filter(|k| result.cameras[0].standard_errors[*k].is_some()).collect();
+    let free = estimated(result);
     let unknowns = OF_IMAGE + free.len();
     let sigma0 = result.sigma0_px?;
-    let side = f64::from(camera.width_px.max(camera.height_px)) / CELLS;
     let mut normal = DMatrix::<f64>::zeros(unknowns, unknowns);
     let mut fields = vec![DVector::<f64>::zeros(unknowns); SHARED.len()];
     let heights = Spread::of(result);
     let mut squares = Spread::default();
-    let mut sums = std::collections::BTreeMap::new();
-    let values = camera.values();
-    for (ray, statistics) in result.block.rays.iter().zip(&result.rays) {
-        if statistics.verdict != ObservationVerdict::Accepted {
-            continue;
-        }
-        let line = linearise(&values, pose, &result.block.points[ray.point]);
-        let cell = [ray.x_px, ray.y_px].map(|v| (v / side) as i64);
-        let sum = sums.entry(cell).or_insert_with(|| DVector::<f64>::zeros(unknowns));
-        let by_field = shifts(camera, [ray.x_px, ray.y_px], heights.standardised(result.block.points[ray.point][2]));
-        for row in 0..2 {
-            squares.add(statistics.residual_px[row]);
-            let of_camera = free.iter().map(|k| line.by_camera[row][*k]);
-            let a = DVector::from_iterator(unknowns, line.by_image[row].into_iter().chain(of_camera));
-            normal += ray.weight * &a * a.transpose();
-            *sum += ray.weight * statistics.residual_px[row] * &a;
-            fields.iter_mut().zip(by_field).for_each(|(field, shift)| *field += ray.weight * shift[row] * &a);
+    let rows = accepted_rows(result, &free);
+    for row in &rows {
+        let by_field = shifts(camera, row.at, heights.standardised(row.place[2]));
+        for (axis, a) in row.by_unknowns.iter().enumerate() {
+            squares.add(row.residual_px[axis]);
+            normal += row.weight * a * a.transpose();
+            fields.iter_mut().zip(by_field).for_each(|(field, shift)| *field += row.weight * shift[axis] * a);
         }
     }
-    let cells = sums.len() as f64;
-    if cells < 2.0 {
-        return None;
-    }
-    let mut middle = DMatrix::<f64>::zeros(unknowns, unknowns);
-    for sum in sums.values() {
-        middle += cells / (cells - 1.0) * sum * sum.transpose();
-    }
+    let weighted = rows.iter().map(|row| {
+        let one = |axis: usize| row.weight * row.residual_px[axis] * &row.by_unknowns[axis];
+        (row.at, one(0) + one(1))
+    });
+    let mut middle = in_cells(camera, weighted, unknowns)?;
     let rms_px = squares.square_mean().sqrt();
     for (field, share) in fields.iter().zip(SHARED) {
         middle += share * rms_px * (share * rms_px) * field * field.transpose();
     }
-    for (column, sigma) in free.iter().enumerate().filter_map(|(column, k)| Some((OF_IMAGE + column, known.prior().sigma[*k]?))) {
-        let weight = sigma0 / sigma * (sigma0 / sigma);
-        normal[(column, column)] += weight;
-        middle[(column, column)] += weight * weight * sigma * sigma;
+    for (k, weight) in prior_weights(&free, known, sigma0) {
+        normal[(k, k)] += weight;
+        middle[(k, k)] += weight * sigma0 * sigma0;
     }
     let inverse = normal.try_inverse()?;
     let covariance = &inverse * middle * &inverse;

@@ -36,7 +36,27 @@ pub fn place_recorded(
         // A position beside the orthophoto has no surroundings on it.
         dense: || area.is_sparse.then(|| SearchArea::new(reference, &about).ok()).flatten(),
     };
-    areas.searched(within_m, |area| place_image(image, known, reference, area, options))
+    let placed = areas.searched(within_m, |area| place_image(image, known, reference, area, options))?;
+    Ok(beside_position(placed, position, &on_map))
+}
+
+/// Receivers of cameras are right to some 10 m: three times that, or what they state themselves, are no usual error.
+const USUAL_M: f64 = 30.0;
+const STATED: f64 = 3.0;
+
+/// With how far the image was placed from its position in plan: heights of another ground and another system of the orthophoto show there alone.
+fn beside_position(placed: PlacedImage, position: Option<&ExifPosition>, on_map: &RecordedPlace) -> PlacedImage {
+    let Some(placement) = &placed.placement else { return placed };
+    let [x, y] = [0, 1].map(|k| placement.pose.position[k] - on_map.place[k]);
+    let plan_m = on_map.unit_m * libm::hypot(x, y);
+    let stated_m = position.and_then(|position| position.error_m).unwrap_or(0.0);
+    let usual_m = USUAL_M.max(STATED * stated_m);
+    let search = match placed.search {
+        _ if plan_m > usual_m => Some(PlaceSearch::ApartFromGnss { plan_m, usual_m }),
+        Some(PlaceSearch::Gnss { within_m, .. }) => Some(PlaceSearch::Gnss { within_m, plan_m }),
+        other => other,
+    };
+    PlacedImage { search, ..placed }
 }
 
 /// Where an image that records its position is sought.
@@ -59,14 +79,14 @@ impl<D: FnOnce() -> Option<SearchArea>> Areas<'_, D> {
         if near.as_ref().is_none_or(|near| !near.features.is_empty()) {
             let placed = search(near.as_ref().unwrap_or(all))?;
             if found(&placed) {
-                return of(placed, PlaceSearch::Gnss { within_m });
+                return of(placed, PlaceSearch::Gnss { within_m, plan_m: 0.0 });
             }
             of_all = near.is_none().then_some(placed);
         }
         if let Some(dense) = dense() {
             let placed = search(&dense)?;
             if found(&placed) {
-                return of(placed, PlaceSearch::Gnss { within_m });
+                return of(placed, PlaceSearch::Gnss { within_m, plan_m: 0.0 });
             }
         }
         let placed = of_all.map_or_else(|| search(all), Ok)?;

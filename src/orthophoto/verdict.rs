@@ -2,6 +2,7 @@
 
 use super::adjusting::PlacingCamera;
 use super::outcome::{LinkUse, Placement, PlacingVerdict, PlacingWeakness};
+use super::relief::HeightFactor;
 use crate::CameraParameter;
 use crate::camera::CameraUncertainty;
 use crate::math::student_limit;
@@ -17,6 +18,12 @@ const BEYOND_BY_CHANCE: f64 = 3.0;
 const MOST_WIDTH: f64 = 0.05;
 /// Root mean square length of the residuals above which links are no good ones, in px.
 const USUAL_RMSE_PX: f64 = 3.0;
+
+/// The heights are not those of the ground where the factor that the links ask for is beyond these, and so many standard errors from 1; and where more than
+/// this share of the image is displaced.
+const USUAL_FACTOR: [f64; 2] = [0.75, 1.33];
+const FACTOR_APART: f64 = 4.0;
+const MOST_DISPLACED: f64 = 0.1;
 
 /// A parameter of the camera contradicts what was known of it where it is more than so many of its standard deviations off, which chance brings in one of
 /// twenty, and so large a share of the focal length: what is known to a tenth of that is not worth a doubt.
@@ -55,6 +62,9 @@ fn weakness(placement: &Placement, known: &PlacingCamera, links: usize) -> Optio
     if rejected > links {
         return Some(PlacingWeakness::Rejected { rejected, links: rejected + links });
     }
+    if let Some(contradiction) = of_heights(placement) {
+        return Some(contradiction);
+    }
     let (height_m, [x, y, z]) = (placement.above_ground_m, half_widths(placement));
     if !(z <= MOST_WIDTH * height_m) {
         return Some(PlacingWeakness::Height { height_m, half_width_m: z });
@@ -67,6 +77,21 @@ fn weakness(placement: &Placement, known: &PlacingCamera, links: usize) -> Optio
     }
     let rmse_px = placement.rmse_px;
     (rmse_px > USUAL_RMSE_PX).then_some(PlacingWeakness::Noise { rmse_px, usual_px: USUAL_RMSE_PX })
+}
+
+/// What the image says against the heights.
+fn of_heights(placement: &Placement) -> Option<PlacingWeakness> {
+    let [low, high] = USUAL_FACTOR;
+    let is_wrong = |HeightFactor { factor, standard_error }: &HeightFactor| {
+        !(low..=high).contains(factor) && (factor - 1.0).abs() > FACTOR_APART * standard_error
+    };
+    let factor = placement.relief.factor.filter(is_wrong).map(|wrong| {
+        let HeightFactor { factor, standard_error } = wrong;
+        PlacingWeakness::HeightFactor { factor, standard_error }
+    });
+    factor.or_else(|| {
+        placement.relief.displaced.filter(|share| *share > MOST_DISPLACED).map(|displaced| PlacingWeakness::Relief { displaced })
+    })
 }
 
 /// What of the focal length and the principal point contradicts most what was known. What nobody knew contradicts nothing.
@@ -94,7 +119,7 @@ fn contradiction(placement: &Placement, known: &PlacingCamera) -> Option<Placing
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::orthophoto::{Link, LinkUse};
+    use crate::orthophoto::{Link, LinkUse, Relief};
     use crate::{Camera, Pose};
 
     fn placement(camera: Camera) -> Placement {
@@ -121,6 +146,7 @@ mod tests {
             coverage: 1.0,
             links: (0..100).map(link).collect(),
             checks: None,
+            relief: Relief::default(),
         }
     }
 
