@@ -5290,6 +5290,42 @@ function mountProgress(host, store) {
 		fill(body, ...begun);
 	});
 }
+function progressBar(store) {
+	const bar = h("progress", { testid: "block-bar" });
+	store.watch(["running", "placing"], ([running, placing]) => {
+		const { label, done, total, counts } = runsNow(running, placing) ?? NOTHING;
+		bar.classList.toggle("is-on", total > 1);
+		bar.max = Math.max(1, total);
+		bar.value = done;
+		bar.setAttribute("aria-label", label);
+		if (counts) bar.setAttribute("aria-valuetext", say("of-3", {
+			done,
+			total,
+			what: ""
+		}));
+		else bar.removeAttribute("aria-valuetext");
+	});
+	return bar;
+}
+var NOTHING = {
+	label: say("progress-of-the-run"),
+	done: 0,
+	total: 0,
+	counts: false
+};
+function runsNow(running, { running: placed }) {
+	if (running.kind !== "yes") return placed === null ? null : {
+		...placed,
+		label: placed.text,
+		counts: true
+	};
+	const [name, step] = present(running.steps) ?? [];
+	return name === void 0 || step === void 0 ? null : {
+		...step,
+		label: STAGES[name],
+		counts: !OF_ONE_PIECE.has(name)
+	};
+}
 function stage(name, step) {
 	const line = (...parts) => h("div", {
 		class: "stage-line",
@@ -5313,9 +5349,13 @@ function stepText$1(stage, { done, total, found, seconds, secondsLeft, name }) {
 		goesOn ? name ?? "" : ""
 	].filter((part) => part !== "").join("; ");
 }
-function runText(steps) {
+function present(steps) {
 	const name = NAMES$2.findLast((stage) => steps[stage] !== void 0);
 	const step = name === void 0 ? void 0 : steps[name];
+	return name === void 0 || step === void 0 ? null : [name, step];
+}
+function runText(steps) {
+	const [name, step] = present(steps) ?? [];
 	return name === void 0 || step === void 0 ? say("starting") : `${STAGES[name]}: ${stepText$1(name, step)}`;
 }
 function duration(seconds) {
@@ -12506,7 +12546,7 @@ function mountBlockStatus(store, actions, details) {
 		else actions.run();
 	});
 	const cancel = button(say("cancel"), "block-cancel", actions.cancel);
-	const buttons = h("div", { class: "answer-actions" }, run, cancel, details);
+	const buttons = h("div", { class: "answer-actions" }, progressBar(store), run, cancel, details);
 	const card = h("div", {
 		class: "answer",
 		testid: "block-answer"
