@@ -2615,9 +2615,9 @@ function matchesOf({ outcome }) {
 function mostMatches({ connections }) {
 	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
 }
-function describe({ view, given }, choice) {
+function describe({ view, given }, choice, gsd = "") {
 	switch (choice.kind) {
-		case "image": return describeImage(view, choice.image);
+		case "image": return describeImage(view, choice.image, gsd);
 		case "images": return describeImages(view, choice.images);
 		case "pair": return describePair(view, choice.images);
 		case "point": return describePoint(view, choice.point);
@@ -2626,7 +2626,7 @@ function describe({ view, given }, choice) {
 		case "given": return describeGiven(given, choice.name);
 	}
 }
-function describeImage(view, index) {
+function describeImage(view, index, gsd) {
 	const image = view.images[index];
 	if (image === void 0) return "";
 	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
@@ -2642,6 +2642,7 @@ function describeImage(view, index) {
 			images: view.images.length - 1
 		}),
 		image.rmsePx === null ? "" : say("rmse-px-3", { rmse_px: image.rmsePx }),
+		gsd,
 		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
 		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
 	].filter((part) => part !== "").join("; ")}.`;
@@ -3346,12 +3347,12 @@ function orthophotoText({ raster, info: { width, height, gsd, epsg } }) {
 		name: raster.name,
 		width,
 		height,
-		gsd: gsdText(gsd),
+		gsd: gsdText$1(gsd),
 		what: epsg === null ? "" : say("epsg", { epsg }),
 		by
 	});
 }
-function gsdText(gsd) {
+function gsdText$1(gsd) {
 	return say("metres", { value: Number(gsd.toPrecision(3)) });
 }
 function named(rasters) {
@@ -7839,6 +7840,25 @@ var MATRIX_VIEW = {
 		};
 	}
 };
+// www/block/state/ground.ts
+function systemOf(view, ground) {
+	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
+	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
+}
+var medianGsd = remember((view, ground) => {
+	if (ground === null || systemOf(view, ground) === "own") return null;
+	return numberOf(median([...ground.gsd].filter(Number.isFinite)));
+});
+function gsdOf(view, ground, image) {
+	return ground === null || systemOf(view, ground) === "own" ? null : numberOf(ground.gsd[image] ?? NaN);
+}
+function median(values) {
+	const sorted = Float64Array.from(values).sort();
+	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+}
+function numberOf(value) {
+	return Number.isFinite(value) ? value : null;
+}
 // www/block/state/laid.ts
 var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
 	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
@@ -8030,7 +8050,10 @@ function ticks(from, to, step) {
 	const first = Math.ceil(from / step);
 	return Array.from({ length: Math.min(100, Math.max(0, Math.floor(to / step) - first + 1)) }, (_, i) => (first + i) * step);
 }
-function paintScale(context, colours, t, height, system) {
+function gsdText(gsd) {
+	return say("gsd", { gsd: lengthText(gsd, "geographic") });
+}
+function paintScale(context, colours, t, height, system, gsd = null) {
 	const length = niceBelow(BAR / t.scale);
 	const wide = length * t.scale;
 	const [left, base] = [12, height - 12];
@@ -8048,6 +8071,8 @@ function paintScale(context, colours, t, height, system) {
 	context.font = "11px system-ui, sans-serif";
 	context.textAlign = "center";
 	haloed(context, colours, lengthText(length, system), left + wide / 2, base - 6);
+	context.textAlign = "left";
+	if (gsd !== null) haloed(context, colours, asSentence(gsdText(gsd)), left + wide + 12, base);
 	context.restore();
 }
 function paintNorth(context, colours, width, system) {
@@ -8791,10 +8816,6 @@ async function copyOf(file) {
 	}
 }
 // www/block/view/map/map.ts
-function systemOf(view, ground) {
-	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
-	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
-}
 var BlockMap = class extends Chart {
 	facts;
 	thumbs = new Thumbs(() => this.layers.redraw());
@@ -8982,7 +9003,7 @@ var BlockMap = class extends Chart {
 		const factor = factorOf(Math.max(offsets.longest.gnss, offsets.longest.surveyed), t);
 		if (look.offsets) paintGnss(context, offsets, t, factor);
 		paintSurveyed(context, colours, offsets, t, factor, look.offsets, [width, height]);
-		paintScale(context, colours, t, height, system);
+		paintScale(context, colours, t, height, system, medianGsd(view, ground));
 		if (system !== "own") paintNorth(context, colours, width, system);
 		if (look.offsets) this.paintOffsetLegend(context, colours, offsets, factor, system);
 		this.paintOutline(context, colours);
@@ -9271,8 +9292,8 @@ function inWords(map, view) {
 		}).trimEnd());
 	}
 	if (view.layout.kind !== "connections") parts.push(extentText(view, system));
-	const gsd = ground === null ? [] : [...ground.gsd].filter((value) => !Number.isNaN(value));
-	if (gsd.length > 0 && system !== "own") parts.push(say("ground-sample-distance", { reduce: lengthText(gsd.reduce((sum, value) => sum + value, 0) / gsd.length, system) }));
+	const gsd = medianGsd(view, ground);
+	if (gsd !== null) parts.push(say("ground-sample-distance", { gsd: lengthText(gsd, system) }));
 	const { longest } = offsetsOf(view, ground);
 	if (longest.gnss > 0) parts.push(say("gnss-positions-differ-by-up", { gnss: lengthText(longest.gnss, system) }));
 	if (longest.surveyed > 0) parts.push(say("surveyed-points-differ-by-up", {
@@ -12251,7 +12272,7 @@ function besideField(store, given, title, how, take, clear) {
 	};
 }
 // www/block/panel/stage.ts
-function mountStage(host, store, looking, views, dock, invitation) {
+function mountStage(host, store, looking, facts, views, dock, invitation) {
 	const shelf = h("div", {
 		class: "views",
 		id: "block-view",
@@ -12287,7 +12308,7 @@ function mountStage(host, store, looking, views, dock, invitation) {
 		class: "toolbar",
 		role: "toolbar",
 		aria: { label: say("view-of-the-block") }
-	}, switched, drawerButton("table", say("table-2"), "block-table", dock), zoom, tools), line, shelf, said(store, looking), dock, keys);
+	}, switched, drawerButton("table", say("table-2"), "block-table", dock), zoom, tools), line, shelf, said(store, looking, facts), dock, keys);
 	store.watch(["onStage"], ([onStage]) => {
 		const wanted = views.find(({ name }) => name === onStage) ?? views[0];
 		if (wanted === void 0) return;
@@ -12308,7 +12329,7 @@ function mountStage(host, store, looking, views, dock, invitation) {
 	});
 	return line;
 }
-function said(store, looking) {
+function said(store, looking, facts) {
 	const pointedAt = h("p", {
 		class: "pointed",
 		testid: "block-pointed"
@@ -12323,6 +12344,14 @@ function said(store, looking) {
 		const { chosen } = store.state.selection;
 		if (chosen?.kind === "pair") looking.open(chosen.images);
 	});
+	const describeNow = () => {
+		const { selection, onStage } = store.state;
+		const { chosen, pointed } = selection;
+		tell$1(chosenNow, store, facts, chosen, "");
+		tell$1(pointedAt, store, facts, pointed, onStage === "plots" ? "" : say("point-at-an-image-a"));
+		if (pointed !== null && isSame(pointed, chosen)) pointedAt.textContent = "";
+	};
+	facts.watch(describeNow);
 	store.watch([
 		"selection",
 		"shown",
@@ -12330,10 +12359,8 @@ function said(store, looking) {
 		"notice",
 		"placing",
 		"onStage"
-	], ([{ chosen, pointed }, shown, , , , onStage]) => {
-		tell$1(chosenNow, store, chosen, "");
-		tell$1(pointedAt, store, pointed, onStage === "plots" ? "" : say("point-at-an-image-a"));
-		if (pointed !== null && isSame(pointed, chosen)) pointedAt.textContent = "";
+	], ([{ chosen }, shown]) => {
+		describeNow();
 		open.hidden = chosen?.kind !== "pair" || shown === null;
 		open.disabled = isBusy(store.state);
 	});
@@ -12343,9 +12370,10 @@ function said(store, looking) {
 	for (const element of [text, line]) sized.observe(element);
 	return line;
 }
-function tell$1(element, store, choice, otherwise) {
+function tell$1(element, store, facts, choice, otherwise) {
 	const { shown } = store.state;
-	const text = choice === null || shown === null ? otherwise : describe(shown, choice);
+	const gsd = choice?.kind === "image" && shown !== null ? gsdOf(shown.view, facts.ground(), choice.image) : null;
+	const text = choice === null || shown === null ? otherwise : describe(shown, choice, gsd === null ? "" : gsdText(gsd));
 	if (element.textContent !== text) element.textContent = text;
 }
 function invited(store, { sample, placedSample, open }) {
@@ -12525,7 +12553,7 @@ function figuresOf$1(tried) {
 			label: say("projection-centres-95")
 		}] : [],
 		...number > 0 ? [{
-			value: gsdText(Number(rmse.toFixed(3))),
+			value: gsdText$1(Number(rmse.toFixed(3))),
 			label: say("rmse-of-check-links-on")
 		}] : []
 	];
@@ -12914,7 +12942,7 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 	const images = imagesView(engine, facts, pick, (made) => {
 		measures = made;
 	});
-	const editLine = mountStage(stage, store, looking, [
+	const editLine = mountStage(stage, store, looking, facts, [
 		mapView(facts, placing, () => void makeMosaic(store, engine, placing, "map-mosaic")),
 		images,
 		MATRIX_VIEW,

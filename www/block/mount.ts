@@ -163,7 +163,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
     plotsView(facts),
     orthophotoView(engine, facts, placing, { open: pickers.orthophoto, sample: placedSample }),
   ];
-  const editLine = mountStage(stage, store, looking, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
+  const editLine = mountStage(stage, store, looking, facts, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
   stage.prepend(status);
   editLine.prepend(mountEditBar(store, facts, () => measures));
   mountEditPanel(results.panels[1], store);

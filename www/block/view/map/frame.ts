@@ -1,5 +1,6 @@
 /** What frames the map: a grid with its coordinates, a scale bar, an arrow to the north. */
 import type { Colours } from '../../../shared/view/colours';
+import { asSentence } from '../../../shared/text/direction';
 import { say } from '../../../shared/text/words';
 import { toCanvas, toPosition } from '../../../shared/view/transform';
 import type { Transform } from '../../../shared/view/transform';
@@ -68,8 +69,13 @@ function ticks(from: number, to: number, step: number): number[] {
   return Array.from({ length: Math.min(100, Math.max(0, Math.floor(to / step) - first + 1)) }, (_, i) => (first + i) * step);
 }
 
-/** The bar at the lower left. */
-export function paintScale(context: CanvasRenderingContext2D, colours: Colours, t: Transform, height: number, system: System): void {
+/** A ground sample distance in m, as it is said of images. */
+export function gsdText(gsd: number): string {
+  return say('gsd', { gsd: lengthText(gsd, 'geographic') });
+}
+
+/** The bar at the lower left, and beside it what a pixel of the images shows; `gsd`: in m. */
+export function paintScale(context: CanvasRenderingContext2D, colours: Colours, t: Transform, height: number, system: System, gsd: number | null = null): void {
   const length = niceBelow(BAR / t.scale);
   const wide = length * t.scale;
   const [left, base] = [12, height - 12];
@@ -90,6 +96,8 @@ export function paintScale(context: CanvasRenderingContext2D, colours: Colours, 
   context.font = '11px system-ui, sans-serif';
   context.textAlign = 'center';
   haloed(context, colours, lengthText(length, system), left + wide / 2, base - 6);
+  context.textAlign = 'left';
+  if (gsd !== null) haloed(context, colours, asSentence(gsdText(gsd)), left + wide + 12, base);
   context.restore();
 }
 
