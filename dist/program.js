@@ -5320,6 +5320,7 @@ function answerCard(host, line, buttons, prefix) {
 		testid: `${prefix}figures`
 	});
 	let act = () => void 0;
+	let instead = [];
 	const press = button("", `${prefix}next`, () => act());
 	press.className = "primary";
 	const others = h("span", { class: "answer-others" });
@@ -5333,7 +5334,8 @@ function answerCard(host, line, buttons, prefix) {
 	new ResizeObserver(() => {
 		if (host.dataset.kind !== "busy") ({height} = host.getBoundingClientRect());
 	}).observe(host);
-	return ({ kind, verdict, text, more = "", problem = "", figures: found = [], next = null, others: instead = [] }) => {
+	return ({ kind, verdict, text, more = "", problem = "", figures: found = [], next = null, others: now = [] }) => {
+		instead = now;
 		host.dataset.kind = kind;
 		host.style.minHeight = kind === "busy" && height > 0 ? `${String(height)}px` : "";
 		host.dataset.verdict = verdict ?? "";
@@ -5357,7 +5359,7 @@ function answerCard(host, line, buttons, prefix) {
 		const texts = instead.map(({ text: own }) => own).join("\n");
 		if (texts === offered) return;
 		offered = texts;
-		fill(others, ...instead.map(({ text: own, act: does }, i) => button(own, `${prefix}other-${String(i + 1)}`, does)));
+		fill(others, ...instead.map(({ text: own }, i) => button(own, `${prefix}other-${String(i + 1)}`, () => instead[i]?.act())));
 		others.hidden = instead.length === 0;
 	};
 }
@@ -7935,7 +7937,7 @@ var Files = class {
 		this.isReady = true;
 		this.started();
 	}
-	async take(files, side) {
+	async take(files, side, asks = side === null) {
 		if (files.length === 0) return;
 		this.store.dispatch({
 			type: "notice",
@@ -7946,7 +7948,7 @@ var Files = class {
 		if (project !== void 0) {
 			await this.openProject(project);
 			const others = files.filter((file) => !projects.includes(file));
-			if (others.length > 0) await this.take(others, side);
+			if (others.length > 0) await this.take(others, side, asks);
 			return;
 		}
 		if (images.length > 2) {
@@ -7957,7 +7959,7 @@ var Files = class {
 		const told = [];
 		const camera = cameras[0];
 		if (camera !== void 0) told.push(await this.takeCamera(camera));
-		const ofImages = images.length > 0 ? await this.takeImages(images, side) : [];
+		const ofImages = images.length > 0 ? await this.takeImages(images, side, asks) : [];
 		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
 		told.push(...ofImages);
 		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
@@ -8071,12 +8073,15 @@ var Files = class {
 		const bad = said.some(({ kind }) => kind === "problem");
 		const kept = bad && (left !== null || right !== null) ? say("the-open-images-are-kept") : "";
 		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
+		const choices = said.flatMap((one) => one.choices ?? []);
+		const notice = {
+			kind: bad ? "problem" : "info",
+			text,
+			...choices.length > 0 && { choices }
+		};
 		this.store.dispatch({
 			type: "notice",
-			notice: said.length === 0 ? null : {
-				kind: bad ? "problem" : "info",
-				text
-			}
+			notice: said.length === 0 ? null : notice
 		});
 	}
 	failed(what, error) {
@@ -8117,7 +8122,7 @@ var Files = class {
 			return this.failed(say("holds-no-camera-data", { name: file.name }), error);
 		}
 	}
-	async takeImages(files, side) {
+	async takeImages(files, side, asks) {
 		const tooLarge = files.find((file) => file.size > MOST_BYTES);
 		if (tooLarge !== void 0) return [problem(say("has-mb-up-to-1", {
 			name: tooLarge.name,
@@ -8145,7 +8150,7 @@ var Files = class {
 				text: say("reading-2", { join: files.map((file) => file.name).join(say("and-between")) })
 			}
 		});
-		return this.check(images);
+		return this.check(images, "images", asks);
 	}
 	async takeFound(files, sides) {
 		const images = {};
@@ -8161,7 +8166,7 @@ var Files = class {
 		}
 		return this.check(images, "found");
 	}
-	async check(images, type = "images") {
+	async check(images, type, asks = false) {
 		const entries = Object.entries(images);
 		const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
 		const told = outcomes.flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? say("the-file"), outcome.reason)] : []);
@@ -8181,11 +8186,54 @@ var Files = class {
 			});
 			return [];
 		}
+		const question = asks ? await this.askOfThird(images) : null;
+		return question === null ? this.show(images) : [question];
+	}
+	async askOfThird(images) {
+		const { left, right } = this.store.state.images;
+		const [[side, third], another] = Object.entries(images);
+		const files = [
+			left,
+			right,
+			third
+		].flatMap((image) => image === null ? [] : fileOf$1(image));
+		if (another !== void 0 || files.length < 3 || await this.isSame(this.store.state.images[side], third)) return null;
+		const dismiss = () => this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		const choices = [
+			{
+				text: say("open-three-as-a-block"),
+				act: () => {
+					dismiss();
+					this.toBlock(files, []);
+				}
+			},
+			{
+				text: say("replace-the-image", { side }),
+				act: () => void this.show(images).then((told) => this.tell(told))
+			},
+			{
+				text: say("keep-the-pair"),
+				act: dismiss
+			}
+		];
+		return {
+			kind: "info",
+			text: say("is-a-third-image", {
+				name: third.name,
+				side
+			}),
+			choices
+		};
+	}
+	async show(images) {
 		const { photos } = this.store.state;
 		const marked = await this.marked(images);
 		const aside = await this.leave(marked.gone.length > 0);
 		this.store.dispatch({
-			type,
+			type: "images",
 			images,
 			same: marked.same
 		});
@@ -8228,6 +8276,10 @@ var Files = class {
 		return images.right === null ? "right" : activeSide;
 	}
 };
+function fileOf$1({ name, source }) {
+	if (source.kind !== "file") return [];
+	return [source.file instanceof File ? source.file : new File([source.file], name)];
+}
 function takerOf(store, view, files) {
 	const sideAt = (event) => {
 		const box = view.host.getBoundingClientRect();
@@ -8237,7 +8289,7 @@ function takerOf(store, view, files) {
 	return {
 		isActive: () => true,
 		markAt: (event) => sideAt(event) ?? "page",
-		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null)
+		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null, true)
 	};
 }
 // www/pair/files/keep.ts
@@ -10907,6 +10959,7 @@ function isBusy(state) {
 }
 function answerOf(state, actions) {
 	const notice = ofLine(state.notice);
+	if (notice?.choices !== void 0) return question(notice.text, notice.choices, isBusy(state));
 	if (notice?.kind !== "problem") return answerWith(state, notice, actions);
 	const answer = answerWith(state, null, actions);
 	return answer.kind === "idle" ? {
@@ -10917,6 +10970,15 @@ function answerOf(state, actions) {
 	} : {
 		...answer,
 		problem: notice.text
+	};
+}
+function question(text, [next, ...others], busy) {
+	return {
+		kind: busy ? "busy" : "idle",
+		verdict: null,
+		text,
+		next: next ?? null,
+		others
 	};
 }
 function answerWith(state, notice, actions) {
