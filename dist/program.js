@@ -2515,6 +2515,11 @@ function passFocus(held, others) {
 	others.find((other) => other != null && canHold(other))?.focus({ preventScroll: true });
 }
 // www/shared/panel/history.ts
+var UNDO_KEYS = ["Ctrl+Z"];
+var REDO_KEYS = ["Ctrl+Shift+Z", "Ctrl+Y"];
+function hasKeys(made, keys) {
+	made.setAttribute("aria-keyshortcuts", keys.join(" ").replaceAll("Ctrl", "Control"));
+}
 function set(made, text, disabled) {
 	if (made.textContent !== text) made.textContent = text;
 	made.disabled = disabled;
@@ -2524,13 +2529,14 @@ function showSteps(undo, redo, history, nameOf) {
 	for (const [made, name, keys] of [[
 		undo,
 		names.undo === null ? say("undo") : say("undo-3", { undo: names.undo }),
-		"Ctrl+Z"
+		UNDO_KEYS
 	], [
 		redo,
 		names.redo === null ? say("redo") : say("redo-3", { redo: names.redo }),
-		"Ctrl+Shift+Z"
+		REDO_KEYS
 	]]) {
-		made.title = `${name} (${keys})`;
+		made.title = `${name} (${keys[0]})`;
+		hasKeys(made, keys);
 		made.setAttribute("aria-label", name);
 		made.hidden = history.edits.length === 0;
 	}
@@ -2569,12 +2575,12 @@ function undoKeys(isActive, step) {
 		where: say("anywhere-after-edits"),
 		host: document.body,
 		list: [{
-			keys: ["Ctrl+Z"],
+			keys: UNDO_KEYS,
 			does: say("takes-back-the-last-edit"),
 			can: isActive,
 			run: () => step(-1)
 		}, {
-			keys: ["Ctrl+Shift+Z", "Ctrl+Y"],
+			keys: REDO_KEYS,
 			does: say("makes-the-edit-again"),
 			can: isActive,
 			run: () => step(1)
@@ -9910,6 +9916,8 @@ function mountEdits(host, store, editing, follow) {
 	}, say("measure-the-selected-match-anew"));
 	const undo = button(say("undo"), "undo", () => editing.step(-1), say("take-back-the-last-edit"));
 	const redo = button(say("redo"), "redo", () => editing.step(1), say("make-the-edit-again-that"));
+	hasKeys(undo, UNDO_KEYS);
+	hasKeys(redo, REDO_KEYS);
 	const hint = h("p", {
 		class: "note",
 		testid: "edit-hint"
@@ -15456,19 +15464,25 @@ function mountActions(press) {
 	});
 }
 function actions() {
-	const commands = declared().filter(({ host, list }) => host.checkVisibility() && list.length > 0).flatMap(({ where, list }) => list.filter(({ can }) => can?.() !== false).map(({ keys, does, run }) => ({
+	const made = [...document.querySelectorAll("button")].filter((button) => button.closest("dialog, table, .control, .history, .facts") === null && !button.matches(UNNAMED) && reachable(button));
+	const ofButtons = new Set(made.flatMap(keysOfButton));
+	const commands = declared().filter(({ host, list }) => host.checkVisibility() && list.length > 0).flatMap(({ where, list }) => list.filter(({ keys, can }) => can?.() !== false && !keys.some((key) => ofButtons.has(key))).map(({ keys, does, run }) => ({
 		name: sentenceOf(does),
 		more: where,
 		keys,
 		run: () => run(false)
 	})));
-	const buttons = [...document.querySelectorAll("button")].filter((made) => !made.disabled && made.closest("dialog, table, .control, .history, .facts") === null && !made.matches(UNNAMED) && reachable(made)).map((made) => ({
-		name: nameOf(made),
-		more: [groupOf(made), made.title].filter((text) => text !== "" && text !== nameOf(made)).join(" · "),
-		keys: [],
+	const buttons = once(made.filter(({ disabled }) => !disabled)).map((button) => ({
+		name: nameOf(button),
+		more: [...new Set([
+			groupOf(button),
+			tabOf(button),
+			button.title
+		])].filter((text) => text !== "" && !saysName(button, text)).join(" · "),
+		keys: keysOfButton(button),
 		run: () => {
-			reveal(made);
-			made.click();
+			reveal(button);
+			button.click();
 		}
 	}));
 	const settings = [...document.querySelectorAll(".control label")].filter(reachable).map((label) => ({
@@ -15490,6 +15504,22 @@ var UNNAMED = ".close, .menu-button, #export-menu";
 function nameOf(made) {
 	const shown = made.getAttribute("aria-label") ?? made.textContent;
 	return /\p{L}|\d/u.test(shown) || made.title === "" ? shown : made.title;
+}
+var saysName = (button, text) => [nameOf(button), `${nameOf(button)} (${keysOfButton(button)[0] ?? ""})`].includes(text);
+var keysOfButton = (button) => button.getAttribute("aria-keyshortcuts")?.replaceAll("Control", "Ctrl").split(" ") ?? [];
+function once(buttons) {
+	const known = new Set();
+	return buttons.filter((button) => {
+		const keys = keysOfButton(button);
+		const name = [nameOf(button), ...keys].join("\n");
+		const isFirst = !known.has(name);
+		if (keys.length > 0) known.add(name);
+		return isFirst;
+	});
+}
+function tabOf(made) {
+	const tab = made.closest("[role=\"tabpanel\"]")?.getAttribute("aria-labelledby");
+	return tab == null ? "" : document.getElementById(tab)?.textContent ?? "";
 }
 var sentenceOf = (does) => does.charAt(0).toUpperCase() + does.slice(1);
 var groupOf = (made) => made.parentElement?.closest("[aria-label]")?.getAttribute("aria-label") ?? "";
@@ -16073,4 +16103,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };
