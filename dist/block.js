@@ -11824,8 +11824,18 @@ function plotsView(facts) {
 			const plot = new Plot(element, store, looking, facts);
 			const [chosen, select] = choice(say("plot"), "plot-name", PLOTS, (name) => plot.show(name));
 			select.value = plot.shows;
-			const picture = button("PNG", "plot-png", () => void savePicture(plot), say("saves-the-plot-as-it"));
-			const values = button("CSV", "plot-csv", () => void saveValues(plot), say("saves-the-values-of-the"));
+			const saved = (name) => {
+				if (store.state.notice?.kind !== "busy") store.dispatch({
+					type: "notice",
+					notice: {
+						kind: "info",
+						text: say("was-saved", { name }),
+						beside: true
+					}
+				});
+			};
+			const picture = button("PNG", "plot-png", () => void savePicture(plot, saved), say("saves-the-plot-as-it"));
+			const values = button("CSV", "plot-csv", () => void saveValues(plot, saved), say("saves-the-values-of-the"));
 			const show = () => {
 				const data = plot.data();
 				const text = data === null ? "" : plotText(data);
@@ -11848,14 +11858,17 @@ function plotsView(facts) {
 		}
 	};
 }
-async function savePicture(plot) {
+async function savePicture(plot, saved) {
 	const picture = plot.picture();
 	const blob = await new Promise((resolve) => {
 		picture.toBlob(resolve);
 	});
-	if (blob !== null) save(blob, `block-${plot.shows}.png`);
+	if (blob === null) return;
+	const name = `block-${plot.shows}.png`;
+	save(blob, name);
+	saved(name);
 }
-async function saveValues(plot) {
+async function saveValues(plot, saved) {
 	const data = plot.data();
 	if (data === null) return;
 	const column = ({ label, unit, values, names }) => ({
@@ -11867,7 +11880,9 @@ async function saveValues(plot) {
 		text: (row) => names?.[Math.round(values[row] ?? NaN)] ?? String(values[row] ?? ""),
 		...names === void 0 ? {} : { words: true }
 	});
-	save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), `block-${plot.shows}.csv`);
+	const name = `block-${plot.shows}.csv`;
+	save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), name);
+	saved(name);
 }
 // www/block/panel/results.ts
 var LISTED = 50;

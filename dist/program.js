@@ -11271,7 +11271,7 @@ function mountMasking(host, bar, store, masking, paint) {
 	const unmask = button(say("unmask-it"), "unmask-area", () => paint(false), say("points-in-the-outlined-area"));
 	const undo = button(say("undo-sign"), "mask-undo", () => masking.step(-1));
 	const redo = button(say("redo-sign"), "mask-redo", () => masking.step(1));
-	const keep = button(say("save-masks"), "mask-save", () => saveMasks(store.state), say("masks-as-png-files-for"));
+	const keep = button(say("save-masks"), "mask-save", () => saveMasks(store), say("masks-as-png-files-for"));
 	const end = button(say("end-masking"), "mask-end", () => masking.toggle());
 	const buttons = h("div", {
 		class: "drafting",
@@ -11307,11 +11307,16 @@ function fileOf(state, side) {
 	const source = state.masks[side]?.source;
 	return source?.kind === "file" ? source.file : null;
 }
-function saveMasks(state) {
+function saveMasks(store) {
+	const { state } = store;
 	for (const side of SIDES) {
 		const file = fileOf(state, side);
 		if (file !== null) save(file, state.masks[side]?.name ?? "mask.png");
 	}
+	if (state.notice?.kind !== "busy") store.dispatch({
+		type: "notice",
+		notice: null
+	});
 }
 // www/pair/panel/panes.ts
 function mountPanes(view, store, actions) {
