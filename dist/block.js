@@ -1724,7 +1724,7 @@ var NO_NAMES = {
 	images: [],
 	surveyed: new Map()
 };
-function namesOf({ images, surveyed }) {
+function namesOf$1({ images, surveyed }) {
 	return {
 		images: images.map(({ name }) => name),
 		surveyed: new Map(surveyed.map(({ control, name }) => [control, name]))
@@ -2046,7 +2046,7 @@ var NOTHING_CARRIED = {
 };
 function carried({ history, marks, shown, former }, view) {
 	if (shown === null || history.edits.length === 0 && former.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
-	const names = namesOf(shown.found);
+	const names = namesOf$1(shown.found);
 	const [before, after] = [shown.tiePoints, nameOfTiePoints(view)];
 	const isSame = before === after;
 	const way = isSame ? [] : wayBack(former, after, history);
@@ -2066,7 +2066,7 @@ function carried({ history, marks, shown, former }, view) {
 			said: saidOfKept(last.history)
 		};
 	}
-	const found = carriedOver(history, names, namesOf(view), isSame);
+	const found = carriedOver(history, names, namesOf$1(view), isSame);
 	if (isSame && found.lost + found.aside.length === 0) return {
 		edits: {
 			...UNEDITED,
@@ -2102,7 +2102,7 @@ function saidOfKept(history) {
 	return held === 0 ? "" : say("by-hand-kept", { edits: held });
 }
 function carriedToGround({ history, marks, shown }, view) {
-	const names = shown === null ? NO_NAMES : namesOf(shown.found);
+	const names = shown === null ? NO_NAMES : namesOf$1(shown.found);
 	if (withoutPlaces(names).surveyed.size === names.surveyed.size) return {
 		edits: {
 			...UNEDITED,
@@ -2111,7 +2111,7 @@ function carriedToGround({ history, marks, shown }, view) {
 		},
 		said: ""
 	};
-	return keptOf(carriedOver(history, names, withoutPlaces(namesOf(view)), true), marks, names);
+	return keptOf(carriedOver(history, names, withoutPlaces(namesOf$1(view)), true), marks, names);
 }
 var MOST_NAMED$1 = 3;
 function keptOf({ history, left, lost, aside }, marks, names) {
@@ -2852,7 +2852,7 @@ function nameOfTimed({ history, marks }, { of, at }, names) {
 	return mark === void 0 ? "" : nameOfMarks(mark);
 }
 function namesIn({ shown }) {
-	return shown === null ? NO_NAMES : namesOf(shown.found);
+	return shown === null ? NO_NAMES : namesOf$1(shown.found);
 }
 function titleOf$1(edit, otherwise, names) {
 	return capital(edit === null ? otherwise : nameOfEdit(edit, names)).replace(/ 1 /u, " ");
@@ -3857,7 +3857,7 @@ var BlockFiles = class {
 	}
 	async run() {
 		const { shown, history } = this.store.state;
-		const names = shown === null ? null : namesOf(shown.found);
+		const names = shown === null ? null : namesOf$1(shown.found);
 		const isSame = shown !== null && shown.tiePoints !== "" && shown.key === wantedKey(this.store.state);
 		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names), isSame);
 		if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
@@ -5246,26 +5246,56 @@ function mountFlight(host, store, files) {
 		});
 	});
 }
+// www/block/state/strongest.ts
+function strongestPair(state) {
+	const { shown } = state;
+	if (shown === null || shown.view.partial) return null;
+	const there = new Set(imagesOfBlock(state).map(({ name }) => name));
+	const isThere = (image) => there.has(shown.view.images[image]?.name ?? "");
+	const [first, ...others] = shown.view.connections.filter((connection) => matchesOf(connection) > 0 && connection.images.every(isThere));
+	return first === void 0 ? null : others.reduce((best, other) => matchesOf(other) > matchesOf(best) ? other : best, first).images;
+}
 // www/block/panel/back.ts
-function mountBack(store, modes) {
+function mountBack(store, modes, pair) {
 	const text = h("span", { testid: "of-block" });
 	const back = button(say("back-to-the-block"), "back-to-block", () => {
 		modes.dispatch("block");
 		document.getElementById("block-view")?.focus({ preventScroll: true });
 	});
-	const line = h("div", { class: "of-block" }, back, text);
+	const open = button(say("open-this-pair"), "open-strongest", () => {
+		const images = strongestPair(store.state);
+		if (images !== null) pair.open(images);
+	});
+	const line = h("div", { class: "of-block" }, back, text, open);
 	const draw = () => {
-		const { opened, shown } = store.state;
-		const of = opened === null || shown === null ? null : describe(shown, {
-			kind: "pair",
-			images: opened
-		});
-		line.hidden = of === null || modes.state.mode !== "pair";
-		fill(text, of ?? "");
+		const offered = pair.isEmpty() ? strongestPair(store.state) : null;
+		const said = offered === null ? saidOf(store) : say("pairs-of-the-block-open-here", { names: namesOf(store, offered) });
+		line.hidden = said === null || modes.state.mode !== "pair";
+		fill(text, said ?? "");
+		back.hidden = offered !== null;
+		open.hidden = offered === null;
+		open.disabled = isBusy(store.state);
 	};
-	store.watch(["opened", "shown"], draw);
+	store.watch([
+		"opened",
+		"shown",
+		"files",
+		"running",
+		"notice",
+		"placing"
+	], draw);
 	modes.watch(["mode"], draw);
+	pair.watch(draw);
 	return line;
+}
+function saidOf({ state: { opened, shown } }) {
+	return opened === null || shown === null ? null : describe(shown, {
+		kind: "pair",
+		images: opened
+	});
+}
+function namesOf({ state: { shown } }, images) {
+	return images.map((image) => shown?.view.images[image]?.name ?? "").join(" – ");
 }
 // www/block/panel/progress.ts
 var STAGES = {
@@ -12857,7 +12887,7 @@ var PLACED_SAMPLE = {
 	pixel_mm: .045
 };
 var PLACED_GSD_M = .5;
-async function mountBlock(catalogue, { modes, openPair, openProject, putAside }) {
+async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAside }) {
 	const store = new Holder(BLOCK_INITIAL, reduceBlock);
 	const engine = new BlockEngine(store);
 	const placing = new PlacingEngine(store);
@@ -12906,7 +12936,10 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 	byId("page-actions").before(actions, exports);
 	byId("menu").before(drawers);
 	document.querySelector("body > main")?.after(main);
-	document.querySelector("body > main")?.before(mountBack(store, modes));
+	document.querySelector("body > main")?.before(mountBack(store, modes, {
+		...pair,
+		open: looking.open
+	}));
 	showIn(modes, "block", [
 		actions,
 		exports,
@@ -13088,7 +13121,7 @@ async function openPair(block, modes, store, engine, putAside, [a, b]) {
 	if (shown === null) return;
 	const [left, right] = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
 	if (left === void 0 || right === void 0) {
-		tell(block, say("the-files-of-these-images"));
+		tell(block, modes, say("the-files-of-these-images"));
 		return;
 	}
 	const images = {
@@ -13100,7 +13133,7 @@ async function openPair(block, modes, store, engine, putAside, [a, b]) {
 		camera = cameraOfImages(shown.view, a, b);
 		await Promise.all([engine.open("left", images.left), engine.open("right", images.right)]);
 	} catch (error) {
-		tell(block, say("the-pair-cannot-be-shown", { error: messageOf(error) }));
+		tell(block, modes, say("the-pair-cannot-be-shown", { error: messageOf(error) }));
 		return;
 	}
 	const stays = isOwn(store.state) ? await leave(block, store.state, putAside) : "";
@@ -13189,7 +13222,8 @@ function imageOf({ name, file }) {
 		}
 	};
 }
-function tell(block, text) {
+function tell(block, modes, text) {
+	modes.dispatch("block");
 	block.dispatch({
 		type: "notice",
 		notice: {

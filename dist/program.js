@@ -16100,6 +16100,10 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	const ofBlocks = blockCatalogue(catalogue);
 	const block = await mountBlock(ofBlocks, {
 		...elsewhere,
+		pair: {
+			isEmpty: () => pair.store.state.images.left === null && pair.store.state.images.right === null,
+			watch: (changed) => pair.store.watch(["images"], changed)
+		},
 		openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images)
 	});
 	block.store.dispatch({

@@ -26,6 +26,7 @@ import { mountAddress } from './panel/address';
 import { makeDock } from './panel/dock';
 import { mountFlight } from './panel/flight';
 import { mountBack } from './panel/back';
+import type { PairBeside } from './panel/back';
 import { mountProgress } from './panel/progress';
 import { reduceBlock } from './state/reducer';
 import { imagesView } from './panel/images-view';
@@ -70,6 +71,8 @@ interface Elsewhere {
   modes: Modes;
   /** Shows a pair of the block by itself. */
   openPair: (block: BlockStore, images: [number, number]) => void;
+  /** Whether the pair has no image, and what calls back whenever that may have changed. */
+  pair: Pick<PairBeside, 'isEmpty' | 'watch'>;
   /** Opens a project of whatever kind where it belongs. */
   openProject: (file: File) => Promise<void>;
   /** Leaves a part of the page in the list of projects; false where it cannot be. */
@@ -77,7 +80,7 @@ interface Elsewhere {
 }
 
 /** In pieces, between which the page answers what the user does. */
-export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, openProject, putAside }: Elsewhere): Promise<Block> {
+export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, pair, openProject, putAside }: Elsewhere): Promise<Block> {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const placing = new PlacingEngine(store);
@@ -109,7 +112,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
   byId('page-actions').before(actions, exports);
   byId('menu').before(drawers);
   document.querySelector('body > main')?.after(main);
-  document.querySelector('body > main')?.before(mountBack(store, modes));
+  document.querySelector('body > main')?.before(mountBack(store, modes, { ...pair, open: looking.open }));
   showIn(modes, 'block', [actions, exports, drawers, main]);
 
   const pick = mountActions(actions, store, files);

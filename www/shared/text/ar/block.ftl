@@ -309,6 +309,7 @@ images-by-images-arrow-keys = الصور مقابل الصور؛ تختار مف
 press-a-cell-to-choose = اضغط خلية لاختيار زوجها؛ اضغطها مرة أخرى أو Enter لفتح الزوج. السحب للتحريك · العجلة و+ − للتكبير · 0 ملاءمة · الأسهم تختار.
 strongest-cell-matches-small-square = أقوى خلية: { COUNT($view) } من المطابقات. المربع الصغير: غير متصل. الفارغ: لم يُجرَّب.
 back-to-the-block = → العودة إلى الكتلة
+pairs-of-the-block-open-here = تُفتح هنا أزواج الكتلة أيضًا: { $names } أكثرها مطابقات؛ وتُختار الأخرى من خريطة الكتلة أو مصفوفتها أو جدولها.
 was-saved-2 = حُفظ { $name }.{ $store }
 laying-the-orthomosaic-under-the = يُفرش الموزاييك المصحح تحت الخريطة …
 the-orthomosaic-lies-under-the = يقع الموزاييك المصحح تحت الخريطة. { $orthophoto }{ $store }

@@ -342,6 +342,7 @@ strongest-cell-matches-small-square = Strongest cell: { COUNT($view) } matches. 
 ## panel/mode
 
 back-to-the-block = ← Back to the block
+pairs-of-the-block-open-here = Pairs of the block open here, too: { $names } has most matches; others are chosen on its map, in its matrix or table.
 
 ## panel/mosaic
 
