@@ -3200,6 +3200,27 @@ function comparison(before, now) {
 		aria: { label: say("block-before-and-after-the") }
 	}, h("thead", {}, head), body);
 }
+// www/block/state/orthophoto-unit.ts
+var FOOT_M = .3048;
+var MOST_SCALE = .002;
+var APART$1 = 1e3;
+var unitOfInfo = remember((info) => {
+	const { epsg, described } = info;
+	if (epsg === null) return /\b(?:ft|ftUS|feet|foot)\b/iu.test(described ?? "") ? "ft" : "m";
+	return Math.abs(unitM(`EPSG:${String(epsg)}`, info) / FOOT_M - 1) < MOST_SCALE ? "ft" : "m";
+});
+function unitOfOrthophoto(orthophoto) {
+	return orthophoto === null ? "m" : unitOfInfo(orthophoto.info);
+}
+function unitM(crs, { width, height, georeference }) {
+	const [x, y] = mapped(affineOf(georeference), width / 2, height / 2);
+	try {
+		const places = local_positions(system_positions(crs, Float64Array.of(x, y, 0, x + APART$1, y, 0)));
+		return Math.hypot(...places.subarray(3)) / APART$1;
+	} catch {
+		return NaN;
+	}
+}
 // www/block/files/ids.ts
 var nextId$1 = 1;
 function newId() {
@@ -3341,19 +3362,21 @@ async function rasterOf(file, world) {
 		}
 	};
 }
-function orthophotoText({ raster, info: { width, height, gsd, epsg } }) {
+function orthophotoText(orthophoto) {
+	const { raster, info } = orthophoto;
+	const { width, height, gsd, epsg } = info;
 	const by = raster.world === null ? "" : say("placed-by", { name: raster.world.name });
 	return say("orthophoto-px-of", {
 		name: raster.name,
 		width,
 		height,
-		gsd: gsdText$1(gsd),
+		gsd: gsdText$1(gsd, unitOfOrthophoto(orthophoto)),
 		what: epsg === null ? "" : say("epsg", { epsg }),
 		by
 	});
 }
-function gsdText$1(gsd) {
-	return say("metres", { value: Number(gsd.toPrecision(3)) });
+function gsdText$1(gsd, unit) {
+	return say(unit === "m" ? "metres" : "feet", { value: Number(gsd.toPrecision(3)) });
 }
 function named(rasters) {
 	return rasters.map(({ file }) => file.name).join(", ");
@@ -8038,11 +8061,12 @@ function niceBelow(value) {
 function stepText(value, step) {
 	return value.toFixed(Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)))).replace("-", "−");
 }
-function lengthText(length, system) {
+function lengthText(length, system, unit = "m") {
 	const twoDigits = (value) => String(Number(value.toPrecision(2)));
+	if (unit === "ft") return withUnit(twoDigits(length), unit);
 	if (system === "own") return say("length-in-units-of-the-block", { length: twoDigits(length) });
-	const [factor, unit] = length >= 1e3 ? [.001, "km"] : length >= 1 ? [1, "m"] : length >= .01 ? [100, "cm"] : [1e3, "mm"];
-	return withUnit(twoDigits(length * factor), unit);
+	const [factor, metric] = length >= 1e3 ? [.001, "km"] : length >= 1 ? [1, "m"] : length >= .01 ? [100, "cm"] : [1e3, "mm"];
+	return withUnit(twoDigits(length * factor), metric);
 }
 function paintGrid(context, colours, t, width, height) {
 	const step = niceBelow(1.6 * GRID / t.scale);
@@ -8083,7 +8107,7 @@ function ticks(from, to, step) {
 function gsdText(gsd) {
 	return say("gsd", { gsd: lengthText(gsd, "geographic") });
 }
-function paintScale(context, colours, t, height, system, gsd = null) {
+function paintScale(context, colours, t, height, system, gsd = null, unit = "m") {
 	const length = niceBelow(BAR / t.scale);
 	const wide = length * t.scale;
 	const [left, base] = [12, height - 12];
@@ -8100,7 +8124,7 @@ function paintScale(context, colours, t, height, system, gsd = null) {
 	}
 	context.font = "11px system-ui, sans-serif";
 	context.textAlign = "center";
-	haloed(context, colours, lengthText(length, system), left + wide / 2, base - 6);
+	haloed(context, colours, lengthText(length, system, unit), left + wide / 2, base - 6);
 	context.textAlign = "left";
 	if (gsd !== null) haloed(context, colours, asSentence(gsdText(gsd)), left + wide + 12, base);
 	context.restore();
@@ -10418,7 +10442,7 @@ var OrthophotoPlan = class extends LinkPicture {
 		const block = this.block();
 		if (block !== null) paintBlock(context, colours, t, clip, block, this.store.state.placing.uses, this.store.state.selection);
 		else this.paintPlaced(context, colours, t, clip);
-		paintScale(context, colours, t, height, SYSTEM);
+		paintScale(context, colours, t, height, SYSTEM, null, unitOfOrthophoto(this.store.state.placing.orthophoto));
 		paintNorth(context, colours, width, SYSTEM);
 	}
 	paintPlaced(context, colours, t, clip) {
@@ -11047,7 +11071,7 @@ var VERDICTS = {
 function placedWord({ result }) {
 	return result === null ? say("not-read-2") : VERDICTS[result.verdict.kind];
 }
-function placedColumns(rows, said) {
+function placedColumns(rows, said, unit) {
 	const of = (row) => rows[row]?.result?.placement ?? null;
 	const axes = [
 		"X",
@@ -11070,8 +11094,8 @@ function placedColumns(rows, said) {
 	return [
 		words("placed-image", say("image-2"), (i) => rows[i]?.file.name ?? "", say("file-name-press-a-row")),
 		words("placed-verdict", say("verdict"), (i) => text(i, (row) => `${placedWord(row)}${row.isStale ? say("earlier-settings") : ""}`), say("what-the-place-of-the")),
-		...axes.map((axis, k) => numbers(`placed-${axis.toLowerCase()}`, axis, "m", 2, (i) => of(i)?.pose.position[k], say("projection-centre-in-the-system", { axis }))),
-		...axes.map((axis, k) => numbers(`placed-s${axis.toLowerCase()}`, `σ ${axis}`, "m", 2, (i) => of(i)?.position_errors_m?.[k], say("standard-error-of-2", { axis }))),
+		...axes.map((axis, k) => numbers(`placed-${axis.toLowerCase()}`, axis, unit, 2, (i) => of(i)?.pose.position[k], say("projection-centre-in-the-system", { axis }))),
+		...axes.map((axis, k) => numbers(`placed-s${axis.toLowerCase()}`, `σ ${axis}`, unit, 2, (i) => of(i)?.position_errors_m?.[k], say("standard-error-of-2", { axis }))),
 		...angles.map((angle, k) => numbers(`placed-angle${String(k)}`, angle, "°", 3, (i) => of(i)?.angles_deg[k], say("rotation", { angle }))),
 		...angles.map((angle, k) => numbers(`placed-sangle${String(k)}`, `σ ${angle}`, "°", 3, (i) => of(i)?.angle_errors_deg?.[k], say("standard-error-of-3", { angle }))),
 		numbers("placed-links", say("links-2"), "", 0, (i) => uses(i, "used"), say("points-of-the-image-and")),
@@ -11079,13 +11103,13 @@ function placedColumns(rows, said) {
 		numbers("placed-rmse", "RMSE", "px", 2, (i) => of(i)?.rmse_px, say("root-mean-square-length-of-the-residuals")),
 		numbers("placed-checks", say("checks"), "", 0, (i) => of(i)?.checks?.number, say("links-that-took-no-part-and")),
 		numbers("placed-check-rmse", say("check-rmse"), "px", 2, (i) => of(i)?.checks?.rmse_px, say("root-mean-square-length-of-the-residuals-of")),
-		numbers("placed-check-ground", say("on-the-ground"), "m", 2, (i) => of(i)?.checks?.rmse_m, say("the-same-on-the-ground")),
-		numbers("placed-gsd", "GSD", "m", 3, (i) => of(i)?.gsd_m, say("ground-sample-distance-the-side")),
-		numbers("placed-above", say("above-ground"), "m", 1, (i) => of(i)?.above_ground_m, say("height-of-the-projection-centre")),
+		numbers("placed-check-ground", say("on-the-ground"), unit, 2, (i) => of(i)?.checks?.rmse_m, say("the-same-on-the-ground")),
+		numbers("placed-gsd", "GSD", unit, 3, (i) => of(i)?.gsd_m, say("ground-sample-distance-the-side")),
+		numbers("placed-above", say("above-ground"), unit, 1, (i) => of(i)?.above_ground_m, say("height-of-the-projection-centre")),
 		words("placed-why", say("why"), (i) => text(i, said), say("the-verdict-in-a-sentence"))
 	];
 }
-function linkColumns({ links: { at, places, residuals, uses } }, steps, done) {
+function linkColumns({ links: { at, places, residuals, uses } }, steps, done, unit) {
 	return [
 		numbers("link", say("link"), "", 0, (i) => i + 1, say("number-of-the-link-press")),
 		words("link-use", say("use"), (i) => useWord({
@@ -11094,9 +11118,9 @@ function linkColumns({ links: { at, places, residuals, uses } }, steps, done) {
 		}, i, USES$1[uses[i] ?? 0] ?? "used"), say("used-for-the-orientation-kept")),
 		numbers("link-column", say("column"), "px", 2, (i) => at[2 * i], say("position-in-the-image-the")),
 		numbers("link-row", say("row-2"), "px", 2, (i) => at[2 * i + 1], say("position-in-the-image")),
-		numbers("link-x", "X", "m", 2, (i) => places[3 * i], say("place-on-the-orthophoto-2")),
-		numbers("link-y", "Y", "m", 2, (i) => places[3 * i + 1], say("place-on-the-orthophoto-2")),
-		numbers("link-z", "Z", "m", 2, (i) => places[3 * i + 2], say("height-of-the-ground-at")),
+		numbers("link-x", "X", unit, 2, (i) => places[3 * i], say("place-on-the-orthophoto-2")),
+		numbers("link-y", "Y", unit, 2, (i) => places[3 * i + 1], say("place-on-the-orthophoto-2")),
+		numbers("link-z", "Z", unit, 2, (i) => places[3 * i + 2], say("height-of-the-ground-at")),
 		numbers("link-dx", say("residual-x"), "px", 2, (i) => residuals[2 * i], say("observed-minus-computed-column")),
 		numbers("link-dy", say("residual-y"), "px", 2, (i) => residuals[2 * i + 1], say("observed-minus-computed-row")),
 		numbers("link-length", say("length"), "px", 2, (i) => Math.hypot(residuals[2 * i] ?? NaN, residuals[2 * i + 1] ?? NaN), say("length-of-the-residual"))
@@ -11144,11 +11168,11 @@ function placedTable(host, store) {
 			draw();
 		}
 	});
-	const columns = remember((shown) => placedColumns(shown, verdictText));
+	const columns = remember((shown, unit) => placedColumns(shown, verdictText, unit));
 	const draw = () => {
 		if (isHidden(host)) return;
 		rows = placedFiles(store.state);
-		table.show(rows.length, columns(rows), void 0, filter);
+		table.show(rows.length, columns(rows, unitOfOrthophoto(store.state.placing.orthophoto)), void 0, filter);
 		table.reveal(rows.findIndex(({ file }) => file.id === store.state.placing.chosen.image));
 	};
 	store.watch((s) => [
@@ -11193,7 +11217,7 @@ function linksTable(host, store) {
 		if (isHidden(host)) return;
 		const placed = chosenPlaced(store.state);
 		const placement = placed?.result?.placement ?? null;
-		table.show(placement?.links.count ?? 0, placed === null || placement === null ? [] : columns(placement, placed.steps, placed.done), void 0, filter);
+		table.show(placement?.links.count ?? 0, placed === null || placement === null ? [] : columns(placement, placed.steps, placed.done, unitOfOrthophoto(store.state.placing.orthophoto)), void 0, filter);
 		table.reveal(store.state.placing.chosen.link ?? -1);
 	};
 	store.watch((s) => [
@@ -12572,11 +12596,11 @@ function answered$1(state, tried, actions) {
 		verdict: isSound ? "oriented" : placed + weak > 0 ? "weak" : "not_oriented",
 		text,
 		more: more.filter((part) => part !== "").join(" "),
-		figures: figuresOf$1(tried),
+		figures: figuresOf$1(tried, unitOfOrthophoto(state.placing.orthophoto)),
 		next
 	};
 }
-function figuresOf$1(tried) {
+function figuresOf$1(tried, unit) {
 	const placements = tried.flatMap(({ result }) => result?.placement ?? []);
 	const links = placements.reduce((sum, placement) => sum + usedSo(placement.links, "used"), 0);
 	const checks = placements.flatMap(({ checks: own }) => own ?? []);
@@ -12596,11 +12620,11 @@ function figuresOf$1(tried) {
 			label: say("links-3")
 		}] : [],
 		...widths.length > 0 ? [{
-			value: say("within-m", { half_width_m: Number(Math.max(...widths).toPrecision(2)) }),
+			value: say("within", { length: gsdText$1(Number(Math.max(...widths).toPrecision(2)), unit) }),
 			label: say("projection-centres-95")
 		}] : [],
 		...number > 0 ? [{
-			value: gsdText$1(Number(rmse.toFixed(3))),
+			value: gsdText$1(Number(rmse.toFixed(3)), unit),
 			label: say("rmse-of-check-links-on")
 		}] : []
 	];

@@ -80,6 +80,7 @@ the-block-is-unchanged = { $what }: { $error }. لم تتغير الكتلة.
 all-images-of-the-block = جميع صور الكتلة موجودة.
 of-of-the-block-are = { $files } من { $size } من الكتلة موجودة.
 metres = { $value } م
+feet = { $value } قدم
 skipped-a-project-has-one = تُخطّي { $more }: للمشروع صورة مصححة واحدة.
 skipped-an-orthophoto-has-one = تُخطّي { $others }: للصورة المصححة نموذج ارتفاعات واحد.
 reading-the-orthophoto = تجري قراءة الصورة المصححة { $name } …
@@ -934,7 +935,7 @@ chooses-the-next-image-that = يختار الصورة الموضوعة التا�
 chooses-the-previous-link-of = يختار رابط الصورة السابق
 chooses-the-next-link-of = يختار رابط الصورة التالي
 point-of-number = النقطة { COUNT($number) }
-within-m = ± { $half_width_m } م
+within = ± { $length }
 projection-centres-95 = مراكز الإسقاط (95 %)
 
 given-use = { $role ->

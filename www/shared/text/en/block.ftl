@@ -96,6 +96,7 @@ of-of-the-block-are = { $files } of { $size } of the block are there.
 ## files/ground
 
 metres = { $value } m
+feet = { $value } ft
 skipped-a-project-has-one = { $more } skipped: a project has one orthophoto.
 skipped-an-orthophoto-has-one = { $others } skipped: an orthophoto has one height model.
 reading-the-orthophoto = Reading the orthophoto { $name } …
@@ -1009,7 +1010,7 @@ chooses-the-next-image-that = chooses the next image that was placed
 chooses-the-previous-link-of = chooses the previous link of the image
 chooses-the-next-link-of = chooses the next link of the image
 point-of-number = point { COUNT($number) }
-within-m = ± { $half_width_m } m
+within = ± { $length }
 projection-centres-95 = projection centres (95 %)
 
 given-use = { $role ->
