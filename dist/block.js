@@ -4695,6 +4695,17 @@ function addressOf({ shown, onStage, selection: { chosen } }) {
 	if (chosen?.kind === "pair") for (const image of chosen.images) named.append("image", name(image));
 	return named.toString();
 }
+var PAIR = "pair";
+function addressOfPair({ images }, pair) {
+	const named = new URLSearchParams({ view: PAIR });
+	for (const image of pair) named.append("image", images[image]?.name ?? "");
+	return named.toString();
+}
+function askedPair(address, view) {
+	const named = new URLSearchParams(address.replace(/^#/u, ""));
+	const [a = -1, b = -1] = named.getAll("image").map((name) => view.images.findIndex((image) => image.name === name));
+	return named.get("view") !== PAIR || a < 0 || b < 0 || a === b ? null : [a, b];
+}
 function asked(address, view) {
 	const named = new URLSearchParams(address.replace(/^#/u, ""));
 	const wanted = VIEWS.find((name) => name === named.get("view"));
@@ -4728,9 +4739,14 @@ function choiceOf$2(images, points) {
 	};
 }
 // www/block/panel/address.ts
-function mountAddress(store, modes) {
+function mountAddress(store, modes, pair) {
 	let waiting = window.location.hash;
 	let isViewed = false;
+	const show = (images) => {
+		const isThere = isShown(store, pair) || pair.names().every((name) => name === null);
+		if (String(store.state.opened) === String(images) && isThere) modes.dispatch("pair");
+		else pair.open(images);
+	};
 	const follow = () => {
 		const { shown, history } = store.state;
 		if (shown === null || shown.view.partial || waiting === "") return;
@@ -4744,7 +4760,9 @@ function mountAddress(store, modes) {
 			});
 		}
 		if (!isSameList(editsInForce(history), shown.edits)) return;
+		const images = askedPair(waiting, shown.view);
 		waiting = "";
+		if (images !== null) show(images);
 		if (wanted !== null) store.dispatch({
 			type: "choose",
 			choice: wanted.choice
@@ -4757,8 +4775,8 @@ function mountAddress(store, modes) {
 	});
 	const tell = () => {
 		follow();
-		if (waiting !== "" || modes.state.mode !== "block") return;
-		const address = addressOf(store.state);
+		if (waiting !== "") return;
+		const address = modes.state.mode === "block" ? addressOf(store.state) : addressNow(store, pair);
 		if (window.location.hash === (address === "" ? "" : `#${address}`)) return;
 		window.history.replaceState(window.history.state, "", address === "" ? window.location.pathname + window.location.search : `#${address}`);
 	};
@@ -4766,9 +4784,19 @@ function mountAddress(store, modes) {
 		"shown",
 		"onStage",
 		"selection",
-		"history"
+		"history",
+		"opened"
 	], tell);
 	modes.watch(["mode"], tell);
+	pair.watch(tell);
+}
+function addressNow(store, pair) {
+	const { shown, opened } = store.state;
+	return shown === null || opened === null || !isShown(store, pair) ? "" : addressOfPair(shown.view, opened);
+}
+function isShown({ state: { shown, opened } }, pair) {
+	const names = opened?.map((image) => shown?.view.images[image]?.name) ?? [];
+	return names.length > 0 && names.every((name, i) => name === pair.names()[i]);
 }
 // www/block/state/columns.ts
 var NO_ROWS = {
@@ -5291,7 +5319,7 @@ function mountBack(store, modes, pair) {
 	});
 	const line = h("div", { class: "of-block" }, back, text, open);
 	const draw = () => {
-		const offered = pair.isEmpty() ? strongestPair(store.state) : null;
+		const offered = pair.names().every((name) => name === null) ? strongestPair(store.state) : null;
 		const said = offered === null ? saidOf(store) : say("pairs-of-the-block-open-here", { names: namesOf(store, offered) });
 		line.hidden = said === null || modes.state.mode !== "pair";
 		fill(text, said ?? "");
@@ -12930,6 +12958,10 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 		}),
 		open: (images) => openPair(store, images)
 	};
+	const beside = {
+		...pair,
+		open: looking.open
+	};
 	const actions = h("div", {
 		class: "actions",
 		role: "group",
@@ -12960,10 +12992,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	byId("page-actions").before(actions, exports);
 	byId("menu").before(drawers);
 	document.querySelector("body > main")?.after(main);
-	document.querySelector("body > main")?.before(mountBack(store, modes, {
-		...pair,
-		open: looking.open
-	}));
+	document.querySelector("body > main")?.before(mountBack(store, modes, beside));
 	showIn(modes, "block", [
 		actions,
 		exports,
@@ -13041,7 +13070,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	main.append(near.element);
 	store.watch(["notice"], ([notice]) => near.show(notice));
 	new EditFollower(store, engine);
-	mountAddress(store, modes);
+	mountAddress(store, modes, beside);
 	store.watch(["running"], ([running]) => {
 		if (running.kind === "yes") showTab("tab-block-results");
 	});

@@ -16101,7 +16101,7 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	const block = await mountBlock(ofBlocks, {
 		...elsewhere,
 		pair: {
-			isEmpty: () => pair.store.state.images.left === null && pair.store.state.images.right === null,
+			names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
 			watch: (changed) => pair.store.watch(["images"], changed)
 		},
 		openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images)

@@ -71,8 +71,8 @@ interface Elsewhere {
   modes: Modes;
   /** Shows a pair of the block by itself. */
   openPair: (block: BlockStore, images: [number, number]) => void;
-  /** Whether the pair has no image, and what calls back whenever that may have changed. */
-  pair: Pick<PairBeside, 'isEmpty' | 'watch'>;
+  /** What the block has to know of the pair. */
+  pair: Omit<PairBeside, 'open'>;
   /** Opens a project of whatever kind where it belongs. */
   openProject: (file: File) => Promise<void>;
   /** Leaves a part of the page in the list of projects; false where it cannot be. */
@@ -93,6 +93,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
     point: (choice: Choice | null) => store.dispatch({ type: 'point', choice }),
     open: (images: [number, number]) => openPair(store, images),
   };
+  const beside: PairBeside = { ...pair, open: looking.open };
   const actions = h('div', { class: 'actions', role: 'group', aria: { label: say('images-of-the-block') } });
   const exports = h('div', { class: 'actions', role: 'group', aria: { label: say('export-of-the-block') } });
   const settings = tabbed('settings', say('settings'), [
@@ -112,7 +113,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   byId('page-actions').before(actions, exports);
   byId('menu').before(drawers);
   document.querySelector('body > main')?.after(main);
-  document.querySelector('body > main')?.before(mountBack(store, modes, { ...pair, open: looking.open }));
+  document.querySelector('body > main')?.before(mountBack(store, modes, beside));
   showIn(modes, 'block', [actions, exports, drawers, main]);
 
   const pick = mountActions(actions, store, files);
@@ -175,7 +176,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   main.append(near.element);
   store.watch(['notice'], ([notice]) => near.show(notice));
   new EditFollower(store, engine);
-  mountAddress(store, modes);
+  mountAddress(store, modes, beside);
   store.watch(['running'], ([running]) => {
     if (running.kind === 'yes') showTab('tab-block-results');
   });

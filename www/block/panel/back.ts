@@ -9,8 +9,8 @@ import { say } from '../../shared/text/words';
 
 /** What the line needs of the pair. */
 export interface PairBeside {
-  /** Whether it has no image. */
-  isEmpty: () => boolean;
+  /** Of its images, left and right; null where there is none. */
+  names: () => readonly (string | null)[];
   /** Calls back whenever that may have changed. */
   watch: (changed: () => void) => void;
   /** Shows two images of the block as a pair. */
@@ -29,7 +29,7 @@ export function mountBack(store: BlockStore, modes: Modes, pair: PairBeside): HT
   });
   const line = h('div', { class: 'of-block' }, back, text, open);
   const draw = () => {
-    const offered = pair.isEmpty() ? strongestPair(store.state) : null;
+    const offered = pair.names().every((name) => name === null) ? strongestPair(store.state) : null;
     const said = offered === null ? saidOf(store) : say('pairs-of-the-block-open-here', { names: namesOf(store, offered) });
     line.hidden = said === null || modes.state.mode !== 'pair';
     fill(text, said ?? '');
