@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -1724,7 +1724,7 @@ var NO_NAMES = {
 	images: [],
 	surveyed: new Map()
 };
-function namesOf({ images, surveyed }) {
+function namesOf$1({ images, surveyed }) {
 	return {
 		images: images.map(({ name }) => name),
 		surveyed: new Map(surveyed.map(({ control, name }) => [control, name]))
@@ -2046,7 +2046,7 @@ var NOTHING_CARRIED = {
 };
 function carried({ history, marks, shown, former }, view) {
 	if (shown === null || history.edits.length === 0 && former.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
-	const names = namesOf(shown.found);
+	const names = namesOf$1(shown.found);
 	const [before, after] = [shown.tiePoints, nameOfTiePoints(view)];
 	const isSame = before === after;
 	const way = isSame ? [] : wayBack(former, after, history);
@@ -2066,7 +2066,7 @@ function carried({ history, marks, shown, former }, view) {
 			said: saidOfKept(last.history)
 		};
 	}
-	const found = carriedOver(history, names, namesOf(view), isSame);
+	const found = carriedOver(history, names, namesOf$1(view), isSame);
 	if (isSame && found.lost + found.aside.length === 0) return {
 		edits: {
 			...UNEDITED,
@@ -2102,7 +2102,7 @@ function saidOfKept(history) {
 	return held === 0 ? "" : say("by-hand-kept", { edits: held });
 }
 function carriedToGround({ history, marks, shown }, view) {
-	const names = shown === null ? NO_NAMES : namesOf(shown.found);
+	const names = shown === null ? NO_NAMES : namesOf$1(shown.found);
 	if (withoutPlaces(names).surveyed.size === names.surveyed.size) return {
 		edits: {
 			...UNEDITED,
@@ -2111,7 +2111,7 @@ function carriedToGround({ history, marks, shown }, view) {
 		},
 		said: ""
 	};
-	return keptOf(carriedOver(history, names, withoutPlaces(namesOf(view)), true), marks, names);
+	return keptOf(carriedOver(history, names, withoutPlaces(namesOf$1(view)), true), marks, names);
 }
 var MOST_NAMED$1 = 3;
 function keptOf({ history, left, lost, aside }, marks, names) {
@@ -2615,9 +2615,9 @@ function matchesOf({ outcome }) {
 function mostMatches({ connections }) {
 	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
 }
-function describe({ view, given }, choice) {
+function describe({ view, given }, choice, gsd = "") {
 	switch (choice.kind) {
-		case "image": return describeImage(view, choice.image);
+		case "image": return describeImage(view, choice.image, gsd);
 		case "images": return describeImages(view, choice.images);
 		case "pair": return describePair(view, choice.images);
 		case "point": return describePoint(view, choice.point);
@@ -2626,7 +2626,7 @@ function describe({ view, given }, choice) {
 		case "given": return describeGiven(given, choice.name);
 	}
 }
-function describeImage(view, index) {
+function describeImage(view, index, gsd) {
 	const image = view.images[index];
 	if (image === void 0) return "";
 	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
@@ -2642,6 +2642,7 @@ function describeImage(view, index) {
 			images: view.images.length - 1
 		}),
 		image.rmsePx === null ? "" : say("rmse-px-3", { rmse_px: image.rmsePx }),
+		gsd,
 		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
 		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
 	].filter((part) => part !== "").join("; ")}.`;
@@ -2851,7 +2852,7 @@ function nameOfTimed({ history, marks }, { of, at }, names) {
 	return mark === void 0 ? "" : nameOfMarks(mark);
 }
 function namesIn({ shown }) {
-	return shown === null ? NO_NAMES : namesOf(shown.found);
+	return shown === null ? NO_NAMES : namesOf$1(shown.found);
 }
 function titleOf$1(edit, otherwise, names) {
 	return capital(edit === null ? otherwise : nameOfEdit(edit, names)).replace(/ 1 /u, " ");
@@ -3199,6 +3200,27 @@ function comparison(before, now) {
 		aria: { label: say("block-before-and-after-the") }
 	}, h("thead", {}, head), body);
 }
+// www/block/state/orthophoto-unit.ts
+var FOOT_M = .3048;
+var MOST_SCALE = .002;
+var APART$1 = 1e3;
+var unitOfInfo = remember((info) => {
+	const { epsg, described } = info;
+	if (epsg === null) return /\b(?:ft|ftUS|feet|foot)\b/iu.test(described ?? "") ? "ft" : "m";
+	return Math.abs(unitM(`EPSG:${String(epsg)}`, info) / FOOT_M - 1) < MOST_SCALE ? "ft" : "m";
+});
+function unitOfOrthophoto(orthophoto) {
+	return orthophoto === null ? "m" : unitOfInfo(orthophoto.info);
+}
+function unitM(crs, { width, height, georeference }) {
+	const [x, y] = mapped(affineOf(georeference), width / 2, height / 2);
+	try {
+		const places = local_positions(system_positions(crs, Float64Array.of(x, y, 0, x + APART$1, y, 0)));
+		return Math.hypot(...places.subarray(3)) / APART$1;
+	} catch {
+		return NaN;
+	}
+}
 // www/block/files/ids.ts
 var nextId$1 = 1;
 function newId() {
@@ -3340,19 +3362,21 @@ async function rasterOf(file, world) {
 		}
 	};
 }
-function orthophotoText({ raster, info: { width, height, gsd, epsg } }) {
+function orthophotoText(orthophoto) {
+	const { raster, info } = orthophoto;
+	const { width, height, gsd, epsg } = info;
 	const by = raster.world === null ? "" : say("placed-by", { name: raster.world.name });
 	return say("orthophoto-px-of", {
 		name: raster.name,
 		width,
 		height,
-		gsd: gsdText(gsd),
+		gsd: gsdText$1(gsd, unitOfOrthophoto(orthophoto)),
 		what: epsg === null ? "" : say("epsg", { epsg }),
 		by
 	});
 }
-function gsdText(gsd) {
-	return say("metres", { value: Number(gsd.toPrecision(3)) });
+function gsdText$1(gsd, unit) {
+	return say(unit === "m" ? "metres" : "feet", { value: Number(gsd.toPrecision(3)) });
 }
 function named(rasters) {
 	return rasters.map(({ file }) => file.name).join(", ");
@@ -3856,7 +3880,7 @@ var BlockFiles = class {
 	}
 	async run() {
 		const { shown, history } = this.store.state;
-		const names = shown === null ? null : namesOf(shown.found);
+		const names = shown === null ? null : namesOf$1(shown.found);
 		const isSame = shown !== null && shown.tiePoints !== "" && shown.key === wantedKey(this.store.state);
 		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names), isSame);
 		if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
@@ -4671,6 +4695,17 @@ function addressOf({ shown, onStage, selection: { chosen } }) {
 	if (chosen?.kind === "pair") for (const image of chosen.images) named.append("image", name(image));
 	return named.toString();
 }
+var PAIR = "pair";
+function addressOfPair({ images }, pair) {
+	const named = new URLSearchParams({ view: PAIR });
+	for (const image of pair) named.append("image", images[image]?.name ?? "");
+	return named.toString();
+}
+function askedPair(address, view) {
+	const named = new URLSearchParams(address.replace(/^#/u, ""));
+	const [a = -1, b = -1] = named.getAll("image").map((name) => view.images.findIndex((image) => image.name === name));
+	return named.get("view") !== PAIR || a < 0 || b < 0 || a === b ? null : [a, b];
+}
 function asked(address, view) {
 	const named = new URLSearchParams(address.replace(/^#/u, ""));
 	const wanted = VIEWS.find((name) => name === named.get("view"));
@@ -4704,9 +4739,14 @@ function choiceOf$2(images, points) {
 	};
 }
 // www/block/panel/address.ts
-function mountAddress(store, modes) {
+function mountAddress(store, modes, pair) {
 	let waiting = window.location.hash;
 	let isViewed = false;
+	const show = (images) => {
+		const isThere = isShown(store, pair) || pair.names().every((name) => name === null);
+		if (String(store.state.opened) === String(images) && isThere) modes.dispatch("pair");
+		else pair.open(images);
+	};
 	const follow = () => {
 		const { shown, history } = store.state;
 		if (shown === null || shown.view.partial || waiting === "") return;
@@ -4720,7 +4760,9 @@ function mountAddress(store, modes) {
 			});
 		}
 		if (!isSameList(editsInForce(history), shown.edits)) return;
+		const images = askedPair(waiting, shown.view);
 		waiting = "";
+		if (images !== null) show(images);
 		if (wanted !== null) store.dispatch({
 			type: "choose",
 			choice: wanted.choice
@@ -4733,8 +4775,8 @@ function mountAddress(store, modes) {
 	});
 	const tell = () => {
 		follow();
-		if (waiting !== "" || modes.state.mode !== "block") return;
-		const address = addressOf(store.state);
+		if (waiting !== "") return;
+		const address = modes.state.mode === "block" ? addressOf(store.state) : addressNow(store, pair);
 		if (window.location.hash === (address === "" ? "" : `#${address}`)) return;
 		window.history.replaceState(window.history.state, "", address === "" ? window.location.pathname + window.location.search : `#${address}`);
 	};
@@ -4742,9 +4784,19 @@ function mountAddress(store, modes) {
 		"shown",
 		"onStage",
 		"selection",
-		"history"
+		"history",
+		"opened"
 	], tell);
 	modes.watch(["mode"], tell);
+	pair.watch(tell);
+}
+function addressNow(store, pair) {
+	const { shown, opened } = store.state;
+	return shown === null || opened === null || !isShown(store, pair) ? "" : addressOfPair(shown.view, opened);
+}
+function isShown({ state: { shown, opened } }, pair) {
+	const names = opened?.map((image) => shown?.view.images[image]?.name) ?? [];
+	return names.length > 0 && names.every((name, i) => name === pair.names()[i]);
 }
 // www/block/state/columns.ts
 var NO_ROWS = {
@@ -5245,26 +5297,56 @@ function mountFlight(host, store, files) {
 		});
 	});
 }
+// www/block/state/strongest.ts
+function strongestPair(state) {
+	const { shown } = state;
+	if (shown === null || shown.view.partial) return null;
+	const there = new Set(imagesOfBlock(state).map(({ name }) => name));
+	const isThere = (image) => there.has(shown.view.images[image]?.name ?? "");
+	const [first, ...others] = shown.view.connections.filter((connection) => matchesOf(connection) > 0 && connection.images.every(isThere));
+	return first === void 0 ? null : others.reduce((best, other) => matchesOf(other) > matchesOf(best) ? other : best, first).images;
+}
 // www/block/panel/back.ts
-function mountBack(store, modes) {
+function mountBack(store, modes, pair) {
 	const text = h("span", { testid: "of-block" });
 	const back = button(say("back-to-the-block"), "back-to-block", () => {
 		modes.dispatch("block");
 		document.getElementById("block-view")?.focus({ preventScroll: true });
 	});
-	const line = h("div", { class: "of-block" }, back, text);
+	const open = button(say("open-this-pair"), "open-strongest", () => {
+		const images = strongestPair(store.state);
+		if (images !== null) pair.open(images);
+	});
+	const line = h("div", { class: "of-block" }, back, text, open);
 	const draw = () => {
-		const { opened, shown } = store.state;
-		const of = opened === null || shown === null ? null : describe(shown, {
-			kind: "pair",
-			images: opened
-		});
-		line.hidden = of === null || modes.state.mode !== "pair";
-		fill(text, of ?? "");
+		const offered = pair.names().every((name) => name === null) ? strongestPair(store.state) : null;
+		const said = offered === null ? saidOf(store) : say("pairs-of-the-block-open-here", { names: namesOf(store, offered) });
+		line.hidden = said === null || modes.state.mode !== "pair";
+		fill(text, said ?? "");
+		back.hidden = offered !== null;
+		open.hidden = offered === null;
+		open.disabled = isBusy(store.state);
 	};
-	store.watch(["opened", "shown"], draw);
+	store.watch([
+		"opened",
+		"shown",
+		"files",
+		"running",
+		"notice",
+		"placing"
+	], draw);
 	modes.watch(["mode"], draw);
+	pair.watch(draw);
 	return line;
+}
+function saidOf({ state: { opened, shown } }) {
+	return opened === null || shown === null ? null : describe(shown, {
+		kind: "pair",
+		images: opened
+	});
+}
+function namesOf({ state: { shown } }, images) {
+	return images.map((image) => shown?.view.images[image]?.name ?? "").join(" – ");
 }
 // www/block/panel/progress.ts
 var STAGES = {
@@ -5290,6 +5372,42 @@ function mountProgress(host, store) {
 		fill(body, ...begun);
 	});
 }
+function progressBar(store) {
+	const bar = h("progress", { testid: "block-bar" });
+	store.watch(["running", "placing"], ([running, placing]) => {
+		const { label, done, total, counts } = runsNow(running, placing) ?? NOTHING;
+		bar.classList.toggle("is-on", total > 1);
+		bar.max = Math.max(1, total);
+		bar.value = done;
+		bar.setAttribute("aria-label", label);
+		if (counts) bar.setAttribute("aria-valuetext", say("of-3", {
+			done,
+			total,
+			what: ""
+		}));
+		else bar.removeAttribute("aria-valuetext");
+	});
+	return bar;
+}
+var NOTHING = {
+	label: say("progress-of-the-run"),
+	done: 0,
+	total: 0,
+	counts: false
+};
+function runsNow(running, { running: placed }) {
+	if (running.kind !== "yes") return placed === null ? null : {
+		...placed,
+		label: placed.text,
+		counts: true
+	};
+	const [name, step] = present(running.steps) ?? [];
+	return name === void 0 || step === void 0 ? null : {
+		...step,
+		label: STAGES[name],
+		counts: !OF_ONE_PIECE.has(name)
+	};
+}
 function stage(name, step) {
 	const line = (...parts) => h("div", {
 		class: "stage-line",
@@ -5313,9 +5431,13 @@ function stepText$1(stage, { done, total, found, seconds, secondsLeft, name }) {
 		goesOn ? name ?? "" : ""
 	].filter((part) => part !== "").join("; ");
 }
-function runText(steps) {
+function present(steps) {
 	const name = NAMES$2.findLast((stage) => steps[stage] !== void 0);
 	const step = name === void 0 ? void 0 : steps[name];
+	return name === void 0 || step === void 0 ? null : [name, step];
+}
+function runText(steps) {
+	const [name, step] = present(steps) ?? [];
 	return name === void 0 || step === void 0 ? say("starting") : `${STAGES[name]}: ${stepText$1(name, step)}`;
 }
 function duration(seconds) {
@@ -7799,6 +7921,25 @@ var MATRIX_VIEW = {
 		};
 	}
 };
+// www/block/state/ground.ts
+function systemOf(view, ground) {
+	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
+	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
+}
+var medianGsd = remember((view, ground) => {
+	if (ground === null || systemOf(view, ground) === "own") return null;
+	return numberOf(median([...ground.gsd].filter(Number.isFinite)));
+});
+function gsdOf(view, ground, image) {
+	return ground === null || systemOf(view, ground) === "own" ? null : numberOf(ground.gsd[image] ?? NaN);
+}
+function median(values) {
+	const sorted = Float64Array.from(values).sort();
+	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+}
+function numberOf(value) {
+	return Number.isFinite(value) ? value : null;
+}
 // www/block/state/laid.ts
 var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
 	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
@@ -7948,11 +8089,12 @@ function niceBelow(value) {
 function stepText(value, step) {
 	return value.toFixed(Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)))).replace("-", "−");
 }
-function lengthText(length, system) {
+function lengthText(length, system, unit = "m") {
 	const twoDigits = (value) => String(Number(value.toPrecision(2)));
+	if (unit === "ft") return withUnit(twoDigits(length), unit);
 	if (system === "own") return say("length-in-units-of-the-block", { length: twoDigits(length) });
-	const [factor, unit] = length >= 1e3 ? [.001, "km"] : length >= 1 ? [1, "m"] : length >= .01 ? [100, "cm"] : [1e3, "mm"];
-	return withUnit(twoDigits(length * factor), unit);
+	const [factor, metric] = length >= 1e3 ? [.001, "km"] : length >= 1 ? [1, "m"] : length >= .01 ? [100, "cm"] : [1e3, "mm"];
+	return withUnit(twoDigits(length * factor), metric);
 }
 function paintGrid(context, colours, t, width, height) {
 	const step = niceBelow(1.6 * GRID / t.scale);
@@ -7990,7 +8132,10 @@ function ticks(from, to, step) {
 	const first = Math.ceil(from / step);
 	return Array.from({ length: Math.min(100, Math.max(0, Math.floor(to / step) - first + 1)) }, (_, i) => (first + i) * step);
 }
-function paintScale(context, colours, t, height, system) {
+function gsdText(gsd) {
+	return say("gsd", { gsd: lengthText(gsd, "geographic") });
+}
+function paintScale(context, colours, t, height, system, gsd = null, unit = "m") {
 	const length = niceBelow(BAR / t.scale);
 	const wide = length * t.scale;
 	const [left, base] = [12, height - 12];
@@ -8007,7 +8152,9 @@ function paintScale(context, colours, t, height, system) {
 	}
 	context.font = "11px system-ui, sans-serif";
 	context.textAlign = "center";
-	haloed(context, colours, lengthText(length, system), left + wide / 2, base - 6);
+	haloed(context, colours, lengthText(length, system, unit), left + wide / 2, base - 6);
+	context.textAlign = "left";
+	if (gsd !== null) haloed(context, colours, asSentence(gsdText(gsd)), left + wide + 12, base);
 	context.restore();
 }
 function paintNorth(context, colours, width, system) {
@@ -8751,10 +8898,6 @@ async function copyOf(file) {
 	}
 }
 // www/block/view/map/map.ts
-function systemOf(view, ground) {
-	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
-	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
-}
 var BlockMap = class extends Chart {
 	facts;
 	thumbs = new Thumbs(() => this.layers.redraw());
@@ -8942,7 +9085,7 @@ var BlockMap = class extends Chart {
 		const factor = factorOf(Math.max(offsets.longest.gnss, offsets.longest.surveyed), t);
 		if (look.offsets) paintGnss(context, offsets, t, factor);
 		paintSurveyed(context, colours, offsets, t, factor, look.offsets, [width, height]);
-		paintScale(context, colours, t, height, system);
+		paintScale(context, colours, t, height, system, medianGsd(view, ground));
 		if (system !== "own") paintNorth(context, colours, width, system);
 		if (look.offsets) this.paintOffsetLegend(context, colours, offsets, factor, system);
 		this.paintOutline(context, colours);
@@ -9231,8 +9374,8 @@ function inWords(map, view) {
 		}).trimEnd());
 	}
 	if (view.layout.kind !== "connections") parts.push(extentText(view, system));
-	const gsd = ground === null ? [] : [...ground.gsd].filter((value) => !Number.isNaN(value));
-	if (gsd.length > 0 && system !== "own") parts.push(say("ground-sample-distance", { reduce: lengthText(gsd.reduce((sum, value) => sum + value, 0) / gsd.length, system) }));
+	const gsd = medianGsd(view, ground);
+	if (gsd !== null) parts.push(say("ground-sample-distance", { gsd: lengthText(gsd, system) }));
 	const { longest } = offsetsOf(view, ground);
 	if (longest.gnss > 0) parts.push(say("gnss-positions-differ-by-up", { gnss: lengthText(longest.gnss, system) }));
 	if (longest.surveyed > 0) parts.push(say("surveyed-points-differ-by-up", {
@@ -10327,7 +10470,7 @@ var OrthophotoPlan = class extends LinkPicture {
 		const block = this.block();
 		if (block !== null) paintBlock(context, colours, t, clip, block, this.store.state.placing.uses, this.store.state.selection);
 		else this.paintPlaced(context, colours, t, clip);
-		paintScale(context, colours, t, height, SYSTEM);
+		paintScale(context, colours, t, height, SYSTEM, null, unitOfOrthophoto(this.store.state.placing.orthophoto));
 		paintNorth(context, colours, width, SYSTEM);
 	}
 	paintPlaced(context, colours, t, clip) {
@@ -10730,6 +10873,8 @@ function handsOf(store, hands) {
 	const accept = button(say("accept"), "link-accept", () => hands.accept(), say("takes-the-link-that-is"));
 	const undo = button(say("undo"), "link-undo", () => hands.go(-1));
 	const redo = button(say("redo"), "link-redo", () => hands.go(1));
+	hasKeys(undo, UNDO_KEYS);
+	hasKeys(redo, REDO_KEYS);
 	store.watch([
 		"placing",
 		"running",
@@ -10954,7 +11099,7 @@ var VERDICTS = {
 function placedWord({ result }) {
 	return result === null ? say("not-read-2") : VERDICTS[result.verdict.kind];
 }
-function placedColumns(rows, said) {
+function placedColumns(rows, said, unit) {
 	const of = (row) => rows[row]?.result?.placement ?? null;
 	const axes = [
 		"X",
@@ -10977,8 +11122,8 @@ function placedColumns(rows, said) {
 	return [
 		words("placed-image", say("image-2"), (i) => rows[i]?.file.name ?? "", say("file-name-press-a-row")),
 		words("placed-verdict", say("verdict"), (i) => text(i, (row) => `${placedWord(row)}${row.isStale ? say("earlier-settings") : ""}`), say("what-the-place-of-the")),
-		...axes.map((axis, k) => numbers(`placed-${axis.toLowerCase()}`, axis, "m", 2, (i) => of(i)?.pose.position[k], say("projection-centre-in-the-system", { axis }))),
-		...axes.map((axis, k) => numbers(`placed-s${axis.toLowerCase()}`, `σ ${axis}`, "m", 2, (i) => of(i)?.position_errors_m?.[k], say("standard-error-of-2", { axis }))),
+		...axes.map((axis, k) => numbers(`placed-${axis.toLowerCase()}`, axis, unit, 2, (i) => of(i)?.pose.position[k], say("projection-centre-in-the-system", { axis }))),
+		...axes.map((axis, k) => numbers(`placed-s${axis.toLowerCase()}`, `σ ${axis}`, unit, 2, (i) => of(i)?.position_errors_m?.[k], say("standard-error-of-2", { axis }))),
 		...angles.map((angle, k) => numbers(`placed-angle${String(k)}`, angle, "°", 3, (i) => of(i)?.angles_deg[k], say("rotation", { angle }))),
 		...angles.map((angle, k) => numbers(`placed-sangle${String(k)}`, `σ ${angle}`, "°", 3, (i) => of(i)?.angle_errors_deg?.[k], say("standard-error-of-3", { angle }))),
 		numbers("placed-links", say("links-2"), "", 0, (i) => uses(i, "used"), say("points-of-the-image-and")),
@@ -10986,13 +11131,13 @@ function placedColumns(rows, said) {
 		numbers("placed-rmse", "RMSE", "px", 2, (i) => of(i)?.rmse_px, say("root-mean-square-length-of-the-residuals")),
 		numbers("placed-checks", say("checks"), "", 0, (i) => of(i)?.checks?.number, say("links-that-took-no-part-and")),
 		numbers("placed-check-rmse", say("check-rmse"), "px", 2, (i) => of(i)?.checks?.rmse_px, say("root-mean-square-length-of-the-residuals-of")),
-		numbers("placed-check-ground", say("on-the-ground"), "m", 2, (i) => of(i)?.checks?.rmse_m, say("the-same-on-the-ground")),
-		numbers("placed-gsd", "GSD", "m", 3, (i) => of(i)?.gsd_m, say("ground-sample-distance-the-side")),
-		numbers("placed-above", say("above-ground"), "m", 1, (i) => of(i)?.above_ground_m, say("height-of-the-projection-centre")),
+		numbers("placed-check-ground", say("on-the-ground"), unit, 2, (i) => of(i)?.checks?.rmse_m, say("the-same-on-the-ground")),
+		numbers("placed-gsd", "GSD", unit, 3, (i) => of(i)?.gsd_m, say("ground-sample-distance-the-side")),
+		numbers("placed-above", say("above-ground"), unit, 1, (i) => of(i)?.above_ground_m, say("height-of-the-projection-centre")),
 		words("placed-why", say("why"), (i) => text(i, said), say("the-verdict-in-a-sentence"))
 	];
 }
-function linkColumns({ links: { at, places, residuals, uses } }, steps, done) {
+function linkColumns({ links: { at, places, residuals, uses } }, steps, done, unit) {
 	return [
 		numbers("link", say("link"), "", 0, (i) => i + 1, say("number-of-the-link-press")),
 		words("link-use", say("use"), (i) => useWord({
@@ -11001,9 +11146,9 @@ function linkColumns({ links: { at, places, residuals, uses } }, steps, done) {
 		}, i, USES$1[uses[i] ?? 0] ?? "used"), say("used-for-the-orientation-kept")),
 		numbers("link-column", say("column"), "px", 2, (i) => at[2 * i], say("position-in-the-image-the")),
 		numbers("link-row", say("row-2"), "px", 2, (i) => at[2 * i + 1], say("position-in-the-image")),
-		numbers("link-x", "X", "m", 2, (i) => places[3 * i], say("place-on-the-orthophoto-2")),
-		numbers("link-y", "Y", "m", 2, (i) => places[3 * i + 1], say("place-on-the-orthophoto-2")),
-		numbers("link-z", "Z", "m", 2, (i) => places[3 * i + 2], say("height-of-the-ground-at")),
+		numbers("link-x", "X", unit, 2, (i) => places[3 * i], say("place-on-the-orthophoto-2")),
+		numbers("link-y", "Y", unit, 2, (i) => places[3 * i + 1], say("place-on-the-orthophoto-2")),
+		numbers("link-z", "Z", unit, 2, (i) => places[3 * i + 2], say("height-of-the-ground-at")),
 		numbers("link-dx", say("residual-x"), "px", 2, (i) => residuals[2 * i], say("observed-minus-computed-column")),
 		numbers("link-dy", say("residual-y"), "px", 2, (i) => residuals[2 * i + 1], say("observed-minus-computed-row")),
 		numbers("link-length", say("length"), "px", 2, (i) => Math.hypot(residuals[2 * i] ?? NaN, residuals[2 * i + 1] ?? NaN), say("length-of-the-residual"))
@@ -11051,11 +11196,11 @@ function placedTable(host, store) {
 			draw();
 		}
 	});
-	const columns = remember((shown) => placedColumns(shown, verdictText));
+	const columns = remember((shown, unit) => placedColumns(shown, verdictText, unit));
 	const draw = () => {
 		if (isHidden(host)) return;
 		rows = placedFiles(store.state);
-		table.show(rows.length, columns(rows), void 0, filter);
+		table.show(rows.length, columns(rows, unitOfOrthophoto(store.state.placing.orthophoto)), void 0, filter);
 		table.reveal(rows.findIndex(({ file }) => file.id === store.state.placing.chosen.image));
 	};
 	store.watch((s) => [
@@ -11100,7 +11245,7 @@ function linksTable(host, store) {
 		if (isHidden(host)) return;
 		const placed = chosenPlaced(store.state);
 		const placement = placed?.result?.placement ?? null;
-		table.show(placement?.links.count ?? 0, placed === null || placement === null ? [] : columns(placement, placed.steps, placed.done), void 0, filter);
+		table.show(placement?.links.count ?? 0, placed === null || placement === null ? [] : columns(placement, placed.steps, placed.done, unitOfOrthophoto(store.state.placing.orthophoto)), void 0, filter);
 		table.reveal(store.state.placing.chosen.link ?? -1);
 	};
 	store.watch((s) => [
@@ -11761,8 +11906,18 @@ function plotsView(facts) {
 			const plot = new Plot(element, store, looking, facts);
 			const [chosen, select] = choice(say("plot"), "plot-name", PLOTS, (name) => plot.show(name));
 			select.value = plot.shows;
-			const picture = button("PNG", "plot-png", () => void savePicture(plot), say("saves-the-plot-as-it"));
-			const values = button("CSV", "plot-csv", () => void saveValues(plot), say("saves-the-values-of-the"));
+			const saved = (name) => {
+				if (store.state.notice?.kind !== "busy") store.dispatch({
+					type: "notice",
+					notice: {
+						kind: "info",
+						text: say("was-saved", { name }),
+						beside: true
+					}
+				});
+			};
+			const picture = button("PNG", "plot-png", () => void savePicture(plot, saved), say("saves-the-plot-as-it"));
+			const values = button("CSV", "plot-csv", () => void saveValues(plot, saved), say("saves-the-values-of-the"));
 			const show = () => {
 				const data = plot.data();
 				const text = data === null ? "" : plotText(data);
@@ -11785,14 +11940,17 @@ function plotsView(facts) {
 		}
 	};
 }
-async function savePicture(plot) {
+async function savePicture(plot, saved) {
 	const picture = plot.picture();
 	const blob = await new Promise((resolve) => {
 		picture.toBlob(resolve);
 	});
-	if (blob !== null) save(blob, `block-${plot.shows}.png`);
+	if (blob === null) return;
+	const name = `block-${plot.shows}.png`;
+	save(blob, name);
+	saved(name);
 }
-async function saveValues(plot) {
+async function saveValues(plot, saved) {
 	const data = plot.data();
 	if (data === null) return;
 	const column = ({ label, unit, values, names }) => ({
@@ -11804,7 +11962,9 @@ async function saveValues(plot) {
 		text: (row) => names?.[Math.round(values[row] ?? NaN)] ?? String(values[row] ?? ""),
 		...names === void 0 ? {} : { words: true }
 	});
-	save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), `block-${plot.shows}.csv`);
+	const name = `block-${plot.shows}.csv`;
+	save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), name);
+	saved(name);
 }
 // www/block/panel/results.ts
 var LISTED = 50;
@@ -12211,7 +12371,7 @@ function besideField(store, given, title, how, take, clear) {
 	};
 }
 // www/block/panel/stage.ts
-function mountStage(host, store, looking, views, dock, invitation) {
+function mountStage(host, store, looking, facts, views, dock, invitation) {
 	const shelf = h("div", {
 		class: "views",
 		id: "block-view",
@@ -12247,7 +12407,7 @@ function mountStage(host, store, looking, views, dock, invitation) {
 		class: "toolbar",
 		role: "toolbar",
 		aria: { label: say("view-of-the-block") }
-	}, switched, drawerButton("table", say("table-2"), "block-table", dock), zoom, tools), line, shelf, said(store, looking), dock, keys);
+	}, switched, drawerButton("table", say("table-2"), "block-table", dock), zoom, tools), line, shelf, said(store, looking, facts), dock, keys);
 	store.watch(["onStage"], ([onStage]) => {
 		const wanted = views.find(({ name }) => name === onStage) ?? views[0];
 		if (wanted === void 0) return;
@@ -12268,7 +12428,7 @@ function mountStage(host, store, looking, views, dock, invitation) {
 	});
 	return line;
 }
-function said(store, looking) {
+function said(store, looking, facts) {
 	const pointedAt = h("p", {
 		class: "pointed",
 		testid: "block-pointed"
@@ -12283,6 +12443,14 @@ function said(store, looking) {
 		const { chosen } = store.state.selection;
 		if (chosen?.kind === "pair") looking.open(chosen.images);
 	});
+	const describeNow = () => {
+		const { selection, onStage } = store.state;
+		const { chosen, pointed } = selection;
+		tell$1(chosenNow, store, facts, chosen, "");
+		tell$1(pointedAt, store, facts, pointed, onStage === "plots" ? "" : say("point-at-an-image-a"));
+		if (pointed !== null && isSame(pointed, chosen)) pointedAt.textContent = "";
+	};
+	facts.watch(describeNow);
 	store.watch([
 		"selection",
 		"shown",
@@ -12290,10 +12458,8 @@ function said(store, looking) {
 		"notice",
 		"placing",
 		"onStage"
-	], ([{ chosen, pointed }, shown, , , , onStage]) => {
-		tell$1(chosenNow, store, chosen, "");
-		tell$1(pointedAt, store, pointed, onStage === "plots" ? "" : say("point-at-an-image-a"));
-		if (pointed !== null && isSame(pointed, chosen)) pointedAt.textContent = "";
+	], ([{ chosen }, shown]) => {
+		describeNow();
 		open.hidden = chosen?.kind !== "pair" || shown === null;
 		open.disabled = isBusy(store.state);
 	});
@@ -12303,9 +12469,10 @@ function said(store, looking) {
 	for (const element of [text, line]) sized.observe(element);
 	return line;
 }
-function tell$1(element, store, choice, otherwise) {
+function tell$1(element, store, facts, choice, otherwise) {
 	const { shown } = store.state;
-	const text = choice === null || shown === null ? otherwise : describe(shown, choice);
+	const gsd = choice?.kind === "image" && shown !== null ? gsdOf(shown.view, facts.ground(), choice.image) : null;
+	const text = choice === null || shown === null ? otherwise : describe(shown, choice, gsd === null ? "" : gsdText(gsd));
 	if (element.textContent !== text) element.textContent = text;
 }
 function invited(store, { sample, placedSample, open }) {
@@ -12457,11 +12624,11 @@ function answered$1(state, tried, actions) {
 		verdict: isSound ? "oriented" : placed + weak > 0 ? "weak" : "not_oriented",
 		text,
 		more: more.filter((part) => part !== "").join(" "),
-		figures: figuresOf$1(tried),
+		figures: figuresOf$1(tried, unitOfOrthophoto(state.placing.orthophoto)),
 		next
 	};
 }
-function figuresOf$1(tried) {
+function figuresOf$1(tried, unit) {
 	const placements = tried.flatMap(({ result }) => result?.placement ?? []);
 	const links = placements.reduce((sum, placement) => sum + usedSo(placement.links, "used"), 0);
 	const checks = placements.flatMap(({ checks: own }) => own ?? []);
@@ -12481,11 +12648,11 @@ function figuresOf$1(tried) {
 			label: say("links-3")
 		}] : [],
 		...widths.length > 0 ? [{
-			value: say("within-m", { half_width_m: Number(Math.max(...widths).toPrecision(2)) }),
+			value: say("within", { length: gsdText$1(Number(Math.max(...widths).toPrecision(2)), unit) }),
 			label: say("projection-centres-95")
 		}] : [],
 		...number > 0 ? [{
-			value: gsdText(Number(rmse.toFixed(3))),
+			value: gsdText$1(Number(rmse.toFixed(3)), unit),
 			label: say("rmse-of-check-links-on")
 		}] : []
 	];
@@ -12506,7 +12673,7 @@ function mountBlockStatus(store, actions, details) {
 		else actions.run();
 	});
 	const cancel = button(say("cancel"), "block-cancel", actions.cancel);
-	const buttons = h("div", { class: "answer-actions" }, run, cancel, details);
+	const buttons = h("div", { class: "answer-actions" }, progressBar(store), run, cancel, details);
 	const card = h("div", {
 		class: "answer",
 		testid: "block-answer"
@@ -12772,7 +12939,7 @@ var PLACED_SAMPLE = {
 	pixel_mm: .045
 };
 var PLACED_GSD_M = .5;
-async function mountBlock(catalogue, { modes, openPair, openProject, putAside }) {
+async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAside }) {
 	const store = new Holder(BLOCK_INITIAL, reduceBlock);
 	const engine = new BlockEngine(store);
 	const placing = new PlacingEngine(store);
@@ -12790,6 +12957,10 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 			choice
 		}),
 		open: (images) => openPair(store, images)
+	};
+	const beside = {
+		...pair,
+		open: looking.open
 	};
 	const actions = h("div", {
 		class: "actions",
@@ -12821,7 +12992,7 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 	byId("page-actions").before(actions, exports);
 	byId("menu").before(drawers);
 	document.querySelector("body > main")?.after(main);
-	document.querySelector("body > main")?.before(mountBack(store, modes));
+	document.querySelector("body > main")?.before(mountBack(store, modes, beside));
 	showIn(modes, "block", [
 		actions,
 		exports,
@@ -12874,7 +13045,7 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 	const images = imagesView(engine, facts, pick, (made) => {
 		measures = made;
 	});
-	const editLine = mountStage(stage, store, looking, [
+	const editLine = mountStage(stage, store, looking, facts, [
 		mapView(facts, placing, () => void makeMosaic(store, engine, placing, "map-mosaic")),
 		images,
 		MATRIX_VIEW,
@@ -12899,7 +13070,7 @@ async function mountBlock(catalogue, { modes, openPair, openProject, putAside })
 	main.append(near.element);
 	store.watch(["notice"], ([notice]) => near.show(notice));
 	new EditFollower(store, engine);
-	mountAddress(store, modes);
+	mountAddress(store, modes, beside);
 	store.watch(["running"], ([running]) => {
 		if (running.kind === "yes") showTab("tab-block-results");
 	});
@@ -13003,7 +13174,7 @@ async function openPair(block, modes, store, engine, putAside, [a, b]) {
 	if (shown === null) return;
 	const [left, right] = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
 	if (left === void 0 || right === void 0) {
-		tell(block, say("the-files-of-these-images"));
+		tell(block, modes, say("the-files-of-these-images"));
 		return;
 	}
 	const images = {
@@ -13015,7 +13186,7 @@ async function openPair(block, modes, store, engine, putAside, [a, b]) {
 		camera = cameraOfImages(shown.view, a, b);
 		await Promise.all([engine.open("left", images.left), engine.open("right", images.right)]);
 	} catch (error) {
-		tell(block, say("the-pair-cannot-be-shown", { error: messageOf(error) }));
+		tell(block, modes, say("the-pair-cannot-be-shown", { error: messageOf(error) }));
 		return;
 	}
 	const stays = isOwn(store.state) ? await leave(block, store.state, putAside) : "";
@@ -13104,7 +13275,8 @@ function imageOf({ name, file }) {
 		}
 	};
 }
-function tell(block, text) {
+function tell(block, modes, text) {
+	modes.dispatch("block");
 	block.dispatch({
 		type: "notice",
 		notice: {

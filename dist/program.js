@@ -2515,6 +2515,11 @@ function passFocus(held, others) {
 	others.find((other) => other != null && canHold(other))?.focus({ preventScroll: true });
 }
 // www/shared/panel/history.ts
+var UNDO_KEYS = ["Ctrl+Z"];
+var REDO_KEYS = ["Ctrl+Shift+Z", "Ctrl+Y"];
+function hasKeys(made, keys) {
+	made.setAttribute("aria-keyshortcuts", keys.join(" ").replaceAll("Ctrl", "Control"));
+}
 function set(made, text, disabled) {
 	if (made.textContent !== text) made.textContent = text;
 	made.disabled = disabled;
@@ -2524,13 +2529,14 @@ function showSteps(undo, redo, history, nameOf) {
 	for (const [made, name, keys] of [[
 		undo,
 		names.undo === null ? say("undo") : say("undo-3", { undo: names.undo }),
-		"Ctrl+Z"
+		UNDO_KEYS
 	], [
 		redo,
 		names.redo === null ? say("redo") : say("redo-3", { redo: names.redo }),
-		"Ctrl+Shift+Z"
+		REDO_KEYS
 	]]) {
-		made.title = `${name} (${keys})`;
+		made.title = `${name} (${keys[0]})`;
+		hasKeys(made, keys);
 		made.setAttribute("aria-label", name);
 		made.hidden = history.edits.length === 0;
 	}
@@ -2569,12 +2575,12 @@ function undoKeys(isActive, step) {
 		where: say("anywhere-after-edits"),
 		host: document.body,
 		list: [{
-			keys: ["Ctrl+Z"],
+			keys: UNDO_KEYS,
 			does: say("takes-back-the-last-edit"),
 			can: isActive,
 			run: () => step(-1)
 		}, {
-			keys: ["Ctrl+Shift+Z", "Ctrl+Y"],
+			keys: REDO_KEYS,
 			does: say("makes-the-edit-again"),
 			can: isActive,
 			run: () => step(1)
@@ -5320,6 +5326,7 @@ function answerCard(host, line, buttons, prefix) {
 		testid: `${prefix}figures`
 	});
 	let act = () => void 0;
+	let instead = [];
 	const press = button("", `${prefix}next`, () => act());
 	press.className = "primary";
 	const others = h("span", { class: "answer-others" });
@@ -5333,7 +5340,8 @@ function answerCard(host, line, buttons, prefix) {
 	new ResizeObserver(() => {
 		if (host.dataset.kind !== "busy") ({height} = host.getBoundingClientRect());
 	}).observe(host);
-	return ({ kind, verdict, text, more = "", problem = "", figures: found = [], next = null, others: instead = [] }) => {
+	return ({ kind, verdict, text, more = "", problem = "", figures: found = [], next = null, others: now = [] }) => {
+		instead = now;
 		host.dataset.kind = kind;
 		host.style.minHeight = kind === "busy" && height > 0 ? `${String(height)}px` : "";
 		host.dataset.verdict = verdict ?? "";
@@ -5357,7 +5365,7 @@ function answerCard(host, line, buttons, prefix) {
 		const texts = instead.map(({ text: own }) => own).join("\n");
 		if (texts === offered) return;
 		offered = texts;
-		fill(others, ...instead.map(({ text: own, act: does }, i) => button(own, `${prefix}other-${String(i + 1)}`, does)));
+		fill(others, ...instead.map(({ text: own }, i) => button(own, `${prefix}other-${String(i + 1)}`, () => instead[i]?.act())));
 		others.hidden = instead.length === 0;
 	};
 }
@@ -7935,7 +7943,7 @@ var Files = class {
 		this.isReady = true;
 		this.started();
 	}
-	async take(files, side) {
+	async take(files, side, asks = side === null) {
 		if (files.length === 0) return;
 		this.store.dispatch({
 			type: "notice",
@@ -7946,7 +7954,7 @@ var Files = class {
 		if (project !== void 0) {
 			await this.openProject(project);
 			const others = files.filter((file) => !projects.includes(file));
-			if (others.length > 0) await this.take(others, side);
+			if (others.length > 0) await this.take(others, side, asks);
 			return;
 		}
 		if (images.length > 2) {
@@ -7957,7 +7965,7 @@ var Files = class {
 		const told = [];
 		const camera = cameras[0];
 		if (camera !== void 0) told.push(await this.takeCamera(camera));
-		const ofImages = images.length > 0 ? await this.takeImages(images, side) : [];
+		const ofImages = images.length > 0 ? await this.takeImages(images, side, asks) : [];
 		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
 		told.push(...ofImages);
 		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
@@ -8071,12 +8079,15 @@ var Files = class {
 		const bad = said.some(({ kind }) => kind === "problem");
 		const kept = bad && (left !== null || right !== null) ? say("the-open-images-are-kept") : "";
 		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
+		const choices = said.flatMap((one) => one.choices ?? []);
+		const notice = {
+			kind: bad ? "problem" : "info",
+			text,
+			...choices.length > 0 && { choices }
+		};
 		this.store.dispatch({
 			type: "notice",
-			notice: said.length === 0 ? null : {
-				kind: bad ? "problem" : "info",
-				text
-			}
+			notice: said.length === 0 ? null : notice
 		});
 	}
 	failed(what, error) {
@@ -8117,7 +8128,7 @@ var Files = class {
 			return this.failed(say("holds-no-camera-data", { name: file.name }), error);
 		}
 	}
-	async takeImages(files, side) {
+	async takeImages(files, side, asks) {
 		const tooLarge = files.find((file) => file.size > MOST_BYTES);
 		if (tooLarge !== void 0) return [problem(say("has-mb-up-to-1", {
 			name: tooLarge.name,
@@ -8145,7 +8156,7 @@ var Files = class {
 				text: say("reading-2", { join: files.map((file) => file.name).join(say("and-between")) })
 			}
 		});
-		return this.check(images);
+		return this.check(images, "images", asks);
 	}
 	async takeFound(files, sides) {
 		const images = {};
@@ -8161,7 +8172,7 @@ var Files = class {
 		}
 		return this.check(images, "found");
 	}
-	async check(images, type = "images") {
+	async check(images, type, asks = false) {
 		const entries = Object.entries(images);
 		const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
 		const told = outcomes.flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? say("the-file"), outcome.reason)] : []);
@@ -8181,11 +8192,54 @@ var Files = class {
 			});
 			return [];
 		}
+		const question = asks ? await this.askOfThird(images) : null;
+		return question === null ? this.show(images) : [question];
+	}
+	async askOfThird(images) {
+		const { left, right } = this.store.state.images;
+		const [[side, third], another] = Object.entries(images);
+		const files = [
+			left,
+			right,
+			third
+		].flatMap((image) => image === null ? [] : fileOf$1(image));
+		if (another !== void 0 || files.length < 3 || await this.isSame(this.store.state.images[side], third)) return null;
+		const dismiss = () => this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		const choices = [
+			{
+				text: say("open-three-as-a-block"),
+				act: () => {
+					dismiss();
+					this.toBlock(files, []);
+				}
+			},
+			{
+				text: say("replace-the-image", { side }),
+				act: () => void this.show(images).then((told) => this.tell(told))
+			},
+			{
+				text: say("keep-the-pair"),
+				act: dismiss
+			}
+		];
+		return {
+			kind: "info",
+			text: say("is-a-third-image", {
+				name: third.name,
+				side
+			}),
+			choices
+		};
+	}
+	async show(images) {
 		const { photos } = this.store.state;
 		const marked = await this.marked(images);
 		const aside = await this.leave(marked.gone.length > 0);
 		this.store.dispatch({
-			type,
+			type: "images",
 			images,
 			same: marked.same
 		});
@@ -8228,6 +8282,10 @@ var Files = class {
 		return images.right === null ? "right" : activeSide;
 	}
 };
+function fileOf$1({ name, source }) {
+	if (source.kind !== "file") return [];
+	return [source.file instanceof File ? source.file : new File([source.file], name)];
+}
 function takerOf(store, view, files) {
 	const sideAt = (event) => {
 		const box = view.host.getBoundingClientRect();
@@ -8237,7 +8295,7 @@ function takerOf(store, view, files) {
 	return {
 		isActive: () => true,
 		markAt: (event) => sideAt(event) ?? "page",
-		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null)
+		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null, true)
 	};
 }
 // www/pair/files/keep.ts
@@ -9858,6 +9916,8 @@ function mountEdits(host, store, editing, follow) {
 	}, say("measure-the-selected-match-anew"));
 	const undo = button(say("undo"), "undo", () => editing.step(-1), say("take-back-the-last-edit"));
 	const redo = button(say("redo"), "redo", () => editing.step(1), say("make-the-edit-again-that"));
+	hasKeys(undo, UNDO_KEYS);
+	hasKeys(redo, REDO_KEYS);
 	const hint = h("p", {
 		class: "note",
 		testid: "edit-hint"
@@ -10907,6 +10967,7 @@ function isBusy(state) {
 }
 function answerOf(state, actions) {
 	const notice = ofLine(state.notice);
+	if (notice?.choices !== void 0) return question(notice.text, notice.choices, isBusy(state));
 	if (notice?.kind !== "problem") return answerWith(state, notice, actions);
 	const answer = answerWith(state, null, actions);
 	return answer.kind === "idle" ? {
@@ -10917,6 +10978,15 @@ function answerOf(state, actions) {
 	} : {
 		...answer,
 		problem: notice.text
+	};
+}
+function question(text, [next, ...others], busy) {
+	return {
+		kind: busy ? "busy" : "idle",
+		verdict: null,
+		text,
+		next: next ?? null,
+		others
 	};
 }
 function answerWith(state, notice, actions) {
@@ -11201,7 +11271,7 @@ function mountMasking(host, bar, store, masking, paint) {
 	const unmask = button(say("unmask-it"), "unmask-area", () => paint(false), say("points-in-the-outlined-area"));
 	const undo = button(say("undo-sign"), "mask-undo", () => masking.step(-1));
 	const redo = button(say("redo-sign"), "mask-redo", () => masking.step(1));
-	const keep = button(say("save-masks"), "mask-save", () => saveMasks(store.state), say("masks-as-png-files-for"));
+	const keep = button(say("save-masks"), "mask-save", () => saveMasks(store), say("masks-as-png-files-for"));
 	const end = button(say("end-masking"), "mask-end", () => masking.toggle());
 	const buttons = h("div", {
 		class: "drafting",
@@ -11237,11 +11307,16 @@ function fileOf(state, side) {
 	const source = state.masks[side]?.source;
 	return source?.kind === "file" ? source.file : null;
 }
-function saveMasks(state) {
+function saveMasks(store) {
+	const { state } = store;
 	for (const side of SIDES) {
 		const file = fileOf(state, side);
 		if (file !== null) save(file, state.masks[side]?.name ?? "mask.png");
 	}
+	if (state.notice?.kind !== "busy") store.dispatch({
+		type: "notice",
+		notice: null
+	});
 }
 // www/pair/panel/panes.ts
 function mountPanes(view, store, actions) {
@@ -15394,19 +15469,25 @@ function mountActions(press) {
 	});
 }
 function actions() {
-	const commands = declared().filter(({ host, list }) => host.checkVisibility() && list.length > 0).flatMap(({ where, list }) => list.filter(({ can }) => can?.() !== false).map(({ keys, does, run }) => ({
+	const made = [...document.querySelectorAll("button")].filter((button) => button.closest("dialog, table, .control, .history, .facts") === null && !button.matches(UNNAMED) && reachable(button));
+	const ofButtons = new Set(made.flatMap(keysOfButton));
+	const commands = declared().filter(({ host, list }) => host.checkVisibility() && list.length > 0).flatMap(({ where, list }) => list.filter(({ keys, can }) => can?.() !== false && !keys.some((key) => ofButtons.has(key))).map(({ keys, does, run }) => ({
 		name: sentenceOf(does),
 		more: where,
 		keys,
 		run: () => run(false)
 	})));
-	const buttons = [...document.querySelectorAll("button")].filter((made) => !made.disabled && made.closest("dialog, table, .control, .history, .facts") === null && !made.matches(UNNAMED) && reachable(made)).map((made) => ({
-		name: nameOf(made),
-		more: [groupOf(made), made.title].filter((text) => text !== "" && text !== nameOf(made)).join(" · "),
-		keys: [],
+	const buttons = once(made.filter(({ disabled }) => !disabled)).map((button) => ({
+		name: nameOf(button),
+		more: [...new Set([
+			groupOf(button),
+			tabOf(button),
+			button.title
+		])].filter((text) => text !== "" && !saysName(button, text)).join(" · "),
+		keys: keysOfButton(button),
 		run: () => {
-			reveal(made);
-			made.click();
+			reveal(button);
+			button.click();
 		}
 	}));
 	const settings = [...document.querySelectorAll(".control label")].filter(reachable).map((label) => ({
@@ -15428,6 +15509,22 @@ var UNNAMED = ".close, .menu-button, #export-menu";
 function nameOf(made) {
 	const shown = made.getAttribute("aria-label") ?? made.textContent;
 	return /\p{L}|\d/u.test(shown) || made.title === "" ? shown : made.title;
+}
+var saysName = (button, text) => [nameOf(button), `${nameOf(button)} (${keysOfButton(button)[0] ?? ""})`].includes(text);
+var keysOfButton = (button) => button.getAttribute("aria-keyshortcuts")?.replaceAll("Control", "Ctrl").split(" ") ?? [];
+function once(buttons) {
+	const known = new Set();
+	return buttons.filter((button) => {
+		const keys = keysOfButton(button);
+		const name = [nameOf(button), ...keys].join("\n");
+		const isFirst = !known.has(name);
+		if (keys.length > 0) known.add(name);
+		return isFirst;
+	});
+}
+function tabOf(made) {
+	const tab = made.closest("[role=\"tabpanel\"]")?.getAttribute("aria-labelledby");
+	return tab == null ? "" : document.getElementById(tab)?.textContent ?? "";
 }
 var sentenceOf = (does) => does.charAt(0).toUpperCase() + does.slice(1);
 var groupOf = (made) => made.parentElement?.closest("[aria-label]")?.getAttribute("aria-label") ?? "";
@@ -16003,6 +16100,10 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	const ofBlocks = blockCatalogue(catalogue);
 	const block = await mountBlock(ofBlocks, {
 		...elsewhere,
+		pair: {
+			names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
+			watch: (changed) => pair.store.watch(["images"], changed)
+		},
 		openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images)
 	});
 	block.store.dispatch({
@@ -16011,4 +16112,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, inPane, isHidden, isOpen, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };

@@ -2479,11 +2479,16 @@
 			};
 		}
 	};
+	function median(values) {
+		const sorted = Float64Array.from(values).sort();
+		return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+	}
 	// www/block/engine/ground.ts
 	var FARTHEST = 12;
 	function groundOf(block) {
 		const model = block.model();
 		const heights = heightsOf(model);
+		const depths = depthsOf(model);
 		const count = model.images.length;
 		const footprints = new Float64Array(8 * count).fill(NaN);
 		const gsd = new Float64Array(count).fill(NaN);
@@ -2491,7 +2496,7 @@
 			const camera = model.cameras[index];
 			if (pose == null || camera === void 0) return;
 			footprints.set(footprintOf(camera, pose, heights[i] ?? NaN), 8 * i);
-			gsd[i] = Math.abs(pose.position[2] - (heights[i] ?? NaN)) / camera.focal_px;
+			gsd[i] = (depths[i] ?? NaN) / camera.focal_px;
 		});
 		return {
 			footprints,
@@ -2511,9 +2516,19 @@
 		const usual = median(all);
 		return Float64Array.from(own, (heights) => heights.length === 0 ? usual : median(heights));
 	}
-	function median(values) {
-		const sorted = Float64Array.from(values).sort();
-		return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+	function depthsOf({ images, points }) {
+		const own = images.map(() => []);
+		for (const { position, rays } of points) {
+			if (position == null) continue;
+			for (const { image } of rays) {
+				const pose = images[image]?.pose;
+				if (pose != null) own[image]?.push(Math.abs(depthOf(pose, position)));
+			}
+		}
+		return Float64Array.from(own, median);
+	}
+	function depthOf({ rotation, position: centre }, position) {
+		return rotation[2].reduce((sum, value, axis) => sum + value * ((position[axis] ?? 0) - (centre[axis] ?? 0)), 0);
 	}
 	function footprintOf({ width_px: width, height_px: height, focal_px: focal, principal_point_px: [cx, cy] }, { rotation, position }, ground) {
 		const places = [

@@ -39,7 +39,7 @@ const TECHNICAL =
 
 /** Symbols, units, keys, names of programs and formats: the same in every language. */
 export const SAME =
-  /^(?:[A-Z]{2,}\d*|px|mm|cm|km|m|µm|kB|GB|MB|EPSG|COLMAP|MicMac|OpenSfM|BINGO|ISAT|PAT-B|GeoJSON|GeoTIFF|RMSE|GSD|MDB|Tiepoint|Ctrl|Shift|Enter|Escape|Delete|Backspace|Esc|Del|Page|Down|Up|by|bz|vx|vy|dx|dy|[a-zA-Zσδ]\d?|Δ[A-Z]?|tif|tiff|zip|csv|json|png|html|tiepoint)$/u;
+  /^(?:[A-Z]{2,}\d*|px|mm|cm|km|m|µm|kB|GB|MB|EPSG|COLMAP|MicMac|OpenSfM|BINGO|ISAT|PAT-B|GeoJSON|GeoTIFF|RMSE|GSD|MDB|Tiepoint|Ctrl|Control|Shift|Enter|Escape|Delete|Backspace|Esc|Del|Page|Down|Up|by|bz|vx|vy|dx|dy|[a-zA-Zσδ]\d?|Δ[A-Z]?|tif|tiff|zip|csv|json|png|html|tiepoint)$/u;
 
 /** The texts for people in the code of one file.  @param {string} name @param {string} code @returns {Found[]} */
 export function englishIn(name, code) {

@@ -151,7 +151,7 @@ function sayOpening(keeper: Keeper, { store }: Pair): void {
 async function loadBlock(
   catalogue: Catalogue,
   pair: Pair,
-  elsewhere: Omit<Parameters<typeof import('./block/mount').mountBlock>[1], 'openPair'>,
+  elsewhere: Omit<Parameters<typeof import('./block/mount').mountBlock>[1], 'openPair' | 'pair'>,
 ): Promise<Block> {
   // Its words are said as soon as it is there.
   await learnPart('block');
@@ -159,6 +159,10 @@ async function loadBlock(
   const ofBlocks = blockCatalogue(catalogue);
   const block = await mountBlock(ofBlocks, {
     ...elsewhere,
+    pair: {
+      names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
+      watch: (changed) => pair.store.watch(['images'], changed),
+    },
     openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images),
   });
   block.store.dispatch({ type: 'ready', catalogue: ofBlocks });

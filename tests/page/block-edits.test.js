@@ -143,6 +143,17 @@ test('observations and images are rejected, a point is measured by keyboard, all
   await status(page, /: 6 of 6 images/);
   await page.keyboard.press('Control+Shift+z');
   await status(page, /: 5 of 6 images/);
+  // A button and its key are one action; what many tables have is told apart.
+  await page.keyboard.press('Control+k');
+  await part(page, 'search-text').fill('undo');
+  const undoing = part(page, 'search-list').locator('li');
+  assert.deepEqual(await undoing.allTextContents(), ['Undo: reject photo_0.pngEdits by handCtrl+Z']);
+  await part(page, 'search-text').fill('edit anywhere');
+  assert.equal(await undoing.count(), 0);
+  await part(page, 'search-text').fill('copy tables');
+  const copies = await undoing.allTextContents();
+  assert.ok(copies.length > 3 && new Set(copies).size === copies.length, copies.join('\n'));
+  await part(page, 'search-close').click();
   await part(page, 'tab-block-edits').click();
   assert.equal((await part(page, 'block-rejected').textContent())?.trim(), 'photo_0.png Restore');
   await part(page, 'block-history-0').click();

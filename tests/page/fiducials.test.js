@@ -195,6 +195,7 @@ test('marks go with the image that they were measured in, which is said; they st
   await says(page, 'interior-left', /^4 marks/);
   // The pair with its marks stays in the list of projects.
   await part(page, 'file-input').setInputFiles([upload('other.png', right.buffer, 'image/png')]);
+  await part(page, 'other-1').click();
   await says(page, 'status', /stay under Projects\. The 4 fiducial marks of the left image went with it\./);
   assert.equal(await marks.count(), 0);
   assert.deepEqual(complaints, []);

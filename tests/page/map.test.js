@@ -37,11 +37,14 @@ test('the map says what it shows, tells the place of the pointer, and a rectangl
   await photos(page);
   await part(page, 'block-run').click();
   await status(page, /^(Oriented|Weak orientation): /);
-  const words = await says(page, 'block-map-words', /ground sample distance/);
+  const words = await says(page, 'block-map-words', /Median ground sample distance/);
   assert.match(
     words,
     /^Oriented positions, from above \(metres east and north of the origin\)\. .*6 images, 6 oriented, .* tie points; RMSE of the residuals from 0\.00 to /,
   );
+  // From some 800 m with a focal length of 567 px.
+  const [, gsd = ''] = /Median ground sample distance ([\d.]+) m/.exec(words) ?? [];
+  assert.ok(Number(gsd) > 1.3 && Number(gsd) < 1.5, words);
   assert.match(words, /GNSS positions differ by up to [\d.]+ (m|cm|mm)/);
   await says(page, 'block-layout', /RMSE of the residuals: 0\.00 px0?\.?\d*/);
 
@@ -88,7 +91,7 @@ test('the map says what it shows, tells the place of the pointer, and a rectangl
   await page.keyboard.press('Escape');
   await says(page, 'block-chosen', /^$/);
   await page.keyboard.press('n');
-  await says(page, 'block-chosen', /^photo_00000\.png: /);
+  await says(page, 'block-chosen', /^photo_00000\.png: .*; GSD [\d.]+ m; /);
   await page.keyboard.press('c');
   await says(page, 'block-chosen', /^photo_00000\.png – photo_00001\.png: connected/);
   for (const key of ['ArrowRight', '+', '0']) {

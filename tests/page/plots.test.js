@@ -15,9 +15,10 @@ test('plots say what they show, choose by press and rectangle in all views, and 
   await status(page, /^(Oriented|Weak orientation): /);
   await part(page, 'block-show-plots').click();
   await says(page, 'block-plot-words', /^6 values over image\. RMSE of the residuals: median 0\.\d{3}, from 0\.\d{3} to 0\.\d{3} px\.$/);
-  const box = await part(page, 'block-plot').boundingBox();
+  let box = await part(page, 'block-plot').boundingBox();
   assert.ok(box);
-  const at = (/** @type {number} */ x, /** @type {number} */ y) => /** @type {const} */ ([box.x + x * box.width, box.y + y * box.height]);
+  const at = (/** @type {number} */ x, /** @type {number} */ y) =>
+    /** @type {const} */ ([(box?.x ?? 0) + x * (box?.width ?? 0), (box?.y ?? 0) + y * (box?.height ?? 0)]);
   // The bar in the middle is one of an image; what the pointer is over is said.
   await page.mouse.move(...at(0.5, 0.7));
   await says(page, 'block-pointed', /^photo_0000[23]\.png: /);
@@ -25,6 +26,9 @@ test('plots say what they show, choose by press and rectangle in all views, and 
   await page.mouse.click(...at(0.5, 0.7));
   await says(page, 'block-chosen', /^photo_0000[23]\.png: /);
   const table = (await saved(page, 'plot-csv')).toString().trimEnd().split('\n');
+  await status(page, /block-images\.csv was saved\.$/);
+  // What is said may take a line of its own.
+  box = await part(page, 'block-plot').boundingBox();
   assert.equal(table[0], 'Image,RMSE of the residuals [px]');
   assert.match(table[1] ?? '', /^photo_00000\.png,0\.\d+$/);
   assert.equal(table.length, 7);
@@ -53,6 +57,7 @@ test('plots say what they show, choose by press and rectangle in all views, and 
   await part(page, 'plot-name').selectOption('residuals');
   await says(page, 'block-plot-words', /^[\d\u202f]+ values over residual vx\. Residual vy: /u);
   assert.deepEqual([...(await saved(page, 'plot-png')).subarray(1, 4)], [...Buffer.from('PNG')]);
+  assert.doesNotMatch(await status(page, /block-residuals\.png was saved\.$/), /csv/);
   await page.screenshot({ path: join(SHOTS, 'plots-residuals.png') });
   // Reliability: w-statistics beside those of normal errors, and minimal detectable biases over images; a rectangle chooses the points of both.
   await part(page, 'plot-name').selectOption('w');

@@ -26,6 +26,7 @@ import { mountAddress } from './panel/address';
 import { makeDock } from './panel/dock';
 import { mountFlight } from './panel/flight';
 import { mountBack } from './panel/back';
+import type { PairBeside } from './panel/back';
 import { mountProgress } from './panel/progress';
 import { reduceBlock } from './state/reducer';
 import { imagesView } from './panel/images-view';
@@ -70,6 +71,8 @@ interface Elsewhere {
   modes: Modes;
   /** Shows a pair of the block by itself. */
   openPair: (block: BlockStore, images: [number, number]) => void;
+  /** What the block has to know of the pair. */
+  pair: Omit<PairBeside, 'open'>;
   /** Opens a project of whatever kind where it belongs. */
   openProject: (file: File) => Promise<void>;
   /** Leaves a part of the page in the list of projects; false where it cannot be. */
@@ -77,7 +80,7 @@ interface Elsewhere {
 }
 
 /** In pieces, between which the page answers what the user does. */
-export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, openProject, putAside }: Elsewhere): Promise<Block> {
+export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, pair, openProject, putAside }: Elsewhere): Promise<Block> {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const placing = new PlacingEngine(store);
@@ -90,6 +93,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
     point: (choice: Choice | null) => store.dispatch({ type: 'point', choice }),
     open: (images: [number, number]) => openPair(store, images),
   };
+  const beside: PairBeside = { ...pair, open: looking.open };
   const actions = h('div', { class: 'actions', role: 'group', aria: { label: say('images-of-the-block') } });
   const exports = h('div', { class: 'actions', role: 'group', aria: { label: say('export-of-the-block') } });
   const settings = tabbed('settings', say('settings'), [
@@ -109,7 +113,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
   byId('page-actions').before(actions, exports);
   byId('menu').before(drawers);
   document.querySelector('body > main')?.after(main);
-  document.querySelector('body > main')?.before(mountBack(store, modes));
+  document.querySelector('body > main')?.before(mountBack(store, modes, beside));
   showIn(modes, 'block', [actions, exports, drawers, main]);
 
   const pick = mountActions(actions, store, files);
@@ -163,7 +167,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
     plotsView(facts),
     orthophotoView(engine, facts, placing, { open: pickers.orthophoto, sample: placedSample }),
   ];
-  const editLine = mountStage(stage, store, looking, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
+  const editLine = mountStage(stage, store, looking, facts, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
   stage.prepend(status);
   editLine.prepend(mountEditBar(store, facts, () => measures));
   mountEditPanel(results.panels[1], store);
@@ -172,7 +176,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, o
   main.append(near.element);
   store.watch(['notice'], ([notice]) => near.show(notice));
   new EditFollower(store, engine);
-  mountAddress(store, modes);
+  mountAddress(store, modes, beside);
   store.watch(['running'], ([running]) => {
     if (running.kind === 'yes') showTab('tab-block-results');
   });

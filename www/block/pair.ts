@@ -56,7 +56,7 @@ export async function openPair(
   const files = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
   const [left, right] = files;
   if (left === undefined || right === undefined) {
-    tell(block, say('the-files-of-these-images'));
+    tell(block, modes, say('the-files-of-these-images'));
     return;
   }
   const images: Record<Side, GivenImage> = { left: imageOf(left), right: imageOf(right) };
@@ -65,7 +65,7 @@ export async function openPair(
     camera = cameraOfImages(shown.view, a, b);
     await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
   } catch (error) {
-    tell(block, say('the-pair-cannot-be-shown', { error: messageOf(error) }));
+    tell(block, modes, say('the-pair-cannot-be-shown', { error: messageOf(error) }));
     return;
   }
   const stays = isOwn(store.state) ? await leave(block, store.state, putAside) : '';
@@ -107,6 +107,8 @@ function imageOf({ name, file }: BlockFile): GivenImage {
   return { id: nextId--, name, source: { kind: 'file', file } };
 }
 
-function tell(block: BlockStore, text: string): void {
+/** It is said of the block, wherever the pair was asked for. */
+function tell(block: BlockStore, modes: Modes, text: string): void {
+  modes.dispatch('block');
   block.dispatch({ type: 'notice', notice: { kind: 'problem', text } });
 }

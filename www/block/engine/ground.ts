@@ -1,6 +1,7 @@
 /** Footprints, ground sample distances and recorded positions of an oriented block, in its worker. */
 import { local_positions } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockModel, Camera, FinishedBlock, Pose } from '../../../pkg/wasm/tiepoint.js';
+import { median } from '../state/ground';
 import type { ViewGround } from '../state/ground';
 
 /** A corner that lies farther away than so many times the height above ground is not drawn: its ray hardly goes down. */
@@ -9,6 +10,7 @@ const FARTHEST = 12;
 export function groundOf(block: FinishedBlock): ViewGround {
   const model = block.model();
   const heights = heightsOf(model);
+  const depths = depthsOf(model);
   const count = model.images.length;
   const footprints = new Float64Array(8 * count).fill(NaN);
   const gsd = new Float64Array(count).fill(NaN);
@@ -16,7 +18,7 @@ export function groundOf(block: FinishedBlock): ViewGround {
     const camera = model.cameras[index];
     if (pose == null || camera === undefined) return;
     footprints.set(footprintOf(camera, pose, heights[i] ?? NaN), 8 * i);
-    gsd[i] = Math.abs(pose.position[2] - (heights[i] ?? NaN)) / camera.focal_px;
+    gsd[i] = (depths[i] ?? NaN) / camera.focal_px;
   });
   return { footprints, gsd, gnss: gnssOf(block, model), origin: model.origin ?? null };
 }
@@ -34,9 +36,21 @@ function heightsOf({ images, points }: BlockModel): Float64Array {
   return Float64Array.from(own, (heights) => (heights.length === 0 ? usual : median(heights)));
 }
 
-function median(values: number[]): number {
-  const sorted = Float64Array.from(values).sort();
-  return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+/** Of each image the median distance along its axis to the points that it shows: its height above them where it looks straight down. */
+function depthsOf({ images, points }: BlockModel): Float64Array {
+  const own: number[][] = images.map(() => []);
+  for (const { position, rays } of points) {
+    if (position == null) continue;
+    for (const { image } of rays) {
+      const pose = images[image]?.pose;
+      if (pose != null) own[image]?.push(Math.abs(depthOf(pose, position)));
+    }
+  }
+  return Float64Array.from(own, median);
+}
+
+function depthOf({ rotation, position: centre }: Pose, position: Pose['position']): number {
+  return rotation[2].reduce((sum, value, axis) => sum + value * ((position[axis] ?? 0) - (centre[axis] ?? 0)), 0);
 }
 
 /** The corners of an image on the level plane at a height, its distortion left aside; all NaN where one of them does not meet the plane. */

@@ -4,6 +4,8 @@ import { fixed, sentence } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
+import { unitOfOrthophoto } from '../state/orthophoto-unit';
+import type { LengthUnit } from '../state/orthophoto-unit';
 import { newId } from './ids';
 import type { FoundRaster, Sorted } from './rasters';
 import { say } from '../../shared/text/words';
@@ -117,14 +119,23 @@ export async function rasterOf(file: File, world: File | null): Promise<RasterFi
 }
 
 /** What was recognised. */
-export function orthophotoText({ raster, info: { width, height, gsd, epsg } }: GivenOrthophoto): string {
+export function orthophotoText(orthophoto: GivenOrthophoto): string {
+  const { raster, info } = orthophoto;
+  const { width, height, gsd, epsg } = info;
   const by = raster.world === null ? '' : say('placed-by', { name: raster.world.name });
-  return say('orthophoto-px-of', { name: raster.name, width, height, gsd: gsdText(gsd), what: epsg === null ? '' : say('epsg', { epsg }), by });
+  return say('orthophoto-px-of', {
+    name: raster.name,
+    width,
+    height,
+    gsd: gsdText(gsd, unitOfOrthophoto(orthophoto)),
+    what: epsg === null ? '' : say('epsg', { epsg }),
+    by,
+  });
 }
 
 /** The side of a pixel with the digits that say something. */
-export function gsdText(gsd: number): string {
-  return say('metres', { value: Number(gsd.toPrecision(3)) });
+export function gsdText(gsd: number, unit: LengthUnit): string {
+  return say(unit === 'm' ? 'metres' : 'feet', { value: Number(gsd.toPrecision(3)) });
 }
 
 function named(rasters: readonly FoundRaster[]): string {

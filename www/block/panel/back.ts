@@ -1,24 +1,53 @@
-/** The way back from a pair of the block: a line over the pair that says which one it is. */
+/** The line over the pair that leads from it to the block and from the block to it: which pair of the block it shows; while it shows none, which one it could. */
 import { button, fill, h } from '../../shared/panel/dom';
 import type { Modes } from '../../shared/state/mode';
 import type { BlockStore } from '../engine/engine';
+import { isBusy } from '../state/state';
+import { strongestPair } from '../state/strongest';
 import { describe } from '../state/words';
 import { say } from '../../shared/text/words';
 
-export function mountBack(store: BlockStore, modes: Modes): HTMLElement {
+/** What the line needs of the pair. */
+export interface PairBeside {
+  /** Of its images, left and right; null where there is none. */
+  names: () => readonly (string | null)[];
+  /** Calls back whenever that may have changed. */
+  watch: (changed: () => void) => void;
+  /** Shows two images of the block as a pair. */
+  open: (images: [number, number]) => void;
+}
+
+export function mountBack(store: BlockStore, modes: Modes, pair: PairBeside): HTMLElement {
   const text = h('span', { testid: 'of-block' });
   const back = button(say('back-to-the-block'), 'back-to-block', () => {
     modes.dispatch('block');
     document.getElementById('block-view')?.focus({ preventScroll: true });
   });
-  const line = h('div', { class: 'of-block' }, back, text);
+  const open = button(say('open-this-pair'), 'open-strongest', () => {
+    const images = strongestPair(store.state);
+    if (images !== null) pair.open(images);
+  });
+  const line = h('div', { class: 'of-block' }, back, text, open);
   const draw = () => {
-    const { opened, shown } = store.state;
-    const of = opened === null || shown === null ? null : describe(shown, { kind: 'pair', images: opened });
-    line.hidden = of === null || modes.state.mode !== 'pair';
-    fill(text, of ?? '');
+    const offered = pair.names().every((name) => name === null) ? strongestPair(store.state) : null;
+    const said = offered === null ? saidOf(store) : say('pairs-of-the-block-open-here', { names: namesOf(store, offered) });
+    line.hidden = said === null || modes.state.mode !== 'pair';
+    fill(text, said ?? '');
+    back.hidden = offered !== null;
+    open.hidden = offered === null;
+    open.disabled = isBusy(store.state);
   };
-  store.watch(['opened', 'shown'], draw);
+  store.watch(['opened', 'shown', 'files', 'running', 'notice', 'placing'], draw);
   modes.watch(['mode'], draw);
+  pair.watch(draw);
   return line;
+}
+
+/** Of the pair of the block that is shown. */
+function saidOf({ state: { opened, shown } }: BlockStore): string | null {
+  return opened === null || shown === null ? null : describe(shown, { kind: 'pair', images: opened });
+}
+
+function namesOf({ state: { shown } }: BlockStore, images: readonly [number, number]): string {
+  return images.map((image) => shown?.view.images[image]?.name ?? '').join(' – ');
 }

@@ -6,6 +6,7 @@ import { fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
 import type { PlacingEngine } from '../engine/placing';
+import { medianGsd, systemOf } from '../state/ground';
 import type { System } from '../state/ground';
 import { whyNotLaid } from '../state/laid';
 import { imagesOfBlock, isBusy } from '../state/state';
@@ -17,7 +18,7 @@ import { colouredPoints, GRADIENT } from '../view/map/colouring';
 import { lengthText } from '../view/map/frame';
 import { offsetsOf } from '../view/map/ground';
 import type { Colouring, MapLook } from '../view/map/look';
-import { BlockMap, systemOf } from '../view/map/map';
+import { BlockMap } from '../view/map/map';
 import { KEYS_ID } from './view';
 import type { StageView } from './view';
 import { say } from '../../shared/text/words';
@@ -185,9 +186,8 @@ function inWords(map: BlockMap, view: BlockView): string {
     );
   }
   if (view.layout.kind !== 'connections') parts.push(extentText(view, system));
-  const gsd = ground === null ? [] : [...ground.gsd].filter((value) => !Number.isNaN(value));
-  if (gsd.length > 0 && system !== 'own')
-    parts.push(say('ground-sample-distance', { reduce: lengthText(gsd.reduce((sum, value) => sum + value, 0) / gsd.length, system) }));
+  const gsd = medianGsd(view, ground);
+  if (gsd !== null) parts.push(say('ground-sample-distance', { gsd: lengthText(gsd, system) }));
   const { longest } = offsetsOf(view, ground);
   if (longest.gnss > 0) parts.push(say('gnss-positions-differ-by-up', { gnss: lengthText(longest.gnss, system) }));
   if (longest.surveyed > 0)

@@ -8,7 +8,7 @@ import { fixed } from '../../shared/text/format';
 import { declare } from '../../shared/view/commands';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
-import { undoKeys } from '../../shared/panel/history';
+import { hasKeys, REDO_KEYS, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
 import { LinkHands } from '../engine/link-hands';
 import type { PlacingEngine } from '../engine/placing';
 import { LEAST_LINKS, shownLinks, stepName, useWord } from '../state/steps';
@@ -200,6 +200,8 @@ function handsOf(store: BlockStore, hands: LinkHands): HTMLElement {
   const accept = button(say('accept'), 'link-accept', () => hands.accept(), say('takes-the-link-that-is'));
   const undo = button(say('undo'), 'link-undo', () => hands.go(-1));
   const redo = button(say('redo'), 'link-redo', () => hands.go(1));
+  hasKeys(undo, UNDO_KEYS);
+  hasKeys(redo, REDO_KEYS);
   store.watch(['placing', 'running', 'notice', 'files', 'options', 'shown'], ([{ chosen, draft, adjusting }]) => {
     const held = document.activeElement;
     const placed = chosenPlaced(store.state);

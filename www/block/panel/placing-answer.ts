@@ -4,6 +4,8 @@ import { count } from '../../shared/text/format';
 import { gsdText, orthophotoText } from '../files/ground';
 import { usedSo } from '../state/links';
 import { placedFiles, unplacedFiles } from '../state/placed';
+import { unitOfOrthophoto } from '../state/orthophoto-unit';
+import type { LengthUnit } from '../state/orthophoto-unit';
 import { purposeOf } from '../state/purpose';
 import type { PlacedFile } from '../state/placed';
 import type { BlockState } from '../state/state';
@@ -91,12 +93,12 @@ function answered(state: BlockState, tried: readonly PlacedFile[], actions: Plac
     verdict: isSound ? 'oriented' : placed + weak > 0 ? 'weak' : 'not_oriented',
     text,
     more: more.filter((part) => part !== '').join(' '),
-    figures: figuresOf(tried),
+    figures: figuresOf(tried, unitOfOrthophoto(state.placing.orthophoto)),
     next,
   };
 }
 
-function figuresOf(tried: readonly PlacedFile[]): Figure[] {
+function figuresOf(tried: readonly PlacedFile[], unit: LengthUnit): Figure[] {
   const placements = tried.flatMap(({ result }) => result?.placement ?? []);
   const links = placements.reduce((sum, placement) => sum + usedSo(placement.links, 'used'), 0);
   const checks = placements.flatMap(({ checks: own }) => own ?? []);
@@ -108,9 +110,9 @@ function figuresOf(tried: readonly PlacedFile[]): Figure[] {
     { value: say('of-2', { placements: placements.length, tried: tried.length }), label: say('photos-placed') },
     ...(placements.length > 0 ? [{ value: count(links), label: say('links-3') }] : []),
     ...(widths.length > 0
-      ? [{ value: say('within-m', { half_width_m: Number(Math.max(...widths).toPrecision(2)) }), label: say('projection-centres-95') }]
+      ? [{ value: say('within', { length: gsdText(Number(Math.max(...widths).toPrecision(2)), unit) }), label: say('projection-centres-95') }]
       : []),
-    ...(number > 0 ? [{ value: gsdText(Number(rmse.toFixed(3))), label: say('rmse-of-check-links-on') }] : []),
+    ...(number > 0 ? [{ value: gsdText(Number(rmse.toFixed(3)), unit), label: say('rmse-of-check-links-on') }] : []),
   ];
 }
 

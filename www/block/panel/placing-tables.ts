@@ -7,6 +7,8 @@ import { linkColumns, placedColumns } from '../state/placed-columns';
 import { chosenPlaced } from '../state/showing';
 import { placedFiles } from '../state/placed';
 import type { PlacedFile } from '../state/placed';
+import { unitOfOrthophoto } from '../state/orthophoto-unit';
+import type { LengthUnit } from '../state/orthophoto-unit';
 import type { Looked } from '../state/placing';
 import type { ViewName } from '../state/state';
 import { verdictText } from './placing-words';
@@ -45,11 +47,11 @@ function placedTable(host: HTMLElement, store: BlockStore): { draw: () => void }
       draw();
     },
   });
-  const columns = remember((shown: readonly PlacedFile[]) => placedColumns(shown, verdictText));
+  const columns = remember((shown: readonly PlacedFile[], unit: LengthUnit) => placedColumns(shown, verdictText, unit));
   const draw = () => {
     if (isHidden(host)) return;
     rows = placedFiles(store.state);
-    table.show(rows.length, columns(rows), undefined, filter);
+    table.show(rows.length, columns(rows, unitOfOrthophoto(store.state.placing.orthophoto)), undefined, filter);
     table.reveal(rows.findIndex(({ file }) => file.id === store.state.placing.chosen.image));
   };
   store.watch(
@@ -79,7 +81,12 @@ function linksTable(host: HTMLElement, store: BlockStore): { draw: () => void } 
     if (isHidden(host)) return;
     const placed = chosenPlaced(store.state);
     const placement = placed?.result?.placement ?? null;
-    table.show(placement?.links.count ?? 0, placed === null || placement === null ? [] : columns(placement, placed.steps, placed.done), undefined, filter);
+    table.show(
+      placement?.links.count ?? 0,
+      placed === null || placement === null ? [] : columns(placement, placed.steps, placed.done, unitOfOrthophoto(store.state.placing.orthophoto)),
+      undefined,
+      filter,
+    );
     table.reveal(store.state.placing.chosen.link ?? -1);
   };
   store.watch(

@@ -32,8 +32,12 @@ export function plotsView(facts: Facts): StageView {
       const plot = new Plot(element, store, looking, facts);
       const [chosen, select] = choice(say('plot'), 'plot-name', PLOTS, (name) => plot.show(name as PlotName));
       select.value = plot.shows;
-      const picture = button('PNG', 'plot-png', () => void savePicture(plot), say('saves-the-plot-as-it'));
-      const values = button('CSV', 'plot-csv', () => void saveValues(plot), say('saves-the-values-of-the'));
+      const saved = (name: string) => {
+        // What goes on says itself when it ends.
+        if (store.state.notice?.kind !== 'busy') store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('was-saved', { name }), beside: true } });
+      };
+      const picture = button('PNG', 'plot-png', () => void savePicture(plot, saved), say('saves-the-plot-as-it'));
+      const values = button('CSV', 'plot-csv', () => void saveValues(plot, saved), say('saves-the-values-of-the'));
       const show = () => {
         const data = plot.data();
         const text = data === null ? '' : plotText(data);
@@ -47,15 +51,19 @@ export function plotsView(facts: Facts): StageView {
   };
 }
 
-async function savePicture(plot: Plot): Promise<void> {
+/** `saved`: says which file was saved. */
+async function savePicture(plot: Plot, saved: (name: string) => void): Promise<void> {
   const picture = plot.picture();
   const blob = await new Promise<Blob | null>((resolve) => {
     picture.toBlob(resolve);
   });
-  if (blob !== null) save(blob, `block-${plot.shows}.png`);
+  if (blob === null) return;
+  const name = `block-${plot.shows}.png`;
+  save(blob, name);
+  saved(name);
 }
 
-async function saveValues(plot: Plot): Promise<void> {
+async function saveValues(plot: Plot, saved: (name: string) => void): Promise<void> {
   const data = plot.data();
   if (data === null) return;
   const column = ({ label, unit, values, names }: Axis): Column => ({
@@ -67,5 +75,7 @@ async function saveValues(plot: Plot): Promise<void> {
     text: (row) => names?.[Math.round(values[row] ?? NaN)] ?? String(values[row] ?? ''),
     ...(names === undefined ? {} : { words: true }),
   });
-  save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: 'text/csv' }), `block-${plot.shows}.csv`);
+  const name = `block-${plot.shows}.csv`;
+  save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: 'text/csv' }), name);
+  saved(name);
 }

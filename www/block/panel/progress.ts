@@ -1,8 +1,9 @@
-/** How far a run is: a line for each stage, and for the one that runs a bar with the time that is left. */
+/** How far a run is: a bar beside Cancel for the stage that runs, and in the results a line for each stage with the time that is left. */
 import type { StageName, Step } from '../../../pkg/block/index.js';
 import { fill, h, section } from '../../shared/panel/dom';
 import type { BlockStore } from '../engine/engine';
-import type { Steps } from '../state/state';
+import type { Placing } from '../state/placing';
+import type { Running, Steps } from '../state/state';
 import { say } from '../../shared/text/words';
 
 const STAGES: Readonly<Record<StageName, string>> = {
@@ -34,6 +35,38 @@ export function mountProgress(host: HTMLElement, store: BlockStore): void {
   });
 }
 
+/** The bar beside Cancel: of the stage that runs, or of the images that are placed on an orthophoto; away while neither goes on. */
+export function progressBar(store: BlockStore): HTMLElement {
+  const bar = h('progress', { testid: 'block-bar' });
+  store.watch(['running', 'placing'], ([running, placing]) => {
+    const { label, done, total, counts } = runsNow(running, placing) ?? NOTHING;
+    // One piece of work says nothing until it is done.
+    bar.classList.toggle('is-on', total > 1);
+    bar.max = Math.max(1, total);
+    bar.value = done;
+    bar.setAttribute('aria-label', label);
+    if (counts) bar.setAttribute('aria-valuetext', say('of-3', { done, total, what: '' }));
+    else bar.removeAttribute('aria-valuetext');
+  });
+  return bar;
+}
+
+/** What goes on, by its pieces; `counts`: they are images or pairs, which the user counts too. */
+interface Going {
+  label: string;
+  done: number;
+  total: number;
+  counts: boolean;
+}
+
+const NOTHING: Going = { label: say('progress-of-the-run'), done: 0, total: 0, counts: false };
+
+function runsNow(running: Running, { running: placed }: Placing): Going | null {
+  if (running.kind !== 'yes') return placed === null ? null : { ...placed, label: placed.text, counts: true };
+  const [name, step] = present(running.steps) ?? [];
+  return name === undefined || step === undefined ? null : { ...step, label: STAGES[name], counts: !OF_ONE_PIECE.has(name) };
+}
+
 function stage(name: StageName, step: Step): HTMLElement {
   const line = (...parts: HTMLElement[]) =>
     h('div', { class: 'stage-line', testid: `stage-${name}` }, h('span', {}, STAGES[name]), ...parts, h('span', { class: 'note' }, stepText(name, step)));
@@ -55,10 +88,16 @@ function stepText(stage: StageName, { done, total, found, seconds, secondsLeft, 
   return parts.filter((part) => part !== '').join('; ');
 }
 
-/** What the status line says of the stage that runs. */
-export function runText(steps: Steps): string {
+/** The stage that was begun last; null before the first one. */
+function present(steps: Steps): [StageName, Step] | null {
   const name = NAMES.findLast((stage) => steps[stage] !== undefined);
   const step = name === undefined ? undefined : steps[name];
+  return name === undefined || step === undefined ? null : [name, step];
+}
+
+/** What the status line says of the stage that runs. */
+export function runText(steps: Steps): string {
+  const [name, step] = present(steps) ?? [];
   return name === undefined || step === undefined ? say('starting') : `${STAGES[name]}: ${stepText(name, step)}`;
 }
 

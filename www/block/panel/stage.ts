@@ -3,7 +3,10 @@ import { button, fill, h } from '../../shared/panel/dom';
 import { drawerButton } from '../../shared/panel/drawers';
 import { zoomButtons } from '../../shared/panel/zoom';
 import type { BlockStore } from '../engine/engine';
+import type { Facts } from '../engine/facts';
 import type { Looking } from '../view/looking';
+import { gsdText } from '../view/map/frame';
+import { gsdOf } from '../state/ground';
 import { isBusy } from '../state/state';
 import type { ViewName } from '../state/state';
 import { isSame } from '../state/selection';
@@ -29,6 +32,7 @@ export function mountStage(
   host: HTMLElement,
   store: BlockStore,
   looking: Looking,
+  facts: Facts,
   views: readonly StageView[],
   dock: HTMLElement,
   invitation: Invitation,
@@ -63,7 +67,7 @@ export function mountStage(
     ),
     line,
     shelf,
-    said(store, looking),
+    said(store, looking, facts),
     dock,
     keys,
   );
@@ -86,19 +90,26 @@ export function mountStage(
 }
 
 /** The line that says what is chosen, and what is pointed at. */
-function said(store: BlockStore, looking: Looking): HTMLElement {
+function said(store: BlockStore, looking: Looking, facts: Facts): HTMLElement {
   const pointedAt = h('p', { class: 'pointed', testid: 'block-pointed' });
   const chosenNow = h('p', { class: 'chosen', testid: 'block-chosen', role: 'status', aria: { live: 'polite' } });
   const open = button(say('open-this-pair'), 'block-open-pair', () => {
     const { chosen } = store.state.selection;
     if (chosen?.kind === 'pair') looking.open(chosen.images);
   });
-  store.watch(['selection', 'shown', 'running', 'notice', 'placing', 'onStage'], ([{ chosen, pointed }, shown, , , , onStage]) => {
-    tell(chosenNow, store, chosen, '');
+  const describeNow = () => {
+    const { selection, onStage } = store.state;
+    const { chosen, pointed } = selection;
+    tell(chosenNow, store, facts, chosen, '');
     // Plots have neither lines nor cells of pairs.
-    tell(pointedAt, store, pointed, onStage === 'plots' ? '' : say('point-at-an-image-a'));
+    tell(pointedAt, store, facts, pointed, onStage === 'plots' ? '' : say('point-at-an-image-a'));
     // What is chosen is said already.
     if (pointed !== null && isSame(pointed, chosen)) pointedAt.textContent = '';
+  };
+  // What the ground says comes later.
+  facts.watch(describeNow);
+  store.watch(['selection', 'shown', 'running', 'notice', 'placing', 'onStage'], ([{ chosen }, shown]) => {
+    describeNow();
     open.hidden = chosen?.kind !== 'pair' || shown === null;
     open.disabled = isBusy(store.state);
   });
@@ -110,9 +121,10 @@ function said(store: BlockStore, looking: Looking): HTMLElement {
   return line;
 }
 
-function tell(element: HTMLElement, store: BlockStore, choice: Choice | null, otherwise: string): void {
+function tell(element: HTMLElement, store: BlockStore, facts: Facts, choice: Choice | null, otherwise: string): void {
   const { shown } = store.state;
-  const text = choice === null || shown === null ? otherwise : describe(shown, choice);
+  const gsd = choice?.kind === 'image' && shown !== null ? gsdOf(shown.view, facts.ground(), choice.image) : null;
+  const text = choice === null || shown === null ? otherwise : describe(shown, choice, gsd === null ? '' : gsdText(gsd));
   if (element.textContent !== text) element.textContent = text;
 }
 

@@ -6,7 +6,7 @@ import { count, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
 import type { BlockStore } from '../engine/engine';
 import { heightsText, placingAnswer, placingRuns } from './placing-answer';
-import { duration, runText } from './progress';
+import { duration, progressBar, runText } from './progress';
 import { orthophotoText } from '../files/ground';
 import { collectedOf, waitsForMarks } from '../state/marks';
 import { controlText } from '../state/words';
@@ -49,7 +49,7 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
     else actions.run();
   });
   const cancel = button(say('cancel'), 'block-cancel', actions.cancel);
-  const buttons = h('div', { class: 'answer-actions' }, run, cancel, details);
+  const buttons = h('div', { class: 'answer-actions' }, progressBar(store), run, cancel, details);
   const card = h('div', { class: 'answer', testid: 'block-answer' }, line, buttons);
   const show = answerCard(card, line, buttons, 'block-');
   store.watch(

@@ -23,6 +23,22 @@ export function addressOf({ shown, onStage, selection: { chosen } }: Pick<BlockS
   return named.toString();
 }
 
+const PAIR = 'pair';
+
+/** The same of a pair of the block, which the pair's part of the page shows. */
+export function addressOfPair({ images }: BlockView, pair: readonly [number, number]): string {
+  const named = new URLSearchParams({ view: PAIR });
+  for (const image of pair) named.append('image', images[image]?.name ?? '');
+  return named.toString();
+}
+
+/** The pair of the block that an address asks for; null where it asks for none, or the block does not have both images. */
+export function askedPair(address: string, view: BlockView): [number, number] | null {
+  const named = new URLSearchParams(address.replace(/^#/u, ''));
+  const [a = -1, b = -1] = named.getAll('image').map((name) => view.images.findIndex((image) => image.name === name));
+  return named.get('view') !== PAIR || a < 0 || b < 0 || a === b ? null : [a, b];
+}
+
 /** What an address asks for; null where it asks for no view of a block. What the block does not have is not chosen. */
 export function asked(address: string, view: BlockView): { view: ViewName; choice: Choice | null } | null {
   const named = new URLSearchParams(address.replace(/^#/u, ''));

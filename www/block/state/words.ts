@@ -38,10 +38,11 @@ export function mostMatches({ connections }: BlockView): number {
   return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
 }
 
-export function describe({ view, given }: Listed, choice: Choice): string {
+/** `gsd`: the ground sample distance of the image that is chosen, in words. */
+export function describe({ view, given }: Listed, choice: Choice, gsd = ''): string {
   switch (choice.kind) {
     case 'image':
-      return describeImage(view, choice.image);
+      return describeImage(view, choice.image, gsd);
     case 'images':
       return describeImages(view, choice.images);
     case 'pair':
@@ -57,7 +58,7 @@ export function describe({ view, given }: Listed, choice: Choice): string {
   }
 }
 
-function describeImage(view: BlockView, index: number): string {
+function describeImage(view: BlockView, index: number, gsd: string): string {
   const image = view.images[index];
   if (image === undefined) return '';
   const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === 'connected').length;
@@ -70,6 +71,7 @@ function describeImage(view: BlockView, index: number): string {
     }),
     say('connected-with-of-images', { partners, images: view.images.length - 1 }),
     image.rmsePx === null ? '' : say('rmse-px-3', { rmse_px: image.rmsePx }),
+    gsd,
     image.oriented ? say('oriented') : (image.why ?? say('not-oriented-yet')),
     // 1 is the usual one.
     image.exifOrientation === null || image.exifOrientation === 1 ? '' : say('used-as-stored-exif-orientation', { exif_orientation: image.exifOrientation }),

@@ -12,6 +12,7 @@ import { SIDES } from '../state/state';
 import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
 import type { Taker } from '../../shared/files/drop';
+import type { Choice, Notice } from '../../shared/state/notice';
 import { contains } from '../../shared/view/transform';
 import { panesOf } from '../view/geometry';
 import type { View } from '../view/view';
@@ -41,7 +42,7 @@ function sideOfMask(mask: File, index: number): Side {
 }
 
 /** What came of a file; null where the page shows it. */
-type Told = { kind: 'info' | 'problem'; text: string } | null;
+type Told = { kind: 'info' | 'problem'; text: string; choices?: readonly Choice[] } | null;
 
 const problem = (text: string): Told => ({ kind: 'problem', text });
 const info = (text: string): Told => ({ kind: 'info', text });
@@ -79,8 +80,8 @@ export class Files {
     this.started();
   }
 
-  /** Takes files of any kind; `side` says where a single one belongs. */
-  async take(files: readonly File[], side: Side | null): Promise<void> {
+  /** Takes files of any kind; `side` says where a single one belongs. `asks`: whether a third photo may replace one is asked before it does. */
+  async take(files: readonly File[], side: Side | null, asks = side === null): Promise<void> {
     if (files.length === 0) return;
     this.store.dispatch({ type: 'notice', notice: null });
     const { images, masks, tables, cameras, projects } = sortFiles(files);
@@ -88,7 +89,7 @@ export class Files {
     if (project !== undefined) {
       await this.openProject(project);
       const others = files.filter((file) => !projects.includes(file));
-      if (others.length > 0) await this.take(others, side);
+      if (others.length > 0) await this.take(others, side, asks);
       return;
     }
     if (images.length > 2) {
@@ -103,7 +104,7 @@ export class Files {
     const camera = cameras[0];
     if (camera !== undefined) told.push(await this.takeCamera(camera));
     // Marks of the image before it go with that.
-    const ofImages = images.length > 0 ? await this.takeImages(images, side) : [];
+    const ofImages = images.length > 0 ? await this.takeImages(images, side, asks) : [];
     for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
     told.push(...ofImages);
     for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
@@ -173,7 +174,9 @@ export class Files {
     // Where nothing was open there is nothing to be afraid for.
     const kept = bad && (left !== null || right !== null) ? say('the-open-images-are-kept') : '';
     const text = `${said.map((one) => one.text).join(' ')}${kept}`;
-    this.store.dispatch({ type: 'notice', notice: said.length === 0 ? null : { kind: bad ? 'problem' : 'info', text } });
+    const choices = said.flatMap((one) => one.choices ?? []);
+    const notice: Notice = { kind: bad ? 'problem' : 'info', text, ...(choices.length > 0 && { choices }) };
+    this.store.dispatch({ type: 'notice', notice: said.length === 0 ? null : notice });
   }
 
   private failed(what: string, error: unknown): Told {
@@ -209,7 +212,7 @@ export class Files {
   }
 
   /** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
-  private async takeImages(files: readonly File[], side: Side | null): Promise<Told[]> {
+  private async takeImages(files: readonly File[], side: Side | null, asks: boolean): Promise<Told[]> {
     const tooLarge = files.find((file) => file.size > MOST_BYTES);
     if (tooLarge !== undefined) return [problem(say('has-mb-up-to-1', { name: tooLarge.name, size: Math.round(tooLarge.size / 2 ** 20) }))];
     const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
@@ -224,7 +227,7 @@ export class Files {
       type: 'notice',
       notice: { kind: 'busy', text: say('reading-2', { join: files.map((file) => file.name).join(say('and-between')) }) },
     });
-    return this.check(images);
+    return this.check(images, 'images', asks);
   }
 
   /** The files of images that a project names take their places: nothing of the project changes. */
@@ -237,7 +240,7 @@ export class Files {
     return this.check(images, 'found');
   }
 
-  private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found' = 'images'): Promise<Told[]> {
+  private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found', asks = false): Promise<Told[]> {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
     const told: Told[] = outcomes.flatMap((outcome, i) =>
@@ -254,11 +257,38 @@ export class Files {
       this.store.dispatch({ type, images });
       return [];
     }
+    const question = asks ? await this.askOfThird(images) : null;
+    return question === null ? this.show(images) : [question];
+  }
+
+  /** Before a single photo takes the place of one of two: the three may be meant as a block. Null where it cannot be, or where the photo is the one that is there. */
+  private async askOfThird(images: Partial<Record<Side, GivenImage>>): Promise<Told> {
+    const { left, right } = this.store.state.images;
+    const [[side, third], another] = Object.entries(images) as [[Side, GivenImage], unknown];
+    const files = [left, right, third].flatMap((image) => (image === null ? [] : fileOf(image)));
+    if (another !== undefined || files.length < 3 || (await this.isSame(this.store.state.images[side], third))) return null;
+    const dismiss = () => this.store.dispatch({ type: 'notice', notice: null });
+    const choices: Choice[] = [
+      {
+        text: say('open-three-as-a-block'),
+        act: () => {
+          dismiss();
+          this.toBlock(files, []);
+        },
+      },
+      { text: say('replace-the-image', { side }), act: () => void this.show(images).then((told) => this.tell(told)) },
+      { text: say('keep-the-pair'), act: dismiss },
+    ];
+    return { kind: 'info', text: say('is-a-third-image', { name: third.name, side }), choices };
+  }
+
+  /** Shows images that were decoded. */
+  private async show(images: Partial<Record<Side, GivenImage>>): Promise<Told[]> {
     // A single one takes the mask of the one before it away, and the edits of their matches.
     const { photos } = this.store.state;
     const marked = await this.marked(images);
     const aside = await this.leave(marked.gone.length > 0);
-    this.store.dispatch({ type, images, same: marked.same });
+    this.store.dispatch({ type: 'images', images, same: marked.same });
     return [aside, ...marked.gone.map((side) => info(say('marks-went-with-the-image', { side, marks: photos[side].fiducials.length })))];
   }
 
@@ -295,6 +325,12 @@ export class Files {
   }
 }
 
+/** The file of an image; none of one that was simulated, or that stands in a project without its file. */
+function fileOf({ name, source }: GivenImage): File[] {
+  if (source.kind !== 'file') return [];
+  return [source.file instanceof File ? source.file : new File([source.file], name)];
+}
+
 /** Takes what is dropped on the page while no other part does; a single image goes to the pane that it is dropped on. */
 export function takerOf(store: Store, view: View, files: Files): Taker {
   const sideAt = (event: DragEvent) => {
@@ -309,6 +345,7 @@ export function takerOf(store: Store, view: View, files: Files): Taker {
       void files.take(
         found.map(({ file }) => file),
         SIDES.find((side) => side === at) ?? null,
+        true,
       ),
   };
 }

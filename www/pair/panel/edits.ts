@@ -12,7 +12,7 @@ import { marksHaveKeys } from './marking';
 import type { Editing } from '../state/editing';
 import { nameOfEdit } from '../state/edits';
 import { steps } from '../../shared/state/history';
-import { set, showHistory, showSteps, undoKeys } from '../../shared/panel/history';
+import { hasKeys, REDO_KEYS, set, showHistory, showSteps, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
 import type { Sorting } from '../state/edits';
 import { interiorInUse } from '../state/interior';
 import { isCurrent } from '../state/keys';
@@ -42,6 +42,8 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
   );
   const undo = button(say('undo'), 'undo', () => editing.step(-1), say('take-back-the-last-edit'));
   const redo = button(say('redo'), 'redo', () => editing.step(1), say('make-the-edit-again-that'));
+  hasKeys(undo, UNDO_KEYS);
+  hasKeys(redo, REDO_KEYS);
   const hint = h('p', { class: 'note', testid: 'edit-hint' }, say('to-reject-wrong-matches-choose'));
   const compared = h('div', { testid: 'edit-compared', role: 'status' });
   const history = h('ol', { class: 'history', testid: 'history' });

@@ -18,7 +18,7 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
   const unmask = button(say('unmask-it'), 'unmask-area', () => paint(false), say('points-in-the-outlined-area'));
   const undo = button(say('undo-sign'), 'mask-undo', () => masking.step(-1));
   const redo = button(say('redo-sign'), 'mask-redo', () => masking.step(1));
-  const keep = button(say('save-masks'), 'mask-save', () => saveMasks(store.state), say('masks-as-png-files-for'));
+  const keep = button(say('save-masks'), 'mask-save', () => saveMasks(store), say('masks-as-png-files-for'));
   const end = button(say('end-masking'), 'mask-end', () => masking.toggle());
   const buttons = h(
     'div',
@@ -64,9 +64,12 @@ function fileOf(state: State, side: Side): Blob | null {
   return source?.kind === 'file' ? source.file : null;
 }
 
-function saveMasks(state: State): void {
+/** What was said of an earlier deed is over then. */
+function saveMasks(store: Store): void {
+  const { state } = store;
   for (const side of SIDES) {
     const file = fileOf(state, side);
     if (file !== null) save(file, state.masks[side]?.name ?? 'mask.png');
   }
+  if (state.notice?.kind !== 'busy') store.dispatch({ type: 'notice', notice: null });
 }

@@ -9,7 +9,7 @@ import { summary } from './counts';
 import { answerCard } from '../../shared/panel/answer';
 import type { Answer } from '../../shared/panel/answer';
 import { ofLine } from '../../shared/state/notice';
-import type { Notice } from '../../shared/state/notice';
+import type { Choice, Notice } from '../../shared/state/notice';
 import { byId } from '../../shared/panel/dom';
 import { refusedText, say } from '../../shared/text/words';
 
@@ -57,10 +57,16 @@ export function isBusy(state: State): boolean {
 
 function answerOf(state: State, actions: AnswerActions): Answer {
   const notice = ofLine(state.notice);
+  if (notice?.choices !== undefined) return question(notice.text, notice.choices, isBusy(state));
   if (notice?.kind !== 'problem') return answerWith(state, notice, actions);
   const answer = answerWith(state, null, actions);
   // What is open, and what is being computed, is not worth less for it.
   return answer.kind === 'idle' ? { ...answer, kind: 'problem', text: notice.text, more: '' } : { ...answer, problem: notice.text };
+}
+
+/** What runs meanwhile can be cancelled. */
+function question(text: string, [next, ...others]: readonly Choice[], busy: boolean): Answer {
+  return { kind: busy ? 'busy' : 'idle', verdict: null, text, next: next ?? null, others };
 }
 
 function answerWith(state: State, notice: Notice | null, actions: AnswerActions): Answer {

@@ -36,24 +36,28 @@ export function mountActions(press: HTMLElement): void {
   });
 }
 
-/** What keys do in views that are seen now, what buttons do, and the settings. */
+/** What keys do in views that are seen now, what buttons do, and the settings. What a button and its keys do is one action. */
 function actions(): Action[] {
+  const made = [...document.querySelectorAll('button')].filter(
+    (button) => button.closest('dialog, table, .control, .history, .facts') === null && !button.matches(UNNAMED) && reachable(button),
+  );
+  const ofButtons = new Set(made.flatMap(keysOfButton));
   const commands = declared()
     .filter(({ host, list }) => host.checkVisibility() && list.length > 0)
     .flatMap(({ where, list }) =>
-      list.filter(({ can }) => can?.() !== false).map(({ keys, does, run }) => ({ name: sentenceOf(does), more: where, keys, run: () => run(false) })),
+      list
+        .filter(({ keys, can }) => can?.() !== false && !keys.some((key) => ofButtons.has(key)))
+        .map(({ keys, does, run }) => ({ name: sentenceOf(does), more: where, keys, run: () => run(false) })),
     );
-  const buttons = [...document.querySelectorAll('button')]
-    .filter((made) => !made.disabled && made.closest('dialog, table, .control, .history, .facts') === null && !made.matches(UNNAMED) && reachable(made))
-    .map((made) => ({
-      name: nameOf(made),
-      more: [groupOf(made), made.title].filter((text) => text !== '' && text !== nameOf(made)).join(' · '),
-      keys: [],
-      run: () => {
-        reveal(made);
-        made.click();
-      },
-    }));
+  const buttons = once(made.filter(({ disabled }) => !disabled)).map((button) => ({
+    name: nameOf(button),
+    more: [...new Set([groupOf(button), tabOf(button), button.title])].filter((text) => text !== '' && !saysName(button, text)).join(' · '),
+    keys: keysOfButton(button),
+    run: () => {
+      reveal(button);
+      button.click();
+    },
+  }));
   const settings = [...document.querySelectorAll<HTMLLabelElement>('.control label')].filter(reachable).map((label) => ({
     name: label.textContent,
     more: [say('setting'), label.closest('fieldset, details')?.querySelector('legend, summary')?.firstChild?.textContent ?? '']
@@ -75,6 +79,30 @@ const UNNAMED = '.close, .menu-button, #export-menu';
 function nameOf(made: HTMLButtonElement): string {
   const shown = made.getAttribute('aria-label') ?? made.textContent;
   return /\p{L}|\d/u.test(shown) || made.title === '' ? shown : made.title;
+}
+
+/** Whether a text says no more than what a button is called, and its key. */
+const saysName = (button: HTMLButtonElement, text: string) => [nameOf(button), `${nameOf(button)} (${keysOfButton(button)[0] ?? ''})`].includes(text);
+
+/** The keys that do what a button does, as commands name them; `showSteps` gives them to it. */
+const keysOfButton = (button: Element) => button.getAttribute('aria-keyshortcuts')?.replaceAll('Control', 'Ctrl').split(' ') ?? [];
+
+/** Of buttons of one name and the same keys, as those beside the pictures and in their panel, the first. */
+function once(buttons: readonly HTMLButtonElement[]): HTMLButtonElement[] {
+  const known = new Set<string>();
+  return buttons.filter((button) => {
+    const keys = keysOfButton(button);
+    const name = [nameOf(button), ...keys].join('\n');
+    const isFirst = !known.has(name);
+    if (keys.length > 0) known.add(name);
+    return isFirst;
+  });
+}
+
+/** The tab that a button lies behind: each table has the same buttons. */
+function tabOf(made: Element): string {
+  const tab = made.closest('[role="tabpanel"]')?.getAttribute('aria-labelledby');
+  return tab == null ? '' : (document.getElementById(tab)?.textContent ?? '');
 }
 
 const sentenceOf = (does: string) => does.charAt(0).toUpperCase() + does.slice(1);

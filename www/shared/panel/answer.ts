@@ -33,6 +33,7 @@ export interface Answer {
 export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLElement, prefix: string): (answer: Answer) => void {
   const figures = h('dl', { class: 'figures', testid: `${prefix}figures` });
   let act: () => void = () => undefined;
+  let instead: readonly Next[] = [];
   const press = button('', `${prefix}next`, () => act());
   press.className = 'primary';
   const others = h('span', { class: 'answer-others' });
@@ -47,7 +48,8 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
   new ResizeObserver(() => {
     if (host.dataset.kind !== 'busy') ({ height } = host.getBoundingClientRect());
   }).observe(host);
-  return ({ kind, verdict, text, more = '', problem = '', figures: found = [], next = null, others: instead = [] }) => {
+  return ({ kind, verdict, text, more = '', problem = '', figures: found = [], next = null, others: now = [] }) => {
+    instead = now;
     host.dataset.kind = kind;
     // While something runs it says less: what is beside it stays where it is.
     host.style.minHeight = kind === 'busy' && height > 0 ? `${String(height)}px` : '';
@@ -70,7 +72,7 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
     const texts = instead.map(({ text: own }) => own).join('\n');
     if (texts === offered) return;
     offered = texts;
-    fill(others, ...instead.map(({ text: own, act: does }, i) => button(own, `${prefix}other-${String(i + 1)}`, does)));
+    fill(others, ...instead.map(({ text: own }, i) => button(own, `${prefix}other-${String(i + 1)}`, () => instead[i]?.act())));
     others.hidden = instead.length === 0;
   };
 }

@@ -5,6 +5,14 @@ import { declare } from '../view/commands';
 import { button, fill, h } from './dom';
 import { say } from '../text/words';
 
+export const UNDO_KEYS = ['Ctrl+Z'] as const;
+export const REDO_KEYS = ['Ctrl+Shift+Z', 'Ctrl+Y'] as const;
+
+/** Says of a button which keys do the same. */
+export function hasKeys(made: HTMLButtonElement, keys: readonly string[]): void {
+  made.setAttribute('aria-keyshortcuts', keys.join(' ').replaceAll('Ctrl', 'Control'));
+}
+
 /** A button that says what it would do, and cannot be pressed where that is nothing. */
 export function set(made: HTMLButtonElement, text: string, disabled: boolean): void {
   if (made.textContent !== text) made.textContent = text;
@@ -15,10 +23,11 @@ export function set(made: HTMLButtonElement, text: string, disabled: boolean): v
 export function showSteps<E>(undo: HTMLButtonElement, redo: HTMLButtonElement, history: History<E>, nameOf: (edit: E) => string): void {
   const names = steps(history, nameOf);
   for (const [made, name, keys] of [
-    [undo, names.undo === null ? say('undo') : say('undo-3', { undo: names.undo }), 'Ctrl+Z'],
-    [redo, names.redo === null ? say('redo') : say('redo-3', { redo: names.redo }), 'Ctrl+Shift+Z'],
+    [undo, names.undo === null ? say('undo') : say('undo-3', { undo: names.undo }), UNDO_KEYS],
+    [redo, names.redo === null ? say('redo') : say('redo-3', { redo: names.redo }), REDO_KEYS],
   ] as const) {
-    made.title = `${name} (${keys})`;
+    made.title = `${name} (${keys[0]})`;
+    hasKeys(made, keys);
     made.setAttribute('aria-label', name);
     made.hidden = history.edits.length === 0;
   }
@@ -72,8 +81,8 @@ export function undoKeys(isActive: () => boolean, step: (by: 1 | -1) => void): v
     where: say('anywhere-after-edits'),
     host: document.body,
     list: [
-      { keys: ['Ctrl+Z'], does: say('takes-back-the-last-edit'), can: isActive, run: () => step(-1) },
-      { keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], does: say('makes-the-edit-again'), can: isActive, run: () => step(1) },
+      { keys: UNDO_KEYS, does: say('takes-back-the-last-edit'), can: isActive, run: () => step(-1) },
+      { keys: REDO_KEYS, does: say('makes-the-edit-again'), can: isActive, run: () => step(1) },
     ],
   });
   document.addEventListener('keydown', (event) => {

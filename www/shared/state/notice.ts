@@ -8,6 +8,14 @@ export interface Notice {
   passing?: boolean;
   /** It is said beside the button of this `data-testid`, and the line says what it says anyway. */
   near?: string;
+  /** It is a question, in place of the answer until something is done: the first of these is what most users want. */
+  choices?: readonly Choice[];
+}
+
+/** What can be answered. */
+export interface Choice {
+  text: string;
+  act: () => void;
 }
 
 /** What the line says of it: nothing where it is said beside a button. */

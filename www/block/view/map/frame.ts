@@ -1,9 +1,11 @@
 /** What frames the map: a grid with its coordinates, a scale bar, an arrow to the north. */
 import type { Colours } from '../../../shared/view/colours';
+import { asSentence } from '../../../shared/text/direction';
 import { say } from '../../../shared/text/words';
 import { toCanvas, toPosition } from '../../../shared/view/transform';
 import type { Transform } from '../../../shared/view/transform';
 import type { System } from '../../state/ground';
+import type { LengthUnit } from '../../state/orthophoto-unit';
 import { withUnit } from '../../../shared/text/units';
 
 /** About so far apart are lines of the grid, CSS px; and so long is the scale bar at most. */
@@ -21,12 +23,13 @@ export function stepText(value: number, step: number): string {
   return value.toFixed(Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)))).replace('-', '−');
 }
 
-/** A length with two digits in the unit that it is said in; in units of the block where it has no scale. */
-export function lengthText(length: number, system: System): string {
+/** A length with two digits in the unit that it is said in; in units of the block where it has no scale. `unit`: its own. */
+export function lengthText(length: number, system: System, unit: LengthUnit = 'm'): string {
   const twoDigits = (value: number) => String(Number(value.toPrecision(2)));
+  if (unit === 'ft') return withUnit(twoDigits(length), unit);
   if (system === 'own') return say('length-in-units-of-the-block', { length: twoDigits(length) });
-  const [factor, unit] = length >= 1000 ? [0.001, 'km'] : length >= 1 ? [1, 'm'] : length >= 0.01 ? [100, 'cm'] : [1000, 'mm'];
-  return withUnit(twoDigits(length * factor), unit);
+  const [factor, metric] = length >= 1000 ? [0.001, 'km'] : length >= 1 ? [1, 'm'] : length >= 0.01 ? [100, 'cm'] : [1000, 'mm'];
+  return withUnit(twoDigits(length * factor), metric);
 }
 
 export function paintGrid(context: CanvasRenderingContext2D, colours: Colours, t: Transform, width: number, height: number): void {
@@ -68,8 +71,21 @@ function ticks(from: number, to: number, step: number): number[] {
   return Array.from({ length: Math.min(100, Math.max(0, Math.floor(to / step) - first + 1)) }, (_, i) => (first + i) * step);
 }
 
-/** The bar at the lower left. */
-export function paintScale(context: CanvasRenderingContext2D, colours: Colours, t: Transform, height: number, system: System): void {
+/** A ground sample distance in m, as it is said of images. */
+export function gsdText(gsd: number): string {
+  return say('gsd', { gsd: lengthText(gsd, 'geographic') });
+}
+
+/** The bar at the lower left, and beside it what a pixel of the images shows; `gsd`: in m. */
+export function paintScale(
+  context: CanvasRenderingContext2D,
+  colours: Colours,
+  t: Transform,
+  height: number,
+  system: System,
+  gsd: number | null = null,
+  unit: LengthUnit = 'm',
+): void {
   const length = niceBelow(BAR / t.scale);
   const wide = length * t.scale;
   const [left, base] = [12, height - 12];
@@ -89,7 +105,9 @@ export function paintScale(context: CanvasRenderingContext2D, colours: Colours, 
   }
   context.font = '11px system-ui, sans-serif';
   context.textAlign = 'center';
-  haloed(context, colours, lengthText(length, system), left + wide / 2, base - 6);
+  haloed(context, colours, lengthText(length, system, unit), left + wide / 2, base - 6);
+  context.textAlign = 'left';
+  if (gsd !== null) haloed(context, colours, asSentence(gsdText(gsd)), left + wide + 12, base);
   context.restore();
 }
 

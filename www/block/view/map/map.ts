@@ -8,6 +8,7 @@ import type { PlacingEngine } from '../../engine/placing';
 import type { Facts } from '../../engine/facts';
 import { keptBy } from '../../state/columns';
 import type { Tabled } from '../../state/columns';
+import { medianGsd, systemOf } from '../../state/ground';
 import type { System, ViewGround } from '../../state/ground';
 import type { GivenOrthophoto } from '../../state/placing';
 import { laidUnder } from '../../state/laid';
@@ -33,12 +34,6 @@ import { Still } from './still';
 import { MOST_THUMBS, Thumbs } from './thumbs';
 import { asSentence } from '../../../shared/text/direction';
 import { say } from '../../../shared/text/words';
-
-/** The system of what is shown: coordinates without a place on the earth and without surveyed points are the block's own. */
-export function systemOf(view: BlockView, ground: ViewGround | null): System {
-  if (view.layout.kind === 'recorded' || ground?.origin != null) return 'geographic';
-  return view.surveyed.some(({ role }) => role === 'control') ? 'surveyed' : 'own';
-}
 
 export class BlockMap extends Chart {
   private readonly thumbs = new Thumbs(() => this.layers.redraw());
@@ -236,7 +231,7 @@ export class BlockMap extends Chart {
     const factor = factorOf(Math.max(offsets.longest.gnss, offsets.longest.surveyed), t);
     if (look.offsets) paintGnss(context, offsets, t, factor);
     paintSurveyed(context, colours, offsets, t, factor, look.offsets, [width, height]);
-    paintScale(context, colours, t, height, system);
+    paintScale(context, colours, t, height, system, medianGsd(view, ground));
     if (system !== 'own') paintNorth(context, colours, width, system);
     if (look.offsets) this.paintOffsetLegend(context, colours, offsets, factor, system);
     this.paintOutline(context, colours);

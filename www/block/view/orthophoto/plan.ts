@@ -12,6 +12,7 @@ import { shownLinks } from '../../state/steps';
 import { keptBy } from '../../state/columns';
 import type { LinkedPlacement } from '../../state/links';
 import { blockOnOrthophoto, toSystemOf } from '../../state/showing';
+import { unitOfOrthophoto } from '../../state/orthophoto-unit';
 import { placedFiles } from '../../state/placed';
 import type { GivenOrthophoto, Looked } from '../../state/placing';
 import { isOffGround } from '../../state/purpose';
@@ -199,7 +200,7 @@ export class OrthophotoPlan extends LinkPicture {
     const block = this.block();
     if (block !== null) paintBlock(context, colours, t, clip, block, this.store.state.placing.uses, this.store.state.selection);
     else this.paintPlaced(context, colours, t, clip);
-    paintScale(context, colours, t, height, SYSTEM);
+    paintScale(context, colours, t, height, SYSTEM, null, unitOfOrthophoto(this.store.state.placing.orthophoto));
     paintNorth(context, colours, width, SYSTEM);
   }
 

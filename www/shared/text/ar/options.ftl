@@ -26,6 +26,7 @@ section-placing-on-an-orthophoto = الوضع على صورة مصححة
 
 unit-px = بكسل
 unit-m = م
+unit-ft = قدم
 unit-cm = سم
 unit-mm = مم
 unit-um = ميكرومتر

@@ -101,6 +101,12 @@ waiting = انتظار …
 use-auto = استعمل «auto»
 give-the-camera = أعط الكاميرا
 open-other-photos = افتح صورًا أخرى …
+is-a-third-image = { $name } صورة ثالثة: أتُفتح الثلاث كتلةً، أم تحل محل الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    }؟
+open-three-as-a-block = افتح الثلاث كتلةً
+keep-the-pair = أبقِ الزوج
 replace-the-right-image = استبدل الصورة اليمنى …
 use-the-calibrated-camera = استعمل الكاميرا المعايرة
 points-on-both-photos = نقاط في الصورتين

@@ -96,6 +96,7 @@ of-of-the-block-are = { $files } of { $size } of the block are there.
 ## files/ground
 
 metres = { $value } m
+feet = { $value } ft
 skipped-a-project-has-one = { $more } skipped: a project has one orthophoto.
 skipped-an-orthophoto-has-one = { $others } skipped: an orthophoto has one height model.
 reading-the-orthophoto = Reading the orthophoto { $name } …
@@ -324,7 +325,8 @@ orthophoto-laid-under-by-placed = {" "}Orthophoto laid under by { COUNT($images)
 images-oriented-connected-pairs = { $view } { COUNT($images) } images, { COUNT($oriented) } oriented, { COUNT($connected) } connected pairs
 and-rejected-by-hand = {" "}and { COUNT($gone) } rejected by hand
 tie-points-from-to = { COUNT($taking) } tie points{ $what }; { $title } from { $from } to { $to } { $unit }
-ground-sample-distance = ground sample distance { $reduce }
+ground-sample-distance = Median ground sample distance { $gsd }
+gsd = GSD { $gsd }
 gnss-positions-differ-by-up = GNSS positions differ by up to { $gnss }
 surveyed-points-differ-by-up = { COUNT($surveyed) } ground control and check points differ by up to { $surveyed_2 }
 the-images-lie-within-by = The images lie within { $length_text } by { $length_text_2 }
@@ -341,6 +343,7 @@ strongest-cell-matches-small-square = Strongest cell: { COUNT($view) } matches. 
 ## panel/mode
 
 back-to-the-block = ← Back to the block
+pairs-of-the-block-open-here = Pairs of the block open here, too: { $names } has most matches; others are chosen on its map, in its matrix or table.
 
 ## panel/mosaic
 
@@ -1007,7 +1010,7 @@ chooses-the-next-image-that = chooses the next image that was placed
 chooses-the-previous-link-of = chooses the previous link of the image
 chooses-the-next-link-of = chooses the next link of the image
 point-of-number = point { COUNT($number) }
-within-m = ± { $half_width_m } m
+within = ± { $length }
 projection-centres-95 = projection centres (95 %)
 
 given-use = { $role ->

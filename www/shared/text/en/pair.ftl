@@ -125,6 +125,12 @@ waiting = Waiting …
 use-auto = Use “auto”
 give-the-camera = Give the camera
 open-other-photos = Open other photos …
+is-a-third-image = { $name } is a third image: open all three as a block, or replace the { $side ->
+        [left] left
+       *[right] right
+    } image with it?
+open-three-as-a-block = Open all three as a block
+keep-the-pair = Keep the pair
 replace-the-right-image = Replace the right image …
 use-the-calibrated-camera = Use the calibrated camera
 points-on-both-photos = points on both photos

@@ -1,0 +1,43 @@
+/** The unit that the page shows beside coordinates in the system of an orthophoto. Without a browser. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { pageModules } from './www.js';
+
+const {
+  orthophoto_unit: { unitOfOrthophoto },
+  placed_columns: { linkColumns, placedColumns },
+  ground: { orthophotoText },
+} = await pageModules(['block/state/orthophoto-unit', 'block/state/placed-columns', 'block/files/ground']);
+
+/** An orthophoto of San Francisco.  @param {number | null} epsg @param {[number, number]} origin @param {string | null} described */
+const orthophotoOf = (epsg, origin, described = null) => ({
+  raster: { name: 'city.tif', world: null },
+  info: { width: 4000, height: 3000, gsd: 0.5, epsg, described, georeference: { origin, by_column: [0.5, 0], by_row: [0, -0.5] } },
+});
+/** Feet of the US survey and international ones, metres of the same zone, UTM, a map of the world. */
+const SYSTEMS = /** @type {const} */ ([
+  [2227, [6_000_000, 2_100_000], 'ft'],
+  [2913, [7_600_000, 1_000_000], 'ft'],
+  [26943, [1_828_000, 640_000], 'm'],
+  [32610, [550_000, 4_180_000], 'm'],
+  [3857, [-13_600_000, 4_550_000], 'm'],
+]);
+
+test('an orthophoto is in feet where its system is', () => {
+  for (const [epsg, [x, y], unit] of SYSTEMS) assert.equal(unitOfOrthophoto(orthophotoOf(epsg, [x, y])), unit, `EPSG:${epsg}`);
+  assert.equal(unitOfOrthophoto(orthophotoOf(null, [0, 0])), 'm');
+  assert.equal(unitOfOrthophoto(orthophotoOf(null, [0, 0], 'NAD83 / California zone 3 (ftUS)')), 'ft');
+  // One that the crate does not know says nothing.
+  assert.equal(unitOfOrthophoto(orthophotoOf(999999, [0, 0])), 'm');
+  assert.equal(unitOfOrthophoto(null), 'm');
+});
+
+test('tables and texts of images that are placed on an orthophoto in feet name feet, and no metres', () => {
+  const units = (/** @type {{ unit: string }[]} */ columns) => new Set(columns.map(({ unit }) => unit));
+  assert.deepEqual(units(placedColumns([], () => '', 'ft')), new Set(['', 'ft', '°', 'px']));
+  assert.deepEqual(units(placedColumns([], () => '', 'm')), new Set(['', 'm', '°', 'px']));
+  const links = { at: [], places: [], residuals: [], uses: [] };
+  assert.deepEqual(units(linkColumns({ links }, [], 0, 'ft')), new Set(['', 'ft', 'px']));
+  assert.match(orthophotoText(orthophotoOf(2227, [6_000_000, 2_100_000])), / px of 0\.5 ft/);
+});
