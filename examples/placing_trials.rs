@@ -59,8 +59,11 @@ fn trial(scene: &BlockScene, index: usize, area: &(Orthophoto, SearchArea), came
     tally.squares.iter_mut().zip(ratios).for_each(|(all, ratio)| all.push(ratio * ratio));
 }
 
-/// Heights that are not those of the scene, by the right ones and those of the place across the middle, about their mean.
-const WRONG_HEIGHTS: [(&str, fn(f64, f64) -> f64); 5] = [
+/// A height by the right one and that of the place across the middle, about their mean.
+type WrongHeight = fn(f64, f64) -> f64;
+
+/// Heights that are not those of the scene.
+const WRONG_HEIGHTS: [(&str, WrongHeight); 5] = [
     ("feet taken as metres", |own, _| 3.28084 * own),
     ("metres taken as feet", |own, _| 0.3048 * own),
     ("half of them", |own, _| 0.5 * own),
@@ -69,7 +72,7 @@ const WRONG_HEIGHTS: [(&str, fn(f64, f64) -> f64); 5] = [
 ];
 
 /// An orthophoto with other heights.
-fn with_heights(orthophoto: &Orthophoto, height: fn(f64, f64) -> f64) -> Orthophoto {
+fn with_heights(orthophoto: &Orthophoto, height: WrongHeight) -> Orthophoto {
     let (georeference, [width, height_px]) = (orthophoto.georeference, orthophoto.size());
     let at = |k: usize| {
         let position = [(k % width) as f64 + 0.5, (k / width) as f64 + 0.5];
