@@ -7996,6 +7996,10 @@ var Files = class {
 		}
 	}
 	async takeMask(file, side) {
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
 		this.tell([await this.readMask(file, side)]);
 	}
 	async readMask(file, side) {
@@ -8075,7 +8079,7 @@ var Files = class {
 		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
 	}
 	tell(told, { left, right } = this.store.state.images) {
-		const said = told.filter((one) => one !== null);
+		const said = [...this.saidMeanwhile(), ...told.filter((one) => one !== null)];
 		const bad = said.some(({ kind }) => kind === "problem");
 		const kept = bad && (left !== null || right !== null) ? say("the-open-images-are-kept") : "";
 		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
@@ -8089,6 +8093,13 @@ var Files = class {
 			type: "notice",
 			notice: said.length === 0 ? null : notice
 		});
+	}
+	saidMeanwhile() {
+		const { notice } = this.store.state;
+		return notice?.kind !== "info" || notice.choices !== void 0 ? [] : [{
+			kind: "info",
+			text: notice.text
+		}];
 	}
 	failed(what, error) {
 		if (error instanceof Cancelled) return info(say("cancelled-nothing-was-changed"));

@@ -126,6 +126,7 @@ export class Files {
 
   /** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
   async takeMask(file: File, side: Side): Promise<void> {
+    this.store.dispatch({ type: 'notice', notice: null });
     this.tell([await this.readMask(file, side)]);
   }
 
@@ -169,7 +170,7 @@ export class Files {
 
   /** Says together what came of files that were given together; `before`: the images that were open then. */
   private tell(told: readonly Told[], { left, right } = this.store.state.images): void {
-    const said = told.filter((one) => one !== null);
+    const said = [...this.saidMeanwhile(), ...told.filter((one) => one !== null)];
     const bad = said.some(({ kind }) => kind === 'problem');
     // Where nothing was open there is nothing to be afraid for.
     const kept = bad && (left !== null || right !== null) ? say('the-open-images-are-kept') : '';
@@ -177,6 +178,12 @@ export class Files {
     const choices = said.flatMap((one) => one.choices ?? []);
     const notice: Notice = { kind: bad ? 'problem' : 'info', text, ...(choices.length > 0 && { choices }) };
     this.store.dispatch({ type: 'notice', notice: said.length === 0 ? null : notice });
+  }
+
+  /** What was said since the files were taken, as that the camera is not that of the new images. */
+  private saidMeanwhile(): readonly { kind: 'info'; text: string; choices?: readonly Choice[] }[] {
+    const { notice } = this.store.state;
+    return notice?.kind !== 'info' || notice.choices !== undefined ? [] : [{ kind: 'info', text: notice.text }];
   }
 
   private failed(what: string, error: unknown): Told {
