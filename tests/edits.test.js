@@ -8,15 +8,19 @@ import { pageModules } from './www.js';
 const MODULES = [
   'pair/state/choice',
   'pair/state/codes',
+  'pair/state/display',
   'pair/state/draft',
   'pair/state/edited',
   'pair/state/edits',
+  'pair/state/listed',
   'pair/state/project',
   'pair/state/reducer',
   'pair/state/select',
   'pair/state/state',
+  'pair/state/statistics',
   'pair/files/journal',
   'pair/files/open',
+  'pair/view/scene',
   'shared/state/history',
   'shared/state/neighbours',
 ];
@@ -376,4 +380,54 @@ test('the journal is read back as it was, an edit writes its last piece alone, a
   assert.deepEqual(journal.read(new Map()), { history: { edits: [], done: 0 }, shelf: new Map() });
   stored.get('pair/edits/1')[0].kind = 'burn';
   assert.throws(() => journal.read(stored), /edits\[1\]\[0\]\.kind is damaged/);
+});
+
+test('what the filter of the matches leaves out is in no picture, and what it keeps is', () => {
+  const { LEFT_OUT, GROSS_ERROR, UNDECIDED, MATCHED: MATCHED_CODE, BY_HAND } = page.codes;
+  const plain = opened();
+  const left = plain.results.match.value.indices[0];
+  const edited = page.edited.editedPair(plain);
+  const state = page.reducer.reduce(plain, { type: 'edit', edit: { kind: 'reject', of: [page.edited.targetOfLeft(edited, left)] } });
+  const filtered = (/** @type {object} */ filter) => page.reducer.reduce(state, { type: 'filter', filter: { ...page.state.ALL_MATCHES, ...filter } });
+  const all = page.scene.marksOf(state);
+  const { lefts, columns, codes, count } = page.statistics.statisticsOfState(state);
+  assert.equal(codes[count - 1], BY_HAND);
+  const w = columns.find((/** @type {{ key: string }} */ { key }) => key === 'w').value;
+
+  // Whatever is listed, each match is shown in all pictures or in none; points that are no matches stay as they are.
+  const compare = (/** @type {object} */ filter, /** @type {(row: number) => boolean} */ keeps) => {
+    const marks = page.scene.marksOf(filtered(filter));
+    const kept = new Set();
+    const [wanted, matches] = [all.codes.left.slice(), all.matchCodes.slice()];
+    for (let row = 0; row < count; row++) {
+      if (keeps(row)) kept.add(row);
+      else wanted[lefts[row]] = LEFT_OUT;
+      if (row < matches.length && !keeps(row)) matches[row] = LEFT_OUT;
+    }
+    assert.ok(kept.size > 0 && kept.size < count, `${kept.size} of ${count}`);
+    assert.deepEqual(marks.codes.left, wanted);
+    assert.deepEqual(marks.matchCodes, matches);
+    const { indices } = page.edited.editedPair(state).match;
+    for (let row = 0; row < matches.length; row++)
+      if (indices[2 * row + 1] < marks.codes.right.length)
+        assert.equal(marks.codes.right[indices[2 * row + 1]] === LEFT_OUT, !kept.has(row), `right point of ${row}`);
+    assert.equal(
+      marks.places.codes.filter((/** @type {number} */ code) => code === LEFT_OUT).length,
+      [...marks.places.lefts].filter((one) => wanted[one] === LEFT_OUT).length,
+    );
+    // Gross errors stand in the table, and are shown for it; other points that were rejected are not.
+    const isShown = (/** @type {number} */ code) => page.display.isCodeShown(marks.shown, code);
+    assert.deepEqual([MATCHED_CODE, GROSS_ERROR, BY_HAND, UNDECIDED, LEFT_OUT].map(isShown), [true, true, true, false, false]);
+  };
+  compare({ conditions: { w: { kind: 'range', from: 1.5, to: null } } }, (row) => w(row) >= 1.5);
+  compare({ conditions: { state: { kind: 'contains', text: 'rejected by' } } }, (row) => row === count - 1);
+  compare({ kind: 'rejected' }, (row) => codes[row] === GROSS_ERROR);
+  compare({ kind: 'used', conditions: { w: { kind: 'range', from: null, to: 0 } } }, (row) => codes[row] === MATCHED_CODE && w(row) <= 0);
+
+  // Where nothing is filtered nothing is, nor by a truth that is not known.
+  assert.equal(page.display.isCodeShown(all.shown, GROSS_ERROR), false);
+  for (const nothing of [state, filtered({ kind: 'wrong' }), filtered({ conditions: { gone: { kind: 'range', from: 1, to: 2 } } })])
+    assert.equal(page.listed.leftOut(nothing), null);
+  // A filter goes with its images.
+  assert.equal(page.reducer.reduce(filtered({ kind: 'used' }), { type: 'swap' }).filter, page.state.ALL_MATCHES);
 });

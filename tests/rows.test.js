@@ -39,7 +39,7 @@ test('rows are sorted by figures and by words, equal ones in their order, those 
 });
 
 test('what is typed over a column keeps the rows that it says', () => {
-  const { conditionOf, conditionText, keeping } = page.rows;
+  const { conditionOf, conditionText, keeping, maskOf } = page.rows;
   const kept = (/** @type {string} */ typed, key = 'n') => {
     const condition = conditionOf(typed, key === 'w');
     const meets = keeping(COLUMNS, { [key]: condition });
@@ -58,6 +58,8 @@ test('what is typed over a column keeps the rows that it says', () => {
   for (const bad of ['abc', '3..', '>', '1 2']) assert.equal(conditionOf(bad, false), undefined, bad);
   assert.equal(conditionOf('  ', false), null);
   assert.equal(keeping(COLUMNS, {}), null);
+  assert.equal(maskOf(5, COLUMNS, {}), null);
+  assert.deepEqual([...maskOf(5, COLUMNS, { n: conditionOf('>2', false) })], [1, 0, 0, 1, 1]);
   // A condition of the other kind than its column is none.
   assert.equal(keeping(COLUMNS, { w: { kind: 'range', from: 1, to: 2 } }), null);
 });

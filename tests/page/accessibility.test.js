@@ -52,6 +52,11 @@ test('axe finds nothing in any state of a pair', { skip: SKIP }, async () => {
   await page.locator('[data-testid="statistics-row"]').nth(2).click();
   await page.keyboard.press('Delete');
   await look('matches, one of them rejected');
+  await part(page, 'statistics-filter-x').fill('>x');
+  await part(page, 'statistics-filter').selectOption('used');
+  await part(page, 'statistics-columns').click();
+  await look('matches, filtered, with their columns');
+  await part(page, 'statistics-clear').click();
   await part(page, 'view').focus();
   await page.keyboard.press('a');
   await page.keyboard.press('Enter');

@@ -137,7 +137,7 @@ test('matches in a rectangle are rejected, the orientation follows, and after a 
   // Listed apart from what the adjustment rejected.
   await part(page, 'tab-matches').click();
   await part(page, 'statistics-filter').selectOption('by-hand');
-  await says(page, 'statistics-caption', new RegExp(`^${count} of `));
+  await says(page, 'statistics-caption', new RegExp(`: ${count} of `));
   assert.match((await part(page, 'statistics').textContent()) ?? '', /rejected by hand/);
   // Another one, by the list: then the tab is loaded anew.
   await part(page, 'statistics-filter').selectOption('used');

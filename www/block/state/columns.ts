@@ -1,8 +1,8 @@
 /** The tables of a block: their rows, their columns, and what a row is about. */
 import { remember } from '../../shared/state/remember';
-import { keeping } from '../../shared/state/rows';
-import type { Column, Filter, Total } from '../../shared/state/rows';
-import { count, fixed } from '../../shared/text/format';
+import { numbers, words } from '../../shared/state/columns';
+import { maskOf } from '../../shared/state/rows';
+import type { Column, Filter } from '../../shared/state/rows';
 import { imagesOf, isSame, pointsOf } from './selection';
 import type { ViewObservations } from './facts';
 import type { Choice, Selection, Subject } from './selection';
@@ -22,37 +22,21 @@ export interface Rows {
 
 export const NO_ROWS: Rows = { count: 0, columns: [] };
 
-interface Told {
-  total?: Total;
-}
-
-/** A column of numbers with so many decimals. */
-function numbers(key: string, label: string, unit: string, digits: number, value: (row: number) => number, help: string, told: Told = {}): Column {
-  const text = digits === 0 ? (row: number) => count(Number.isNaN(value(row)) ? null : value(row)) : (row: number) => fixed(value(row), digits);
-  return { key, label, unit, help, value, text, ...told };
-}
-
-function words(key: string, label: string, value: (row: number) => string, help: string): Column {
-  return { key, label, unit: '', help, value, text: value, words: true };
-}
-
-const known = (value: number | null | undefined) => value ?? NaN;
-
 function imageRows(view: BlockView): Rows {
   const { images, leftOut, cameras } = view;
   const unit = unitOf(view);
-  const axis = (key: string, i: number) => numbers(key, key, unit, 2, (row) => known(images[row]?.position?.[i]), say('projection-centre-in-m-where', { key }));
+  const axis = (key: string, i: number) => numbers(key, key, unit, 2, (row) => images[row]?.position?.[i], say('projection-centre-in-m-where', { key }));
   return {
     count: images.length + leftOut.length,
     columns: [
       words('name', say('image-2'), (i) => images[i]?.name ?? leftOut[i - images.length]?.name ?? '', say('file-name-press-it-to')),
       numbers('number', say('no'), '', 0, (i) => (i < images.length ? i + 1 : NaN), say('row-and-column-in-the')),
-      numbers('features', say('features'), '', 0, (i) => known(images[i]?.features), say('points-detected-and-described'), { total: 'sum' }),
-      numbers('rays', say('obs'), '', 0, (i) => known(images[i]?.rays), say('observations-of-selected-tie-points'), { total: 'sum' }),
-      numbers('places', say('cov'), '', 0, (i) => known(images[i]?.places), say('coverage-how-many-of-the'), {
+      numbers('features', say('features'), '', 0, (i) => images[i]?.features, say('points-detected-and-described'), { total: 'sum' }),
+      numbers('rays', say('obs'), '', 0, (i) => images[i]?.rays, say('observations-of-selected-tie-points'), { total: 'sum' }),
+      numbers('places', say('cov'), '', 0, (i) => images[i]?.places, say('coverage-how-many-of-the'), {
         total: 'mean',
       }),
-      numbers('rmse', 'RMSE', 'px', 2, (i) => known(images[i]?.rmsePx), say('root-mean-square-length-of-the'), { total: 'rms' }),
+      numbers('rmse', 'RMSE', 'px', 2, (i) => images[i]?.rmsePx, say('root-mean-square-length-of-the'), { total: 'rms' }),
       ...(cameras.length > 1
         ? [
             numbers(
@@ -60,7 +44,7 @@ function imageRows(view: BlockView): Rows {
               say('camera'),
               '',
               0,
-              (i) => known(images[i]?.camera) + 1,
+              (i) => (images[i]?.camera ?? NaN) + 1,
               say('images-of-one-camera-are', { join: cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join('; ') }),
             ),
           ]
@@ -94,8 +78,8 @@ function pairRows({ images, connections }: BlockView): Rows {
       words('first', say('image-2'), (i) => name(i, 0), say('the-image-of-the-pair')),
       words('second', say('with'), (i) => name(i, 1), say('the-other-image-of-the')),
       numbers('matches', say('matches-2'), '', 0, matches, say('verified-matches-of-a-connected'), { total: 'sum' }),
-      numbers('shared', say('common'), '', 0, (i) => known(connections[i]?.shared), say('tie-points-that-both-images'), { total: 'sum' }),
-      numbers('chosen', say('selected'), '', 0, (i) => known(connections[i]?.chosen), say('of-them-those-that-were'), { total: 'sum' }),
+      numbers('shared', say('common'), '', 0, (i) => connections[i]?.shared, say('tie-points-that-both-images'), { total: 'sum' }),
+      numbers('chosen', say('selected'), '', 0, (i) => connections[i]?.chosen, say('of-them-those-that-were'), { total: 'sum' }),
       words('geometry', say('geometry-2'), (i) => geometryText(connections[i]?.geometry ?? null), say('what-relates-the-two-views')),
       words('reason', say('outcome'), (i) => connections[i]?.reason ?? '', say('why-the-images-are-connected')),
     ],
@@ -157,7 +141,7 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Row
         }),
       ),
       ...axes.map((axis, k) =>
-        numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, 'm', 3, (i) => known(surveyed[i]?.standard_errors_m[k]), say('standard-error-of', { axis }), {
+        numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, 'm', 3, (i) => surveyed[i]?.standard_errors_m[k], say('standard-error-of', { axis }), {
           total: 'rms',
         }),
       ),
@@ -167,7 +151,7 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Row
           sayNamed('difference-left-out', { axis }),
           'm',
           3,
-          (i) => known(surveyed[i]?.left_out?.difference[k]),
+          (i) => surveyed[i]?.left_out?.difference[k],
           say('where-the-other-observations-have', { axis }),
           { total: 'rms' },
         ),
@@ -178,7 +162,7 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Row
           sayNamed('standard-error-left-out', { axis }),
           'm',
           3,
-          (i) => known(surveyed[i]?.left_out?.standard_errors[k]),
+          (i) => surveyed[i]?.left_out?.standard_errors[k],
           say('standard-error-of-where-the', { axis }),
           { total: 'rms' },
         ),
@@ -289,19 +273,18 @@ export function rowsOfChoice(subject: Subject, { view, given }: Listed, choice: 
 
 const EMPTY: Filter = {};
 
-/** Of each row 1 where the filter keeps it; null where it keeps all. */
-function maskOf(subject: Tabled, view: BlockView, filter: Filter): Uint8Array | null {
+/** The rows of a table that a filter keeps. */
+function kept(subject: Tabled, view: BlockView, filter: Filter): Uint8Array | null {
   // No view shows the points beside the block.
   const { count: rows, columns } = COLUMNS[subject](view, []);
-  const meets = keeping(columns, filter);
-  return meets === null ? null : Uint8Array.from({ length: rows }, (_, row) => Number(meets(row)));
+  return maskOf(rows, columns, filter);
 }
 
 /** The test of a subject; the same function while view and filters are the same. */
 function testOf(subject: Tabled): (view: BlockView, own: Filter, ofImages: Filter) => (row: number) => boolean {
   return remember((view: BlockView, own: Filter, ofImages: Filter) => {
-    const mask = maskOf(subject, view, own);
-    const images = subject === 'pairs' ? maskOf('images', view, ofImages) : null;
+    const mask = kept(subject, view, own);
+    const images = subject === 'pairs' ? kept('images', view, ofImages) : null;
     if (mask === null && images === null) return () => true;
     const keeps = (row: number) => mask === null || mask[row] === 1;
     return images === null ? keeps : (row) => keeps(row) && view.connections[row]?.images.every((image) => images[image] === 1) === true;

@@ -1,7 +1,7 @@
 /** The tables of images that were placed on an orthophoto, and of the links of one of them. */
 import type { LinkUse, PlacingVerdict } from '../../../pkg/wasm/tiepoint.js';
+import { numbers, words } from '../../shared/state/columns';
 import type { Column } from '../../shared/state/rows';
-import { count, fixed } from '../../shared/text/format';
 import { USES, usedSo } from './links';
 import type { LinkedPlacement } from './links';
 import type { LengthUnit } from './orthophoto-unit';
@@ -9,16 +9,6 @@ import type { PlacedFile } from './placed';
 import { say } from '../../shared/text/words';
 import { useWord } from './steps';
 import type { LinkStep } from './steps';
-
-function numbers(key: string, label: string, unit: string, digits: number, value: (row: number) => number | null | undefined, help: string): Column {
-  const known = (row: number) => value(row) ?? NaN;
-  const text = digits === 0 ? (row: number) => count(Number.isNaN(known(row)) ? null : known(row)) : (row: number) => fixed(known(row), digits);
-  return { key, label, unit, help, value: known, text };
-}
-
-function words(key: string, label: string, value: (row: number) => string, help: string): Column {
-  return { key, label, unit: '', help, value, text: value, words: true };
-}
 
 const VERDICTS: Readonly<Record<PlacingVerdict['kind'], string>> = { placed: say('placed-2'), weak: say('with-doubt-2'), not_placed: say('not-placed-2') };
 

@@ -1,14 +1,12 @@
 /** The selected point: the rule that decided, its window, what was compared, its candidates, its statistics. */
 import type { MatchResult } from '../../shared/crate';
-import { interiorInUse } from '../state/interior';
 import { comparesGradients, comparesGreyValues, isCurrent } from '../state/keys';
-import { pixelMm } from '../state/residuals';
 import { matchOfLeft, shownPair } from '../state/select';
 import { leftIndexOf } from '../state/selected';
 import type { ShownPair } from '../state/select';
 import type { Inspection, PointWindow, State } from '../state/state';
 import type { Store } from '../state/store';
-import { statisticsOf } from '../state/statistics';
+import { statisticsOfState } from '../state/statistics';
 import { fill, h, row } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
@@ -64,7 +62,7 @@ function content(state: State, select: (side: 'left' | 'right', index: number) =
     ...parts,
     ...compared,
     ...lineNote(inspection, shown.match),
-    ...matchStatistics(state, shown, shown.match),
+    ...matchStatistics(state, shown.match),
     ...candidateTable(state, shown.match, inspection, select),
   ];
 }
@@ -131,11 +129,10 @@ function moments({ left, right }: Inspection): HTMLElement[] {
 }
 
 /** The figures of the point's match, each with what it is. */
-function matchStatistics(state: State, shown: ShownPair, match: MatchResult): HTMLElement[] {
+function matchStatistics(state: State, match: MatchResult): HTMLElement[] {
   const index = matchOfLeft(match)[leftIndexOf(state, match.best, match.rules)] ?? -1;
   if (index < 0) return [];
-  const interior = interiorInUse(state)?.left;
-  const { columns } = statisticsOf(shown.left, match, shown.orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
+  const columns = statisticsOfState(state)?.columns ?? [];
   const right = match.matches.subarray(5 * index + 2, 5 * index + 4);
   const list: Fact[] = [
     {
@@ -146,10 +143,10 @@ function matchStatistics(state: State, shown: ShownPair, match: MatchResult): HT
     },
     ...columns
       .filter(({ key }) => key !== 'x' && key !== 'y')
-      .map(({ key, label, unit, digits, help, value }) => ({
+      .map(({ key, label, unit, help, text }) => ({
         name: label,
         testid: `match-${key}`,
-        value: withUnit(fixed(value(index), digits), unit),
+        value: withUnit(text(index), unit),
         help,
       })),
   ];

@@ -11,6 +11,7 @@ import type {
   GivenImage,
   GivenMask,
   MarkInHand,
+  MatchFilter,
   Outline,
   PhotoData,
   Selection,
@@ -59,6 +60,8 @@ export type Action =
   | { type: 'goto'; done: number }
   /** Matches are chosen together, by the keys of their targets. */
   | { type: 'choose'; chosen: readonly string[] }
+  /** What is not kept by the filter is shown neither in the table of matches nor in the pictures. */
+  | { type: 'filter'; filter: MatchFilter }
   | { type: 'tool'; tool: Tool }
   /** A match is measured by hand; null: no longer. */
   | { type: 'draft'; draft: Draft | null }

@@ -34,6 +34,9 @@ export const UNDECIDED = codeOf('undecided');
 export const BY_HAND = codeOf('rejected_by_hand');
 export const MANUAL = codeOf('manual');
 
+/** Beyond all codes: of a match that the filter leaves out, which no picture shows. */
+export const LEFT_OUT = 255;
+
 /** Codes of matches: whatever became of them, a user looks for them among the matches. */
 export const OF_MATCHES: readonly number[] = [MATCHED, GROSS_ERROR, BY_HAND, MANUAL];
 

@@ -107,6 +107,8 @@ function changed(state: State, action: Action): State {
       return withHistory(state, wentTo(state.history, action.done));
     case 'choose':
       return { ...state, chosen: action.chosen };
+    case 'filter':
+      return { ...state, filter: action.filter };
     case 'tool':
       return { ...state, tool: action.tool, draft: null, outline: null, mark: null };
     case 'draft':

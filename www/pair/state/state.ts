@@ -22,6 +22,7 @@ import { NO_HISTORY } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
 import type { Edit, Target } from './edits';
 import type { Notice } from '../../shared/state/notice';
+import type { Filter } from '../../shared/state/rows';
 
 export type Side = 'left' | 'right';
 export const SIDES: readonly Side[] = ['left', 'right'];
@@ -170,6 +171,17 @@ export interface Display {
   hidden: readonly number[];
 }
 
+/** Matches of one kind: those that the adjustment used, that it rejected, that were rejected or measured by hand, that the truth says are wrong. */
+export type MatchKind = 'all' | 'used' | 'rejected' | 'by-hand' | 'wrong';
+
+/** Which matches their table and the pictures show: those of a kind that meet what is typed over the columns. */
+export interface MatchFilter {
+  kind: MatchKind;
+  conditions: Filter;
+}
+
+export const ALL_MATCHES: MatchFilter = { kind: 'all', conditions: {} };
+
 /** `look`: a drag moves the pictures; `choose`: it draws a rectangle around matches; `measure`: a press places a point; `mask`: a drag outlines an area; `fiducials`: a press measures a mark. */
 export type Tool = 'look' | 'choose' | 'measure' | 'mask' | 'fiducials';
 
@@ -229,6 +241,7 @@ export interface State {
   shelf: ReadonlyMap<string, History<Edit>>;
   /** Keys of the matches that are chosen together, beside the selection. */
   chosen: readonly string[];
+  filter: MatchFilter;
   /** The orientation before the latest edit. */
   before: OrientedPair | null;
   /** What a press or a drag on the pictures does. */
@@ -242,10 +255,11 @@ export interface State {
   notice: Notice | null;
 }
 
-/** What belongs to the edits of a pair goes with its images. */
-export const UNEDITED: Pick<State, 'history' | 'chosen' | 'before' | 'draft' | 'outline' | 'mark'> = {
+/** What belongs to the matches of a pair, and to their edits, goes with its images. */
+export const UNEDITED: Pick<State, 'history' | 'chosen' | 'filter' | 'before' | 'draft' | 'outline' | 'mark'> = {
   history: NO_HISTORY,
   chosen: [],
+  filter: ALL_MATCHES,
   before: null,
   draft: null,
   outline: null,

@@ -1,24 +1,20 @@
 /** The statistics of each match as columns. */
 import type { MatchResult, MatchScore, RelativeOrientation } from '../../shared/crate';
-import { BY_HAND, GROSS_ERROR, MANUAL, MATCHED } from './codes';
+import { BY_HAND } from './codes';
 import { MANUAL_MEASURE } from './edited';
-import { POINT_STRIDE } from './residuals';
-import { matchCodes } from './select';
+import { interiorInUse } from './interior';
+import { pixelMm, POINT_STRIDE } from './residuals';
+import { matchCodes, shownPair } from './select';
+import type { State } from './state';
+import { numbers } from '../../shared/state/columns';
 import { remember } from '../../shared/state/remember';
-import type { Column } from '../../shared/state/rows';
-import { fixed } from '../../shared/text/format';
+import type { Column, Total } from '../../shared/state/rows';
 import { say } from '../../shared/text/words';
-
-/** A column of numbers. */
-export interface Figure extends Column {
-  digits: number;
-  value: (match: number) => number;
-}
 
 /** Everything that is known of each match, one column a figure. */
 export interface Statistics {
   count: number;
-  columns: readonly Figure[];
+  columns: readonly Column[];
   /** The code of each match, which says what became of it. */
   codes: Uint8Array;
   /** The left point of each. */
@@ -27,9 +23,14 @@ export interface Statistics {
   rightness: Uint8Array | null;
 }
 
-export type Filter = 'all' | 'used' | 'rejected' | 'by-hand' | 'wrong';
-
-type Described = Omit<Figure, 'value' | 'text'>;
+interface Described {
+  key: string;
+  label: string;
+  unit: string;
+  digits: number;
+  help: string;
+  total?: Total;
+}
 
 const POSITION: readonly Described[] = [
   { key: 'x', label: 'x', unit: 'px', digits: 1, help: say('column-of-the-left-point') },
@@ -41,6 +42,7 @@ const MEASURE: Described = {
   unit: '',
   digits: 4,
   help: say('dissimilarity-of-the-points-by'),
+  total: 'mean',
 };
 const FIT: Described = {
   key: 'standard_error',
@@ -48,6 +50,7 @@ const FIT: Described = {
   unit: 'px',
   digits: 3,
   help: say('standard-error-of-the-right'),
+  total: 'rms',
 };
 
 /** In the order of a row of `RelativeOrientation.points`; lengths in mm are given in px where that is easier to read. */
@@ -59,6 +62,7 @@ const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
     digits: 3,
     inPixels: true,
     help: say('residual-y-parallax-the-distance'),
+    total: 'rms',
   },
   {
     key: 'r',
@@ -66,6 +70,7 @@ const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
     unit: '',
     digits: 3,
     help: say('redundancy-number-the-share-of'),
+    total: 'sum',
   },
   {
     key: 'w',
@@ -73,6 +78,7 @@ const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
     unit: '',
     digits: 2,
     help: say('w-statistic-standardised-residual-data'),
+    total: 'rms',
   },
   {
     key: 'detectable',
@@ -81,6 +87,7 @@ const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
     digits: 3,
     inPixels: true,
     help: say('minimal-detectable-bias-mdb-across'),
+    total: 'mean',
   },
   {
     key: 'influence',
@@ -88,8 +95,9 @@ const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
     unit: '',
     digits: 2,
     help: say('external-reliability-the-largest-effect'),
+    total: 'mean',
   },
-  { key: 'weight', label: say('weight'), unit: '', digits: 2, help: say('weight-in-the-adjustment-0') },
+  { key: 'weight', label: say('weight'), unit: '', digits: 2, help: say('weight-in-the-adjustment-0'), total: 'mean' },
   { key: 'model_x', label: 'X', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale') },
   { key: 'model_y', label: 'Y', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale-across') },
   { key: 'model_z', label: 'Z', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale-upwards') },
@@ -114,7 +122,8 @@ export const statisticsOf = remember(
       const own = (i < used ? match.matches[5 * i + 4] : match.measures[2 * (lefts[i] ?? 0)]) ?? NaN;
       return own === MANUAL_MEASURE || !Number.isFinite(own) ? NaN : own;
     };
-    const figure = (described: Described, value: (i: number) => number): Figure => ({ ...described, value, text: (i) => fixed(value(i), described.digits) });
+    const figure = ({ key, label, unit, digits, help, ...told }: Described, value: (i: number) => number) =>
+      numbers(key, label, unit, digits, value, help, told);
     const columns = POSITION.map((column, k) => figure(column, (i) => at(i, k)));
     columns.push(figure(MEASURE, measure));
     if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
@@ -131,18 +140,10 @@ export const statisticsOf = remember(
   },
 );
 
-/** Whether a filter keeps a match. */
-export function isKept({ codes, rightness }: Statistics, filter: Filter, match: number): boolean {
-  switch (filter) {
-    case 'all':
-      return true;
-    case 'used':
-      return codes[match] === MATCHED || codes[match] === MANUAL;
-    case 'rejected':
-      return codes[match] === GROSS_ERROR;
-    case 'by-hand':
-      return codes[match] === BY_HAND || codes[match] === MANUAL;
-    case 'wrong':
-      return rightness?.[match] === 0;
-  }
+/** Those of the matches that are shown; null where there are none. */
+export function statisticsOfState(state: State): Statistics | null {
+  const { left, match, orientation, edited } = shownPair(state);
+  if (match === null || edited?.found.counts.matches === 0) return null;
+  const interior = interiorInUse(state)?.left;
+  return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
 }

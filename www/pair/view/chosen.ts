@@ -3,6 +3,7 @@ import { within } from '../../shared/view/layers';
 import { toCanvas } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
 import { chosenLefts } from '../state/choice';
+import { LEFT_OUT } from '../state/codes';
 import { editedPair, placeOfLeft } from '../state/edited';
 import { SIDES } from '../state/state';
 import type { State } from '../state/state';
@@ -14,7 +15,8 @@ const RADIUS = 6;
 /** Draws a ring around both points of each chosen match, with a dark edge, so that it shows on light and dark ground. */
 export function drawChosen(context: CanvasRenderingContext2D, state: State, scene: Scene): void {
   const edited = editedPair(state);
-  const lefts = chosenLefts(state);
+  // What the filter leaves out is not shown.
+  const lefts = chosenLefts(state).filter((left) => scene.panes.left.codes[left] !== LEFT_OUT);
   if (edited === null || lefts.length === 0) return;
   for (const side of SIDES) {
     const { rect, transform } = scene.panes[side];

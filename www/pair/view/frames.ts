@@ -1,5 +1,6 @@
 /** Scales and directions of points: a circle of twice the scale, a tick in the direction; only where they are few enough to be read. */
 import { isCodeShown } from '../state/display';
+import type { Shown } from '../state/display';
 import { CELLS } from '../state/descriptor';
 import { comparesGradients } from '../state/keys';
 import type { Settings } from '../../shared/crate';
@@ -24,7 +25,7 @@ function haveDirections(settings: Settings | null): boolean {
 }
 
 /** Draws the frames of the shown points that `clip` shows. */
-export function drawFrames(context: CanvasRenderingContext2D, state: State, pane: Pane, transform: Transform, clip: Rect): void {
+export function drawFrames(context: CanvasRenderingContext2D, state: State, shown: Shown, pane: Pane, transform: Transform, clip: Rect): void {
   const { points, frames, codes } = pane;
   if (points === null || frames === null || frames.length === 0 || state.display.points === 'none') return;
   // Over whole images matches alone are to be seen.
@@ -34,7 +35,7 @@ export function drawFrames(context: CanvasRenderingContext2D, state: State, pane
   let drawn = 0;
   codes.forEach((code, i) => {
     const radius = SCALES * (frames[2 * i] ?? 0) * transform.scale;
-    if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isCodeShown(state.display, code)) return;
+    if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isCodeShown(shown, code)) return;
     const [x, y] = toCanvas(transform, points[3 * i] ?? 0, points[3 * i + 1] ?? 0);
     if (x + radius < clip.left || x - radius > clip.left + clip.width || y + radius < clip.top || y - radius > clip.top + clip.height) return;
     drawn += 1;

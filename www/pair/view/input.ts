@@ -85,12 +85,12 @@ function enclose(view: View, store: Store, side: Side, from: [number, number], t
   view.enclose(ended ? null : rect);
   const edited = editedPair(store.state);
   if (!ended || rect === null || edited === null) return;
-  const { transform, codes } = view.scene().panes[side];
+  const { panes, shown } = view.scene();
+  const { transform } = panes[side];
   const [left, top] = toPosition(transform, rect.left, rect.top);
   const [right, bottom] = toPosition(transform, rect.left + rect.width, rect.top + rect.height);
-  const { display } = store.state;
-  const ofLefts = side === 'left' ? codes : view.scene().panes.left.codes;
-  store.dispatch({ type: 'choose', chosen: keysWithin(edited, side, [left, top, right, bottom], (index) => isCodeShown(display, ofLefts[index] ?? 0)) });
+  const { codes } = panes.left;
+  store.dispatch({ type: 'choose', chosen: keysWithin(edited, side, [left, top, right, bottom], (index) => isCodeShown(shown, codes[index] ?? 0)) });
 }
 
 function between([x, y]: [number, number], [u, v]: [number, number]): Rect {

@@ -1,7 +1,7 @@
 /** Points, match lines and residual vectors, drawn by the crate. */
 import { isCodeShown } from '../state/display';
 import { draw_match_lines, draw_points, draw_vectors } from '../../shared/crate';
-import { GROSS_ERROR, OF_MATCHES } from '../state/codes';
+import { GROSS_ERROR, LEFT_OUT, OF_MATCHES } from '../state/codes';
 import { remember } from '../../shared/state/remember';
 import { within } from '../../shared/view/layers';
 import { SIDES } from '../state/state';
@@ -47,12 +47,12 @@ const slotsOfPlaces = makeSlots();
 
 /** Draws the points of one image where `clip` shows them, and the matched places that are no points. */
 export function drawPoints(context: CanvasRenderingContext2D, state: State, scene: Scene, pane: Pane, transform: Transform, clip: Rect): void {
-  const { points, hidden } = state.display;
+  const { points, hidden } = scene.shown;
   if (pane.points === null || points === 'none') return;
   const { styles, colours } = stylesAt(transform.scale);
   const view = drawView(transform, clip);
   draw_points(context, pane.points, slotsOf[pane.side](pane.codes, points, hidden), styles, colours, view);
-  drawFrames(context, state, pane, transform, clip);
+  drawFrames(context, state, scene.shown, pane, transform, clip);
   if (pane.side === 'right') draw_points(context, scene.places.points, slotsOfPlaces(scene.places.codes, points, hidden), styles, colours, view);
 }
 
@@ -61,8 +61,9 @@ function drawLines(context: CanvasRenderingContext2D, state: State, scene: Scene
   if (scene.match === null || lines === 'none') return;
   const { left, right } = scene.panes;
   // Rejected matches are lines where rejected points are drawn.
-  const rejected = isCodeShown({ ...state.display, points: state.display.points === 'none' ? 'matched' : state.display.points }, GROSS_ERROR) ? 1 : NOT_DRAWN;
-  const codes = scene.matchCodes.map((code) => (code === GROSS_ERROR ? rejected : 0));
+  const { shown } = scene;
+  const rejected = isCodeShown({ ...shown, points: shown.points === 'none' ? 'matched' : shown.points }, GROSS_ERROR) ? 1 : NOT_DRAWN;
+  const codes = scene.matchCodes.map((code) => (code === LEFT_OUT ? NOT_DRAWN : code === GROSS_ERROR ? rejected : 0));
   draw_match_lines(
     context,
     scene.match.matches,
@@ -77,7 +78,7 @@ function drawLines(context: CanvasRenderingContext2D, state: State, scene: Scene
 
 function drawResiduals(context: CanvasRenderingContext2D, state: State, scene: Scene, pane: Pane): void {
   if (pane.vectors === null || state.display.vectors === 0) return;
-  const codes = scene.matchCodes.map((code) => (code === GROSS_ERROR ? 1 : 0));
+  const codes = scene.matchCodes.map((code) => (code === LEFT_OUT ? NOT_DRAWN : code === GROSS_ERROR ? 1 : 0));
   draw_vectors(
     context,
     pane.vectors,

@@ -52,11 +52,12 @@ export class Navigator {
   /** Selects the next or previous shown point of the active side, in raster order. */
   step(by: 1 | -1): void {
     const { state } = this.store;
-    const pane = this.activePane();
+    const { panes, shown } = this.view.scene();
+    const pane = panes[state.activeSide];
     const count = pane.codes.length;
     const start = state.selection?.side === pane.side ? state.selection.index : by > 0 ? -1 : count;
     for (let i = start + by; i >= 0 && i < count; i += by) {
-      if (isCodeShown(state.display, pane.codes[i] ?? 0)) {
+      if (isCodeShown(shown, pane.codes[i] ?? 0)) {
         this.select({ side: pane.side, index: i });
         return;
       }

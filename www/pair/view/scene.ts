@@ -1,6 +1,9 @@
 /** What the view shows, gathered from the state once a drawing. */
 import type { MatchResult } from '../../shared/crate';
+import { withListed } from '../state/display';
+import type { Shown } from '../state/display';
 import { interiorInUse } from '../state/interior';
+import { leftOut, listedPlaces, makeListed } from '../state/listed';
 import { residualVectors } from '../state/residuals';
 import { leftCodes, loosePlaces, matchCodes, rightCodes, shownPair } from '../state/select';
 import type { Places } from '../state/select';
@@ -36,9 +39,11 @@ interface Marks {
   places: Places;
   /** Residuals, where they are shown. */
   vectors: Record<Side, Float64Array | null>;
+  /** Which of them are shown. */
+  shown: Shown;
 }
 
-export interface Scene extends Pick<Marks, 'match' | 'matchCodes' | 'places'> {
+export interface Scene extends Pick<Marks, 'match' | 'matchCodes' | 'places' | 'shown'> {
   panes: Record<Side, Pane>;
 }
 
@@ -51,19 +56,26 @@ function pictureOf(state: State, side: Side): Picture | null {
   return { imageId: image.id, width: info.width, height: info.height, overview };
 }
 
+const listed = { left: makeListed(), right: makeListed(), matches: makeListed() };
+
 export function marksOf(state: State): Marks {
   const { left, right, match, orientation } = shownPair(state);
   const interior = state.display.vectors === 0 ? null : interiorInUse(state);
   const vectors = (side: Side) =>
     match === null || orientation === null || interior === null ? null : residualVectors[side](match, orientation, interior[side]);
   const ofMatches = matchCodes(match, orientation);
+  const out = leftOut(state);
   return {
     points: { left, right },
-    codes: { left: leftCodes(left, match, orientation), right: rightCodes(right, match, orientation) },
+    codes: {
+      left: listed.left(leftCodes(left, match, orientation), out?.left ?? null),
+      right: listed.right(rightCodes(right, match, orientation), out?.right ?? null),
+    },
     match,
-    matchCodes: ofMatches,
-    places: loosePlaces(match, ofMatches),
+    matchCodes: listed.matches(ofMatches, out?.matches ?? null),
+    places: listedPlaces(loosePlaces(match, ofMatches), out),
     vectors: { left: vectors('left'), right: vectors('right') },
+    shown: out === null ? state.display : withListed(state.display),
   };
 }
 
@@ -87,8 +99,8 @@ export function sceneOf(state: State, width: number, height: number): Scene {
       vectors: marks.vectors[side],
     };
   };
-  const { match, matchCodes: ofMatches, places } = marks;
-  return { panes: { left: pane('left'), right: pane('right') }, match, matchCodes: ofMatches, places };
+  const { match, matchCodes: ofMatches, places, shown } = marks;
+  return { panes: { left: pane('left'), right: pane('right') }, match, matchCodes: ofMatches, places, shown };
 }
 
 /** The pane at a canvas position. */

@@ -61,9 +61,9 @@ export class View {
     // A new orientation that rejects the same matches leaves them as they are.
     store.watch(
       (s) => {
-        const { points, codes, match, matchCodes, places, vectors } = marksOf(s);
+        const { points, codes, match, matchCodes, places, vectors, shown } = marksOf(s);
         const { left, right } = vectors;
-        return [points.left, points.right, codes.left, codes.right, match, matchCodes, places, left, right, s.display, s.catalogue] as const;
+        return [points.left, points.right, codes.left, codes.right, match, matchCodes, places, left, right, shown, s.display, s.catalogue] as const;
       },
       () => this.layers.redraw('marks', 'overlay'),
     );
@@ -106,19 +106,18 @@ export class View {
 
   /** The shown point nearest to a canvas position. */
   hit(x: number, y: number): { side: Side; index: number } | null {
-    const { state } = this.store;
     const scene = this.scene();
     const pane = paneAt(scene, x, y);
     if (pane?.picture == null || pane.points === null) return null;
     const { width, height } = pane.picture;
     const at = toPosition(pane.transform, x, y);
     const radius = CLICK_RADIUS / pane.transform.scale;
-    const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, pane.codes[i] ?? 0));
+    const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isCodeShown(scene.shown, pane.codes[i] ?? 0));
     const index = found < 0 ? null : { side: pane.side, index: found };
     if (pane.side === 'left' || scene.match === null) return index;
     // A matched place that is no point stands for the left point it was found from.
     const { places } = scene;
-    const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, places.codes[i] ?? 0));
+    const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isCodeShown(scene.shown, places.codes[i] ?? 0));
     return place < 0 ? index : { side: 'left', index: places.lefts[place] ?? 0 };
   }
 

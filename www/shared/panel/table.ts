@@ -24,6 +24,8 @@ export interface TableOptions {
   point?: (row: number) => void;
   /** Called when other conditions are typed; without it nothing can be typed over the columns. */
   filter?: (filter: Filter) => void;
+  /** Shows all rows, where more leaves some out than what is typed over the columns. */
+  showAll?: () => void;
   /** What the file is called that the rows are saved as; with it the table has a bar that counts, saves and chooses columns. */
   file?: string;
   /** Further things in the bar. */
@@ -79,7 +81,10 @@ export class Table {
               hide: (hidden) => this.hide(hidden),
               csv: async () => save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: 'text/csv' }), file),
               copied: async () => tabbedOf(this.columns, this.shown, await intoEnglish()),
-              clear: () => options.filter?.({}),
+              clear: () => {
+                if (options.showAll === undefined) options.filter?.({});
+                else options.showAll();
+              },
             },
             options.tools ?? [],
           );
@@ -264,7 +269,8 @@ export class Table {
 
   private showFoot(filtered: boolean): void {
     if (this.bar === null) return;
-    this.bar.say(this.shown.length, this.count, filtered);
+    const fewer = this.shown.length < this.count;
+    this.bar.say(this.shown.length, this.count, filtered || fewer, filtered || (fewer && this.options.showAll !== undefined));
     const cells = this.columns.map((column) => {
       const { total, value, text } = column;
       if (total === undefined || this.shown.length === 0) return h('td', {});
@@ -361,10 +367,11 @@ class TableBar {
     this.element = h('div', { class: 'table-bar' }, this.caption, ...tools, this.clear, menu, copy, csv);
   }
 
-  say(shown: number, all: number, filtered: boolean): void {
+  /** `filtered`: not all rows are shown; `clears`: what leaves them out can be taken away here. */
+  say(shown: number, all: number, filtered: boolean, clears: boolean): void {
     const text = `${this.words}: ${filtered ? say('of-8', { shown: counted(shown) }) : ''}${counted(all)}`;
     if (this.caption.textContent !== text) this.caption.textContent = text;
-    this.clear.hidden = !filtered;
+    this.clear.hidden = !clears;
   }
 
   /** The columns that are hidden. */

@@ -73,6 +73,12 @@ export function keeping(columns: readonly Column[], filter: Filter): ((row: numb
   return tests.length === 0 ? null : (row) => tests.every((test) => test(row));
 }
 
+/** Of each row 1 where it meets all conditions; null where there is no condition. */
+export function maskOf(count: number, columns: readonly Column[], filter: Filter): Uint8Array | null {
+  const meets = keeping(columns, filter);
+  return meets === null ? null : Uint8Array.from({ length: count }, (_, row) => Number(meets(row)));
+}
+
 const NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?`;
 const BETWEEN = new RegExp(`^(${NUMBER})\\s*(?:\\.\\.+|…|–|-|to)\\s*(${NUMBER})$`, 'iu');
 const LIMIT = new RegExp(`^(>=|<=|≥|≤|>|<)\\s*(${NUMBER})$`, 'iu');
