@@ -82,6 +82,14 @@ test('axe finds nothing in any state of a pair', { skip: SKIP }, async () => {
   const said = Number.parseInt(await says(page, 'search-said', / actions$/), 10);
   assert.ok(said > 40);
   assert.equal(await part(page, 'search-list').locator('li').count(), said);
+  // What there is of each image names it.
+  const listed = await part(page, 'search-list').locator('li').allInnerTexts();
+  assert.deepEqual(
+    listed.filter((text) => /^(?:Mask …|Add mark|Measure in the image|Load CSV …)/u.test(text)),
+    [],
+  );
+  for (const name of ['Left image: Mask …', 'Right image: Mask …', 'Left image: Add mark', 'Replace the left image'])
+    assert.equal(listed.filter((text) => text.startsWith(name)).length, 1, name);
   await part(page, 'search-text').fill('magnifier');
   await look('search for an action');
   await page.keyboard.press('Enter');

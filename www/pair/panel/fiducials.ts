@@ -42,7 +42,7 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
 function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking: Marking, measure: (side: Side) => void): HTMLElement {
   const table = scrolledByKeys(h('div', { class: 'scroll' }));
   const result = h('p', { class: 'note', testid: `interior-${side}` });
-  const name = side === 'left' ? say('left') : say('right');
+  const name = say('image-4', { name: side === 'left' ? say('left') : say('right') });
   const add = button(say('add-mark'), `add-fiducial-${side}`, () => marking.add(side));
   const load = button(say('load-csv'), `load-fiducials-${side}`, () => loadFile(side));
   const inPicture = button(say('measure-in-the-image'), `measure-fiducials-${side}`, () => measure(side), say('press-each-mark-in-the-image'));
@@ -93,8 +93,8 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
   );
   return h(
     'div',
-    { class: 'photo' },
-    h('h3', {}, say('image-4', { name })),
+    { class: 'photo twin', role: 'group', aria: { label: name } },
+    h('h3', {}, name),
     result,
     table,
     h('div', { class: 'buttons' }, inPicture, add, load, clear, undo, redo),

@@ -52,7 +52,8 @@ function label(side: Side, actions: PaneActions): { element: HTMLElement; show: 
   const mask = button(say('mask'), `mask-${side}`, () => actions.mask(side), say('an-image-of-the-same'));
   const unmask = button(say('mask-2'), `unmask-${side}`, () => actions.unmask(side));
   unmask.setAttribute('aria-label', say('remove-the-mask-of-the', { side }));
-  const head = h('div', { class: 'pane-head' }, name, replace, mask, unmask);
+  const of = say('image-4', { name: side === 'left' ? say('left') : say('right') });
+  const head = h('div', { class: 'pane-head twin', role: 'group', aria: { label: of } }, name, replace, mask, unmask);
   const element = h('div', { class: 'pane-frame', testid: `pane-${side}` }, head, empty);
   const show = (state: State) => {
     const image = state.images[side];

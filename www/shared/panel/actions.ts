@@ -51,7 +51,7 @@ function actions(): Action[] {
     );
   const buttons = once(made.filter(({ disabled }) => !disabled)).map((button) => ({
     name: nameOf(button),
-    more: [...new Set([groupOf(button), tabOf(button), button.title])].filter((text) => text !== '' && !saysName(button, text)).join(' · '),
+    more: [...new Set([groupOf(twinOf(button) ?? button), tabOf(button), button.title])].filter((text) => text !== '' && !saysName(button, text)).join(' · '),
     keys: keysOfButton(button),
     run: () => {
       reveal(button);
@@ -75,11 +75,17 @@ function actions(): Action[] {
 /** Buttons that only unfold what is listed itself, or close what is open. */
 const UNNAMED = '.close, .menu-button, #export-menu';
 
-/** What a button is called; one that shows a sign alone is called by what it says of itself. */
+/** What a button is called; one that shows a sign alone is called by what it says of itself, one that its twin has too by what it is about. */
 function nameOf(made: HTMLButtonElement): string {
-  const shown = made.getAttribute('aria-label') ?? made.textContent;
-  return /\p{L}|\d/u.test(shown) || made.title === '' ? shown : made.title;
+  const label = made.getAttribute('aria-label');
+  const shown = label ?? made.textContent;
+  const own = /\p{L}|\d/u.test(shown) || made.title === '' ? shown : made.title;
+  const about = label === null && keysOfButton(made).length === 0 ? twinOf(made)?.getAttribute('aria-label') : null;
+  return about == null ? own : say('action-about', { about, action: own });
 }
+
+/** The group of a button that another group repeats, as that of the left image and that of the right one. */
+const twinOf = (made: Element) => made.closest('.twin');
 
 /** Whether a text says no more than what a button is called, and its key. */
 const saysName = (button: HTMLButtonElement, text: string) => [nameOf(button), `${nameOf(button)} (${keysOfButton(button)[0] ?? ''})`].includes(text);

@@ -96,6 +96,7 @@ so-many-actions =
 anywhere = في كل مكان
 finds-any-action = يبحث عن أي أمر
 lists-all-keys = يسرد جميع المفاتيح
+action-about = { $about }: { $action }
 setting = إعداد
 find-an-action = البحث عن أمر
 actions = الأوامر

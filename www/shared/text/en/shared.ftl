@@ -99,6 +99,7 @@ so-many-actions =
 anywhere = Anywhere
 finds-any-action = finds any action
 lists-all-keys = lists all keys
+action-about = { $about }: { $action }
 setting = Setting
 find-an-action = Find an action
 actions = Actions
