@@ -28,7 +28,7 @@ test('axe finds nothing in any state of a pair', { skip: SKIP }, async () => {
   await look('a pair, drawers closed');
 
   await part(page, 'settings').click();
-  await part(page, 'all-settings').first().click();
+  await part(page, 'pair-all-settings').click();
   await look('settings');
   const field = page.locator('#panel-settings input[type="number"]:visible').first();
   const before = await field.inputValue();

@@ -126,7 +126,7 @@ test('a control point is measured where it is predicted, used as check point, le
   await status(page, /[2-9] edits by hand were kept\.$/);
   await undoIs(page, /^Undo: reject 1 point \(/);
   if (await page.locator('#panel-block-settings').isHidden()) await part(page, 'block-settings').click();
-  const unfold = page.locator('#panel-block-settings [data-testid="all-settings"]');
+  const unfold = part(page, 'block-all-settings');
   if ((await unfold.textContent()) === 'Unfold all') await unfold.click();
   await page.locator('#panel-block-settings [data-key="multiscale.number"]').first().fill('300');
   await part(page, 'close-block-settings').click();

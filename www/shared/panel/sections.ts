@@ -62,14 +62,14 @@ export function makeFolded(parameters: readonly Parameter[], bound: Bound, { tit
       return fold;
     },
   );
-  const number = h('span', { testid: 'changed-settings' });
+  const number = h('span', { testid: `${of}-changed-settings` });
   const back = h(
     'p',
     { class: 'buttons' },
     number,
-    button(say('set-all-back'), 'reset-settings', () => take(bound.defaults())),
+    button(say('set-all-back'), `${of}-reset-settings`, () => take(bound.defaults())),
   );
-  const unfold = button('', 'all-settings', () => setDrawer('all-settings', !isOpen('all-settings')));
+  const unfold = button('', `${of}-all-settings`, () => setDrawer('all-settings', !isOpen('all-settings')));
   let unfolded: boolean | null = null;
   watchDrawers(() => {
     if (unfolded === isOpen('all-settings')) return;
