@@ -173,6 +173,8 @@ test('settings are closed at first, stay as they are left, and what was changed 
   await part(page, 'reset-matching.strategy').click();
   assert.equal(await button.textContent(), 'Settings');
   await part(page, 'pair-all-settings').click();
+  // They scroll by themselves: the page is no longer than its window.
+  assert.equal(await page.evaluate(() => document.documentElement.scrollHeight - window.innerHeight), 0);
   await numberOf.fill('5000');
   await page.locator('#panel-settings [data-key="multiscale.levels"]').fill('4');
   assert.equal(await button.textContent(), 'Settings · 2');
