@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -2699,9 +2699,9 @@ function describePoint(view, point) {
 			name: nameOfPoint(view, point),
 			rays: points.rays[point] ?? 0
 		}),
-		known$2(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
-		known$2(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say("not-intersected"),
-		errors.every(known$2) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
+		known$1(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
+		known$1(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say("not-intersected"),
+		errors.every(known$1) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
 		point < points.taking ? "" : say("rejected-by-hand-2")
 	].filter((part) => part !== "").join("; ")}.`;
 }
@@ -2738,7 +2738,7 @@ function describePoints({ points }, chosen) {
 		const rays = points.rays[point] ?? 0;
 		[least, most] = [Math.min(least, rays), Math.max(most, rays)];
 		const rmse = points.rmsePx[point] ?? NaN;
-		if (!known$2(rmse)) continue;
+		if (!known$1(rmse)) continue;
 		squares += rays * rmse * rmse;
 		adjusted += rays;
 	}
@@ -2754,7 +2754,7 @@ function describePoints({ points }, chosen) {
 		what_2: gone > 0 ? say("rejected-by-hand-3", { gone }) : ""
 	});
 }
-function known$2(value) {
+function known$1(value) {
 	return value !== void 0 && !Number.isNaN(value);
 }
 // www/block/panel/edits.ts
@@ -4803,44 +4803,21 @@ var NO_ROWS = {
 	count: 0,
 	columns: []
 };
-function numbers$1(key, label, unit, digits, value, help, told = {}) {
-	return {
-		key,
-		label,
-		unit,
-		help,
-		value,
-		text: digits === 0 ? (row) => count(Number.isNaN(value(row)) ? null : value(row)) : (row) => fixed(value(row), digits),
-		...told
-	};
-}
-function words$1(key, label, value, help) {
-	return {
-		key,
-		label,
-		unit: "",
-		help,
-		value,
-		text: value,
-		words: true
-	};
-}
-var known$1 = (value) => value ?? NaN;
 function imageRows(view) {
 	const { images, leftOut, cameras } = view;
 	const unit = unitOf(view);
-	const axis = (key, i) => numbers$1(key, key, unit, 2, (row) => known$1(images[row]?.position?.[i]), say("projection-centre-in-m-where", { key }));
+	const axis = (key, i) => numbers(key, key, unit, 2, (row) => images[row]?.position?.[i], say("projection-centre-in-m-where", { key }));
 	return {
 		count: images.length + leftOut.length,
 		columns: [
-			words$1("name", say("image-2"), (i) => images[i]?.name ?? leftOut[i - images.length]?.name ?? "", say("file-name-press-it-to")),
-			numbers$1("number", say("no"), "", 0, (i) => i < images.length ? i + 1 : NaN, say("row-and-column-in-the")),
-			numbers$1("features", say("features"), "", 0, (i) => known$1(images[i]?.features), say("points-detected-and-described"), { total: "sum" }),
-			numbers$1("rays", say("obs"), "", 0, (i) => known$1(images[i]?.rays), say("observations-of-selected-tie-points"), { total: "sum" }),
-			numbers$1("places", say("cov"), "", 0, (i) => known$1(images[i]?.places), say("coverage-how-many-of-the"), { total: "mean" }),
-			numbers$1("rmse", "RMSE", "px", 2, (i) => known$1(images[i]?.rmsePx), say("root-mean-square-length-of-the"), { total: "rms" }),
-			...cameras.length > 1 ? [numbers$1("camera", say("camera"), "", 0, (i) => known$1(images[i]?.camera) + 1, say("images-of-one-camera-are", { join: cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join("; ") }))] : [],
-			words$1("state", say("state"), (i) => stateOf(i < images.length ? images[i]?.why : leftOut[i - images.length]?.reason), say("whether-the-image-is-oriented")),
+			words("name", say("image-2"), (i) => images[i]?.name ?? leftOut[i - images.length]?.name ?? "", say("file-name-press-it-to")),
+			numbers("number", say("no"), "", 0, (i) => i < images.length ? i + 1 : NaN, say("row-and-column-in-the")),
+			numbers("features", say("features"), "", 0, (i) => images[i]?.features, say("points-detected-and-described"), { total: "sum" }),
+			numbers("rays", say("obs"), "", 0, (i) => images[i]?.rays, say("observations-of-selected-tie-points"), { total: "sum" }),
+			numbers("places", say("cov"), "", 0, (i) => images[i]?.places, say("coverage-how-many-of-the"), { total: "mean" }),
+			numbers("rmse", "RMSE", "px", 2, (i) => images[i]?.rmsePx, say("root-mean-square-length-of-the"), { total: "rms" }),
+			...cameras.length > 1 ? [numbers("camera", say("camera"), "", 0, (i) => (images[i]?.camera ?? NaN) + 1, say("images-of-one-camera-are", { join: cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join("; ") }))] : [],
+			words("state", say("state"), (i) => stateOf(i < images.length ? images[i]?.why : leftOut[i - images.length]?.reason), say("whether-the-image-is-oriented")),
 			axis("X", 0),
 			axis("Y", 1),
 			axis("Z", 2)
@@ -4859,31 +4836,31 @@ function pairRows({ images, connections }) {
 	return {
 		count: connections.length,
 		columns: [
-			words$1("first", say("image-2"), (i) => name(i, 0), say("the-image-of-the-pair")),
-			words$1("second", say("with"), (i) => name(i, 1), say("the-other-image-of-the")),
-			numbers$1("matches", say("matches-2"), "", 0, matches, say("verified-matches-of-a-connected"), { total: "sum" }),
-			numbers$1("shared", say("common"), "", 0, (i) => known$1(connections[i]?.shared), say("tie-points-that-both-images"), { total: "sum" }),
-			numbers$1("chosen", say("selected"), "", 0, (i) => known$1(connections[i]?.chosen), say("of-them-those-that-were"), { total: "sum" }),
-			words$1("geometry", say("geometry-2"), (i) => geometryText(connections[i]?.geometry ?? null), say("what-relates-the-two-views")),
-			words$1("reason", say("outcome"), (i) => connections[i]?.reason ?? "", say("why-the-images-are-connected"))
+			words("first", say("image-2"), (i) => name(i, 0), say("the-image-of-the-pair")),
+			words("second", say("with"), (i) => name(i, 1), say("the-other-image-of-the")),
+			numbers("matches", say("matches-2"), "", 0, matches, say("verified-matches-of-a-connected"), { total: "sum" }),
+			numbers("shared", say("common"), "", 0, (i) => connections[i]?.shared, say("tie-points-that-both-images"), { total: "sum" }),
+			numbers("chosen", say("selected"), "", 0, (i) => connections[i]?.chosen, say("of-them-those-that-were"), { total: "sum" }),
+			words("geometry", say("geometry-2"), (i) => geometryText(connections[i]?.geometry ?? null), say("what-relates-the-two-views")),
+			words("reason", say("outcome"), (i) => connections[i]?.reason ?? "", say("why-the-images-are-connected"))
 		]
 	};
 }
 function pointRows(view) {
 	const { points } = view;
 	const unit = unitOf(view);
-	const axis = (label, offset) => [numbers$1(label.toLowerCase(), label, unit, 2, (i) => points.positions[3 * i + offset] ?? NaN, say("object-coordinate-in-m-where")), numbers$1(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
+	const axis = (label, offset) => [numbers(label.toLowerCase(), label, unit, 2, (i) => points.positions[3 * i + offset] ?? NaN, say("object-coordinate-in-m-where")), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
 	return {
 		count: points.count,
 		columns: [
-			numbers$1("point", say("point"), "", 0, (i) => i + 1, say("number-of-the-point-press")),
-			numbers$1("point-rays", say("rays-2"), "", 0, (i) => points.rays[i] ?? NaN, say("number-of-images-that-see"), { total: "mean" }),
-			numbers$1("point-rmse", "RMSE", "px", 2, (i) => points.rmsePx[i] ?? NaN, say("root-mean-square-length-of-the"), { total: "rms" }),
+			numbers("point", say("point"), "", 0, (i) => i + 1, say("number-of-the-point-press")),
+			numbers("point-rays", say("rays-2"), "", 0, (i) => points.rays[i] ?? NaN, say("number-of-images-that-see"), { total: "mean" }),
+			numbers("point-rmse", "RMSE", "px", 2, (i) => points.rmsePx[i] ?? NaN, say("root-mean-square-length-of-the"), { total: "rms" }),
 			...axis("X", 0),
 			...axis("Y", 1),
 			...axis("Z", 2),
-			numbers$1("confidence", say("probability"), "", 3, (i) => points.confidence[i] ?? NaN, say("probability-that-all-its-observations"), { total: "mean" }),
-			words$1("point-part", say("part"), (i) => i < points.taking ? say("accepted") : say("rejected-by-hand-2"), say("whether-the-point-takes-part"))
+			numbers("confidence", say("probability"), "", 3, (i) => points.confidence[i] ?? NaN, say("probability-that-all-its-observations"), { total: "mean" }),
+			words("point-part", say("part"), (i) => i < points.taking ? say("accepted") : say("rejected-by-hand-2"), say("whether-the-point-takes-part"))
 		]
 	};
 }
@@ -4903,15 +4880,15 @@ function surveyedRows({ surveyed }, given) {
 	return {
 		count: surveyed.length + given.length,
 		columns: [
-			words$1("surveyed", say("point"), (i) => surveyed[i]?.name ?? beside(i)?.name ?? "", say("name-of-the-surveyed-point")),
-			words$1("use", say("use"), useText, say("control-points-place-the-block")),
-			numbers$1("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
-			...axes.map((axis, k) => numbers$1(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.place?.[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
-			...areElsewhere ? axes.map((axis, k) => numbers$1(`given-${axis}`, sayNamed("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
-			...axes.map((axis, k) => numbers$1(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers$1(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => known$1(surveyed[i]?.standard_errors_m[k]), say("standard-error-of", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers$1(`left-out-${axis}`, sayNamed("difference-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.difference[k]), say("where-the-other-observations-have", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers$1(`left-out-sigma-${axis}`, sayNamed("standard-error-left-out", { axis }), "m", 3, (i) => known$1(surveyed[i]?.left_out?.standard_errors[k]), say("standard-error-of-where-the", { axis }), { total: "rms" }))
+			words("surveyed", say("point"), (i) => surveyed[i]?.name ?? beside(i)?.name ?? "", say("name-of-the-surveyed-point")),
+			words("use", say("use"), useText, say("control-points-place-the-block")),
+			numbers("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
+			...axes.map((axis, k) => numbers(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.place?.[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
+			...areElsewhere ? axes.map((axis, k) => numbers(`given-${axis}`, sayNamed("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
+			...axes.map((axis, k) => numbers(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => surveyed[i]?.standard_errors_m[k], say("standard-error-of", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers(`left-out-${axis}`, sayNamed("difference-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.difference[k], say("where-the-other-observations-have", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers(`left-out-sigma-${axis}`, sayNamed("standard-error-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.standard_errors[k], say("standard-error-of-where-the", { axis }), { total: "rms" }))
 		]
 	};
 }
@@ -4929,20 +4906,20 @@ var observationRows = remember(({ images }, of) => {
 	return {
 		count: of.points.length,
 		columns: [
-			words$1("observation-image", say("image-2"), (i) => images[of.images[i] ?? -1]?.name ?? "", say("the-image-that-shows-the")),
-			numbers$1("observation-point", say("point"), "", 0, (i) => (of.points[i] ?? NaN) + 1, say("number-of-the-point")),
-			numbers$1("observation-x", "x", "px", 2, (i) => of.places[2 * i] ?? NaN, say("column-the-centre-of-the")),
-			numbers$1("observation-y", "y", "px", 2, (i) => of.places[2 * i + 1] ?? NaN, say("row")),
-			numbers$1("observation-vx", "vx", "px", 2, (i) => of.residuals[2 * i] ?? NaN, say("residual-in-x-observed-minus"), { total: "rms" }),
-			numbers$1("observation-vy", "vy", "px", 2, (i) => of.residuals[2 * i + 1] ?? NaN, say("residual-in-y-observed-minus"), { total: "rms" }),
-			numbers$1("observation-v", say("residual"), "px", 2, residual, say("length-of-the-residual"), { total: "rms" }),
-			numbers$1("observation-rays", say("rays-2"), "", 0, (i) => raysOf(of)[of.points[i] ?? -1] ?? NaN, say("observations-of-the-point-rejected")),
+			words("observation-image", say("image-2"), (i) => images[of.images[i] ?? -1]?.name ?? "", say("the-image-that-shows-the")),
+			numbers("observation-point", say("point"), "", 0, (i) => (of.points[i] ?? NaN) + 1, say("number-of-the-point")),
+			numbers("observation-x", "x", "px", 2, (i) => of.places[2 * i] ?? NaN, say("column-the-centre-of-the")),
+			numbers("observation-y", "y", "px", 2, (i) => of.places[2 * i + 1] ?? NaN, say("row")),
+			numbers("observation-vx", "vx", "px", 2, (i) => of.residuals[2 * i] ?? NaN, say("residual-in-x-observed-minus"), { total: "rms" }),
+			numbers("observation-vy", "vy", "px", 2, (i) => of.residuals[2 * i + 1] ?? NaN, say("residual-in-y-observed-minus"), { total: "rms" }),
+			numbers("observation-v", say("residual"), "px", 2, residual, say("length-of-the-residual"), { total: "rms" }),
+			numbers("observation-rays", say("rays-2"), "", 0, (i) => raysOf(of)[of.points[i] ?? -1] ?? NaN, say("observations-of-the-point-rejected")),
 			...AXES.flatMap((axis, k) => [
-				numbers$1(`observation-r${axis}`, `r ${axis}`, "", 2, (i) => of.redundancy[2 * i + k] ?? NaN, say("redundancy-number-of-an-observation", { axis }), { total: "mean" }),
-				numbers$1(`observation-w${axis}`, `w ${axis}`, "", 2, (i) => of.w[2 * i + k] ?? NaN, say("w-statistic-of-an-observation", { axis }), { total: "rms" }),
-				numbers$1(`observation-mdb${axis}`, `MDB ${axis}`, "px", 2, (i) => of.detectable[2 * i + k] ?? NaN, say("mdb-of-an-observation", { axis }))
+				numbers(`observation-r${axis}`, `r ${axis}`, "", 2, (i) => of.redundancy[2 * i + k] ?? NaN, say("redundancy-number-of-an-observation", { axis }), { total: "mean" }),
+				numbers(`observation-w${axis}`, `w ${axis}`, "", 2, (i) => of.w[2 * i + k] ?? NaN, say("w-statistic-of-an-observation", { axis }), { total: "rms" }),
+				numbers(`observation-mdb${axis}`, `MDB ${axis}`, "px", 2, (i) => of.detectable[2 * i + k] ?? NaN, say("mdb-of-an-observation", { axis }))
 			]),
-			words$1("observation-part", say("part"), (i) => PARTS$1[of.parts[i] ?? 0] ?? "", say("whether-the-adjustment-accepted-the"))
+			words("observation-part", say("part"), (i) => PARTS$1[of.parts[i] ?? 0] ?? "", say("whether-the-adjustment-accepted-the"))
 		]
 	};
 });
@@ -5022,15 +4999,14 @@ function rowsOfChoice(subject, { view, given }, choice) {
 	return row < 0 ? new Uint32Array() : Uint32Array.of(row);
 }
 var EMPTY = {};
-function maskOf(subject, view, filter) {
+function kept(subject, view, filter) {
 	const { count: rows, columns } = COLUMNS[subject](view, []);
-	const meets = keeping(columns, filter);
-	return meets === null ? null : Uint8Array.from({ length: rows }, (_, row) => Number(meets(row)));
+	return maskOf(rows, columns, filter);
 }
 function testOf(subject) {
 	return remember((view, own, ofImages) => {
-		const mask = maskOf(subject, view, own);
-		const images = subject === "pairs" ? maskOf("images", view, ofImages) : null;
+		const mask = kept(subject, view, own);
+		const images = subject === "pairs" ? kept("images", view, ofImages) : null;
 		if (mask === null && images === null) return () => true;
 		const keeps = (row) => mask === null || mask[row] === 1;
 		return images === null ? keeps : (row) => keeps(row) && view.connections[row]?.images.every((image) => images[image] === 1) === true;
@@ -11069,28 +11045,6 @@ function levelField(store, files) {
 	return [h("div", { class: "control compact" }, label, input), problem];
 }
 // www/block/state/placed-columns.ts
-function numbers(key, label, unit, digits, value, help) {
-	const known = (row) => value(row) ?? NaN;
-	return {
-		key,
-		label,
-		unit,
-		help,
-		value: known,
-		text: digits === 0 ? (row) => count(Number.isNaN(known(row)) ? null : known(row)) : (row) => fixed(known(row), digits)
-	};
-}
-function words(key, label, value, help) {
-	return {
-		key,
-		label,
-		unit: "",
-		help,
-		value,
-		text: value,
-		words: true
-	};
-}
 var VERDICTS = {
 	placed: say("placed-2"),
 	weak: say("with-doubt-2"),

@@ -2632,7 +2632,7 @@ async function sortRasters(found) {
 		const { file } = one;
 		if (WORLD.test(file.name)) continue;
 		const world = worlds.find((other) => stemOf(other) === stemOf(one))?.file ?? null;
-		const kind = await kindOf(file, world !== null);
+		const kind = await kindOf$1(file, world !== null);
 		if (kind === "photograph") {
 			sorted.others.push(one);
 			continue;
@@ -2669,7 +2669,7 @@ async function hasGround(found) {
 function stemOf({ file, path }) {
 	return (path === "" ? file.name : path).replace(/\.[^./]*$/u, "").toLowerCase();
 }
-async function kindOf(file, hasWorld) {
+async function kindOf$1(file, hasWorld) {
 	if (GRID$1.test(file.name)) return /^\s*(?:ncols|nrows)\s/iu.test(await file.slice(0, 64).text()) ? "heights" : "photograph";
 	if (TIFF.test(file.name) || file.type === "image/tiff") return kindOfTiff(await tiffTags(file), hasWorld);
 	return hasWorld && (file.type.startsWith("image/") || PICTURE.test(file.name)) ? "orthophoto" : "photograph";
@@ -2893,6 +2893,10 @@ function keeping$1(columns, filter) {
 		}];
 	});
 	return tests.length === 0 ? null : (row) => tests.every((test) => test(row));
+}
+function maskOf(count, columns, filter) {
+	const meets = keeping$1(columns, filter);
+	return meets === null ? null : Uint8Array.from({ length: count }, (_, row) => Number(meets(row)));
 }
 var NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?`;
 var BETWEEN = new RegExp(`^(${NUMBER})\\s*(?:\\.\\.+|…|–|-|to)\\s*(${NUMBER})$`, "iu");
@@ -3160,7 +3164,10 @@ var Table = class {
 			hide: (hidden) => this.hide(hidden),
 			csv: async () => save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: "text/csv" }), file),
 			copied: async () => tabbedOf(this.columns, this.shown, await intoEnglish()),
-			clear: () => options.filter?.({})
+			clear: () => {
+				if (options.showAll === void 0) options.filter?.({});
+				else options.showAll();
+			}
 		}, options.tools ?? []);
 		host.append(...this.bar === null ? [] : [this.bar.element], this.help, this.table.scroller);
 		this.table.table.addEventListener("keydown", (event) => this.key(event));
@@ -3329,7 +3336,8 @@ var Table = class {
 	}
 	showFoot(filtered) {
 		if (this.bar === null) return;
-		this.bar.say(this.shown.length, this.count, filtered);
+		const fewer = this.shown.length < this.count;
+		this.bar.say(this.shown.length, this.count, filtered || fewer, filtered || fewer && this.options.showAll !== void 0);
 		const cells = this.columns.map((column) => {
 			const { total, value, text } = column;
 			if (total === void 0 || this.shown.length === 0) return h("td", {});
@@ -3399,10 +3407,10 @@ var TableBar = class {
 		});
 		this.element = h("div", { class: "table-bar" }, this.caption, ...tools, this.clear, menu, copy, csv);
 	}
-	say(shown, all, filtered) {
+	say(shown, all, filtered, clears) {
 		const text = `${this.words}: ${filtered ? say("of-8", { shown: count(shown) }) : ""}${count(all)}`;
 		if (this.caption.textContent !== text) this.caption.textContent = text;
-		this.clear.hidden = !filtered;
+		this.clear.hidden = !clears;
 	}
 	get left() {
 		return this.hidden;
@@ -3457,6 +3465,30 @@ async function toClipboard(text) {
 		field.remove();
 		return done;
 	}
+}
+// www/shared/state/columns.ts
+function numbers$2(key, label, unit, digits, value, help, told = {}) {
+	const known = (row) => value(row) ?? NaN;
+	return {
+		key,
+		label,
+		unit,
+		help,
+		value: known,
+		text: digits === 0 ? (row) => count(Number.isNaN(known(row)) ? null : known(row)) : (row) => fixed(known(row), digits),
+		...told
+	};
+}
+function words(key, label, value, help) {
+	return {
+		key,
+		label,
+		unit: "",
+		help,
+		value,
+		text: value,
+		words: true
+	};
 }
 // www/shared/panel/control.ts
 var SLIDER_STEPS = 200;
@@ -3726,9 +3758,9 @@ function makeFolded(parameters, bound, { title, first, of, take, changed }) {
 		folds.push(fold);
 		return fold;
 	});
-	const number = h("span", { testid: "changed-settings" });
-	const back = h("p", { class: "buttons" }, number, button(say("set-all-back"), "reset-settings", () => take(bound.defaults())));
-	const unfold = button("", "all-settings", () => setDrawer("all-settings", !isOpen("all-settings")));
+	const number = h("span", { testid: `${of}-changed-settings` });
+	const back = h("p", { class: "buttons" }, number, button(say("set-all-back"), `${of}-reset-settings`, () => take(bound.defaults())));
+	const unfold = button("", `${of}-all-settings`, () => setDrawer("all-settings", !isOpen("all-settings")));
 	let unfolded = null;
 	watchDrawers(() => {
 		if (unfolded === isOpen("all-settings")) return;
@@ -5566,6 +5598,10 @@ var SIDES = ["left", "right"];
 function otherSide(side) {
 	return side === "left" ? "right" : "left";
 }
+var ALL_MATCHES = {
+	kind: "all",
+	conditions: {}
+};
 var TYPED_PARTS = [
 	"settings",
 	"camera",
@@ -5575,6 +5611,7 @@ var TYPED_PARTS = [
 var UNEDITED = {
 	history: NO_HISTORY,
 	chosen: [],
+	filter: ALL_MATCHES,
 	before: null,
 	draft: null,
 	outline: null,
@@ -9317,7 +9354,7 @@ var MATCHES = [
 	BY_HAND
 ];
 function isCodeShown({ points, hidden }, code) {
-	if (hidden.includes(code)) return false;
+	if (code === 255 || hidden.includes(code)) return false;
 	return points === "all" || points === "matched" && MATCHES.includes(code);
 }
 var REJECTED = [
@@ -9333,6 +9370,9 @@ function withCode(display, code, on) {
 		hidden: on ? others : [...display.hidden.filter((other) => other !== code), code]
 	};
 }
+var withListed = remember((display) => {
+	return display.points === "matched" && !display.hidden.includes(GROSS_ERROR) ? withCode(display, GROSS_ERROR, true) : display;
+});
 // www/pair/view/palette.ts
 var STYLE_OF = {
 	matched: ACCEPTED,
@@ -10116,7 +10156,7 @@ function photo(side, store, loadFile, marking, measure) {
 		class: "note",
 		testid: `interior-${side}`
 	});
-	const name = side === "left" ? say("left") : say("right");
+	const name = say("image-4", { name: side === "left" ? say("left") : say("right") });
 	const add = button(say("add-mark"), `add-fiducial-${side}`, () => marking.add(side));
 	const load = button(say("load-csv"), `load-fiducials-${side}`, () => loadFile(side));
 	const inPicture = button(say("measure-in-the-image"), `measure-fiducials-${side}`, () => measure(side), say("press-each-mark-in-the-image"));
@@ -10161,7 +10201,11 @@ function photo(side, store, loadFile, marking, measure) {
 		const told = interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, whole);
 		fill(result, incomplete === 0 ? told : `${told} ${say("incomplete-marks", { incomplete })}`);
 	});
-	return h("div", { class: "photo" }, h("h3", {}, say("image-4", { name })), result, table, h("div", { class: "buttons" }, inPicture, add, load, clear, undo, redo), originFields(side, store));
+	return h("div", {
+		class: "photo twin",
+		role: "group",
+		aria: { label: name }
+	}, h("h3", {}, name), result, table, h("div", { class: "buttons" }, inPicture, add, load, clear, undo, redo), originFields(side, store));
 }
 function interiorText(sigma, freedom, marks) {
 	if (marks === 0) return say("no-fiducial-marks-the-pixel");
@@ -11378,7 +11422,12 @@ function label(side, actions) {
 	const mask = button(say("mask"), `mask-${side}`, () => actions.mask(side), say("an-image-of-the-same"));
 	const unmask = button(say("mask-2"), `unmask-${side}`, () => actions.unmask(side));
 	unmask.setAttribute("aria-label", say("remove-the-mask-of-the", { side }));
-	const head = h("div", { class: "pane-head" }, name, replace, mask, unmask);
+	const of = say("image-4", { name: side === "left" ? say("left") : say("right") });
+	const head = h("div", {
+		class: "pane-head twin",
+		role: "group",
+		aria: { label: of }
+	}, name, replace, mask, unmask);
 	const element = h("div", {
 		class: "pane-frame",
 		testid: `pane-${side}`
@@ -11423,14 +11472,16 @@ var MEASURE = {
 	label: say("measure-2"),
 	unit: "",
 	digits: 4,
-	help: say("dissimilarity-of-the-points-by")
+	help: say("dissimilarity-of-the-points-by"),
+	total: "mean"
 };
 var FIT = {
 	key: "standard_error",
 	label: "s(x, y)",
 	unit: "px",
 	digits: 3,
-	help: say("standard-error-of-the-right")
+	help: say("standard-error-of-the-right"),
+	total: "rms"
 };
 var ADJUSTED = [
 	{
@@ -11439,21 +11490,24 @@ var ADJUSTED = [
 		unit: "px",
 		digits: 3,
 		inPixels: true,
-		help: say("residual-y-parallax-the-distance")
+		help: say("residual-y-parallax-the-distance"),
+		total: "rms"
 	},
 	{
 		key: "r",
 		label: "r",
 		unit: "",
 		digits: 3,
-		help: say("redundancy-number-the-share-of")
+		help: say("redundancy-number-the-share-of"),
+		total: "sum"
 	},
 	{
 		key: "w",
 		label: "w",
 		unit: "",
 		digits: 2,
-		help: say("w-statistic-standardised-residual-data")
+		help: say("w-statistic-standardised-residual-data"),
+		total: "rms"
 	},
 	{
 		key: "detectable",
@@ -11461,21 +11515,24 @@ var ADJUSTED = [
 		unit: "px",
 		digits: 3,
 		inPixels: true,
-		help: say("minimal-detectable-bias-mdb-across")
+		help: say("minimal-detectable-bias-mdb-across"),
+		total: "mean"
 	},
 	{
 		key: "influence",
 		label: "δ",
 		unit: "",
 		digits: 2,
-		help: say("external-reliability-the-largest-effect")
+		help: say("external-reliability-the-largest-effect"),
+		total: "mean"
 	},
 	{
 		key: "weight",
 		label: say("weight"),
 		unit: "",
 		digits: 2,
-		help: say("weight-in-the-adjustment-0")
+		help: say("weight-in-the-adjustment-0"),
+		total: "mean"
 	},
 	{
 		key: "model_x",
@@ -11514,11 +11571,7 @@ var statisticsOf = remember((left, match, orientation, score, pixel) => {
 		const own = (i < used ? match.matches[5 * i + 4] : match.measures[2 * (lefts[i] ?? 0)]) ?? NaN;
 		return own === -1 || !Number.isFinite(own) ? NaN : own;
 	};
-	const figure = (described, value) => ({
-		...described,
-		value,
-		text: (i) => fixed(value(i), described.digits)
-	});
+	const figure = ({ key, label, unit, digits, help, ...told }, value) => numbers$2(key, label, unit, digits, value, help, told);
 	const columns = POSITION.map((column, k) => figure(column, (i) => at(i, k)));
 	columns.push(figure(MEASURE, measure));
 	if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
@@ -11539,14 +11592,11 @@ var statisticsOf = remember((left, match, orientation, score, pixel) => {
 		rightness: score !== null && score.rightness.length === used ? score.rightness : null
 	};
 });
-function isKept({ codes, rightness }, filter, match) {
-	switch (filter) {
-		case "all": return true;
-		case "used": return codes[match] === MATCHED || codes[match] === MANUAL;
-		case "rejected": return codes[match] === GROSS_ERROR;
-		case "by-hand": return codes[match] === BY_HAND || codes[match] === MANUAL;
-		case "wrong": return rightness?.[match] === 0;
-	}
+function statisticsOfState(state) {
+	const { left, match, orientation, edited } = shownPair(state);
+	if (match === null || edited?.found.counts.matches === 0) return null;
+	const interior = interiorInUse(state)?.left;
+	return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
 }
 // www/pair/panel/feature.ts
 var PIXEL = 3;
@@ -11728,7 +11778,7 @@ function content(state, select) {
 		...parts,
 		...compared,
 		...lineNote(inspection, shown.match),
-		...matchStatistics(state, shown, shown.match),
+		...matchStatistics(state, shown.match),
 		...candidateTable(state, shown.match, inspection, select)
 	];
 }
@@ -11782,11 +11832,10 @@ function moments({ left, right }) {
 		aria: { label: say("invariants") }
 	}, head(say("invariant")), h("tbody", {}, ...MOMENTS.map((_, i) => row(`I${"₀₁₂₃₄₅₆".charAt(i)}`, value(left?.report?.invariants[i]), value(right?.report?.invariants[i]))))))];
 }
-function matchStatistics(state, shown, match) {
+function matchStatistics(state, match) {
 	const index = matchOfLeft(match)[leftIndexOf(state, match.best, match.rules)] ?? -1;
 	if (index < 0) return [];
-	const interior = interiorInUse(state)?.left;
-	const { columns } = statisticsOf(shown.left, match, shown.orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
+	const columns = statisticsOfState(state)?.columns ?? [];
 	const right = match.matches.subarray(5 * index + 2, 5 * index + 4);
 	const list = [{
 		name: say("right-position"),
@@ -11796,10 +11845,10 @@ function matchStatistics(state, shown, match) {
 			right_2: right[1]
 		}),
 		help: say("where-the-match-lies-in")
-	}, ...columns.filter(({ key }) => key !== "x" && key !== "y").map(({ key, label, unit, digits, help, value }) => ({
+	}, ...columns.filter(({ key }) => key !== "x" && key !== "y").map(({ key, label, unit, help, text }) => ({
 		name: label,
 		testid: `match-${key}`,
-		value: withUnit(fixed(value(index), digits), unit),
+		value: withUnit(text(index), unit),
 		help
 	}))];
 	return [h("h4", {}, say("match", { index: index + 1 })), facts(list)];
@@ -11991,14 +12040,7 @@ function paint(canvas, { width, height, grey }, words) {
 	});
 	canvas.getContext("2d")?.putImageData(pixels, 0, 0);
 }
-// www/pair/panel/statistics.ts
-var FILTERS = [
-	["all", say("all-matches")],
-	["used", say("used")],
-	["rejected", say("gross-errors")],
-	["by-hand", say("by-hand")],
-	["wrong", say("wrong-by-the-truth")]
-];
+// www/pair/state/listed.ts
 var STATES = {
 	[GROSS_ERROR]: say("gross-error"),
 	[BY_HAND]: say("rejected-by-hand-2"),
@@ -12009,28 +12051,100 @@ var RIGHTNESS = [
 	say("at-an-edge"),
 	say("correct")
 ];
+var columnsOf = remember(({ columns, codes, rightness }) => [
+	{
+		key: "match",
+		label: say("match-2"),
+		unit: "",
+		help: say("number-of-the-match-in"),
+		value: (match) => match + 1,
+		text: (match) => count(match + 1)
+	},
+	...columns,
+	words("state", say("state-2"), (match) => STATES[codes[match] ?? 0] ?? say("used"), say("whether-the-adjustment-used-the")),
+	...rightness === null ? [] : [words("truth", say("truth"), (match) => RIGHTNESS[rightness[match] ?? 0] ?? "", say("whether-the-match-is-right"))]
+]);
+function kindOf(statistics, { kind }) {
+	return kind === "wrong" && statistics?.rightness == null ? "all" : kind;
+}
+function isOf({ codes, rightness }, kind, match) {
+	switch (kind) {
+		case "all": return true;
+		case "used": return codes[match] === MATCHED || codes[match] === MANUAL;
+		case "rejected": return codes[match] === GROSS_ERROR;
+		case "by-hand": return codes[match] === BY_HAND || codes[match] === MANUAL;
+		case "wrong": return rightness?.[match] === 0;
+	}
+}
+var leftOutOf = remember((statistics, filter, match, rights) => {
+	const kind = kindOf(statistics, filter);
+	const meets = maskOf(statistics.count, columnsOf(statistics), filter.conditions);
+	if (kind === "all" && meets === null) return null;
+	const matches = Uint8Array.from({ length: statistics.count }, (_, row) => Number(!isOf(statistics, kind, row) || meets?.[row] === 0));
+	const [left, right] = [new Uint8Array(match.rules.length), new Uint8Array(rights)];
+	const used = match.matches.length / 5;
+	const rightOf = (row) => (row < used ? match.indices[2 * row + 1] : match.best[statistics.lefts[row] ?? -1]) ?? -1;
+	matches.forEach((out, row) => {
+		left[statistics.lefts[row] ?? -1] = out;
+		if (out === 1) right[rightOf(row)] = 1;
+	});
+	matches.forEach((out, row) => {
+		if (out === 0) right[rightOf(row)] = 0;
+	});
+	return {
+		left,
+		right,
+		matches
+	};
+});
+function leftOut(state) {
+	const { filter } = state;
+	if (filter.kind === "all" && Object.keys(filter.conditions).length === 0) return null;
+	const statistics = statisticsOfState(state);
+	const { match, right } = shownPair(state);
+	return statistics === null || match === null ? null : leftOutOf(statistics, filter, match, (right?.length ?? 0) / 3);
+}
+function makeListed() {
+	return remember((codes, out) => out === null ? codes : codes.map((code, i) => out[i] === 1 ? 255 : code));
+}
+var listedPlaces = remember((places, out) => {
+	return out === null ? places : {
+		...places,
+		codes: places.codes.map((code, i) => out.left[places.lefts[i] ?? -1] === 1 ? 255 : code)
+	};
+});
+// www/pair/panel/statistics.ts
+var KINDS = [
+	["all", say("all-matches")],
+	["used", say("used")],
+	["rejected", say("gross-errors")],
+	["by-hand", say("by-hand")],
+	["wrong", say("wrong-by-the-truth")]
+];
 function mountStatistics(host, store, editing, select) {
-	const filter = h("select", {
+	const kinds = h("select", {
 		testid: "statistics-filter",
 		aria: { label: say("matches-to-show") }
 	});
-	const caption = h("p", {
-		class: "note",
-		testid: "statistics-caption"
-	});
-	const sideways = h("p", {
-		class: "note",
-		hidden: true,
-		testid: "statistics-sideways"
-	}, say("scroll-sideways-for-more-columns"));
 	const all = button(say("choose-all"), "choose-listed", () => chooseListed(), say("choose-the-matches-that-the"));
-	host.append(h("div", { class: "statistics-head" }, filter, caption, all), sideways);
+	const filterBy = (filter) => store.dispatch({
+		type: "filter",
+		filter: {
+			...store.state.filter,
+			...filter
+		}
+	});
+	kinds.addEventListener("change", () => filterBy({ kind: kinds.value }));
 	const table = new Table(host, {
 		testid: "statistics",
 		words: {
-			table: say("matches-with-their-statistics"),
+			table: say("matches-2"),
 			region: say("table-of-matches")
 		},
+		file: "pair-matches.csv",
+		tools: [kinds, all],
+		filter: (conditions) => filterBy({ conditions }),
+		showAll: () => filterBy(ALL_MATCHES),
 		choose: (match) => {
 			const left = statistics?.lefts[match];
 			editing.chooseNone();
@@ -12039,27 +12153,34 @@ function mountStatistics(host, store, editing, select) {
 		chooseMore: (rows) => editing.chooseLefts(leftsOf(rows)),
 		isChosen: (match) => chosen.has(statistics?.lefts[match] ?? -1)
 	});
+	const sideways = h("p", {
+		class: "note",
+		hidden: true,
+		testid: "statistics-sideways"
+	}, say("scroll-sideways-for-more-columns"));
+	table.scroller.before(sideways);
 	new ResizeObserver(() => {
 		sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
 	}).observe(table.head);
 	let chosen = new Set();
 	let statistics = null;
 	let found = null;
-	let columns = [];
+	let filter = null;
 	const leftsOf = (rows) => [...rows].flatMap((row) => statistics?.lefts[row] ?? []);
 	const chooseListed = () => {
 		editing.chooseNone();
 		editing.chooseLefts(leftsOf(table.listed));
 	};
-	const show = () => {
-		const shown = table.show(statistics?.count ?? 0, columns, (match) => statistics !== null && isKept(statistics, filter.value, match));
+	const show = (now, wanted) => {
+		[statistics, filter] = [now, wanted];
+		const offered = KINDS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
+		if (kinds.options.length !== offered.length) fill(kinds, ...offered.map(([kind, text]) => new Option(text, kind)));
+		const kind = kindOf(now, wanted);
+		kinds.value = kind;
+		const keeps = (match) => now !== null && isOf(now, kind, match);
+		const shown = table.show(now?.count ?? 0, now === null ? [] : columnsOf(now), keeps, wanted.conditions);
 		all.disabled = shown === 0;
-		fill(caption, statistics === null ? say("no-matches-yet") : say("of-matches", {
-			shown,
-			count: statistics.count
-		}));
 	};
-	filter.addEventListener("change", show);
 	const follow = () => {
 		const { state } = store;
 		table.scroller.classList.toggle("is-stale", isStale(state, "match") || shownPair(state).orientation !== null && isStale(state, "orientation"));
@@ -12067,19 +12188,18 @@ function mountStatistics(host, store, editing, select) {
 		const lefts = chosenLefts(state);
 		const isOther = lefts.length !== chosen.size || !lefts.every((left) => chosen.has(left));
 		if (isOther) chosen = new Set(lefts);
-		if (now !== statistics || filter.options.length === 0) {
-			statistics = now;
-			found = shownPair(state).edited?.found ?? null;
-			columns = now === null ? [] : columnsOf(now);
-			const { value } = filter;
-			const offered = FILTERS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
-			if (filter.options.length !== offered.length) fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
-			show();
+		if (now !== statistics || state.filter !== filter) {
+			if (now !== statistics) found = shownPair(state).edited?.found ?? null;
+			show(now, state.filter);
 		} else if (isOther) table.redraw();
 		table.mark(selectedMatch(state, statistics));
 	};
 	const seen = whenInSight(host, follow);
-	store.watch(["selection", "chosen"], seen);
+	store.watch([
+		"selection",
+		"chosen",
+		"filter"
+	], seen);
 	store.watch([
 		"results",
 		"running",
@@ -12092,36 +12212,6 @@ function mountStatistics(host, store, editing, select) {
 		"fiducialModel",
 		"failures"
 	], afterFrame(seen));
-}
-function columnsOf({ columns, codes, rightness }) {
-	const word = (key, label, help, text) => ({
-		key,
-		label,
-		unit: "",
-		help,
-		value: text,
-		text,
-		words: true
-	});
-	return [
-		{
-			key: "",
-			label: say("match-2"),
-			unit: "",
-			help: say("number-of-the-match-in"),
-			value: (match) => match,
-			text: (match) => count(match + 1)
-		},
-		...columns,
-		word("state", say("state-2"), say("whether-the-adjustment-used-the"), (match) => STATES[codes[match] ?? 0] ?? say("used")),
-		...rightness === null ? [] : [word("truth", say("truth"), say("whether-the-match-is-right"), (match) => RIGHTNESS[rightness[match] ?? 0] ?? "")]
-	];
-}
-function statisticsOfState(state) {
-	const { left, match, orientation, edited } = shownPair(state);
-	if (match === null || edited?.found.counts.matches === 0) return null;
-	const interior = interiorInUse(state)?.left;
-	return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
 }
 function isAwaited(state, found) {
 	const { edited } = shownPair(state);
@@ -12141,7 +12231,7 @@ var LEAST_SCALE = 1;
 function haveDirections(settings) {
 	return settings !== null && comparesGradients(settings) && !settings.gradient.upright;
 }
-function drawFrames(context, state, pane, transform, clip) {
+function drawFrames(context, state, shown, pane, transform, clip) {
 	const { points, frames, codes } = pane;
 	if (points === null || frames === null || frames.length === 0 || state.display.points === "none") return;
 	if (state.display.points === "matched" && transform.scale < LEAST_SCALE) return;
@@ -12150,7 +12240,7 @@ function drawFrames(context, state, pane, transform, clip) {
 	let drawn = 0;
 	codes.forEach((code, i) => {
 		const radius = SCALES * (frames[2 * i] ?? 0) * transform.scale;
-		if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isCodeShown(state.display, code)) return;
+		if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isCodeShown(shown, code)) return;
 		const [x, y] = toCanvas(transform, points[3 * i] ?? 0, points[3 * i + 1] ?? 0);
 		if (x + radius < clip.left || x - radius > clip.left + clip.width || y + radius < clip.top || y - radius > clip.top + clip.height) return;
 		drawn += 1;
@@ -12222,28 +12312,29 @@ var slotsOf = {
 };
 var slotsOfPlaces = makeSlots();
 function drawPoints(context, state, scene, pane, transform, clip) {
-	const { points, hidden } = state.display;
+	const { points, hidden } = scene.shown;
 	if (pane.points === null || points === "none") return;
 	const { styles, colours } = stylesAt(transform.scale);
 	const view = drawView(transform, clip);
 	draw_points(context, pane.points, slotsOf[pane.side](pane.codes, points, hidden), styles, colours, view);
-	drawFrames(context, state, pane, transform, clip);
+	drawFrames(context, state, scene.shown, pane, transform, clip);
 	if (pane.side === "right") draw_points(context, scene.places.points, slotsOfPlaces(scene.places.codes, points, hidden), styles, colours, view);
 }
 function drawLines(context, state, scene) {
 	const { lines } = state.display;
 	if (scene.match === null || lines === "none") return;
 	const { left, right } = scene.panes;
+	const { shown } = scene;
 	const rejected = isCodeShown({
-		...state.display,
-		points: state.display.points === "none" ? "matched" : state.display.points
+		...shown,
+		points: shown.points === "none" ? "matched" : shown.points
 	}, GROSS_ERROR) ? 1 : NOT_DRAWN;
-	const codes = scene.matchCodes.map((code) => code === GROSS_ERROR ? rejected : 0);
+	const codes = scene.matchCodes.map((code) => code === 255 ? NOT_DRAWN : code === GROSS_ERROR ? rejected : 0);
 	draw_match_lines(context, scene.match.matches, codes, Float64Array.of(1, 1), [LINE, LINE_REJECTED], drawView(left.transform, left.rect), drawView(right.transform, right.rect), lines === "all" ? ALL : 100);
 }
 function drawResiduals(context, state, scene, pane) {
 	if (pane.vectors === null || state.display.vectors === 0) return;
-	const codes = scene.matchCodes.map((code) => code === GROSS_ERROR ? 1 : 0);
+	const codes = scene.matchCodes.map((code) => code === 255 ? NOT_DRAWN : code === GROSS_ERROR ? 1 : 0);
 	draw_vectors(context, pane.vectors, codes, Float64Array.of(1.4, 1.4), [RESIDUAL, RESIDUAL_REJECTED], state.display.vectors, drawView(pane.transform, pane.rect));
 }
 function drawMarks(context, state, scene) {
@@ -13008,6 +13099,10 @@ function changed(state, action) {
 			...state,
 			chosen: action.chosen
 		};
+		case "filter": return {
+			...state,
+			filter: action.filter
+		};
 		case "tool": return {
 			...state,
 			tool: action.tool,
@@ -13267,27 +13362,34 @@ function pictureOf(state, side) {
 		overview
 	};
 }
+var listed = {
+	left: makeListed(),
+	right: makeListed(),
+	matches: makeListed()
+};
 function marksOf(state) {
 	const { left, right, match, orientation } = shownPair(state);
 	const interior = state.display.vectors === 0 ? null : interiorInUse(state);
 	const vectors = (side) => match === null || orientation === null || interior === null ? null : residualVectors[side](match, orientation, interior[side]);
 	const ofMatches = matchCodes(match, orientation);
+	const out = leftOut(state);
 	return {
 		points: {
 			left,
 			right
 		},
 		codes: {
-			left: leftCodes(left, match, orientation),
-			right: rightCodes(right, match, orientation)
+			left: listed.left(leftCodes(left, match, orientation), out?.left ?? null),
+			right: listed.right(rightCodes(right, match, orientation), out?.right ?? null)
 		},
 		match,
-		matchCodes: ofMatches,
-		places: loosePlaces(match, ofMatches),
+		matchCodes: listed.matches(ofMatches, out?.matches ?? null),
+		places: listedPlaces(loosePlaces(match, ofMatches), out),
 		vectors: {
 			left: vectors("left"),
 			right: vectors("right")
-		}
+		},
+		shown: out === null ? state.display : withListed(state.display)
 	};
 }
 function sceneOf(state, width, height) {
@@ -13313,7 +13415,7 @@ function sceneOf(state, width, height) {
 			vectors: marks.vectors[side]
 		};
 	};
-	const { match, matchCodes: ofMatches, places } = marks;
+	const { match, matchCodes: ofMatches, places, shown } = marks;
 	return {
 		panes: {
 			left: pane("left"),
@@ -13321,7 +13423,8 @@ function sceneOf(state, width, height) {
 		},
 		match,
 		matchCodes: ofMatches,
-		places
+		places,
+		shown
 	};
 }
 function paneAt(scene, x, y) {
@@ -13397,11 +13500,11 @@ function enclose(view, store, side, from, to, ended) {
 	view.enclose(ended ? null : rect);
 	const edited = editedPair(store.state);
 	if (!ended || rect === null || edited === null) return;
-	const { transform, codes } = view.scene().panes[side];
+	const { panes, shown } = view.scene();
+	const { transform } = panes[side];
 	const [left, top] = toPosition(transform, rect.left, rect.top);
 	const [right, bottom] = toPosition(transform, rect.left + rect.width, rect.top + rect.height);
-	const { display } = store.state;
-	const ofLefts = side === "left" ? codes : view.scene().panes.left.codes;
+	const { codes } = panes.left;
 	store.dispatch({
 		type: "choose",
 		chosen: keysWithin(edited, side, [
@@ -13409,7 +13512,7 @@ function enclose(view, store, side, from, to, ended) {
 			top,
 			right,
 			bottom
-		], (index) => isCodeShown(display, ofLefts[index] ?? 0))
+		], (index) => isCodeShown(shown, codes[index] ?? 0))
 	});
 }
 function between([x, y], [u, v]) {
@@ -13802,10 +13905,11 @@ var Navigator = class {
 	}
 	step(by) {
 		const { state } = this.store;
-		const pane = this.activePane();
+		const { panes, shown } = this.view.scene();
+		const pane = panes[state.activeSide];
 		const count = pane.codes.length;
 		const start = state.selection?.side === pane.side ? state.selection.index : by > 0 ? -1 : count;
-		for (let i = start + by; i >= 0 && i < count; i += by) if (isCodeShown(state.display, pane.codes[i] ?? 0)) {
+		for (let i = start + by; i >= 0 && i < count; i += by) if (isCodeShown(shown, pane.codes[i] ?? 0)) {
 			this.select({
 				side: pane.side,
 				index: i
@@ -13931,7 +14035,7 @@ function partnerOf(scene, { side, index }) {
 var RADIUS = 6;
 function drawChosen(context, state, scene) {
 	const edited = editedPair(state);
-	const lefts = chosenLefts(state);
+	const lefts = chosenLefts(state).filter((left) => scene.panes.left.codes[left] !== 255);
 	if (edited === null || lefts.length === 0) return;
 	for (const side of SIDES) {
 		const { rect, transform } = scene.panes[side];
@@ -14221,7 +14325,7 @@ var View = class {
 			s.results.openRight
 		], () => this.layers.redraw());
 		store.watch((s) => {
-			const { points, codes, match, matchCodes, places, vectors } = marksOf(s);
+			const { points, codes, match, matchCodes, places, vectors, shown } = marksOf(s);
 			const { left, right } = vectors;
 			return [
 				points.left,
@@ -14233,6 +14337,7 @@ var View = class {
 				places,
 				left,
 				right,
+				shown,
 				s.display,
 				s.catalogue
 			];
@@ -14264,21 +14369,20 @@ var View = class {
 		this.layers.redraw("overlay");
 	}
 	hit(x, y) {
-		const { state } = this.store;
 		const scene = this.scene();
 		const pane = paneAt(scene, x, y);
 		if (pane?.picture == null || pane.points === null) return null;
 		const { width, height } = pane.picture;
 		const at = toPosition(pane.transform, x, y);
 		const radius = CLICK_RADIUS / pane.transform.scale;
-		const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, pane.codes[i] ?? 0));
+		const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isCodeShown(scene.shown, pane.codes[i] ?? 0));
 		const index = found < 0 ? null : {
 			side: pane.side,
 			index: found
 		};
 		if (pane.side === "left" || scene.match === null) return index;
 		const { places } = scene;
-		const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, places.codes[i] ?? 0));
+		const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isCodeShown(scene.shown, places.codes[i] ?? 0));
 		return place < 0 ? index : {
 			side: "left",
 			index: places.lefts[place] ?? 0
@@ -15491,7 +15595,7 @@ function actions() {
 	const buttons = once(made.filter(({ disabled }) => !disabled)).map((button) => ({
 		name: nameOf(button),
 		more: [...new Set([
-			groupOf(button),
+			groupOf(twinOf(button) ?? button),
 			tabOf(button),
 			button.title
 		])].filter((text) => text !== "" && !saysName(button, text)).join(" · "),
@@ -15518,9 +15622,16 @@ function actions() {
 }
 var UNNAMED = ".close, .menu-button, #export-menu";
 function nameOf(made) {
-	const shown = made.getAttribute("aria-label") ?? made.textContent;
-	return /\p{L}|\d/u.test(shown) || made.title === "" ? shown : made.title;
+	const label = made.getAttribute("aria-label");
+	const shown = label ?? made.textContent;
+	const own = /\p{L}|\d/u.test(shown) || made.title === "" ? shown : made.title;
+	const about = label === null && keysOfButton(made).length === 0 ? twinOf(made)?.getAttribute("aria-label") : null;
+	return about == null ? own : say("action-about", {
+		about,
+		action: own
+	});
 }
+var twinOf = (made) => made.closest(".twin");
 var saysName = (button, text) => [nameOf(button), `${nameOf(button)} (${keysOfButton(button)[0] ?? ""})`].includes(text);
 var keysOfButton = (button) => button.getAttribute("aria-keyshortcuts")?.replaceAll("Control", "Ctrl").split(" ") ?? [];
 function once(buttons) {
@@ -16123,4 +16234,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, keeping$1 as keeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
