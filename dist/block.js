@@ -912,20 +912,23 @@ var PlacingEngine = class {
 		});
 		tell(0, files.length, say("laying-out-the-orthomosaic"));
 		try {
-			const names = await this.maker.call("mosaicOpen", {
+			const byName = new Map(files.map(({ name, file }) => [name, file]));
+			const order = await this.maker.call("mosaicOpen", {
 				project,
 				heights: null,
-				inAdjustment
+				inAdjustment,
+				names: [...byName.keys()]
 			});
-			for (const [done, { name, file }] of files.entries()) {
-				tell(done, files.length, say("orthomosaic", { name }));
-				const index = names.indexOf(name);
-				if (index >= 0) await this.maker.call("mosaicAdd", {
+			for (const [done, { name, index }] of order.entries()) {
+				const file = byName.get(name);
+				if (file === void 0) continue;
+				tell(done, order.length, say("orthomosaic", { name }));
+				await this.maker.call("mosaicAdd", {
 					index,
 					file
 				});
 			}
-			tell(files.length, files.length, say("writing-the-orthomosaic"));
+			tell(order.length, order.length, say("writing-the-orthomosaic"));
 			return await this.maker.call("mosaicFinish", null);
 		} catch (error) {
 			if (this.stopped || error instanceof Cancelled) return null;
@@ -3421,8 +3424,8 @@ async function made$1(store, engine, placing, inAdjustment, near) {
 		return null;
 	}
 	try {
-		const bytes = await placing.mosaic(await engine.project(), files, inAdjustment);
-		if (bytes !== null) return new Blob([bytes], { type: "image/tiff" });
+		const mosaic = await placing.mosaic(await engine.project(), files, inAdjustment);
+		if (mosaic !== null) return mosaic;
 		tell$2(store, "info", say("cancelled-no-orthomosaic-was-made"), { beside: true });
 	} catch (error) {
 		tell$2(store, "problem", say("no-orthomosaic-was-made", { sentence: sentence(messageOf(error)) }), { near });

@@ -315,15 +315,16 @@ var OrthoMosaic = class OrthoMosaic {
 		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
 		const len0 = WASM_VECTOR_LEN;
 		const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
-		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v3 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v3;
 	}
 	finish() {
 		const ptr = this.__destroy_into_raw();
 		const ret = wasm.orthomosaic_finish(ptr);
-		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
-		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-		return v1;
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
 	}
 	heights() {
 		const ret = wasm.orthomosaic_heights(this.__wbg_ptr);
@@ -333,6 +334,13 @@ var OrthoMosaic = class OrthoMosaic {
 			v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		}
+		return v1;
+	}
+	leave_out(index) {
+		const ret = wasm.orthomosaic_leave_out(this.__wbg_ptr, index);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v1;
 	}
 	get names() {
@@ -357,6 +365,18 @@ var OrthoMosaic = class OrthoMosaic {
 		const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return OrthoMosaic.__wrap(ret[0]);
+	}
+	order() {
+		const ret = wasm.orthomosaic_order(this.__wbg_ptr);
+		var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+		return v1;
+	}
+	size() {
+		const ret = wasm.orthomosaic_size(this.__wbg_ptr);
+		var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+		return v1;
 	}
 };
 if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
@@ -395,6 +415,13 @@ var OrthophotoReference = class OrthophotoReference {
 		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
+	}
+	colours(column, row, width, height, halvings) {
+		const ret = wasm.orthophotoreference_colours(this.__wbg_ptr, column, row, width, height, halvings);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v1;
 	}
 	ground_positions(placement, positions) {
 		const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);

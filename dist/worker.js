@@ -315,15 +315,16 @@
 			const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
 			const len0 = WASM_VECTOR_LEN;
 			const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
-			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v3 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+			return v3;
 		}
 		finish() {
 			const ptr = this.__destroy_into_raw();
 			const ret = wasm.orthomosaic_finish(ptr);
-			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
-			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-			return v1;
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
 		}
 		heights() {
 			const ret = wasm.orthomosaic_heights(this.__wbg_ptr);
@@ -333,6 +334,13 @@
 				v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 				wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			}
+			return v1;
+		}
+		leave_out(index) {
+			const ret = wasm.orthomosaic_leave_out(this.__wbg_ptr, index);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			return v1;
 		}
 		get names() {
@@ -357,6 +365,18 @@
 			const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return OrthoMosaic.__wrap(ret[0]);
+		}
+		order() {
+			const ret = wasm.orthomosaic_order(this.__wbg_ptr);
+			var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+			return v1;
+		}
+		size() {
+			const ret = wasm.orthomosaic_size(this.__wbg_ptr);
+			var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+			return v1;
 		}
 	};
 	if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
@@ -395,6 +415,13 @@
 			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
+		}
+		colours(column, row, width, height, halvings) {
+			const ret = wasm.orthophotoreference_colours(this.__wbg_ptr, column, row, width, height, halvings);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+			return v1;
 		}
 		ground_positions(placement, positions) {
 			const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
@@ -1608,11 +1635,11 @@
 		const [left, top] = [column * 256 * step, row * 256 * step];
 		const width = Math.min(256, Math.ceil((info.width - left) / step));
 		const height = Math.min(256, Math.ceil((info.height - top) / step));
-		return transparentWhereEmpty(reference.picture(column * 256, row * 256, width, height, level), width, height);
+		return bitmapOf$1(reference, [column * 256, row * 256], [width, height], level);
 	}
-	function transparentWhereEmpty(grey, width, height) {
-		const pixels = Uint32Array.from(grey, (value) => value === 0 ? 0 : 4278190080 | value * 65793);
-		return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height));
+	function bitmapOf$1(reference, [column, row], [width, height], halvings) {
+		const colours = reference.colours(column, row, width, height, halvings);
+		return createImageBitmap(new ImageData(new Uint8ClampedArray(colours.buffer, colours.byteOffset, colours.length), width, height));
 	}
 	async function orthoSearch({ ground, options }) {
 		const now = await opened$2(ground);
@@ -1663,7 +1690,7 @@
 			const step = 2 ** halvings;
 			const [columns, rows] = [Math.floor(width / step), Math.floor(height / step)];
 			return {
-				bitmap: await transparentWhereEmpty(laid.picture(0, 0, columns, rows, halvings), columns, rows),
+				bitmap: await bitmapOf$1(laid, [0, 0], [columns, rows], halvings),
 				step,
 				georeference
 			};
@@ -1672,23 +1699,39 @@
 		}
 	}
 	var mosaic = null;
-	async function mosaicOpen({ project, heights, inAdjustment }) {
+	var written = [];
+	async function mosaicOpen({ project, heights, inAdjustment, names }) {
 		mosaic?.free();
 		mosaic = null;
+		written = [];
 		const model = typeof heights === "object" && heights !== null ? await bytesOf(heights.file) : heights;
 		const world = typeof heights === "object" && heights !== null ? heights.world : null;
-		mosaic = OrthoMosaic.open(await bytesOf(project), model, world, void 0, inAdjustment);
-		return mosaic.names;
+		const made = OrthoMosaic.open(await bytesOf(project), model, world, void 0, inAdjustment);
+		mosaic = made;
+		const own = made.names;
+		const order = [...made.order()].map((index) => ({
+			name: own[index] ?? "",
+			index
+		}));
+		for (const { index } of order.filter(({ name }) => !names.includes(name))) write(made.leave_out(index));
+		return order.filter(({ name }) => names.includes(name));
 	}
 	async function mosaicAdd({ index, file }) {
-		mosaic?.add(index, await bytesOf(file));
+		if (mosaic !== null) write(mosaic.add(index, await bytesOf(file)));
 		return null;
+	}
+	function write(bytes) {
+		if (bytes.length > 0) written.push(new Blob([bytes]));
 	}
 	function mosaicFinish() {
 		const made = mosaic;
 		mosaic = null;
 		if (made === null) throw new Error("no mosaic is laid out");
-		return made.finish();
+		const { end, beginning } = made.finish();
+		write(end);
+		const rest = new Blob(written).slice(beginning.length);
+		written = [];
+		return new Blob([beginning, rest], { type: "image/tiff" });
 	}
 	function sceneOrthophoto({ flight, gsd }) {
 		const scene = new BlockScene(flight);

@@ -1,10 +1,12 @@
 //! Half of the images of a folder placed on an orthomosaic that the block makes of the others, beside their places in the block. Arguments: the
 //! folder of images, a folder for the records and `mosaic.tif`.
 
+use std::fs::File;
 use std::path::PathBuf;
+use std::sync::Arc;
 use tiepoint::{
-    CameraUncertainty, DecodeLimits, Heights, Mosaic, Orthophoto, PlacingCamera, PlacingOptions, RunInput, SearchArea, decode,
-    heights_of_points, images_in, place_image, run_block, write_geotiff,
+    CameraUncertainty, DecodeLimits, DiskFile, Heights, Mosaic, Orthophoto, PlacingCamera, PlacingOptions, RunInput, SearchArea, decode,
+    decode_bands, heights_of_points, images_in, place_image, run_block,
 };
 
 type Failure = Box<dyn std::error::Error>;
@@ -17,17 +19,21 @@ fn main() -> Result<(), Failure> {
     let run = run_block(&images, &[], RunInput::default(), &out.join("work"), threads, |_| ())?;
     let model = &run.model;
     let heights = Heights::Model(heights_of_points(model)?);
-    let grey = |index: usize| -> Result<_, Failure> {
-        Ok(decode(&std::fs::read(folder.join(&model.images[index].name))?, &DecodeLimits::default())?.grey)
-    };
+    let bytes = |index: usize| std::fs::read(folder.join(&model.images[index].name));
+    let grey = |index: usize| -> Result<_, Failure> { Ok(decode(&bytes(index)?, &DecodeLimits::default())?.grey) };
     let is_kept = |index: &usize| index.is_multiple_of(2);
     let mut mosaic = Mosaic::new(model, heights.clone(), None)?;
-    for index in (0..model.images.len()).filter(is_kept) {
-        mosaic.add(index, grey(index)?.view())?;
+    let path = out.join("mosaic.tif");
+    let mut file = File::create(&path)?;
+    for index in mosaic.order().into_iter().filter(|index| !is_kept(index)) {
+        mosaic.leave_out(index, &mut file)?;
     }
-    let mosaic = mosaic.finish()?;
-    std::fs::write(out.join("mosaic.tif"), write_geotiff(&mosaic, None)?)?;
-    let orthophoto = Orthophoto::new(mosaic.grey, mosaic.georeference, heights)?;
+    for index in mosaic.order().into_iter().filter(is_kept) {
+        mosaic.add(index, &decode_bands(&bytes(index)?, &DecodeLimits::default())?, &mut file)?;
+    }
+    mosaic.finish(&mut file)?;
+    let file = DiskFile::new(File::open(&path)?)?;
+    let orthophoto = Orthophoto::open(Arc::new(file), None, heights, &DecodeLimits::default())?;
     let [width, height] = orthophoto.size();
     println!("mosaic of {width} x {height} px, {:.4} a pixel", orthophoto.georeference.gsd());
     let options = PlacingOptions::default();

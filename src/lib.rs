@@ -75,7 +75,8 @@ pub use formats::{
     parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
 };
 pub use image::{
-    DecodeLimits, Decoded, DiskFile, FileSource, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to, write_png,
+    Bands, DecodeLimits, Decoded, DiskFile, FileSource, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header,
+    reduce_to, write_png,
 };
 pub use json::JsonFault;
 pub use matching::{
@@ -97,8 +98,8 @@ pub use orientation::{
 pub use orthophoto::{
     BlockLinks, Georeference, GivenLink, GivenUse, HeightFactor, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced,
     Orthophoto, PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, Relief,
-    SearchArea, ground_positions, heights_of_points, image_positions, links_table, place_by_links, place_image, place_recorded,
-    placed_table, rectify, rectify_placed, write_geotiff, write_heights,
+    SearchArea, ground_positions, heights_of_block, heights_of_points, image_positions, links_table, place_by_links, place_image,
+    place_recorded, placed_table, rectify, rectify_placed, write_geotiff, write_heights,
 };
 pub use outputs::{
     AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,

@@ -1,7 +1,7 @@
 """Reads GeoTIFFs that Tiepoint wrote by GDAL: python3 tools/check_geotiffs.py LIST.json
 
 Each entry of the list has `name`, `file` and what Tiepoint says of it: `georeference` {origin, by_column, by_row}, `size`, `epsg` (null where the system is not
-known), `values` (a raw file of its pixels), and perhaps `photo`, by which the values are made again from a photograph: its grey values (raw), camera, pose
+known), `values` (a raw file of its pixels), perhaps `colours` (the same in red, green, blue and alpha) and `photo`, by which the values are made again from a photograph: its grey values (raw), camera, pose
 and heights; or `near`, a GeoTIFF of the same ground. Else it has `table` and `column`: a table of the middles of pixels with their values. Needs rasterio and scipy (pip install rasterio scipy). Each check names what was read; the first that fails
 ends with status 1.
 """
@@ -86,9 +86,10 @@ def on_grid(path, place, shape):
 def check_file(entry):
     name = entry["name"]
     with rasterio.open(entry["file"]) as file:
-        values, shown, place, size = file.read(1), file.dataset_mask() > 0, file.transform, [file.width, file.height]
+        bands, shown, place, size = file.read(), file.dataset_mask() > 0, file.transform, [file.width, file.height]
+        values = bands[0]
         code = file.crs.to_epsg() if file.crs else None
-        kind = f"{file.count} band of {file.dtypes[0]}, {file.compression.value if file.compression else 'not compressed'}"
+        kind = f"{file.count} {'band' if file.count == 1 else 'bands'} of {file.dtypes[0]}, {file.compression.value if file.compression else 'not compressed'}"
         tiles = f"tiles of {file.block_shapes[0][1]} x {file.block_shapes[0][0]} px" if file.profile["tiled"] else f"strips of {file.block_shapes[0][0]} rows"
         overviews, nodata = file.overviews(1), file.nodata
     check(size == entry["size"], f"{name}: {size[0]} x {size[1]} px, {kind}, {tiles}, {len(overviews)} overviews, no data {nodata}")
@@ -103,7 +104,12 @@ def check_file(entry):
     wrong = (is_said & wide).sum() + (shown & ~is_said & ~beside).sum()
     check(wrong == 0, f"{name}: {shown.sum()} px are shown, {(~shown).sum()} are not, as is meant")
     both = shown & is_said
-    check((values[both] == said[both]).all() and both.any(), f"{name}: {both.sum()} values are equal")
+    if len(bands) == 1:
+        check((values[both] == said[both]).all() and both.any(), f"{name}: {both.sum()} values are equal")
+    if "colours" in entry:
+        colours = numpy.fromfile(entry["colours"], numpy.uint8).reshape(*values.shape, 4)
+        equal = all((bands[k % len(bands)][both] == colours[..., k][both]).all() for k in range(3))
+        check(equal and (colours[..., 3] == 255 * is_said).all() and both.any(), f"{name}: {both.sum()} colours are equal, of {len(bands)} bands")
     if "photo" in entry:
         made, there = from_photo(entry["photo"], place, values.shape)
         both = there & shown

@@ -1,7 +1,22 @@
 // @ts-check
 /** Reading and writing files, with errors that name the file and what to change. */
 
-import { closeSync, fsyncSync, mkdirSync, openSync, readdirSync, readFileSync, readSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import {
+  closeSync,
+  existsSync,
+  fsyncSync,
+  mkdirSync,
+  openSync,
+  readdirSync,
+  readFileSync,
+  readSync,
+  realpathSync,
+  renameSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+  writeSync,
+} from 'node:fs';
 import { rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { Photo } from '../node.js';
@@ -163,6 +178,37 @@ function toDisk(path) {
 }
 
 /**
+ * Writes a file of any length whole or not at all: `write` appends to it, and gives the bytes that it begins with in place of the first ones. What a
+ * command that was ended has left unfinished beside it goes.
+ * @param {string} out @param {(append: (bytes: Uint8Array) => void) => Uint8Array} write
+ */
+export function writeInParts(out, write) {
+  const path = existsSync(out) ? realpathSync(out) : out;
+  const folder = dirname(path);
+  for (const name of filesIn(folder)) removeIfUnfinished(join(folder, name));
+  const draft = draftOf(path);
+  const file = attempt('write', path, () => openSync(draft, 'w'));
+  try {
+    const put = (/** @type {Uint8Array} */ bytes, /** @type {number | null} */ at) =>
+      attempt('write', path, () => {
+        for (let done = 0; done < bytes.length; ) done += writeSync(file, bytes, done, bytes.length - done, at === null ? null : at + done);
+      });
+    put(
+      write((bytes) => put(bytes, null)),
+      0,
+    );
+    attempt('write', path, () => {
+      fsyncSync(file);
+      renameSync(draft, path);
+      toDisk(folder);
+    });
+  } finally {
+    closeSync(file);
+    rmSync(draft, { force: true });
+  }
+}
+
+/**
  * Writes a file whole or not at all, whatever ends the command or the machine.
  * @param {string} folder @param {string} name with slashes between folders, which are made @param {string | Uint8Array} content
  */
@@ -199,9 +245,14 @@ export async function replaceFile(path, content) {
 /** Removes what commands that were ended have left unfinished below a folder.  @param {string} folder */
 export function removeUnfinished(folder) {
   for (const name of attempt('read the folder', folder, () => readdirSync(folder, { recursive: true, encoding: 'utf8' }))) {
-    const owner = /\.tiepoint-(\d+)\.part$/.exec(name)?.[1];
-    if (owner !== undefined && !isRunning(Number(owner))) rmSync(join(folder, name), { force: true });
+    removeIfUnfinished(join(folder, name));
   }
+}
+
+/** Removes a file if a command that was ended has left it unfinished.  @param {string} path */
+function removeIfUnfinished(path) {
+  const owner = /\.tiepoint-(\d+)\.part$/.exec(path)?.[1];
+  if (owner !== undefined && !isRunning(Number(owner))) rmSync(path, { force: true });
 }
 
 /** Whether another process of this number runs.  @param {number} pid */

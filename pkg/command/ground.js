@@ -16,7 +16,11 @@ export const ORTHOPHOTO_HELP = 'The reference: a GeoTIFF in a projected system, 
 export const NO_HEIGHTS = 'no heights are given: the ground is taken as level at 0; positions are above it';
 
 export const GROUND_OPTIONS = [
-  path('heights', 'FILE', 'Height model of the ground: a GeoTIFF or an ESRI ASCII grid, in the same system.'),
+  path(
+    'heights',
+    'FILE',
+    'Heights of the ground, in the same system: a GeoTIFF, an ESRI ASCII grid, or the project.tiepoint of an oriented block, whose tie points give them.',
+  ),
   valueOption('heights'),
 ];
 

@@ -1,8 +1,8 @@
 // @ts-check
-import { basename, dirname, join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { check_heights, OrthoMosaic } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
-import { filesIn, isFolder, makeFolder, readBytes, writeInto } from './files.js';
+import { filesIn, isFolder, makeFolder, readBytes, writeInParts } from './files.js';
 import { GROUND_OPTIONS, groundOf } from './ground.js';
 import { path, valueOption } from './options.js';
 import { note, print } from './output.js';
@@ -15,7 +15,7 @@ export const mosaic = {
   positionals: ['PROJECT', 'FOLDER'],
   options: [path('out', 'FILE.tif', 'The GeoTIFF that is written; required.'), valueOption('gsd'), ...GROUND_OPTIONS],
   details:
-    'PROJECT is the project.tiepoint of a block, FOLDER that of its images. Without heights the ground is that of the tie points. The mosaic is grey, of at most 100 MP, north up in the system of the block; seams are not ' +
+    'PROJECT is the project.tiepoint of a block, FOLDER that of its images. Without heights the ground is that of the tie points. The mosaic has the colours of the images and at most 4000 MP, north up in the system of the block; its file is written tile by tile. Seams are not ' +
     'balanced, and walls may show twice: the mosaic is for checking an orientation, and a reference for `tiepoint place`.',
   run,
 };
@@ -24,6 +24,7 @@ export const mosaic = {
 async function run({ positionals: [project = '', folder = ''], values }) {
   const [out, gsd] = [values.get('out'), values.get('gsd')];
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the GeoTIFF that is written');
+  if (isFolder(out)) throw new UsageError(`--out ${out}: it is a folder; name the GeoTIFF that is written`);
   if (!isFolder(folder)) throw new DataError(`${folder}: it is no folder; name that of the images`);
   const ground = groundOf(values);
   const bytes = readBytes(project);
@@ -35,14 +36,24 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   if (missing.length === names.length) throw new DataError(`${folder}: it has none of the images of the project, ${names.slice(0, 3).join(', ')} …`);
   if (missing.length > 0) note(`${folder} has not ${missing.join(', ')}: the mosaic is made of the others`);
   makeFolder(dirname(out));
-  const shown = new Progress({ steps: names.length + 1 });
-  for (const [index, name] of names.entries()) {
-    if (!files.has(name)) continue;
-    const file = join(folder, name);
-    shown.step(name, () => about(file, () => made.add(index, readBytes(file))));
-  }
-  const written = shown.step('writing', () => writeInto(dirname(out), basename(out), made.finish()));
+  // In the order of the mosaic: the tiles that an image completes are written before the next one is read.
+  const order = [...made.order()];
+  const shown = new Progress({ steps: order.length + 1 });
+  writeInParts(out, (append) => {
+    for (const index of order.filter((index) => !files.has(names[index] ?? ''))) append(made.leave_out(index));
+    for (const index of order) {
+      const name = names[index] ?? '';
+      if (!files.has(name)) continue;
+      const file = join(folder, name);
+      shown.step(name, () => append(about(file, () => made.add(index, readBytes(file)))));
+    }
+    return shown.step('writing', () => {
+      const { end, beginning } = made.finish();
+      append(end);
+      return beginning;
+    });
+  });
   shown.end();
-  print(`written: ${written}`);
+  print(`written: ${out}`);
   return 0;
 }

@@ -4766,31 +4766,44 @@ export class FinishedBlock {
 }
 
 /**
- * A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Call
- * `free` when it is no longer needed.
+ * A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Its file, a
+ * tiled GeoTIFF, is returned in parts: append what `add`, `leave_out` and `finish().end` return, then overwrite the first bytes with `finish().beginning`.
+ * Call `free` when it is no longer needed.
  */
 export class OrthoMosaic {
     private constructor();
     free(): void;
     [Symbol.dispose](): void;
     /**
-     * Adds an image, by its index; one that is not oriented adds nothing.
+     * Adds an image, by its index; one that is not oriented adds nothing. Gives what the file goes on with.
      */
-    add(index: number, file: Uint8Array | number[]): void;
+    add(index: number, file: Uint8Array | number[]): Uint8Array;
     /**
-     * The mosaic, grey, as GeoTIFF.
+     * What the file ends with, and the bytes that it begins with in place of those that were given first.
      */
-    finish(): Uint8Array;
+    finish(): { end: Uint8Array; beginning: Uint8Array };
     /**
      * The heights on which it lies, as GeoTIFF; absent where these are one for all.
      */
     heights(): Uint8Array | undefined;
+    /**
+     * An image, by its index, that will not be added. Gives what the file goes on with.
+     */
+    leave_out(index: number): Uint8Array;
     /**
      * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
      * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
      * adjustment, as the map of the page is.
      */
     static open(project: Uint8Array | number[], heights: number | Uint8Array | null, heights_world_file?: string | null, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
+    /**
+     * The indices of its oriented images in an order in which little waits in memory for images to come.
+     */
+    order(): Uint32Array;
+    /**
+     * Width and height in px.
+     */
+    size(): Uint32Array;
     /**
      * The names of the block's images.
      */
@@ -4809,6 +4822,10 @@ export class OrthophotoReference {
      * links. The file tells its camera. `options`: as of `search`; absent: those that it had.
      */
     adjust(name: string, file: Uint8Array | number[], links: readonly GivenLink[], start: Placement | null, cameras: string | null | undefined, options?: Given<PlacingOptions>): PlacedImage;
+    /**
+     * The same in colours: red, green, blue and alpha of each pixel, alpha 0 where it shows nothing.
+     */
+    colours(column: number, row: number, width: number, height: number, halvings: number): Uint8Array;
     /**
      * The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
      */
@@ -4842,7 +4859,7 @@ export class OrthophotoReference {
      */
     place(name: string, file: Uint8Array | number[], cameras?: string | null): PlacedImage;
     /**
-     * A placed image resampled to the ground, grey, as GeoTIFF.
+     * A placed image resampled to the ground, in its colours, as GeoTIFF.
      */
     rectified(file: Uint8Array | number[], placement: Placement): Uint8Array;
     /**
@@ -4851,7 +4868,7 @@ export class OrthophotoReference {
      */
     search(options: Given<PlacingOptions>): number;
     /**
-     * The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
+     * The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with its world file perhaps, or the project of an oriented block.
      */
     set_heights(heights: number | Uint8Array, world_file?: string | null): void;
 }
@@ -5550,12 +5567,16 @@ export interface InitOutput {
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
     readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
     readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
-    readonly orthomosaic_add: (a: number, b: number, c: number, d: number) => [number, number];
-    readonly orthomosaic_finish: (a: number) => [number, number, number, number];
+    readonly orthomosaic_add: (a: number, b: number, c: number, d: number) => [number, number, number, number];
+    readonly orthomosaic_finish: (a: number) => [number, number, number];
     readonly orthomosaic_heights: (a: number) => [number, number, number, number];
+    readonly orthomosaic_leave_out: (a: number, b: number) => [number, number, number, number];
     readonly orthomosaic_names: (a: number) => [number, number];
     readonly orthomosaic_open: (a: number, b: number, c: any, d: number, e: number, f: number, g: number, h: number) => [number, number, number];
+    readonly orthomosaic_order: (a: number) => [number, number];
+    readonly orthomosaic_size: (a: number) => [number, number];
     readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: number, e: number, f: any, g: any, h: number, i: number, j: any) => [number, number, number];
+    readonly orthophotoreference_colours: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly orthophotoreference_ground_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
     readonly orthophotoreference_heights_at: (a: number, b: number, c: number) => [number, number, number, number];
     readonly orthophotoreference_image_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];

@@ -526,8 +526,9 @@ export class FinishedBlock {
 if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
 
 /**
- * A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Call
- * `free` when it is no longer needed.
+ * A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Its file, a
+ * tiled GeoTIFF, is returned in parts: append what `add`, `leave_out` and `finish().end` return, then overwrite the first bytes with `finish().beginning`.
+ * Call `free` when it is no longer needed.
  */
 export class OrthoMosaic {
     static __wrap(ptr) {
@@ -547,32 +548,34 @@ export class OrthoMosaic {
         wasm.__wbg_orthomosaic_free(ptr, 0);
     }
     /**
-     * Adds an image, by its index; one that is not oriented adds nothing.
+     * Adds an image, by its index; one that is not oriented adds nothing. Gives what the file goes on with.
      * @param {number} index
      * @param {Uint8Array | number[]} file
+     * @returns {Uint8Array}
      */
     add(index, file) {
         const val2 = +index;
         const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
         const len0 = WASM_VECTOR_LEN;
         const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
-        if (ret[1]) {
-            throw takeFromExternrefTable0(ret[0]);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
         }
+        var v3 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+        return v3;
     }
     /**
-     * The mosaic, grey, as GeoTIFF.
-     * @returns {Uint8Array}
+     * What the file ends with, and the bytes that it begins with in place of those that were given first.
+     * @returns {{ end: Uint8Array; beginning: Uint8Array }}
      */
     finish() {
         const ptr = this.__destroy_into_raw();
         const ret = wasm.orthomosaic_finish(ptr);
-        if (ret[3]) {
-            throw takeFromExternrefTable0(ret[2]);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
         }
-        var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
-        wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-        return v1;
+        return takeFromExternrefTable0(ret[0]);
     }
     /**
      * The heights on which it lies, as GeoTIFF; absent where these are one for all.
@@ -588,6 +591,20 @@ export class OrthoMosaic {
             v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
             wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
         }
+        return v1;
+    }
+    /**
+     * An image, by its index, that will not be added. Gives what the file goes on with.
+     * @param {number} index
+     * @returns {Uint8Array}
+     */
+    leave_out(index) {
+        const ret = wasm.orthomosaic_leave_out(this.__wbg_ptr, index);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
         return v1;
     }
     /**
@@ -629,6 +646,26 @@ export class OrthoMosaic {
             throw takeFromExternrefTable0(ret[1]);
         }
         return OrthoMosaic.__wrap(ret[0]);
+    }
+    /**
+     * The indices of its oriented images in an order in which little waits in memory for images to come.
+     * @returns {Uint32Array}
+     */
+    order() {
+        const ret = wasm.orthomosaic_order(this.__wbg_ptr);
+        var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+        return v1;
+    }
+    /**
+     * Width and height in px.
+     * @returns {Uint32Array}
+     */
+    size() {
+        const ret = wasm.orthomosaic_size(this.__wbg_ptr);
+        var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+        return v1;
     }
 }
 if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
@@ -684,6 +721,24 @@ export class OrthophotoReference {
             throw takeFromExternrefTable0(ret[1]);
         }
         return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * The same in colours: red, green, blue and alpha of each pixel, alpha 0 where it shows nothing.
+     * @param {number} column
+     * @param {number} row
+     * @param {number} width
+     * @param {number} height
+     * @param {number} halvings
+     * @returns {Uint8Array}
+     */
+    colours(column, row, width, height, halvings) {
+        const ret = wasm.orthophotoreference_colours(this.__wbg_ptr, column, row, width, height, halvings);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+        return v1;
     }
     /**
      * The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
@@ -809,7 +864,7 @@ export class OrthophotoReference {
         return takeFromExternrefTable0(ret[0]);
     }
     /**
-     * A placed image resampled to the ground, grey, as GeoTIFF.
+     * A placed image resampled to the ground, in its colours, as GeoTIFF.
      * @param {Uint8Array | number[]} file
      * @param {Placement} placement
      * @returns {Uint8Array}
@@ -839,7 +894,7 @@ export class OrthophotoReference {
         return ret[0] >>> 0;
     }
     /**
-     * The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
+     * The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with its world file perhaps, or the project of an oriented block.
      * @param {number | Uint8Array} heights
      * @param {string | null} [world_file]
      */
@@ -3192,7 +3247,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 15, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 14, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
             return ret;
         },

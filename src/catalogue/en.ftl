@@ -455,7 +455,7 @@ refusal-orthophoto-system =
        *[other] { $described }, which is described without a code, and not by all parameters of a transverse Mercator or Lambert conformal conic projection in degrees from Greenwich
     }; allowed: an EPSG code, which gdal_edit.py -a_srs EPSG:25832 writes, say, or nothing where the block has a projected system
 refusal-nothing-above-ground = block for a mosaic: got no oriented image above the ground; allowed: one or more
-refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { FIXED($least, digits: 4) } or more, so that the mosaic has at most 100 MP
+refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { FIXED($least, digits: 4) } or more, so that the mosaic has at most { $megapixels } MP
 refusal-mosaic-image = image of a mosaic: got index { $image }; allowed: one of the model
 refusal-mosaic-image-size = image of a mosaic: got { $width } x { $height } px; allowed: { $width_px } x { $height_px } px, as its camera
 refusal-empty-mosaic = mosaic: got nothing that an image shows; allowed: heights under the images, below them, and a pixel much smaller than an image

@@ -199,7 +199,7 @@ messages! {
         OrthophotoSystem { described: Option<String> },
         OrthophotoUnit { code: u16 },
         NothingAboveGround,
-        MosaicPixel { #[serde(with = "number")] gsd: f64, #[serde(with = "number")] least: f64 },
+        MosaicPixel { #[serde(with = "number")] gsd: f64, #[serde(with = "number")] least: f64, #[serde(with = "number")] megapixels: f64 },
         MosaicImage { image: usize },
         MosaicImageSize { width: usize, height: usize, width_px: u32, height_px: u32 },
         EmptyMosaic,

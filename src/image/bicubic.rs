@@ -6,20 +6,39 @@ use super::GreyView;
 ///
 /// # Source
 /// Keys 1981, Cubic convolution interpolation for digital image processing (a = -1/2).
-pub(crate) fn bicubic(image: GreyView<'_>, [x, y]: [f64; 2]) -> u8 {
-    let along = |position: f64, number: usize| {
-        let from_centre = position - 0.5;
-        let first = libm::floor(from_centre);
-        let last = number as f64 - 1.0;
-        ([-1.0, 0.0, 1.0, 2.0].map(|step| (first + step).clamp(0.0, last) as usize), weights(from_centre - first))
-    };
-    let ((columns, wx), (rows, wy)) = (along(x, image.width()), along(y, image.height()));
-    let mut sum = 0.0;
-    for (row, weight) in rows.iter().zip(wy) {
-        let line = image.row(*row);
-        sum += weight * columns.iter().zip(wx).map(|(column, weight)| weight * f64::from(line[*column])).sum::<f64>();
+pub(crate) fn bicubic(image: GreyView<'_>, at: [f64; 2]) -> u8 {
+    Neighbours::about(at, [image.width(), image.height()]).mean(image)
+}
+
+/// The pixels about a position, four by four, and how much each counts: the same in all bands of an image.
+pub(crate) struct Neighbours {
+    columns: [usize; 4],
+    rows: [usize; 4],
+    by_column: [f64; 4],
+    by_row: [f64; 4],
+}
+
+impl Neighbours {
+    /// In an image of this width and height.
+    pub fn about([x, y]: [f64; 2], [width, height]: [usize; 2]) -> Self {
+        let along = |position: f64, number: usize| {
+            let from_centre = position - 0.5;
+            let first = libm::floor(from_centre);
+            let last = number as f64 - 1.0;
+            ([-1.0, 0.0, 1.0, 2.0].map(|step| (first + step).clamp(0.0, last) as usize), weights(from_centre - first))
+        };
+        let ((columns, by_column), (rows, by_row)) = (along(x, width), along(y, height));
+        Self { columns, rows, by_column, by_row }
     }
-    (sum + 0.5).clamp(0.0, 255.0) as u8
+
+    pub fn mean(&self, image: GreyView<'_>) -> u8 {
+        let mut sum = 0.0;
+        for (row, weight) in self.rows.iter().zip(self.by_row) {
+            let line = image.row(*row);
+            sum += weight * self.columns.iter().zip(self.by_column).map(|(column, weight)| weight * f64::from(line[*column])).sum::<f64>();
+        }
+        (sum + 0.5).clamp(0.0, 255.0) as u8
+    }
 }
 
 /// Of four neighbours, at a distance 0..1 from the second.

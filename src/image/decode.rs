@@ -1,14 +1,15 @@
-//! Image files to grey images, within limits that are checked in the header before anything is decoded.
+//! Image files to grey images, or to their colours, within limits that are checked in the header before anything is decoded.
 
 use std::io::Cursor;
 
 use image::codecs::{bmp::BmpDecoder, pnm::PnmDecoder, webp::WebPDecoder};
 use image::{ColorType, ImageDecoder, ImageError};
 
+use super::bands::Bands;
 use super::grey::GreyImage;
 use super::header::read_layout;
 use super::layout::{FileLayout, Format, damaged, truncated, undecodable};
-use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
+use super::luminance::{SampleLayout, Wanted, bands_of_u8, bands_of_u16};
 use super::{jpeg, png, tiff};
 use crate::camera::{DroneRecord, ExifCamera, ExifImage};
 use crate::{Damage, Error, Unsupported};
@@ -52,32 +53,48 @@ pub struct Decoded {
 /// that are not decoded, such as CMYK and floating point; [`Error::UnreadableImage`] for damaged and truncated files.
 pub fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Error> {
     let layout = read_layout(bytes)?;
-    check_limits(&layout, bytes, limits)?;
+    let (bands, bits_per_sample) = decode_to(Wanted::Grey, &layout, bytes, limits)?;
     let ExifImage { camera, drone, .. } = ExifImage::read(bytes, layout.width, layout.height);
-    let pixels = (layout.width * layout.height) as usize;
-    let (grey, bits_per_sample) = match layout.format {
-        Format::Jpeg => (jpeg::decode(bytes, pixels)?, 8),
-        Format::Tiff => tiff::decode(bytes, pixels)?,
-        Format::Png => png::decode(bytes, pixels)?,
-        Format::Bmp => decode_with(BmpDecoder::new(Cursor::new(bytes)), &layout, limits)?,
-        Format::Pnm => decode_with(PnmDecoder::new(Cursor::new(bytes)), &layout, limits)?,
-        Format::WebP => decode_with(WebPDecoder::new(Cursor::new(bytes)), &layout, limits)?,
-    };
-    let grey = GreyImage::new(layout.width as usize, layout.height as usize, grey)?;
+    let grey = bands.into_first();
     Ok(Decoded { grey, format: layout.format.name(), bits_per_sample, camera, drone })
 }
 
+/// Decodes the same files to red, green and blue, or to grey where they have no colours. Bands beyond these are left out, samples of 16 bits are
+/// stretched as for grey, all colours alike.
+///
+/// # Errors
+/// As [`decode`].
+pub fn decode_bands(bytes: &[u8], limits: &DecodeLimits) -> Result<Bands, Error> {
+    decode_to(Wanted::Colours, &read_layout(bytes)?, bytes, limits).map(|(bands, _)| bands)
+}
+
+/// Gives the bits of a stored sample as well.
+fn decode_to(wanted: Wanted, layout: &FileLayout, bytes: &[u8], limits: &DecodeLimits) -> Result<(Bands, u8), Error> {
+    check_limits(layout, bytes, limits, wanted)?;
+    let pixels = (layout.width * layout.height) as usize;
+    let (values, bits) = match layout.format {
+        Format::Jpeg => (jpeg::decode(bytes, pixels, wanted)?, 8),
+        Format::Tiff => tiff::decode(bytes, pixels, wanted)?,
+        Format::Png => png::decode(bytes, pixels, wanted)?,
+        Format::Bmp => decode_with(BmpDecoder::new(Cursor::new(bytes)), layout, limits, wanted)?,
+        Format::Pnm => decode_with(PnmDecoder::new(Cursor::new(bytes)), layout, limits, wanted)?,
+        Format::WebP => decode_with(WebPDecoder::new(Cursor::new(bytes)), layout, limits, wanted)?,
+    };
+    Ok((Bands::of([layout.width as usize, layout.height as usize], values)?, bits))
+}
+
 /// Refuses what the header declares too large, what is too short for that, or what the machine does not have.
-fn check_limits(layout: &FileLayout, bytes: &[u8], limits: &DecodeLimits) -> Result<(), Error> {
+fn check_limits(layout: &FileLayout, bytes: &[u8], limits: &DecodeLimits, wanted: Wanted) -> Result<(), Error> {
     let FileLayout { width, height, .. } = *layout;
     let pixels = width.saturating_mul(height);
     if pixels > limits.max_pixels {
         let [megapixels, max_megapixels] = [width as f64 * height as f64, limits.max_pixels as f64].map(|n| n / 1e6);
         return Err(Error::TooManyPixels { width, height, megapixels, max_megapixels });
     }
-    // The decoder's output and working memory, and the grey values; no single block is larger than addresses allow.
+    // The decoder's output and working memory, and the grey values or colours; no single block is larger than addresses allow.
     let output = pixels.saturating_mul(layout.bytes_per_pixel);
-    let needed = output.saturating_add(pixels);
+    let bands = if wanted == Wanted::Colours { 3 } else { 1 };
+    let needed = output.saturating_add(pixels.saturating_mul(bands));
     let largest_block = isize::MAX as u64;
     let mut allowed = if output > largest_block { largest_block } else { u64::MAX };
     allowed = allowed.min(limits.max_memory_bytes);
@@ -116,12 +133,13 @@ fn image_limits(limits: &DecodeLimits) -> image::Limits {
     image_limits
 }
 
-/// Decodes with a decoder of the crate `image`; gives grey values and the bits of a stored sample.
+/// Decodes with a decoder of the crate `image`; gives the bands and the bits of a stored sample.
 fn decode_with<D: ImageDecoder>(
     decoder: Result<D, ImageError>,
     layout: &FileLayout,
     limits: &DecodeLimits,
-) -> Result<(Vec<u8>, u8), Error> {
+    wanted: Wanted,
+) -> Result<(Vec<Vec<u8>>, u8), Error> {
     let format = layout.format;
     let error = |e| decoder_error(e, layout, limits);
     let mut decoder = decoder.map_err(error)?;
@@ -136,9 +154,9 @@ fn decode_with<D: ImageDecoder>(
     let samples = SampleLayout::interleaved(usize::from(colour.channel_count()));
     let pixels = width as usize * height as usize;
     match colour {
-        ColorType::L8 | ColorType::La8 | ColorType::Rgb8 | ColorType::Rgba8 => Ok((grey_of_u8(bytes, pixels, samples), 8)),
+        ColorType::L8 | ColorType::La8 | ColorType::Rgb8 | ColorType::Rgba8 => Ok((bands_of_u8(bytes, pixels, samples, wanted), 8)),
         ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16 => {
-            Ok((grey_of_u16(bytes.as_chunks::<2>().0, pixels, samples), 16))
+            Ok((bands_of_u16(bytes.as_chunks::<2>().0, pixels, samples, wanted), 16))
         }
         other => Err(Unsupported::Samples { format: format.name().into(), samples: format!("{other:?}") }.into_error()),
     }

@@ -1,4 +1,4 @@
-//! Samples of a decoded file to grey values 0..255.
+//! Samples of a decoded file to grey values or colours 0..255.
 
 /// How the samples of a pixel lie in memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,6 +16,15 @@ impl SampleLayout {
     pub fn interleaved(channels: usize) -> Self {
         Self { channels, colour: channels >= 3, plane_stride: None }
     }
+}
+
+/// What samples become.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Wanted {
+    /// One band: grey, or the luma of colours.
+    Grey,
+    /// Three bands where there are colours.
+    Colours,
 }
 
 /// A sample as a decoder gives it.
@@ -52,23 +61,17 @@ pub(super) fn grey_of_u8(samples: Vec<u8>, pixels: usize, layout: SampleLayout) 
     grey
 }
 
-/// Grey of 16-bit samples, stretched from the bits in use to 0..255.
-///
-/// With `k` the smallest depth of 8 to 16 bits that holds all samples, grey is `round(255 v / (2^k - 1))`, so that 10-, 12- and
-/// 14-bit data in 16-bit files keep their contrast. Samples that are all multiples of 257 are 8-bit data widened to 16 bits:
-/// they come out as they were, whatever their largest value.
-pub(super) fn grey_of_u16<T: Sample>(samples: &[T], pixels: usize, layout: SampleLayout) -> Vec<u8> {
-    let mut depth = Depth::default();
-    depth.see(samples, layout);
-    grey_up_to(depth.white(), samples, pixels, layout)
-}
-
 /// Grey of 16-bit samples, of which `white` and all above become 255.
 pub(super) fn grey_up_to<T: Sample>(white: u32, samples: &[T], pixels: usize, layout: SampleLayout) -> Vec<u8> {
-    let table: Vec<u8> = (0..=white).map(|v| ((v * 255 + white / 2) / white) as u8).collect();
+    let table = up_to(white);
     let mut grey = Vec::with_capacity(pixels);
     for_each_pixel(samples, layout, |rgb| grey.push(table[luma(rgb).min(white) as usize]));
     grey
+}
+
+/// The value of each sample up to that which becomes white.
+fn up_to(white: u32) -> Vec<u8> {
+    (0..=white).map(|v| ((v * 255 + white / 2) / white) as u8).collect()
 }
 
 /// Which bits of 16 are in use.
@@ -108,8 +111,44 @@ impl Depth {
     }
 }
 
+/// The bands of 8-bit samples: grey as [`grey_of_u8`] gives it, or red, green and blue as they are.
+pub(super) fn bands_of_u8(samples: Vec<u8>, pixels: usize, layout: SampleLayout, wanted: Wanted) -> Vec<Vec<u8>> {
+    match wanted {
+        Wanted::Colours if layout.colour => colours(&samples, pixels, layout, |value| value as u8),
+        _ => vec![grey_of_u8(samples, pixels, layout)],
+    }
+}
+
+/// The bands of 16-bit samples, all alike stretched from the bits in use to 0..255.
+///
+/// With `k` the smallest depth of 8 to 16 bits that holds all samples, values are `round(255 v / (2^k - 1))`, so that 10-, 12- and
+/// 14-bit data in 16-bit files keep their contrast. Samples that are all multiples of 257 are 8-bit data widened to 16 bits:
+/// they come out as they were, whatever their largest value.
+pub(super) fn bands_of_u16<T: Sample>(samples: &[T], pixels: usize, layout: SampleLayout, wanted: Wanted) -> Vec<Vec<u8>> {
+    let mut depth = Depth::default();
+    depth.see(samples, layout);
+    bands_up_to(depth.white(), samples, pixels, layout, wanted)
+}
+
+/// The same, of which `white` and all above become 255.
+pub(super) fn bands_up_to<T: Sample>(white: u32, samples: &[T], pixels: usize, layout: SampleLayout, wanted: Wanted) -> Vec<Vec<u8>> {
+    match wanted {
+        Wanted::Colours if layout.colour => {
+            let table = up_to(white);
+            colours(samples, pixels, layout, |value| table[u32::from(value).min(white) as usize])
+        }
+        _ => vec![grey_up_to(white, samples, pixels, layout)],
+    }
+}
+
+fn colours<T: Sample>(samples: &[T], pixels: usize, layout: SampleLayout, value: impl Fn(u16) -> u8) -> Vec<Vec<u8>> {
+    let mut bands = [(); 3].map(|()| Vec::with_capacity(pixels));
+    for_each_pixel(samples, layout, |rgb| bands.iter_mut().zip(rgb).for_each(|(band, sample)| band.push(value(sample))));
+    bands.into()
+}
+
 /// Luma after Rec. 601 in 14-bit fixed point with OpenCV's weights; they add up to 1, so that a grey pixel keeps its value.
-fn luma(rgb: [u16; 3]) -> u32 {
+pub(super) fn luma(rgb: [u16; 3]) -> u32 {
     let [r, g, b] = rgb.map(u32::from);
     (r * 4899 + g * 9617 + b * 1868 + (1 << 13)) >> 14
 }
@@ -133,6 +172,10 @@ fn for_each_pixel<T: Sample>(samples: &[T], layout: SampleLayout, mut visit: imp
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn grey_of_u16<T: Sample>(samples: &[T], pixels: usize, layout: SampleLayout) -> Vec<u8> {
+        bands_of_u16(samples, pixels, layout, Wanted::Grey).remove(0)
+    }
 
     const GREY: SampleLayout = SampleLayout { channels: 1, colour: false, plane_stride: None };
 
@@ -160,6 +203,20 @@ mod tests {
         assert_eq!(grey_of_u16(&planes, 2, planar), grey_of_u16(&interleaved, 2, SampleLayout::interleaved(3)));
         let first = SampleLayout { channels: 3, colour: false, plane_stride: Some(2) };
         assert_eq!(grey_of_u8(vec![1, 2, 3, 4, 5, 6], 2, first), [1, 2]);
+    }
+
+    #[test]
+    fn colours_are_kept_where_they_are_wanted() {
+        let rgba = vec![1u8, 2, 3, 255, 40, 50, 60, 0];
+        let colours = [vec![1u8, 40], vec![2, 50], vec![3, 60]];
+        assert_eq!(bands_of_u8(rgba.clone(), 2, SampleLayout::interleaved(4), Wanted::Colours), colours);
+        assert_eq!(bands_of_u8(rgba, 2, SampleLayout::interleaved(4), Wanted::Grey), [[2, 48]]);
+        assert_eq!(bands_of_u8(vec![7, 0, 9, 255], 2, SampleLayout::interleaved(2), Wanted::Colours), [[7, 9]]);
+        // All colours by the depth of the widest.
+        let planes = [1023u16, 0, 512, 512, 0, 1];
+        let planar = SampleLayout { channels: 3, colour: true, plane_stride: Some(2) };
+        assert_eq!(bands_of_u16(&planes, 2, planar, Wanted::Colours), [[255, 0], [128, 128], [0, 0]]);
+        assert_eq!(bands_of_u16(&planes, 2, planar, Wanted::Grey), [grey_of_u16(&planes, 2, planar)]);
     }
 
     #[test]

@@ -1,5 +1,6 @@
-//! Grey images: the raster, its view, decoding of files, reduction.
+//! Grey images and colours: the raster, its view, decoding of files, reduction.
 
+mod bands;
 mod bicubic;
 mod bmp;
 mod decode;
@@ -16,11 +17,13 @@ mod tiff;
 mod webp;
 mod write;
 
-pub(crate) use bicubic::bicubic;
-pub use decode::{DecodeLimits, Decoded, decode};
+pub use bands::Bands;
+pub(crate) use bicubic::{Neighbours, bicubic};
+pub use decode::{DecodeLimits, Decoded, decode, decode_bands};
 pub use grey::{GreyImage, GreyView};
 pub(crate) use header::is_tiff;
 pub use header::{Header, read_header};
+pub(crate) use luminance::Wanted;
 pub use pyramid::{Reduced, halve, reduce_to};
 pub(crate) use source::read_all;
 pub use source::{DiskFile, FileSource};

@@ -5,7 +5,7 @@ use std::io::Cursor;
 use png::{BitDepth, Decoder, DecodingError, Limits, Transformations};
 
 use super::layout::{DEFLATE_MOST, FileLayout, Format, damaged, field, truncated, undecodable};
-use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
+use super::luminance::{SampleLayout, Wanted, bands_of_u8, bands_of_u16};
 use crate::{Damage, Error};
 
 /// Reads the IHDR chunk, which the format puts first.
@@ -27,8 +27,8 @@ pub(super) fn read_header(bytes: &[u8]) -> Option<FileLayout> {
     Some(FileLayout { format: Format::Png, width, height, bytes_per_pixel, least_bytes: row.saturating_mul(height) / DEFLATE_MOST })
 }
 
-/// Decodes to grey; gives the bits of a stored sample as well. Profiles and texts, which may inflate to gigabytes, are passed over.
-pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<(Vec<u8>, u8), Error> {
+/// Decodes to bands; gives the bits of a stored sample as well. Profiles and texts, which may inflate to gigabytes, are passed over.
+pub(super) fn decode(bytes: &[u8], pixels: usize, wanted: Wanted) -> Result<(Vec<Vec<u8>>, u8), Error> {
     // The decoder counts what it holds beside the image: the EXIF, in a block that grows by doubling, and a row of at most 8 bytes a pixel.
     let limits = Limits { bytes: bytes.len().saturating_mul(2).saturating_add(pixels.saturating_mul(8)).saturating_add(1 << 16) };
     let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), limits);
@@ -42,11 +42,11 @@ pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<(Vec<u8>, u8), Error
     reader.next_frame(&mut samples).map_err(decoder_error)?;
     let layout = SampleLayout::interleaved(colour.samples());
     if depth != BitDepth::Sixteen {
-        return Ok((grey_of_u8(samples, pixels, layout), 8));
+        return Ok((bands_of_u8(samples, pixels, layout, wanted), 8));
     }
     let (samples, _) = samples.as_chunks_mut::<2>();
     samples.iter_mut().for_each(|sample| *sample = u16::from_be_bytes(*sample).to_ne_bytes());
-    Ok((grey_of_u16(samples, pixels, layout), 16))
+    Ok((bands_of_u16(samples, pixels, layout, wanted), 16))
 }
 
 fn decoder_error(error: DecodingError) -> Error {

@@ -49,6 +49,11 @@ impl BlockMap {
         Ground::of(self.system.definition(), known.map(|known| [self.origin, known]))
     }
 
+    /// A height of 1 in m.
+    pub(super) fn height_unit_m(&self) -> f64 {
+        self.system.definition().height_unit_m()
+    }
+
     /// The name of the system.
     pub fn name(&self) -> String {
         self.system.definition().name()

@@ -137,6 +137,11 @@ impl HeightModel {
         Ok(Self { georeference, width, height, values: Arc::new(values), range, factor: 1.0, unit_m: None, said })
     }
 
+    /// The same in the system of this code, with heights in a unit of so many m, where these are known.
+    pub(super) fn in_system(self, epsg: Option<u16>, unit_m: Option<f64>) -> Self {
+        Self { unit_m, said: Arc::new(SaidSystem { epsg, ..SaidSystem::default() }), ..self }
+    }
+
     /// Reads a GeoTIFF of whole or floating-point numbers, or an ESRI ASCII grid. `world_file`: where a TIFF lies that does not say so.
     ///
     /// # Errors

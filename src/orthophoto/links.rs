@@ -4,7 +4,7 @@
 use super::footprint::Footprint;
 use super::georeference::Georeference;
 use super::heights::Heights;
-use super::rectify::{Seen, rectify};
+use super::rectify::{Seen, rectify_from};
 use super::reference::Orthophoto;
 use crate::matching::{LeastSquares, LeastSquaresOptions};
 use crate::{Camera, Error, Feature, FeatureOptions, GreyImage, Guide, GuidedOptions, Located, Pose, features, guided_matches, halve};
@@ -96,8 +96,10 @@ impl Over<'_> {
         let finest = (0..self.image.len()).take_while(|k| gsd * f64::from(1_u32 << k) <= AS_FINE * georeference.gsd());
         let level = finest.last().unwrap_or(0);
         let camera = reduced(&self.camera, level, &self.image[level]);
-        let own = rectify(self.image[level].view(), &camera, &self.pose, self.heights, &georeference, [ground.width(), ground.height()])?;
-        let found = [&own.grey, &ground].map(|picture| features(picture.view(), Some(own.mask.view()), options));
+        let size = [ground.width(), ground.height()];
+        let own = rectify_from(&[self.image[level].view()], &camera, &self.pose, self.heights, &georeference, size, Some)?;
+        let [grey] = own.bands.images() else { unreachable!("one band of one") };
+        let found = [grey, &ground].map(|picture| features(picture.view(), Some(own.mask.view()), options));
         let [left, right] = [&found[0], &found[1]].map(|found| found.as_deref().map_err(Clone::clone));
         let inner = |feature: &&Feature| {
             let [x, y] = [feature.point.x, feature.point.y];
@@ -125,7 +127,7 @@ impl Over<'_> {
             let (from, start) = (ground_at[m.left], own_at[m.right]);
             let to = if search.refines {
                 let limits = LeastSquaresOptions::default();
-                windows.fit((ground.view(), from), (own.grey.view(), start), [[1.0, 0.0], [0.0, 1.0]], &limits).ok()?.position
+                windows.fit((ground.view(), from), (grey.view(), start), [[1.0, 0.0], [0.0, 1.0]], &limits).ok()?.position
             } else {
                 start
             };

@@ -1,4 +1,4 @@
-//! Places of the map of a block as those of its adjustment, interpolated between nodes that are converted exactly: a mosaic has up to 100 million
+//! Places of the map of a block as those of its adjustment, interpolated between nodes that are converted exactly: a mosaic has up to 4000 million
 //! pixels, and each conversion takes microseconds.
 
 use super::block_map::BlockMap;

@@ -3,7 +3,7 @@
 use super::outcome::Placement;
 use super::rectify::{Rectified, rectify};
 use super::reference::Orthophoto;
-use crate::{Error, GreyView};
+use crate::{Bands, Error};
 
 /// Larger pictures are made of larger pixels.
 const MOST_PIXELS: f64 = 6.4e7;
@@ -12,7 +12,7 @@ const MOST_PIXELS: f64 = 6.4e7;
 ///
 /// # Errors
 /// As [`rectify`].
-pub fn rectify_placed(image: GreyView<'_>, placement: &Placement, reference: &Orthophoto) -> Result<Rectified, Error> {
+pub fn rectify_placed(image: &Bands, placement: &Placement, reference: &Orthophoto) -> Result<Rectified, Error> {
     let of = reference.georeference.with_gsd(placement.gsd_m);
     let corners: Vec<[f64; 2]> = placement.footprint.iter().map(|place| of.pixel(*place)).collect();
     let extent = |axis: usize| {

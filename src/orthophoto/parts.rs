@@ -2,8 +2,8 @@
 
 use super::emptiness::{SEEN_FROM, outside};
 use super::patch::{Patch, halved};
-use crate::image::{Pixels, TiffRaster};
-use crate::{Error, FileSource, GreyImage};
+use crate::image::{Pixels, TiffRaster, Wanted};
+use crate::{Bands, Error, FileSource, GreyImage};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -20,7 +20,8 @@ const MOST_CELLS: usize = 1024;
 /// A large orthophoto.
 pub(super) struct Parts {
     raster: TiffRaster<Arc<dyn FileSource>>,
-    made: OnceLock<Made>,
+    /// In grey, and in colours.
+    made: [OnceLock<Made>; 2],
     cells: Mutex<HashMap<[usize; 2], Option<Arc<GreyImage>>>>,
 }
 
@@ -40,7 +41,7 @@ impl std::fmt::Debug for Parts {
 
 impl Parts {
     pub fn new(raster: TiffRaster<Arc<dyn FileSource>>) -> Self {
-        Self { raster, made: OnceLock::new(), cells: Mutex::default() }
+        Self { raster, made: Default::default(), cells: Mutex::default() }
     }
 
     pub fn size(&self) -> [usize; 2] {
@@ -51,7 +52,8 @@ impl Parts {
     pub fn part(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<GreyImage, Error> {
         let [first, size] = [first, size].map(|px| px.map(|px| px >> halvings));
         let [width, height] = size.map(|side| side.max(1));
-        GreyImage::new(width, height, self.level(halvings, true)?.read(first, [width, height], halvings)?.grey)
+        let pixels = self.level(halvings, true, Wanted::Grey)?.read(first, [width, height], halvings, Wanted::Grey)?;
+        Bands::of([width, height], pixels.bands).map(Bands::into_first)
     }
 
     /// As [`Picture::patch`](super::picture::Picture::patch).
@@ -59,15 +61,27 @@ impl Parts {
         let last = [0, 1].map(|axis| first[axis].saturating_add(size[axis]));
         let [first, last] = [first, last].map(|px| px.map(|px| px >> halvings));
         let size = [0, 1].map(|axis| (last[axis] - first[axis]).max(1));
-        let (grey, mask) = self.level(halvings, false)?.read_with_mask(first, size, halvings)?;
+        let (bands, mask) = self.level(halvings, false, Wanted::Grey)?.read_with_mask(first, size, halvings, Wanted::Grey)?;
+        let grey = bands.into_first();
         Ok(Patch { grey, mask, first: first.map(|px| px << halvings) })
     }
 
     /// As [`Picture::shown`](super::picture::Picture::shown).
     pub fn shown(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
-        let (grey, mask) = self.level(halvings, false)?.read_with_mask(first, size, halvings)?;
+        let (bands, mask) = self.read_with_mask(first, size, halvings, Wanted::Grey)?;
         let shows = |k: usize| mask.as_ref().is_none_or(|mask| mask.data()[k] != 0);
-        Ok(grey.data().iter().enumerate().map(|(k, value)| if shows(k) { (*value).max(1) } else { 0 }).collect())
+        Ok(bands.into_first().data().iter().enumerate().map(|(k, value)| if shows(k) { (*value).max(1) } else { 0 }).collect())
+    }
+
+    /// The bands of such a part, and what it does not show.
+    pub fn read_with_mask(
+        &self,
+        first: [usize; 2],
+        size: [usize; 2],
+        halvings: u32,
+        wanted: Wanted,
+    ) -> Result<(Bands, Option<GreyImage>), Error> {
+        self.level(halvings, false, wanted)?.read_with_mask(first, size, halvings, wanted)
     }
 
     /// Whether the picture shows something at a column and row; where it cannot be read it shows nothing.
@@ -78,7 +92,7 @@ impl Parts {
         let mask = match known {
             Some(mask) => mask,
             None => {
-                let read = Level::OfFile(&self.raster, 0).read_with_mask(key.map(|k| k * CELL), [CELL, CELL], 0);
+                let read = Level::OfFile(&self.raster, 0).read_with_mask(key.map(|k| k * CELL), [CELL, CELL], 0, Wanted::Grey);
                 let Ok((_, mask)) = read else { return false };
                 let mask = mask.map(Arc::new);
                 let mut cells = cells();
@@ -93,27 +107,28 @@ impl Parts {
     }
 
     /// The picture to read where it is wanted halved so many times: not smaller than that, and not much larger.
-    fn level(&self, halvings: u32, exact: bool) -> Result<Level<'_>, Error> {
+    fn level(&self, halvings: u32, exact: bool, wanted: Wanted) -> Result<Level<'_>, Error> {
         let of_file = self.raster.level(halvings, exact);
         let made = made_halvings(self.size());
         if of_file + 1 >= halvings || halvings < made {
             return Ok(Level::OfFile(&self.raster, of_file));
         }
         // What could not be read once may be read later.
-        let made = match self.made.get() {
+        let held = &self.made[usize::from(wanted == Wanted::Colours)];
+        let made = match held.get() {
             Some(made) => made,
             None => {
-                let new = self.make(made)?;
-                self.made.get_or_init(|| new)
+                let new = self.make(made, wanted)?;
+                held.get_or_init(|| new)
             }
         };
         Ok(Level::Made(made))
     }
 
-    fn make(&self, halvings: u32) -> Result<Made, Error> {
+    fn make(&self, halvings: u32, wanted: Wanted) -> Result<Made, Error> {
         let size = self.size().map(|side| side >> halvings);
         let level = Level::OfFile(&self.raster, self.raster.level(halvings, true));
-        Ok(Made { halvings, size, pixels: level.read([0, 0], size, halvings)? })
+        Ok(Made { halvings, size, pixels: level.read([0, 0], size, halvings, wanted)? })
     }
 }
 
@@ -137,6 +152,13 @@ impl Level<'_> {
         }
     }
 
+    fn bands(&self, wanted: Wanted) -> usize {
+        match self {
+            Self::OfFile(raster, _) => raster.bands(wanted),
+            Self::Made(made) => made.pixels.bands.len(),
+        }
+    }
+
     fn size(&self) -> [usize; 2] {
         match self {
             Self::OfFile(raster, halvings) => raster.size_of(*halvings),
@@ -144,24 +166,24 @@ impl Level<'_> {
         }
     }
 
-    fn own(&self, first: [usize; 2], size: [usize; 2]) -> Result<Pixels, Error> {
+    fn own(&self, first: [usize; 2], size: [usize; 2], wanted: Wanted) -> Result<Pixels, Error> {
         match self {
-            Self::OfFile(raster, halvings) => raster.read(*halvings, first, size),
+            Self::OfFile(raster, halvings) => raster.read(*halvings, first, size, wanted),
             Self::Made(made) => Ok(made.read(first, size)),
         }
     }
 
     /// A part, in pixels of the picture that was halved so many times. What is to be halved for it is read piece by piece: it may be all of a large file.
-    fn read(&self, first: [usize; 2], [width, height]: [usize; 2], halvings: u32) -> Result<Pixels, Error> {
+    fn read(&self, first: [usize; 2], [width, height]: [usize; 2], halvings: u32, wanted: Wanted) -> Result<Pixels, Error> {
         if width.saturating_mul(height) > MOST_READ {
             let [megapixels, max_megapixels] = [width as f64 * height as f64, MOST_READ as f64].map(|px| px / 1e6);
             return Err(Error::TooManyPixels { width: width as u64, height: height as u64, megapixels, max_megapixels });
         }
         let further = halvings.saturating_sub(self.halvings());
         if further == 0 {
-            return self.own(first, [width, height]);
+            return self.own(first, [width, height], wanted);
         }
-        let mut pixels = Pixels { grey: vec![0; width * height], nothing: vec![true; width * height] };
+        let mut pixels = Pixels::nothing(self.bands(wanted), width * height);
         if self.size().iter().any(|side| side >> further == 0) {
             return Ok(pixels);
         }
@@ -169,15 +191,16 @@ impl Level<'_> {
         for (top, left) in (0..height).step_by(side).flat_map(|top| (0..width).step_by(side).map(move |left| (top, left))) {
             let [columns, rows] = [(width - left).min(side), (height - top).min(side)];
             let piece = [columns << further, rows << further];
-            let own = self.own([(first[0] + left) << further, (first[1] + top) << further], piece)?;
+            let own = self.own([(first[0] + left) << further, (first[1] + top) << further], piece, wanted)?;
             // What shows nothing in all of its pixels is white in the mean.
             let nothing = own.nothing.into_iter().map(|nothing| if nothing { 255 } else { 0 }).collect();
-            let [grey, nothing] =
-                [own.grey, nothing].map(|data| GreyImage::new(piece[0], piece[1], data).map(|image| halved(image, further)));
-            let (grey, nothing) = (grey?, nothing?);
+            let reduced = |values: Vec<u8>| GreyImage::new(piece[0], piece[1], values).map(|image| halved(image, further));
+            let (bands, nothing) = (own.bands.into_iter().map(reduced).collect::<Result<Vec<_>, _>>()?, reduced(nothing)?);
             for row in 0..rows {
                 let to = (top + row) * width + left;
-                pixels.grey[to..to + columns].copy_from_slice(grey.view().row(row));
+                for (band, own) in pixels.bands.iter_mut().zip(&bands) {
+                    band[to..to + columns].copy_from_slice(own.view().row(row));
+                }
                 pixels.nothing[to..to + columns].iter_mut().zip(nothing.view().row(row)).for_each(|(to, value)| *to = *value == 255);
             }
         }
@@ -185,35 +208,48 @@ impl Level<'_> {
     }
 
     /// With a mask of what is shown: 0 where nothing is; absent where something is everywhere.
-    fn read_with_mask(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<(GreyImage, Option<GreyImage>), Error> {
+    fn read_with_mask(
+        &self,
+        first: [usize; 2],
+        size: [usize; 2],
+        halvings: u32,
+        wanted: Wanted,
+    ) -> Result<(Bands, Option<GreyImage>), Error> {
         let whole = self.size().map(|side| side >> halvings.saturating_sub(self.halvings()));
         let low = first.map(|px| px.saturating_sub(SEEN_FROM));
         let last = [0, 1].map(|axis| first[axis].saturating_add(size[axis]));
         let high = [0, 1].map(|axis| last[axis].saturating_add(SEEN_FROM).min(whole[axis]).max(low[axis].saturating_add(1)));
         let about = [0, 1].map(|axis| high[axis] - low[axis]);
-        let pixels = self.read(low, about, halvings)?;
+        let pixels = self.read(low, about, halvings, wanted)?;
         let hidden = outside(&pixels.nothing, about[0], about[1], halvings);
         let place = |c: usize, r: usize| {
             let (c, r) = (first[0].saturating_add(c), first[1].saturating_add(r));
             (c < high[0] && r < high[1]).then(|| (r - low[1]) * about[0] + c - low[0])
         };
-        let grey = GreyImage::from_fn(size[0], size[1], |c, r| place(c, r).map_or(0, |k| pixels.grey[k]))?;
+        let places: Vec<Option<usize>> = (0..size[0] * size[1]).map(|k| place(k % size[0], k / size[0])).collect();
+        let of = |band: &Vec<u8>| places.iter().map(|place| place.map_or(0, |k| band[k])).collect();
+        let bands = Bands::of(size, pixels.bands.iter().map(of).collect())?;
         if hidden.is_none() && (0..2).all(|axis| last[axis] <= whole[axis]) {
-            return Ok((grey, None));
+            return Ok((bands, None));
         }
         let shows = |k: usize| hidden.as_ref().is_none_or(|hidden| !hidden[k]);
-        let mask = GreyImage::from_fn(size[0], size[1], |c, r| if place(c, r).is_some_and(shows) { 255 } else { 0 })?;
-        Ok((grey, Some(mask)))
+        let mask = places.iter().map(|place| if place.is_some_and(shows) { 255 } else { 0 }).collect();
+        Ok((bands, Some(GreyImage::new(size[0], size[1], mask)?)))
     }
 }
 
 impl Made {
     fn read(&self, [left, top]: [usize; 2], [width, height]: [usize; 2]) -> Pixels {
-        let mut part = Pixels { grey: vec![0; width * height], nothing: vec![true; width * height] };
+        let mut part = Pixels::nothing(self.pixels.bands.len(), width * height);
         let columns = width.min(self.size[0].saturating_sub(left));
+        if columns == 0 {
+            return part;
+        }
         for row in 0..height.min(self.size[1].saturating_sub(top)) {
             let (from, to) = ((top + row) * self.size[0] + left, row * width);
-            part.grey[to..to + columns].copy_from_slice(&self.pixels.grey[from..from + columns]);
+            for (band, own) in part.bands.iter_mut().zip(&self.pixels.bands) {
+                band[to..to + columns].copy_from_slice(&own[from..from + columns]);
+            }
             part.nothing[to..to + columns].copy_from_slice(&self.pixels.nothing[from..from + columns]);
         }
         part
@@ -252,7 +288,7 @@ mod tests {
             let source: Arc<dyn FileSource> = Arc::new(with_overview(&grey));
             let parts = Parts::new(TiffRaster::open(source, None, 1 << 20).unwrap().unwrap());
             // An overview that is one pixel wider than half of the picture drifts off it: good for a look, not for places.
-            let levels = [true, false].map(|exact| parts.level(1, exact).unwrap().halvings());
+            let levels = [true, false].map(|exact| parts.level(1, exact, Wanted::Grey).unwrap().halvings());
             assert_eq!(levels, if width == 404 { [1, 1] } else { [0, 1] });
             let nothing: Vec<bool> = grey.data().iter().map(|value| *value == 0).collect();
             let whole = Picture::whole(grey, &nothing);

@@ -206,7 +206,7 @@ mod tests {
             assert!(off.abs() < 4.0 * errors[k] && off.abs() < 1.0, "{off} ± {} along axis {k}", errors[k]);
         }
         assert!(placement.checks.is_some_and(|checks| checks.rmse_px < 0.5 && checks.number > 50), "{:?}", placement.checks);
-        let picture = super::super::rectify_placed(own.photo(0).unwrap().view(), &placement, &reference).unwrap();
+        let picture = super::super::rectify_placed(&own.photo(0).unwrap().into(), &placement, &reference).unwrap();
         assert!(picture.mask.data().iter().filter(|v| **v == 255).count() > 100_000);
 
         let stranger = placed(&other, &reference, &options()).unwrap();

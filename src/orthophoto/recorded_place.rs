@@ -26,7 +26,7 @@ pub fn place_recorded(
     let Some(on_map) = position.filter(|_| is_free).and_then(|position| recorded_place(position, reference)) else {
         return place_image(image, known, reference, area, options);
     };
-    let RecordedPlace { place, unit_m } = on_map;
+    let RecordedPlace { place, unit_m, .. } = on_map;
     let within_m = options.within_m;
     let within = within_m / unit_m;
     let about = PlacingOptions { near_x: Some(place[0]), near_y: Some(place[1]), within_m: within, ..options.clone() };
@@ -37,7 +37,7 @@ pub fn place_recorded(
         dense: || area.is_sparse.then(|| SearchArea::new(reference, &about).ok()).flatten(),
     };
     let placed = areas.searched(within_m, |area| place_image(image, known, reference, area, options))?;
-    Ok(beside_position(placed, position, &on_map))
+    Ok(beside_position(placed, &on_map))
 }
 
 /// Receivers of cameras are right to some 10 m: three times that, or what they state themselves, are no usual error.
@@ -45,12 +45,11 @@ const USUAL_M: f64 = 30.0;
 const STATED: f64 = 3.0;
 
 /// With how far the image was placed from its position in plan: heights of another ground and another system of the orthophoto show there alone.
-fn beside_position(placed: PlacedImage, position: Option<&ExifPosition>, on_map: &RecordedPlace) -> PlacedImage {
+fn beside_position(placed: PlacedImage, on_map: &RecordedPlace) -> PlacedImage {
     let Some(placement) = &placed.placement else { return placed };
     let [x, y] = [0, 1].map(|k| placement.pose.position[k] - on_map.place[k]);
     let plan_m = on_map.unit_m * libm::hypot(x, y);
-    let stated_m = position.and_then(|position| position.error_m).unwrap_or(0.0);
-    let usual_m = USUAL_M.max(STATED * stated_m);
+    let usual_m = USUAL_M.max(STATED * on_map.stated_m.unwrap_or(0.0));
     let search = match placed.search {
         _ if plan_m > usual_m => Some(PlaceSearch::ApartFromGnss { plan_m, usual_m }),
         Some(PlaceSearch::Gnss { within_m, .. }) => Some(PlaceSearch::Gnss { within_m, plan_m }),

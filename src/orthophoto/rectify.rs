@@ -3,19 +3,19 @@
 use super::georeference::Georeference;
 use super::heights::Heights;
 use crate::adjustment::project;
-use crate::image::bicubic;
-use crate::{Camera, Error, GreyImage, GreyView, Pose};
+use crate::image::Neighbours;
+use crate::{Bands, Camera, Error, GreyImage, GreyView, Pose};
 
 /// An image on the ground, with the places that it shows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rectified {
-    pub grey: GreyImage,
+    pub bands: Bands,
     /// 255 where the image shows the ground, 0 elsewhere.
     pub mask: GreyImage,
     pub georeference: Georeference,
 }
 
-/// Resamples an image to the pixels of a piece of ground: each takes the grey value of where its middle is seen, by bicubic convolution.
+/// Resamples an image to the pixels of a piece of ground: each takes the grey value or colour of where its middle is seen, by bicubic convolution.
 /// What hides what is not asked: beside walls and trees their picture stands twice.
 ///
 /// The image should have about as many px as the ground: finer ones leave out detail that then shows as false patterns.
@@ -23,19 +23,19 @@ pub struct Rectified {
 /// # Errors
 /// [`Error::InvalidInput`] for a piece without pixels.
 pub fn rectify(
-    image: GreyView<'_>,
+    image: &Bands,
     camera: &Camera,
     pose: &Pose,
     heights: &Heights,
     georeference: &Georeference,
     size: [usize; 2],
 ) -> Result<Rectified, Error> {
-    rectify_from(image, camera, pose, heights, georeference, size, Some)
+    rectify_from(&image.views(), camera, pose, heights, georeference, size, Some)
 }
 
-/// As [`rectify`], of an image that is oriented in another system than that of the ground: `to_image` leads there.
+/// As [`rectify`], of the bands of an image that is oriented in another system than that of the ground: `to_image` leads there.
 pub(super) fn rectify_from(
-    image: GreyView<'_>,
+    image: &[GreyView<'_>],
     camera: &Camera,
     pose: &Pose,
     heights: &Heights,
@@ -44,17 +44,18 @@ pub(super) fn rectify_from(
     to_image: impl Fn([f64; 3]) -> Option<[f64; 3]>,
 ) -> Result<Rectified, Error> {
     let view = Seen::new(camera, pose);
-    let mut grey = vec![0; width.saturating_mul(height)];
-    let mut mask = vec![0; grey.len()];
-    for (k, (grey, mask)) in grey.iter_mut().zip(&mut mask).enumerate() {
+    let mut mask = vec![0; width.saturating_mul(height)];
+    let mut bands = vec![vec![0; mask.len()]; image.len()];
+    for (k, mask) in mask.iter_mut().enumerate() {
         let place = georeference.ground([(k % width) as f64 + 0.5, (k / width) as f64 + 0.5]);
-        let seen = heights.at(place).and_then(|z| view.at(&to_image([place[0], place[1], z])?));
-        if let Some(at) = seen {
-            (*grey, *mask) = (bicubic(image, at), 255);
+        if let Some(at) = view.ground(place, heights, &to_image) {
+            let neighbours = Neighbours::about(at, [image[0].width(), image[0].height()]);
+            bands.iter_mut().zip(image).for_each(|(band, own)| band[k] = neighbours.mean(*own));
+            *mask = 255;
         }
     }
-    let [grey, mask] = [grey, mask].map(|data| GreyImage::new(width, height, data));
-    Ok(Rectified { grey: grey?, mask: mask?, georeference: *georeference })
+    let bands = Bands::of([width, height], bands)?;
+    Ok(Rectified { bands, mask: GreyImage::new(width, height, mask)?, georeference: *georeference })
 }
 
 /// Where an oriented image sees places.
@@ -74,6 +75,11 @@ impl<'a> Seen<'a> {
         let [w, h] = [camera.width_px, camera.height_px].map(f64::from);
         let far = [cx.max(w - cx), cy.max(h - cy)].map(|v| ROOM * v / camera.focal_px);
         Self { camera, pose, widest: far[0] * far[0] + far[1] * far[1] }
+    }
+
+    /// The position in px of the ground at a place in plan; `to_image` leads to the system in which the image is oriented.
+    pub fn ground(&self, place: [f64; 2], heights: &Heights, to_image: &impl Fn([f64; 3]) -> Option<[f64; 3]>) -> Option<[f64; 2]> {
+        heights.at(place).and_then(|z| self.at(&to_image([place[0], place[1], z])?))
     }
 
     /// The position in px of a place that is in front of the image and within it.
@@ -98,17 +104,20 @@ mod tests {
         let camera = Camera::without_distortion(60, 40, 50.0);
         let pose = Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position: [30.0, -20.0, 57.0] };
         let ground = Georeference::north_up([0.0, 0.0], 1.0);
-        let rectified = rectify(image.view(), &camera, &pose, &Heights::Level(7.0), &ground, [60, 40]).unwrap();
+        let sought = Bands::colours([image.clone(), GreyImage::from_fn(60, 40, |c, _| c as u8).unwrap(), image.clone()]).unwrap();
+        let rectified = rectify(&sought, &camera, &pose, &Heights::Level(7.0), &ground, [60, 40]).unwrap();
+        let grey = |rectified: &Rectified, c: usize, r: usize| rectified.bands.images()[0].view().at(c, r);
         for (c, r) in [(2, 2), (30, 20), (57, 37)] {
-            assert_eq!((rectified.grey.view().at(c, r), rectified.mask.view().at(c, r)), (image.view().at(c, r), 255));
+            assert_eq!((grey(&rectified, c, r), rectified.mask.view().at(c, r)), (image.view().at(c, r), 255));
+            assert_eq!(rectified.bands.images()[1].view().at(c, r), c as u8);
         }
         let beside = Georeference::north_up([-5.0, 5.0], 1.0);
-        let wider = rectify(image.view(), &camera, &pose, &Heights::Level(7.0), &beside, [60, 40]).unwrap();
+        let wider = rectify(&sought, &camera, &pose, &Heights::Level(7.0), &beside, [60, 40]).unwrap();
         assert_eq!([wider.mask.view().at(4, 20), wider.mask.view().at(5, 20)], [0, 255]);
         // Half a pixel between is the mean of what changes evenly.
         let between = Georeference::north_up([0.5, -0.5], 1.0);
-        let shifted = rectify(image.view(), &camera, &pose, &Heights::Level(7.0), &between, [50, 30]).unwrap();
-        assert_eq!(shifted.grey.view().at(10, 10), ((20.0 + 30.0 + 2.5_f64) + 0.5) as u8);
+        let shifted = rectify(&sought, &camera, &pose, &Heights::Level(7.0), &between, [50, 30]).unwrap();
+        assert_eq!(grey(&shifted, 10, 10), ((20.0 + 30.0 + 2.5_f64) + 0.5) as u8);
     }
 
     #[test]

@@ -9,10 +9,12 @@ use super::picture::Picture;
 use super::rectify::Rectified;
 use super::write::{write_geotiff, write_heights};
 use crate::error::refuse;
-use crate::image::{TiffRaster, is_tiff, read_all};
+use crate::image::{TiffRaster, Wanted, is_tiff, read_all};
 use crate::{
-    DecodeLimits, Document, Error, Feature, FeatureOptions, FileFault, FileSource, GreyImage, Refusal, ScalePoint, decode, features,
+    Bands, DecodeLimits, Document, Error, Feature, FeatureOptions, FileFault, FileSource, GreyImage, Refusal, ScalePoint, decode,
+    decode_bands, features,
 };
+use std::io;
 use std::sync::Arc;
 
 /// An orthophoto with the heights of its ground.
@@ -73,13 +75,15 @@ impl Orthophoto {
             raster = TiffRaster::open(Arc::clone(&file), tags.no_data, MOST_CHUNK)?;
         }
         let (picture, format) = match raster {
-            Some(raster) => (of_raster(raster, limits)?, "TIFF"),
+            Some(raster) => (of_raster(raster, &file, tags.no_data, limits)?, "TIFF"),
             None => {
                 let bytes = read_all(&*file).map_err(|e| unread(&e))?;
                 let decoded = decode(&bytes, limits)?;
                 let empty = tags.no_data.filter(|v| (0.0..=255.0).contains(v)).map_or(EMPTY, |v| v as u8);
                 let nothing: Vec<bool> = decoded.grey.data().iter().map(|value| *value == empty).collect();
-                (Picture::whole(decoded.grey, &nothing), decoded.format)
+                let (again, limits) = (Arc::clone(&file), *limits);
+                let colours = move || decode_bands(&read_all(&*again).map_err(|e| unread(&e))?, &limits);
+                (Picture::coloured(decoded.grey, &nothing, colours), decoded.format)
             }
         };
         let georeference = match (tags.georeference, world_file) {
@@ -134,7 +138,7 @@ impl Orthophoto {
         let [width, rows] = self.size();
         let patch = self.picture.patch([0, 0], [width, rows], 0)?;
         let mask = patch.mask.map_or_else(|| GreyImage::from_fn(width, rows, |_, _| 255), Ok)?;
-        let picture = Rectified { grey: patch.grey, mask, georeference: self.georeference };
+        let picture = Rectified { bands: patch.grey.into(), mask, georeference: self.georeference };
         let heights = match &self.heights {
             Heights::Model(model) => write_heights(model, self.epsg),
             Heights::Level(height) => {
@@ -207,16 +211,19 @@ impl Orthophoto {
     ///
     /// # Errors
     /// [`Error::TooManyPixels`] for more than 16.8 million; [`Error::UnreadableImage`] for a damaged file.
-    pub fn shown(&self, first: [usize; 2], [width, height]: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
-        let number = width.saturating_mul(height);
-        if number > MOST_SHOWN {
-            let [megapixels, max_megapixels] = [width as f64 * height as f64, MOST_SHOWN as f64].map(|pixels| pixels / 1e6);
-            return Err(Error::TooManyPixels { width: width as u64, height: height as u64, megapixels, max_megapixels });
-        }
-        if halvings > MOST_HALVINGS {
-            return Ok(vec![0; number]);
-        }
-        self.picture.shown(first, [width, height], halvings)
+    pub fn shown(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
+        let number = shown_pixels(size)?;
+        if halvings > MOST_HALVINGS { Ok(vec![0; number]) } else { self.picture.shown(first, size, halvings) }
+    }
+
+    /// Red, green, blue and alpha of such a part, pixel by pixel; alpha is 0 where it shows nothing, 255 elsewhere. Three equal values where the file has no
+    /// colours, or none that can be had.
+    ///
+    /// # Errors
+    /// As [`shown`](Self::shown).
+    pub fn colours(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
+        let number = shown_pixels(size)?;
+        if halvings > MOST_HALVINGS { Ok(vec![0; 4 * number]) } else { self.picture.colours(first, size, halvings) }
     }
 
     /// The share of many places of the picture that have a height.
@@ -234,13 +241,28 @@ impl Orthophoto {
     }
 }
 
+/// How many pixels a part has that is shown.
+fn shown_pixels([width, height]: [usize; 2]) -> Result<usize, Error> {
+    let number = width.saturating_mul(height);
+    if number > MOST_SHOWN {
+        let [megapixels, max_megapixels] = [width as f64 * height as f64, MOST_SHOWN as f64].map(|pixels| pixels / 1e6);
+        return Err(Error::TooManyPixels { width: width as u64, height: height as u64, megapixels, max_megapixels });
+    }
+    Ok(number)
+}
+
 /// The error for a file that the host does not give.
-fn unread(error: &std::io::Error) -> Error {
+fn unread(error: &io::Error) -> Error {
     Error::UnreadableFile { document: Document::Orthophoto, file_place: None, file_fault: FileFault::System { message: error.to_string() } }
 }
 
 /// A picture of a TIFF: whole where it is small.
-fn of_raster(raster: TiffRaster<Arc<dyn FileSource>>, limits: &DecodeLimits) -> Result<Picture, Error> {
+fn of_raster(
+    raster: TiffRaster<Arc<dyn FileSource>>,
+    file: &Arc<dyn FileSource>,
+    no_data: Option<f64>,
+    limits: &DecodeLimits,
+) -> Result<Picture, Error> {
     let size = raster.size();
     let [width, height] = size.map(|side| side as u64);
     let pixels = width.saturating_mul(height);
@@ -252,8 +274,18 @@ fn of_raster(raster: TiffRaster<Arc<dyn FileSource>>, limits: &DecodeLimits) -> 
     if pixels > MOST_WHOLE {
         return Ok(Picture::Parts(Arc::new(Parts::new(raster))));
     }
-    let pixels = raster.read(0, [0, 0], size)?;
-    Ok(Picture::whole(GreyImage::new(size[0], size[1], pixels.grey)?, &pixels.nothing))
+    let pixels = raster.read(0, [0, 0], size, Wanted::Grey)?;
+    let grey = Bands::of(size, pixels.bands)?.into_first();
+    if raster.bands(Wanted::Colours) == 1 {
+        return Ok(Picture::whole(grey, &pixels.nothing));
+    }
+    let file = Arc::clone(file);
+    let colours = move || {
+        let raster = TiffRaster::open(Arc::clone(&file), no_data, MOST_CHUNK)?;
+        let raster = raster.ok_or_else(|| unread(&io::ErrorKind::InvalidData.into()))?;
+        Bands::of(size, raster.read(0, [0, 0], size, Wanted::Colours)?.bands)
+    };
+    Ok(Picture::coloured(grey, &pixels.nothing, colours))
 }
 
 /// A point of a reduced image as one of the image itself.
@@ -294,7 +326,7 @@ mod tests {
     fn heights_of_another_system_are_refused_with_both_and_those_without_one_are_taken() {
         let at = Georeference::north_up([500_000.0, 5_000_000.0], 1.0);
         let grey = || GreyImage::from_fn(40, 40, |c, _| 100 + c as u8).unwrap();
-        let picture = Rectified { grey: grey(), mask: GreyImage::from_fn(40, 40, |_, _| 255).unwrap(), georeference: at };
+        let picture = Rectified { bands: grey().into(), mask: GreyImage::from_fn(40, 40, |_, _| 255).unwrap(), georeference: at };
         let read = |epsg: Option<u16>, heights: Heights| {
             Orthophoto::read(&write_geotiff(&picture, epsg).unwrap(), None, heights, &DecodeLimits::default())
         };

@@ -1,102 +1,83 @@
 //! Pictures of the ground as GeoTIFF.
 
 use super::georeference::Georeference;
-use super::geotiff::{KEYS, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, TIE_POINTS, TRANSFORMATION};
 use super::heights::HeightModel;
 use super::rectify::Rectified;
-use crate::{Document, Error};
+use super::tiled_file::{Samples, TiledFile};
+use crate::{Error, GreyImage};
 use std::io::Cursor;
-use tiff::TiffResult;
-use tiff::encoder::colortype::{ColorType, Gray8, Gray32Float};
-use tiff::encoder::{Compression, DeflateLevel, TiffEncoder, TiffValue};
-use tiff::tags::Tag;
 
-const PIXEL_IS_AREA: u16 = 1;
-
-/// Writes a picture of the ground as GeoTIFF, 8 bits, Deflate. Where its mask is 0, 0 stands for nothing; what it shows is 1 at least. `epsg`:
-/// the code of its system, where that is known.
+/// Writes a picture of the ground as GeoTIFF, grey or in colours of 8 bits, in tiles, Deflate. Where its mask is 0, 0 stands for nothing; what it shows
+/// is 1 at least. `epsg`: the code of its system, where that is known.
 ///
 /// # Errors
-/// [`Error::NotWritten`] where it would be longer than a TIFF can be.
+/// None that memory does not make: files grow in memory alone.
 ///
 /// # Source
 /// OGC 19-008r4, GeoTIFF standard 1.1.
 pub fn write_geotiff(rectified: &Rectified, epsg: Option<u16>) -> Result<Vec<u8>, Error> {
-    let shown = rectified.grey.data().iter().zip(rectified.mask.data());
-    let values: Vec<u8> = shown.map(|(grey, mask)| if *mask == 0 { 0 } else { (*grey).max(1) }).collect();
-    encoded::<Gray8>([rectified.grey.width(), rectified.grey.height()], &values, &rectified.georeference, epsg, "0")
+    let Rectified { bands, mask, georeference } = rectified;
+    let bands: Vec<&[u8]> = bands.images().iter().map(GreyImage::data).collect();
+    let of_pixel = |k: usize, bytes: &mut [u8]| {
+        if mask.data()[k] != 0 {
+            bytes.iter_mut().zip(&bands).for_each(|(byte, band)| *byte = band[k].max(1));
+        }
+    };
+    written([mask.width(), mask.height()], Samples::Bytes(bands.len()), georeference, epsg, of_pixel)
 }
 
-/// Writes a model of heights as GeoTIFF of floating-point numbers, Deflate; NaN stands for nothing.
+/// Writes a model of heights as GeoTIFF of floating-point numbers, in tiles, Deflate; NaN stands for nothing.
 ///
 /// # Errors
 /// As [`write_geotiff`].
 pub fn write_heights(model: &HeightModel, epsg: Option<u16>) -> Result<Vec<u8>, Error> {
     let (size, values) = model.raster();
-    encoded::<Gray32Float>(size, &values, &model.georeference, epsg, "nan")
+    write_floats(size, &values, &model.georeference, epsg)
 }
 
-/// Writes numbers of a grid on the ground as GeoTIFF of floating-point numbers, Deflate; NaN stands for nothing. `epsg`: the code of its system.
+/// Writes numbers of a grid on the ground as GeoTIFF of floating-point numbers, in tiles, Deflate; NaN stands for nothing. `epsg`: the code of its system.
 ///
 /// # Errors
 /// As [`write_geotiff`].
 pub(crate) fn write_floats(size: [usize; 2], values: &[f32], georeference: &Georeference, epsg: Option<u16>) -> Result<Vec<u8>, Error> {
-    encoded::<Gray32Float>(size, values, georeference, epsg, "nan")
+    written(size, Samples::Float, georeference, epsg, |k, bytes| bytes.copy_from_slice(&values[k].to_le_bytes()))
 }
 
-fn encoded<C: ColorType>(
+/// `of_pixel` puts the samples of a pixel, counted row by row, into bytes that are 0.
+fn written(
     size: [usize; 2],
-    values: &[C::Inner],
+    samples: Samples,
     georeference: &Georeference,
     epsg: Option<u16>,
-    no_data: &str,
-) -> Result<Vec<u8>, Error>
-where
-    [C::Inner]: TiffValue,
-{
-    let mut file = Cursor::new(Vec::new());
-    let written = write::<C>(&mut file, size, values, georeference, epsg, no_data);
-    written.map(|()| file.into_inner()).map_err(|_| Error::NotWritten { document: Document::GeoTiff })
-}
-
-fn write<C: ColorType>(
-    file: &mut Cursor<Vec<u8>>,
-    [width, height]: [usize; 2],
-    values: &[C::Inner],
-    georeference: &Georeference,
-    epsg: Option<u16>,
-    no_data: &str,
-) -> TiffResult<()>
-where
-    [C::Inner]: TiffValue,
-{
-    let mut encoder = TiffEncoder::new(file)?.with_compression(Compression::Deflate(DeflateLevel::Balanced));
-    let mut image = encoder.new_image::<C>(width as u32, height as u32)?;
-    let tags = image.encoder();
-    let tag = |code: u64| Tag::from_u16_exhaustive(code as u16);
-    let Georeference { origin: [x, y], by_column: [a, d], by_row: [b, e] } = *georeference;
-    if b == 0.0 && d == 0.0 && a > 0.0 && e < 0.0 {
-        tags.write_tag(tag(PIXEL_SCALE), &[a, -e, 0.0][..])?;
-        tags.write_tag(tag(TIE_POINTS), &[0.0, 0.0, 0.0, x, y, 0.0][..])?;
-    } else {
-        tags.write_tag(tag(TRANSFORMATION), &[a, b, 0.0, x, d, e, 0.0, y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0][..])?;
+    of_pixel: impl Fn(usize, &mut [u8]),
+) -> Result<Vec<u8>, Error> {
+    let mut out = Cursor::new(Vec::new());
+    let mut file = TiledFile::begin(size, samples, *georeference, epsg, &mut out)?;
+    let (side, bytes) = (file.side(), samples.bytes());
+    for index in 0..file.number() {
+        let [left, top] = file.corner(index);
+        let mut values = vec![0; side * side * bytes];
+        for (k, pixel) in values.chunks_exact_mut(bytes).enumerate() {
+            let [column, row] = [left + k % side, top + k / side];
+            if column < size[0] && row < size[1] {
+                of_pixel(row * size[0] + column, pixel);
+            }
+        }
+        file.write(index, values, &mut out)?;
     }
-    let mut keys: Vec<[u16; 4]> = vec![[MODEL_TYPE, 0, 1, PROJECTED], [RASTER_TYPE, 0, 1, PIXEL_IS_AREA]];
-    keys.extend(epsg.map(|code| [PROJECTED_SYSTEM, 0, 1, code]));
-    let head = [1, 1, 0, keys.len() as u16];
-    tags.write_tag(tag(KEYS), &[&[head], keys.as_slice()].concat().concat()[..])?;
-    tags.write_tag(tag(NO_DATA), no_data)?;
-    image.write_data(values)
+    file.finish(&mut out)?;
+    Ok(out.into_inner())
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::geotiff::{MODEL_TYPE, PROJECTED};
     use super::*;
-    use crate::{DecodeLimits, GreyImage, Heights, Orthophoto};
+    use crate::{Bands, DecodeLimits, Heights, Orthophoto, decode_bands};
 
     fn picture(georeference: Georeference) -> Rectified {
         let grey = GreyImage::from_fn(40, 30, |c, r| (5 * c + 2 * r + 1) as u8).unwrap();
-        Rectified { mask: GreyImage::from_fn(40, 30, |_, _| 255).unwrap(), grey, georeference }
+        Rectified { mask: GreyImage::from_fn(40, 30, |_, _| 255).unwrap(), bands: grey.into(), georeference }
     }
 
     #[test]
@@ -106,8 +87,33 @@ mod tests {
             let written = picture(georeference);
             let file = write_geotiff(&written, Some(25_833)).unwrap();
             let read = Orthophoto::read(&file, None, Heights::Level(3.0), &DecodeLimits::default()).unwrap();
-            assert_eq!((read.georeference, read.epsg, read.grey().unwrap()), (georeference, Some(25_833), written.grey.clone()));
+            assert_eq!(
+                (read.georeference, read.epsg, read.grey().unwrap()),
+                (georeference, Some(25_833), written.bands.images()[0].clone())
+            );
         }
+    }
+
+    #[test]
+    fn colours_are_read_again_and_nothing_is_all_of_them() {
+        let georeference = Georeference::north_up([355_000.5, 5_800_000.25], 0.2);
+        // More than one tile; a third of it shows nothing, and black is shown.
+        let [width, height] = [300, 1500];
+        let band = |of: fn(usize, usize) -> u8| GreyImage::from_fn(width, height, of).unwrap();
+        let colours = [band(|c, r| (c + r) as u8), band(|c, _| (c / 3) as u8), band(|c, r| if c == r { 0 } else { 200 })];
+        let mask = GreyImage::from_fn(width, height, |c, _| if c < 100 { 0 } else { 255 }).unwrap();
+        let picture = Rectified { bands: Bands::colours(colours.clone()).unwrap(), mask, georeference };
+        let file = write_geotiff(&picture, Some(25_833)).unwrap();
+        let read = decode_bands(&file, &DecodeLimits::default()).unwrap();
+        for (own, band) in read.images().iter().zip(&colours) {
+            for (c, r) in [(0, 0), (99, 700), (100, 100), (150, 150), (299, 1499), (120, 3)] {
+                assert_eq!(own.view().at(c, r), if c < 100 { 0 } else { band.view().at(c, r).max(1) }, "{c} {r}");
+            }
+        }
+        let orthophoto = Orthophoto::read(&file, None, Heights::Level(3.0), &DecodeLimits::default()).unwrap();
+        assert!(!orthophoto.shows([50.5, 50.5]) && orthophoto.shows([200.5, 200.5]));
+        assert_eq!(orthophoto.colours([149, 3], [2, 1], 0).unwrap(), [152, 49, 200, 255, 153, 50, 200, 255]);
+        assert_eq!(orthophoto.colours([20, 20], [1, 1], 1).unwrap(), [0; 4]);
     }
 
     #[test]

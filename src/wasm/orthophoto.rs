@@ -6,10 +6,11 @@ use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
 use crate::{
     BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, GivenLink, HeightModel, Heights, Mosaic, Orthophoto, PlacedImage,
-    Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, ground_positions, image_positions, links_table, place_by_links,
-    place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, decode_bands, ground_positions, heights_of_block,
+    image_positions, links_table, place_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
+use std::io;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -63,7 +64,7 @@ impl OrthophotoReference {
         Ok(Self { orthophoto, options: PlacingOptions::default(), area: None })
     }
 
-    /// The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
+    /// The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with its world file perhaps, or the project of an oriented block.
     pub fn set_heights(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array")] heights: &JsValue,
@@ -121,6 +122,11 @@ impl OrthophotoReference {
         self.orthophoto.shown([column, row], [width, height], u32::try_from(halvings).unwrap_or(u32::MAX)).map_err(thrown)
     }
 
+    /// The same in colours: red, green, blue and alpha of each pixel, alpha 0 where it shows nothing.
+    pub fn colours(&self, column: usize, row: usize, width: usize, height: usize, halvings: usize) -> JsResult<Vec<u8>> {
+        self.orthophoto.colours([column, row], [width, height], u32::try_from(halvings).unwrap_or(u32::MAX)).map_err(thrown)
+    }
+
     /// Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
     /// links. The file tells its camera. `options`: as of `search`; absent: those that it had.
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
@@ -176,11 +182,11 @@ impl OrthophotoReference {
         Ok(pairs("places", places)?.iter().map(|place| self.orthophoto.heights.at(*place).unwrap_or(f64::NAN)).collect())
     }
 
-    /// A placed image resampled to the ground, grey, as GeoTIFF.
+    /// A placed image resampled to the ground, in its colours, as GeoTIFF.
     pub fn rectified(&self, file: &[u8], #[wasm_bindgen(unchecked_param_type = "Placement")] placement: &JsValue) -> JsResult<Vec<u8>> {
         let placement: Placement = read("placement", placement)?;
-        let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
-        let rectified = rectify_placed(image.view(), &placement, &self.orthophoto).map_err(thrown)?;
+        let image = decode_bands(file, &DecodeLimits::default()).map_err(thrown)?;
+        let rectified = rectify_placed(&image, &placement, &self.orthophoto).map_err(thrown)?;
         write_geotiff(&rectified, self.orthophoto.epsg).map_err(thrown)
     }
 }
@@ -229,12 +235,23 @@ fn pairs<'a>(what: &'static str, numbers: &'a [f64]) -> JsResult<&'a [[f64; 2]]>
 /// One height for all, or a file.
 fn read_heights(heights: &JsValue, world_file: Option<&str>) -> JsResult<Heights> {
     match heights.dyn_ref::<Uint8Array>() {
-        Some(file) => HeightModel::read(&file.to_vec(), world_file).map(Heights::Model).map_err(thrown),
+        Some(file) => heights_of_file(&file.to_vec(), world_file).map(Heights::Model).map_err(thrown),
         None => {
             let height = read("heights", heights)?;
             check_call("heights", height).map_err(thrown)?;
             Ok(Heights::Level(height))
         }
+    }
+}
+
+/// A height model, or the tie points of the block that a project file holds.
+fn heights_of_file(file: &[u8], world_file: Option<&str>) -> Result<HeightModel, Error> {
+    if !file.starts_with(b"{") {
+        return HeightModel::read(file, world_file);
+    }
+    match read_project(file)? {
+        Project::Block(run) => heights_of_block(&run),
+        Project::Pair(_) => Err(wrong_project(FileFault::HoldsPair)),
     }
 }
 
@@ -270,12 +287,42 @@ pub fn placing_defaults() -> JsValue {
     pack(&PlacingOptions::default())
 }
 
-/// A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Call
-/// `free` when it is no longer needed.
+/// A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Its file, a
+/// tiled GeoTIFF, is returned in parts: append what `add`, `leave_out` and `finish().end` return, then overwrite the first bytes with `finish().beginning`.
+/// Call `free` when it is no longer needed.
 #[wasm_bindgen]
 pub struct OrthoMosaic {
     mosaic: Mosaic,
     names: Vec<String>,
+    file: Outbox,
+}
+
+/// What was written to a file since that was taken last; what goes back to its beginning stands apart.
+#[derive(Default)]
+struct Outbox {
+    appended: Vec<u8>,
+    beginning: Option<Vec<u8>>,
+}
+
+impl io::Write for Outbox {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.beginning.as_mut().unwrap_or(&mut self.appended).extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl io::Seek for Outbox {
+    fn seek(&mut self, to: io::SeekFrom) -> io::Result<u64> {
+        if to != io::SeekFrom::Start(0) {
+            return Err(io::ErrorKind::Unsupported.into());
+        }
+        self.beginning = Some(Vec::new());
+        Ok(0)
+    }
 }
 
 #[wasm_bindgen]
@@ -297,7 +344,7 @@ impl OrthoMosaic {
         let heights = (!heights.is_null()).then(given).transpose()?;
         let lay_out = if in_adjustment.unwrap_or(false) { Mosaic::in_adjustment } else { Mosaic::of_block };
         let mosaic = lay_out(&run, heights, gsd).map_err(thrown)?;
-        Ok(Self { mosaic, names: run.model.images.iter().map(|image| image.name.clone()).collect() })
+        Ok(Self { mosaic, names: run.model.images.iter().map(|image| image.name.clone()).collect(), file: Outbox::default() })
     }
 
     /// The names of the block's images.
@@ -306,10 +353,27 @@ impl OrthoMosaic {
         self.names.clone()
     }
 
-    /// Adds an image, by its index; one that is not oriented adds nothing.
-    pub fn add(&mut self, index: usize, file: &[u8]) -> JsResult<()> {
-        let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
-        self.mosaic.add(index, image.view()).map_err(thrown)
+    /// The indices of its oriented images in an order in which little waits in memory for images to come.
+    pub fn order(&self) -> Vec<usize> {
+        self.mosaic.order()
+    }
+
+    /// Width and height in px.
+    pub fn size(&self) -> Vec<usize> {
+        self.mosaic.size().to_vec()
+    }
+
+    /// Adds an image, by its index; one that is not oriented adds nothing. Gives what the file goes on with.
+    pub fn add(&mut self, index: usize, file: &[u8]) -> JsResult<Vec<u8>> {
+        let image = decode_bands(file, &DecodeLimits::default()).map_err(thrown)?;
+        self.mosaic.add(index, &image, &mut self.file).map_err(thrown)?;
+        Ok(std::mem::take(&mut self.file.appended))
+    }
+
+    /// An image, by its index, that will not be added. Gives what the file goes on with.
+    pub fn leave_out(&mut self, index: usize) -> JsResult<Vec<u8>> {
+        self.mosaic.leave_out(index, &mut self.file).map_err(thrown)?;
+        Ok(std::mem::take(&mut self.file.appended))
     }
 
     /// The heights on which it lies, as GeoTIFF; absent where these are one for all.
@@ -320,9 +384,12 @@ impl OrthoMosaic {
         }
     }
 
-    /// The mosaic, grey, as GeoTIFF.
-    pub fn finish(self) -> JsResult<Vec<u8>> {
-        let epsg = self.mosaic.epsg();
-        self.mosaic.finish().and_then(|mosaic| write_geotiff(&mosaic, epsg)).map_err(thrown)
+    /// What the file ends with, and the bytes that it begins with in place of those that were given first.
+    #[wasm_bindgen(unchecked_return_type = "{ end: Uint8Array; beginning: Uint8Array }")]
+    pub fn finish(mut self) -> JsResult<JsValue> {
+        self.mosaic.finish(&mut self.file).map_err(thrown)?;
+        let bytes = |bytes: &[u8]| Uint8Array::from(bytes).into();
+        let Outbox { appended, beginning } = &self.file;
+        Ok(object([("end", bytes(appended)), ("beginning", bytes(beginning.as_deref().unwrap_or_default()))]))
     }
 }

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { Photo } from '../../pkg/node.js';
+import { OrthophotoReference, Photo } from '../../pkg/node.js';
 import { file, folder, json, tiepoint } from './command.js';
 
 const FLIGHT = ['--strips', '1', '--exposures', '2', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.075', '--relief-m', '40'];
@@ -121,7 +121,38 @@ test('a block becomes an orthomosaic, on which its photos are placed again', () 
   assert.match(stdout, /written: .*mosaic\.tif/);
   const placed = json('place', join(block, 'photos', 'photo_00001.png'), '--orthophoto', picture, '--level', '0', '--points', '3000');
   assert.notEqual(placed.images[0].verdict.kind, 'not_placed', JSON.stringify(placed.images[0].verdict));
-  assert.match(tiepoint('mosaic', join(block, 'out', 'project.tiepoint'), folder(), '--out', picture).stderr, /none of the images/);
+  // On the heights of the block's own tie points, too.
+  const project = join(block, 'out', 'project.tiepoint');
+  const onPoints = json('place', join(block, 'photos', 'photo_00001.png'), '--orthophoto', picture, '--heights', project, '--points', '3000');
+  assert.notEqual(onPoints.images[0].verdict.kind, 'not_placed', JSON.stringify(onPoints.images[0].verdict));
+  assert.ok(onPoints.orthophoto.heights[1] > onPoints.orthophoto.heights[0], JSON.stringify(onPoints.orthophoto));
+  assert.match(tiepoint('mosaic', project, folder(), '--out', picture).stderr, /none of the images/);
+  // Photos in colours make a mosaic in colours; one that is missing is left out.
+  const names = ['photo_00000.png', 'photo_00001.png'];
+  const coloured = folder();
+  for (const name of names) {
+    const photo = Photo.decode(readFileSync(join(block, 'photos', name)));
+    const colours = Buffer.from([...photo.grey()].flatMap((grey) => [grey, 255 - grey, 40]));
+    writeFileSync(join(coloured, name), Buffer.concat([Buffer.from(`P6\n${photo.width} ${photo.height}\n255\n`), colours]));
+  }
+  const made = tiepoint('mosaic', project, coloured, '--out', picture);
+  assert.equal(made.code, 0, made.stderr);
+  assert.match(made.stderr, /has not photo_00002\.png/);
+  const bytes = readFileSync(picture);
+  const orthophoto = OrthophotoReference.open(bytes);
+  const { width, height } = orthophoto.info();
+  const pixels = orthophoto.colours(0, 0, width, height, 0);
+  orthophoto.free();
+  const shown = Array.from({ length: width * height }, (_, k) => pixels.subarray(4 * k, 4 * k + 4)).filter(([, , , alpha]) => alpha === 255);
+  const right = shown.filter(([red = 0, green = 0, blue = 0]) => Math.abs(red + green - 255) <= 2 && blue === 40);
+  assert.ok(shown.length > 100_000 && right.length > 0.99 * shown.length, `${right.length} of ${shown.length}`);
+  // One that cannot be added ends it: what was there stays, and what a killed run left goes.
+  writeFileSync(join(coloured, names[0] ?? ''), 'P6\n2 1\n255\nabcdef');
+  writeFileSync(join(block, '1.tiepoint-999999999.part'), 'left');
+  assert.match(tiepoint('mosaic', project, coloured, '--out', picture).stderr, /photo_00000\.png: image of a mosaic: got 2 x 1 px/);
+  assert.ok(readFileSync(picture).equals(bytes));
+  assert.deepEqual(readdirSync(block).sort(), ['mosaic.tif', 'out', 'photos', 'truth.json']);
+  assert.match(tiepoint('mosaic', project, coloured, '--out', block).stderr, /it is a folder/);
   // Faults of the project are not those of the heights.
   const heights = join(OWN.at, 'heights.tif');
   assert.match(tiepoint('mosaic', join(OWN.at, 'truth.json'), OWN.at, '--out', picture, '--heights', heights).stderr, /: .*truth\.json: /);

@@ -2,11 +2,11 @@
 
 use super::super::shown::shown;
 use super::flown::{GEOID_M, both, by_gnss, flown, in_utm};
-use super::orthophoto::in_system;
+use super::orthophoto::{in_system, with_code};
 use std::fs;
+use std::io::Cursor;
 use tiepoint::{
-    BlockRun, DecodeLimits, GreyImage, HeightModel, Heights, Mosaic, Orthophoto, Rectified, accuracy_map, decode, write_geotiff,
-    write_heights,
+    BlockRun, DecodeLimits, GreyImage, HeightModel, Heights, Mosaic, Orthophoto, accuracy_map, decode, heights_of_block, write_heights,
 };
 
 /// The block in UTM with the true orientations of its photos, whose heights are those above the geoid.
@@ -30,14 +30,23 @@ fn spotted([x, y]: [f64; 2]) -> GreyImage {
     GreyImage::from_fn(480, 360, grey).unwrap()
 }
 
+/// A mosaic of one photo, read from its file.
+pub fn made(mut mosaic: Mosaic, index: usize, photo: GreyImage) -> Orthophoto {
+    let mut file = Cursor::new(Vec::new());
+    mosaic.add(index, &photo.into(), &mut file).unwrap();
+    mosaic.finish(&mut file).unwrap();
+    Orthophoto::read(&file.into_inner(), None, Heights::Level(0.0), &DecodeLimits::default()).unwrap()
+}
+
 /// Where a picture shows its spot, in px.
-fn spot(picture: &Rectified, about: [f64; 2]) -> [f64; 2] {
+fn spot(picture: &Orthophoto, about: [f64; 2]) -> [f64; 2] {
     let mut sums = [0.0; 3];
-    for row in 0..picture.grey.height() {
-        for column in 0..picture.grey.width() {
+    let grey = picture.grey().unwrap();
+    for row in 0..grey.height() {
+        for column in 0..grey.width() {
             let at = [column as f64 + 0.5, row as f64 + 0.5];
             let near = (0..2).all(|k| (at[k] - about[k]).abs() < 15.0);
-            let weight = if near { (f64::from(picture.grey.view().at(column, row)) - 22.0).max(0.0) } else { 0.0 };
+            let weight = if near { (f64::from(grey.view().at(column, row)) - 22.0).max(0.0) } else { 0.0 };
             sums = [sums[0] + weight, sums[1] + weight * at[0], sums[2] + weight * at[1]];
         }
     }
@@ -50,12 +59,11 @@ fn a_mosaic_has_known_ground_at_its_pixels_in_the_coordinate_reference_system() 
     let mut seen = 0;
     for (place, images) in shown(&flown().scene, &[0, 3, 6], &[[150.0, 120.0], [330.0, 240.0]]) {
         let [x, y, z] = in_utm(place);
-        let mut mosaic = Mosaic::of_block(&run, Some(Heights::Level(z)), None).unwrap();
+        let mosaic = Mosaic::of_block(&run, Some(Heights::Level(z)), None).unwrap();
         assert_eq!(mosaic.epsg(), Some(25_832));
         // Whole, not cut by the edge of the photo.
         let (image, at) = *images.iter().find(|(_, [x, y])| (40.0..440.0).contains(x) && (40.0..320.0).contains(y)).unwrap();
-        mosaic.add(image, spotted(at).view()).unwrap();
-        let made = mosaic.finish().unwrap();
+        let made = made(mosaic, image, spotted(at));
         let expected = made.georeference.pixel([x, y]);
         let found = spot(&made, expected);
         assert!((0..2).all(|k| (found[k] - expected[k]).abs() < 0.1), "{found:?}, expected {expected:?}");
@@ -67,9 +75,7 @@ fn a_mosaic_has_known_ground_at_its_pixels_in_the_coordinate_reference_system() 
 #[test]
 fn a_mosaic_on_the_heights_of_tie_points_covers_what_the_block_shows_and_says_its_system() {
     let run = both();
-    let mut mosaic = Mosaic::of_block(run, None, None).unwrap();
-    let photo = decode(&fs::read(&flown().photos[0]).unwrap(), &DecodeLimits::default()).unwrap().grey;
-    mosaic.add(0, photo.view()).unwrap();
+    let mosaic = Mosaic::of_block(run, None, None).unwrap();
     let epsg = mosaic.epsg();
     let Heights::Model(heights) = mosaic.heights() else { panic!("the tie points give heights") };
     let [x, y, z] = in_utm(flown().scene.surface_at(0, &[[240.0, 180.0]]).unwrap()[0]);
@@ -77,13 +83,22 @@ fn a_mosaic_on_the_heights_of_tie_points_covers_what_the_block_shows_and_says_it
     // The zero of the heights is that of the control points, where nothing says another.
     assert!((ground - z).abs() < 25.0, "{ground} {z}");
     let read = HeightModel::read(&write_heights(heights, epsg).unwrap(), None).unwrap();
-    assert_eq!(read.epsg(), Some(25_832));
-    let made = mosaic.finish().unwrap();
-    let at = made.georeference.pixel([x, y]);
-    assert_eq!(made.mask.view().at(at[0] as usize, at[1] as usize), 255);
-    let file = write_geotiff(&made, epsg).unwrap();
-    let read = Orthophoto::read(&file, None, Heights::Level(0.0), &DecodeLimits::default()).unwrap();
-    assert_eq!((read.epsg, read.georeference), (Some(25_832), made.georeference));
+    assert_eq!((epsg, read.epsg()), (Some(25_832), Some(25_832)));
+    let made = made(mosaic, 0, decode(&fs::read(&flown().photos[0]).unwrap(), &DecodeLimits::default()).unwrap().grey);
+    assert!(made.epsg == Some(25_832) && made.shows(made.georeference.pixel([x, y])));
+}
+
+#[test]
+fn the_tie_points_of_a_block_are_heights_of_an_orthophoto_in_its_system() {
+    let heights = heights_of_block(both()).unwrap();
+    assert_eq!(heights.epsg(), Some(25_832));
+    let mut orthophoto = in_system().clone();
+    orthophoto.set_heights(Heights::Model(heights.clone())).unwrap();
+    let [x, y, z] = in_utm(flown().scene.surface_at(0, &[[240.0, 180.0]]).unwrap()[0]);
+    let own = orthophoto.heights.at([x, y]).unwrap();
+    assert!((own - z).abs() < 25.0 && orthophoto.heights_share() > 0.9, "{own} for {z}, {}", orthophoto.heights_share());
+    let mut other = with_code(in_system(), 25_833);
+    assert!(other.set_heights(Heights::Model(heights)).unwrap_err().to_string().contains("EPSG:25832"));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Blocks with GNSS positions on orthophotos in a coordinate reference system, beside their truth.
 
 use super::flown::{GEOID_M, UTM, both, by_gnss, control, files, flown, in_utm, in_zone, numbers, on_earth, run};
+use super::mosaic::made;
 use std::fs;
 use std::sync::OnceLock;
 use tiepoint::{
@@ -33,7 +34,7 @@ fn orthophoto(utm: &str, unit_m: f64) -> Orthophoto {
     Orthophoto::new(made.grey().unwrap(), georeference, Heights::Model(heights)).unwrap()
 }
 
-fn with_code(orthophoto: &Orthophoto, epsg: u16) -> Orthophoto {
+pub fn with_code(orthophoto: &Orthophoto, epsg: u16) -> Orthophoto {
     let mut orthophoto = orthophoto.clone();
     orthophoto.epsg = Some(epsg);
     orthophoto
@@ -214,14 +215,12 @@ fn a_block_on_an_orthophoto_keeps_the_code_of_its_system() {
     let run = run(None, None, None).unwrap();
     let found = links().linked(&run, in_system(), &placing()).unwrap();
     assert!(matches!(found.orthophoto, Some(OnOrthophoto::Linked { epsg: Some(25_832), in_crs: false, .. })), "{:?}", found.orthophoto);
-    let mut mosaic = Mosaic::of_block(&found, None, Some(4.0)).unwrap();
+    let mosaic = Mosaic::of_block(&found, None, Some(4.0)).unwrap();
     assert_eq!(mosaic.epsg(), Some(25_832));
     let photo = decode(&fs::read(&flown().photos[0]).unwrap(), &DecodeLimits::default()).unwrap().grey;
-    mosaic.add(0, photo.view()).unwrap();
-    let made = mosaic.finish().unwrap();
+    let made = made(mosaic, 0, photo);
     let [x, y, _] = in_utm(flown().scene.surface_at(0, &[[240.0, 180.0]]).unwrap()[0]);
-    let at = made.georeference.pixel([x, y]);
-    assert_eq!(made.mask.view().at(at[0] as usize, at[1] as usize), 255);
+    assert!(made.shows(made.georeference.pixel([x, y])));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::decode;
 use super::formats::{grey, luma};
 use super::jpeg_writer::Jpeg;
+use tiepoint::{DecodeLimits, decode_bands};
 
 /// Luma of blocks, different for each of the first 13 columns and 17 rows.
 fn block_luma(column: usize, row: usize) -> u8 {
@@ -33,6 +34,36 @@ fn jpeg_luma_is_exact_for_every_sampling_and_scan_structure() {
 }
 
 #[test]
+fn jpeg_colours_are_those_of_jfif_for_every_sampling() {
+    // Chroma the same in all blocks, so that it is the same between them too.
+    let [cb, cr] = [100.0, 160.0];
+    let expected = |luma: u8| {
+        let y = f64::from(luma);
+        let rgb = [y + 1.402 * (cr - 128.0), y - 0.344_136 * (cb - 128.0) - 0.714_136 * (cr - 128.0), y + 1.772 * (cb - 128.0)];
+        rgb.map(|value| value.clamp(0.0, 255.0))
+    };
+    for (h, v) in [(1, 1), (2, 1), (1, 2), (2, 2), (4, 1), (1, 4), (4, 4)] {
+        for (progressive, interleaved) in [(false, true), (true, true), (true, false)] {
+            let components = [(1, h, v), (2, 1, 1), (3, 1, 1)];
+            let jpeg = Jpeg { progressive, interleaved, ..Jpeg::baseline(70, 45, &components) };
+            let file = jpeg.write(|c, column, row| [block_luma(column, row), cb as u8, cr as u8][c]);
+            let bands = decode_bands(&file, &DecodeLimits::default()).unwrap();
+            assert!(bands.are_colours() && [bands.width(), bands.height()] == [70, 45]);
+            for (x, y) in (0..45).flat_map(|y| (0..70).map(move |x| (x, y))) {
+                for (band, expected) in bands.images().iter().zip(expected(block_luma(x / 8, y / 8))) {
+                    let own = f64::from(band.view().at(x, y));
+                    assert!((own - expected).abs() <= 2.0, "{h}x{v}, progressive {progressive}: {own} for {expected} at {x} {y}");
+                }
+            }
+        }
+    }
+    // Scans one after the other: luma alone is read of them.
+    let apart = Jpeg { interleaved: false, ..Jpeg::baseline(70, 45, &[(1, 2, 2), (2, 1, 1), (3, 1, 1)]) };
+    let bands = decode_bands(&apart.write(|_, column, row| block_luma(column, row)), &DecodeLimits::default()).unwrap();
+    assert!(!bands.are_colours());
+}
+
+#[test]
 fn jpeg_grey_ignores_its_sampling_factors() {
     for (h, v) in [(1, 1), (2, 2), (4, 1), (2, 1)] {
         for progressive in [false, true] {
@@ -51,6 +82,8 @@ fn jpeg_of_stored_rgb_comes_out_as_its_luma() {
         .collect();
     let named = Jpeg::baseline(30, 20, &[(b'R', 1, 1), (b'G', 1, 1), (b'B', 1, 1)]);
     assert_eq!(grey(&named.write(value)), expected, "components R, G, B");
+    let bands = decode_bands(&named.write(value), &DecodeLimits::default()).unwrap();
+    assert!(bands.images().iter().enumerate().all(|(c, band)| band.view().at(21, 12) == value(c, 2, 1)));
     let adobe = Jpeg { adobe_transform: Some(0), ..Jpeg::baseline(30, 20, &[(1, 1, 1), (2, 1, 1), (3, 1, 1)]) };
     assert_eq!(grey(&adobe.write(value)), expected, "Adobe transform 0");
 }

@@ -6,7 +6,9 @@ use std::fs::File;
 use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use tiepoint::{DecodeLimits, DiskFile, Error, FileSource, Georeference, GreyImage, Heights, Orthophoto, PlacingOptions, SearchArea};
+use tiepoint::{
+    DecodeLimits, DiskFile, Error, FileSource, Georeference, GreyImage, Heights, Orthophoto, PlacingOptions, SearchArea, decode_bands,
+};
 
 const SIDE: usize = 6_400;
 const TILE: usize = 512;
@@ -132,6 +134,49 @@ fn a_file_of_a_disk_is_read_in_parts_and_a_cut_one_is_refused() {
     assert!(refused.to_string().contains("ends"), "{refused}");
 }
 
+/// A tiled picture whose red, green and blue run along columns, rows and both.
+fn tiled_colours(side: usize) -> Picture {
+    let across = side.div_ceil(TILE);
+    let tile = |index: usize| -> Vec<u8> {
+        let corner = [index % across * TILE, index / across * TILE];
+        (0..TILE * TILE).flat_map(|k| colour(corner[0] + k % TILE, corner[1] + k / TILE)).collect()
+    };
+    let mut picture = tiled(4);
+    for (tag, value) in picture.tags.iter_mut().zip([0, side, side]) {
+        let Tag::Long(_, values) = tag else { panic!("a short tag") };
+        *values = vec![value as u32];
+    }
+    Picture { chunks: (0..across * across).map(tile).collect(), ..picture }
+}
+
+fn colour(x: usize, y: usize) -> [u8; 3] {
+    [1 + (x / 32 % 200) as u8, 1 + (y / 32 % 200) as u8, 1 + ((x + y) / 64 % 200) as u8]
+}
+
+#[test]
+fn colours_are_shown_whether_a_picture_is_read_in_parts_or_whole() {
+    for side in [SIDE, 2_000] {
+        let orthophoto = opened(Arc::new(directories(&[tiled_colours(side)])));
+        assert_eq!(orthophoto.is_in_parts(), side == SIDE);
+        for (halvings, first) in [(0, [1_000, 700]), (2, [300, 200]), (4, [60, 40])] {
+            let shown = orthophoto.colours(first, [70, 50], halvings).unwrap();
+            for (k, rgba) in shown.as_chunks::<4>().0.iter().enumerate() {
+                let at = [first[0] + k % 70, first[1] + k / 70].map(|px| (px << halvings) + (1 << halvings) / 2);
+                let expected = if at[0].max(at[1]) < side { [&colour(at[0], at[1])[..], &[255]].concat() } else { vec![0; 4] };
+                let off = rgba.iter().zip(&expected).map(|(a, b)| a.abs_diff(*b)).max();
+                assert!(off <= Some(1), "{rgba:?} for {expected:?} at {at:?}, halved {halvings} times");
+            }
+        }
+        // Beyond it nothing is shown.
+        assert!(orthophoto.colours([side, 0], [4, 4], 0).unwrap().iter().all(|value| *value == 0));
+        assert!(orthophoto.colours([0, usize::MAX - 3], [2, 2], 3).unwrap().iter().all(|value| *value == 0));
+    }
+    // Of a picture without colours all three are equal.
+    let grey = opened(Arc::new(small()));
+    let [shown, colours] = [grey.shown([26, 20], [1, 1], 0).unwrap(), grey.colours([26, 20], [1, 1], 0).unwrap()];
+    assert_eq!(colours, [shown[0], shown[0], shown[0], 255]);
+}
+
 #[test]
 fn alpha_says_what_is_shown_and_16_bits_are_stretched_by_what_is_in_use() {
     let [width, height] = [9_000_u32, 5_000_u32];
@@ -214,6 +259,15 @@ fn jpeg_tiles_are_those_files_whether_their_tables_stand_in_them_or_once_for_all
         directories(&[Picture { tags: tags(), chunks: chunks.clone(), tiled: true, more: vec![(347, 7, tables.len() as u32, tables)] }]);
     for file in [complete, apart.clone()] {
         assert_eq!(super::decode(&file).unwrap().grey.data(), expected);
+        // Their colours are those that were written, but for what JPEG loses.
+        let colours = decode_bands(&file, &DecodeLimits::default()).unwrap();
+        let shown = Orthophoto::open(Arc::new(file), Some(WORLD), Heights::Level(0.0), &DecodeLimits::default()).unwrap();
+        for (x, y) in [(20, 30), (90, 100), (140, 150), (250, 60)] {
+            let expected = [ground(3 * x, 500 + 2 * y), x as u8, y as u8];
+            let own: Vec<u8> = colours.images().iter().map(|band| band.view().at(x, y)).collect();
+            assert!(own.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 25), "{own:?} for {expected:?}");
+            assert_eq!(shown.colours([x, y], [1, 1], 0).unwrap(), [own.as_slice(), &[255]].concat());
+        }
     }
     // Without their tables, cut, or of another size than the directory says they are refused.
     let mut larger = tags();
@@ -301,6 +355,7 @@ fn damaged_tiles_and_directories_give_a_picture_or_a_typed_error() {
                 Ok(orthophoto) => {
                     read += 1;
                     let _ = orthophoto.shown([0, 0], [8, 8], 2);
+                    let _ = orthophoto.colours([0, 0], [8, 8], 1);
                 }
                 Err(error) => {
                     refused += 1;

@@ -5,7 +5,7 @@ import { geographic_positions, grey_png, OrthophotoReference, system_coordinates
 /** @typedef {[number, number, number, number, number, number]} Affine columns and rows become (a c + b r + x, d c + e r + y): a, b, x, d, e, y */
 
 /**
- * Grey GeoTIFF of a projected system, and the same picture as PNG with its world file.
+ * GeoTIFF of a projected system, red where the ground is bright and blue where it is dark, and the same picture in grey as PNG with its world file.
  * @param {Uint8Array} picture the orthophoto in the system of its flight @param {number} epsg
  * @param {{ longitude_deg: number, latitude_deg: number, height_m: number }} origin of the flight @param {number} ground height of the ground in the flight
  */
@@ -36,37 +36,42 @@ export function georeferenced(picture, epsg, origin, ground) {
   const [a, b, x, d, e, y] = affine;
   // World files name the middle of the first pixel.
   const world = [a, d, b, e, x + (a + b) / 2, y + (d + e) / 2].map((value) => value.toFixed(9)).join('\n');
-  return { tif: geotiff(width, height, grey, affine, epsg), png: grey_png(width, height, grey), world, affine, georeference };
+  const colours = new Uint8Array(3 * grey.length);
+  for (const [k, value] of grey.entries()) colours.set(value === 0 ? [0, 0, 0] : [value, value >> 1, 256 - value], 3 * k);
+  return { tif: geotiff(width, height, colours, affine, epsg), png: grey_png(width, height, grey), world, affine, georeference };
 }
 
-/** An uncompressed TIFF with its GeoTIFF keys.  @param {number} width @param {number} height @param {Uint8Array} grey @param {Affine} affine @param {number} epsg */
-function geotiff(width, height, grey, [a, b, x, d, e, y], epsg) {
+/** An uncompressed TIFF of red, green and blue with its GeoTIFF keys.  @param {number} width @param {number} height @param {Uint8Array} colours @param {Affine} affine @param {number} epsg */
+function geotiff(width, height, colours, [a, b, x, d, e, y], epsg) {
   const [SHORT, LONG, DOUBLE] = [3, 4, 12];
   const matrix = [a, b, 0, x, d, e, 0, y, 0, 0, 0, 0, 0, 0, 0, 1];
   // Projected, pixels are areas, and the code.
   const keys = [1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, epsg];
-  const values = 8 + grey.length + (grey.length % 2);
+  const bits = [8, 8, 8];
+  const values = 8 + colours.length + (colours.length % 2);
+  const afterKeys = values + 128 + 2 * keys.length;
   const tags = [
     [256, LONG, 1, width],
     [257, LONG, 1, height],
-    [258, SHORT, 1, 8],
+    [258, SHORT, bits.length, afterKeys],
     [259, SHORT, 1, 1],
-    [262, SHORT, 1, 1],
+    [262, SHORT, 1, 2],
     [273, LONG, 1, 8],
-    [277, SHORT, 1, 1],
+    [277, SHORT, 1, bits.length],
     [278, LONG, 1, height],
-    [279, LONG, 1, grey.length],
+    [279, LONG, 1, colours.length],
     [34264, DOUBLE, 16, values],
     [34735, SHORT, keys.length, values + 128],
   ];
-  const directory = values + 128 + 2 * keys.length;
+  const directory = afterKeys + 2 * bits.length;
   const bytes = new Uint8Array(directory + 2 + 12 * tags.length + 4);
   const view = new DataView(bytes.buffer);
   bytes.set([0x49, 0x49, 42, 0]);
   view.setUint32(4, directory, true);
-  bytes.set(grey, 8);
+  bytes.set(colours, 8);
   for (const [i, value] of matrix.entries()) view.setFloat64(values + 8 * i, value, true);
   for (const [i, value] of keys.entries()) view.setUint16(values + 128 + 2 * i, value, true);
+  for (const [i, value] of bits.entries()) view.setUint16(afterKeys + 2 * i, value, true);
   view.setUint16(directory, tags.length, true);
   tags.forEach(([tag = 0, type = 0, count = 0, value = 0], i) => {
     const entry = directory + 2 + 12 * i;

@@ -27,6 +27,24 @@ const isPainted = (page, host, layer) =>
     [host, layer],
   );
 
+/** Waits until at least a tenth of what a canvas shows is in colours: more than lines and points are.  @param {Page} page @param {string} host @param {string} layer */
+const isColoured = (page, host, layer) =>
+  page.waitForFunction(
+    ([id, name]) => {
+      const canvas = document.querySelector(`[data-testid="${id}"] [data-testid="layer-${name}"]`);
+      if (!(canvas instanceof HTMLCanvasElement) || canvas.width < 10) return false;
+      const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(0, 0, canvas.width, canvas.height);
+      let [shown, coloured] = [0, 0];
+      for (let i = 0; i < data.length; i += 4 * 7) {
+        if ((data[i + 3] ?? 0) < 255) continue;
+        shown += 1;
+        coloured += Number(Math.abs((data[i] ?? 0) - (data[i + 1] ?? 0)) > 20);
+      }
+      return coloured > shown / 10;
+    },
+    [host, layer],
+  );
+
 /** Waits until the browser has parts of the project; `block`: with an orthophoto in it.  @param {Page} page @param {string[]} names */
 const isKept = (page, ...names) =>
   page.waitForFunction(async (wanted) => {
@@ -335,6 +353,7 @@ test('an orthophoto in UTM lies under a block with GNSS positions, with a code o
   assert.equal(await part(page, 'map-orthophoto').getAttribute('aria-pressed'), 'true');
   await isPainted(page, 'block-map', 'map');
   await page.screenshot({ path: join(SHOTS, 'block-map-utm.png') });
+  await isColoured(page, 'block-map', 'map');
   await centresAreTrue();
 
   // Of elsewhere it is said why nothing lies there.

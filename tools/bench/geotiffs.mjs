@@ -1,6 +1,6 @@
 /** GeoTIFFs of the command, read by GDAL; and what GDAL writes of them, read again. */
 
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { inParts } from '../../pkg/command/files.js';
@@ -72,6 +72,9 @@ async function written(folder) {
   const mosaic = join(folder, 'mosaic.tif');
   await tiepoint(['mosaic', project, join(town, 'photos'), '--out', mosaic, '--heights', heights]);
   entries.push({ ...picture(folder, 'mosaic of the block', mosaic, null), near: orthophoto, near_name: 'the orthophoto' });
+  const inColours = join(folder, 'mosaic-in-colours.tif');
+  await tiepoint(['mosaic', project, coloured(join(town, 'photos'), join(folder, 'coloured')), '--out', inColours, '--heights', heights]);
+  entries.push(picture(folder, 'mosaic of the block in colours', inColours, null));
   const accuracy = join(folder, 'accuracy');
   await tiepoint(['accuracy', project, '--out', accuracy]);
   return [...entries, ...maps(accuracy)];
@@ -79,6 +82,19 @@ async function written(folder) {
 
 /** @param {string[]} args */
 const tiepoint = (args) => must(process.execPath, [COMMAND, ...args], { quiet: true });
+
+/** The same photos in colours that are made of their grey values.  @param {string} photos @param {string} folder */
+function coloured(photos, folder) {
+  mkdirSync(folder);
+  for (const name of readdirSync(photos)) {
+    const photo = Photo.decode(readFileSync(join(photos, name)));
+    const { width, height } = photo;
+    const colours = Buffer.from(Uint8Array.from([...photo.grey()].flatMap((grey) => [grey, 255 - grey, grey >> 1])));
+    photo.free();
+    writeFileSync(join(folder, name), Buffer.concat([Buffer.from(`P6\n${width} ${height}\n255\n`), colours]));
+  }
+  return folder;
+}
 
 let files = 0;
 
@@ -90,14 +106,15 @@ function raw(folder, values) {
   return file;
 }
 
-/** A grey GeoTIFF, as Tiepoint reads it.  @param {string} folder @param {string} name @param {string} file @param {number | null} epsg the system that it must have */
+/** A GeoTIFF, as Tiepoint reads it, grey and in its colours.  @param {string} folder @param {string} name @param {string} file @param {number | null} epsg the system that it must have */
 function picture(folder, name, file, epsg) {
   const reference = OrthophotoReference.open(inParts(file));
   const { width, height, georeference, epsg: code } = reference.info();
   if ((code ?? null) !== epsg) throw new Error(`${name}: its system is ${code}, not ${epsg}`);
   const values = raw(folder, reference.picture(0, 0, width, height, 0));
+  const colours = raw(folder, reference.colours(0, 0, width, height, 0));
   reference.free();
-  return { name, file, size: [width, height], georeference, epsg, values };
+  return { name, file, size: [width, height], georeference, epsg, values, colours };
 }
 
 /** Heights at the middles of the pixels of an orthophoto on the same grid.  @param {string} folder @param {string} name @param {string} orthophoto @param {string} file */

@@ -15,7 +15,7 @@ use self::frame::Frame;
 use self::segments::{Segments, marker};
 use self::stream::{CheckedStream, Output};
 use super::layout::{FileLayout, Format, damaged, undecodable};
-use super::luminance::{SampleLayout, grey_of_u8};
+use super::luminance::{SampleLayout, Wanted, bands_of_u8};
 use crate::{Damage, Error};
 
 /// Reads the layout from the frame header.
@@ -32,13 +32,15 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<FileLayout, Error> {
     }
 }
 
-/// Decodes to grey: the stored luma, or the luma of stored colour.
-pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<Vec<u8>, Error> {
+/// Decodes to grey, the stored luma or the luma of stored colour, or to colours.
+pub(super) fn decode(bytes: &[u8], pixels: usize, wanted: Wanted) -> Result<Vec<Vec<u8>>, Error> {
     let file = CheckedStream::read(bytes)?;
+    let in_colours = wanted == Wanted::Colours && file.has_colours;
     let (colours, channels) = match file.output {
+        Output::Rgb => (ColorSpace::RGB, 3),
+        _ if in_colours => (ColorSpace::RGB, 3),
         Output::Luma => (ColorSpace::Luma, 1),
         Output::LumaAndChroma => (ColorSpace::YCbCr, 3),
-        Output::Rgb => (ColorSpace::RGB, 3),
     };
     // Without the processor's own instructions the decoder computes the same everywhere; luma is not slower for it.
     let options = DecoderOptions::new_safe()
@@ -50,6 +52,6 @@ pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<Vec<u8>, Error> {
     if samples.len() != pixels * channels {
         return Err(damaged(Format::Jpeg, Damage::OtherThanHeader));
     }
-    let layout = SampleLayout { channels, colour: file.output == Output::Rgb, plane_stride: None };
-    Ok(grey_of_u8(samples, pixels, layout))
+    let layout = SampleLayout { channels, colour: colours == ColorSpace::RGB, plane_stride: None };
+    Ok(bands_of_u8(samples, pixels, layout, wanted))
 }

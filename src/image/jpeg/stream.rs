@@ -22,6 +22,8 @@ pub enum Output {
 pub struct CheckedStream {
     pub bytes: Vec<u8>,
     pub output: Output,
+    /// Colours can be had of it.
+    pub has_colours: bool,
 }
 
 impl CheckedStream {
@@ -143,7 +145,7 @@ impl Writer {
                     (1, 2) => Output::LumaAndChroma,
                     _ => Output::Luma,
                 };
-                Ok(CheckedStream { bytes: self.stream, output })
+                Ok(CheckedStream { bytes: self.stream, output, has_colours: frame.components.len() == 3 })
             }
             _ => Err(damaged(Format::Jpeg, Damage::NoImageData)),
         }

@@ -142,7 +142,7 @@ impl TiffLayout {
     pub fn file_layout(&self) -> FileLayout {
         let Self { width, height, .. } = *self;
         let samples_bytes = self.samples.saturating_mul(self.bits / 8);
-        // Of JPEG grey alone, and the working memory of one tile or strip.
+        // Of JPEG grey or colours, and the working memory of one tile or strip.
         let bytes_per_pixel = if self.compression == JPEG { 8 } else { samples_bytes };
         let most = match self.compression {
             // A block of 8 x 8 px takes two bits.

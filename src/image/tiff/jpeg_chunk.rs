@@ -5,6 +5,7 @@ use super::directory::Directory;
 use super::grid::Grid;
 use crate::image::jpeg;
 use crate::image::layout::{Format, damaged};
+use crate::image::luminance::Wanted;
 use crate::image::source::FileSource;
 use crate::{Damage, Error};
 
@@ -31,8 +32,8 @@ impl<S: FileSource> JpegChunks<S> {
         Self { source, start }
     }
 
-    /// The grey values of one.
-    pub fn decode(&self, grid: &Grid, index: usize) -> Result<Vec<u8>, Error> {
+    /// The bands of one.
+    pub fn decode(&self, grid: &Grid, index: usize, wanted: Wanted) -> Result<Vec<Vec<u8>>, Error> {
         let contradicts = || damaged(Format::Tiff, Damage::OtherThanDirectory);
         let stream = grid.bytes(&self.source, index)?;
         let own = stream.strip_prefix(&START).ok_or_else(contradicts)?;
@@ -44,7 +45,8 @@ impl<S: FileSource> JpegChunks<S> {
             return Err(contradicts());
         }
         header.check_length(&file)?;
-        let grey = jpeg::decode(&file, (header.width * header.height) as usize)?;
-        Ok(grey.chunks_exact(grid.chunk[0]).take(height).flat_map(|row| &row[..width]).copied().collect())
+        let bands = jpeg::decode(&file, (header.width * header.height) as usize, wanted)?;
+        let shown = |band: &Vec<u8>| band.chunks_exact(grid.chunk[0]).take(height).flat_map(|row| &row[..width]).copied().collect();
+        Ok(bands.iter().map(shown).collect())
     }
 }

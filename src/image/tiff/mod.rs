@@ -18,18 +18,18 @@ pub(crate) use self::declared::{checked_directory, decoder_error};
 pub(crate) use self::directory::Directory;
 pub(crate) use self::raster::{Pixels, TiffRaster};
 use super::layout::{Format, damaged};
-use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
+use super::luminance::{SampleLayout, Wanted, bands_of_u8, bands_of_u16};
 use crate::{Damage, Error};
 
-/// Decodes to grey; gives the bits of a stored sample as well.
-pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<(Vec<u8>, u8), Error> {
+/// Decodes to bands; gives the bits of a stored sample as well.
+pub(super) fn decode(bytes: &[u8], pixels: usize, wanted: Wanted) -> Result<(Vec<Vec<u8>>, u8), Error> {
     let declared = TiffLayout::read(bytes)?;
     if declared.compression == JPEG {
         let raster = TiffRaster::open(bytes, None, most_decoded(pixels as u64) as usize)?;
         let raster = raster.ok_or_else(|| damaged(Format::Tiff, Damage::OtherThanDirectory))?;
-        return Ok((raster.read(0, [0, 0], raster.size())?.grey, 8));
+        return Ok((raster.read(0, [0, 0], raster.size(), wanted)?.bands, 8));
     }
-    let greys = if declared.photometric == PALETTE { Some(palette_greys(bytes)?) } else { None };
+    let palette = if declared.photometric == PALETTE { Some(palette_bands(bytes, wanted)?) } else { None };
     let (samples, channels) = read_samples(&as_the_decoder_reads(bytes, &declared), &declared)?;
     let decoded_pixels = (declared.width * declared.decoded_height) as usize;
     let plane_stride = (declared.planar && channels > 1).then_some(decoded_pixels);
@@ -37,20 +37,22 @@ pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<(Vec<u8>, u8), Error
     let expected = decoded_pixels.checked_mul(channels);
     match samples {
         DecodingResult::U8(samples) if Some(samples.len()) == expected => {
-            let mut grey = grey_of_u8(samples, decoded_pixels, layout);
-            grey.truncate(pixels);
-            if let Some(greys) = greys {
-                grey.iter_mut().for_each(|v| *v = greys[usize::from(*v)]);
-            }
-            Ok((grey, 8))
+            let bands = cut(bands_of_u8(samples, decoded_pixels, layout, wanted), pixels);
+            let Some(palette) = palette else { return Ok((bands, 8)) };
+            let indices = &bands[0];
+            Ok((palette.iter().map(|values| indices.iter().map(|index| values[usize::from(*index)]).collect()).collect(), 8))
         }
         DecodingResult::U16(samples) if Some(samples.len()) == expected => {
-            let mut grey = grey_of_u16(&samples, decoded_pixels, layout);
-            grey.truncate(pixels);
-            Ok((grey, 16))
+            Ok((cut(bands_of_u16(&samples, decoded_pixels, layout, wanted), pixels), 16))
         }
         _ => Err(damaged(Format::Tiff, Damage::OtherThanDirectory)),
     }
+}
+
+/// The first of so many pixels.
+fn cut(mut bands: Vec<Vec<u8>>, pixels: usize) -> Vec<Vec<u8>> {
+    bands.iter_mut().for_each(|band| band.truncate(pixels));
+    bands
 }
 
 /// All samples of the first image and the number of samples a pixel.
@@ -67,11 +69,11 @@ fn read_samples(bytes: &[u8], declared: &TiffLayout) -> Result<(DecodingResult, 
     Ok((samples, channels))
 }
 
-/// The grey value of each palette index; the colour map holds 16-bit red, then green, then blue.
-fn palette_greys(bytes: &[u8]) -> Result<Vec<u8>, Error> {
+/// The grey value or the colours of each palette index; the colour map holds 16-bit red, then green, then blue.
+fn palette_bands(bytes: &[u8], wanted: Wanted) -> Result<Vec<Vec<u8>>, Error> {
     let map = Directory::first(bytes).and_then(|directory| directory.shorts(tag::COLOUR_MAP, 768));
     let map = map.ok_or_else(|| damaged(Format::Tiff, Damage::ColourMap))?;
-    Ok(grey_of_u16(&map, 256, SampleLayout { channels: 3, colour: true, plane_stride: Some(256) }))
+    Ok(bands_of_u16(&map, 256, SampleLayout { channels: 3, colour: true, plane_stride: Some(256) }, wanted))
 }
 
 /// The file with some declarations put in the words of the decoder.

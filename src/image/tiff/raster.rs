@@ -11,7 +11,7 @@ use super::grid::Grid;
 use super::jpeg_chunk::JpegChunks;
 use super::transparency::Transparency;
 use crate::image::layout::{Format, damaged};
-use crate::image::luminance::{Depth, Sample, SampleLayout, grey_of_u8, grey_up_to};
+use crate::image::luminance::{Depth, Sample, SampleLayout, Wanted, bands_of_u8, bands_up_to, luma};
 use crate::image::source::{FileSource, SourceReader};
 use crate::{Damage, Error};
 
@@ -19,8 +19,8 @@ use crate::{Damage, Error};
 const MOST_DIRECTORIES: usize = 64;
 /// Overviews are halved so many times at most.
 const MOST_HALVINGS: u32 = 16;
-/// Bytes of decoded tiles and strips that are kept.
-const KEPT_BYTES: usize = 48 << 20;
+/// Bytes of decoded tiles and strips that are kept: two of the longest strips in colours.
+const KEPT_BYTES: usize = 128 << 20;
 /// Which depth of 16 bits is in use is told by all samples of a picture of at most so many pixels, else by so many tiles or strips of the smallest one.
 const ALL_LOOKED_AT: usize = 40_000_000;
 const LOOKED_AT: usize = 64;
@@ -32,10 +32,10 @@ const MASK: u64 = 4;
 /// Values of what says what a further sample is: alpha, of premultiplied colour or not.
 const ALPHA: [u16; 2] = [1, 2];
 
-/// Grey values with what shows nothing: what a mask of the file leaves out, or else alpha of 0, or the value that stands for nothing, or grey of 0 where the file names neither.
+/// Grey values or colours, one band or three, with what shows nothing: what a mask of the file leaves out, or else alpha of 0, or the value that stands for nothing, or grey of 0 where the file names neither.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Pixels {
-    pub grey: Vec<u8>,
+    pub bands: Vec<Vec<u8>>,
     pub nothing: Vec<bool>,
 }
 
@@ -43,6 +43,7 @@ pub(crate) struct Pixels {
 pub(crate) struct TiffRaster<S: FileSource> {
     levels: Vec<Level<S>>,
     samples: Samples,
+    has_colours: bool,
     kept: Mutex<Kept>,
 }
 
@@ -73,10 +74,17 @@ struct Samples {
     white: u32,
 }
 
+impl Pixels {
+    /// So many that show nothing.
+    pub fn nothing(bands: usize, pixels: usize) -> Self {
+        Self { bands: vec![vec![0; pixels]; bands], nothing: vec![true; pixels] }
+    }
+}
+
 /// What a tile or strip belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Of {
-    Picture,
+    Picture(Wanted),
     Transparency,
 }
 
@@ -113,7 +121,8 @@ impl<S: FileSource + Clone> TiffRaster<S> {
         let white = (1_u64 << bits) - 1;
         let no_data = no_data.filter(|value| value.fract() == 0.0 && (0.0..=white as f64).contains(value));
         let samples = Samples { colour: layout.is_colour(), alpha, no_data, bits, white: 0xffff };
-        let mut raster = Self { levels: vec![whole], samples, kept: Mutex::default() };
+        let has_colours = layout.is_colour() || layout.photometric == YCBCR;
+        let mut raster = Self { levels: vec![whole], samples, has_colours, kept: Mutex::default() };
         raster.add_overviews(&source, &first, &layout, most_px);
         if bits == 16 {
             raster.samples.white = raster.white()?;
@@ -181,20 +190,27 @@ impl<S: FileSource + Clone> TiffRaster<S> {
         self.levels.iter().rev().find(fits).map_or(0, |level| level.halvings)
     }
 
+    /// How many bands it has where so much is wanted of it.
+    pub fn bands(&self, wanted: Wanted) -> usize {
+        if self.has_colours && wanted == Wanted::Colours { 3 } else { 1 }
+    }
+
     /// A part of the picture that was halved so many times, which is one of those of the file; beyond its edge nothing is shown.
-    pub fn read(&self, halvings: u32, first: [usize; 2], [width, height]: [usize; 2]) -> Result<Pixels, Error> {
+    pub fn read(&self, halvings: u32, first: [usize; 2], [width, height]: [usize; 2], wanted: Wanted) -> Result<Pixels, Error> {
         let (index, level) = self.level_of(halvings);
-        let mut pixels = Pixels { grey: vec![0; width * height], nothing: vec![true; width * height] };
+        let mut pixels = Pixels::nothing(self.bands(wanted), width * height);
         for piece in level.grid.pieces(first, [width, height]) {
-            let chunk = self.kept((index, Of::Picture, piece.index), || self.decoded(level, piece.index))?;
+            let chunk = self.kept((index, Of::Picture(wanted), piece.index), || self.decoded(level, piece.index, wanted))?;
             for (from, to) in piece.rows_to(first, width) {
-                pixels.grey[to.clone()].copy_from_slice(&chunk.grey[from.clone()]);
+                for (band, own) in pixels.bands.iter_mut().zip(&chunk.bands) {
+                    band[to.clone()].copy_from_slice(&own[from.clone()]);
+                }
                 pixels.nothing[to].copy_from_slice(&chunk.nothing[from]);
             }
         }
         let Some(transparency) = &level.transparency else { return Ok(pixels) };
         for piece in transparency.grid.pieces(first, [width, height]) {
-            let mask = || transparency.nothing(piece.index).map(|nothing| Pixels { grey: Vec::new(), nothing });
+            let mask = || transparency.nothing(piece.index).map(|nothing| Pixels { bands: Vec::new(), nothing });
             let chunk = self.kept((index, Of::Transparency, piece.index), mask)?;
             piece.rows_to(first, width).for_each(|(from, to)| pixels.nothing[to].copy_from_slice(&chunk.nothing[from]));
         }
@@ -211,28 +227,38 @@ impl<S: FileSource + Clone> TiffRaster<S> {
         Ok(chunk)
     }
 
-    fn decoded(&self, level: &Level<S>, index: usize) -> Result<Pixels, Error> {
+    fn decoded(&self, level: &Level<S>, index: usize, wanted: Wanted) -> Result<Pixels, Error> {
         let [width, height] = level.grid.sides(index);
         let pixels = width * height;
         if !level.grid.holds(index) {
-            return Ok(Pixels { grey: vec![0; pixels], nothing: vec![true; pixels] });
+            return Ok(Pixels::nothing(self.bands(wanted), pixels));
         }
         let decoder = match &level.coding {
             Coding::Jpeg(chunks) => {
-                let grey = chunks.decode(&level.grid, index)?;
-                let nothing = self.samples.nothing(&grey, &SampleLayout::interleaved(1), pixels);
-                return Ok(Pixels { grey, nothing });
+                let bands = chunks.decode(&level.grid, index, wanted)?;
+                if bands.len() != self.bands(wanted) {
+                    return Err(damaged(Format::Tiff, Damage::OtherThanDirectory));
+                }
+                // By luma: JPEG leaves the colours of black unequal.
+                let nothing = match bands.as_slice() {
+                    [red, green, blue] => {
+                        let grey: Vec<u16> = (0..pixels).map(|k| luma([red[k], green[k], blue[k]].map(u16::from)) as u16).collect();
+                        self.samples.nothing(&grey, &SampleLayout::interleaved(1), pixels)
+                    }
+                    _ => self.samples.nothing(&bands[0], &SampleLayout::interleaved(1), pixels),
+                };
+                return Ok(Pixels { bands, nothing });
             }
             Coding::Samples(decoder) => decoder,
         };
         let (bytes, layout) = self.samples_of(decoder, level, index)?;
         if self.samples.bits == 8 {
             let nothing = self.samples.nothing(&bytes, &layout, pixels);
-            return Ok(Pixels { grey: grey_of_u8(bytes, pixels, layout), nothing });
+            return Ok(Pixels { bands: bands_of_u8(bytes, pixels, layout, wanted), nothing });
         }
         let samples = bytes.as_chunks::<2>().0;
         let nothing = self.samples.nothing(samples, &layout, pixels);
-        Ok(Pixels { grey: grey_up_to(self.samples.white, samples, pixels, layout), nothing })
+        Ok(Pixels { bands: bands_up_to(self.samples.white, samples, pixels, layout, wanted), nothing })
     }
 
     /// The samples of a tile or strip, of 8 or of 16 bits, and how they lie there.
@@ -341,7 +367,7 @@ impl Kept {
     }
 
     fn keep(&mut self, key: Key, chunk: &Arc<Pixels>) {
-        let bytes = |chunk: &Pixels| chunk.grey.len() + chunk.nothing.len();
+        let bytes = |chunk: &Pixels| chunk.bands.iter().map(Vec::len).sum::<usize>() + chunk.nothing.len();
         self.bytes += bytes(chunk);
         while self.bytes > KEPT_BYTES {
             let oldest = self.chunks.iter().min_by_key(|(_, (asked, _))| *asked).map(|(key, _)| *key);

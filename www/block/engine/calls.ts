@@ -101,8 +101,8 @@ export interface BlockCalls {
   linksOpen: { input: LinksInput; output: (string | null)[] };
   linksPlace: { input: { index: number; file: Blob }; output: PlacingVerdict | null };
   linksFinish: { input: null; output: Uint8Array };
-  mosaicOpen: { input: MosaicInput; output: string[] };
+  mosaicOpen: { input: MosaicInput; output: { name: string; index: number }[] };
   mosaicAdd: { input: { index: number; file: Blob }; output: null };
-  mosaicFinish: { input: null; output: Uint8Array };
+  mosaicFinish: { input: null; output: Blob };
   sceneOrthophoto: { input: { flight: BlockFlight; gsd: number }; output: { picture: Uint8Array<ArrayBuffer>; heights: Uint8Array<ArrayBuffer> } };
 }

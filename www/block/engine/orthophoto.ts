@@ -35,6 +35,8 @@ export interface MosaicInput {
   heights: Ground['heights'] | null;
   /** In the system of the block's adjustment, though it has a coordinate reference system. */
   inAdjustment: boolean;
+  /** Of the images that will be added. */
+  names: readonly string[];
 }
 
 export interface AdjustInput extends PlaceInput {
@@ -120,14 +122,18 @@ export async function orthoTile({ ground, level, column, row }: TileInput): Prom
   const [left, top] = [column * TILE_SIDE * step, row * TILE_SIDE * step];
   const width = Math.min(TILE_SIDE, Math.ceil((info.width - left) / step));
   const height = Math.min(TILE_SIDE, Math.ceil((info.height - top) / step));
-  const grey = reference.picture(column * TILE_SIDE, row * TILE_SIDE, width, height, level);
-  return transparentWhereEmpty(grey, width, height);
+  return bitmapOf(reference, [column * TILE_SIDE, row * TILE_SIDE], [width, height], level);
 }
 
-/** What shows nothing is 0. */
-function transparentWhereEmpty(grey: Uint8Array, width: number, height: number): Promise<ImageBitmap> {
-  const pixels = Uint32Array.from(grey, (value) => (value === 0 ? 0 : 0xff000000 | (value * 0x010101)));
-  return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height));
+/** A part of its picture that was halved so many times, transparent where it shows nothing. */
+function bitmapOf(
+  reference: OrthophotoReference,
+  [column, row]: readonly [number, number],
+  [width, height]: readonly [number, number],
+  halvings: number,
+): Promise<ImageBitmap> {
+  const colours = reference.colours(column, row, width, height, halvings);
+  return createImageBitmap(new ImageData(new Uint8ClampedArray(colours.buffer as ArrayBuffer, colours.byteOffset, colours.length), width, height));
 }
 
 /** Finds the points among which images are sought; refuses options and heights with which none can be. */
@@ -191,35 +197,50 @@ export async function orthoLaid({ ground, file, placement, side }: LaidInput): P
     const halvings = Math.max(0, Math.ceil(Math.log2(Math.max(width, height) / side)));
     const step = 2 ** halvings;
     const [columns, rows] = [Math.floor(width / step), Math.floor(height / step)];
-    return { bitmap: await transparentWhereEmpty(laid.picture(0, 0, columns, rows, halvings), columns, rows), step, georeference };
+    return { bitmap: await bitmapOf(laid, [0, 0], [columns, rows], halvings), step, georeference };
   } finally {
     laid.free();
   }
 }
 
 let mosaic: OrthoMosaic | null = null;
+/** What of its file is there: the browser keeps it, on the disk where memory is short. */
+let written: Blob[] = [];
 
-/** Lays out the orthomosaic of a project file; gives the names of its images. */
-export async function mosaicOpen({ project, heights, inAdjustment }: MosaicInput): Promise<string[]> {
+/** Lays out the orthomosaic of a project file; gives its images that will be added, by name and index, in the order in which they are to come. */
+export async function mosaicOpen({ project, heights, inAdjustment, names }: MosaicInput): Promise<{ name: string; index: number }[]> {
   mosaic?.free();
   mosaic = null;
+  written = [];
   const model = typeof heights === 'object' && heights !== null ? await bytesOf(heights.file) : heights;
   const world = typeof heights === 'object' && heights !== null ? heights.world : null;
-  mosaic = OrthoMosaic.open(await bytesOf(project), model, world, undefined, inAdjustment);
-  return mosaic.names;
+  const made = OrthoMosaic.open(await bytesOf(project), model, world, undefined, inAdjustment);
+  mosaic = made;
+  const own = made.names;
+  const order = [...made.order()].map((index) => ({ name: own[index] ?? '', index }));
+  for (const { index } of order.filter(({ name }) => !names.includes(name))) write(made.leave_out(index));
+  return order.filter(({ name }) => names.includes(name));
 }
 
 export async function mosaicAdd({ index, file }: { index: number; file: Blob }): Promise<null> {
-  mosaic?.add(index, await bytesOf(file));
+  if (mosaic !== null) write(mosaic.add(index, await bytesOf(file)));
   return null;
 }
 
+function write(bytes: Uint8Array): void {
+  if (bytes.length > 0) written.push(new Blob([bytes as Uint8Array<ArrayBuffer>]));
+}
+
 /** The mosaic as GeoTIFF. */
-export function mosaicFinish(): Uint8Array {
+export function mosaicFinish(): Blob {
   const made = mosaic;
   mosaic = null;
   if (made === null) throw new Error('no mosaic is laid out');
-  return made.finish();
+  const { end, beginning } = made.finish();
+  write(end);
+  const rest = new Blob(written).slice(beginning.length);
+  written = [];
+  return new Blob([beginning as Uint8Array<ArrayBuffer>, rest], { type: 'image/tiff' });
 }
 
 /** The orthophoto of a simulated flight, and its heights. */

@@ -177,19 +177,21 @@ export class PlacingEngine {
    * The orthomosaic of the block of a project file on the heights of its tie points, as GeoTIFF; null where it was cancelled. In the coordinate reference system
    * of the block where it has one, or, `inAdjustment`, in the system of its adjustment.
    */
-  async mosaic(project: Blob, files: readonly BlockFile[], inAdjustment: boolean): Promise<Uint8Array<ArrayBuffer> | null> {
+  async mosaic(project: Blob, files: readonly BlockFile[], inAdjustment: boolean): Promise<Blob | null> {
     this.stopped = false;
     const tell = (done: number, total: number, text: string) => this.store.dispatch({ type: 'placing', running: { done, total, text } });
     tell(0, files.length, say('laying-out-the-orthomosaic'));
     try {
-      const names = await this.maker.call('mosaicOpen', { project, heights: null, inAdjustment });
-      for (const [done, { name, file }] of files.entries()) {
-        tell(done, files.length, say('orthomosaic', { name }));
-        const index = names.indexOf(name);
-        if (index >= 0) await this.maker.call('mosaicAdd', { index, file });
+      const byName = new Map(files.map(({ name, file }) => [name, file]));
+      const order = await this.maker.call('mosaicOpen', { project, heights: null, inAdjustment, names: [...byName.keys()] });
+      for (const [done, { name, index }] of order.entries()) {
+        const file = byName.get(name);
+        if (file === undefined) continue;
+        tell(done, order.length, say('orthomosaic', { name }));
+        await this.maker.call('mosaicAdd', { index, file });
       }
-      tell(files.length, files.length, say('writing-the-orthomosaic'));
-      return (await this.maker.call('mosaicFinish', null)) as Uint8Array<ArrayBuffer>;
+      tell(order.length, order.length, say('writing-the-orthomosaic'));
+      return await this.maker.call('mosaicFinish', null);
     } catch (error) {
       if (this.stopped || error instanceof Cancelled) return null;
       throw named(error);

@@ -43,8 +43,8 @@ async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngi
     return null;
   }
   try {
-    const bytes = await placing.mosaic(await engine.project(), files, inAdjustment);
-    if (bytes !== null) return new Blob([bytes], { type: 'image/tiff' });
+    const mosaic = await placing.mosaic(await engine.project(), files, inAdjustment);
+    if (mosaic !== null) return mosaic;
     tell(store, 'info', say('cancelled-no-orthomosaic-was-made'), { beside: true });
   } catch (error) {
     tell(store, 'problem', say('no-orthomosaic-was-made', { sentence: sentence(messageOf(error)) }), { near });
