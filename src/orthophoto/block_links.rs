@@ -6,7 +6,7 @@ use super::heights::Heights;
 use super::into_system::IntoSystem;
 use super::links::{Found, MEASURED_PX, height_spread};
 use super::options::PlacingOptions;
-use super::outcome::{LinkUse, PlacedImage, Placement, PlacingVerdict};
+use super::outcome::{LinkUse, PlacedImage, Placement, PlacingVerdict, PlacingWeakness};
 use super::place::{place_image, place_near};
 use super::placement::Part;
 use super::rectify::Seen;
@@ -20,6 +20,9 @@ use std::collections::BTreeMap;
 
 /// Images that are placed, at least.
 const LEAST_IMAGES: usize = 2;
+/// The camera of a block is one for all of its images: where chance has it two standard errors off, all of them contradict it. Farther off than so many,
+/// something else is wrong.
+const MOST_APART: f64 = 4.0;
 /// Neighbouring places share errors, as those of one roof do: each square of so many on the longer side of an image gives one.
 const CELLS: f64 = 10.0;
 /// Links of several images within so many px, of the orthophoto or of the images, whose are larger, are of one place.
@@ -76,9 +79,9 @@ impl BlockLinks {
         Ok(self.placed.get(&image))
     }
 
-    /// Images that were placed without doubt.
+    /// Images that were placed without doubt of anything but the camera of the block, which is adjusted once more with what they show of the ground.
     fn sure(&self) -> impl Iterator<Item = (usize, &Placement)> {
-        let sure = self.placed.iter().filter(|(_, placed)| matches!(placed.verdict, PlacingVerdict::Placed { .. }));
+        let sure = self.placed.iter().filter(|(_, placed)| is_sure(&placed.verdict));
         sure.filter_map(|(image, placed)| Some((*image, placed.placement.as_ref()?)))
     }
 
@@ -219,9 +222,30 @@ fn most_seen(links: &[Seeing], within: f64) -> Option<(&Found, Vec<&Seeing>)> {
     best.filter(|(_, seen)| seen.len() >= LEAST_IMAGES)
 }
 
+fn is_sure(verdict: &PlacingVerdict) -> bool {
+    match verdict {
+        PlacingVerdict::Placed { .. } => true,
+        PlacingVerdict::Weak { placing_weakness: PlacingWeakness::Camera { apart, .. }, .. } => *apart <= MOST_APART,
+        _ => false,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::CameraParameter;
+
+    #[test]
+    fn a_camera_of_the_block_that_is_somewhat_off_keeps_no_image_from_it() {
+        let weak = |placing_weakness: PlacingWeakness| is_sure(&PlacingVerdict::Weak { links: 3_000, placing_weakness });
+        let off = |apart: f64| {
+            weak(PlacingWeakness::Camera { camera_parameter: CameraParameter::Focal, estimated_px: 1884.3, prior_px: 1970.8, apart })
+        };
+        assert_eq!([2.3, 3.9, 4.1, 20.0].map(off), [true, true, false, false]);
+        assert!(
+            !weak(PlacingWeakness::HeightFactor { factor: 3.3, standard_error: 0.1 }) && !weak(PlacingWeakness::Relief { displaced: 0.2 })
+        );
+    }
 
     fn seeing(image: usize, x: f64, height_spread: f64) -> Seeing {
         Seeing { image, link: Found { at: [0.0; 2], place: [x, 7.0, 0.0], height_spread, measured_px: MEASURED_PX } }
