@@ -20,6 +20,7 @@ mod editing;
 mod epipolar_images;
 mod error;
 mod formats;
+mod georeferenced;
 mod html;
 mod image;
 #[cfg(all(test, integration, not(target_arch = "wasm32")))]
@@ -59,7 +60,7 @@ pub use camera::{
     rotation_from_angles,
 };
 pub use catalogue::{CALL_PARAMETERS, Parameter, ParameterKind, acting, with_defaults};
-pub use crs::{coordinates_in_system, places_of_coordinates};
+pub use crs::{Geoid, coordinates_in_system, places_of_coordinates};
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,
@@ -74,6 +75,7 @@ pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
     parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
 };
+pub use georeferenced::Georeference;
 pub use image::{
     Bands, DecodeLimits, Decoded, DiskFile, FileSource, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header,
     reduce_to, write_png,
@@ -96,10 +98,10 @@ pub use orientation::{
     PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, model_points, orient_relative, orient_relative_with,
 };
 pub use orthophoto::{
-    BlockLinks, Georeference, GivenLink, GivenUse, HeightFactor, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced,
-    Orthophoto, PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, Relief,
-    SearchArea, ground_positions, heights_of_block, heights_of_points, image_positions, links_table, place_by_links, place_image,
-    place_recorded, placed_table, rectify, rectify_placed, write_geotiff, write_heights,
+    BlockLinks, GivenLink, GivenUse, HeightFactor, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced, Orthophoto,
+    PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, Relief, SearchArea,
+    ground_positions, heights_of_block, heights_of_points, image_positions, links_table, place_by_links, place_image, place_recorded,
+    placed_table, rectify, rectify_placed, write_geotiff, write_heights,
 };
 pub use outputs::{
     AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,

@@ -2,6 +2,8 @@
 
 #[path = "coordinate_system/flown.rs"]
 mod flown;
+#[path = "coordinate_system/geoid.rs"]
+mod geoid;
 #[path = "coordinate_system/mosaic.rs"]
 mod mosaic;
 #[path = "coordinate_system/orthophoto.rs"]

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 30] = [
+const ORDER: [&str; 31] = [
     "message",
     "json",
     "error",
@@ -20,6 +20,7 @@ const ORDER: [&str; 30] = [
     "camera",
     "model",
     "image",
+    "georeferenced",
     "points",
     "descriptors",
     "matching",

@@ -61,6 +61,7 @@ impl Host {
         let bytes_of = |file: &FileNeeded| match file {
             FileNeeded::Image(index) => self.images[*index].clone(),
             FileNeeded::Mask(index) => self.masks[*index].clone(),
+            FileNeeded::Geoid(_) => panic!("no geoid was given"),
         };
         let mut inputs: Vec<Vec<u8>> = files.iter().map(bytes_of).collect();
         let work = self.run.prepare(id, &inputs.iter().map(|bytes| digest(bytes)).collect::<Vec<_>>())?;

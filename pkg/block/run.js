@@ -19,7 +19,7 @@ import { timed } from './timed.js';
  * @param {import('./types.js').RunOptions} options @param {Surroundings} surroundings
  * @returns {Promise<import('../wasm/tiepoint.js').FinishedBlock>} which the caller frees
  */
-export async function runBlock(sources, { settings = {}, cameras, gps, control, masks = [] }, surroundings) {
+export async function runBlock(sources, { settings = {}, cameras, gps, control, masks = [], geoid }, surroundings) {
   const { pool, progress, news, signal } = surroundings;
   const names = (/** @type {readonly Source[]} */ files) => files.map(({ name }) => name);
   const run = new Run({
@@ -29,6 +29,7 @@ export async function runBlock(sources, { settings = {}, cameras, gps, control, 
     cameras: cameras?.text ?? null,
     use_gnss: gps !== 'ignore',
     control: control ?? null,
+    ...(geoid && { geoid: geoid.name }),
   });
   // One job more than there are workers, so that none of them waits.
   const width = pool.size + 1;
@@ -44,7 +45,7 @@ export async function runBlock(sources, { settings = {}, cameras, gps, control, 
   /** @type {{ error: unknown } | null} */
   let failure = null;
   const perform = (/** @type {Job} */ job) => {
-    const done = performed(job, run, { image: sources, mask: masks }, surroundings)
+    const done = performed(job, run, { image: sources, mask: masks, geoid: geoid ? [geoid] : [] }, surroundings)
       .catch((error) => {
         failure ??= { error };
       })
@@ -72,7 +73,7 @@ export async function runBlock(sources, { settings = {}, cameras, gps, control, 
 
 /**
  * Does a job, or finds it done.
- * @param {Job} job @param {Run} run @param {{ image: readonly Source[], mask: readonly Source[] }} files @param {Surroundings} surroundings
+ * @param {Job} job @param {Run} run @param {Record<import('../wasm/tiepoint.js').FileNeeded['kind'], readonly Source[]>} files @param {Surroundings} surroundings
  */
 async function performed({ id, files: needed }, run, files, { pool, store }) {
   /** @type {Uint8Array[]} */

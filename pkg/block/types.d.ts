@@ -2,7 +2,7 @@
 
 import type { BlockSettings, ControlTexts, Given, News as FoundOrStep, StageName as RunStage } from '../wasm/tiepoint.js';
 
-/** An image file that can be read any number of times. */
+/** A file that can be read any number of times. */
 export interface Source {
   /** File name; no two images have the same. */
   name: string;
@@ -62,6 +62,8 @@ export interface RunOptions {
   control?: ControlTexts;
   /** Image files, 0 (black) where no features are wanted, each as large as the image whose name it has. */
   masks?: readonly Source[];
+  /** The geoid from which the heights of the coordinate system count: a GeoTIFF of longitudes and latitudes, GTX, or PGM of GeographicLib. */
+  geoid?: Source;
 }
 
 export interface Surroundings {

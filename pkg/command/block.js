@@ -7,6 +7,7 @@ import {
   block_parameters,
   block_settings,
   check_block_truth,
+  check_geoid,
   export_formats,
   parse_camera_rules,
   parse_ground_control_points,
@@ -49,6 +50,11 @@ export const block = {
     ),
     path('marks', 'marks.csv', 'Image measurements of the ground control and check points: image,point,x,y in px.'),
     path(
+      'geoid',
+      'FILE',
+      'The geoid from which the heights of --crs count, in place of --geoid-m: a GeoTIFF of longitudes and latitudes, GTX, or PGM of GeographicLib. It may cover the earth: the part about the block is kept.',
+    ),
+    path(
       'masks',
       'DIR',
       'Masks: images in which no features are wanted where they are 0 (black), as large as the images whose names they have: IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png for IMG_1.jpg.',
@@ -83,6 +89,7 @@ async function run(call) {
     ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }),
     ...controlOf(values),
     ...masksOf(values),
+    ...geoidOf(values, settings),
   };
   const truth = values.get('truth');
   const known = typeof truth === 'string' ? truthOf(truth) : null;
@@ -143,6 +150,15 @@ function masksOf(values) {
   if (typeof folder !== 'string') return {};
   if (!isFolder(folder)) throw new UsageError(`--masks is ${folder}, which is no folder; name a folder of masks`);
   return { masks: imagesIn(folder).map(sourceOf) };
+}
+
+/** @param {Call['values']} values @param {import('../node.js').BlockSettings} settings */
+function geoidOf(values, { placing }) {
+  const file = values.get('geoid');
+  if (typeof file !== 'string') return {};
+  if (!isFile(file)) throw new DataError(`${file}: there is no such file`);
+  check_geoid(basename(file), placing);
+  return { geoid: sourceOf(file) };
 }
 
 /** The images of folders, by name, and single images, in the order in which they were given.  @param {string[]} given @returns {Source[]} */

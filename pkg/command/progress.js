@@ -12,6 +12,7 @@ const PAUSE_MS = 100;
 const WORDS = {
   photos: 'photos',
   images: 'images',
+  geoid: 'geoid',
   likeness: 'similarity of images',
   pairs: 'pairs',
   points: 'tie points',
@@ -21,7 +22,7 @@ const WORDS = {
 };
 
 /** Stages that are one computation. */
-const OF_ONE_PIECE = ['points', 'orientation'];
+const OF_ONE_PIECE = ['geoid', 'points', 'orientation'];
 
 export class Progress {
   #bar = process.stderr.isTTY === true;

@@ -696,8 +696,9 @@ remark-result-system =
        *[other] . والانتقال من WGS 84 هو { $operation }، بدقة { SIGNIFICANT($accuracy_m, digits: 1) } م
     }{ $gnss_above_m ->
         [none] {""}
-       *[other] . وارتفاعاته من سطح خاص به: لم تشارك ارتفاعات مواضع GNSS. وهي أعلى من ارتفاعات الكتلة بمقدار { FIXED($gnss_above_m, digits: 2) } م، أي نحو ارتفاع الجيوئيد (--geoid-m) إذا كانت فوق الإهليلجي
+       *[other] . وارتفاعاته من سطح خاص به: لم تشارك ارتفاعات مواضع GNSS. وهي أعلى من ارتفاعات الكتلة بمقدار { FIXED($gnss_above_m, digits: 2) } م، أي نحو ارتفاع الجيوئيد (--geoid، --geoid-m) إذا كانت فوق الإهليلجي
     }
+remark-geoid = تُحسب الارتفاعات من جيوئيد { $name }، الذي يعلو المجسم الإهليلجي بمقدار { FIXED($low_m, digits: 2) } إلى { FIXED($high_m, digits: 2) } م حيث الصور
 remark-no-result-system = النتائج ليست في { $crs }: ليس للكتلة موضع على الأرض تعطيه مواضع GNSS أو نقاط الضبط
 remark-orthophoto-system-assumed = لا تذكر الصورة المصححة نظامها المرجعي للإحداثيات: أُخذت على أنها في { $crs }
 remark-orthophoto-converted =
@@ -999,6 +1000,17 @@ refusal-control-elsewhere =
         }
     }
 refusal-geoid-of-ellipsoid = ارتفاع الجيوئيد: أُعطي { $geoid_m } م مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: 0، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
+refusal-no-geoid = الجيوئيد: أُعطي { $name } وهو ليس مما يُقرأ؛ المسموح: GeoTIFF بخطوط الطول والعرض وشماله إلى أعلى، أو GTX، أو PGM من GeographicLib
+refusal-geoid-elsewhere = الجيوئيد: أُعطي { $name } وهو يغطي خطوط الطول من { FIXED($west, digits: 2) } إلى { FIXED($east, digits: 2) } وخطوط العرض من { FIXED($south, digits: 2) } إلى { FIXED($north, digits: 2) }، لكتلة عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }؛ المسموح: جيوئيد يغطي الكتلة
+refusal-geoid-height =
+    الجيوئيد: { $height ->
+        [none] لا ارتفاع
+       *[other] أُعطي { $height } م
+    } في { $name } عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }؛ المسموح: ارتفاعات فوق الإهليلجي من -200 إلى 200 م حول الكتلة كلها
+refusal-geoid-nodes = الجيوئيد: أُعطي { $columns } × { $rows } من الارتفاعات حول الكتلة في { $name }؛ المسموح: حتى { $most }
+refusal-geoid-twice = ارتفاع الجيوئيد: أُعطي { $geoid_m } م والملف { $name }؛ المسموح: أحدهما
+refusal-geoid-without-crs = الجيوئيد: أُعطي { $name } بلا نظام إحداثيات؛ المسموح: نظام تُحسب ارتفاعاته منه (--crs)
+refusal-geoid-without-place = الجيوئيد: أُعطي { $name } لكتلة ليس لها موضع على الأرض؛ المسموح: صور بمواضع GNSS، أو نقاط ضبط
 
 # The run of a block.
 refusal-measured-beyond = القياسات الصورية: أُعطي ({ $x_px }, { $y_px }) للنقطة { $point } في { $name }، خارج أي صورة؛ المسموح: مواضع داخل الصورة
@@ -1111,6 +1123,7 @@ refusal-pair-found = المطابقات المعثور عليها في الزو�
 refusal-pair-place = موضع مطابقة معدَّلة: أُعطي { $got }؛ المسموح: أعداد منتهية من px
 refusal-pair-rejected = مطابقة مرفوضة من الزوج: أُعطي { $index }؛ المسموح: مطابقات دون { $matches }
 refusal-project-connection = وصلة المشروع: أُعطي [{ $images }]؛ المسموح: صورتان دون { $count } بترتيب تصاعدي
+refusal-project-geoid = جيوئيد المشروع: أُعطيت أعداد ليست أعداد شبكة؛ المسموح: ارتفاعات بعدد الصفوف والأعمدة، اثنان أو أكثر
 refusal-project-edits = تعديلات المشروع: أُعطيت تعديلات كتلة غير موجَّهة؛ المسموح: تعديلات كتلة موجَّهة
 refusal-project-image = صورة المشروع: أُعطيت '{ $name }' من الكاميرا { $camera }؛ المسموح: '{ $other }' من الكاميرا { $other_camera }
 refusal-project-index = نموذج المشروع: أُعطي الرقم { $index }؛ المسموح: صور دون { $images } وكاميرات دون { $cameras }

@@ -388,6 +388,17 @@ refusal-control-elsewhere =
         }
     }
 refusal-geoid-of-ellipsoid = height of the geoid: got { $geoid_m } m beside { $crs }, whose heights are ellipsoidal; allowed: 0, or a system of the plane, or one with heights above sea level
+refusal-no-geoid = geoid: got { $name }, which is none that is read; allowed: a GeoTIFF of longitudes and latitudes with north up, a GTX, or a PGM of GeographicLib
+refusal-geoid-elsewhere = geoid: got { $name }, which covers longitudes { FIXED($west, digits: 2) } to { FIXED($east, digits: 2) } and latitudes { FIXED($south, digits: 2) } to { FIXED($north, digits: 2) }, for a block at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }; allowed: a geoid that covers the block
+refusal-geoid-height =
+    geoid: got { $height ->
+        [none] no height
+       *[other] { $height } m
+    } in { $name } at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }; allowed: heights above the ellipsoid from -200 to 200 m all about the block
+refusal-geoid-nodes = geoid: got { $columns } x { $rows } heights about the block in { $name }; allowed: up to { $most }
+refusal-geoid-twice = height of the geoid: got { $geoid_m } m and the file { $name }; allowed: one of them
+refusal-geoid-without-crs = geoid: got { $name } without a coordinate system; allowed: a system whose heights count from it (--crs)
+refusal-geoid-without-place = geoid: got { $name } for a block that has no place on the earth; allowed: images with GNSS positions, or control points
 
 # The run of a block.
 refusal-measured-beyond = image measurements: got ({ $x_px }, { $y_px }) for { $point } in { $name }, outside any image; allowed: positions within the image
@@ -502,6 +513,7 @@ refusal-pair-found = found matches of the pair: got verdicts on { $found } point
 refusal-pair-place = place of an edited match: got { $got }; allowed: finite numbers of px
 refusal-pair-rejected = rejected match of the pair: got { $index }; allowed: matches below { $matches }
 refusal-project-connection = connection of the project: got [{ $images }]; allowed: two images below { $count } in ascending order
+refusal-project-geoid = geoid of the project: got numbers that are none of a grid; allowed: as many heights as it has rows and columns, two or more
 refusal-project-edits = edits of the project: got those of a block that is not oriented; allowed: edits of an oriented block
 refusal-project-image = image of the project: got '{ $name }' of camera { $camera }; allowed: '{ $other }' of camera { $other_camera }
 refusal-project-index = model of the project: got index { $index }; allowed: images below { $images } and cameras below { $cameras }
@@ -1079,8 +1091,9 @@ remark-result-system =
        *[other] . The shift from WGS 84 is that of { $operation }, accurate to { SIGNIFICANT($accuracy_m, digits: 1) } m
     }{ $gnss_above_m ->
         [none] {""}
-       *[other] . Its heights count from a level of their own: heights of GNSS positions took no part. They are { FIXED($gnss_above_m, digits: 2) } m higher than those of the block, about the height of the geoid (--geoid-m) where they are above the ellipsoid
+       *[other] . Its heights count from a level of their own: heights of GNSS positions took no part. They are { FIXED($gnss_above_m, digits: 2) } m higher than those of the block, about the height of the geoid (--geoid, --geoid-m) where they are above the ellipsoid
     }
+remark-geoid = heights count from the geoid of { $name }, which lies { FIXED($low_m, digits: 2) } to { FIXED($high_m, digits: 2) } m above the ellipsoid where the images are
 remark-no-result-system = the results are not in { $crs }: the block is not georeferenced, which GNSS positions or control points would do
 remark-orthophoto-system-assumed = the orthophoto does not say its coordinate reference system: it is taken to be in { $crs }
 remark-orthophoto-converted =

@@ -1,11 +1,13 @@
-//! Coordinate reference systems: what an EPSG code, PROJ text or WKT names, the way from its coordinates to WGS 84 and back, and the directions of
-//! its axes at a place.
+//! Coordinate reference systems: what an EPSG code, PROJ text or WKT names, the way from its coordinates to WGS 84 and back, and where its heights
+//! count from, and the directions of its axes at a place.
 //!
 //! Projections and datum shifts are those of the `proj-core` library. It computes with the sine of the platform, so that its last bits may differ
 //! between native code and WebAssembly: what leaves this module is rounded (`rounding`).
 
 mod definition;
 mod described;
+mod geoid;
+mod height_zero;
 mod operation;
 mod positions;
 mod rounding;
@@ -15,6 +17,8 @@ mod zones;
 
 pub(crate) use definition::Definition;
 pub(crate) use described::{Described, Projection};
+pub use geoid::Geoid;
+pub(crate) use height_zero::HeightZero;
 pub(crate) use positions::middle;
 pub use positions::{coordinates_in_system, places_of_coordinates};
 pub(crate) use system::CoordinateSystem;

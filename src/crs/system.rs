@@ -1,7 +1,7 @@
 //! A coordinate reference system at a place: the way to WGS 84 and back, and the directions of its axes.
 
 use super::definition::{Definition, HeightReference};
-use super::{operation, rounding};
+use super::{HeightZero, operation, rounding};
 use crate::error::refuse;
 use crate::math::{cross, dot3, local_from_geographic, minus, turn};
 use crate::{Error, Refusal};
@@ -26,45 +26,45 @@ const LENGTH_DEG: f64 = 1e-3;
 #[derive(Clone)]
 pub(crate) struct CoordinateSystem {
     definition: Definition,
-    /// The height of the zero of its heights above the ellipsoid of WGS 84; absent where it is not known.
-    geoid_m: Option<f64>,
+    zero: HeightZero,
     to_wgs84: Transform,
     from_wgs84: Transform,
 }
 
 impl CoordinateSystem {
-    /// For positions about `[longitude, latitude]` of WGS 84. `geoid_m`: the height of the zero of its heights above the ellipsoid, where that is known.
+    /// For positions about `[longitude, latitude]` of WGS 84. `zero`: where its heights count from.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for a system that nothing leads from to WGS 84 there, and a geoid beside ellipsoidal heights.
-    pub fn new(definition: Definition, geoid_m: Option<f64>, place: [f64; 2]) -> Result<Self, Error> {
+    pub fn new(definition: Definition, zero: impl Into<HeightZero>, place: [f64; 2]) -> Result<Self, Error> {
+        let zero = zero.into();
         let is_ellipsoidal = definition.heights() == HeightReference::Ellipsoid;
-        if let Some(geoid_m) = geoid_m.filter(|geoid_m| is_ellipsoidal && *geoid_m != 0.0) {
+        if let Some(geoid_m) = zero.above_m(place).filter(|geoid_m| is_ellipsoidal && *geoid_m != 0.0) {
             return refuse(Refusal::GeoidOfEllipsoid { crs: definition.name(), geoid_m });
         }
         let to_wgs84 = operation::to_wgs84(&definition, place)?;
         let Ok(from_wgs84) = to_wgs84.inverse() else {
             return refuse(Refusal::NoDatumShift { crs: definition.text().into(), name: definition.name() });
         };
-        Ok(Self { definition, geoid_m: if is_ellipsoidal { Some(0.0) } else { geoid_m }, to_wgs84, from_wgs84 })
+        Ok(Self { definition, zero: if is_ellipsoidal { HeightZero::Level(0.0) } else { zero }, to_wgs84, from_wgs84 })
     }
 
     /// For positions about these coordinates.
     ///
     /// # Errors
     /// As [`new`](Self::new); for coordinates that lie outside the system.
-    pub fn about(definition: Definition, geoid_m: Option<f64>, at: [f64; 2]) -> Result<Self, Error> {
+    pub fn about(definition: Definition, zero: impl Into<HeightZero>, at: [f64; 2]) -> Result<Self, Error> {
         let place = operation::about(&definition, at)?;
-        Self::new(definition, geoid_m, place)
+        Self::new(definition, zero, place)
     }
 
     pub fn definition(&self) -> &Definition {
         &self.definition
     }
 
-    /// The height of the zero of its heights above the ellipsoid of WGS 84, where that is known.
-    pub fn geoid_m(&self) -> Option<f64> {
-        self.geoid_m
+    /// Where its heights count from.
+    pub fn zero(&self) -> &HeightZero {
+        &self.zero
     }
 
     /// What the registry calls the operation to WGS 84; absent for what the text states, and where none is needed.
@@ -124,7 +124,8 @@ impl CoordinateSystem {
     }
 
     fn exact_geographic(&self, [x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
-        converted(&self.to_wgs84, [x, y, z * self.definition.height_unit_m() + self.geoid_m.unwrap_or(0.0)])
+        let [longitude, latitude, height] = converted(&self.to_wgs84, [x, y, z * self.definition.height_unit_m()])?;
+        Some([longitude, latitude, height + self.zero.above_m([longitude, latitude]).unwrap_or(0.0)])
     }
 
     /// The inverse of a datum shift in the plane is not quite its way back, since heights are kept on both: what is missing is added.
@@ -139,7 +140,8 @@ impl CoordinateSystem {
             return None;
         }
         let [x, y, z] = converted(&self.from_wgs84, [place[0] + east, place[1] + north, place[2]])?;
-        Some([x, y, (z - self.geoid_m.unwrap_or(0.0)) / self.definition.height_unit_m()])
+        let above_m = self.zero.above_m([place[0], place[1]]).unwrap_or(0.0);
+        Some([x, y, (z - above_m) / self.definition.height_unit_m()])
     }
 }
 
@@ -239,13 +241,13 @@ mod tests {
         let at = [691_000.0, 5_334_000.0];
         let [plain, above] = [None, Some(46.5)].map(|geoid_m| system("EPSG:25832", geoid_m, at));
         let height = |system: &CoordinateSystem| system.geographic([at[0], at[1], 500.0]).unwrap()[2];
-        assert_eq!((height(&plain), height(&above), plain.geoid_m()), (500.0, 546.5, None));
+        assert_eq!((height(&plain), height(&above), plain.zero().is_known()), (500.0, 546.5, false));
         let known = |crs: &str| Definition::read(crs).unwrap().heights();
         assert_eq!(
             ["EPSG:25832", "EPSG:5555", "EPSG:25832+7837", "EPSG:4979"].map(known),
             [HeightReference::Unsaid, HeightReference::Other, HeightReference::Other, HeightReference::Ellipsoid]
         );
-        assert_eq!(system("EPSG:4979", None, [10.0, 50.0]).geoid_m(), Some(0.0));
+        assert_eq!(system("EPSG:4979", None, [10.0, 50.0]).zero().above_m([10.0, 50.0]), Some(0.0));
         let refused = CoordinateSystem::about(Definition::read("EPSG:4979").unwrap(), Some(46.5), [10.0, 50.0]).err().unwrap();
         assert!(matches!(refused, Error::InvalidInput { refusal } if matches!(refusal, Refusal::GeoidOfEllipsoid { .. })));
     }

@@ -162,6 +162,13 @@ messages! {
         ControlDegrees { point: String, #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String },
         ControlElsewhere { point: String, #[serde(with = "number")] distance_km: f64, crs: String, #[serde(with = "number")] most_km: f64, swapped: bool, zone: Option<u32>, likely: Option<String> },
         GeoidOfEllipsoid { crs: String, #[serde(with = "number")] geoid_m: f64 },
+        NoGeoid { name: String },
+        GeoidElsewhere { name: String, west: f64, south: f64, east: f64, north: f64, #[serde(with = "number")] longitude_deg: f64, #[serde(with = "number")] latitude_deg: f64 },
+        GeoidHeight { name: String, longitude_deg: f64, latitude_deg: f64, height: Option<f64> },
+        GeoidNodes { name: String, columns: usize, rows: usize, most: usize },
+        GeoidTwice { name: String, geoid_m: f64 },
+        GeoidWithoutCrs { name: String },
+        GeoidWithoutPlace { name: String },
 
         // The run of a block.
         MeasuredBeyond { #[serde(with = "number")] x_px: f64, #[serde(with = "number")] y_px: f64, point: String, name: String },
@@ -249,6 +256,7 @@ messages! {
         PairRejected { index: usize, matches: usize },
         ProjectConnection { images: [u32; 2], count: usize },
         ProjectEdits,
+        ProjectGeoid,
         ProjectImage { name: String, camera: usize, other: String, other_camera: usize },
         ProjectIndex { index: usize, images: usize, cameras: usize },
         ProjectCamera { camera: usize, cameras: usize },

@@ -1,9 +1,9 @@
 //! The map of a block: the system in which its results are, and the way from there to that of its adjustment.
 
 use super::footprint::Footprint;
-use super::georeference::Georeference;
 use super::ground::Ground;
 use super::heights::{HeightModel, Heights};
+use crate::Georeference;
 use crate::crs::CoordinateSystem;
 use crate::error::refuse;
 use crate::math::median;

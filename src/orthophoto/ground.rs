@@ -1,7 +1,7 @@
 //! The system of the ground that heights are given for.
 
-use super::geotiff::{SaidSystem, name_of};
 use crate::crs::{CoordinateSystem, Definition};
+use crate::georeferenced::{SaidSystem, name_of};
 
 /// Two systems without a common code are one where coordinates of one place differ by less, in m: a shift of a datum that a text states may differ from
 /// that of the registry by metres.

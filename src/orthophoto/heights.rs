@@ -1,15 +1,13 @@
 //! The height of the ground: one for all, or a grid.
 
-use super::georeference::Georeference;
-use super::geotiff::{GeoTags, SaidSystem};
 use super::ground::Ground;
+use crate::Georeference;
 use crate::error::refuse;
-use crate::image::{checked_directory, tiff_error, with_rows_of_image};
+use crate::georeferenced::{GeoTags, MOST_VALUES, SaidSystem, numbers_of_tiff};
+use crate::image::checked_directory;
 use crate::{Error, Refusal};
 use std::borrow::Cow;
-use std::io::Cursor;
 use std::sync::Arc;
-use tiff::decoder::{Decoder, DecodingResult, Limits};
 
 /// A model of heights on a grid; between the centres of its pixels heights are interpolated in both directions.
 #[derive(Debug, Clone, PartialEq)]
@@ -113,10 +111,6 @@ const LOWEST: f64 = -1_000.0;
 const HIGHEST: f64 = 20_000.0;
 /// Stands for 'no height' in an ESRI grid that does not say.
 const NO_HEIGHT: f64 = -9999.0;
-/// Most values that a byte of a TIFF stands for.
-const MOST_PACKED: usize = 2560;
-/// Most values of a grid.
-const MOST_VALUES: usize = 100_000_000;
 
 impl HeightModel {
     /// Takes heights row by row; what is not finite is a hole.
@@ -185,29 +179,7 @@ impl HeightModel {
                 return refuse(Refusal::HeightsWithoutPlace);
             }
         };
-        let file = &*with_rows_of_image(file);
-        // What the heights need is checked below.
-        let mut decoder = Decoder::new(Cursor::new(file)).map_err(tiff_error)?.with_limits(Limits::unlimited());
-        let (width, height) = decoder.dimensions().map_err(tiff_error)?;
-        let [width, height] = [width, height].map(|side| side as usize);
-        // No compression that is read packs more.
-        if width.saturating_mul(height) / MOST_PACKED > file.len() {
-            return refuse(Refusal::TruncatedHeights { width, height, bytes: file.len() });
-        }
-        if width.saturating_mul(height) > MOST_VALUES {
-            return refuse(Refusal::ManyHeights { width, height });
-        }
-        let values: Vec<f32> = match decoder.read_image().map_err(tiff_error)? {
-            DecodingResult::F32(values) => values,
-            DecodingResult::F64(values) => values.into_iter().map(|v| v as f32).collect(),
-            DecodingResult::I16(values) => values.into_iter().map(f32::from).collect(),
-            DecodingResult::U16(values) => values.into_iter().map(f32::from).collect(),
-            DecodingResult::U8(values) => values.into_iter().map(f32::from).collect(),
-            DecodingResult::I32(values) => values.into_iter().map(|v| v as f32).collect(),
-            _ => {
-                return refuse(Refusal::HeightSamples);
-            }
-        };
+        let (width, height, values) = numbers_of_tiff(file)?;
         let hole = tags.no_data.map(|v| v as f32);
         let values = values.into_iter().map(|v| if Some(v) == hole { f32::NAN } else { v }).collect();
         Ok(Self { unit_m: tags.system.height_unit_m, said: Arc::new(tags.system), ..Self::new(width, height, values, georeference)? })

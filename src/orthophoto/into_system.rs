@@ -1,9 +1,9 @@
 //! The way from an orthophoto into the coordinate reference system of a block.
 
-use super::geotiff::{SaidSystem, name_of};
 use super::reference::Orthophoto;
 use crate::crs::{CoordinateSystem, Definition, Described};
 use crate::error::refuse;
+use crate::georeferenced::{SaidSystem, name_of};
 use crate::math::median;
 use crate::pipeline::GroundPoint;
 use crate::text::shorten;

@@ -2,10 +2,10 @@
 //! known of its orientation, has them.
 
 use super::footprint::Footprint;
-use super::georeference::Georeference;
 use super::heights::Heights;
 use super::rectify::{Seen, rectify_from};
 use super::reference::Orthophoto;
+use crate::Georeference;
 use crate::matching::{LeastSquares, LeastSquaresOptions};
 use crate::{Camera, Error, Feature, FeatureOptions, GreyImage, Guide, GuidedOptions, Located, Pose, features, guided_matches, halve};
 

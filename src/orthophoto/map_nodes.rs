@@ -2,7 +2,7 @@
 //! pixels, and each conversion takes microseconds.
 
 use super::block_map::BlockMap;
-use super::georeference::Georeference;
+use crate::Georeference;
 
 /// Radius of the earth in m.
 const EARTH_M: f64 = 6.37e6;

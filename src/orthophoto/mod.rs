@@ -1,6 +1,6 @@
 //! Orthophotos as the reference of images.
 //!
-//! Data flow: an [`Orthophoto`] (`reference`, by `georeference` and `geotiff`) with its `heights` → its `search_area` → `first_place` (features that agree on a
+//! Data flow: an [`Orthophoto`] (`reference`) with its `heights` → its `search_area` → `first_place` (features that agree on a
 //! similarity) → an orientation by resection → `confirming` by `links` (the image resampled to the ground by `rectify`, matched to the orthophoto: coarse,
 //! then fine) and `adjusting` (the bundle adjustment of one image, its `precision`) → its `placement` → `verdict` → [`PlacedImage`].
 //!
@@ -18,8 +18,6 @@ mod confirming;
 mod emptiness;
 mod first_place;
 mod footprint;
-mod georeference;
-mod geotiff;
 mod ground;
 mod heights;
 mod into_system;
@@ -51,7 +49,6 @@ pub use adjusting::PlacingCamera;
 pub use block_links::BlockLinks;
 pub(crate) use block_map::{BlockMap, epsg_of};
 pub use by_hand::{GivenLink, GivenUse, ground_positions, image_positions, place_by_links};
-pub use georeference::Georeference;
 pub use heights::{HeightModel, Heights};
 pub use mosaic::Mosaic;
 pub use options::PlacingOptions;

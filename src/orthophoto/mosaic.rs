@@ -2,7 +2,6 @@
 
 use super::block_map::{BlockMap, epsg_of};
 use super::footprint::Footprint;
-use super::georeference::Georeference;
 use super::ground::Ground;
 use super::heights::Heights;
 use super::links::reduced;
@@ -11,6 +10,7 @@ use super::mosaic_tiles::{MosaicTiles, Reach, most_waiting, order};
 use super::point_heights::{heights_of_points, heights_on_map};
 use super::rectify::Seen;
 use super::tiled_file::{Samples, TiledFile};
+use crate::Georeference;
 use crate::camera::Camera;
 use crate::error::refuse;
 use crate::image::Neighbours;

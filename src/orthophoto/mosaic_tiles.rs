@@ -132,8 +132,8 @@ impl MosaicTiles {
 
 #[cfg(test)]
 mod tests {
-    use super::super::georeference::Georeference;
     use super::*;
+    use crate::Georeference;
     use std::io::Cursor;
 
     /// Images of 1,000 px side by side along a strip, each half over the next one.

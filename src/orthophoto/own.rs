@@ -25,6 +25,6 @@ pub fn rectify_placed(image: &Bands, placement: &Placement, reference: &Orthopho
     let georeference = of.with_gsd(enlarged * placement.gsd_m);
     let first = [left, top].map(|v| (v / enlarged).floor());
     let size = [right - left, bottom - top].map(|length| ((length / enlarged).ceil() + 1.0).max(1.0) as usize);
-    let georeference = super::Georeference { origin: georeference.ground(first), ..georeference };
+    let georeference = crate::Georeference { origin: georeference.ground(first), ..georeference };
     rectify(image, &placement.camera, &placement.pose, &reference.heights, &georeference, size)
 }

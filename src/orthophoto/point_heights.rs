@@ -1,8 +1,8 @@
 //! The heights that the tie points of a block give the ground.
 
 use super::block_map::{BlockMap, borders, epsg_of};
-use super::georeference::Georeference;
 use super::heights::{HeightModel, Heights};
+use crate::Georeference;
 use crate::math::median;
 use crate::{BlockModel, BlockRun, Error, Few};
 

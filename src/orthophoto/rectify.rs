@@ -1,7 +1,7 @@
 //! An image resampled to the ground.
 
-use super::georeference::Georeference;
 use super::heights::Heights;
+use crate::Georeference;
 use crate::adjustment::project;
 use crate::image::Neighbours;
 use crate::{Bands, Camera, Error, GreyImage, GreyView, Pose};

@@ -1,14 +1,14 @@
 //! An orthophoto as the reference of images.
 
-use super::georeference::Georeference;
-use super::geotiff::{GeoTags, SaidSystem, refuse_degrees};
 use super::ground::Ground;
 use super::heights::{HeightModel, Heights};
 use super::parts::Parts;
 use super::picture::Picture;
 use super::rectify::Rectified;
 use super::write::{write_geotiff, write_heights};
+use crate::Georeference;
 use crate::error::refuse;
+use crate::georeferenced::{GeoTags, SaidSystem, refuse_degrees};
 use crate::image::{TiffRaster, Wanted, is_tiff, read_all};
 use crate::{
     Bands, DecodeLimits, Document, Error, Feature, FeatureOptions, FileFault, FileSource, GreyImage, Refusal, ScalePoint, decode,

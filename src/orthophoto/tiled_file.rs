@@ -1,8 +1,8 @@
 //! GeoTIFF files that are written tile by tile, in any order: none is in memory as a whole. Pictures get smaller ones of themselves (overviews), so that
 //! a large one is looked at as a whole without all of it being read.
 
-use super::georeference::Georeference;
-use super::geotiff::{KEYS, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, TIE_POINTS, TRANSFORMATION};
+use crate::Georeference;
+use crate::georeferenced::{KEYS, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, TIE_POINTS, TRANSFORMATION};
 use crate::{Document, Error};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;

@@ -1,9 +1,9 @@
 //! Pictures of the ground as GeoTIFF.
 
-use super::georeference::Georeference;
 use super::heights::HeightModel;
 use super::rectify::Rectified;
 use super::tiled_file::{Samples, TiledFile};
+use crate::Georeference;
 use crate::{Error, GreyImage};
 use std::io::Cursor;
 
@@ -71,8 +71,8 @@ fn written(
 
 #[cfg(test)]
 mod tests {
-    use super::super::geotiff::{MODEL_TYPE, PROJECTED};
     use super::*;
+    use crate::georeferenced::{MODEL_TYPE, PROJECTED};
     use crate::{Bands, DecodeLimits, Heights, Orthophoto, decode_bands};
 
     fn picture(georeference: Georeference) -> Rectified {

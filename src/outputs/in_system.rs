@@ -5,7 +5,7 @@
 //! of coordinates: its two places have other axes.
 
 use super::precision::{ImageErrors, image_errors, point_errors, written};
-use crate::crs::CoordinateSystem;
+use crate::crs::{CoordinateSystem, HeightZero};
 use crate::math::{dot3, median};
 use crate::text::shorten;
 use crate::{BlockImage, BlockModel, BlockRun, LeftOut, Pose, ReconstructedModel, Remark, SurveyedPoint, geographic_from_local};
@@ -111,13 +111,14 @@ impl<'a> InSystem<'a> {
 
     /// What is said of the system; absent where none was chosen.
     pub fn system(&self) -> Option<ResultSystem> {
-        let (system, _) = self.chosen.as_ref()?;
+        let (system, origin) = self.chosen.as_ref()?;
         Some(ResultSystem {
             name: system.definition().name(),
             definition: system.definition().text().to_string(),
             operation: system.operation().map(String::from),
             accuracy_m: system.accuracy_m(),
-            geoid_m: system.geoid_m(),
+            geoid_m: system.zero().above_m([origin[0], origin[1]]),
+            geoid: self.run.geoid.as_ref().map(|geoid| geoid.name.clone()),
             gnss_above_m: self.gnss_above_m(),
         })
     }
@@ -132,13 +133,27 @@ impl<'a> InSystem<'a> {
             }
             None => crs().map(|crs| Remark::NoResultSystem { crs: shorten(&crs) }),
         });
+        remarks.extend(self.geoid());
         remarks
+    }
+
+    /// How high the geoid of heights lies where the images are.
+    fn geoid(&self) -> Option<Remark> {
+        let (system, origin) = self.chosen.as_ref()?;
+        let HeightZero::Geoid(geoid) = system.zero() else { return None };
+        let poses = self.run.model.images.iter().filter_map(|image| image.pose);
+        let heights = poses.map(|pose| {
+            let [longitude, latitude, _] = geographic_from_local(pose.position, *origin);
+            geoid.above_m([longitude, latitude])
+        });
+        let [low_m, high_m] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)]);
+        (low_m <= high_m).then(|| Remark::Geoid { name: geoid.name.clone(), low_m, high_m })
     }
 
     /// How much higher the GNSS positions are than where the block has them, where their heights take no part: the median.
     fn gnss_above_m(&self) -> Option<f64> {
         let (system, origin) = self.chosen.as_ref()?;
-        if system.geoid_m().is_some() || self.run.input.control.is_none() || !self.run.input.use_gnss {
+        if system.zero().is_known() || self.run.input.control.is_none() || !self.run.input.use_gnss {
             return None;
         }
         // Without control points they take part.
@@ -198,8 +213,11 @@ pub struct ResultSystem {
     pub operation: Option<String>,
     /// Accuracy of this operation, as the registry states it.
     pub accuracy_m: Option<f64>,
-    /// The height of the zero of its heights above the ellipsoid of WGS 84; absent where it is not known.
+    /// The height of the zero of its heights above the ellipsoid of WGS 84, in the middle of the block; absent where it is not known.
     pub geoid_m: Option<f64>,
+    /// Name of the file of the geoid from which they count; absent where none was given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geoid: Option<String>,
     /// How much higher the GNSS positions are than where the block has them, where their heights took no part.
     pub gnss_above_m: Option<f64>,
 }

@@ -48,6 +48,8 @@ pub struct BlockOverview {
     pub origin: Option<GeographicOrigin>,
     /// The coordinate reference system that was chosen for control points and results, as it was given.
     pub crs: Option<String>,
+    /// The height of the zero of its heights above the ellipsoid of WGS 84, in the middle of the block; absent where it is not known.
+    pub geoid_m: Option<f64>,
     /// Changes by hand.
     pub edits: usize,
     /// What is weak about the block.
@@ -138,6 +140,7 @@ impl BlockOverview {
             surveyed: surveyed(run).to_vec(),
             origin: run.model.origin,
             crs: run.input.settings.placing.crs.clone(),
+            geoid_m: shown.system().and_then(|system| system.geoid_m),
             edits: run.edits().len(),
             warnings: overview_warnings(run).into_iter().map(WithText::of).collect(),
         })

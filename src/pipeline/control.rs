@@ -1,7 +1,7 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
 use super::system::system_of;
-use crate::crs::CoordinateSystem;
+use crate::crs::{CoordinateSystem, HeightZero};
 use crate::error::refuse;
 use crate::formats::{UnreadColumns, unread_columns};
 use crate::{
@@ -44,7 +44,7 @@ impl ControlTables {
     pub fn check(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(), Error> {
         let named: BTreeSet<&String> = self.marks.iter().map(|mark| &mark.image).collect();
         let named: Vec<String> = if images.len() < 2 { named.into_iter().cloned().collect() } else { images.to_vec() };
-        let (control, _) = self.join(&named, placing)?;
+        let (control, _) = self.join(&named, placing, &HeightZero::Unknown)?;
         // How large an image is, and with it whether a measurement is outside it, only the run knows, which names the size.
         for (point, seen) in control.iter().flat_map(|point| point.measurements.iter().map(move |seen| (point, seen))) {
             if ![seen.x_px, seen.y_px].iter().all(|place| (0.0..=f64::from(MOST_PX)).contains(place)) {
@@ -57,14 +57,20 @@ impl ControlTables {
         BlockDescription { cameras, images, control }.check()
     }
 
-    /// The ground control points with the images, by index, that show them; and the names of images that are not among these, ascending.
+    /// The ground control points with the images, by index, that show them; and the names of images that are not among these, ascending. `zero`: where
+    /// their heights count from.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for a measurement of an unknown point, where fewer than three points are measured in two images or more, and for points
     /// outside their coordinate system.
-    pub fn join(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
+    pub(super) fn join(
+        &self,
+        images: &[String],
+        placing: &GeoreferencingOptions,
+        zero: &HeightZero,
+    ) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
         self.check_metres(placing)?;
-        let system = system_of(placing, &self.plane(), &[])?;
+        let system = system_of(placing, zero, &self.plane(), &[])?;
         let used = || self.used();
         let joined = used().map(|(point, role)| control_point(point, role, placing, system.as_ref()));
         let mut joined = joined.collect::<Result<Vec<GroundControlPoint>, Error>>()?;
@@ -194,7 +200,8 @@ mod tests {
     fn measurements_are_joined_to_points_and_images() {
         let marks = "1.png,a,10,20\n2.png,a,11,21\n1.png,b,30,40\n2.png,b,31,41\n1.png,c,50,60\n2.png,c,51,61\nx.png,c,1,1\n";
         let images = ["2.png", "1.png"].map(String::from);
-        let (joined, unknown) = ControlTables::read(POINTS, marks).unwrap().join(&images, &GeoreferencingOptions::default()).unwrap();
+        let (joined, unknown) =
+            ControlTables::read(POINTS, marks).unwrap().join(&images, &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap();
         assert_eq!(unknown, ["x.png"]);
         assert_eq!(
             joined[0].measurements,
@@ -227,17 +234,18 @@ mod tests {
     fn unknown_points_and_too_few_measurements_are_refused() {
         let refused = |marks: &str| {
             let tables = ControlTables::read(POINTS, marks).unwrap();
-            tables.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap_err().to_string()
+            tables.join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap_err().to_string()
         };
         assert!(refused("1.png,z,1,1\n").contains("the point z"));
         let few = refused("1.png,a,1,1\n9.png,a,1,1\n");
         let rows = "name,x,y,z,use\na,0,0,0,control\nb,100,0,0,check\nc,0,100,0,off\n";
         assert_eq!(ControlTables::read(rows, "1.png,a,1,1\n").unwrap().unmeasured(), ["b"]);
         let checked = ControlTables::read(rows, "1.png,a,1,1\n1.png,c,2,2\n").unwrap();
-        let checked = checked.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap_err().to_string();
+        let checked =
+            checked.join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap_err().to_string();
         assert!(checked.contains("0 of 1 (check points do not count) measured in two images"), "{checked}");
         let alone = ControlTables::read(&rows.replace("control", "check"), "1.png,a,1,1\n").unwrap();
-        let alone = alone.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap_err().to_string();
+        let alone = alone.join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap_err().to_string();
         assert!(
             alone.contains(
                 "got check points alone, which do not georeference the block; allowed: 3 or more measured in two images or more, or neither"
@@ -245,7 +253,10 @@ mod tests {
             "{alone}"
         );
         let off = ControlTables::read(&rows.replace("control", "off").replace("check", "off"), "1.png,a,1,1\n").unwrap();
-        assert_eq!(off.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap(), (Vec::new(), Vec::new()));
+        assert_eq!(
+            off.join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap(),
+            (Vec::new(), Vec::new())
+        );
         assert!(few.contains("0 of 3 measured in two images or more; the block does not have the images 9.png;"), "{few}");
     }
 

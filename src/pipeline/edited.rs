@@ -39,7 +39,7 @@ impl BlockRun {
             return Ok(found);
         }
         let is_unsupported = model.lacks_support();
-        let input = found.input.clone().checked()?;
+        let input = found.input.clone().checked(found.geoid.as_ref())?;
         let (description, _) = describe(&input, &found.images, &found.cameras)?;
         // Places of an orthophoto were judged when the block was linked to it.
         let is_linked = matches!(found.orthophoto, Some(OnOrthophoto::Linked { .. }));

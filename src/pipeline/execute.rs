@@ -1,7 +1,7 @@
 //! What workers do: a pure function from bytes to bytes, on any machine.
 
 use super::task::Task;
-use super::{features, likeness, pairs, refinement, windows};
+use super::{features, geoid, likeness, pairs, refinement, windows};
 use crate::error::refuse;
 use crate::{Error, Refusal};
 
@@ -19,6 +19,7 @@ pub fn execute(task: &Task, inputs: &[&[u8]]) -> Result<Vec<u8>, Error> {
         (Task::Pair(task), [left, right]) => pairs::execute(task, [left, right]),
         (Task::Windows(task), [image, features]) => windows::execute(task, image, features),
         (Task::Refine(task), [grey]) => refinement::execute(task, grey.to_vec()),
+        (Task::Geoid(task), [file]) => geoid::execute(task, file),
         _ => refuse(Refusal::JobInputs { inputs: inputs.len() }),
     }
 }

@@ -7,6 +7,7 @@ use super::points::reconstruction_options;
 use super::state::describe;
 use super::system::system_of;
 use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, Remark, RunInput};
+use crate::crs::HeightZero;
 use crate::error::refuse;
 use crate::formats::{ground_control_table, image_measurement_table};
 use crate::math::{NORMAL_MEDIAN, dot3, median};
@@ -229,7 +230,7 @@ impl<'a> Ground<'a> {
         let points = ground_control_table(&[own, &self.added].concat());
         let texts = ControlTexts { points, marks: image_measurement_table(&self.measurements) };
         let input = RunInput { control: Some(texts), ..found.input.clone() };
-        let described = input.clone().checked().and_then(|checked| {
+        let described = input.clone().checked(found.geoid.as_ref()).and_then(|checked| {
             let (description, _) = describe(&checked, &found.images, &found.cameras)?;
             Ok((checked.settings, description))
         });
@@ -285,7 +286,7 @@ impl<'a> Ground<'a> {
         let Attempt { input, description, mut model } = attempt;
         let found = self.found;
         let origin = origin_of(&description)?;
-        let checked = input.clone().checked()?;
+        let checked = input.clone().checked(found.geoid.as_ref())?;
         explain_control(&mut model, origin, &checked, reconstruction_options(&checked.settings).adjustment.limit());
         let role = |role| self.added.iter().filter(move |row| row.role == role).map(|row| row.name.as_str());
         let names: BTreeSet<&str> = role(Some(ControlRole::Control)).chain(role(Some(ControlRole::Check))).collect();
@@ -353,7 +354,7 @@ impl Attempt {
         let Some(origin) = origin_of(&self.description)?.map(|origin| [origin.longitude_deg, origin.latitude_deg, origin.height_m]) else {
             return Ok(None);
         };
-        let system = system_of(&self.input.settings.placing, &[], &[[origin[0], origin[1]]]).ok().flatten();
+        let system = system_of(&self.input.settings.placing, &HeightZero::Unknown, &[], &[[origin[0], origin[1]]]).ok().flatten();
         Ok(system.and_then(|system| system.axes(origin, origin)))
     }
 }

@@ -31,8 +31,8 @@ pub fn images_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
 }
 
 /// Runs a block of image files, with masks perhaps, on so many threads; `options.images` and `options.masks` are taken from the names of
-/// the files. What an earlier run has kept in the folder `kept` is not done again; the result is the same for any number of threads, and the
-/// same as that of the command and of the page. `tell` hears what is found. The folder is locked while the run works on it, as the command's is.
+/// the files, and `options.geoid` is the path of one. What an earlier run has kept in the folder `kept` is not done again; the result is the same for any
+/// number of threads, and the same as that of the command and of the page. `tell` hears what is found. The folder is locked while the run works on it, as the command's is.
 ///
 /// # Errors
 /// As [`Run`]; [`Error::UnreadableFile`] and [`Error::NotWritten`] for the folder, also where another run works on it.
@@ -46,8 +46,17 @@ pub fn run_block(
 ) -> Result<BlockRun, Error> {
     let _lock = FolderLock::take(kept)?;
     let names = |paths: &[PathBuf]| paths.iter().map(|path| name_of(path)).collect();
-    let run = Run::new(RunInput { images: names(images), masks: names(masks), ..options })?;
-    let host = Host { images, masks, kept, shared: Mutex::new(Shared { run, tell, busy: 0, ended: Ok(()) }), changed: Condvar::new() };
+    let geoid = options.geoid.as_ref().map(PathBuf::from).unwrap_or_default();
+    let named = options.geoid.as_ref().map(|_| name_of(&geoid));
+    let run = Run::new(RunInput { images: names(images), masks: names(masks), geoid: named, ..options })?;
+    let host = Host {
+        images,
+        masks,
+        geoid: &geoid,
+        kept,
+        shared: Mutex::new(Shared { run, tell, busy: 0, ended: Ok(()) }),
+        changed: Condvar::new(),
+    };
     std::thread::scope(|scope| {
         for _ in 0..threads.max(1) {
             scope.spawn(|| host.work());
@@ -85,6 +94,7 @@ struct Shared<T> {
 struct Host<'a, T> {
     images: &'a [PathBuf],
     masks: &'a [PathBuf],
+    geoid: &'a Path,
     kept: &'a Path,
     shared: Mutex<Shared<T>>,
     changed: Condvar,
@@ -131,8 +141,9 @@ impl<T: FnMut(News)> Host<'_, T> {
 
     fn perform(&self, job: &Job) -> Result<Outcome, Error> {
         let path = |file: &FileNeeded| match file {
-            FileNeeded::Image(index) => &self.images[*index],
-            FileNeeded::Mask(index) => &self.masks[*index],
+            FileNeeded::Image(index) => self.images[*index].as_path(),
+            FileNeeded::Mask(index) => self.masks[*index].as_path(),
+            FileNeeded::Geoid(_) => self.geoid,
         };
         let mut inputs = Vec::new();
         for file in &job.files {

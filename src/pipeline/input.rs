@@ -4,10 +4,12 @@ use super::cameras::CameraRules;
 use super::control::ControlTables;
 use super::masks::masks_of;
 use crate::catalogue::read_options;
+use crate::crs::{Geoid, HeightZero};
 use crate::error::refuse;
 use crate::{BlockSettings, Error, Refusal};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// A block before its run: files by their names, whose bytes come with the jobs that need them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,6 +27,10 @@ pub struct RunInput {
     /// Whether GNSS positions of the images choose near images and, without ground control points, georeference the block.
     pub use_gnss: bool,
     pub control: Option<ControlTexts>,
+    /// Name of the file of a geoid, from which the heights of the coordinate system count: a GeoTIFF of longitudes and latitudes, GTX, or PGM of
+    /// GeographicLib.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geoid: Option<String>,
 }
 
 /// Ground control points and their image measurements, as the texts of two files.
@@ -38,7 +44,15 @@ pub struct ControlTexts {
 
 impl Default for RunInput {
     fn default() -> Self {
-        Self { images: Vec::new(), masks: Vec::new(), settings: BlockSettings::default(), cameras: None, use_gnss: true, control: None }
+        Self {
+            images: Vec::new(),
+            masks: Vec::new(),
+            settings: BlockSettings::default(),
+            cameras: None,
+            use_gnss: true,
+            control: None,
+            geoid: None,
+        }
     }
 }
 
@@ -55,22 +69,32 @@ pub(super) struct Checked {
     pub unused_cameras: Vec<String>,
     pub use_gnss: bool,
     pub control: Option<ControlTables>,
+    pub geoid: Option<String>,
+    /// Where the heights of the coordinate system count from; not known before the geoid was read, where one is given.
+    pub zero: HeightZero,
 }
 
 impl RunInput {
-    /// Reads and checks everything but the images.
-    pub(super) fn checked(self) -> Result<Checked, Error> {
+    /// Where the heights of the coordinate system count from, by the part of the geoid, where one is given.
+    pub(super) fn zero(&self, geoid: Option<&Geoid>) -> HeightZero {
+        geoid.map_or_else(|| self.settings.placing.geoid_m.into(), |geoid| HeightZero::Geoid(Arc::new(geoid.clone())))
+    }
+
+    /// Reads and checks everything but the images. `geoid`: the part of the geoid, where one is given and was read.
+    pub(super) fn checked(self, geoid: Option<&Geoid>) -> Result<Checked, Error> {
         self.settings.check()?;
+        self.settings.placing.check_geoid(self.geoid.as_deref())?;
         check_names(&self.images)?;
         let (mask_of, unused_masks) = masks_of(&self.images, &self.masks)?;
         let rules = CameraRules::read(self.cameras.as_deref())?;
         let unused_cameras = rules.unused(&self.images)?;
-        let control = self.control.map(|texts| ControlTables::read(&texts.points, &texts.marks)).transpose()?;
+        let control = self.control.as_ref().map(|texts| ControlTables::read(&texts.points, &texts.marks)).transpose()?;
         if let Some(control) = &control {
             control.check(&self.images, &self.settings.placing)?;
         }
-        let Self { settings, images, masks, use_gnss, .. } = self;
-        Ok(Checked { settings, images, masks, mask_of, unused_masks, rules, unused_cameras, use_gnss, control })
+        let zero = self.zero(geoid);
+        let Self { settings, images, masks, use_gnss, geoid, .. } = self;
+        Ok(Checked { settings, images, masks, mask_of, unused_masks, rules, unused_cameras, use_gnss, control, geoid, zero })
     }
 }
 

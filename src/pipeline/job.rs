@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum StageName {
     Images,
+    Geoid,
     Likeness,
     Pairs,
     Points,
@@ -34,6 +35,8 @@ pub struct Job {
 pub enum FileNeeded {
     Image(usize),
     Mask(usize),
+    /// There is one at most.
+    Geoid(usize),
 }
 
 /// What is to be done for a job.

@@ -10,7 +10,7 @@ use crate::{BlockWarning, GeographicOrigin, Mistake, ReconstructedModel, geograp
 pub(super) fn explain_control(model: &mut ReconstructedModel, origin: Option<GeographicOrigin>, input: &Checked, limit: f64) {
     let placing = &input.settings.placing;
     let (Some(origin), Some(control)) = (origin, &input.control) else { return };
-    let Ok(Some(system)) = system_of(placing, &control.plane(), &[]) else { return };
+    let Ok(Some(system)) = system_of(placing, &input.zero, &control.plane(), &[]) else { return };
     // Degrees are no lengths.
     let Some(unit_m) = system.definition().unit_m() else { return };
     let units = [unit_m, unit_m, system.definition().height_unit_m()];

@@ -11,6 +11,7 @@ mod execute;
 mod features;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
+mod geoid;
 mod gross_places;
 mod ground;
 #[cfg(not(target_arch = "wasm32"))]

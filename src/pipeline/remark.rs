@@ -32,6 +32,8 @@ messages! {
         /// The coordinate reference system of tables; the operation from it to WGS 84 with its accuracy, where the registry has one; how much higher GNSS
         /// positions are than where the block has them, where their heights took no part.
         ResultSystem { crs: String, operation: Option<String>, accuracy_m: Option<f64>, gnss_above_m: Option<f64> },
+        /// Heights count from the geoid of a file, which lies so high above the ellipsoid where the images are.
+        Geoid { name: String, low_m: f64, high_m: f64 },
         /// The orthophoto does not say its coordinate reference system and is taken to be in that of the block.
         OrthophotoSystemAssumed { crs: String },
         /// Places of the orthophoto were converted to the coordinate reference system of the block; the accuracy of the shifts of their datums, where

@@ -2,6 +2,7 @@
 
 use super::cameras::InitialCamera;
 use super::{OnOrthophoto, Remark, RunInput};
+use crate::crs::Geoid;
 use crate::{
     BlockEdit, BlockModel, Connection, ExifImage, Failure, JoinCounts, PointSource, Reconstruction, RefinementOutcome, SharedPoints,
     TwoView,
@@ -43,6 +44,9 @@ pub struct BlockRun {
     /// What came of the orthophoto that it was given; absent where it was given none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orthophoto: Option<OnOrthophoto>,
+    /// The part about the block of the geoid that it was given; absent where it was given none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub geoid: Option<Geoid>,
 }
 
 impl BlockRun {

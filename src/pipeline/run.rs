@@ -1,5 +1,6 @@
 //! The run of a block as a state machine: it hands out jobs and takes their bytes.
 
+use super::geoid::GeoidStage;
 use super::images::Images;
 use super::input::RunInput;
 use super::job::{Job, News, Step, Work};
@@ -36,6 +37,7 @@ pub struct Run {
 /// The stages, in their order.
 enum Phase {
     Images(Images),
+    Geoid(GeoidStage),
     Likeness(Likeness),
     Pairs(Pairs),
     Own(Own, OwnStage),
@@ -52,6 +54,7 @@ impl Phase {
     fn stage(&mut self) -> Option<&mut dyn Stage> {
         Some(match self {
             Self::Images(stage) => stage,
+            Self::Geoid(stage) => stage,
             Self::Likeness(stage) => stage,
             Self::Pairs(stage) => stage,
             Self::Own(_, stage) => stage,
@@ -69,7 +72,7 @@ impl Run {
     /// Whatever can be refused before the images are read: [`Error::InvalidOption`] for the settings, [`Error::InvalidJson`] for the file
     /// of cameras, [`Error::InvalidInput`] for names, masks, cameras, ground control points and image measurements.
     pub fn new(input: RunInput) -> Result<Self, Error> {
-        let state = State::new(input.clone(), input.checked()?);
+        let state = State::new(input.clone(), input.checked(None)?);
         let phase = Phase::Images(Images::new(&state));
         let mut run = Self { state, phase, underway: BTreeMap::new(), next_id: 0, done: 0, found: 0, news: Vec::new() };
         run.step(String::new());
@@ -191,9 +194,9 @@ impl Run {
                 self.news.extend(copies.iter().map(told));
                 skipped.extend(copies);
                 state.take_images(read, skipped)?;
-                let rule = state.input.settings.pairs.rule_of(&state.local_positions());
-                if rule == PairRule::Alike { Phase::Likeness(Likeness::new(state)) } else { chosen_pairs(state, &[])? }
+                if state.input.geoid.is_some() { Phase::Geoid(GeoidStage::default()) } else { described(state)? }
             }
+            Phase::Geoid(_) => described(state)?,
             Phase::Likeness(stage) => chosen_pairs(state, &stage.lists(state.images.len()))?,
             Phase::Pairs(stage) => {
                 state.pairs = stage.matched;
@@ -220,6 +223,13 @@ impl Run {
 
 fn unknown(id: u32) -> Error {
     Refusal::UnknownJob { job: id }.into_error()
+}
+
+/// What is known of the block, then its pairs.
+fn described(state: &mut State) -> Result<Phase, Error> {
+    state.describe()?;
+    let rule = state.input.settings.pairs.rule_of(&state.local_positions());
+    if rule == PairRule::Alike { Ok(Phase::Likeness(Likeness::new(state))) } else { chosen_pairs(state, &[]) }
 }
 
 fn chosen_pairs(state: &mut State, similar: &[Vec<(u32, f32)>]) -> Result<Phase, Error> {

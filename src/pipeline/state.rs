@@ -5,7 +5,7 @@ use super::control::gnss_observation;
 use super::input::{Checked, RunInput};
 use super::system::{check_near, system_of};
 use super::{BlockRun, ControlTables, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
-use crate::crs::CoordinateSystem;
+use crate::crs::{CoordinateSystem, Geoid, HeightZero};
 use crate::error::refuse;
 use crate::formats::UnreadColumns;
 use crate::{
@@ -56,6 +56,8 @@ pub(super) struct State {
     pub refinement: Option<RefinementTable>,
     pub reconstruction: Option<Result<Reconstruction, Error>>,
     pub model: BlockModel,
+    /// About the block; absent before it was read.
+    pub geoid: Option<Geoid>,
 }
 
 impl State {
@@ -79,13 +81,14 @@ impl State {
             refinement: None,
             reconstruction: None,
             model: BlockModel::default(),
+            geoid: None,
         }
     }
 
-    /// Takes the images that were read, and finds what is known of the block before its orientation.
+    /// Takes the images that were read.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for fewer than two images and for control points that these images do not show; as [`BlockDescription::check`].
+    /// [`Error::InvalidInput`] for fewer than two images.
     pub fn take_images(&mut self, read: Vec<Read>, skipped: Vec<SkippedImage>) -> Result<(), Error> {
         let tried = read.len() + skipped.len();
         if read.len() < 2 {
@@ -115,7 +118,7 @@ impl State {
         self.remarks.extend(contradicted(&self.input.rules, known));
         self.remarks.extend(self.cautioned_cameras());
         self.remarks.extend(self.impossible_positions());
-        self.describe()
+        Ok(())
     }
 
     /// What speaks against the cameras of the files whose cameras were not given, each once, with its images.
@@ -138,11 +141,24 @@ impl State {
         (!images.is_empty()).then_some(Remark::ImpossiblePositions { images })
     }
 
-    /// Finds what is known of the block.
-    fn describe(&mut self) -> Result<(), Error> {
+    /// Finds what is known of the block before its orientation, once its images, and the geoid where one is given, were read.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for control points that these images do not show; as [`BlockDescription::check`].
+    pub fn describe(&mut self) -> Result<(), Error> {
         let (description, unknown_images) = describe(&self.input, &self.images, &self.cameras)?;
         (self.description, self.unknown_images) = (description, unknown_images);
         Ok(())
+    }
+
+    /// Longitudes and latitudes of the ground control points in their system, and of the images.
+    pub fn places(&self) -> Vec<[f64; 2]> {
+        let given = self.images.iter().filter_map(|image| gnss(&self.input, &image.exif));
+        let gnss: Vec<[f64; 2]> = given.map(|position| [position.longitude_deg, position.latitude_deg]).collect();
+        let control = self.input.control.as_ref().map(ControlTables::plane).unwrap_or_default();
+        let system = system_of(&self.input.settings.placing, &HeightZero::Unknown, &control, &gnss).ok().flatten();
+        let on_earth = |[x, y]: [f64; 2]| system.as_ref()?.geographic([x, y, 0.0]).map(|[longitude, latitude, _]| [longitude, latitude]);
+        control.iter().filter_map(|point| on_earth(*point)).chain(gnss.iter().copied()).collect()
     }
 
     /// GNSS positions in m east, north and up of the first of them.
@@ -180,6 +196,7 @@ impl State {
             model: self.model,
             edited: None,
             orthophoto: None,
+            geoid: self.geoid,
         })
     }
 }
@@ -198,12 +215,12 @@ pub(super) fn describe(input: &Checked, images: &[RunImage], cameras: &[InitialC
     let placing = &input.settings.placing;
     let places: Vec<[f64; 2]> =
         images.iter().filter_map(|image| gnss(input, &image.exif)).map(|place| [place.longitude_deg, place.latitude_deg]).collect();
-    let system = system_of(placing, &input.control.as_ref().map(ControlTables::plane).unwrap_or_default(), &places)?;
+    let system = system_of(placing, &input.zero, &input.control.as_ref().map(ControlTables::plane).unwrap_or_default(), &places)?;
     let names: Vec<String> = images.iter().map(|image| image.name.clone()).collect();
-    let joined = input.control.as_ref().map(|control| control.join(&names, placing)).transpose()?;
+    let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero)).transpose()?;
     let (control, unknown_images) = joined.unwrap_or_default();
     system.iter().try_for_each(|system| check_near(&control, &places, system))?;
-    let has_heights = control.is_empty() || system.is_none_or(|system| system.geoid_m().is_some());
+    let has_heights = control.is_empty() || system.is_none_or(|system| system.zero().is_known());
     let cameras = cameras.iter().map(InitialCamera::to_be_calibrated).collect();
     let description = BlockDescription { cameras, images: known_images(input, images, has_heights), control };
     description.check()?;
@@ -233,6 +250,7 @@ impl BlockRun {
         let control = input.control.as_ref().and_then(|texts| ControlTables::read(&texts.points, &texts.marks).ok());
         let positions = self.images.iter().filter(|_| input.use_gnss).filter_map(|image| image.exif.position.as_ref());
         let gnss: Vec<[f64; 2]> = positions.map(|position| [position.longitude_deg, position.latitude_deg]).collect();
-        system_of(&input.settings.placing, &control.as_ref().map(ControlTables::plane).unwrap_or_default(), &gnss).ok().flatten()
+        let zero = input.zero(self.geoid.as_ref());
+        system_of(&input.settings.placing, &zero, &control.as_ref().map(ControlTables::plane).unwrap_or_default(), &gnss).ok().flatten()
     }
 }

@@ -1,13 +1,13 @@
 //! The coordinate reference system of a block's control points and results, and whether its control points can be in it.
 
-use crate::crs::{CoordinateSystem, beside_in_utm, middle};
+use crate::crs::{CoordinateSystem, HeightZero, beside_in_utm, middle};
 use crate::error::refuse;
 use crate::math::{dot3, median};
 use crate::reconstruction::Doubted;
 use crate::{Axis, Error, GeoreferencingOptions, GroundControlPoint, Mistake, ObservedPosition, Refusal, local_from_geographic};
 
 /// No block has ground control points farther from its images.
-const MOST_KM: f64 = 100.0;
+pub(super) const MOST_KM: f64 = 100.0;
 /// What explains a control point elsewhere brings it to the block: within so many times the distance from its middle that half of the images have, and
 /// what a control point may lie beside them, in m.
 const REACH: f64 = 3.0;
@@ -16,24 +16,25 @@ const BESIDE_M: f64 = 5_000.0;
 const UNITS: f64 = 1e-3;
 
 /// The system about these coordinates in it or, without any, about these longitudes and latitudes; absent where none was chosen, and where nothing says
-/// where the block is.
+/// where the block is. `zero`: where its heights count from.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] for a system that cannot be read, and one that nothing leads from to WGS 84 there.
 pub(super) fn system_of(
     placing: &GeoreferencingOptions,
+    zero: &HeightZero,
     control: &[[f64; 2]],
     gnss: &[[f64; 2]],
 ) -> Result<Option<CoordinateSystem>, Error> {
     let Some(definition) = placing.definition()? else { return Ok(None) };
     if let Some(at) = middle(control.iter().copied(), definition.is_geographic()) {
-        return CoordinateSystem::about(definition, placing.geoid_m, at).map(Some);
+        return CoordinateSystem::about(definition, zero.clone(), at).map(Some);
     }
-    middle_of_places(gnss).map(|at| CoordinateSystem::new(definition, placing.geoid_m, at)).transpose()
+    middle_of_places(gnss).map(|at| CoordinateSystem::new(definition, zero.clone(), at)).transpose()
 }
 
 /// Of longitudes and latitudes.
-fn middle_of_places(places: &[[f64; 2]]) -> Option<[f64; 2]> {
+pub(super) fn middle_of_places(places: &[[f64; 2]]) -> Option<[f64; 2]> {
     middle(places.iter().copied(), true)
 }
 
@@ -147,7 +148,7 @@ mod tests {
         assert!(refused_beside("EPSG:32601", [x + 150_000.0, y], &gnss).is_some());
         // Of control points, too, by which the system of a block is chosen.
         let placing = GeoreferencingOptions { crs: Some("EPSG:4326".into()), ..GeoreferencingOptions::default() };
-        assert!(system_of(&placing, &gnss, &[]).unwrap().is_some());
+        assert!(system_of(&placing, &HeightZero::Unknown, &gnss, &[]).unwrap().is_some());
     }
 
     #[test]

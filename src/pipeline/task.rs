@@ -1,6 +1,7 @@
 //! What a worker is told of a job, beside the bytes that it needs.
 
 use super::cameras::PairCamera;
+use crate::georeferenced::Area;
 use crate::{FeatureOptions, NearestOptions, RefinementOptions, TwoViewOptions};
 use serde::{Deserialize, Serialize};
 
@@ -18,6 +19,16 @@ pub enum Task {
     Windows(WindowTask),
     /// Windows of several images to refined observations.
     Refine(RefineTask),
+    /// The file of a geoid to its part about the block.
+    Geoid(GeoidTask),
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GeoidTask {
+    /// Of the file.
+    pub(super) name: String,
+    pub(super) area: Area,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,8 @@
 
 use crate::catalogue::options;
 use crate::crs::Definition;
-use crate::{Error, GnssErrors};
+use crate::error::refuse;
+use crate::{Error, GnssErrors, Refusal};
 
 options! {
     /// The coordinate system; standard errors of GNSS positions and control points that state none, of image measurements, and what errors share.
@@ -12,7 +13,7 @@ options! {
         /// The coordinate reference system of the control points, in which tables give the results, too: an EPSG code (EPSG:25832), PROJ text or WKT. GNSS positions, control points and an orthophoto then georeference the block together.
         crs: Option<String> = None, "Coordinate system", absent "control points are in a system of their own, in m; results in theirs, or in one that touches the earth at the block";
 
-        /// The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights.
+        /// The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights. The file of a geoid says it place by place.
         /// Heights of GNSS positions, which are above the ellipsoid, then take part beside those of control points.
         geoid_m: Option<f64> = None, "Height of the geoid", in "m", -200..=200, absent "not known: heights of GNSS positions take no part beside control points, unless the system has ellipsoidal heights", acts "placing.crs is not absent";
 
@@ -61,6 +62,18 @@ impl GeoreferencingOptions {
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.check_ranges()?;
         self.definition().map(|_| ())
+    }
+
+    /// Rejects the file of a geoid that no heights would count from, and one beside its height.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`].
+    pub(crate) fn check_geoid(&self, name: Option<&str>) -> Result<(), Error> {
+        let Some(name) = name.map(String::from) else { return Ok(()) };
+        if let Some(geoid_m) = self.geoid_m {
+            return refuse(Refusal::GeoidTwice { name, geoid_m });
+        }
+        if self.crs.is_none() { refuse(Refusal::GeoidWithoutCrs { name }) } else { Ok(()) }
     }
 
     /// The coordinate system as it was given; absent where none was.

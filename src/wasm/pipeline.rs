@@ -114,6 +114,12 @@ pub fn check_control(
     ControlTables::read(points, marks).and_then(|tables| tables.check(&names, &placing)).map_err(thrown)
 }
 
+/// Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.
+#[wasm_bindgen]
+pub fn check_geoid(name: &str, #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue) -> JsResult<()> {
+    read::<GeoreferencingOptions>("placing", placing)?.check_geoid(Some(name)).map_err(thrown)
+}
+
 /// Refuses two masks of one image.
 #[wasm_bindgen]
 pub fn check_masks(names: Vec<String>, masks: Vec<String>) -> JsResult<()> {

@@ -2,6 +2,7 @@
 
 mod version_1;
 
+use crate::crs::Geoid;
 use crate::error::refuse;
 use crate::json;
 use crate::text::shorten;
@@ -141,6 +142,9 @@ fn check(run: &BlockRun) -> Result<(), Error> {
     let images = run.images.len();
     if let Some(connection) = run.connections.iter().find(|c| c.images[0] >= c.images[1] || c.images[1] as usize >= images) {
         return refuse(Refusal::ProjectConnection { images: connection.images, count: images });
+    }
+    if !run.geoid.as_ref().is_none_or(Geoid::is_whole) {
+        return refuse(Refusal::ProjectGeoid);
     }
     check_oriented(run, &run.model, run.reconstruction.as_ref().ok())?;
     let Some(found) = &run.edited else { return Ok(()) };

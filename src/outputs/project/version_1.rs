@@ -113,6 +113,7 @@ impl From<Project> for BlockRun {
             model,
             edited: None,
             orthophoto: None,
+            geoid: None,
         }
     }
 }

@@ -38,8 +38,9 @@ export type ToRun =
 
 export interface RunInput {
   files: readonly BlockFile[];
-  options: Omit<RunOptions, 'masks'>;
+  options: Omit<RunOptions, 'masks' | 'geoid'>;
   masks: readonly BlockFile[];
+  geoid: BlockFile | null;
   /** Of a simulated block. */
   truth: BlockModel | null;
   /** How many jobs run at the same time. */

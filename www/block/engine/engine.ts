@@ -73,6 +73,7 @@ export class BlockEngine {
         files,
         options: runOptions({ ...state.options, ...givenToRun(state) }, settings),
         masks: state.options.masks,
+        geoid: state.options.geoid,
         truth,
         workers: this.pool.size,
         kept: this.kept,

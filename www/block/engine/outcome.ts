@@ -29,6 +29,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     surveyed,
     origin,
     crs,
+    geoid_m,
     points,
   } = block.overview();
   const connections = pairs.map(connectionOf);
@@ -109,6 +110,7 @@ export function viewOf(block: FinishedBlock): BlockView {
           },
     origin,
     crs,
+    geoidM: geoid_m,
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     checks,
@@ -176,6 +178,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     orthophoto: null,
     origin: null,
     crs: null,
+    geoidM: null,
     rmsePx: null,
     sigma0Px: null,
     checks: null,

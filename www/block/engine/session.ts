@@ -25,13 +25,13 @@ function heldBlock(): FinishedBlock {
   return held;
 }
 
-export async function blockRun({ files, options, masks, truth, workers, kept, port }: RunInput): Promise<BlockView> {
+export async function blockRun({ files, options, masks, geoid, truth, workers, kept, port }: RunInput): Promise<BlockView> {
   const link = new Link(port);
   const coming = new Coming((view) => link.send({ kind: 'part', view }));
   try {
     const finished = await runBlock(
       files.map(sourceOf),
-      { ...options, masks: masks.map(sourceOf) },
+      { ...options, masks: masks.map(sourceOf), ...(geoid && { geoid: sourceOf(geoid) }) },
       {
         pool: link.pool(workers),
         store: storeOf(kept, link),

@@ -30,6 +30,7 @@ import { messageOf } from '../../shared/text/messages';
 
 const PROJECT = /\.tiepoint$/iu;
 const TABLE = /\.(?:csv|txt)$/iu;
+const GEOID = /\.gtx$/iu;
 const CSV = /\.csv$/iu;
 const CAMERAS = /\.json$/iu;
 
@@ -88,11 +89,13 @@ export class BlockFiles {
     const alone = found.filter(({ path }) => path === '');
     const project = alone.find(({ file }) => PROJECT.test(file.name));
     const cameras = alone.find(({ file }) => CAMERAS.test(file.name));
+    const geoid = alone.find(({ file }) => GEOID.test(file.name));
     const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.openProject(project.file);
+    if (geoid !== undefined) this.takeGeoid(geoid.file);
     const notCameras = cameras === undefined ? '' : await this.takeCameras(cameras.file, photos);
     const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
-    const aside = found.length - photos.length - tables.count - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
+    const aside = found.length - photos.length - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length;
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
     else await this.said(said);
     const putAside = [notCameras, tables.aside].filter((text) => text !== '').join(' ');
@@ -246,6 +249,14 @@ export class BlockFiles {
     this.store.dispatch({ type: 'options', options: { masks: files.map((file) => ({ id: newId(), name: file.name, file })) } });
     const problem = problemsOf(this.store.state).masks;
     if (problem !== undefined) this.tell('problem', say('the-block-cannot-be-run-with', { problem: sentence(problem) }));
+  }
+
+  /** Takes the geoid from which heights count, in place of the one that is there. */
+  takeGeoid(file: File): void {
+    this.store.dispatch({ type: 'options', options: { geoid: { id: newId(), name: file.name, file } } });
+    const problem = problemsOf(this.store.state).geoid;
+    if (problem === undefined) this.tell('info', say('from', { texts: say('geoid'), name: file.name }));
+    else this.tell('problem', say('the-block-cannot-be-run', { problem: sentence(problem) }));
   }
 
   /** Opens a block that was saved. */

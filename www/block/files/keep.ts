@@ -82,7 +82,7 @@ export class KeptBlocks implements Keepable {
     });
     for (const [id, placed] of placing.placed) parts.set(PLACED + String(id), { value: placed, bytes: sizeOfPlaced(placed) });
     if (truth !== null) parts.set(FILE + nameOf(truth), { value: truth, bytes: SMALL, alone: true });
-    for (const { file } of [...files, ...removed, ...options.masks, ...(shown?.files ?? []), ...rastersOf(placing)])
+    for (const { file } of [...files, ...removed, ...besidesOf(options), ...(shown?.files ?? []), ...rastersOf(placing)])
       parts.set(FILE + nameOf(file), { value: file, bytes: file.size, alone: true });
     const { made } = this;
     for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
@@ -102,6 +102,7 @@ export class KeptBlocks implements Keepable {
     const files = kept.files.map((file) => fileFrom(parts, file));
     const removed = kept.removed.map((file) => fileFrom(parts, file));
     const masks = kept.masks.map((file) => fileFrom(parts, file));
+    const geoid = orNull(kept.geoid, (file) => fileFrom(parts, file));
     const placed = new Map([...parts].flatMap(([part, value]) => (part.startsWith(PLACED) ? [[Number(part.slice(PLACED.length)), value] as const] : [])));
     const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
     const history = this.journal.read(parts);
@@ -115,14 +116,14 @@ export class KeptBlocks implements Keepable {
     const count = shown?.view.images.length ?? 0;
     const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
     return () => {
-      passIds([...files, ...removed, ...masks, ...(shown?.files ?? []), ...rastersOf(placing)].map(({ id }) => id));
+      passIds([...files, ...removed, ...besidesOf({ masks, geoid }), ...(shown?.files ?? []), ...rastersOf(placing)].map(({ id }) => id));
       this.engine.takeRecords(records);
       this.made = finished === null ? null : { found: finished.shown.found, kept: finished.kept };
       finished?.hold();
       this.engine.keepSpare(finished?.kept.project ?? null);
       this.store.dispatch({
         type: 'restored',
-        restored: { files, removed, options: { ...kept.options, masks }, flight: kept.flight, truth, shown, opened, history, marks, placing },
+        restored: { files, removed, options: { ...kept.options, masks, geoid }, flight: kept.flight, truth, shown, opened, history, marks, placing },
       });
       const names = this.images();
       if (names.length === 0) return;
@@ -196,6 +197,11 @@ function groundFrom(value: unknown): OnGround {
   return { key: likeOf(key, '', 'shown.ground.key'), before };
 }
 
+/** The files that are given beside the images. */
+function besidesOf({ masks, geoid }: Pick<BlockState['options'], 'masks' | 'geoid'>): readonly BlockFile[] {
+  return geoid === null ? masks : [...masks, geoid];
+}
+
 function keptFile({ id, name, file }: BlockFile): KeptFile {
   return { id, name, file: nameOf(file) };
 }
@@ -205,7 +211,7 @@ const given = remember(
   (
     files: BlockState['files'],
     removed: BlockState['removed'],
-    { masks, ...options }: BlockState['options'],
+    { masks, geoid, ...options }: BlockState['options'],
     flight: BlockState['flight'],
     truth: BlockState['truth'],
     opened: BlockState['opened'],
@@ -218,6 +224,7 @@ const given = remember(
     removed: removed.map(keptFile),
     options,
     masks: masks.map(keptFile),
+    geoid: orNull(geoid, keptFile),
     flight,
     truth: orNull(truth, (known) => nameOf(known)),
     opened,
@@ -245,6 +252,8 @@ function givenFrom(value: unknown, catalogue: BlockCatalogue): Omit<KeptBlock, '
     // Earlier releases kept none.
     removed: listOf(kept.removed ?? [], 'removed', fileOf),
     masks: listOf(kept.masks, 'masks', fileOf),
+    // Earlier releases kept none.
+    geoid: orNull(kept.geoid ?? null, (file) => fileOf(file, 'geoid')),
     options: {
       settings: orNull(options.settings, (settings) => fitted(settings, catalogue.defaults, 'options.settings')),
       gps: options.gps === 'ignore' ? 'ignore' : 'use',

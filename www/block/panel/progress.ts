@@ -9,6 +9,7 @@ import { say } from '../../shared/text/words';
 const STAGES: Readonly<Record<StageName, string>> = {
   photos: say('photos'),
   images: say('images-features'),
+  geoid: say('geoid'),
   likeness: say('similarity-of-images'),
   pairs: say('pairs-matches'),
   points: say('tie-points'),
@@ -18,7 +19,7 @@ const STAGES: Readonly<Record<StageName, string>> = {
 };
 
 /** Stages whose steps are parts of one computation, none that the user counts. */
-const OF_ONE_PIECE: ReadonlySet<StageName> = new Set(['points', 'orientation']);
+const OF_ONE_PIECE: ReadonlySet<StageName> = new Set(['geoid', 'points', 'orientation']);
 
 /** Stages in their order. */
 const NAMES = Object.keys(STAGES) as StageName[];

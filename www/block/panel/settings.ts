@@ -91,6 +91,7 @@ function besides(store: BlockStore, files: BlockFiles): HTMLElement {
     textFile(store, files, 'control', say('ground-control-points'), CONTROL, '.txt,.csv,text/*'),
     textFile(store, files, 'marks', say('image-measurements'), '', '.txt,.csv,text/*'),
     masks(store, files),
+    geoid(store, files),
   );
 }
 
@@ -127,6 +128,25 @@ function masks(store: BlockStore, files: BlockFiles): HTMLElement {
         MASKS,
       );
     },
+  );
+  return part.element;
+}
+
+/** A geoid is too large for text, and is read in the run. */
+function geoid(store: BlockStore, files: BlockFiles): HTMLElement {
+  const part = besideField(
+    store,
+    'geoid',
+    say('geoid'),
+    { accept: '.gtx,.tif,.tiff,.pgm' },
+    ([file]) => {
+      if (file !== undefined) files.takeGeoid(file);
+    },
+    () => store.dispatch({ type: 'options', options: { geoid: null } }),
+  );
+  store.watch(
+    (s) => [s.options.geoid] as const,
+    ([given]) => part.show(given?.name ?? null, say('none-a-file-from-which')),
   );
   return part.element;
 }

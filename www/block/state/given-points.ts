@@ -33,5 +33,5 @@ export function givenBeside(view: BlockView, { options, marks }: Pick<BlockState
   if (view.partial || options.control === null) return NONE_GIVEN;
   const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
   // Of an opened block the settings are not those that it was made with.
-  return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? 0), options.marks, marks);
+  return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), options.marks, marks);
 }

@@ -1,5 +1,5 @@
 /** What is wrong with the files that a run is given beside its images: read as the run reads them, once they are there. */
-import { check_cameras, check_control, check_masks, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
+import { check_cameras, check_control, check_geoid, check_masks, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
 import type { GeoreferencingOptions } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import { collectedOf } from './marks';
@@ -8,10 +8,10 @@ import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
 /** What a run can be given beside its images. */
-export type Given = 'cameras' | 'control' | 'marks' | 'masks';
+export type Given = 'cameras' | 'control' | 'marks' | 'masks' | 'geoid';
 
 /** A file that is given as text. */
-export type GivenText = Exclude<Given, 'masks'>;
+export type GivenText = Exclude<Given, 'masks' | 'geoid'>;
 
 export type Problems = Readonly<Partial<Record<Given, string>>>;
 
@@ -23,7 +23,7 @@ export const PARTNER_MISSING: Readonly<Partial<Record<Given, string>>> = {
 type WithGiven = Pick<BlockState, 'files' | 'options' | 'marks'>;
 
 export function problemsOf({ files, options, marks }: WithGiven): Problems {
-  return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, marks);
+  return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, options.geoid, marks);
 }
 
 /** The first of them; null where there is none. */
@@ -39,6 +39,7 @@ const problems = remember(
     control: BlockOptions['control'],
     marks: BlockOptions['marks'],
     masks: BlockOptions['masks'],
+    geoid: BlockOptions['geoid'],
     byHand: BlockState['marks'],
   ): Problems => {
     // Nothing is given before the crate is there to read it.
@@ -66,6 +67,7 @@ const problems = remember(
         masks.map(({ name }) => name),
       ),
     );
+    if (geoid !== null) look('geoid', '', () => check_geoid(geoid.name, placing));
     return found;
   },
 );

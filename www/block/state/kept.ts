@@ -22,8 +22,9 @@ export interface KeptBlock {
   files: readonly KeptFile[];
   /** Images that were taken out. */
   removed: readonly KeptFile[];
-  options: Omit<BlockOptions, 'masks'>;
+  options: Omit<BlockOptions, 'masks' | 'geoid'>;
   masks: readonly KeptFile[];
+  geoid: KeptFile | null;
   flight: BlockState['flight'];
   /** The name of the truth of simulated photos. */
   truth: string | null;
@@ -48,9 +49,8 @@ export type RestoredBlock = Pick<BlockState, 'files' | 'removed' | 'options' | '
 
 /** Whether there is nothing yet that would have to be kept. */
 export function isBlank({ catalogue, files, shown, options, flight, placing }: BlockState): boolean {
-  const { settings, gps, cameras, control, marks, masks } = options;
-  const noText = cameras === null && control === null && marks === null;
-  const untouched =
-    settings === catalogue?.defaults && flight === catalogue?.flight && gps === 'use' && noText && masks.length === 0 && placing.options === catalogue?.placing;
+  const { settings, gps, cameras, control, marks, masks, geoid } = options;
+  const noFile = cameras === null && control === null && marks === null && masks.length === 0 && geoid === null;
+  const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === 'use' && noFile && placing.options === catalogue?.placing;
   return catalogue === null || (files.length === 0 && shown === null && placing.orthophoto === null && untouched);
 }

@@ -44,6 +44,8 @@ export interface BlockOptions {
   control: TextFile | null;
   marks: TextFile | null;
   masks: readonly BlockFile[];
+  /** From which the heights of the coordinate system count. */
+  geoid: BlockFile | null;
 }
 
 /** What the stage shows of the block. */
@@ -111,7 +113,7 @@ export const BLOCK_INITIAL: BlockState = {
   files: [],
   removed: [],
   truth: null,
-  options: { settings: null, gps: 'use', cameras: null, control: null, marks: null, masks: [] },
+  options: { settings: null, gps: 'use', cameras: null, control: null, marks: null, masks: [], geoid: null },
   refused: null,
   flight: null,
   running: { kind: 'no' },
@@ -131,7 +133,7 @@ export type Listed = Pick<Shown, 'view' | 'given'>;
 
 /** Names what a run of the present files and options would be made from. */
 export function wantedKey(state: Pick<BlockState, 'files' | 'options' | 'marks'>): string {
-  return JSON.stringify([state.files.map(({ id }) => id), { ...state.options, ...givenToRun(state) }]);
+  return JSON.stringify([state.files.map(({ id }) => id), { ...state.options, ...givenToRun(state), geoid: state.options.geoid ?? undefined }]);
 }
 
 /** Whether other files or options made the block on the screen. */

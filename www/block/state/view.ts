@@ -158,6 +158,8 @@ export interface BlockView {
   origin: GeographicOrigin | null;
   /** The coordinate reference system that was chosen for control points and results; null: none. */
   crs: string | null;
+  /** The height of the zero of its heights above the ellipsoid, m; null where it is not known. */
+  geoidM: number | null;
   rmsePx: number | null;
   sigma0Px: number | null;
   /** Ground control points and check points of the block. */

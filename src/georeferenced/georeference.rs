@@ -48,7 +48,7 @@ impl Georeference {
     }
 
     /// Refuses what places no picture.
-    pub(super) fn checked(self) -> Result<Self, Error> {
+    pub(crate) fn checked(self) -> Result<Self, Error> {
         let values = [self.origin, self.by_column, self.by_row];
         if !values.iter().flatten().all(|v| v.abs() <= LARGEST) || !(self.determinant().abs() > 0.0) {
             return refuse(Refusal::Georeference { numbers: format!("{values:?}") });
@@ -57,7 +57,7 @@ impl Georeference {
     }
 
     /// Whether a picture of this size can only be in degrees: within their range, of pixels below a millimetre if they were metres.
-    pub(super) fn is_in_degrees(&self, [width, height]: [usize; 2]) -> bool {
+    pub(crate) fn is_in_degrees(&self, [width, height]: [usize; 2]) -> bool {
         let corners = [[0.0, 0.0], [width as f64, height as f64]].map(|corner| self.ground(corner));
         self.gsd() < 1e-3 && corners.iter().all(|[x, y]| x.abs() <= 180.0 && y.abs() <= 90.0)
     }
@@ -100,14 +100,14 @@ impl Georeference {
     }
 
     /// In a system whose coordinates are so many times as large.
-    pub(super) fn enlarged(&self, factor: f64) -> Self {
+    pub(crate) fn enlarged(&self, factor: f64) -> Self {
         let Self { origin, by_column, by_row } = *self;
         let [origin, by_column, by_row] = [origin, by_column, by_row].map(|vector| vector.map(|v| factor * v));
         Self { origin, by_column, by_row }
     }
 
     /// In a system whose origin is that place of this one.
-    pub(super) fn about(&self, place: [f64; 2]) -> Self {
+    pub(crate) fn about(&self, place: [f64; 2]) -> Self {
         Self { origin: [0, 1].map(|k| self.origin[k] - place[k]), ..*self }
     }
 }

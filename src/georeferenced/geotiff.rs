@@ -7,24 +7,24 @@ use crate::image::{Directory, checked_directory};
 use crate::text::shorten;
 use crate::{Error, FileSource, Refusal};
 
-pub(super) const PIXEL_SCALE: u64 = 33550;
-pub(super) const TIE_POINTS: u64 = 33922;
-pub(super) const TRANSFORMATION: u64 = 34264;
-pub(super) const KEYS: u64 = 34735;
-pub(super) const KEY_NUMBERS: u64 = 34736;
-pub(super) const KEY_TEXTS: u64 = 34737;
+pub(crate) const PIXEL_SCALE: u64 = 33550;
+pub(crate) const TIE_POINTS: u64 = 33922;
+pub(crate) const TRANSFORMATION: u64 = 34264;
+pub(crate) const KEYS: u64 = 34735;
+pub(crate) const KEY_NUMBERS: u64 = 34736;
+pub(crate) const KEY_TEXTS: u64 = 34737;
 /// Of GDAL, in no standard.
-pub(super) const NO_DATA: u64 = 42113;
+pub(crate) const NO_DATA: u64 = 42113;
 
-pub(super) const MODEL_TYPE: u16 = 1024;
-pub(super) const RASTER_TYPE: u16 = 1025;
+pub(crate) const MODEL_TYPE: u16 = 1024;
+pub(crate) const RASTER_TYPE: u16 = 1025;
 const CITATION: u16 = 1026;
 const GEOGRAPHIC_SYSTEM: u16 = 2048;
 const ANGULAR_UNIT: u16 = 2054;
-pub(super) const PROJECTED_SYSTEM: u16 = 3072;
+pub(crate) const PROJECTED_SYSTEM: u16 = 3072;
 const PROJECTED_CITATION: u16 = 3073;
 const PROJECTION_CODE: u16 = 3074;
-pub(super) const LINEAR_UNIT: u16 = 3076;
+pub(crate) const LINEAR_UNIT: u16 = 3076;
 const LINEAR_UNIT_SIZE: u16 = 3077;
 const PROJECTION: u16 = 3075;
 const PARALLELS: [u16; 2] = [3078, 3079];
@@ -40,8 +40,8 @@ const DEGREE: u16 = 9102;
 const TRANSVERSE_MERCATOR: u16 = 1;
 const CONIC_OF_TWO_PARALLELS: u16 = 8;
 const CONIC_OF_ONE_PARALLEL: u16 = 9;
-pub(super) const HEIGHT_UNIT: u16 = 4099;
-pub(super) const PROJECTED: u16 = 1;
+pub(crate) const HEIGHT_UNIT: u16 = 4099;
+pub(crate) const PROJECTED: u16 = 1;
 const GEOGRAPHIC: u16 = 2;
 const PIXEL_IS_POINT: u16 = 2;
 /// Says 'described by other keys'.
@@ -52,7 +52,7 @@ const UNITS: [(u16, f64); 3] = [(9001, 1.0), (9002, 0.3048), (9003, 1200.0 / 393
 
 /// What a TIFF says of its place.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct GeoTags {
+pub(crate) struct GeoTags {
     pub georeference: Option<Georeference>,
     pub system: SaidSystem,
     pub no_data: Option<f64>,
@@ -60,7 +60,7 @@ pub(super) struct GeoTags {
 
 /// What a file says of its coordinate reference system.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct SaidSystem {
+pub(crate) struct SaidSystem {
     /// The code of its projected system, where it has one.
     pub epsg: Option<u16>,
     /// The name of a system that is described without a code.
@@ -95,7 +95,7 @@ impl SaidSystem {
 }
 
 /// As systems are named by their code.
-pub(super) fn name_of(code: u16) -> String {
+pub(crate) fn name_of(code: u16) -> String {
     format!("EPSG:{code}")
 }
 
@@ -113,21 +113,36 @@ impl GeoTags {
         if keys.short(MODEL_TYPE) == Some(GEOGRAPHIC) {
             return refuse_degrees();
         }
-        let georeference = match transformation(&directory) {
-            Some(of_corner) => {
-                let is_point = keys.short(RASTER_TYPE) == Some(PIXEL_IS_POINT);
-                let half = if is_point { -0.5 } else { 0.0 };
-                Some(Georeference { origin: of_corner.ground([half, half]), ..of_corner }.checked()?)
-            }
-            None => None,
-        };
-        let no_data = directory.text(NO_DATA).and_then(|text| text.parse().ok());
-        Ok(Self { georeference, system: keys.system()?, no_data })
+        Ok(Self { georeference: place(&directory, &keys)?, system: keys.system()?, no_data: no_data(&directory) })
     }
 }
 
+/// Of a raster at longitudes and latitudes: the way to these from its pixels, and which value stands for nothing; absent for one of another system, and
+/// where it has no place.
+///
+/// # Errors
+/// As [`GeoTags::read`].
+pub(super) fn degrees_of(tiff: &[u8]) -> Result<Option<(Georeference, Option<f64>)>, Error> {
+    let directory = checked_directory(tiff)?;
+    let keys = Keys::read(&directory);
+    if keys.short(MODEL_TYPE) != Some(GEOGRAPHIC) || keys.short(ANGULAR_UNIT).is_some_and(|unit| unit != DEGREE) {
+        return Ok(None);
+    }
+    Ok(place(&directory, &keys)?.map(|georeference| (georeference, no_data(&directory))))
+}
+
+fn place<S: FileSource>(directory: &Directory<S>, keys: &Keys) -> Result<Option<Georeference>, Error> {
+    let Some(of_corner) = transformation(directory) else { return Ok(None) };
+    let half = if keys.short(RASTER_TYPE) == Some(PIXEL_IS_POINT) { -0.5 } else { 0.0 };
+    Georeference { origin: of_corner.ground([half, half]), ..of_corner }.checked().map(Some)
+}
+
+fn no_data<S: FileSource>(directory: &Directory<S>) -> Option<f64> {
+    directory.text(NO_DATA).and_then(|text| text.parse().ok())
+}
+
 /// Angles are no lengths: north and east differ by the cosine of the latitude.
-pub(super) fn refuse_degrees<T>() -> Result<T, Error> {
+pub(crate) fn refuse_degrees<T>() -> Result<T, Error> {
     refuse(Refusal::Degrees)
 }
 
