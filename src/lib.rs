@@ -75,7 +75,7 @@ pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
     parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
 };
-pub use georeferenced::Georeference;
+pub use georeferenced::{Georeference, Sidecars};
 pub use image::{
     Bands, DecodeLimits, Decoded, DiskFile, FileSource, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header,
     reduce_to, write_png,

@@ -117,9 +117,9 @@ test('a large orthophoto is read in parts, by an object that gives bytes at once
       return new Uint8Array(file.subarray(from, from + length));
     },
   };
-  const reference = OrthophotoReference.open(parts, '0.5\n0\n0\n-0.5\n1000\n2000\n');
-  const { width, height, in_parts: isInParts } = reference.info();
-  assert.deepEqual([width, height, isInParts], [side, side, true]);
+  const reference = OrthophotoReference.open(parts, { world_file: '0.5\n0\n0\n-0.5\n1000\n2000\n', projection: 'EPSG:25832' });
+  const { width, height, in_parts: isInParts, epsg } = reference.info();
+  assert.deepEqual([width, height, isInParts, epsg], [side, side, true, 25832]);
   const part = reference.picture(3_000, 4_000, 40, 30, 0);
   assert.ok(part.every((grey, k) => grey === value(3_000 + (k % 40), 4_000 + Math.floor(k / 40))));
   assert.ok(read < file.length / 20, `${read} of ${file.length} bytes read`);

@@ -61,6 +61,7 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
         ? [
             ['check points', first.checks.points],
             ['check points, RMSE of x y z [m]', first.checks.rmse_m.map((v) => fixed(v, 3)).join(' ')],
+            ['check points, mean of dx dy dz [m]', first.checks.mean_m.map((v) => fixed(v, 3)).join(' ')],
             ...(first.checks.ratio === null ? [] : [['their differences by predicted standard errors', fixed(first.checks.ratio, 2)]]),
           ]
         : []),

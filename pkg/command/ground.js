@@ -1,5 +1,5 @@
 // @ts-check
-/** Orthophotos and the heights of their ground, as commands are given them, and the world files beside pictures. */
+/** Orthophotos and the heights of their ground, as commands are given them, and what stands beside them. */
 
 import { statSync } from 'node:fs';
 import { basename, dirname, extname, join } from 'node:path';
@@ -8,9 +8,11 @@ import { about, UsageError } from './errors.js';
 import { filesIn, inParts, isFolder, readBytes, readText } from './files.js';
 import { path, valueOption } from './options.js';
 
-/** @typedef {{ file: string | undefined, heights: Uint8Array | number, world: string | undefined }} Ground `file`: where the heights come from */
+/** @typedef {import('../node.js').Given<import('../node.js').Sidecars>} Sidecars */
+/** @typedef {{ file: string | undefined, heights: Uint8Array | number, sidecars: Sidecars }} Ground `file`: where the heights come from */
 
-export const ORTHOPHOTO_HELP = 'The reference: a GeoTIFF in a projected system, or an image with a world file beside it (.tfw, .jgw, .pgw, .wld);';
+export const ORTHOPHOTO_HELP =
+  'The reference: a GeoTIFF in a projected system, or an image with a world file beside it (.tfw, .jgw, .pgw, .wld) and perhaps its system (.prj);';
 
 /** What is said where no heights are given. */
 export const NO_HEIGHTS = 'no heights are given: the ground is taken as level at 0; positions are above it';
@@ -28,8 +30,8 @@ export const GROUND_OPTIONS = [
 export function groundOf(values) {
   const [file, level] = [values.get('heights'), values.get('level')];
   if (typeof file === 'string' && level !== undefined) throw new UsageError('--heights and --level are both given; allowed: one of them');
-  if (typeof file === 'string') return { file, heights: readBytes(file), world: worldOf(file) };
-  return level === undefined ? null : { file: undefined, heights: Number(level), world: undefined };
+  if (typeof file === 'string') return { file, heights: readBytes(file), sidecars: sidecarsOf(file) };
+  return level === undefined ? null : { file: undefined, heights: Number(level), sidecars: {} };
 }
 
 /**
@@ -38,9 +40,9 @@ export function groundOf(values) {
  * @returns {OrthophotoReference} which the caller frees
  */
 export function openReference(file, ground, placing) {
-  const reference = about(file, () => OrthophotoReference.open(inParts(file), worldOf(file)));
+  const reference = about(file, () => OrthophotoReference.open(inParts(file), sidecarsOf(file)));
   try {
-    if (ground) about(ground.file ?? '--level', () => reference.set_heights(ground.heights, ground.world));
+    if (ground) about(ground.file ?? '--level', () => reference.set_heights(ground.heights, ground.sidecars));
     reference.search(placing);
     return reference;
   } catch (error) {
@@ -49,19 +51,26 @@ export function openReference(file, ground, placing) {
   }
 }
 
-/** A world file has six numbers. */
-const MOST_BYTES = 4096;
+/** A world file has six numbers, and a system some thousand letters. */
+const MOST_BYTES = 65_536;
 
-/** The text of the world file beside a picture, where there is one: of `a.tif` a.tfw, a.wld or a.tifw, in capitals or not.  @param {string} picture */
-function worldOf(picture) {
+/**
+ * The texts of what stands beside a picture, in capitals or not: of `a.tif` the world file a.tfw, a.wld or a.tifw, and its system in a.prj.
+ * @param {string} picture @returns {Sidecars}
+ */
+function sidecarsOf(picture) {
   const end = extname(picture);
   const [folder, name] = [dirname(picture), basename(picture).toLowerCase()];
-  if (end === '' || !isFolder(folder)) return undefined;
+  if (end === '' || !isFolder(folder)) return {};
   const stem = name.slice(0, -end.length);
-  const wanted = [`${stem}${end.slice(0, 2)}${end.slice(-1)}w`, `${stem}.wld`, `${name}w`].map((world) => world.toLowerCase());
-  const found = filesIn(folder)
-    .filter((file) => wanted.includes(file.toLowerCase()))
-    .map((file) => join(folder, file))
-    .find((file) => statSync(file).size <= MOST_BYTES);
-  return found === undefined ? undefined : readText(found);
+  const files = filesIn(folder);
+  const textOf = (/** @type {string[]} */ wanted) => {
+    const found = files
+      .filter((file) => wanted.includes(file.toLowerCase()))
+      .map((file) => join(folder, file))
+      .find((file) => statSync(file).size <= MOST_BYTES);
+    return found === undefined ? null : readText(found);
+  };
+  const world_file = textOf([`${stem}${end.slice(0, 2)}${end.slice(-1)}w`.toLowerCase(), `${stem}.wld`, `${name}w`]);
+  return { world_file, projection: textOf([`${stem}.prj`]) };
 }

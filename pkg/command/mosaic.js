@@ -28,8 +28,8 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   if (!isFolder(folder)) throw new DataError(`${folder}: it is no folder; name that of the images`);
   const ground = groundOf(values);
   const bytes = readBytes(project);
-  if (ground) about(ground.file ?? '--level', () => check_heights(ground.heights, ground.world));
-  const made = about(project, () => OrthoMosaic.open(bytes, ground?.heights ?? null, ground?.world, typeof gsd === 'number' ? gsd : undefined));
+  if (ground) about(ground.file ?? '--level', () => check_heights(ground.heights, ground.sidecars));
+  const made = about(project, () => OrthoMosaic.open(bytes, ground?.heights ?? null, ground?.sidecars, typeof gsd === 'number' ? gsd : undefined));
   const { names } = made;
   const files = new Set(filesIn(folder));
   const missing = names.filter((name) => !files.has(name));

@@ -999,6 +999,11 @@ refusal-control-elsewhere =
            *[other] هو قريب منها في المنطقة { $zone }
         }
     }
+refusal-control-unit =
+    نقاط الضبط الأرضية: أُعطيت إحداثيات تقع { $near ->
+        [true] قرب الصور
+       *[other] في منطقة هذا النظام
+    } إن كانت بوحدة { $given_in }؛ المسموح: إحداثيات في { $crs } ووحدتها { $own }
 refusal-geoid-of-ellipsoid = ارتفاع الجيوئيد: أُعطي { $geoid_m } م مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: 0، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
 refusal-no-geoid = الجيوئيد: أُعطي { $name } وهو ليس مما يُقرأ؛ المسموح: GeoTIFF بخطوط الطول والعرض وشماله إلى أعلى، أو GTX، أو PGM من GeographicLib
 refusal-geoid-elsewhere = الجيوئيد: أُعطي { $name } وهو يغطي خطوط الطول من { FIXED($west, digits: 2) } إلى { FIXED($east, digits: 2) } وخطوط العرض من { FIXED($south, digits: 2) } إلى { FIXED($north, digits: 2) }، لكتلة عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }؛ المسموح: جيوئيد يغطي الكتلة
@@ -1086,7 +1091,7 @@ refusal-orthophoto-system =
        *[other] { $described }، وهو موصوف دون رمز، وليس بكل معاملات إسقاط مركاتور المستعرض أو لامبرت المخروطي المطابق بدرجات من غرينتش
     }؛ المسموح: رمز EPSG، يكتبه مثلًا gdal_edit.py -a_srs EPSG:25832، أو لا شيء حيث للكتلة نظام مسقط
 refusal-nothing-above-ground = كتلة الموزاييك: ليس فيها صورة موجَّهة فوق الأرض؛ المسموح: صورة واحدة أو أكثر
-refusal-mosaic-pixel = ضلع بكسل الموزاييك: أُعطي { $gsd }؛ المسموح: { FIXED($least, digits: 4) } أو أكثر، حتى لا يتجاوز الموزاييك { $megapixels } ميغابكسل
+refusal-mosaic-pixel = ضلع بكسل الموزاييك: أُعطي { $gsd }؛ المسموح: { FIXED($least, digits: 4) } أو أكثر، حتى لا يتجاوز الموزاييك { $megapixels } ميغابكسل، وتتسع الذاكرة لما ينتظر صورًا أخرى
 refusal-mosaic-image = صورة موزاييك: أُعطي الرقم { $image }؛ المسموح: رقم صورة من النموذج
 refusal-mosaic-image-size = صورة موزاييك: أُعطي { $width } × { $height } بكسل؛ المسموح: { $width_px } × { $height_px } بكسل، كما في كاميرتها
 refusal-empty-mosaic = الموزاييك: ليس فيه شيء تُظهره صورة؛ المسموح: ارتفاعات تحت الصور وأدنى منها، وبكسل أصغر كثيرًا من الصورة

@@ -387,6 +387,11 @@ refusal-control-elsewhere =
            *[other] In zone { $zone } it lies near them
         }
     }
+refusal-control-unit =
+    ground control points: got coordinates that lie { $near ->
+        [true] near the images
+       *[other] in the area of this system
+    } if they are in { $given_in }; allowed: coordinates in { $crs }, whose unit is { $own }
 refusal-geoid-of-ellipsoid = height of the geoid: got { $geoid_m } m beside { $crs }, whose heights are ellipsoidal; allowed: 0, or a system of the plane, or one with heights above sea level
 refusal-no-geoid = geoid: got { $name }, which is none that is read; allowed: a GeoTIFF of longitudes and latitudes with north up, a GTX, or a PGM of GeographicLib
 refusal-geoid-elsewhere = geoid: got { $name }, which covers longitudes { FIXED($west, digits: 2) } to { FIXED($east, digits: 2) } and latitudes { FIXED($south, digits: 2) } to { FIXED($north, digits: 2) }, for a block at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }; allowed: a geoid that covers the block
@@ -466,7 +471,7 @@ refusal-orthophoto-system =
        *[other] { $described }, which is described without a code, and not by all parameters of a transverse Mercator or Lambert conformal conic projection in degrees from Greenwich
     }; allowed: an EPSG code, which gdal_edit.py -a_srs EPSG:25832 writes, say, or nothing where the block has a projected system
 refusal-nothing-above-ground = block for a mosaic: got no oriented image above the ground; allowed: one or more
-refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { FIXED($least, digits: 4) } or more, so that the mosaic has at most { $megapixels } MP
+refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { FIXED($least, digits: 4) } or more, so that the mosaic has at most { $megapixels } MP, and what waits for further images has room in memory
 refusal-mosaic-image = image of a mosaic: got index { $image }; allowed: one of the model
 refusal-mosaic-image-size = image of a mosaic: got { $width } x { $height } px; allowed: { $width_px } x { $height_px } px, as its camera
 refusal-empty-mosaic = mosaic: got nothing that an image shows; allowed: heights under the images, below them, and a pixel much smaller than an image

@@ -123,7 +123,7 @@ impl Definition {
     }
 
     /// The central meridian of a transverse Mercator projection.
-    pub(super) fn central_meridian_deg(&self) -> Option<f64> {
+    pub fn central_meridian_deg(&self) -> Option<f64> {
         match self.crs.as_projected()?.method() {
             ProjectionMethod::TransverseMercator { lon0, .. } => Some(lon0),
             _ => None,

@@ -18,6 +18,7 @@ pub(crate) struct Area {
 
 /// Beside the places of a block others are asked for, as those of points that it was not given: some 2 km.
 const MARGIN_DEG: f64 = 0.02;
+const ROUNDING_DEG: f64 = 1e-9;
 /// No geoid lies farther from the ellipsoid, in m.
 const HIGHEST: f64 = 200.0;
 /// Most heights about a block: no grid of a geoid is so fine that it has more.
@@ -157,7 +158,9 @@ impl<'a> Nodes<'a> {
             east -= 360.0;
         }
         let at = [east, area.middle[1] - south];
-        let is_within = |k: usize| (k == 0 && around.is_some()) || (at[k] - area.reach[k] >= 0.0 && at[k] + area.reach[k] <= ends[k]);
+        let is_within = |k: usize| {
+            (k == 0 && around.is_some()) || (at[k] - area.reach[k] >= -ROUNDING_DEG && at[k] + area.reach[k] <= ends[k] + ROUNDING_DEG)
+        };
         if self.columns < 2 || self.rows < 2 || !is_within(0) || !is_within(1) {
             let ([longitude_deg, latitude_deg], [width, height]) = (area.middle, ends);
             let (east, north) = (turn_of_file(west + width), south + height);

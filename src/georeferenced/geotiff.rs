@@ -67,6 +67,8 @@ pub(crate) struct SaidSystem {
     pub described: Option<String>,
     /// Its parameters, where the projection is one that is read.
     pub parameters: Option<Described>,
+    /// The text of a file beside it.
+    pub text: Option<String>,
     /// The unit of eastings and northings in m.
     pub unit_m: Option<f64>,
     /// The unit of heights in m.
@@ -89,7 +91,7 @@ impl SaidSystem {
     pub fn definition(&self) -> Option<Definition> {
         match self.epsg {
             Some(code) => Definition::read(&name_of(code)).ok(),
-            None => self.parameters.as_ref().and_then(Described::definition),
+            None => self.text.as_deref().map_or_else(|| self.parameters.as_ref()?.definition(), |text| Definition::read(text).ok()),
         }
     }
 }
@@ -214,7 +216,7 @@ impl Keys {
             None => unit_m(LINEAR_UNIT)?,
         };
         let parameters = described.as_ref().and_then(|name| self.described(name, plane_m.unwrap_or(1.0)));
-        Ok(SaidSystem { epsg, described, parameters, unit_m: plane_m, height_unit_m: unit_m(HEIGHT_UNIT)? })
+        Ok(SaidSystem { epsg, described, parameters, text: None, unit_m: plane_m, height_unit_m: unit_m(HEIGHT_UNIT)? })
     }
 
     /// A system by its parameters; absent for other projections, and where one is missing.
@@ -283,7 +285,7 @@ mod tests {
         ];
         let described = said(&own, &[7.0, 0.3], texts);
         let name = Some("California zone 3".to_string());
-        assert_eq!(described, SaidSystem { epsg: None, described: name, parameters: None, unit_m: Some(0.3), height_unit_m: Some(0.3048) });
+        assert_eq!(described, SaidSystem { described: name, unit_m: Some(0.3), height_unit_m: Some(0.3048), ..SaidSystem::default() });
         let unnamed = said(&[own[0], own[1]], &[0.0], texts);
         assert_eq!(unnamed.described.as_deref(), Some("all of it"));
         // Without a code of its own a system that is described is none that nothing is said of.

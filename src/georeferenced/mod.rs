@@ -1,10 +1,11 @@
-//! Rasters whose pixels have places: on a map (`georeference`, world files, the tags of GeoTIFF), or at longitudes and latitudes, as the files of
+//! Rasters whose pixels have places: on a map (`georeference`, the tags of GeoTIFF, files beside them: `sidecars`), or at longitudes and latitudes, as the files of
 //! geoids have them (`geoid_file`).
 
 mod geoid_file;
 mod georeference;
 mod geotiff;
 mod samples;
+mod sidecars;
 
 pub(crate) use geoid_file::{Area, part_of_geoid};
 pub use georeference::Georeference;
@@ -13,3 +14,4 @@ pub(crate) use geotiff::{
     name_of, refuse_degrees,
 };
 pub(crate) use samples::{MOST_VALUES, numbers_of_tiff};
+pub use sidecars::Sidecars;

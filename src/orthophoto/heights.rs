@@ -3,7 +3,7 @@
 use super::ground::Ground;
 use crate::Georeference;
 use crate::error::refuse;
-use crate::georeferenced::{GeoTags, MOST_VALUES, SaidSystem, numbers_of_tiff};
+use crate::georeferenced::{GeoTags, MOST_VALUES, SaidSystem, Sidecars, numbers_of_tiff};
 use crate::image::checked_directory;
 use crate::{Error, Refusal};
 use std::borrow::Cow;
@@ -136,18 +136,17 @@ impl HeightModel {
         Self { unit_m, said: Arc::new(SaidSystem { epsg, ..SaidSystem::default() }), ..self }
     }
 
-    /// Reads a GeoTIFF of whole or floating-point numbers, or an ESRI ASCII grid. `world_file`: where a TIFF lies that does not say so.
+    /// Reads a GeoTIFF of whole or floating-point numbers, or an ESRI ASCII grid. `sidecars`: where a TIFF lies that does not say so, and the system.
     ///
     /// # Errors
     /// [`Error::InvalidInput`], [`Error::UnreadableImage`] and [`Error::Degenerate`] for what is neither, is damaged or lies nowhere.
-    pub fn read(file: &[u8], world_file: Option<&str>) -> Result<Self, Error> {
+    pub fn read(file: &[u8], sidecars: impl Into<Sidecars>) -> Result<Self, Error> {
+        let sidecars = sidecars.into();
         if matches!(file, [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..]) {
-            return Self::read_tiff(file, world_file);
+            return Self::read_tiff(file, &sidecars);
         }
-        match std::str::from_utf8(file) {
-            Ok(text) => Self::read_ascii(text),
-            Err(_) => refuse(Refusal::NoHeightModel),
-        }
+        let Ok(text) = std::str::from_utf8(file) else { return refuse(Refusal::NoHeightModel) };
+        Ok(Self { said: Arc::new(sidecars.system(SaidSystem::default())?), ..Self::read_ascii(text)? })
     }
 
     /// The EPSG code of its system, where its file tells one.
@@ -169,10 +168,10 @@ impl HeightModel {
         Self { range: self.range.map(|height| factor * height), factor: factor * self.factor, ..self }
     }
 
-    fn read_tiff(file: &[u8], world_file: Option<&str>) -> Result<Self, Error> {
+    fn read_tiff(file: &[u8], sidecars: &Sidecars) -> Result<Self, Error> {
         checked_directory(file)?;
         let tags = GeoTags::read(file)?;
-        let georeference = match (tags.georeference, world_file) {
+        let georeference = match (tags.georeference, &sidecars.world_file) {
             (Some(own), _) => own,
             (None, Some(text)) => Georeference::read_world_file(text)?,
             (None, None) => {
@@ -182,7 +181,8 @@ impl HeightModel {
         let (width, height, values) = numbers_of_tiff(file)?;
         let hole = tags.no_data.map(|v| v as f32);
         let values = values.into_iter().map(|v| if Some(v) == hole { f32::NAN } else { v }).collect();
-        Ok(Self { unit_m: tags.system.height_unit_m, said: Arc::new(tags.system), ..Self::new(width, height, values, georeference)? })
+        let said = sidecars.system(tags.system)?;
+        Ok(Self { unit_m: said.height_unit_m, said: Arc::new(said), ..Self::new(width, height, values, georeference)? })
     }
 
     /// # Source

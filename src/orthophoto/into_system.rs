@@ -1,7 +1,7 @@
 //! The way from an orthophoto into the coordinate reference system of a block.
 
 use super::reference::Orthophoto;
-use crate::crs::{CoordinateSystem, Definition, Described};
+use crate::crs::{CoordinateSystem, Definition};
 use crate::error::refuse;
 use crate::georeferenced::{SaidSystem, name_of};
 use crate::math::median;
@@ -52,7 +52,7 @@ impl IntoSystem {
         let orthophoto = match (said.epsg, &said.described) {
             (Some(code), _) => Definition::read(&name_of(code))?,
             (None, None) if !block.is_geographic() => block.clone(),
-            (None, _) => match said.parameters.as_ref().and_then(Described::definition) {
+            (None, _) => match said.definition() {
                 Some(described) => described,
                 None => return refuse(Refusal::OrthophotoSystem { described: said.name() }),
             },

@@ -91,10 +91,11 @@ impl Laid {
 
 impl Mosaic {
     /// Lays out the picture of all ground that the oriented images show, in the system of the model. `gsd`: the side of a pixel; absent: that of the
-    /// images, or what makes 4000 MP.
+    /// images, or the least that is allowed.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] where no image is oriented, and for a side of a pixel that is none or makes more than 4000 MP.
+    /// [`Error::InvalidInput`] where no image is oriented, and for a side of a pixel that is none, makes more than 4000 MP, or has more than 1.5 GB wait in
+    /// memory for further images.
     pub fn new(model: &BlockModel, heights: Heights, gsd: Option<f64>) -> Result<Self, Error> {
         let images = laid_by(model, &heights);
         Self::of(images, heights, gsd, MOST_PIXELS, 0.0)

@@ -8,7 +8,7 @@ use super::rectify::Rectified;
 use super::write::{write_geotiff, write_heights};
 use crate::Georeference;
 use crate::error::refuse;
-use crate::georeferenced::{GeoTags, SaidSystem, refuse_degrees};
+use crate::georeferenced::{GeoTags, SaidSystem, Sidecars, refuse_degrees};
 use crate::image::{TiffRaster, Wanted, is_tiff, read_all};
 use crate::{
     Bands, DecodeLimits, Document, Error, Feature, FeatureOptions, FileFault, FileSource, GreyImage, Refusal, ScalePoint, decode,
@@ -56,18 +56,19 @@ impl Orthophoto {
     ///
     /// # Errors
     /// As [`open`](Self::open).
-    pub fn read(file: &[u8], world_file: Option<&str>, heights: Heights, limits: &DecodeLimits) -> Result<Self, Error> {
-        Self::open(Arc::new(file.to_vec()), world_file, heights, limits)
+    pub fn read(file: &[u8], sidecars: impl Into<Sidecars>, heights: Heights, limits: &DecodeLimits) -> Result<Self, Error> {
+        Self::open(Arc::new(file.to_vec()), sidecars, heights, limits)
     }
 
-    /// Opens a GeoTIFF, or any image with a world file beside it. A TIFF of more than 40 million pixels in tiles or strips is read where it is needed,
+    /// Opens a GeoTIFF, or any image with a world file beside it, and perhaps one that says its system. A TIFF of more than 40 million pixels in tiles or strips is read where it is needed,
     /// from the overviews that it holds where these are enough; everything else at once, within the limits.
     ///
     /// Nothing is shown where alpha is 0; without alpha where all colours have the value that the file names for no data, or else grey is 0.
     ///
     /// # Errors
     /// As [`decode`]; [`Error::InvalidInput`] for a file that does not say where it lies, or says it in degrees, and for heights of another system.
-    pub fn open(file: Arc<dyn FileSource>, world_file: Option<&str>, heights: Heights, limits: &DecodeLimits) -> Result<Self, Error> {
+    pub fn open(file: Arc<dyn FileSource>, sidecars: impl Into<Sidecars>, heights: Heights, limits: &DecodeLimits) -> Result<Self, Error> {
+        let sidecars = sidecars.into();
         let mut tags = GeoTags::default();
         let mut raster = None;
         if is_tiff(&file) {
@@ -86,7 +87,7 @@ impl Orthophoto {
                 (Picture::coloured(decoded.grey, &nothing, colours), decoded.format)
             }
         };
-        let georeference = match (tags.georeference, world_file) {
+        let georeference = match (tags.georeference, &sidecars.world_file) {
             (Some(own), _) => own,
             (None, Some(text)) => Georeference::read_world_file(text)?,
             (None, None) => return refuse(Refusal::PictureWithoutPlace { format: format.into() }),
@@ -94,8 +95,9 @@ impl Orthophoto {
         if georeference.is_in_degrees(picture.size()) {
             return refuse_degrees();
         }
-        let heights = heights.for_ground(&Ground::said(&tags.system))?;
-        Ok(Self { picture, georeference: georeference.checked()?, heights, epsg: tags.system.epsg, said: tags.system })
+        let said = sidecars.system(tags.system)?;
+        let heights = heights.for_ground(&Ground::said(&said))?;
+        Ok(Self { picture, georeference: georeference.checked()?, heights, epsg: said.epsg, said })
     }
 
     /// Gives its ground other heights.

@@ -3,7 +3,7 @@
 use super::cameras::{contradicted, doubtful};
 use super::control::gnss_observation;
 use super::input::{Checked, RunInput};
-use super::system::{check_near, system_of};
+use super::system::{check_near, in_other_unit, system_of};
 use super::{BlockRun, ControlTables, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
 use crate::crs::{CoordinateSystem, Geoid, HeightZero};
 use crate::error::refuse;
@@ -215,11 +215,13 @@ pub(super) fn describe(input: &Checked, images: &[RunImage], cameras: &[InitialC
     let placing = &input.settings.placing;
     let places: Vec<[f64; 2]> =
         images.iter().filter_map(|image| gnss(input, &image.exif)).map(|place| [place.longitude_deg, place.latitude_deg]).collect();
-    let system = system_of(placing, &input.zero, &input.control.as_ref().map(ControlTables::plane).unwrap_or_default(), &places)?;
+    let plane = input.control.as_ref().map(ControlTables::plane).unwrap_or_default();
+    let in_other_unit = |error: Error| in_other_unit(placing, &plane, &places).map_or(error, Refusal::into_error);
+    let system = system_of(placing, &input.zero, &plane, &places).map_err(in_other_unit)?;
     let names: Vec<String> = images.iter().map(|image| image.name.clone()).collect();
-    let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero)).transpose()?;
+    let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero)).transpose().map_err(in_other_unit)?;
     let (control, unknown_images) = joined.unwrap_or_default();
-    system.iter().try_for_each(|system| check_near(&control, &places, system))?;
+    system.iter().try_for_each(|system| check_near(&control, &places, system)).map_err(in_other_unit)?;
     let has_heights = control.is_empty() || system.is_none_or(|system| system.zero().is_known());
     let cameras = cameras.iter().map(InitialCamera::to_be_calibrated).collect();
     let description = BlockDescription { cameras, images: known_images(input, images, has_heights), control };

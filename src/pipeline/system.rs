@@ -2,7 +2,7 @@
 
 use crate::crs::{CoordinateSystem, HeightZero, beside_in_utm, middle};
 use crate::error::refuse;
-use crate::math::{dot3, median};
+use crate::math::{dot3, median, turn};
 use crate::reconstruction::Doubted;
 use crate::{Axis, Error, GeoreferencingOptions, GroundControlPoint, Mistake, ObservedPosition, Refusal, local_from_geographic};
 
@@ -52,6 +52,50 @@ pub(super) fn check_near(control: &[GroundControlPoint], gnss: &[[f64; 2]], syst
     let Slip { swapped, zone, likely } = slip.unwrap_or_default();
     let (point, distance_km, crs) = (point.name.clone(), km_from(place), system.definition().name());
     refuse(Refusal::ControlElsewhere { point, distance_km, crs, most_km: MOST_KM, swapped, zone, likely })
+}
+
+/// Units of length that tables of control points have, in m.
+const LENGTHS: [(&str, f64); 6] = [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("ft", 0.3048), ("us-ft", 1200.0 / 3937.0), ("km", 1000.0)];
+/// Feet differ by less, and are told apart by nothing.
+const ALIKE: f64 = 1e-5;
+
+/// No map of a transverse Mercator projection reaches farther from its central meridian.
+const MOST_FROM_MERIDIAN_DEG: f64 = 4.0;
+
+/// The unit in which control points that cannot be in the system would be: that in which they lie near the images or, where no image has a position, the
+/// only one in which they lie on the map of the system; absent where there is none.
+pub(super) fn in_other_unit(placing: &GeoreferencingOptions, control: &[[f64; 2]], gnss: &[[f64; 2]]) -> Option<Refusal> {
+    let definition = placing.definition().ok()??;
+    let unit_m = definition.unit_m()?;
+    let [x, y] = middle(control.iter().copied(), false)?;
+    let images = middle_of_places(gnss);
+    let is_there = |factor: f64| {
+        let at = [factor * x, factor * y];
+        let system = match images {
+            Some(images) => CoordinateSystem::new(definition.clone(), None, images),
+            None => CoordinateSystem::about(definition.clone(), None, at),
+        };
+        let Some([longitude, latitude, _]) = system.ok().and_then(|system| system.geographic([at[0], at[1], 0.0])) else { return false };
+        match images {
+            Some(images) => {
+                let [east, north, _] = local_from_geographic([longitude, latitude, 0.0], [images[0], images[1], 0.0]);
+                libm::hypot(east, north) <= reach_m(gnss, images)
+            }
+            None => definition.central_meridian_deg().is_some_and(|meridian| turn(longitude - meridian).abs() <= MOST_FROM_MERIDIAN_DEG),
+        }
+    };
+    if is_there(1.0) {
+        return None;
+    }
+    let is = |length_m: f64, other_m: f64| (length_m / other_m - 1.0).abs() < ALIKE;
+    let mut found = LENGTHS.iter().filter(|(_, own_m)| !is(*own_m, unit_m) && is_there(own_m / unit_m));
+    let (unit, own_m) = found.next()?;
+    if found.any(|(_, other_m)| !is(*other_m, *own_m)) {
+        return None;
+    }
+    let named = LENGTHS.iter().find(|(_, own_m)| is(*own_m, unit_m)).map(|(name, _)| (*name).to_string());
+    let (own, crs, near) = (named.unwrap_or_else(|| format!("{unit_m} m")), definition.name(), images.is_some());
+    Some(Refusal::ControlUnit { given_in: (*unit).into(), own, crs, near })
 }
 
 /// How a control point that lies elsewhere may have come there.
@@ -157,6 +201,26 @@ mod tests {
         let gnss: Vec<[f64; 2]> = (0..9).map(|k| [6.8 + 0.4 * f64::from(k % 3), 46.5 + 0.4 * f64::from(k / 3)]).collect();
         let told = refused_beside("EPSG:21781", [200_000.0, 600_000.0], &gnss).unwrap();
         assert!(told.contains("exchanged"), "{told}");
+    }
+
+    #[test]
+    fn the_unit_that_brings_control_points_to_the_images_is_named() {
+        let gnss: Vec<[f64; 2]> = (0..9).map(|k| [8.0 + 0.002 * f64::from(k % 3), 50.0 + 0.002 * f64::from(k / 3)]).collect();
+        let system = CoordinateSystem::new(Definition::read(UTM).unwrap(), None, gnss[0]).unwrap();
+        let [x, y, _] = system.coordinates([8.003, 50.001, 0.0]).unwrap();
+        let placing = GeoreferencingOptions { crs: Some(UTM.into()), ..GeoreferencingOptions::default() };
+        let told =
+            |factor: f64| in_other_unit(&placing, &[[factor * x, factor * y]; 3], &gnss).map(|refusal| refusal.into_error().to_string());
+        for (factor, unit) in [(1000.0, "mm"), (1.0 / 0.3048, "ft"), (0.001, "km")] {
+            let told = told(factor).unwrap();
+            assert!(told.contains(&format!("if they are in {unit}")) && told.contains("whose unit is m"), "{told}");
+        }
+        assert_eq!([told(1.0), told(1.5)], [None, None]);
+        // Without positions of images by where the map of the system is.
+        for (factor, unit) in [(1000.0, "mm"), (1.0 / 0.3048, "ft")] {
+            let told = in_other_unit(&placing, &[[factor * x, factor * y]; 3], &[]).unwrap().into_error().to_string();
+            assert!(told.contains(&format!("in the area of this system if they are in {unit}")), "{told}");
+        }
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
 use crate::{
     BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, GivenLink, HeightModel, Heights, Mosaic, Orthophoto, PlacedImage,
-    Placement, PlacingCamera, PlacingOptions, Project, SearchArea, decode, decode_bands, ground_positions, heights_of_block,
+    Placement, PlacingCamera, PlacingOptions, Project, SearchArea, Sidecars, decode, decode_bands, ground_positions, heights_of_block,
     image_positions, links_table, place_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
@@ -57,20 +57,20 @@ impl OrthophotoReference {
     /// heights are given.
     pub fn open(
         #[wasm_bindgen(unchecked_param_type = "Uint8Array | FileInParts")] file: &JsValue,
-        world_file: Option<String>,
+        #[wasm_bindgen(unchecked_optional_param_type = "Given<Sidecars>")] sidecars: &JsValue,
     ) -> JsResult<OrthophotoReference> {
-        let level = Heights::Level(0.0);
-        let orthophoto = Orthophoto::open(file_source(file)?, world_file.as_deref(), level, &DecodeLimits::default()).map_err(thrown)?;
+        let (level, sidecars) = (Heights::Level(0.0), read_sidecars(sidecars)?);
+        let orthophoto = Orthophoto::open(file_source(file)?, sidecars, level, &DecodeLimits::default()).map_err(thrown)?;
         Ok(Self { orthophoto, options: PlacingOptions::default(), area: None })
     }
 
-    /// The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with its world file perhaps, or the project of an oriented block.
+    /// The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with what stands beside it, or the project of an oriented block.
     pub fn set_heights(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array")] heights: &JsValue,
-        world_file: Option<String>,
+        #[wasm_bindgen(unchecked_optional_param_type = "Given<Sidecars>")] sidecars: &JsValue,
     ) -> JsResult<()> {
-        self.orthophoto.set_heights(read_heights(heights, world_file.as_deref())?).map_err(thrown)?;
+        self.orthophoto.set_heights(read_heights(heights, sidecars)?).map_err(thrown)?;
         self.area = None;
         Ok(())
     }
@@ -233,9 +233,9 @@ fn pairs<'a>(what: &'static str, numbers: &'a [f64]) -> JsResult<&'a [[f64; 2]]>
 }
 
 /// One height for all, or a file.
-fn read_heights(heights: &JsValue, world_file: Option<&str>) -> JsResult<Heights> {
+fn read_heights(heights: &JsValue, sidecars: &JsValue) -> JsResult<Heights> {
     match heights.dyn_ref::<Uint8Array>() {
-        Some(file) => heights_of_file(&file.to_vec(), world_file).map(Heights::Model).map_err(thrown),
+        Some(file) => heights_of_file(&file.to_vec(), read_sidecars(sidecars)?).map(Heights::Model).map_err(thrown),
         None => {
             let height = read("heights", heights)?;
             check_call("heights", height).map_err(thrown)?;
@@ -244,10 +244,15 @@ fn read_heights(heights: &JsValue, world_file: Option<&str>) -> JsResult<Heights
     }
 }
 
+/// What stands beside a raster; none where nothing is given.
+fn read_sidecars(sidecars: &JsValue) -> JsResult<Sidecars> {
+    if sidecars.is_null() || sidecars.is_undefined() { Ok(Sidecars::default()) } else { read_options("sidecars", sidecars) }
+}
+
 /// A height model, or the tie points of the block that a project file holds.
-fn heights_of_file(file: &[u8], world_file: Option<&str>) -> Result<HeightModel, Error> {
+fn heights_of_file(file: &[u8], sidecars: Sidecars) -> Result<HeightModel, Error> {
     if !file.starts_with(b"{") {
-        return HeightModel::read(file, world_file);
+        return HeightModel::read(file, sidecars);
     }
     match read_project(file)? {
         Project::Block(run) => heights_of_block(&run),
@@ -259,9 +264,9 @@ fn heights_of_file(file: &[u8], world_file: Option<&str>) -> Result<HeightModel,
 #[wasm_bindgen]
 pub fn check_heights(
     #[wasm_bindgen(unchecked_param_type = "number | Uint8Array")] heights: &JsValue,
-    world_file: Option<String>,
+    #[wasm_bindgen(unchecked_optional_param_type = "Given<Sidecars>")] sidecars: &JsValue,
 ) -> JsResult<()> {
-    read_heights(heights, world_file.as_deref()).map(drop)
+    read_heights(heights, sidecars).map(drop)
 }
 
 /// The tables of images that were placed: of the images, and of their links.
@@ -333,14 +338,14 @@ impl OrthoMosaic {
     pub fn open(
         project: &[u8],
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array | null")] heights: &JsValue,
-        heights_world_file: Option<String>,
+        #[wasm_bindgen(unchecked_param_type = "Given<Sidecars> | null | undefined")] heights_sidecars: &JsValue,
         gsd: Option<f64>,
         in_adjustment: Option<bool>,
     ) -> JsResult<OrthoMosaic> {
         let Project::Block(run) = read_project(project).map_err(thrown)? else {
             return Err(thrown(wrong_project(FileFault::HoldsPair)));
         };
-        let given = || read_heights(heights, heights_world_file.as_deref());
+        let given = || read_heights(heights, heights_sidecars);
         let heights = (!heights.is_null()).then(given).transpose()?;
         let lay_out = if in_adjustment.unwrap_or(false) { Mosaic::in_adjustment } else { Mosaic::of_block };
         let mosaic = lay_out(&run, heights, gsd).map_err(thrown)?;

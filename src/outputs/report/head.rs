@@ -53,9 +53,11 @@ fn adjustment(model: &ModelSummary, crs: Option<&ResultSystem>) -> Markup {
         }
         @if let Some(checks) = &model.checks {
             @let [x, y, z] = checks.rmse_m;
+            @let [mean_x, mean_y, mean_z] = checks.mean_m.map(|mean| fixed(mean, 3));
             dt { "RMSE of " (checks.points) " check points" }
             dd {
-                (significant(x)) ", " (significant(y)) ", " (significant(z)) " m in X, Y, Z (plan " (significant(checks.plan_rmse_m)) " m)"
+                (significant(x)) ", " (significant(y)) ", " (significant(z)) " m in X, Y, Z (plan " (significant(checks.plan_rmse_m)) " m), mean "
+                (mean_x) ", " (mean_y) ", " (mean_z) " m"
                 @if let Some(crs) = crs { ", along the axes of " (shorten(&crs.name)) }
                 @if let Some(ratio) = checks.ratio { "; " (fixed(ratio, 2)) " of their standard errors" }
             }
