@@ -655,6 +655,7 @@ mistake-decimal-point = تبدو الفاصلة العشرية في { $axis } ل
 mistake-feet = يبدو ارتفاعها بالقدم: { $given } قدم تساوي { $likely } م.
 mistake-metres = يبدو ارتفاعها بالمتر: { $given } م تساوي { $likely } قدم.
 mistake-digit = يبدو أن رقمًا في { $axis } لها كُتب خطأ: { $given } والموافق { $likely }.
+mistake-transposed = يبدو أن رقمين في { $axis } لها مبدَّلان: { $given } والموافق { $likely }.
 mistake-zone = تبدو إحداثياتها من المنطقة { $zone }.
 
 unit-millimetres = المليمتر

@@ -1056,6 +1056,7 @@ mistake-decimal-point = The decimal point of its { $axis } seems to be misplaced
 mistake-feet = Its height seems to be in feet: { $given } ft are { $likely } m.
 mistake-metres = Its height seems to be in metres: { $given } m are { $likely } ft.
 mistake-digit = A digit of its { $axis } seems to be mistyped: { $given } where { $likely } would fit.
+mistake-transposed = Two digits of its { $axis } seem to be exchanged: { $given } where { $likely } would fit.
 mistake-zone = Its coordinates seem to be those of zone { $zone }.
 
 unit-millimetres = millimetres

@@ -115,7 +115,9 @@ fn slip_of(system: &CoordinateSystem, doubted: &Doubted) -> Slip {
     let swapped = zone.is_none() && doubted.explains([y, x, z]) && !doubted.explains(doubted.given);
     let likely = match &mistake {
         Some(Mistake::Sign { axis, given }) => Some((axis, given.strip_prefix('-').map_or_else(|| format!("-{given}"), String::from))),
-        Some(Mistake::DecimalPoint { axis, likely, .. } | Mistake::Digit { axis, likely, .. }) => Some((axis, likely.clone())),
+        Some(
+            Mistake::DecimalPoint { axis, likely, .. } | Mistake::Digit { axis, likely, .. } | Mistake::Transposed { axis, likely, .. },
+        ) => Some((axis, likely.clone())),
         _ => None,
     };
     let likely = likely.map(|(axis, value)| format!("{} = {value}", if *axis == Axis::X { "x" } else { "y" }));

@@ -41,6 +41,8 @@ messages! {
         Metres { given: String, likely: String },
         /// One digit is another.
         Digit { axis: Axis, given: String, likely: String },
+        /// Two digits beside each other stand in each other's place.
+        Transposed { axis: Axis, given: String, likely: String },
         /// The coordinates are those of another zone of the same system.
         Zone { zone: u32 },
     }
@@ -93,7 +95,8 @@ impl Doubted {
         if let Some(mistake) = Some(axis).filter(|axis| *axis == Axis::Z).and_then(|_| self.other_unit()) {
             return Some(mistake);
         }
-        self.digit(k).map(|likely| Mistake::Digit { axis, given: written(given), likely })
+        let digit = self.digit(k).map(|likely| Mistake::Digit { axis, given: written(given), likely });
+        digit.or_else(|| self.transposed(k).map(|likely| Mistake::Transposed { axis, given: written(given), likely }))
     }
 
     /// A height in feet of a system in metres, or the other way around.
@@ -125,6 +128,18 @@ impl Doubted {
 
     fn is_large(&self, k: usize) -> bool {
         (self.given[k] - self.likely[k]).abs() >= LEAST_TIMES * self.within[k]
+    }
+
+    /// The number with two digits beside each other exchanged that lies where the other observations have it.
+    fn transposed(&self, k: usize) -> Option<String> {
+        let given = written(self.given[k]);
+        let digits: Vec<usize> = given.char_indices().filter(|(_, letter)| letter.is_ascii_digit()).map(|(at, _)| at).collect();
+        let exchanged = digits.windows(2).map(|pair| {
+            let mut letters: Vec<char> = given.chars().collect();
+            letters.swap(pair[0], pair[1]);
+            letters.into_iter().collect::<String>()
+        });
+        exchanged.into_iter().find(|number| number.parse().is_ok_and(|value| self.fits(k, value)))
     }
 
     /// The number with one other digit that lies where the other observations have it.
@@ -202,6 +217,15 @@ mod tests {
         assert_eq!(mistake(with(1, 5_396_020.17), [TRUE[0], 5_306_020.17, TRUE[2]]), digit(Axis::Y, "5396020.17", "5306020.17"));
         // Of a negative number the digits count from zero.
         assert_eq!(mistake([-1234.5, 7.0, 3.0], [-1294.5, 7.0, 3.0]), digit(Axis::X, "-1234.5", "-1294.5"));
+    }
+
+    #[test]
+    fn two_exchanged_digits_are_found_with_the_number_that_was_meant() {
+        let transposed = |axis, given: &str, likely: &str| Some(Mistake::Transposed { axis, given: given.into(), likely: likely.into() });
+        assert_eq!(mistake(with(0, 416_230.42), TRUE), transposed(Axis::X, "416230.42", "412630.42"));
+        assert_eq!(mistake(with(1, 5_316_002.17), TRUE), transposed(Axis::Y, "5316002.17", "5316020.17"));
+        assert_eq!(mistake(with(2, 341.25), TRUE), transposed(Axis::Z, "341.25", "431.25"));
+        assert_eq!(mistake([-1324.5, 7.0, 3.0], [-1234.5, 7.0, 3.0]), transposed(Axis::X, "-1324.5", "-1234.5"));
     }
 
     #[test]
