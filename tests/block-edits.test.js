@@ -32,6 +32,7 @@ before(async () => {
 const viewOf = (points, sigma0Px = 0.5) => ({
   partial: false,
   images: ['a', 'b', 'c', 'd'].map((name) => ({ name, rays: points.length })),
+  connections: [],
   oriented: 4,
   surveyed: [],
   sigma0Px,
@@ -352,6 +353,13 @@ test('the journal reads edits of all kinds as they were, and names damage', () =
     reject,
     { kind: 'restore_observations', observations: [{ point: { ground_control: 0 }, image: 3 }] },
     { kind: 'reject_images', images: [1] },
+    {
+      kind: 'restore_pairs',
+      pairs: [
+        [1, 0],
+        [2, 3],
+      ],
+    },
     { kind: 'measure', point: { manual: 2 }, image: 1, x_px: 1.5, y_px: 2.5, by: 'least_squares' },
     { kind: 'add_point', observations: [{ image: 0, x_px: 1, y_px: 2, by: 'hand' }] },
     { kind: 'set_use', point: 3, use: 'check' },
@@ -360,8 +368,11 @@ test('the journal reads edits of all kinds as they were, and names damage', () =
   const journal = new page.journal.Journal('block/edits', stepFrom, bytesOfStep);
   const kept = new Map([...journal.parts({ edits, done: 4 })].map(([name, { value }]) => [name, structuredClone(value)]));
   assert.deepEqual(journal.read(kept), { edits, done: 4 });
-  kept.get('block/edits/0')[3][0].point = {};
-  assert.throws(() => journal.read(kept), /edits\[0\]\[3\]\[0\]\.point is damaged/);
+  const read = kept.get('block/edits/0');
+  read[4][0].point = {};
+  assert.throws(() => journal.read(kept), /edits\[0\]\[4\]\[0\]\.point is damaged/);
+  read[3][0].pairs[1] = [2];
+  assert.throws(() => journal.read(kept), /edits\[0\]\[3\]\[0\]\.pairs\[1\] is damaged/);
 });
 
 test('of many edits only the one that is refused goes; those that were to follow it are still tried', () => {

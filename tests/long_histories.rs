@@ -5,7 +5,8 @@ use std::fs;
 use std::time::Instant;
 use tiepoint::{
     BlockEdit, BlockFlight, BlockRun, BlockScene, BlockSettings, ControlRole, ControlTexts, HandMeasurement, MeasuredBy, MultiscaleOptions,
-    ObservationPart, PointDetail, PointImage, PointSource, Project, RunInput, point_detail, read_project, run_block, write_block_project,
+    ObservationPart, PairOutcome, PointDetail, PointImage, PointSource, Project, RunInput, point_detail, read_project, run_block,
+    write_block_project,
 };
 
 const OPERATIONS: usize = 100_000;
@@ -72,6 +73,8 @@ struct Hands {
     tie_points: Vec<PointDetail>,
     surveyed: Vec<PointDetail>,
     images: Vec<usize>,
+    /// Those that matches connect.
+    pairs: Vec<[usize; 2]>,
     chance: Chance,
 }
 
@@ -79,8 +82,11 @@ impl Hands {
     fn new(run: &BlockRun) -> Self {
         let details = (0..run.model.points.len()).map(|point| point_detail(run, point).unwrap());
         let (surveyed, tie_points): (Vec<_>, Vec<_>) = details.partition(|detail| matches!(detail.id, Some(PointSource::GroundControl(_))));
-        let images = (0..run.model.images.len()).filter(|image| run.model.images[*image].pose.is_some()).collect();
-        Self { tie_points, surveyed, images, chance: Chance(15) }
+        let images: Vec<usize> = (0..run.model.images.len()).filter(|image| run.model.images[*image].pose.is_some()).collect();
+        let matched = run.connections.iter().filter(|pair| matches!(pair.outcome, PairOutcome::Connected { .. }));
+        let pairs = matched.map(|pair| pair.images.map(|image| image as usize));
+        let pairs = pairs.filter(|pair| pair.iter().all(|image| images.contains(image))).collect();
+        Self { tie_points, surveyed, images, pairs, chance: Chance(15) }
     }
 
     /// A step that can be done whatever was done before. `manual`: how many points were added before.
@@ -92,7 +98,7 @@ impl Hands {
         let points = vec![point];
         let at =
             |by| BlockEdit::Measure { point, image: seen.image, x_px: seen.x_px.clamp(1.0, 479.0), y_px: seen.y_px.clamp(1.0, 359.0), by };
-        match self.chance.below(13) {
+        match self.chance.below(15) {
             0 => vec![BlockEdit::RejectObservations { observations }],
             1 => vec![BlockEdit::RestoreObservations { observations }],
             2 => vec![BlockEdit::RejectPoints { points }],
@@ -117,6 +123,12 @@ impl Hands {
                 };
                 vec![BlockEdit::SetUse { point, role: *self.chance.one(&[None, Some(ControlRole::Check), Some(ControlRole::Control)]) }]
             }
+            // As with images.
+            12 => vec![
+                BlockEdit::RestorePairs { pairs: self.pairs.clone() },
+                BlockEdit::RejectPairs { pairs: vec![*self.chance.one(&self.pairs)] },
+            ],
+            13 => vec![BlockEdit::RestorePairs { pairs: self.pairs.clone() }],
             _ => joined(&detail, self.chance.one(&self.tie_points)),
         }
     }
@@ -185,8 +197,8 @@ fn a_hundred_thousand_edits_that_are_undone_leave_the_bytes_of_the_project() {
             adjusted += usize::from(block.model != found.model);
         }
     }
-    assert_eq!(kinds.len(), 9, "{kinds:?}");
-    assert!(adjusted >= 5 && longest > 100, "{adjusted} adjustments that changed the block, at most {longest} steps");
+    assert_eq!(kinds.len(), 11, "{kinds:?}");
+    assert!(adjusted >= 5 && longest > 80, "{adjusted} adjustments that changed the block, at most {longest} steps");
 
     // Some hold at the end; the same ones after all were undone and done again, from a file that was saved between.
     steps.truncate(done);

@@ -1,6 +1,6 @@
 //! What a finished block writes and shows, before it is saved and after it is opened again.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::sync::OnceLock;
 use tiepoint::{
@@ -411,6 +411,36 @@ fn a_rejected_image_is_not_oriented_and_says_why() {
 }
 
 #[test]
+fn a_rejected_pair_is_marked_and_supports_no_point_until_it_is_restored() {
+    let run = finished();
+    let reject = BlockEdit::RejectPairs { pairs: vec![[3, 2]] };
+    let edited = run.with_edits(std::slice::from_ref(&reject)).unwrap();
+    let shown_by = |run: &BlockRun, pair: [usize; 2]| {
+        let takes = |seen: &ObservationDetail| matches!(seen.part, ObservationPart::Accepted | ObservationPart::GrossError);
+        let images = (0..run.model.points.len()).map(|point| {
+            let observations = point_detail(run, point).unwrap().observations;
+            observations.iter().filter(|seen| takes(seen)).map(|seen| seen.image).collect::<BTreeSet<usize>>()
+        });
+        images.filter(|images| *images == BTreeSet::from(pair)).count()
+    };
+    assert!(shown_by(run, [2, 3]) > 0);
+    assert_eq!(shown_by(&edited, [2, 3]), 0);
+    let rejected = |run: &BlockRun| -> Vec<[u32; 2]> {
+        BlockOverview::new(run).unwrap().pairs.iter().filter(|pair| pair.rejected_by_hand).map(|pair| pair.images).collect()
+    };
+    assert_eq!((rejected(run), rejected(&edited)), (Vec::new(), vec![[2, 3]]));
+    let table = &files(&edited)["pairs.csv"];
+    assert!(table.starts_with("first,second,") && table.lines().next().unwrap().ends_with(",reason,rejected_by_hand"), "{table}");
+    let marked: Vec<&str> = table.lines().filter(|line| line.ends_with(",1")).collect();
+    assert!(marked.len() == 1 && marked[0].starts_with("2,3,"), "{table}");
+    let saved = opened(&write_block_project(&edited).unwrap());
+    assert_eq!(saved, edited);
+    assert_eq!(write_block_project(&saved.with_edits(&[]).unwrap()).unwrap(), write_block_project(run).unwrap());
+    let restored = run.with_edits(&[reject, BlockEdit::RestorePairs { pairs: vec![[2, 3]] }]).unwrap();
+    assert_eq!((shown_by(&restored, [2, 3]), rejected(&restored)), (shown_by(run, [2, 3]), Vec::new()));
+}
+
+#[test]
 fn edits_of_what_is_not_there_are_refused_by_name() {
     let run = finished();
     let (_, point, seen) = an_observation(run);
@@ -419,6 +449,8 @@ fn edits_of_what_is_not_there_are_refused_by_name() {
     of(refused(BlockEdit::RejectPoints { points: vec![PointSource::TiePoint(u32::MAX)] }), &["tie point 4294967295"]);
     of(refused(BlockEdit::RejectImages { images: vec![0] }), &["=other, \"d\".pgm", "not oriented"]);
     of(refused(BlockEdit::RejectImages { images: vec![77] }), &["index 77"]);
+    of(refused(BlockEdit::RejectPairs { pairs: vec![[0, 2]] }), &["=other, \"d\".pgm", "not oriented"]);
+    of(refused(BlockEdit::RejectPairs { pairs: vec![[2, 2]] }), &["pair of images: got [2, 2]"]);
     of(refused(measure(point, seen.image, [480.5, 10.0])), &["outside the image", "480 x 360"]);
     of(refused(measure(point, seen.image, [f64::NAN, 10.0])), &["outside the image"]);
     of(refused(measure(PointSource::GroundControl(0), seen.image, [1.0, 1.0])), &["ground control or check point 0"]);

@@ -945,6 +945,7 @@ refusal-new-point-images = صور نقطة جديدة: أُعطي { $images } ل
 refusal-measured-place = موضع مقيس: أُعطي ({ $x_px }, { $y_px }) في { $location }، خارج الصورة؛ المسموح: مواضع ضمن { $width_px } × { $height_px } بكسل
 refusal-unknown-point = نقطة تعديل: أُعطيت { $point_name }؛ المسموح: نقاط الكتلة
 refusal-image-not-oriented = صورة تعديل: أُعطيت { $location }، وهي غير موجَّهة؛ المسموح: صور موجَّهة من الكتلة
+refusal-pair-not-connected = زوج تعديل: أُعطيت { $first } و{ $second }، ولا تصل بينهما مطابقات؛ المسموح: أزواج متصلة من الكتلة
 refusal-block-not-oriented = كتلة التعديلات: أُعطيت كتلة غير موجَّهة؛ المسموح: كتلة موجَّهة
 
 # Exchange formats and tables.

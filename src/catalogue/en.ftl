@@ -332,6 +332,7 @@ refusal-new-point-images = images of a new point: got { $images } of { $observat
 refusal-measured-place = measured place: got ({ $x_px }, { $y_px }) in { $location }, outside the image; allowed: places within its { $width_px } x { $height_px } px
 refusal-unknown-point = point of an edit: got { $point_name }; allowed: points of the block
 refusal-image-not-oriented = image of an edit: got { $location }, which is not oriented; allowed: images of the block that are oriented
+refusal-pair-not-connected = pair of an edit: got { $first } and { $second }, which no matches connect; allowed: connected pairs of the block
 refusal-block-not-oriented = block of the edits: got one that is not oriented; allowed: an oriented one
 
 # Exchange formats and tables.

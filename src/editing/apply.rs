@@ -1,33 +1,42 @@
 //! Edits applied to the observations of a model, and the model that is adjusted by what they leave.
 
 use super::edit::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
+use super::rejected_pairs::{ImagePairs, ascending, sort_pairs, take_out};
 use crate::error::refuse;
 use crate::model::{BlockDescription, ControlRole, ImageObservation};
 use crate::reconstruction::{Changed, ObservedPoint, ObservedRay, RayPart, RayWeight, readjust};
 use crate::{
-    Camera, Error, Input, KnownImage, Location, ObservationSource, PointName, PointSource, ReconstructedModel, ReconstructionOptions,
-    Refusal, UnorientedImage, UnorientedReason,
+    Camera, Connection, Error, Input, KnownImage, Location, ObservationSource, PairOutcome, PointName, PointSource, ReconstructedModel,
+    ReconstructionOptions, Refusal, UnorientedImage, UnorientedReason,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A model after edits, adjusted anew; and the images that are no longer in it. `alone`: its images as they are known without control points,
-/// which they are where none is left of those that the block had.
+/// A block as it was found, as far as edits change it.
+pub(crate) struct FoundBlock<'a> {
+    pub model: &'a ReconstructedModel,
+    pub description: &'a BlockDescription,
+    /// Its images as they are known without control points, which they are where none is left of those that the block had.
+    pub alone: &'a [KnownImage],
+    /// The pairs that were matched.
+    pub connections: &'a [Connection],
+}
+
+/// The model of a block after edits, adjusted anew; and the images that are no longer in it.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] for an edit of what does not exist, for places outside an image, and for a new point whose rays do not meet; the
 /// errors of [`adjust_block`](crate::adjust_block) for a block that falls apart.
 pub(crate) fn edited_model(
-    model: &ReconstructedModel,
+    found: &FoundBlock<'_>,
     edits: &[BlockEdit],
-    description: &BlockDescription,
-    alone: &[KnownImage],
     options: &ReconstructionOptions,
 ) -> Result<(ReconstructedModel, Vec<UnorientedImage>), Error> {
+    let FoundBlock { model, description, alone, .. } = *found;
     let surveyed = model.points.iter().filter_map(|point| if let PointSource::GroundControl(index) = point { Some(*index) } else { None });
     if let Some(index) = surveyed.max().filter(|index| *index >= description.control.len()) {
         return refuse(Refusal::Index { input: Input::SurveyedPointOfBlock, index, count: description.control.len() });
     }
-    let mut draft = Edited::new(model, description.clone());
+    let mut draft = Edited::new(found);
     for (number, edit) in (1..).zip(edits) {
         draft.apply(edit).map_err(|error| in_edit(error, number))?;
     }
@@ -55,21 +64,36 @@ fn in_edit(error: Error, number: usize) -> Error {
 struct Edited<'a> {
     model: &'a ReconstructedModel,
     description: BlockDescription,
+    /// Pairs that matches connect.
+    connected: ImagePairs,
     points: Vec<ObservedPoint>,
     place_of: BTreeMap<PointSource, usize>,
     /// Those that take no part.
     rejected_points: BTreeSet<PointSource>,
     rejected_images: BTreeSet<usize>,
+    rejected_pairs: ImagePairs,
     /// Points that were added.
     added: u32,
 }
 
 impl<'a> Edited<'a> {
-    fn new(model: &'a ReconstructedModel, description: BlockDescription) -> Self {
+    fn new(found: &FoundBlock<'a>) -> Self {
+        let FoundBlock { model, description, connections, .. } = *found;
+        let matched = connections.iter().filter(|pair| matches!(pair.outcome, PairOutcome::Connected { .. }));
+        let connected = matched.map(|pair| ascending(pair.images.map(|image| image as usize))).collect();
         let points = model.observed_points();
         let place_of = points.iter().enumerate().map(|(place, point)| (point.source, place)).collect();
-        let (rejected_points, rejected_images) = (BTreeSet::new(), BTreeSet::new());
-        Self { model, description, points, place_of, rejected_points, rejected_images, added: 0 }
+        Self {
+            model,
+            description: description.clone(),
+            connected,
+            points,
+            place_of,
+            rejected_points: BTreeSet::new(),
+            rejected_images: BTreeSet::new(),
+            rejected_pairs: ImagePairs::new(),
+            added: 0,
+        }
     }
 
     fn apply(&mut self, edit: &BlockEdit) -> Result<(), Error> {
@@ -96,6 +120,11 @@ impl<'a> Edited<'a> {
                 self.rejected_images.remove(image);
                 Ok(())
             }),
+            BlockEdit::RejectPairs { pairs } | BlockEdit::RestorePairs { pairs } => {
+                pairs.iter().try_for_each(|pair| self.connected(*pair))?;
+                sort_pairs(&mut self.rejected_pairs, edit);
+                Ok(())
+            }
             BlockEdit::Measure { point, image, x_px, y_px, by } => {
                 self.measure(*point, &HandMeasurement { image: *image, x_px: *x_px, y_px: *y_px, by: *by })
             }
@@ -200,6 +229,19 @@ impl<'a> Edited<'a> {
         }
     }
 
+    fn connected(&self, images: [usize; 2]) -> Result<(), Error> {
+        images.iter().try_for_each(|image| self.oriented(*image))?;
+        let [a, b] = images;
+        if a == b {
+            let count = self.description.images.len();
+            return refuse(Refusal::PairOfImages { images: images.map(|image| image as u32), count });
+        }
+        if !self.connected.contains(&ascending(images)) {
+            return refuse(Refusal::PairNotConnected { first: self.name(a), second: self.name(b) });
+        }
+        Ok(())
+    }
+
     fn name(&self, image: usize) -> Location {
         match self.description.images.get(image) {
             Some(known) => Location::Image { name: known.name.clone() },
@@ -227,7 +269,8 @@ impl<'a> Edited<'a> {
 
     /// What the model is adjusted by: points, images, and what is known of the block.
     fn taken(self) -> (Vec<ObservedPoint>, Vec<usize>, BlockDescription) {
-        let Self { model, mut description, points, rejected_points, rejected_images, .. } = self;
+        let Self { model, mut description, connected, mut points, rejected_points, rejected_images, rejected_pairs, .. } = self;
+        take_out(&mut points, &connected, &rejected_pairs, |image| rejected_images.contains(&image));
         let images = model.images.iter().copied().filter(|image| !rejected_images.contains(image)).collect();
         let points: Vec<ObservedPoint> = points.into_iter().filter(|point| !rejected_points.contains(&point.source)).collect();
         for point in &points {
@@ -249,8 +292,8 @@ impl<'a> Edited<'a> {
 mod tests {
     use super::*;
     use crate::{
-        BlockFlight, BlockOptions, Exposure, GroundControlPoint, ObservedPosition, SelectOptions, geographic_from_local, reconstruct_block,
-        simulate_block, tie_points,
+        BlockFlight, BlockOptions, Exposure, GroundControlPoint, ObservedPosition, PairRule, SelectOptions, geographic_from_local,
+        reconstruct_block, simulate_block, tie_points,
     };
 
     fn options() -> ReconstructionOptions {
@@ -296,7 +339,27 @@ mod tests {
     }
 
     fn edited(known: &(BlockDescription, ReconstructedModel), edits: &[BlockEdit]) -> ReconstructedModel {
-        edited_model(&known.1, edits, &known.0, &known.0.images, &options()).unwrap().0
+        tried(known, &[], edits).unwrap()
+    }
+
+    /// `connections`: those of the block.
+    fn tried(
+        (description, model): &(BlockDescription, ReconstructedModel),
+        connections: &[Connection],
+        edits: &[BlockEdit],
+    ) -> Result<ReconstructedModel, Error> {
+        let found = FoundBlock { model, description, alone: &description.images, connections };
+        edited_model(&found, edits, &options()).map(|(model, _)| model)
+    }
+
+    /// All pairs, of which one has too few matches.
+    fn connections(images: u32, without: [u32; 2]) -> Vec<Connection> {
+        let pairs = (0..images).flat_map(|a| (a + 1..images).map(move |b| [a, b]));
+        let outcome = |images| match images == without {
+            true => PairOutcome::TooFewMatches { matches: 3, needed: 15 },
+            false => PairOutcome::Connected { matches: 50 },
+        };
+        pairs.map(|images| Connection { images, rule: PairRule::All, outcome: outcome(images) }).collect()
     }
 
     #[test]
@@ -361,11 +424,49 @@ mod tests {
             by: MeasuredBy::Hand,
         };
         let rejected = [add, BlockEdit::RejectPoints { points: vec![point] }, measure];
-        let refused = edited_model(&known.1, &rejected, &known.0, &known.0.images, &options()).unwrap_err().to_string();
+        let refused = tried(&known, &[], &rejected).unwrap_err().to_string();
         assert!(
             refused.contains("manual point 0, which takes no part; allowed: points that take part: restore it first (edit 3)"),
             "{refused}"
         );
+    }
+
+    #[test]
+    fn what_only_a_rejected_pair_shows_takes_no_part_until_the_pair_is_restored() {
+        let known = surveyed(5);
+        let connections = connections(known.1.images.len() as u32, [0, 7]);
+        let after = |edits: &[BlockEdit]| tried(&known, &connections, edits).unwrap();
+        let shown_alone = |model: &ReconstructedModel| {
+            let ties = model.observed_points().into_iter().filter(|point| matches!(point.source, PointSource::TiePoint(_)));
+            let taking = |point: ObservedPoint| point.rays.into_iter().filter(|ray| ray.part == RayPart::Takes).map(|ray| ray.image);
+            let images = ties.map(|point| taking(point).collect::<BTreeSet<usize>>().into_iter().collect::<Vec<usize>>());
+            images.filter_map(|images| <[usize; 2]>::try_from(images).ok()).collect::<Vec<[usize; 2]>>()
+        };
+        let [a, b] = *shown_alone(&known.1).iter().find(|pair| **pair != [0, 7]).expect("a point that two images alone show");
+        let reject = |pairs: &[[usize; 2]]| BlockEdit::RejectPairs { pairs: pairs.to_vec() };
+        let restore = |pairs: &[[usize; 2]]| BlockEdit::RestorePairs { pairs: pairs.to_vec() };
+        let without = after(&[reject(&[[b, a]])]);
+        assert!(!shown_alone(&without).contains(&[a, b]));
+        assert_eq!((without.images.len(), without.surveyed.len()), (known.1.images.len(), known.1.surveyed.len()));
+        // The last edit of a pair counts, beside other edits in any order; what is restored is as it was.
+        let other = if [a, b] == [1, 2] { [2, 3] } else { [1, 2] };
+        let untouched = after(&[restore(&[[a, b]])]);
+        assert_eq!(after(&[reject(&[[a, b], other]), restore(&[other, [b, a]])]), untouched);
+        assert_eq!(after(&[restore(&[other]), reject(&[[a, b]])]), without);
+        let image = BlockEdit::RejectImages { images: vec![7] };
+        assert_eq!(after(&[image.clone(), reject(&[other])]), after(&[reject(&[other]), image]));
+    }
+
+    #[test]
+    fn pairs_that_no_matches_connect_are_refused() {
+        let known = surveyed(5);
+        let connections = connections(known.1.images.len() as u32, [0, 7]);
+        let refused = |edit: BlockEdit| tried(&known, &connections, &[edit]).unwrap_err().to_string();
+        let pair = |pair| BlockEdit::RejectPairs { pairs: vec![pair] };
+        assert!(refused(pair([7, 0])).contains("which no matches connect; allowed: connected pairs of the block (edit 1)"));
+        assert!(refused(BlockEdit::RestorePairs { pairs: vec![[0, 7]] }).contains("which no matches connect"));
+        assert!(refused(pair([3, 3])).contains("pair of images: got [3, 3]; allowed: two different images of 8"));
+        assert!(refused(pair([0, 99])).contains("index 99"));
     }
 
     #[test]

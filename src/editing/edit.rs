@@ -28,6 +28,15 @@ pub enum BlockEdit {
     RestoreImages {
         images: Vec<usize>,
     },
+    /// What only their matches support takes no part: of a tie point that both images show, the largest part stays whose images other pairs of the
+    /// block connect (of equal ones that with the first image), and none of a single image. What was measured by hand stays.
+    RejectPairs {
+        /// Two images that matches connect, in any order.
+        pairs: Vec<[usize; 2]>,
+    },
+    RestorePairs {
+        pairs: Vec<[usize; 2]>,
+    },
     /// Moves an observation, or adds it where the image had none of the point, which takes part from then on.
     Measure {
         point: PointSource,

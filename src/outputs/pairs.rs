@@ -1,5 +1,6 @@
 //! What is known of each pair of a finished block.
 
+use crate::editing::rejected_pairs;
 use crate::tracks::{FeatureObservation, TiePoints, shared_points};
 use crate::{BlockModel, BlockRun, ConnectionGraph, Error, PairOutcome, PairRule, TwoView};
 use serde::Serialize;
@@ -21,6 +22,7 @@ pub struct PairRow {
     pub common_points: u32,
     /// Those of the model that is written.
     pub chosen_points: u32,
+    pub rejected_by_hand: bool,
 }
 
 /// One row for each pair, and the groups of connected images, the largest first.
@@ -37,6 +39,7 @@ pub(super) fn pair_rows(run: &BlockRun) -> Result<(Vec<PairRow>, Vec<Vec<u32>>),
         run.points.as_ref().map(|points| points.shared.iter().map(|shared| (shared.images, shared.points)).collect());
     let common = found.as_ref().unwrap_or(&chosen);
     let count = |counts: &BTreeMap<[u32; 2], u32>, images| counts.get(&images).copied().unwrap_or(0);
+    let rejected = rejected_pairs(run.edits());
     let rows = run.connections.iter().zip(&run.geometries).map(|(connection, geometry)| PairRow {
         images: connection.images,
         rule: connection.rule,
@@ -45,6 +48,7 @@ pub(super) fn pair_rows(run: &BlockRun) -> Result<(Vec<PairRow>, Vec<Vec<u32>>),
         geometry: geometry.clone(),
         common_points: count(common, connection.images),
         chosen_points: count(&chosen, connection.images),
+        rejected_by_hand: rejected.contains(&connection.images.map(|image| image as usize)),
     });
     Ok((rows.collect(), graph.groups()))
 }

@@ -67,6 +67,8 @@ const PAIRS: [&str; 13] = [
     "chosen_points",
     "reason",
 ];
+/// Of an edited block.
+const EDITED_PAIRS: [&str; 1] = ["rejected_by_hand"];
 
 /// `images.csv`; models count from 1, as texts number them.
 pub(super) fn images(shown: &InSystem<'_>, rows: &[ImageRow]) -> String {
@@ -120,7 +122,7 @@ fn measured_by_hand(run: &BlockRun) -> Vec<Vec<bool>> {
     of_points.into_iter().zip(&model.adjusted.points).filter(|(_, known)| known.is_some()).map(|(rays, _)| rays).collect()
 }
 
-/// `pairs.csv`.
+/// `pairs.csv`; of an edited block it says which pairs were rejected by hand.
 pub(super) fn pairs(run: &BlockRun, rows: &[PairRow]) -> String {
     let name = |image: u32| run.images.get(image as usize).map_or("", |image| &image.name);
     let rows = rows.iter().map(|pair| {
@@ -136,9 +138,11 @@ pub(super) fn pairs(run: &BlockRun, rows: &[PairRow]) -> String {
         let geometry = pair.geometry.as_ref();
         let row = row.number(kind).known(matches).known(geometry.map(|found| found.model.kind()));
         let row = row.known(geometry.and_then(|found| found.degenerate.as_ref()).map(word)).known(geometry.map(|found| found.sigma_px));
-        row.number(pair.common_points).number(pair.chosen_points).text(&pair.reason)
+        let row = row.number(pair.common_points).number(pair.chosen_points).text(&pair.reason);
+        if run.edited.is_some() { row.number(u8::from(pair.rejected_by_hand)) } else { row }
     });
-    table(&PAIRS, rows)
+    let of_edits = run.edited.iter().flat_map(|_| EDITED_PAIRS);
+    table(&PAIRS.into_iter().chain(of_edits).collect::<Vec<_>>(), rows)
 }
 
 /// `surveyed.csv`: surveyed points beside their adjusted places, and those that the block has no place of.

@@ -5,7 +5,7 @@ use super::mistakes::explain_control;
 use super::points::reconstruction_options;
 use super::state::{describe, known_images};
 use super::{BlockRun, EditedRun, OnOrthophoto, Remark};
-use crate::editing::{BlockEdit, edited_model};
+use crate::editing::{BlockEdit, FoundBlock, edited_model};
 use crate::error::refuse;
 use crate::{Error, ReconstructionOptions, Refusal};
 
@@ -45,7 +45,9 @@ impl BlockRun {
         let is_linked = matches!(found.orthophoto, Some(OnOrthophoto::Linked { .. }));
         let tested_control = is_linked.then(|| own_control(&description));
         let options = ReconstructionOptions { tested_control, ..reconstruction_options(&input.settings) };
-        let (mut model, gone) = edited_model(model, edits, &description, &known_images(&input, &found.images, true), &options)?;
+        let alone = known_images(&input, &found.images, true);
+        let block = FoundBlock { model, description: &description, alone: &alone, connections: &found.connections };
+        let (mut model, gone) = edited_model(&block, edits, &options)?;
         let confidence = found.confidences();
         let before = found.reconstruction.clone().unwrap_or_default();
         explain_control(&mut model, before.origin, &input, options.adjustment.limit());

@@ -487,23 +487,34 @@ test('edits by hand are applied to a project, and undone to the byte', () => {
   const [point] = found.point_ids();
   const [first, second] = found.point(0).observations;
   assert.ok(point && first && second);
+  // Of the pairs of the other images the one with fewest matches.
+  const rows = readFileSync(join(WHOLE.out, 'pairs.csv'), 'utf8').split('\n');
+  const connected = rows.map((line) => line.split(',')).filter((cells) => cells[5] === 'connected' && !cells.slice(0, 2).includes('5'));
+  const [[a = '', b = ''] = []] = connected.sort((one, other) => Number(one[6]) - Number(other[6]));
   const edits = [
     { kind: 'reject_observations', observations: [{ point, image: first.image }] },
     { kind: 'measure', point, image: second.image, x_px: second.x_px + 0.2, y_px: second.y_px },
     { kind: 'reject_images', images: [5] },
+    { kind: 'reject_pairs', pairs: [[Number(b), Number(a)]] },
   ];
   const [at, out] = [folder(), folder()];
   const edited = json('edit', project, '--edits', file(at, 'edits.json', JSON.stringify(edits)), '--out', out, '--export', 'colmap');
-  assert.equal(edited.edits, 3);
+  assert.equal(edited.edits, 4);
   assert.equal(edited.orientation.oriented, 5);
   assert.deepEqual(JSON.parse(readFileSync(join(out, 'summary.json'), 'utf8')), edited);
   assert.ok(contents(out).has('colmap/sparse/images.txt'));
   const [head = ''] = readFileSync(join(out, 'rays.csv'), 'utf8').split('\n');
   assert.match(head, /,by_hand$/);
   const kept = FinishedBlock.open(readFileSync(join(out, 'project.tiepoint')));
-  assert.deepEqual(kept.edits(), [edits[0], { ...edits[1], by: 'hand' }, edits[2]]);
+  assert.deepEqual(kept.edits(), [edits[0], { ...edits[1], by: 'hand' }, edits[2], edits[3]]);
+  const marked = readFileSync(join(out, 'pairs.csv'), 'utf8').split('\n');
+  assert.match(marked[0] ?? '', /,reason,rejected_by_hand$/);
+  assert.deepEqual(
+    marked.filter((line) => /,1$/.test(line)).map((line) => line.split(',').slice(0, 2)),
+    [[a, b]],
+  );
   // Without --edits those of the project stay, [] undoes them.
-  assert.equal(json('edit', join(out, 'project.tiepoint'), '--out', folder()).edits, 3);
+  assert.equal(json('edit', join(out, 'project.tiepoint'), '--out', folder()).edits, 4);
   const undone = folder();
   assert.equal(json('edit', join(out, 'project.tiepoint'), '--edits', file(at, 'none.json', '[]'), '--out', undone).edits, 0);
   for (const name of ['project.tiepoint', 'points.csv', 'orientation.json']) {
@@ -521,6 +532,7 @@ test('edits that cannot be are refused by name', () => {
   };
   assert.match(refused('[{"kind": "reject_points", "points": [{"tie_point": 4000000}]}]'), /tie point 4000000/);
   assert.match(refused('[{"kind": "reject_images", "images": [9]}]'), /index 9/);
+  assert.match(refused('[{"kind": "reject_pairs", "pairs": [[3, 3]]}]'), /pair of images: got \[3, 3\]/);
   assert.match(refused('[{"kind": "paint"}]'), /paint/);
   assert.match(refused('{"kind": "reject_images"}'), /no list of edits/);
   assert.match(refused('[{'), /no JSON/);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { block, photoFolder, status } from './blocks.js';
+import { block, photoFolder, photos, status } from './blocks.js';
 import { hosted, keptEdits, part, saved, says, SHOTS, SKIP } from './page.js';
 
 hosted('/block-edits/');
@@ -202,6 +202,58 @@ test('observations and images are rejected, a point is measured by keyboard, all
   }
   assert.ok(refused);
   rmSync(folder, { recursive: true });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('pairs are rejected and restored together, from their table, and undone to the byte', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block({ options: { viewport: { width: 1366, height: 768 } } });
+  await photos(page);
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation): 6 of 6 images/);
+  const found = await project(page);
+  await status(page, /was saved/);
+
+  // The weakest of the connected pairs: the block holds without them.
+  await part(page, 'tab-block-pairs').click();
+  await part(page, 'block-pairs-filter-matches').fill('>0');
+  await part(page, 'sort-matches').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-pairs"] th[data-key="matches"]')?.getAttribute('aria-sort') === 'ascending');
+  const row = (/** @type {number} */ at) => page.locator('[data-testid="block-pairs"] tbody tr:not(.filler)').nth(at);
+  const [first, second] = await row(0).locator('td, th').allTextContents();
+  await row(0).click();
+  await says(page, 'block-reject', /^Reject pair$/);
+  await row(1).click({ modifiers: ['Control'] });
+  await says(page, 'block-chosen', /^2 pairs: /);
+  await part(page, 'block-reject').click();
+  await undoIs(page, /^Undo: reject 2 pairs \(/);
+  await says(page, 'block-restore', /^Restore 2 pairs$/);
+  await part(page, 'block-pairs-filter-reason').fill('hand');
+  await says(page, 'block-pairs-caption', /: 2 of 15$/);
+
+  // One of them by its key; the other in the details.
+  await row(0).click();
+  await page.keyboard.press('r');
+  await undoIs(page, /^Undo: restore photo_\d+\.png – photo_\d+\.png \(/);
+  await says(page, 'block-pairs-caption', /: 1 of 15$/);
+  await part(page, 'block-pairs-clear').click();
+  await part(page, 'tab-block-edits').click();
+  assert.match((await part(page, 'block-rejected').textContent()) ?? '', /^\S+ – \S+ Restore$/);
+  await part(page, 'block-rejected').locator('button').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-rejected"]')?.textContent === 'nothing');
+  // The key acts in the matrix, too: a pair is hollow there.
+  await part(page, 'block-show-matrix').click();
+  await part(page, 'tab-block-pairs').click();
+  await row(0).click();
+  await part(page, 'block-matrix').focus();
+  await page.keyboard.press('Delete');
+  await undoIs(page, new RegExp(`^Undo: reject ${String(first)} – ${String(second)} \\(`));
+  await page.screenshot({ path: join(SHOTS, 'block-edits-pairs.png') });
+  await part(page, 'tab-block-edits').click();
+  await part(page, 'block-history-0').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-undo"]')?.hasAttribute('disabled'));
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-edit-text"]')?.textContent === '');
+  assert.deepEqual(await project(page), found);
   assert.deepEqual(complaints, []);
   await close();
 });

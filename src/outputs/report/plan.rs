@@ -135,8 +135,11 @@ fn links(subject: &Subject<'_>, map: &Map, centres: &[Option<[f64; 2]>]) -> Link
         let [a, b] = images.map(|image| centres.get(image as usize).copied().flatten());
         Some([map.at(a?), map.at(b?)])
     };
-    let joined =
-        subject.pairs.iter().filter(|pair| pair.chosen_points > 0).filter_map(|pair| Some((pair.chosen_points, ends(pair.images)?)));
+    let joined = subject
+        .pairs
+        .iter()
+        .filter(|pair| pair.chosen_points > 0 && !pair.rejected_by_hand)
+        .filter_map(|pair| Some((pair.chosen_points, ends(pair.images)?)));
     let all = joined.clone().count();
     let mut strongest = worst(joined, MOST_LINES, |(points, _)| Some(f64::from(*points)));
     // The weakest first, so that the strong ones lie on top and make quarters.

@@ -133,6 +133,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     geometry: geometryOf(geometries[i] ?? null),
     shared: 0,
     chosen: 0,
+    rejected: false,
   }));
   const none = new Float64Array();
   return {
@@ -189,8 +190,8 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
   };
 }
 
-function connectionOf({ images, rule, outcome, geometry, common_points: shared, chosen_points: chosen }: PairRow): ViewConnection {
-  return { images, rule, outcome, reason: message('connection', { images, rule, outcome }), geometry: geometryOf(geometry), shared, chosen };
+function connectionOf({ images, rule, outcome, geometry, common_points: shared, chosen_points: chosen, rejected_by_hand: rejected }: PairRow): ViewConnection {
+  return { images, rule, outcome, reason: message('connection', { images, rule, outcome }), geometry: geometryOf(geometry), shared, chosen, rejected };
 }
 
 function geometryOf(geometry: TwoView | null): ViewGeometry | null {

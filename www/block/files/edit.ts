@@ -14,8 +14,8 @@ export function bytesOfStep(step: EditStep): number {
 }
 
 function bytesOf(edit: BlockEdit): number {
-  const list = 'observations' in edit ? edit.observations : 'points' in edit ? edit.points : 'images' in edit ? edit.images : [edit];
-  return OF_ONE * Math.max(1, list.length);
+  const lists = Object.values(edit).filter((value) => Array.isArray(value));
+  return OF_ONE * Math.max(1, ...lists.map(({ length }) => length));
 }
 
 export function bytesOfMarks(step: MarkStep): number {
@@ -59,6 +59,9 @@ function editFrom(value: unknown, name: string): BlockEdit {
     case 'reject_images':
     case 'restore_images':
       return { kind, images: listOf(edit.images, `${name}.images`, (image, at) => likeOf(image, 0, at)) };
+    case 'reject_pairs':
+    case 'restore_pairs':
+      return { kind, pairs: listOf(edit.pairs, `${name}.pairs`, pairFrom) };
     case 'measure':
       return { kind, point: sourceFrom(edit.point, `${name}.point`), ...placeFrom(edit, name) };
     case 'add_point':
@@ -75,6 +78,12 @@ function editFrom(value: unknown, name: string): BlockEdit {
 function observationFrom(value: unknown, name: string): PointImage {
   const { point, image } = objectOf(value, name);
   return { point: sourceFrom(point, `${name}.point`), image: likeOf(image, 0, `${name}.image`) };
+}
+
+function pairFrom(value: unknown, name: string): [number, number] {
+  const [a, b] = listOf(value, name, (image, at) => likeOf(image, 0, at));
+  if (a === undefined || b === undefined) throw new Error(say('the-field-is-damaged', { name }));
+  return [a, b];
 }
 
 function sourceFrom(value: unknown, name: string): PointSource {

@@ -11,7 +11,7 @@ import type { Facts } from '../engine/facts';
 import { choiceOfRow, keptBy, NO_ROWS, observationRows, observationsOf, rowsOf, rowsOfChoice } from '../state/columns';
 import type { Rows, Tabled } from '../state/columns';
 import { blockOnOrthophoto } from '../state/showing';
-import { isSame, pointsOf, withMore, withMoreImages } from '../state/selection';
+import { isSame, pairsOf, pointsOf, withMore, withMoreImages, withMorePairs } from '../state/selection';
 import type { Choice, Selection, Subject } from '../state/selection';
 import type { Listed } from '../state/state';
 import type { Looking } from '../view/looking';
@@ -168,6 +168,17 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
     choose: (row) => choose(ofRow(row)),
     isChosen: (row) => chosen.has(row),
     ...(subject === 'points' ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {}),
+    ...(subject === 'pairs'
+      ? {
+          chooseMore: (rows) =>
+            choose(
+              withMorePairs(
+                store.state.selection.chosen,
+                rows.flatMap((row) => pairsOf(ofRow(row))),
+              ),
+            ),
+        }
+      : {}),
     ...(subject === 'images' ? { chooseMore: (rows) => choose(withMoreImages(store.state.selection.chosen, rows.filter(isInBlock))) } : {}),
   });
   let shownRows = NO_ROWS;

@@ -30,7 +30,7 @@ import type { Held, TimedStep } from '../state/timeline';
 import { isBusy } from '../state/state';
 import type { BlockState } from '../state/state';
 import type { BlockView } from '../state/view';
-import { nameOfPoint } from '../state/words';
+import { nameOfPair, nameOfPoint } from '../state/words';
 import { say } from '../../shared/text/words';
 
 /** What measures points, once the images view is there. */
@@ -339,7 +339,7 @@ function restoreButton(store: BlockStore, name: string, edit: BlockEdit): HTMLEl
 /** Of what was rejected so many are listed one by one. */
 const LISTED = 200;
 
-function rejectedRows(view: BlockView, { images, points, unused, observations }: Standing): { name: string; edit: BlockEdit }[] {
+function rejectedRows(view: BlockView, { images, pairs, points, unused, observations }: Standing): { name: string; edit: BlockEdit }[] {
   const imageName = (image: number) => view.images[image]?.name ?? '';
   const pointName = (point: PointSource) => {
     const index = indexOfSource(view, point);
@@ -350,6 +350,7 @@ function rejectedRows(view: BlockView, { images, points, unused, observations }:
   };
   return [
     ...[...images].map((image) => ({ name: imageName(image), edit: { kind: 'restore_images' as const, images: [image] } })),
+    ...[...pairs.values()].map((pair) => ({ name: nameOfPair(view, pair), edit: { kind: 'restore_pairs' as const, pairs: [pair] } })),
     ...[...points.values()].map((point) => ({ name: pointName(point), edit: { kind: 'restore_points' as const, points: [point] } })),
     ...[...unused].map((point) => ({
       name: pointName({ ground_control: point }),

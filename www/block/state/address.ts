@@ -1,5 +1,5 @@
 /** The view and what is chosen in it, as the address of the page names them: `#view=map&point=12`. Images by their names, points by their numbers in the table. */
-import { choiceOfImages, choiceOfPoints, pointsOf } from './selection';
+import { choiceOfImages, choiceOfPairs, choiceOfPoints, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockState, ViewName } from './state';
 import type { BlockView } from './view';
@@ -9,6 +9,7 @@ const VIEWS: readonly ViewName[] = ['map', 'matrix', 'images', 'plots', 'orthoph
 /** An address names no more points than these: a brush over all would make it longer than programs take. */
 const MOST_POINTS = 100;
 const MOST_IMAGES = 50;
+const MOST_PAIRS = 25;
 
 /** What follows the `#`; empty where no block is shown. */
 export function addressOf({ shown, onStage, selection: { chosen } }: Pick<BlockState, 'shown' | 'onStage' | 'selection'>): string {
@@ -20,6 +21,8 @@ export function addressOf({ shown, onStage, selection: { chosen } }: Pick<BlockS
   if (chosen?.kind === 'image' || chosen?.kind === 'observation') named.append('image', name(chosen.image));
   if (chosen?.kind === 'images' && chosen.images.length <= MOST_IMAGES) for (const image of chosen.images) named.append('images', name(image));
   if (chosen?.kind === 'pair') for (const image of chosen.images) named.append('image', name(image));
+  // One image after the other, two by two.
+  if (chosen?.kind === 'pairs' && chosen.pairs.length <= MOST_PAIRS) for (const image of chosen.pairs.flat()) named.append('pairs', name(image));
   return named.toString();
 }
 
@@ -50,10 +53,13 @@ export function asked(address: string, view: BlockView): { view: ViewName; choic
     .getAll('images')
     .map(indexOf)
     .filter((image) => image >= 0);
+  const ofPairs = named.getAll('pairs').map(indexOf);
+  const pairs = ofPairs.flatMap((a, at) => (at % 2 === 0 ? [[a, ofPairs[at + 1] ?? -1] as const] : [])).filter((pair) => !pair.includes(-1));
   const points = (named.get('point') ?? '')
     .split(',')
     .map((number) => Number(number) - 1)
     .filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count);
+  if (pairs.length > 0) return { view: wanted, choice: choiceOfPairs(pairs) };
   return { view: wanted, choice: several.length > 0 ? choiceOfImages(several) : choiceOf(images, points) };
 }
 

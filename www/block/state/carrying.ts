@@ -16,7 +16,7 @@ export interface CarriedOver {
   aside: readonly EditStep[];
 }
 
-/** The edits that hold there: those of images, of surveyed points, and of points that were measured by hand; those of tie points where these are the same. A step that was undone stays where all of its edits do. */
+/** The edits that hold there: those of images and their pairs, of surveyed points, and of points that were measured by hand; those of tie points where these are the same. A step that was undone stays where all of its edits do. */
 export function carriedOver({ edits: steps, done }: History<EditStep>, before: Names, after: Names, sameTiePoints = false): CarriedOver {
   const carrier = new Carrier(before, after, sameTiePoints);
   const edits: EditStep[] = [];
@@ -66,6 +66,11 @@ class Carrier {
       case 'restore_images': {
         const images = edit.images.map((image) => this.image(image)).filter((image) => image >= 0);
         return images.length === 0 ? [] : [{ ...edit, images }];
+      }
+      case 'reject_pairs':
+      case 'restore_pairs': {
+        const pairs = edit.pairs.map(([a, b]): [number, number] => [this.image(a), this.image(b)]).filter((pair) => !pair.includes(-1));
+        return pairs.length === 0 ? [] : [{ ...edit, pairs }];
       }
       case 'add_point':
         return this.add(edit.observations);

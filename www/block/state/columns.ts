@@ -3,13 +3,13 @@ import { remember } from '../../shared/state/remember';
 import { numbers, words } from '../../shared/state/columns';
 import { maskOf } from '../../shared/state/rows';
 import type { Column, Filter } from '../../shared/state/rows';
-import { imagesOf, isSame, pointsOf } from './selection';
+import { imagesOf, keyOfPair, pairsOf, pointsOf } from './selection';
 import type { ViewObservations } from './facts';
 import type { Choice, Selection, Subject } from './selection';
 import type { Listed } from './state';
 import { unitOf } from './scale';
 import type { BlockView, ViewGiven } from './view';
-import { geometryText, givenUse, matchesOf } from './words';
+import { geometryText, givenUse, matchesOf, outcomeText } from './words';
 import { say, sayNamed } from '../../shared/text/words';
 
 /** Tables whose rows are known as soon as the block is. */
@@ -72,6 +72,7 @@ function pairRows({ images, connections }: BlockView): Rows {
     const connection = connections[row];
     return connection?.outcome.kind === 'connected' ? matchesOf(connection) : NaN;
   };
+  const outcome = (row: number) => (connections[row] === undefined ? '' : outcomeText(connections[row]));
   return {
     count: connections.length,
     columns: [
@@ -81,7 +82,7 @@ function pairRows({ images, connections }: BlockView): Rows {
       numbers('shared', say('common'), '', 0, (i) => connections[i]?.shared, say('tie-points-that-both-images'), { total: 'sum' }),
       numbers('chosen', say('selected'), '', 0, (i) => connections[i]?.chosen, say('of-them-those-that-were'), { total: 'sum' }),
       words('geometry', say('geometry-2'), (i) => geometryText(connections[i]?.geometry ?? null), say('what-relates-the-two-views')),
-      words('reason', say('outcome'), (i) => connections[i]?.reason ?? '', say('why-the-images-are-connected')),
+      words('reason', say('outcome'), outcome, say('why-the-images-are-connected')),
     ],
   };
 }
@@ -212,13 +213,16 @@ const raysOf = remember((of: ViewObservations): Uint16Array => {
   return rays;
 });
 
-/** Whether an observation belongs to what is chosen: to its points in any image, to its images, or to a pair's common points. Everything where nothing is. */
+/** Whether an observation belongs to what is chosen: to its points in any image, to its images, or to common points of its pairs. Everything where nothing is. */
 export function observationsOf(of: ViewObservations, choice: Choice | null): (row: number) => boolean {
   if (choice === null) return () => true;
-  const images = new Set(imagesOf(choice));
-  if (choice.kind === 'image' || choice.kind === 'images' || choice.kind === 'pair') {
-    const seen = choice.kind === 'pair' ? commonPoints(of, choice.images) : null;
-    return (row) => images.has(of.images[row] ?? -1) && (seen === null || seen.has(of.points[row] ?? -1));
+  if (choice.kind === 'image' || choice.kind === 'images') {
+    const images = new Set(imagesOf(choice));
+    return (row) => images.has(of.images[row] ?? -1);
+  }
+  if (choice.kind === 'pair' || choice.kind === 'pairs') {
+    const seen = pairsOf(choice).map((pair) => ({ pair, points: commonPoints(of, pair) }));
+    return (row) => seen.some(({ pair, points }) => pair.includes(of.images[row] ?? -1) && points.has(of.points[row] ?? -1));
   }
   const points = new Set(pointsOf(choice));
   return (row) => points.has(of.points[row] ?? -1);
@@ -266,9 +270,9 @@ export function rowsOfChoice(subject: Subject, { view, given }: Listed, choice: 
     return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => (points.has(point) ? [row] : [])));
   }
   if (subject === 'images') return Uint32Array.from(imagesOf(choice));
-  if (subject !== 'pairs' || choice?.kind !== 'pair') return new Uint32Array();
-  const row = view.connections.findIndex(({ images }) => isSame({ kind: 'pair', images }, choice));
-  return row < 0 ? new Uint32Array() : Uint32Array.of(row);
+  if (subject !== 'pairs') return new Uint32Array();
+  const pairs = new Set(pairsOf(choice).map(keyOfPair));
+  return Uint32Array.from(view.connections.flatMap(({ images }, row) => (pairs.has(keyOfPair(images)) ? [row] : [])));
 }
 
 const EMPTY: Filter = {};

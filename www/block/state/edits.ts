@@ -2,7 +2,7 @@
 import type { BlockEdit, PointImage, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import type { Choice } from './selection';
-import { imagesOf, pointsOf } from './selection';
+import { imagesOf, keyOfPair, pairsOf, pointsOf } from './selection';
 import type { BlockView } from './view';
 
 /** What is done and undone at once: one edit, or the observations of a point that were measured together. */
@@ -40,7 +40,8 @@ export function indexOfSource({ points }: BlockView, source: PointSource): numbe
 
 /** What is chosen, in the same block after other edits: points by what they are. */
 export function choiceAfterEdit(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
-  if (choice === null || choice.kind === 'image' || choice.kind === 'images' || choice.kind === 'pair' || choice.kind === 'given') return choice;
+  if (choice === null || choice.kind === 'given') return choice;
+  if (choice.kind === 'image' || choice.kind === 'images' || choice.kind === 'pair' || choice.kind === 'pairs') return choice;
   const moved = [...pointsOf(choice)].flatMap((point) => {
     const source = sourceOf(before, point);
     const index = source === null ? -1 : indexOfSource(after, source);
@@ -57,6 +58,7 @@ export interface Standing {
   observations: ReadonlyMap<string, PointImage>;
   points: ReadonlyMap<string, PointSource>;
   images: ReadonlySet<number>;
+  pairs: ReadonlyMap<string, [number, number]>;
   /** Surveyed points that were left out, by their numbers. */
   unused: ReadonlySet<number>;
   /** Codes of the points that were measured by hand, by image. */
@@ -69,6 +71,7 @@ export const standingOf = remember((edits: readonly BlockEdit[]): Standing => {
   const observations = new Map<string, PointImage>();
   const points = new Map<string, PointSource>();
   const images = new Set<number>();
+  const pairs = new Map<string, [number, number]>();
   const unused = new Set<number>();
   const measured = new Map<number, Set<number>>();
   const measure = (image: number, point: PointSource) => {
@@ -100,6 +103,12 @@ export const standingOf = remember((edits: readonly BlockEdit[]): Standing => {
       case 'restore_images':
         for (const image of edit.images) images.delete(image);
         break;
+      case 'reject_pairs':
+        for (const pair of edit.pairs) pairs.set(keyOfPair(pair), pair);
+        break;
+      case 'restore_pairs':
+        for (const pair of edit.pairs) pairs.delete(keyOfPair(pair));
+        break;
       case 'measure':
         measure(edit.image, edit.point);
         break;
@@ -112,8 +121,13 @@ export const standingOf = remember((edits: readonly BlockEdit[]): Standing => {
         else unused.delete(edit.point);
     }
   }
-  return { observations, points, images, unused, measured };
+  return { observations, points, images, pairs, unused, measured };
 });
+
+const connectedPairs = remember(
+  ({ connections }: BlockView): ReadonlySet<string> =>
+    new Set(connections.filter(({ outcome }) => outcome.kind === 'connected').map(({ images }) => keyOfPair(images))),
+);
 
 /** Rejects what is chosen, or uses it again; null where there is nothing of it. `whole`: of an observation its point with all others. */
 export function editOfChoice(kind: 'reject' | 'restore', choice: Choice | null, view: BlockView, standing: Standing, whole = false): BlockEdit | null {
@@ -123,6 +137,12 @@ export function editOfChoice(kind: 'reject' | 'restore', choice: Choice | null, 
     case 'images': {
       const images = imagesOf(choice).filter((image) => standing.images.has(image) !== rejects);
       return images.length === 0 ? null : { kind: `${kind}_images`, images };
+    }
+    case 'pair':
+    case 'pairs': {
+      const connected = pairsOf(choice).filter((pair) => connectedPairs(view).has(keyOfPair(pair)));
+      const pairs = connected.filter((pair) => standing.pairs.has(keyOfPair(pair)) !== rejects).map(([a, b]): [number, number] => [a, b]);
+      return pairs.length === 0 ? null : { kind: `${kind}_pairs`, pairs };
     }
     case 'observation': {
       const point = sourceOf(view, choice.point);

@@ -93,6 +93,15 @@ export function nameOfEdit(edit: BlockEdit, names: Names = NO_NAMES): string {
         name: only === undefined || more.length > 0 ? say('so-many-images', { images: edit.images.length }) : imageName(only, names),
       });
     }
+    case 'reject_pairs':
+    case 'restore_pairs': {
+      const [only, ...more] = edit.pairs;
+      const named = only === undefined || more.length > 0 ? null : only.map((image) => names.images[image]);
+      return say('step-named', {
+        verb: verbOf(edit.kind),
+        name: named === null || named.includes(undefined) ? say('so-many-pairs', { pairs: edit.pairs.length }) : named.join(' – '),
+      });
+    }
     case 'measure':
       return nameOfMeasures([edit], names);
     case 'add_point':

@@ -8,6 +8,8 @@ export type Choice =
   /** Two or more images, in ascending order. */
   | { kind: 'images'; images: readonly number[] }
   | { kind: 'pair'; images: [number, number] }
+  /** Two or more pairs of images, both in ascending order. */
+  | { kind: 'pairs'; pairs: readonly (readonly [number, number])[] }
   | { kind: 'point'; point: number }
   /** A tie point as one image shows it. */
   | { kind: 'observation'; point: number; image: number }
@@ -82,6 +84,36 @@ export function withMoreImages(chosen: Choice | null, images: readonly number[])
   return choiceOfImages(before);
 }
 
+/** Pairs as they are chosen together: none, one, or several. */
+export function choiceOfPairs(pairs: Iterable<readonly [number, number]>): Choice | null {
+  const ascending = new Map([...pairs].map(([a, b]) => [keyOfPair([a, b]), a < b ? ([a, b] as const) : ([b, a] as const)]));
+  const sorted = [...ascending.values()].sort(([a, b], [c, d]) => a - c || b - d);
+  const [first] = sorted;
+  if (first === undefined) return null;
+  return sorted.length === 1 ? { kind: 'pair', images: [...first] } : { kind: 'pairs', pairs: sorted };
+}
+
+/** Pairs chosen beside those that are, as with points. */
+export function withMorePairs(chosen: Choice | null, pairs: readonly (readonly [number, number])[]): Choice | null {
+  const before = new Map(pairsOf(chosen).map((pair) => [keyOfPair(pair), pair]));
+  const [only] = pairs;
+  if (only === undefined) return chosen;
+  if (pairs.length === 1 && before.has(keyOfPair(only))) before.delete(keyOfPair(only));
+  else for (const pair of pairs) before.set(keyOfPair(pair), pair);
+  return choiceOfPairs(before.values());
+}
+
+/** A name of a pair: the same either way round. */
+export function keyOfPair([a, b]: readonly [number, number]): string {
+  return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
+}
+
+/** The pairs of images that a choice names. */
+export function pairsOf(choice: Choice | null): readonly (readonly [number, number])[] {
+  if (choice?.kind === 'pairs') return choice.pairs;
+  return choice?.kind === 'pair' ? [choice.images] : [];
+}
+
 /** The images that a choice names. */
 export function imagesOf(choice: Choice | null): readonly number[] {
   switch (choice?.kind) {
@@ -91,6 +123,8 @@ export function imagesOf(choice: Choice | null): readonly number[] {
     case 'images':
     case 'pair':
       return choice.images;
+    case 'pairs':
+      return [...new Set(choice.pairs.flat())].sort((a, b) => a - b);
     default:
       return [];
   }
@@ -116,6 +150,7 @@ export function isSame(a: Choice | null, b: Choice | null): boolean {
   if (a === b) return true;
   if (a === null || b === null || a.kind !== b.kind) return false;
   if (a.kind === 'given' && b.kind === 'given') return a.name === b.name;
+  if (a.kind === 'pairs') return pairsOf(a).map(keyOfPair).join(' ') === pairsOf(b).map(keyOfPair).join(' ');
   const [images, others] = [imagesOf(a), imagesOf(b)];
   const [points, others_] = [pointsOf(a), pointsOf(b)];
   return (
@@ -134,10 +169,12 @@ export function inOtherView(selection: Selection, before: BlockView | null, afte
 
 function moved(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
   if (choice?.kind === 'given') return choice;
-  if (choice?.kind !== 'image' && choice?.kind !== 'images' && choice?.kind !== 'pair') return null;
+  if (choice?.kind !== 'image' && choice?.kind !== 'images' && choice?.kind !== 'pair' && choice?.kind !== 'pairs') return null;
   const place = (image: number) => after.images.findIndex(({ name }) => name === before.images[image]?.name);
   if (choice.kind === 'images') return choiceOfImages(choice.images.map(place).filter((image) => image >= 0));
   if (choice.kind === 'image') return place(choice.image) < 0 ? null : { kind: 'image', image: place(choice.image) };
-  const images: [number, number] = [place(choice.images[0]), place(choice.images[1])];
-  return images.includes(-1) ? null : { kind: 'pair', images };
+  const there = pairsOf(choice).map(([a, b]) => [place(a), place(b)] as const);
+  const kept = there.filter((pair) => !pair.includes(-1));
+  // A pair by itself keeps its left image.
+  return choice.kind === 'pair' && kept[0] !== undefined ? { kind: 'pair', images: [...kept[0]] } : choiceOfPairs(kept);
 }

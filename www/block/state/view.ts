@@ -63,6 +63,8 @@ export interface ViewConnection {
   shared: number;
   /** Of them, the points that were chosen and kept. */
   chosen: number;
+  /** By hand. */
+  rejected: boolean;
 }
 
 /** Where the images are drawn: x to the right, y up, in m or without unit. */

@@ -2,6 +2,7 @@
 import { count, fixed } from '../../shared/text/format';
 import { collectedOf, LEAST_POINTS } from './marks';
 import type { WithMarks } from './marks';
+import { keyOfPair } from './selection';
 import type { Choice } from './selection';
 import type { Listed } from './state';
 import { inUnitOf } from './scale';
@@ -10,12 +11,13 @@ import { message } from '../../shared/text/messages';
 import { say, sayNamed } from '../../shared/text/words';
 
 /** The connection of two images; undefined where they were not tried. */
-export function connectionOf(view: BlockView, [a, b]: readonly [number, number]): ViewConnection | undefined {
-  return connectionsOf(view).get(pairKey(a, b));
+export function connectionOf(view: BlockView, pair: readonly [number, number]): ViewConnection | undefined {
+  return connectionsOf(view).get(keyOfPair(pair));
 }
 
-function pairKey(a: number, b: number): string {
-  return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
+/** Why a pair is connected or is not, and whether it was rejected by hand. */
+export function outcomeText({ reason, rejected }: ViewConnection): string {
+  return rejected ? say('pair-rejected-by-hand', { reason }) : reason;
 }
 
 const CONNECTIONS = new WeakMap<BlockView, ReadonlyMap<string, ViewConnection>>();
@@ -24,7 +26,7 @@ const CONNECTIONS = new WeakMap<BlockView, ReadonlyMap<string, ViewConnection>>(
 function connectionsOf(view: BlockView): ReadonlyMap<string, ViewConnection> {
   const known = CONNECTIONS.get(view);
   if (known !== undefined) return known;
-  const made = new Map(view.connections.map((connection) => [pairKey(...connection.images), connection]));
+  const made = new Map(view.connections.map((connection) => [keyOfPair(connection.images), connection]));
   CONNECTIONS.set(view, made);
   return made;
 }
@@ -47,6 +49,8 @@ export function describe({ view, given }: Listed, choice: Choice, gsd = ''): str
       return describeImages(view, choice.images);
     case 'pair':
       return describePair(view, choice.images);
+    case 'pairs':
+      return describePairs(view, choice.pairs);
     case 'point':
       return describePoint(view, choice.point);
     case 'observation':
@@ -100,12 +104,22 @@ export function geometryText(geometry: ViewGeometry | null): string {
 }
 
 function describePair(view: BlockView, images: readonly [number, number]): string {
-  const names = images.map((image) => view.images[image]?.name ?? '').join(' – ');
+  const names = nameOfPair(view, images);
   const connection = connectionOf(view, images);
   if (connection === undefined) return say('this-pair-was-not-tried', { names });
-  const { reason, geometry, shared, chosen } = connection;
-  const parts = [reason.replace(/\.$/u, ''), geometryText(geometry), shared > 0 ? say('common-points-selected', { shared, chosen }) : ''];
+  const { geometry, shared, chosen } = connection;
+  const parts = [outcomeText(connection).replace(/\.$/u, ''), geometryText(geometry), shared > 0 ? say('common-points-selected', { shared, chosen }) : ''];
   return `${names}: ${parts.filter((part) => part !== '').join('; ')}.`;
+}
+
+/** Both images of a pair by their names. */
+export function nameOfPair({ images }: BlockView, pair: readonly [number, number]): string {
+  return pair.map((image) => images[image]?.name ?? '').join(' – ');
+}
+
+function describePairs(view: BlockView, pairs: readonly (readonly [number, number])[]): string {
+  const names = pairs.slice(0, MOST_NAMES).map((pair) => nameOfPair(view, pair));
+  return say('several-pairs', { pairs: pairs.length, names: [...names, ...(pairs.length > MOST_NAMES ? ['…'] : [])].join(', ') });
 }
 
 /** As tables and views call it: of a surveyed point its name. */

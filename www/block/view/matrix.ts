@@ -7,7 +7,7 @@ import type { BlockStore } from '../engine/engine';
 import type { Choice } from '../state/selection';
 import type { BlockView } from '../state/view';
 import { keptBy } from '../state/columns';
-import { imagesOf } from '../state/selection';
+import { imagesOf, pairsOf } from '../state/selection';
 import { connectionOf, matchesOf } from '../state/words';
 import { Chart } from './chart';
 import type { Looking } from './looking';
@@ -98,7 +98,8 @@ export class Matrix extends Chart {
         context.globalAlpha = alpha;
         // Images without common ground are nothing wrong.
         context.fillStyle = tried ? colours.bars : connection.outcome.kind === 'failed' ? colours.problem : colours.muted;
-        paintCell(context, x, y, side, tried);
+        if (connection.rejected) paintRejected(context, colours, x, y, side);
+        else paintCell(context, x, y, side, tried);
         context.globalAlpha = 1;
         if (tried && side >= NUMBERED) paintNumber(context, colours, x + side / 2, y + side / 2 + 3.5, matches);
       }
@@ -115,7 +116,7 @@ export class Matrix extends Chart {
     const { scale: side } = t;
     context.strokeStyle = colours.accent;
     context.lineWidth = 2;
-    const cells = [chosen?.kind === 'pair' ? chosen : null, pointed].map(cellOf).filter((cell) => cell !== null);
+    const cells = [...pairsOf(chosen), cellOf(pointed)].filter((cell) => cell !== null);
     for (const [row, column] of cells) {
       context.strokeRect(...toCanvas(t, column, row), side, side);
       if (connectionOf(view, [row, column]) !== undefined) context.strokeRect(...toCanvas(t, row, column), side, side);
@@ -145,6 +146,15 @@ function paintCell(context: CanvasRenderingContext2D, x: number, y: number, side
   const share = side > 12 ? 0.28 : 0.6;
   if (connected) context.fillRect(x, y, side - gap, side - gap);
   else context.fillRect(x + 0.5 * (1 - share) * side, y + 0.5 * (1 - share) * side, share * side, share * side);
+}
+
+/** A pair that was rejected by hand is hollow, as an image is on the map. */
+function paintRejected(context: CanvasRenderingContext2D, colours: Colours, x: number, y: number, side: number): void {
+  const width = side > 8 ? 2 : 1;
+  context.globalAlpha = 1;
+  context.strokeStyle = colours.problem;
+  context.lineWidth = width;
+  context.strokeRect(x + width, y + width, side - 2 * width - 1, side - 2 * width - 1);
 }
 
 function paintNumber(context: CanvasRenderingContext2D, colours: Colours, x: number, y: number, matches: number): void {

@@ -1,7 +1,7 @@
 /** Images of the map: dots or small photos with their names, joined by lines as wide as they have points in common. */
 import type { Colours } from '../../../shared/view/colours';
 import type { Transform } from '../../../shared/view/transform';
-import { imagesOf } from '../../state/selection';
+import { imagesOf, keyOfPair, pairsOf } from '../../state/selection';
 import type { Choice } from '../../state/selection';
 import type { BlockView } from '../../state/view';
 import { haloed } from './frame';
@@ -32,6 +32,7 @@ export function soundness(view: BlockView): (image: number) => boolean {
 }
 
 function isOf(choice: Choice, images: readonly [number, number]): boolean {
+  if (choice.kind === 'pairs') return pairsOf(choice).map(keyOfPair).includes(keyOfPair(images));
   const own = imagesOf(choice);
   return own.length === 1 ? own.every((image) => images.includes(image)) : images.every((image) => own.includes(image));
 }
@@ -39,17 +40,22 @@ function isOf(choice: Choice, images: readonly [number, number]): boolean {
 /** From so many lines on they are drawn once, and moved as a picture. */
 export const MANY_LINES = 500;
 
-/** The lines of all pairs that are kept. */
+/** Of lines of pairs that nothing comes of, in CSS px. */
+const DASHES = [4, 4];
+
+/** The lines of all pairs that are kept; dashed those that were rejected by hand. */
 export function paintLines(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, plan: Transform, keepsPair: (pair: number) => boolean): void {
   const alpha = context.globalAlpha;
   context.lineCap = 'round';
-  context.strokeStyle = colours.bars;
   for (const line of linesOf(view)) {
     if (!keepsPair(line.pair)) continue;
-    context.globalAlpha = alpha * (0.3 + 0.5 * line.strength);
+    context.strokeStyle = line.rejected ? colours.problem : colours.bars;
+    context.setLineDash(line.rejected ? DASHES : []);
+    context.globalAlpha = line.rejected ? alpha : alpha * (0.3 + 0.5 * line.strength);
     context.lineWidth = line.width;
     paintLine(context, view, plan, line.images);
   }
+  context.setLineDash([]);
   context.globalAlpha = alpha;
 }
 
@@ -58,12 +64,13 @@ export function paintMarkedLines(context: CanvasRenderingContext2D, colours: Col
   if (marked.length === 0) return;
   const isOn = (images: readonly [number, number]) => marked.some((choice) => isOf(choice, images));
   context.strokeStyle = colours.accent;
-  for (const { pair, images, width } of linesOf(view)) {
+  for (const { pair, images, width, rejected } of linesOf(view)) {
     if (!keepsPair(pair) || !isOn(images)) continue;
+    context.setLineDash(rejected ? DASHES : []);
     context.lineWidth = Math.max(width, 2);
     paintLine(context, view, plan, images);
   }
-  context.setLineDash([4, 4]);
+  context.setLineDash(DASHES);
   context.lineWidth = 1;
   for (const [pair, { images, outcome }] of view.connections.entries()) {
     if (outcome.kind === 'connected' || !keepsPair(pair) || !isOn(images)) continue;

@@ -91,6 +91,8 @@ export interface Line {
   images: [number, number];
   width: number;
   strength: number;
+  /** By hand: thin and dashed. */
+  rejected: boolean;
 }
 
 const LINES = new WeakMap<BlockView, readonly Line[]>();
@@ -104,8 +106,8 @@ export function linesOf(view: BlockView): readonly Line[] {
   const weight = (connection: (typeof connected)[number]) => (joined ? connection.shared : matchesOf(connection));
   const most = connected.reduce((high, connection) => Math.max(high, weight(connection)), 1);
   const made = connected
-    .map((connection) => ({ pair: connection.pair, images: connection.images, strength: Math.sqrt(weight(connection) / most) }))
-    .map((line) => ({ ...line, width: 0.6 + (WIDEST - 0.6) * line.strength }))
+    .map((connection) => ({ ...connection, strength: Math.sqrt(weight(connection) / most) }))
+    .map(({ pair, images, strength, rejected }) => ({ pair, images, strength, rejected, width: rejected ? 1 : 0.6 + (WIDEST - 0.6) * strength }))
     .sort((a, b) => a.width - b.width);
   LINES.set(view, made);
   return made;

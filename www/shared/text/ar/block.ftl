@@ -180,7 +180,7 @@ images-oriented = الصور الموجَّهة من { COUNT($oriented) } إلى
 rejects-what-is-chosen-with = يرفض المختار؛ ومع Shift نقطته كلها
 uses-what-is-chosen-again = يستعمل المختار من جديد
 views-and-tables-of-a = عروض الكتلة وجداولها
-choose-an-image-a-tie = اختر صورة أو نقطة ربط أو رصدتها في الجدول أو الخريطة أو الصور، واضغط Delete لرفضها. في «الصور» يقيس E النقطة المختارة ويضيف A نقطة جديدة. تُضبط الكتلة من جديد بعد كل تعديل؛ والتراجع بلا حد.
+choose-an-image-a-tie = اختر صورة أو زوجًا من الصور أو نقطة ربط أو رصدتها في الجدول أو الخريطة أو الصور، واضغط Delete لرفضها. في «الصور» يقيس E النقطة المختارة ويضيف A نقطة جديدة. تُضبط الكتلة من جديد بعد كل تعديل؛ والتراجع بلا حد.
 edits-wait-for-the-run = التشغيل جار: عدّل كتلته بعد انتهائه.
 history = السجل
 as-found = كما وُجدت
@@ -268,7 +268,7 @@ press-an-image-a-point = اضغط صورة أو نقطة أو خطًا لاخت�
 map = الخريطة
 map-of-the-block = خريطة الكتلة
 images-and-tie-points-of = صور الكتلة ونقاط ربطها من أعلى
-lines-between-connected-images-wider = خطوط بين الصور المتصلة، أعرض بعدد نقاطها المشتركة
+lines-between-connected-images-wider = خطوط بين الصور المتصلة، أعرض بعدد نقاطها المشتركة؛ والمتقطعة لأزواج مرفوضة يدويًا
 photos = الصور
 small-photos-where-they-have = صور صغيرة حيث تتسع المساحة
 footprints = الآثار الأرضية
@@ -308,7 +308,7 @@ matrix = المصفوفة
 matrix-of-matches = مصفوفة المطابقات
 images-by-images-arrow-keys = الصور مقابل الصور؛ تختار مفاتيح الأسهم زوجًا
 press-a-cell-to-choose = اضغط خلية لاختيار زوجها؛ اضغطها مرة أخرى أو Enter لفتح الزوج. السحب للتحريك · العجلة و+ − للتكبير · 0 ملاءمة · الأسهم تختار.
-strongest-cell-matches-small-square = أقوى خلية: { COUNT($view) } من المطابقات. المربع الصغير: غير متصل. الفارغ: لم يُجرَّب.
+strongest-cell-matches-small-square = أقوى خلية: { COUNT($view) } من المطابقات. المربع الصغير: غير متصل. المجوف: مرفوض يدويًا. الفارغ: لم يُجرَّب.
 back-to-the-block = → العودة إلى الكتلة
 pairs-of-the-block-open-here = تُفتح هنا أزواج الكتلة أيضًا: { $names } أكثرها مطابقات؛ وتُختار الأخرى من خريطة الكتلة أو مصفوفتها أو جدولها.
 was-saved-2 = حُفظ { $name }.{ $store }
@@ -807,6 +807,13 @@ step-use = { $use ->
         [control] استعمال { $name } نقطة ضبط
        *[check] استعمال { $name } نقطة تحقق
     }
+so-many-pairs = { $pairs ->
+        [zero] لا أزواج
+        [one] زوج واحد
+        [two] زوجان
+        [few] { COUNT($pairs) } أزواج
+       *[other] { COUNT($pairs) } زوجًا
+    }
 one-surveyed-point = نقطة ضبط أرضي أو تحقق واحدة
 in-image = {" "}في { $name }
 rejected-as-a-gross-error = مرفوض خطأً جسيمًا
@@ -820,6 +827,7 @@ in-of-9-von-gruber = {" "}في { $places } من 9 مواضع فون غروبر
 observations-4 = { $name }: { $what }الأرصاد: { COUNT($rays) }{ $what_2 }
 connected-with-of-images = متصلة بـ{ COUNT($partners) } من { COUNT($images) } من الصور
 used-as-stored-exif-orientation = مستعملة كما خُزّنت، اتجاه EXIF { $exif_orientation }
+pair-rejected-by-hand = مرفوض يدويًا؛ { $reason }
 this-pair-was-not-tried = { $names }: لم يُجرَّب هذا الزوج (يتخطاه اختيار الأزواج).
 common-points-selected = النقاط المشتركة: { COUNT($shared) }، المختارة: { COUNT($chosen) }
 rays-3 = { $name }: الأشعة { COUNT($rays) }
@@ -956,6 +964,12 @@ given-point-of-file = { $name }: X Y Z كما أُعطيت { $place }؛ { $use }
 measured = مقيسة
 marks-by-hand = القياسات الصورية اليدوية
 mark-of = { $point } في { $image }
+several-pairs =
+    { $pairs ->
+        [two] زوجان
+        [few] { COUNT($pairs) } أزواج
+       *[other] { COUNT($pairs) } زوجًا
+    }: { $names }.
 several-images =
     { $images ->
         [two] صورتان

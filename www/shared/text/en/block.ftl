@@ -206,7 +206,7 @@ images-oriented = { COUNT($oriented) } → { COUNT($oriented_2) } images oriente
 rejects-what-is-chosen-with = rejects what is chosen; with Shift its whole point
 uses-what-is-chosen-again = uses what is chosen again
 views-and-tables-of-a = Views and tables of a block
-choose-an-image-a-tie = Choose an image, a tie point or its observation in table, map or images, and press Delete to reject it. In Images, E measures the chosen point and A adds a new one. The block is adjusted again after each edit; undo has no limit.
+choose-an-image-a-tie = Choose an image, a pair of images, a tie point or its observation in table, map or images, and press Delete to reject it. In Images, E measures the chosen point and A adds a new one. The block is adjusted again after each edit; undo has no limit.
 history = History
 as-found = as found
 restore-2 = Restore { $name }
@@ -296,7 +296,7 @@ press-an-image-a-point = Press an image, a point or a line to choose it; press a
 map = Map
 map-of-the-block = map of the block
 images-and-tie-points-of = Images and tie points of the block from above
-lines-between-connected-images-wider = Lines between connected images, wider with their common points
+lines-between-connected-images-wider = Lines between connected images, wider with their common points; dashed those of pairs that were rejected by hand
 photos = Photos
 small-photos-where-they-have = Small photos where they have room
 footprints = Footprints
@@ -338,7 +338,7 @@ press-a-cell-to-choose = Press a cell to choose its pair; press it again, or Ent
 matrix = Matrix
 matrix-of-matches = matrix of matches
 images-by-images-arrow-keys = Images by images; arrow keys choose a pair
-strongest-cell-matches-small-square = Strongest cell: { COUNT($view) } matches. Small square: not connected. Blank: not tried.
+strongest-cell-matches-small-square = Strongest cell: { COUNT($view) } matches. Small square: not connected. Hollow: rejected by hand. Blank: not tried.
 
 ## panel/mode
 
@@ -873,6 +873,10 @@ step-use = { $use ->
         [control] use { $name } as control point
        *[check] use { $name } as check point
     }
+so-many-pairs = { $pairs ->
+        [one] 1 pair
+       *[other] { COUNT($pairs) } pairs
+    }
 one-surveyed-point = 1 ground control or check point
 in-image = {" "}in { $name }
 
@@ -892,6 +896,7 @@ in-of-9-von-gruber = {" "}in { $places } of 9 von Gruber positions
 observations-4 = { $name }: { $what }{ COUNT($rays) } observations{ $what_2 }
 connected-with-of-images = connected with { COUNT($partners) } of { COUNT($images) } images
 used-as-stored-exif-orientation = used as stored, EXIF orientation { $exif_orientation }
+pair-rejected-by-hand = rejected by hand; { $reason }
 this-pair-was-not-tried = { $names }: this pair was not tried (the choice of pairs skips it).
 common-points-selected = { COUNT($shared) } common points, { COUNT($chosen) } selected
 rays-3 = { $name }: { COUNT($rays) } rays
@@ -1029,6 +1034,7 @@ given-point-of-file = { $name }: X Y Z as given { $place }; { $use }.
 measured = measured
 marks-by-hand = Image measurements by hand
 mark-of = { $point } in { $image }
+several-pairs = { COUNT($pairs) } pairs: { $names }.
 several-images = { COUNT($images) } images: { $names }.
 step-remove-images = remove { $images ->
         [one] 1 image
