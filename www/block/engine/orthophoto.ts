@@ -30,11 +30,16 @@ export interface PlaceInput {
   cameras: string | null;
 }
 
-export interface MosaicInput {
-  project: Blob;
-  heights: Ground['heights'] | null;
+export interface MosaicKind {
   /** In the system of the block's adjustment, though it has a coordinate reference system. */
   inAdjustment: boolean;
+  /** The side of a pixel in units of that system; null: that of the images. */
+  gsd: number | null;
+}
+
+export interface MosaicInput extends MosaicKind {
+  project: Blob;
+  heights: Ground['heights'] | null;
   /** Of the images that will be added. */
   names: readonly string[];
 }
@@ -208,13 +213,13 @@ let mosaic: OrthoMosaic | null = null;
 let written: Blob[] = [];
 
 /** Lays out the orthomosaic of a project file; gives its images that will be added, by name and index, in the order in which they are to come. */
-export async function mosaicOpen({ project, heights, inAdjustment, names }: MosaicInput): Promise<{ name: string; index: number }[]> {
+export async function mosaicOpen({ project, heights, inAdjustment, gsd, names }: MosaicInput): Promise<{ name: string; index: number }[]> {
   mosaic?.free();
   mosaic = null;
   written = [];
   const model = typeof heights === 'object' && heights !== null ? await bytesOf(heights.file) : heights;
   const world = typeof heights === 'object' && heights !== null ? heights.world : null;
-  const made = OrthoMosaic.open(await bytesOf(project), model, world, undefined, inAdjustment);
+  const made = OrthoMosaic.open(await bytesOf(project), model, world, gsd ?? undefined, inAdjustment);
   mosaic = made;
   const own = made.names;
   const order = [...made.order()].map((index) => ({ name: own[index] ?? '', index }));

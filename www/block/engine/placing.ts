@@ -9,7 +9,7 @@ import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing
 import type { BlockFile } from '../state/state';
 import type { BlockCalls } from './calls';
 import type { BlockStore } from './engine';
-import type { Ground, LaidPicture } from './orthophoto';
+import type { Ground, LaidPicture, MosaicKind } from './orthophoto';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
@@ -177,13 +177,13 @@ export class PlacingEngine {
    * The orthomosaic of the block of a project file on the heights of its tie points, as GeoTIFF; null where it was cancelled. In the coordinate reference system
    * of the block where it has one, or, `inAdjustment`, in the system of its adjustment.
    */
-  async mosaic(project: Blob, files: readonly BlockFile[], inAdjustment: boolean): Promise<Blob | null> {
+  async mosaic(project: Blob, files: readonly BlockFile[], how: MosaicKind): Promise<Blob | null> {
     this.stopped = false;
     const tell = (done: number, total: number, text: string) => this.store.dispatch({ type: 'placing', running: { done, total, text } });
     tell(0, files.length, say('laying-out-the-orthomosaic'));
     try {
       const byName = new Map(files.map(({ name, file }) => [name, file]));
-      const order = await this.maker.call('mosaicOpen', { project, heights: null, inAdjustment, names: [...byName.keys()] });
+      const order = await this.maker.call('mosaicOpen', { project, heights: null, ...how, names: [...byName.keys()] });
       for (const [done, { name, index }] of order.entries()) {
         const file = byName.get(name);
         if (file === undefined) continue;

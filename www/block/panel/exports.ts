@@ -38,15 +38,24 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
   const press = button(
     say('save'),
     EXPORT,
-    () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT) : saveAs(store, engine, select.value as ExportKind)),
+    () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT, pixel.value) : saveAs(store, engine, select.value as ExportKind)),
   );
-  host.append(h('span', { class: 'group-label' }, say('export')), select, press);
+  const pixel = h('input', { id: 'block-mosaic-pixel', type: 'number', testid: 'block-mosaic-pixel', aria: { label: say('pixel-of-the-orthomosaic') } });
+  pixel.placeholder = say('pixel-as-the-images');
+  pixel.title = say('pixel-of-the-orthomosaic');
+  pixel.step = 'any';
+  pixel.hidden = true;
+  const offerPixel = () => {
+    pixel.hidden = select.value !== MOSAIC;
+  };
+  select.addEventListener('change', offerPixel);
+  host.append(h('span', { class: 'group-label' }, say('export')), select, pixel, press);
   store.watch(['shown', 'running', 'notice', 'history', 'placing'], ([shown, , , history]) => {
     // A part of a block has no points yet.
     const whole = shown !== null && !shown.view.partial;
     // What is saved has all edits that were made: the last of them may still be on their way.
     press.disabled = !whole || isBusy(store.state) || !isSameList(editsInForce(history), shown.edits);
-    select.disabled = !whole;
+    select.disabled = pixel.disabled = !whole;
   });
   store.watch(['shown'], ([shown]) => {
     const formats = shown?.view.formats ?? [];
@@ -59,6 +68,7 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
     const { value } = select;
     fill(select, ...kinds.map((kind) => new Option(kind === MOSAIC ? say('orthomosaic-geotiff') : NAMES[kind], kind)));
     if (kinds.some((kind) => kind === value)) select.value = value;
+    offerPixel();
   });
 }
 

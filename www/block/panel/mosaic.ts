@@ -3,6 +3,7 @@ import { save } from '../../shared/files/save';
 import type { Notice } from '../../shared/state/notice';
 import { sentence } from '../../shared/text/format';
 import type { BlockEngine, BlockStore } from '../engine/engine';
+import type { MosaicKind } from '../engine/orthophoto';
 import type { PlacingEngine } from '../engine/placing';
 import { orthophotoText, rasterOf } from '../files/ground';
 import { imagesOfBlock } from '../state/state';
@@ -11,9 +12,9 @@ import { messageOf } from '../../shared/text/messages';
 
 const NAME = 'orthomosaic.tif';
 
-/** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. */
-export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, near: string): Promise<void> {
-  const mosaic = await made(store, engine, placing, false, near);
+/** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. `pixel`: the side of a pixel as it was typed; empty: that of the images. */
+export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, near: string, pixel: string): Promise<void> {
+  const mosaic = await made(store, engine, placing, { inAdjustment: false, gsd: pixel === '' ? null : Number(pixel) }, near);
   if (mosaic === null) return;
   save(mosaic, NAME);
   tell(store, 'info', say('was-saved-2', { name: NAME, store: missingText(store) }), { beside: true });
@@ -23,7 +24,7 @@ export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing
 export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, near: string): Promise<void> {
   const key = store.state.shown?.key ?? '';
   // The map is in the system of the adjustment.
-  const mosaic = await made(store, engine, placing, true, near);
+  const mosaic = await made(store, engine, placing, { inAdjustment: true, gsd: null }, near);
   if (mosaic === null) return;
   tell(store, 'busy', say('laying-the-orthomosaic-under-the'));
   try {
@@ -36,14 +37,14 @@ export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing
 }
 
 /** Null where it was cancelled or could not be made, which is said. */
-async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, inAdjustment: boolean, near: string): Promise<Blob | null> {
+async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, how: MosaicKind, near: string): Promise<Blob | null> {
   const files = imagesOfBlock(store.state);
   if (files.length === 0) {
     tell(store, 'problem', say('an-orthomosaic-is-made-of'), { near });
     return null;
   }
   try {
-    const mosaic = await placing.mosaic(await engine.project(), files, inAdjustment);
+    const mosaic = await placing.mosaic(await engine.project(), files, how);
     if (mosaic !== null) return mosaic;
     tell(store, 'info', say('cancelled-no-orthomosaic-was-made'), { beside: true });
   } catch (error) {
