@@ -98,10 +98,10 @@ pub use orientation::{
     PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, model_points, orient_relative, orient_relative_with,
 };
 pub use orthophoto::{
-    BlockLinks, GivenLink, GivenUse, HeightFactor, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced, Orthophoto,
-    PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, Relief, SearchArea,
-    ground_positions, heights_of_block, heights_of_points, image_positions, links_table, place_by_links, place_image, place_recorded,
-    placed_table, rectify, rectify_placed, write_geotiff, write_heights,
+    BlockLinks, FilmInput, FilmScan, GivenLink, GivenUse, HeightFactor, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced,
+    Orthophoto, PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, Relief,
+    SearchArea, ground_positions, heights_of_block, heights_of_points, image_positions, links_table, place_by_links, place_film,
+    place_film_by_links, place_image, place_recorded, placed_table, rectify, rectify_placed, write_geotiff, write_heights,
 };
 pub use outputs::{
     AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,
@@ -115,7 +115,7 @@ pub use pair::{
     DescribedImage, FeatureMatchOptions, KnownPhoto, KnownWorst, NoOrientation, OneImage, PairCameras, PairHint, PairImage, PairInput,
     PairInterior, PairMatching, PairPreset, PairResult, PairSettings, PairVerdict, PhotoInput, VerifiedMatches, describe_image,
     epipolar_line, judged, match_described_pair, match_features, match_in_rounds, match_pair, match_weights, observations, orient_matches,
-    photo_interior,
+    photo_interior, photo_marks,
 };
 pub use pipeline::{
     BlockRun, CameraRules, ControlTables, ControlTexts, EditedRun, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News,

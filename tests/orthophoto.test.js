@@ -15,6 +15,7 @@ before(async () => {
       'block/files/rasters',
       'block/state/under',
       'block/state/placing',
+      'block/state/film',
       'block/state/placed',
       'block/state/laid',
       'block/state/showing',
@@ -206,6 +207,33 @@ test('another orthophoto takes what was placed away; other settings mark it as e
   const other = reducePlacing(placing, { type: 'orthophoto', orthophoto: { raster: { ...raster, id: 8 }, info, ofBlock: null } });
   assert.equal(placedFiles(state(other)).length, 0);
   assert.deepEqual(reducePlacing(placing, { type: 'orthophoto', orthophoto: null }), { ...NO_PLACING, options });
+});
+
+test('marks of film are of the image of their name, which alone is placed anew with others', () => {
+  const { NO_PLACING, reducePlacing } = page.placing;
+  const { placedFiles, placingKey, placingKeyOf, unplacedFiles } = page.placed;
+  const { filmOf, marksOfNone, withMarks } = page.film;
+  const files = ['1963_017.TIF', 'a.jpg'].map((name, k) => ({ id: k + 1, name, file: new Blob() }));
+  const state = (/** @type {any} */ placing) => ({ placing, options: { cameras: null }, files });
+  const marks = (/** @type {string} */ name, /** @type {string} */ text) => ({ name, text });
+  const film = withMarks({ camera: marks('film.json', '{}'), marks: [] }, [marks('1963_017.csv', 'one')]);
+  assert.deepEqual([filmOf(film, '1963_017.TIF'), filmOf(film, 'a.jpg')], [{ camera: '{}', marks: 'one' }, null]);
+  assert.deepEqual([marksOfNone(film, files), marksOfNone(film, files.slice(1))], [[], ['1963_017.csv']]);
+  let placing = reducePlacing(NO_PLACING, { type: 'film', film });
+  for (const { id, name } of files) {
+    const key = placingKeyOf(placingKey(state(placing)), placing.film, name);
+    placing = reducePlacing(placing, { type: 'placed', image: id, placed: { key, result: null, problem: '' } });
+  }
+  const stale = (/** @type {any} */ of) => placedFiles(state(of)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale);
+  assert.deepEqual(stale(placing), [false, false]);
+  const other = reducePlacing(placing, { type: 'film', film: withMarks(film, [marks('1963_017.txt', 'two')]) });
+  assert.deepEqual([stale(other), other.film.marks.length], [[true, false], 1]);
+  assert.deepEqual(
+    unplacedFiles(state(other)).map((/** @type {{ name: string }} */ { name }) => name),
+    ['1963_017.TIF'],
+  );
+  // Another orthophoto shows the same scans.
+  assert.equal(reducePlacing(placing, { type: 'orthophoto', orthophoto: null }).film, film);
 });
 
 test('an orthophoto lies under a block by the images that are placed on it, by one system, or not at all', () => {

@@ -213,6 +213,15 @@ export function settingsOf(options, values, settings) {
   return settings;
 }
 
+/**
+ * Refuses options that only make sense beside another.
+ * @param {ReadonlyMap<string, Value>} values @param {readonly (readonly [string, string])[]} beside each with the one that it needs
+ */
+export function checkTogether(values, beside) {
+  const lone = beside.find(([one, other]) => values.has(one) && !values.has(other));
+  if (lone !== undefined) throw new UsageError(`--${lone[0]} needs --${lone[1]} beside it`);
+}
+
 /** Gives settings the names of their options in a message of the crate.  @param {Option[]} options @param {string} message */
 export function withOptionNames(options, message) {
   return options.reduce((text, { key, name }) => (key ? text.replaceAll(key, `--${name}`) : text), message);

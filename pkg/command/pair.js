@@ -5,7 +5,7 @@ import { parse_camera, parse_fiducials } from '../node.js';
 import { cameraOfBlock, holdsBlock } from './block-camera.js';
 import { about, UsageError } from './errors.js';
 import { readBytes, readMask, readText, textOf } from './files.js';
-import { MASK, pair, path, valueOption } from './options.js';
+import { checkTogether, MASK, pair, path, valueOption } from './options.js';
 
 /**
  * @typedef {import('../node.js').Given<import('../node.js').PairInput>} GivenInput
@@ -48,16 +48,19 @@ export function masksOf(call, left, right) {
   return [of(ofLeft, left), of(ofRight, right)];
 }
 
-/** Options that only make sense beside another.  @param {Call} call */
-function checkTogether({ values }) {
-  for (const [one, other] of [
-    ['left-fiducials', 'right-fiducials'],
-    ['right-fiducials', 'left-fiducials'],
-    ['left-origin', 'left-fiducials'],
-    ['right-origin', 'right-fiducials'],
-  ]) {
-    if (one && other && values.has(one) && !values.has(other)) throw new UsageError(`--${one} needs --${other} beside it`);
-  }
+/** Options that only make sense beside another.  @type {readonly (readonly [string, string])[]} */
+const TOGETHER = [
+  ['left-fiducials', 'right-fiducials'],
+  ['right-fiducials', 'left-fiducials'],
+  ['left-origin', 'left-fiducials'],
+  ['right-origin', 'right-fiducials'],
+];
+
+/** Fiducial marks that were measured in a scan, and where the image lies in it.  @param {string} file @param {import('./options.js').Value | undefined} origin */
+export function marksOf(file, origin) {
+  const text = readText(file);
+  const fiducials = about(file, () => parse_fiducials(text));
+  return Array.isArray(origin) ? { fiducials, origin } : { fiducials };
 }
 
 /**
@@ -65,8 +68,8 @@ function checkTogether({ values }) {
  * @param {Call} call @returns {{ input: GivenInput, ofBlock: import('./block-camera.js').BlockCamera | null }}
  */
 export function inputOf(call) {
-  checkTogether(call);
   const { values } = call;
+  checkTogether(values, TOGETHER);
   /** @type {GivenInput} */
   const input = {};
   const camera = values.get('camera');
@@ -83,11 +86,7 @@ export function inputOf(call) {
   }
   for (const side of /** @type {const} */ (['left', 'right'])) {
     const file = values.get(`${side}-fiducials`);
-    const origin = values.get(`${side}-origin`);
-    if (typeof file !== 'string') continue;
-    const text = readText(file);
-    const fiducials = about(file, () => parse_fiducials(text));
-    input[side] = Array.isArray(origin) ? { fiducials, origin } : { fiducials };
+    if (typeof file === 'string') input[side] = marksOf(file, values.get(`${side}-origin`));
   }
   const offset = values.get('offset');
   if (Array.isArray(offset)) input.offset = offset;

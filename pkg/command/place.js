@@ -1,10 +1,11 @@
 // @ts-check
 import { basename, extname } from 'node:path';
-import { check_cameras, message, placed_tables, placing_defaults, placing_parameters } from '../node.js';
+import { check_cameras, message, parse_camera, placed_tables, placing_defaults, placing_parameters } from '../node.js';
 import { about, DataError, UsageError, VERDICT_CODES } from './errors.js';
 import { makeFolder, readBytes, readText, writeInto } from './files.js';
-import { flag, JSON_FLAG, optionsOf, path, settingsOf } from './options.js';
+import { checkTogether, flag, JSON_FLAG, optionsOf, pair, path, settingsOf } from './options.js';
 import { note, print, printJson } from './output.js';
+import { marksOf } from './pair.js';
 import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
 import { GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP } from './ground.js';
@@ -23,6 +24,13 @@ export const place = {
     path('orthophoto', 'FILE', `${ORTHOPHOTO_HELP} required.`),
     ...GROUND_OPTIONS,
     path('cameras', 'cameras.json', 'Cameras in place of those of EXIF, as `tiepoint block` takes them; one with "fixed": true is calibrated.'),
+    path(
+      'fiducials',
+      'F.csv',
+      'Fiducial marks measured in the scan of a photo on film: col,row,x_mm,y_mm. The image is oriented by them within the film, and only what lies within them is matched. Needs --camera; of one image.',
+    ),
+    path('camera', 'camera.json', 'The calibrated camera of that film: {"focal_mm", "principal_point_mm": [x, y]}.'),
+    pair('origin', 'COL,ROW', "Place of the image's top-left pixel in the scan whose fiducials were measured."),
     path('out', 'DIR', 'Folder that receives placed.csv, links.csv and result.json.'),
     flag('rectified', 'Writes each placed image resampled to the ground, too: NAME-rectified.tif, a GeoTIFF to lay over the orthophoto.'),
     JSON_FLAG,
@@ -30,7 +38,7 @@ export const place = {
   ],
   details:
     'Points of the image are found on the orthophoto, first about its GNSS position where it records one and the orthophoto says its system, the image is oriented by them, resampled to the ground and matched again, then adjusted; a part of the links takes no part and checks the result. Lengths are those of the ' +
-    'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, images [{name, verdict, placement or null, search}, …] with camera, pose, standard errors, footprint, links. ' +
+    'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, images [{name, verdict, placement or null, search}, …] with camera, pose, standard errors, footprint, links, of scanned film also film with its interior orientation. ' +
     'The exit code is that of the worst verdict: 0 placed, 3 weak, 4 not placed.',
   run,
 };
@@ -43,6 +51,7 @@ async function run({ positionals, values }) {
   if (values.has('rectified') && typeof out !== 'string') throw new UsageError('--rectified needs --out, the folder that receives the pictures');
   refuseTwice(positionals, values.has('rectified') ? stemOf : basename);
   const { placing } = settingsOf(OPTIONS, values, { placing: placing_defaults() });
+  const film = filmOf(values, positionals);
   const cameras = camerasOf(values.get('cameras'), positionals);
   const ground = groundOf(values);
   if (typeof out === 'string') makeFolder(out);
@@ -59,7 +68,7 @@ async function run({ positionals, values }) {
       const name = basename(image);
       try {
         const bytes = readBytes(image);
-        const placed = shown.step(`placing ${name}`, () => about(image, () => reference.place(name, bytes, cameras)));
+        const placed = shown.step(`placing ${name}`, () => about(image, () => reference.place(name, bytes, cameras, film)));
         images.push({ name, ...placed });
         if (values.has('rectified') && placed.placement)
           pictures.push(writeInto(String(out), `${stemOf(image)}-rectified.tif`, reference.rectified(bytes, placed.placement)));
@@ -95,6 +104,24 @@ function refuseTwice(images, named) {
   if (twice !== undefined) throw new UsageError(`two images are named ${named(twice)}: place them one after the other, into two folders`);
 }
 
+/**
+ * What is known of the scan of a photo on film; null where the images are of cameras without film.
+ * @param {import('./args.js').Call['values']} values @param {readonly string[]} images @returns {import('../node.js').Given<import('../node.js').FilmInput> | null}
+ */
+function filmOf(values, images) {
+  checkTogether(values, [
+    ['fiducials', 'camera'],
+    ['camera', 'fiducials'],
+    ['origin', 'fiducials'],
+  ]);
+  const [fiducials, camera] = [values.get('fiducials'), values.get('camera')];
+  if (typeof fiducials !== 'string' || typeof camera !== 'string') return null;
+  if (images.length > 1) throw new UsageError('--fiducials are of one image: place scans one after the other');
+  if (values.has('cameras')) throw new UsageError('--camera and --cameras both give a camera; give one of them');
+  const text = readText(camera);
+  return { camera: about(camera, () => parse_camera(text)), scan: marksOf(fiducials, values.get('origin')) };
+}
+
 /** @param {unknown} cameras @param {readonly string[]} images */
 function camerasOf(cameras, images) {
   if (typeof cameras !== 'string') return undefined;
@@ -123,6 +150,12 @@ function write(out, result) {
   ];
 }
 
+/** The interior orientation of a scan.  @param {string} name @param {import('../node.js').FiducialOrientation} marks */
+function describeMarks(name, { residuals_mm: residuals, sigma0_mm: sigma0 }) {
+  const largest = Math.max(...residuals.map(([x, y]) => Math.hypot(x, y)));
+  return `${name}: interior orientation by ${residuals.length} fiducial marks, sigma0 ${fixed(sigma0, 4)} mm, largest residual ${fixed(largest, 4)} mm`;
+}
+
 /** @param {Result} result @returns {string[]} */
 function describe({ images }) {
   const rows = images.flatMap(({ name, placement }) => {
@@ -135,6 +168,7 @@ function describe({ images }) {
     ...images.map(
       ({ name, verdict, search }) => `${name}: ${[message('placing_verdict', verdict), ...(search ? [message('place_search', search)] : [])].join(' ')}`,
     ),
+    ...images.flatMap(({ name, placement }) => (placement?.film ? [describeMarks(name, placement.film.marks)] : [])),
     ...(rows.length > 0 ? ['', table([['image', 'X', 'Y', 'Z', 'ω °', 'φ °', 'κ °', 'pixel on the ground'], ...rows])] : []),
   ];
 }

@@ -52,6 +52,14 @@ pub struct FiducialOrientation {
     pub covariance: Option<[[f64; 3]; 3]>,
 }
 
+impl FiducialOrientation {
+    /// Root mean square length of the residuals in mm.
+    pub fn rmse_mm(&self) -> f64 {
+        let squares: f64 = self.residuals_mm.iter().map(|[x, y]| x * x + y * y).sum();
+        (squares / self.residuals_mm.len().max(1) as f64).sqrt()
+    }
+}
+
 impl FiducialModel {
     /// Number of parameters, and the least number of marks.
     fn size(self) -> (usize, usize) {

@@ -180,6 +180,12 @@ impl Interior {
         [(e * x - b * y) / determinant, (a * y - d * x) / determinant]
     }
 
+    /// Whether the image shows the photo mirrored: rows do not count against y where columns count along x.
+    pub fn is_mirrored(&self) -> bool {
+        let [[a, b, _], [d, e, _]] = self.parameters;
+        a * e - b * d > 0.0
+    }
+
     /// Side of a pixel in mm: the root of the area that the transformation gives a pixel.
     pub fn pixel_mm(&self) -> f64 {
         let [[a, b, _], [d, e, _]] = self.parameters;

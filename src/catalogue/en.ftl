@@ -238,6 +238,9 @@ refusal-marks-again = fiducial marks: got marks { $first } and { $second } in th
 refusal-panorama = the camera of the file: got a panorama; allowed: a photograph of a central perspective
 refusal-mark-outside = fiducial marks: got a mark at { $col }, { $row } px of an image of { $width } × { $height } px; allowed: marks within the image, or the origin of the image in the scan in which they were measured
 refusal-marks-sigma0 = fiducial marks: got σ0 of { FIXED($sigma0_mm, digits: 3) } mm; allowed: up to { $most_mm } mm: marks are exchanged, or one is mistyped
+refusal-marks-mirrored = fiducial marks: got marks that lie mirrored in the scan; allowed: a scan of the film as it is seen from above: turn the scan over, or correct the coordinates
+refusal-marks-skew = fiducial marks: got columns and rows of the scan { FIXED($skew_deg, digits: 1) }° off a right angle; allowed: up to { $most_deg }°: marks are exchanged, or one is mistyped
+refusal-film-without-camera = the camera of the film: got none beside the fiducial marks; allowed: a calibrated camera with its focal length in mm
 refusal-lone-origin = origin in the scan: got { $origin } without fiducials; allowed: an origin together with the fiducials measured in that scan
 refusal-one-camera = the cameras: got one camera; allowed: both or neither
 refusal-one-focal-length = the cameras: got one focal length; allowed: both or neither
@@ -449,6 +452,7 @@ refusal-chosen-feature = observations: got feature { $feature }; allowed: featur
 
 # The ground: orthophotos, heights, mosaics.
 refusal-link-position = position of a link: got { $position }, of link { $link }; allowed: within the image of { $width_px } x { $height_px } px
+refusal-link-beside-frame = position of a link: got { $position }, of link { $link }; allowed: within the fiducial marks of the scan
 refusal-link-place = place of a link: got { $place }, of link { $link }; allowed: where the ground of the orthophoto has a height
 refusal-world-file = world file: got { $text }; allowed: six numbers, one per line: A, D, B, E of the pixel, X and Y of the centre of the top-left pixel
 refusal-georeference = georeference: got { $numbers }; allowed: finite coordinates and pixels with an extent

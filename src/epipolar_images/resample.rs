@@ -3,14 +3,11 @@
 use super::geometry::EpipolarGeometry;
 use super::view::StereoView;
 use crate::error::refuse;
-use crate::image::bicubic;
+use crate::image::{bicubic, each_position};
 use crate::{Error, GreyImage, GreyView, Refusal, StereoPair};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 use nalgebra::{Matrix3, Vector3};
-
-/// Side of a square at whose corners positions are computed, px; between them they are interpolated, to less than a hundredth of a pixel.
-const SQUARE: usize = 8;
 
 /// Two epipolar images.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,26 +45,13 @@ fn resampled(geometry: &EpipolarGeometry, side: usize, view: &StereoView, image:
         focal_px: geometry.focal_px,
     };
     let (width, height) = (geometry.width_px, geometry.height_px);
-    let corners = |row: usize| -> Vec<Option<[f64; 2]>> { (0..=width / SQUARE + 1).map(|k| at.of([k * SQUARE, row])).collect() };
     let mut grey = Vec::with_capacity(width * height);
-    let (mut above, mut below) = (Vec::new(), corners(0));
-    for row in 0..height {
-        if row % SQUARE == 0 {
-            above = std::mem::replace(&mut below, corners(row + SQUARE));
-        }
-        let down = (row % SQUARE) as f64 / SQUARE as f64;
-        for column in 0..width {
-            let (k, along) = (column / SQUARE, (column % SQUARE) as f64 / SQUARE as f64);
-            let position = match (above[k], above[k + 1], below[k], below[k + 1]) {
-                (Some(a), Some(b), Some(c), Some(d)) => Some([0, 1].map(|axis| {
-                    let (upper, lower) = (a[axis] + along * (b[axis] - a[axis]), c[axis] + along * (d[axis] - c[axis]));
-                    upper + down * (lower - upper)
-                })),
-                _ => at.of([column, row]),
-            };
-            grey.push(position.filter(|position| view.sees(*position)).map_or(0, |position| bicubic(image, position)));
-        }
-    }
+    let seen = |position: Option<[f64; 2]>| position.filter(|position| view.sees(*position));
+    each_position(
+        [width, height],
+        |pixel| at.of(pixel),
+        |position| grey.push(seen(position).map_or(0, |position| bicubic(image, position))),
+    );
     GreyImage::new(width, height, grey)
 }
 

@@ -30,6 +30,9 @@ messages! {
         Panorama,
         MarkOutside { #[serde(with = "number")] col: f64, #[serde(with = "number")] row: f64, width: usize, height: usize },
         MarksSigma0 { #[serde(with = "number")] sigma0_mm: f64, most_mm: f64 },
+        MarksMirrored,
+        MarksSkew { #[serde(with = "number")] skew_deg: f64, most_deg: f64 },
+        FilmWithoutCamera,
         LoneOrigin { origin: String },
         OneCamera,
         OneFocalLength,
@@ -189,6 +192,7 @@ messages! {
 
         // The ground: orthophotos, heights, mosaics.
         LinkPosition { position: String, link: usize, width_px: u32, height_px: u32 },
+        LinkBesideFrame { position: String, link: usize },
         LinkPlace { place: String, link: usize },
         WorldFile { text: String },
         Georeference { numbers: String },

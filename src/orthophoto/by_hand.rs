@@ -127,7 +127,7 @@ pub fn place_by_links(
         Err(error) => return Ok(not_placed(NotPlaced::Failed { failure: Failure::from(&error) })),
     };
     let (camera, pose) = (result.block.cameras[0], result.block.images[0].pose);
-    let over = Over { image: &[], camera, pose, reference, georeference, heights: &heights };
+    let over = Over { image: &[], shows: &|_| true, camera, pose, reference, georeference, heights: &heights };
     // The heights are what they were where the image was placed.
     let relief = Relief { factor: height_factor(&result, known), displaced: start.and_then(|start| start.relief.displaced) };
     let mut placement = placement(&over, &found, &parts, &result, &total_errors(&result, known), relief);
@@ -150,13 +150,15 @@ fn refused<T>(number: usize, place: [f64; 2]) -> Result<T, Error> {
 /// The position in px at which a placed image shows each place X, Y of the ground; `None` where it does not.
 pub fn image_positions(placement: &Placement, heights: &Heights, places: &[[f64; 2]]) -> Vec<Option<[f64; 2]>> {
     let seen = Seen::new(&placement.camera, &placement.pose);
-    places.iter().map(|[x, y]| seen.at(&[*x, *y, heights.at([*x, *y])?])).collect()
+    let in_image = |at: [f64; 2]| placement.film.as_ref().map_or(Some(at), |film| film.in_scan(at));
+    places.iter().map(|[x, y]| seen.at(&[*x, *y, heights.at([*x, *y])?]).and_then(in_image)).collect()
 }
 
 /// The ground X, Y, Z that each position in px of a placed image shows; `None` where there are no heights.
 pub fn ground_positions(placement: &Placement, heights: &Heights, positions: &[[f64; 2]]) -> Vec<Option<[f64; 3]>> {
     let footprint = Footprint { camera: &placement.camera, pose: &placement.pose, heights };
-    let ground = |at: &[f64; 2]| footprint.arrives(*at).and_then(|[x, y]| Some([x, y, heights.at([x, y])?]));
+    let in_frame = |at: &[f64; 2]| placement.film.as_ref().map_or(*at, |film| film.in_frame(*at));
+    let ground = |at: &[f64; 2]| footprint.arrives(in_frame(at)).and_then(|[x, y]| Some([x, y, heights.at([x, y])?]));
     positions.iter().map(ground).collect()
 }
 

@@ -5,6 +5,7 @@ use super::heights::Heights;
 use super::links::{Found, Over, Search, halvings};
 use super::options::PlacingOptions;
 use super::outcome::{NotPlaced, Placement};
+use super::photograph::Photograph;
 use super::placement::{Part, moved, placement};
 use super::precision::total_errors;
 use super::rectify::Seen;
@@ -12,7 +13,7 @@ use super::reference::Orthophoto;
 use super::relief::{Relief, displaced, height_factor};
 use super::search_area::of_number;
 use crate::two_view::Support;
-use crate::{Camera, Error, Failure, FeatureOptions, GreyView, Pose};
+use crate::{Camera, Error, Failure, FeatureOptions, Pose};
 
 /// Coarse links, then fine ones.
 const COARSE: Search = Search { radius_px: 25.0, longest_px: 1200.0, refines: false };
@@ -27,7 +28,7 @@ const LEAST_LINKS: usize = 10;
 /// What comes of an approximate camera and orientation, in a system about a place of the ground: links, coarse and fine, and the adjustment
 /// by them.
 pub(super) fn confirmed(
-    image: GreyView<'_>,
+    image: Photograph<'_>,
     known: &PlacingCamera,
     reference: &Orthophoto,
     first: [f64; 2],
@@ -35,8 +36,8 @@ pub(super) fn confirmed(
     options: &PlacingOptions,
 ) -> Result<Result<Placement, NotPlaced>, Error> {
     let (georeference, heights) = reference.about(first);
-    let levels = halvings(&image.to_image());
-    let mut over = Over { image: &levels, camera, pose, reference, georeference, heights: &heights };
+    let levels = halvings(&image.grey.to_image());
+    let mut over = Over { image: &levels, shows: image.shows, camera, pose, reference, georeference, heights: &heights };
     let has_model = matches!(heights, Heights::Model(_));
     let errors = PlaceErrors::new(options, georeference.gsd(), has_model);
     let features = of_number(options.points);

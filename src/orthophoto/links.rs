@@ -37,6 +37,8 @@ pub(super) struct Search {
 pub(super) struct Over<'a> {
     /// Halved none, one, two times and so on.
     pub image: &'a [GreyImage],
+    /// Whether a position in px is of the photograph.
+    pub shows: &'a dyn Fn([f64; 2]) -> bool,
     pub camera: Camera,
     pub pose: Pose,
     pub reference: &'a Orthophoto,
@@ -132,7 +134,7 @@ impl Over<'_> {
                 start
             };
             let three = |[x, y]: [f64; 2]| self.heights.at([x, y]).map(|z| [x, y, z]);
-            let at = seen.at(&three(georeference.ground(to))?)?;
+            let at = seen.at(&three(georeference.ground(to))?).filter(|at| (self.shows)(*at))?;
             let place = three(georeference.ground(from))?;
             let height_spread = height_spread(self.heights, &georeference, from, place[2]);
             Some(Found { at, place, height_spread, measured_px: MEASURED_PX })

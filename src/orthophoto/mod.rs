@@ -4,6 +4,8 @@
 //! similarity) → an orientation by resection → `confirming` by `links` (the image resampled to the ground by `rectify`, matched to the orthophoto: coarse,
 //! then fine) and `adjusting` (the bundle adjustment of one image, its `precision`) → its `placement` → `verdict` → [`PlacedImage`].
 //!
+//! A photo on film: its scan and fiducial marks → the frame of an ideal camera (`film`) → as any image → back to the scan (`place_film`).
+//!
 //! A block: `block_links` (images placed by themselves or near where the others of the block have them) → places of the ground that several images
 //! show → in the coordinate reference system of the block, where it has one (`into_system`) → [`BlockRun`](crate::BlockRun) adjusted by them.
 //!
@@ -16,6 +18,7 @@ mod by_hand;
 mod camera;
 mod confirming;
 mod emptiness;
+mod film;
 mod first_place;
 mod footprint;
 mod ground;
@@ -30,8 +33,10 @@ mod outcome;
 mod own;
 mod parts;
 mod patch;
+mod photograph;
 mod picture;
 mod place;
+mod place_film;
 mod placement;
 mod point_heights;
 mod precision;
@@ -49,12 +54,14 @@ pub use adjusting::PlacingCamera;
 pub use block_links::BlockLinks;
 pub(crate) use block_map::{BlockMap, epsg_of};
 pub use by_hand::{GivenLink, GivenUse, ground_positions, image_positions, place_by_links};
+pub use film::{FilmInput, FilmScan};
 pub use heights::{HeightModel, Heights};
 pub use mosaic::Mosaic;
 pub use options::PlacingOptions;
 pub use outcome::{Link, LinkChecks, LinkUse, NotPlaced, PlaceSearch, PlacedImage, Placement, PlacingVerdict, PlacingWeakness};
 pub use own::rectify_placed;
 pub use place::place_image;
+pub use place_film::{place_film, place_film_by_links};
 pub(crate) use point_heights::heights_on_map;
 pub use point_heights::{heights_of_block, heights_of_points};
 pub use recorded_place::place_recorded;

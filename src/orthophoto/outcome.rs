@@ -1,5 +1,6 @@
 //! What comes of placing an image: its orientation in the system of the orthophoto, and what that is worth.
 
+use super::film::FilmScan;
 use super::relief::Relief;
 use crate::message::messages;
 use crate::{Camera, CameraParameter, Failure, Pose};
@@ -131,6 +132,7 @@ pub struct LinkChecks {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Placement {
+    /// Of the image; of a scan of film that of its frame.
     pub camera: Camera,
     /// Of f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂; absent for what was not estimated.
     pub camera_errors: [Option<f64>; 8],
@@ -155,6 +157,9 @@ pub struct Placement {
     /// What the image says of the heights.
     #[serde(default)]
     pub relief: Relief,
+    /// How a scan of film lies to its frame: positions and residuals of links are those of the scan. Absent where the image is of a camera without film.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub film: Option<FilmScan>,
 }
 
 /// An image with its verdict.

@@ -11,7 +11,7 @@ const MOST_PIXELS: f64 = 6.4e7;
 /// Resamples a placed image to the ground under it, along the directions of the orthophoto, with pixels as large as those of the image.
 ///
 /// # Errors
-/// As [`rectify`].
+/// As [`rectify`]; [`Error::InvalidInput`] for another size than that of a scan.
 pub fn rectify_placed(image: &Bands, placement: &Placement, reference: &Orthophoto) -> Result<Rectified, Error> {
     let of = reference.georeference.with_gsd(placement.gsd_m);
     let corners: Vec<[f64; 2]> = placement.footprint.iter().map(|place| of.pixel(*place)).collect();
@@ -26,5 +26,9 @@ pub fn rectify_placed(image: &Bands, placement: &Placement, reference: &Orthopho
     let first = [left, top].map(|v| (v / enlarged).floor());
     let size = [right - left, bottom - top].map(|length| ((length / enlarged).ceil() + 1.0).max(1.0) as usize);
     let georeference = crate::Georeference { origin: georeference.ground(first), ..georeference };
-    rectify(image, &placement.camera, &placement.pose, &reference.heights, &georeference, size)
+    let rectified = |image: &Bands| rectify(image, &placement.camera, &placement.pose, &reference.heights, &georeference, size);
+    match &placement.film {
+        Some(film) => rectified(&film.frame(&image.views())?),
+        None => rectified(image),
+    }
 }

@@ -5,6 +5,7 @@ use super::confirming::confirmed;
 use super::first_place::first_place;
 use super::options::PlacingOptions;
 use super::outcome::{NotPlaced, PlacedImage, Placement, PlacingVerdict};
+use super::photograph::Photograph;
 use super::reference::{Orthophoto, enlarge};
 use super::search_area::{SEARCHED_PX, SearchArea, of_number};
 use super::verdict::verdict;
@@ -41,7 +42,18 @@ pub fn place_image(
     area: &SearchArea,
     options: &PlacingOptions,
 ) -> Result<PlacedImage, Error> {
-    check(image, known, options)?;
+    place_photograph(image.into(), known, reference, area, options)
+}
+
+/// As [`place_image`], where not all of the image may be a photograph.
+pub(super) fn place_photograph(
+    image: Photograph<'_>,
+    known: &PlacingCamera,
+    reference: &Orthophoto,
+    area: &SearchArea,
+    options: &PlacingOptions,
+) -> Result<PlacedImage, Error> {
+    check(image.grey, known, options)?;
     placed(image, known, reference, area, options).map(|placed| judged(placed, known))
 }
 
@@ -60,7 +72,7 @@ pub(super) fn place_near(
     let first = [0, 1].map(|k| pose.position[k].round());
     let [x, y, z] = pose.position;
     let start = Pose { position: [x - first[0], y - first[1], z], ..*pose };
-    confirmed(image, known, reference, first, (known.camera, start), options).map(|placed| judged(placed, known))
+    confirmed(image.into(), known, reference, first, (known.camera, start), options).map(|placed| judged(placed, known))
 }
 
 fn check(image: GreyView<'_>, known: &PlacingCamera, options: &PlacingOptions) -> Result<(), Error> {
@@ -86,16 +98,17 @@ fn judged(placed: Result<Placement, NotPlaced>, known: &PlacingCamera) -> Placed
 }
 
 fn placed(
-    image: GreyView<'_>,
+    image: Photograph<'_>,
     known: &PlacingCamera,
     reference: &Orthophoto,
     area: &SearchArea,
     options: &PlacingOptions,
 ) -> Result<Result<Placement, NotPlaced>, Error> {
-    let reduced = reduce_to(image, SEARCHED_PX);
+    let reduced = reduce_to(image.grey, SEARCHED_PX);
     let mut own = features(reduced.image.view(), None, &of_number(options.points))?;
     let factor = f64::from(1_u32 << reduced.halvings);
     own.iter_mut().for_each(|feature| enlarge(&mut feature.point, factor));
+    own.retain(|feature| (image.shows)([feature.point.x, feature.point.y]));
     let every = own.len() / ENOUGH_POINTS;
     if every > 1 {
         let some: Vec<Feature> = own.iter().step_by(every).cloned().collect();
@@ -110,13 +123,13 @@ fn placed(
 /// By these features of the image.
 fn placed_by(
     own: &[Feature],
-    image: GreyView<'_>,
+    image: Photograph<'_>,
     known: &PlacingCamera,
     reference: &Orthophoto,
     area: &SearchArea,
     options: &PlacingOptions,
 ) -> Result<Result<Placement, NotPlaced>, Error> {
-    let longer_px = image.width().max(image.height()) as f64;
+    let longer_px = image.grey.width().max(image.grey.height()) as f64;
     let matches = match first_place(own, &area.features, longer_px, area.area_px2) {
         Ok(matches) => matches,
         Err(refused) => return Ok(Err(refused)),

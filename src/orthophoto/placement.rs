@@ -63,6 +63,7 @@ pub(super) fn placement(
         checks: check_links(&links, gsd_m),
         links,
         relief,
+        film: None,
     }
 }
 

@@ -22,21 +22,32 @@ pub fn place_recorded(
     area: &SearchArea,
     options: &PlacingOptions,
 ) -> Result<PlacedImage, Error> {
+    sought(position, reference, area, options, |area| place_image(image, known, reference, area, options))
+}
+
+/// Has an image that may record a position placed in one area after the other, as [`place_recorded`] does.
+pub(super) fn sought(
+    position: Option<&ExifPosition>,
+    reference: &Orthophoto,
+    area: &SearchArea,
+    options: &PlacingOptions,
+    mut place: impl FnMut(&SearchArea) -> Result<PlacedImage, Error>,
+) -> Result<PlacedImage, Error> {
     let is_free = options.near_x.is_none() && options.near_y.is_none();
     let Some(on_map) = position.filter(|_| is_free).and_then(|position| recorded_place(position, reference)) else {
-        return place_image(image, known, reference, area, options);
+        return place(area);
     };
-    let RecordedPlace { place, unit_m, .. } = on_map;
+    let RecordedPlace { place: at, unit_m, .. } = on_map;
     let within_m = options.within_m;
     let within = within_m / unit_m;
-    let about = PlacingOptions { near_x: Some(place[0]), near_y: Some(place[1]), within_m: within, ..options.clone() };
+    let about = PlacingOptions { near_x: Some(at[0]), near_y: Some(at[1]), within_m: within, ..options.clone() };
     let areas = Areas {
         all: area,
-        near: area.within(reference, place, within),
+        near: area.within(reference, at, within),
         // A position beside the orthophoto has no surroundings on it.
         dense: || area.is_sparse.then(|| SearchArea::new(reference, &about).ok()).flatten(),
     };
-    let placed = areas.searched(within_m, |area| place_image(image, known, reference, area, options))?;
+    let placed = areas.searched(within_m, place)?;
     Ok(beside_position(placed, &on_map))
 }
 

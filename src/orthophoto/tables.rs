@@ -1,9 +1,10 @@
 //! Placed images and their links as tables.
 
 use super::outcome::{LinkUse, PlacedImage, PlacingVerdict};
+use crate::FiducialOrientation;
 use crate::text::{Row, table};
 
-const IMAGES: [&str; 19] = [
+const IMAGES: [&str; 21] = [
     "name",
     "verdict",
     "x",
@@ -23,10 +24,13 @@ const IMAGES: [&str; 19] = [
     "links",
     "sigma0_px",
     "gsd",
+    "marks_sigma0_mm",
+    "marks_rmse_mm",
 ];
 const LINKS: [&str; 8] = ["name", "x_px", "y_px", "x", "y", "z", "residual_px", "use"];
 
-/// `placed.csv`: names with what came of them; angles as `images.csv` of a block has them.
+/// `placed.csv`: names with what came of them; angles as `images.csv` of a block has them. Of scans of film the interior orientation: σ₀ and the root
+/// mean square length of the residuals of the fiducial marks.
 pub fn placed_table(placed: &[(String, PlacedImage)]) -> String {
     let rows = placed.iter().map(|(name, image)| {
         let (word, placement) = (verdict(&image.verdict), image.placement.as_ref());
@@ -38,7 +42,9 @@ pub fn placed_table(placed: &[(String, PlacedImage)]) -> String {
         let row = three(row, placement.and_then(|p| p.angle_errors_deg));
         let row = row.known(placement.map(|p| p.camera.focal_px)).known(placement.and_then(|p| p.camera_errors[0]));
         let used = placement.map(|p| p.links.iter().filter(|link| link.role == LinkUse::Used).count());
-        row.known(used).known(placement.and_then(|p| p.sigma0_px)).known(placement.map(|p| p.gsd_m))
+        let row = row.known(used).known(placement.and_then(|p| p.sigma0_px)).known(placement.map(|p| p.gsd_m));
+        let marks = placement.and_then(|p| p.film.as_ref()).map(|film| &film.marks);
+        row.known(marks.and_then(|marks| marks.sigma0_mm)).known(marks.map(FiducialOrientation::rmse_mm))
     });
     table(&IMAGES, rows)
 }

@@ -147,6 +147,7 @@ mod tests {
             links: (0..100).map(link).collect(),
             checks: None,
             relief: Relief::default(),
+            film: None,
         }
     }
 

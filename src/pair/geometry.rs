@@ -5,8 +5,8 @@ use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
 use crate::error::refuse;
 use crate::{
-    CameraMm, CameraUncertainty, Error, EstimatedCamera, Fiducial, Interior, Refusal, RelativeOrientation, Side, TwoView, TwoViewModel,
-    Warning, orient_fiducials,
+    CameraMm, CameraUncertainty, Error, EstimatedCamera, Fiducial, FiducialOrientation, Interior, Refusal, RelativeOrientation, Side,
+    TwoView, TwoViewModel, Warning, orient_fiducials,
 };
 use serde::{Deserialize, Serialize};
 
@@ -129,18 +129,26 @@ fn check_marks(width: usize, height: usize, photo: &PhotoInput) -> Result<(), Er
     }
 }
 
+/// The transformation from a scan to photo coordinates by the marks that were measured in it; the image is a part of the scan or all of it.
+///
+/// # Errors
+/// As [`orient_fiducials`]; [`Error::InvalidInput`] for marks outside the image without an origin, and for marks that contradict each other.
+pub fn photo_marks(width: usize, height: usize, photo: &PhotoInput) -> Result<FiducialOrientation, Error> {
+    check_marks(width, height, photo)?;
+    let marks = orient_fiducials(&photo.fiducials, photo.model)?;
+    match marks.sigma0_mm.filter(|sigma0_mm| !(*sigma0_mm <= LARGEST_MARKS_SIGMA0_MM)) {
+        Some(sigma0_mm) => refuse(Refusal::MarksSigma0 { sigma0_mm, most_mm: LARGEST_MARKS_SIGMA0_MM }),
+        None => Ok(marks),
+    }
+}
+
 /// The interior orientation of one image: from its fiducials, or from the camera's pixel size.
 ///
 /// # Errors
-/// [`Error::InvalidOption`] for the camera; as [`orient_fiducials`]; [`Error::InvalidInput`] for an origin without fiducials, for marks
-/// outside the image without an origin, and for marks that contradict each other.
+/// [`Error::InvalidOption`] for the camera; as [`photo_marks`]; [`Error::InvalidInput`] for an origin without fiducials.
 pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &PhotoInput) -> Result<Interior, Error> {
     if !photo.fiducials.is_empty() {
-        check_marks(width, height, photo)?;
-        let marks = orient_fiducials(&photo.fiducials, photo.model)?;
-        if let Some(sigma0_mm) = marks.sigma0_mm.filter(|sigma0_mm| !(*sigma0_mm <= LARGEST_MARKS_SIGMA0_MM)) {
-            return refuse(Refusal::MarksSigma0 { sigma0_mm, most_mm: LARGEST_MARKS_SIGMA0_MM });
-        }
+        let marks = photo_marks(width, height, photo)?;
         return Interior::from_fiducials(camera, &marks, photo.origin.unwrap_or([0.0; 2]));
     }
     match photo.origin {

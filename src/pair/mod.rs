@@ -23,7 +23,7 @@ mod weakness;
 pub use cameras::{KnownPhoto, PairCameras};
 pub use described::{DescribedImage, describe_image};
 pub use epipolar::epipolar_line;
-pub use geometry::{PairInterior, photo_interior};
+pub use geometry::{PairInterior, photo_interior, photo_marks};
 pub use hint::PairHint;
 pub use input::{PairImage, PairInput, PhotoInput};
 pub use match_pair::{PairResult, match_described_pair, match_pair};

@@ -3,7 +3,7 @@
 use super::geometry::PairInterior;
 use super::one_image::may_be_one;
 use super::self_calibration;
-use crate::{EstimatedCamera, Interior, Match, RelativeOrientation, Side, Warning};
+use crate::{EstimatedCamera, Match, RelativeOrientation, Side, Warning};
 use std::collections::BTreeSet;
 
 /// Windows of points nearer than this overlap, or see the same edges and roofs.
@@ -42,11 +42,10 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
     // Without redundancy nothing tells the precision: there are too few matches.
     let sigma0_px = found.sigma0_mm.unwrap_or(f64::NAN) / interior.left.pixel_mm();
     let is_calibrated = self_calibration::is_calibrated(interior);
-    let marks = [(Side::Left, &interior.left), (Side::Right, &interior.right)];
     let told = [
         (is_mirrored(&accepted), Warning::Mirrored),
-        (is_inverted(marks[0].1), Warning::MirroredMarks { side: Side::Left }),
-        (is_inverted(marks[1].1), Warning::MirroredMarks { side: Side::Right }),
+        (interior.left.is_mirrored(), Warning::MirroredMarks { side: Side::Left }),
+        (interior.right.is_mirrored(), Warning::MirroredMarks { side: Side::Right }),
         (self_calibration::tells_more(interior) && !is_determined(&found), Warning::UnknownCamera),
         (!agreeing, Warning::FewAgree { accepted: accepted.len(), matches: positions.len() }),
         (evidence.len() < least_matches, Warning::FewMatches { matches: evidence.len(), least: least_matches }),
@@ -89,12 +88,6 @@ fn half_widths_deg(found: &RelativeOrientation) -> [f64; 2] {
 pub(super) fn base_half_width_deg(found: &RelativeOrientation) -> f64 {
     let across = found.half_widths_95.map_or(f64::NAN, |half| libm::hypot(half.by_mm, half.bz_mm));
     libm::atan2(across, found.base_mm.abs()).to_degrees()
-}
-
-/// Whether rows do not count against y where columns count along x.
-fn is_inverted(interior: &Interior) -> bool {
-    let [at, right, below] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[col, row]| interior.photo_mm(col, row));
-    (right[0] - at[0]) * (below[1] - at[1]) - (right[1] - at[1]) * (below[0] - at[0]) > 0.0
 }
 
 fn accepted(positions: &[[f64; 4]], rejected: &[usize]) -> Vec<[f64; 4]> {

@@ -5,9 +5,10 @@ use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
 use crate::{
-    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, GivenLink, HeightModel, Heights, Mosaic, Orthophoto, PlacedImage,
-    Placement, PlacingCamera, PlacingOptions, Project, SearchArea, Sidecars, decode, decode_bands, ground_positions, heights_of_block,
-    image_positions, links_table, place_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, FilmInput, FilmScan, GivenLink, HeightModel, Heights, Mosaic,
+    Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SearchArea, Sidecars, decode, decode_bands,
+    ground_positions, heights_of_block, image_positions, links_table, place_by_links, place_film, place_film_by_links, place_recorded,
+    placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
 use std::io;
@@ -103,15 +104,27 @@ impl OrthophotoReference {
 
     /// Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
     /// of its EXIF and XMP, or a usual one. Where it records a GNSS position and the system of the orthophoto is known, it is sought there first, within
-    /// `within_m`, then on all of the orthophoto.
+    /// `within_m`, then on all of the orthophoto. `film`: of the scan of a photo on film, its calibrated camera and the fiducial marks that were measured in it,
+    /// in place of what is known otherwise.
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
-    pub fn place(&mut self, name: &str, file: &[u8], cameras: Option<String>) -> JsResult<JsValue> {
+    pub fn place(
+        &mut self,
+        name: &str,
+        file: &[u8],
+        cameras: Option<String>,
+        #[wasm_bindgen(unchecked_optional_param_type = "Given<FilmInput> | null")] film: &JsValue,
+    ) -> JsResult<JsValue> {
+        let film = read_film(film)?;
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
         let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
         let camera = PlacingCamera::of(&rules, name, [image.width() as u32, image.height() as u32], &exif);
         let area = self.taken_area()?;
-        let placed = place_recorded(image.view(), &camera, exif.position.as_ref(), &self.orthophoto, &area, &self.options);
+        let (grey, position) = (image.view(), exif.position.as_ref());
+        let placed = match &film {
+            Some(film) => place_film(grey, film, position, &self.orthophoto, &area, &self.options),
+            None => place_recorded(grey, &camera, position, &self.orthophoto, &area, &self.options),
+        };
         self.area = Some(area);
         placed.map(|placed| pack(&placed)).map_err(thrown)
     }
@@ -128,7 +141,7 @@ impl OrthophotoReference {
     }
 
     /// Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
-    /// links. The file tells its camera. `options`: as of `search`; absent: those that it had.
+    /// links. The file tells its camera; `film` that of a scan of film; where it was placed, that says whether it is one. `options`: as of `search`; absent: those that it had.
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
     pub fn adjust(
         &self,
@@ -138,7 +151,9 @@ impl OrthophotoReference {
         #[wasm_bindgen(unchecked_param_type = "Placement | null")] start: &JsValue,
         cameras: Option<String>,
         #[wasm_bindgen(unchecked_optional_param_type = "Given<PlacingOptions>")] options: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "Given<FilmInput> | null")] film: &JsValue,
     ) -> JsResult<JsValue> {
+        let film = read_film(film)?;
         let options = if options.is_undefined() { self.options.clone() } else { read_options::<PlacingOptions>("placing", options)? };
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
         let links: Vec<GivenLink> = read("links", links)?;
@@ -150,6 +165,14 @@ impl OrthophotoReference {
                 [image.width() as u32, image.height() as u32]
             }
         };
+        let scan = match &start {
+            Some(start) => start.film.clone(),
+            None => film.map(|film| FilmScan::new(&film, size.map(|side| side as usize))).transpose().map_err(thrown)?,
+        };
+        if let Some(scan) = scan {
+            let placed = place_film_by_links(&scan, &self.orthophoto, start.as_ref(), &links, &options);
+            return placed.map(|placed| pack(&placed)).map_err(thrown);
+        }
         let exif = ExifImage::read(file, u64::from(size[0]), u64::from(size[1]));
         let camera = PlacingCamera::of(&rules, name, size, &exif);
         place_by_links(&camera, &self.orthophoto, start.as_ref(), &links, &options).map(|placed| pack(&placed)).map_err(thrown)
@@ -222,6 +245,12 @@ impl BlockOnOrthophoto {
     pub fn linked(&self, block: &FinishedBlock, reference: &OrthophotoReference) -> JsResult<FinishedBlock> {
         self.links.linked(block.run(), &reference.orthophoto, &reference.options).map(FinishedBlock::of).map_err(thrown)
     }
+}
+
+/// What is known of a scan of film; absent where it is undefined or null.
+fn read_film(film: &JsValue) -> JsResult<Option<FilmInput>> {
+    let is_given = !film.is_undefined() && !film.is_null();
+    is_given.then(|| read_options("film", film)).transpose()
 }
 
 /// Numbers two by two.

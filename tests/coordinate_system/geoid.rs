@@ -8,7 +8,7 @@ use tiepoint::{BlockEdit, BlockRun, Error, Project, RunInput, read_project, writ
 
 /// The geoid bends where its grid has a node: no turn of the block takes that for its own, and interpolation between the nodes is exact.
 const STEP_DEG: f64 = 0.0005;
-const RISE_M: f64 = 400.0;
+const RISE_M: f64 = 4000.0;
 
 /// Of the geoid below the middle of the scene, and on either side of it.
 fn geoid_m(longitude: f64) -> f64 {
@@ -59,7 +59,8 @@ fn worst_check(run: &BlockRun) -> f64 {
 fn heights_count_from_the_geoid_of_a_file() {
     let found = of_geoid("bent.gtx", bend() - 100.0 * STEP_DEG, 201).unwrap();
     let level = run(UTM, Some(GEOID_M), Some(control(above_geoid))).unwrap();
-    assert!(worst_check(&found) < 0.15 && worst_check(&level) > 0.3, "{} {}", worst_check(&found), worst_check(&level));
+    let [found_m, level_m] = [&found, &level].map(worst_check);
+    assert!(found_m < 0.5 && level_m > 3.0 * found_m, "{found_m} {level_m}");
     let summary: serde_json::Value = serde_json::from_str(&files(&found)["summary.json"]).unwrap();
     assert_eq!(summary["crs"]["geoid"], "bent.gtx");
     let remark = summary["remarks"].to_string() + &files(&found)["report.html"];
@@ -76,7 +77,7 @@ fn heights_count_from_the_geoid_of_a_file() {
     let Project::Block(opened) = read_project(write_block_project(&found).unwrap().as_bytes()).unwrap() else { panic!("a block") };
     assert_eq!(*opened, found);
     let edited = opened.with_edits(&[BlockEdit::SetUse { point: 0, role: None }]).unwrap();
-    assert!(worst_check(&edited) < 0.15, "{}", worst_check(&edited));
+    assert!(worst_check(&edited) < 0.5, "{}", worst_check(&edited));
 }
 
 #[test]

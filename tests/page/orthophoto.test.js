@@ -380,3 +380,29 @@ test('an orthophoto in UTM lies under a block with GNSS positions, with a code o
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test('the camera and the marks of scanned film are taken with what is wrong with them', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  const text = (/** @type {string} */ name, /** @type {string} */ content) => upload(name, new TextEncoder().encode(content));
+  const give = (/** @type {string} */ field, /** @type {ReturnType<typeof upload>[]} */ ...files) => part(page, `${field}-input`).setInputFiles(files);
+  await part(page, 'tab-block-orthophoto').click();
+  await says(page, 'block-film-camera-name', /^No film camera\. .*"focal_mm"/);
+  await give('block-film-camera', text('film.json', '{"principal_point_mm": [0, 0]}'));
+  await status(page, /^film\.json cannot be used: .*focal_mm/);
+  await give('block-film-marks', text('scan.csv', 'col,row\n1,2\n'));
+  await status(page, /^scan\.csv cannot be used: .*x_mm/);
+  await give('block-film-marks', text('scan.csv', 'col,row,x_mm,y_mm\n4,4,-5,4\n36,4,5,4\n36,26,5,-4\n4,26,-5,-4\n'));
+  await says(page, 'block-film-problem', /^scan\.csv is named as no image\.$/);
+  await give('block-files', upload('scan.png', grey_png(40, 30, new Uint8Array(1200).fill(90)), 'image/png'));
+  await says(page, 'block-film-problem', /need the film camera/);
+  await give('block-film-camera', text('film.json', '{"focal_mm": 152}'));
+  await says(page, 'block-film-problem', /^$/);
+  assert.deepEqual(
+    [await part(page, 'block-film-camera-name').textContent(), await part(page, 'block-film-marks-name').textContent()],
+    ['film.json', 'scan.csv'],
+  );
+  await part(page, 'block-film-remove').click();
+  await says(page, 'block-film-marks-name', /^No fiducial marks\./);
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -3,7 +3,8 @@ import { breakdownOf, Cancelled, WorkerClient } from '../../shared/engine/client
 import { givenLinks, LEAST_LINKS } from '../state/steps';
 import type { LinkStep } from '../state/steps';
 import type { LinkedImage, LinkedPlacement } from '../state/links';
-import { placingKey, unplacedFiles } from '../state/placed';
+import { placingKey, placingKeyOf, unplacedFiles } from '../state/placed';
+import { filmOf } from '../state/film';
 import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import type { BlockFile } from '../state/state';
@@ -74,7 +75,7 @@ export class PlacingEngine {
     const key = placingKey(state);
     const workers = this.placers.slice(0, isLight && (navigator.hardwareConcurrency || 1) > 2 ? 2 : 1);
     const waiting = [...files];
-    const { options: given } = placing;
+    const { options: given, film } = placing;
     const cameras = options.cameras?.text ?? null;
     let done = 0;
     this.stopped = false;
@@ -86,13 +87,13 @@ export class PlacingEngine {
       for (let file = waiting.shift(); file !== undefined; file = waiting.shift()) {
         tell(say('placing', { name: file.name }));
         const { id, name } = file;
-        const [found, problem] = await this.tried(worker, { ground, options: given, name, file: file.file, cameras });
+        const [found, problem] = await this.tried(worker, { ground, options: given, name, file: file.file, cameras, film: filmOf(film, name) });
         done += 1;
         // Links that were measured by hand are of the image, whatever is found.
         const former = this.store.state.placing.placed.get(id);
         const steps = (former?.steps.slice(0, former.done) ?? []).filter(({ kind }) => kind === 'add');
         const result = steps.length === 0 ? found : await this.adjust(file, found, steps).catch(() => found);
-        this.store.dispatch({ type: 'placed', image: id, placed: { key, result, problem, found, steps, done: steps.length } });
+        this.store.dispatch({ type: 'placed', image: id, placed: { key: placingKeyOf(key, film, name), result, problem, found, steps, done: steps.length } });
         tell(waiting[0] === undefined ? say('placing-2') : say('placing', { name: waiting[0].name }));
       }
     };
@@ -143,7 +144,17 @@ export class PlacingEngine {
     try {
       const cameras = options.cameras?.text ?? null;
       return await this.waited(() =>
-        this.shower.call('orthoAdjust', { ground, options: settings, name, file: bytes, cameras, links, start, size: found.size }),
+        this.shower.call('orthoAdjust', {
+          ground,
+          options: settings,
+          name,
+          file: bytes,
+          cameras,
+          film: filmOf(placing.film, name),
+          links,
+          start,
+          size: found.size,
+        }),
       );
     } finally {
       this.store.dispatch({ type: 'adjustsLinks', image: null });

@@ -3,6 +3,7 @@ import { Cancelled } from '../../shared/engine/client';
 import { fixed, sentence } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
+import { stemOf } from '../state/film';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import { unitOfOrthophoto } from '../state/orthophoto-unit';
 import type { LengthUnit } from '../state/orthophoto-unit';
@@ -140,8 +141,4 @@ export function gsdText(gsd: number, unit: LengthUnit): string {
 
 function named(rasters: readonly FoundRaster[]): string {
   return rasters.map(({ file }) => file.name).join(', ');
-}
-
-function stemOf(name: string): string {
-  return name.replace(/\.[^.]*$/u, '').toLowerCase();
 }

@@ -2,6 +2,9 @@
 import type { OrthophotoInfo } from '../../../pkg/wasm/tiepoint.js';
 import { fitted, likeOf, listOf, nameOf, objectOf, orNull } from '../../shared/files/keepable';
 import type { KeptFile, KeptPlacing, KeptRaster } from '../state/kept';
+import type { TextFile } from '../state/file';
+import { NO_FILM } from '../state/film';
+import type { GivenFilm } from '../state/film';
 import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, Placed, Placing, Purpose, RasterFile } from '../state/placing';
 import type { BlockCatalogue, BlockFile } from '../state/state';
@@ -18,10 +21,17 @@ export function rastersOf({ orthophoto, heights }: Placing): readonly RasterFile
 }
 
 /** What was given, without the files. */
-export function keptPlacing(orthophoto: GivenOrthophoto | null, heights: GivenHeights, options: Placing['options'], purpose: Purpose | null): KeptPlacing {
+export function keptPlacing(
+  orthophoto: GivenOrthophoto | null,
+  heights: GivenHeights,
+  film: GivenFilm,
+  options: Placing['options'],
+  purpose: Purpose | null,
+): KeptPlacing {
   return {
     orthophoto: orNull(orthophoto, ({ raster, info, ofBlock }) => ({ raster: keptRaster(raster), info, ofBlock })),
     heights: heights.kind === 'level' ? heights : { kind: 'model', model: keptRaster(heights.model) },
+    film,
     options,
     purpose,
   };
@@ -48,10 +58,7 @@ export function placingFrom(
   if (given === undefined) return none;
   const kept = objectOf(given, 'placing');
   const raster = (value: unknown, name: string): RasterFile => {
-    const world = orNull(objectOf(value, name).world, (text) => {
-      const { name: called, text: content } = objectOf(text, `${name}.world`);
-      return { name: likeOf(called, '', `${name}.world.name`), text: likeOf(content, '', `${name}.world.text`) };
-    });
+    const world = orNull(objectOf(value, name).world, (text) => textFrom(text, `${name}.world`));
     return { ...open(readFile(value, name)), world };
   };
   const orthophoto = orNull(kept.orthophoto, (value): GivenOrthophoto => {
@@ -67,7 +74,19 @@ export function placingFrom(
     kind === 'model' ? { kind, model: raster(model, 'placing.heights.model') } : { kind: 'level', height: likeOf(height, 0, 'placing.heights.height') };
   const options = orNull(kept.options, (value) => fitted(value, catalogue.placing, 'placing.options')) ?? catalogue.placing;
   const purpose = PURPOSES.find((one) => one === kept.purpose) ?? null;
-  return { ...none, orthophoto, heights, options: same(options, catalogue), purpose, placed: placedFrom(placed) };
+  return { ...none, orthophoto, heights, options: same(options, catalogue), purpose, film: filmFrom(kept.film), placed: placedFrom(placed) };
+}
+
+/** Projects of earlier versions have none. */
+function filmFrom(given: unknown): GivenFilm {
+  if (given === undefined) return NO_FILM;
+  const { camera, marks } = objectOf(given, 'placing.film');
+  return { camera: orNull(camera, (text) => textFrom(text, 'placing.film.camera')), marks: listOf(marks, 'placing.film.marks', textFrom) };
+}
+
+function textFrom(given: unknown, name: string): TextFile {
+  const { name: called, text } = objectOf(given, name);
+  return { name: likeOf(called, '', `${name}.name`), text: likeOf(text, '', `${name}.text`) };
 }
 
 /** Defaults are the catalogue's own, by which they are known. */

@@ -77,7 +77,7 @@ export class KeptBlocks implements Keepable {
     if (isBlank(state)) return parts;
     const { files, removed, options, flight, truth, opened, shown, placing } = state;
     parts.set(GIVEN, {
-      value: given(files, removed, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.options, placing.purpose),
+      value: given(files, removed, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.film, placing.options, placing.purpose),
       bytes: SMALL,
     });
     for (const [id, placed] of placing.placed) parts.set(PLACED + String(id), { value: placed, bytes: sizeOfPlaced(placed) });
@@ -217,6 +217,7 @@ const given = remember(
     opened: BlockState['opened'],
     orthophoto: BlockState['placing']['orthophoto'],
     heights: BlockState['placing']['heights'],
+    film: BlockState['placing']['film'],
     placing: BlockState['placing']['options'],
     purpose: BlockState['placing']['purpose'],
   ): KeptBlock => ({
@@ -228,7 +229,7 @@ const given = remember(
     flight,
     truth: orNull(truth, (known) => nameOf(known)),
     opened,
-    placing: keptPlacing(orthophoto, heights, placing, purpose),
+    placing: keptPlacing(orthophoto, heights, film, placing, purpose),
   }),
 );
 

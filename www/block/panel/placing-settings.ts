@@ -6,6 +6,7 @@ import { fileButton } from '../../shared/panel/picker';
 import { makeSections } from '../../shared/panel/sections';
 import { withSetting } from '../../shared/panel/settings';
 import type { BlockStore } from '../engine/engine';
+import { filmFields } from './film-settings';
 import type { BlockFiles } from '../files/files';
 import { orthophotoText } from '../files/ground';
 import type { Purpose } from '../state/placing';
@@ -69,7 +70,7 @@ export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files
       defaults: () => ({ placing: catalogue.placing }),
       refused: (label) => store.dispatch({ type: 'refused', label }),
     });
-    fill(host, given, ...sections.elements);
+    fill(host, given, filmFields(store), ...sections.elements);
     store.watch(
       (s) => [s.placing.options] as const,
       ([options]) => {

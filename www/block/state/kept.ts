@@ -1,5 +1,6 @@
 /** What of a block is kept in the browser's storage. */
 import type { BlockScore, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
+import type { GivenFilm } from './film';
 import type { OnGround, Purpose } from './placing';
 import type { BlockFile, BlockOptions, BlockState, Steps, TextFile } from './state';
 
@@ -13,6 +14,7 @@ export type KeptRaster = KeptFile & { world: TextFile | null };
 export interface KeptPlacing {
   orthophoto: { raster: KeptRaster; info: OrthophotoInfo; ofBlock: string | null } | null;
   heights: { kind: 'level'; height: number } | { kind: 'model'; model: KeptRaster };
+  film: GivenFilm;
   options: PlacingOptions | null;
   purpose: Purpose | null;
 }

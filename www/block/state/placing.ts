@@ -1,6 +1,8 @@
 /** Images on an orthophoto: what was given for them, what came of it, and what of it is looked at. */
 import type { LinkUse, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockFile, TextFile } from './file';
+import { NO_FILM } from './film';
+import type { GivenFilm } from './film';
 import type { LinkDraft, LinkStep } from './steps';
 import type { LinkedImage } from './links';
 
@@ -53,6 +55,7 @@ export interface Looked {
 export interface Placing {
   orthophoto: GivenOrthophoto | null;
   heights: GivenHeights;
+  film: GivenFilm;
   options: PlacingOptions | null;
   /** Null: what suits what else is given (see `purposeOf`). */
   purpose: Purpose | null;
@@ -79,6 +82,7 @@ const LEVEL: GivenHeights = { kind: 'level', height: 0 };
 export const NO_PLACING: Placing = {
   orthophoto: null,
   heights: LEVEL,
+  film: NO_FILM,
   options: null,
   purpose: null,
   placed: new Map(),
@@ -96,6 +100,7 @@ export type PlacingAction =
   | { type: 'orthophoto'; orthophoto: GivenOrthophoto | null }
   /** `info`: the orthophoto with them. */
   | { type: 'heights'; heights: GivenHeights; info: OrthophotoInfo }
+  | { type: 'film'; film: GivenFilm }
   | { type: 'placingOptions'; options: Partial<PlacingOptions> }
   | { type: 'purpose'; purpose: Purpose }
   | { type: 'placing'; running: Placing['running'] }
@@ -111,13 +116,15 @@ export function reducePlacing(placing: Placing, action: PlacingAction): Placing 
   switch (action.type) {
     case 'orthophoto':
       // Heights of another one may lie elsewhere.
-      return { ...NO_PLACING, options: placing.options, orthophoto: action.orthophoto };
+      return { ...NO_PLACING, options: placing.options, film: placing.film, orthophoto: action.orthophoto };
     case 'heights':
       return {
         ...placing,
         heights: action.heights,
         orthophoto: placing.orthophoto === null ? null : { ...placing.orthophoto, info: action.info },
       };
+    case 'film':
+      return { ...placing, film: action.film };
     case 'placingOptions':
       return placing.options === null ? placing : { ...placing, options: { ...placing.options, ...action.options }, picks: false };
     case 'purpose':

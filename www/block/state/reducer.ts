@@ -119,6 +119,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
       return reduceEdits(state, action);
     case 'orthophoto':
     case 'heights':
+    case 'film':
     case 'placingOptions':
     case 'purpose':
     case 'placing':

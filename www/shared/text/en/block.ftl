@@ -462,6 +462,20 @@ nothing-was-saved = Nothing was saved: { $sentence }
 no-image-is-chosen-2 = no image is chosen
 resampling-to-the-ground-of = Resampling { $name } to the ground ({ $i } of { $placed }) …
 
+## panel/film-settings
+
+scanned-film = Scanned film
+film-camera = Film camera
+marks-of-scans = Fiducial marks of scans
+none-film-camera = No film camera. The calibrated camera of scanned photos on film, a JSON file: { $example }.
+none-marks-of-scans = No fiducial marks. A table of col, row, x_mm, y_mm for each scan, named as its image: { $example } for { $image }.
+marks-of-no-image = { $name } is named as no image.
+marks-need-their-camera = Fiducial marks need the film camera with its focal length in mm.
+
+## files/film
+
+cannot-be-used-of-film = { $name } cannot be used: { $problem }
+
 ## panel/placing-settings
 
 none-a-geotiff-in-a = None. A GeoTIFF in a projected system, or a picture with its world file (.tfw, .jgw, .pgw, .wld): choose both together.

@@ -1,0 +1,326 @@
+//! A photo on film as it was scanned, and the image that an ideal camera would have taken in its place.
+
+use super::adjusting::PlacingCamera;
+use crate::error::refuse;
+use crate::image::{Neighbours, each_position};
+use crate::{
+    Bands, Camera, CameraMm, CameraUncertainty, Error, Fiducial, FiducialOrientation, GreyView, Interior, PhotoInput, Refusal, photo_marks,
+};
+use serde::{Deserialize, Serialize};
+
+/// What is known of the scan of a photo on film.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct FilmInput {
+    /// The calibrated camera: its focal length, and where they are known principal point and distortion, in the system of the calibrated marks.
+    pub camera: Option<CameraMm>,
+    /// The fiducial marks that were measured in the scan.
+    pub scan: PhotoInput,
+}
+
+/// How the scan of a photo on film lies to its frame: the image of a camera without distortion, with square pixels as large as those of the scan in the
+/// mean, along the photo's axes, of what lies within the marks.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct FilmScan {
+    /// Of the scan.
+    pub width_px: u32,
+    pub height_px: u32,
+    pub focal_mm: f64,
+    /// Of the scan.
+    pub interior: Interior,
+    /// How the marks give it.
+    pub marks: FiducialOrientation,
+    /// Where the top-left corner of the frame lies among the undistorted positions of the scan: see [`Interior::undistorted_px`].
+    pub corner_px: [f64; 2],
+    /// Width and height of the frame.
+    pub frame_px: [u32; 2],
+}
+
+/// So far about a mark nothing is of the photograph, as a share of the extent of all marks: 3 mm of a film of 230 mm, on which marks and their numbers
+/// have some 2. The frame ends as far within the outermost ones, since the border of the film begins at some.
+const HIDDEN: f64 = 1.0 / 80.0;
+/// And so far within the edges of the scan: what is matched there would see beyond.
+const EDGE_PX: f64 = 8.0;
+/// Columns and rows of a scan are perpendicular to this. Exchanged marks of three, which leave no residuals, bring tens of degrees.
+const MOST_SKEW_DEG: f64 = 3.0;
+
+impl FilmScan {
+    /// From the marks in a scan of this width and height.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] without a camera, and for marks that lie mirrored or askew; as [`photo_marks`](crate::photo_marks) and
+    /// [`Interior::from_fiducials`].
+    pub fn new(film: &FilmInput, size: [usize; 2]) -> Result<Self, Error> {
+        let Some(camera) = &film.camera else { return refuse(Refusal::FilmWithoutCamera) };
+        let marks = photo_marks(size[0], size[1], &film.scan)?;
+        let interior = Interior::from_fiducials(camera, &marks, film.scan.origin.unwrap_or([0.0; 2]))?;
+        if interior.is_mirrored() {
+            return refuse(Refusal::MarksMirrored);
+        }
+        let skew_deg = skew_deg(&interior);
+        if !(skew_deg <= MOST_SKEW_DEG) {
+            return refuse(Refusal::MarksSkew { skew_deg, most_deg: MOST_SKEW_DEG });
+        }
+        let [width_px, height_px] = size.map(|side| side as u32);
+        let scan = Self { width_px, height_px, focal_mm: camera.focal_mm, interior, marks, corner_px: [0.0; 2], frame_px: [1; 2] };
+        let (low, high) = scan.within(&film.scan.fiducials);
+        let corner_px = low.map(f64::ceil);
+        let frame_px = [0, 1].map(|k| (high[k].floor() - corner_px[k]).max(1.0) as u32);
+        Ok(Self { corner_px, frame_px, ..scan })
+    }
+
+    /// The lowest and the highest undistorted position of what the scan shows within the marks.
+    fn within(&self, fiducials: &[Fiducial]) -> ([f64; 2], [f64; 2]) {
+        let hidden = self.hidden_px(fiducials);
+        let marks: Vec<[f64; 2]> = fiducials.iter().map(|mark| self.of_mark(mark)).collect();
+        let [w, h] = [self.width_px, self.height_px].map(f64::from);
+        let border = [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 0.5], [1.0, 1.0], [0.5, 1.0], [0.0, 1.0], [0.0, 0.5]];
+        let border = border.map(|[x, y]| self.interior.undistorted_px(x * w, y * h));
+        let low = |all: &[[f64; 2]], axis: usize| all.iter().map(|at| at[axis]).fold(f64::INFINITY, f64::min);
+        let high = |all: &[[f64; 2]], axis: usize| all.iter().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max);
+        let both =
+            |axis: usize| [(low(&marks, axis) + hidden).max(low(&border, axis)), (high(&marks, axis) - hidden).min(high(&border, axis))];
+        let [x, y] = [both(0), both(1)];
+        ([x[0], y[0]], [x[1], y[1]])
+    }
+
+    /// Where a mark is by its calibration, among undistorted positions.
+    fn of_mark(&self, mark: &Fiducial) -> [f64; 2] {
+        let ([x0, y0], pixel_mm, [x, y]) = (self.interior.principal_point_px(), self.interior.pixel_mm(), self.interior.principal_point_mm);
+        [x0 + (mark.x_mm - x) / pixel_mm, y0 - (mark.y_mm - y) / pixel_mm]
+    }
+
+    /// What is hidden about a mark, in px.
+    fn hidden_px(&self, fiducials: &[Fiducial]) -> f64 {
+        let extent = |of: fn(&Fiducial) -> f64| {
+            let (low, high) = fiducials.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+            high - low
+        };
+        HIDDEN * extent(|mark| mark.x_mm).max(extent(|mark| mark.y_mm)) / self.interior.pixel_mm()
+    }
+
+    /// The camera of the frame. What is not known of it is what the marks leave open, beside what the camera says itself; what they leave open of shear and
+    /// of differing scales is as small, and no parameter of a camera.
+    pub fn camera(&self) -> PlacingCamera {
+        let pixel_mm = self.interior.pixel_mm();
+        let at = self.interior.principal_point_px();
+        let [width, height] = self.frame_px;
+        let camera = Camera {
+            principal_point_px: [0, 1].map(|k| at[k] - self.corner_px[k]),
+            pixel_mm: Some(pixel_mm),
+            ..Camera::without_distortion(width, height, self.focal_mm / pixel_mm)
+        };
+        PlacingCamera { camera, uncertainty: self.uncertainty() }
+    }
+
+    fn uncertainty(&self) -> CameraUncertainty {
+        let own = self.interior.uncertainty.unwrap_or(CameraUncertainty::NONE);
+        let Some(covariance) = &self.interior.covariance else { return own };
+        let variance = |by: [f64; 3]| -> f64 { (0..9).map(|k| by[k / 3] * covariance[k / 3][k % 3] * by[k % 3]).sum() };
+        let [col, row] = self.interior.principal_point_px();
+        let principal_point = variance([col, row, 1.0]).max(0.0).sqrt() / self.focal_mm;
+        // The side of a pixel is the root of the determinant, which both rows of the transformation change.
+        let [[a, b, _], [d, e, _]] = self.interior.parameters;
+        let of_area = variance([e, -d, 0.0]) + variance([-b, a, 0.0]);
+        let focal = 0.5 * of_area.max(0.0).sqrt() / (a * e - b * d).abs();
+        CameraUncertainty {
+            focal: libm::hypot(own.focal, focal),
+            principal_point: libm::hypot(own.principal_point, principal_point),
+            k1: own.k1,
+        }
+    }
+
+    /// The position in the scan of a position in the frame, both in px; `None` where the distortion leads none there.
+    pub fn in_scan(&self, at: [f64; 2]) -> Option<[f64; 2]> {
+        self.interior.image_px(at[0] + self.corner_px[0], at[1] + self.corner_px[1])
+    }
+
+    /// The position in the frame of a position in the scan, both in px.
+    pub fn in_frame(&self, at: [f64; 2]) -> [f64; 2] {
+        let [x, y] = self.interior.undistorted_px(at[0], at[1]);
+        [x - self.corner_px[0], y - self.corner_px[1]]
+    }
+
+    /// Whether a position in the frame is of the photograph: within the scan, and beside the marks.
+    pub(super) fn shows(&self, fiducials: &[Fiducial]) -> impl Fn([f64; 2]) -> bool + use<'_> {
+        let hidden = self.hidden_px(fiducials);
+        let marks: Vec<[f64; 2]> = fiducials.iter().map(|mark| self.of_mark(mark)).collect();
+        let corner = self.corner_px;
+        let is_hidden = move |at: [f64; 2]| {
+            let off = |mark: &[f64; 2]| libm::hypot(at[0] + corner[0] - mark[0], at[1] + corner[1] - mark[1]);
+            marks.iter().any(|mark| off(mark) < hidden)
+        };
+        let [width, height] = [self.width_px, self.height_px].map(f64::from);
+        let is_inner = move |[x, y]: [f64; 2]| (EDGE_PX..=width - EDGE_PX).contains(&x) && (EDGE_PX..=height - EDGE_PX).contains(&y);
+        move |at| self.in_scan(at).is_some_and(is_inner) && !is_hidden(at)
+    }
+
+    /// The bands of the scan resampled to the frame, by bicubic convolution; what the scan does not show is 0.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for a scan of another size.
+    pub(super) fn frame(&self, scan: &[GreyView<'_>]) -> Result<Bands, Error> {
+        let own = [self.width_px, self.height_px].map(|side| side as usize);
+        if let Some(other) = scan.iter().find(|band| [band.width(), band.height()] != own) {
+            let [width_px, height_px] = own;
+            return refuse(Refusal::CameraSize { width_px, height_px, width: other.width(), height: other.height() });
+        }
+        let size = self.frame_px.map(|side| side as usize);
+        let mut bands = vec![Vec::with_capacity(size[0].saturating_mul(size[1])); scan.len()];
+        let position = |[column, row]: [usize; 2]| self.in_scan([column as f64 + 0.5, row as f64 + 0.5]);
+        each_position(size, position, |at| {
+            let seen = at.filter(|at| (0..2).all(|k| (0.0..=own[k] as f64).contains(&at[k])));
+            let neighbours = seen.map(|at| Neighbours::about(at, own));
+            bands.iter_mut().zip(scan).for_each(|(band, scan)| band.push(neighbours.as_ref().map_or(0, |n| n.mean(*scan))));
+        });
+        Bands::of(size, bands)
+    }
+}
+
+/// By how much the angle between columns and rows differs from a right one.
+fn skew_deg(interior: &Interior) -> f64 {
+    let [[a, b, _], [d, e, _]] = interior.parameters;
+    let share = (a * b + d * e) / (libm::hypot(a, d) * libm::hypot(b, e));
+    libm::asin(share.clamp(-1.0, 1.0)).abs().to_degrees()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Random;
+    use crate::{FiducialModel, GreyImage};
+
+    /// A photo of 230 mm on a scan of 1000 x 960 px, turned by some degrees, whose columns and rows are of different scale and a little askew.
+    const PX_FROM_MM: [[f64; 3]; 2] = [[3.9, 0.45, 505.0], [0.46, -3.92, 480.0]];
+    const SIZE: [usize; 2] = [1000, 960];
+    const MARKS_MM: [[f64; 2]; 4] = [[-106.0, -106.0], [106.0, -105.9], [106.1, 106.0], [-105.9, 106.1]];
+
+    fn in_scan(x: f64, y: f64) -> [f64; 2] {
+        PX_FROM_MM.map(|[by_x, by_y, shift]| by_x * x + by_y * y + shift)
+    }
+
+    fn measured(mut off: impl FnMut() -> f64) -> FilmInput {
+        let marks = MARKS_MM.map(|[x_mm, y_mm]| {
+            let [col, row] = in_scan(x_mm, y_mm);
+            Fiducial { col: col + off(), row: row + off(), x_mm, y_mm }
+        });
+        let camera = CameraMm { principal_point_mm: [0.5, -0.25], ..CameraMm::without_distortion(152.0, None) };
+        FilmInput { camera: Some(camera), scan: PhotoInput { fiducials: marks.to_vec(), ..PhotoInput::default() } }
+    }
+
+    #[test]
+    fn the_frame_is_what_lies_within_the_marks_along_the_axes_of_the_photo() {
+        let film = measured(|| 0.0);
+        let scan = FilmScan::new(&film, SIZE).unwrap();
+        let PlacingCamera { camera, .. } = scan.camera();
+        let pixel_mm = camera.pixel_mm.unwrap();
+        assert!((pixel_mm - 1.0 / (3.9_f64 * 3.92 + 0.45 * 0.46).sqrt()).abs() < 1e-12, "{pixel_mm}");
+        assert!((camera.focal_px - 152.0 / pixel_mm).abs() < 1e-6);
+        for [x, y] in [[0.5, -0.25], [60.0, 35.0], [-100.0, 98.0]] {
+            let (at, [cx, cy]) = (scan.in_frame(in_scan(x, y)), camera.principal_point_px);
+            let wanted = [cx + (x - 0.5) / pixel_mm, cy - (y + 0.25) / pixel_mm];
+            assert!((0..2).all(|k| (at[k] - wanted[k]).abs() < 1e-6), "{at:?} {wanted:?}");
+            let back = scan.in_scan(at).unwrap();
+            assert!((0..2).all(|k| (back[k] - in_scan(x, y)[k]).abs() < 1e-6), "{back:?}");
+        }
+        // 212 mm, less 2 x 2.65 mm; the marks themselves lie beyond, and one in the middle is hidden.
+        let [width_mm, height_mm] = scan.frame_px.map(|side| f64::from(side) * pixel_mm);
+        assert!((width_mm - 206.7).abs() < 0.6 && (height_mm - 206.7).abs() < 0.6, "{width_mm} {height_mm}");
+        let mut with_middle = film.scan.fiducials.clone();
+        with_middle.push(Fiducial { col: 0.0, row: 0.0, x_mm: 20.0, y_mm: 30.0 });
+        let shows = scan.shows(&with_middle);
+        let seen = |x: f64, y: f64| shows(scan.in_frame(in_scan(x, y)));
+        assert_eq!([seen(20.0, 32.0), seen(20.0, 33.5), seen(0.0, 0.0)], [false, true, true]);
+        // Of a part of the scan that ends within the marks the rest is the frame.
+        let part = FilmInput { scan: PhotoInput { origin: Some([500.0, 480.0]), ..film.scan.clone() }, ..film.clone() };
+        let cut = FilmScan::new(&part, [300, 320]).unwrap();
+        assert!(cut.frame_px.iter().all(|side| (320..400).contains(side)), "{:?}", cut.frame_px);
+        let shows = cut.shows(&part.scan.fiducials);
+        assert!(shows(cut.in_frame([20.0, 300.0])) && !shows(cut.in_frame([4.0, 300.0])) && !shows(cut.in_frame([320.0, 100.0])));
+    }
+
+    #[test]
+    fn a_scan_is_resampled_to_what_its_frame_shows() {
+        let film = measured(|| 0.0);
+        let own = FilmScan::new(&film, SIZE).unwrap();
+        let grey = |[x, y]: [f64; 2]| 128.0 + 60.0 * libm::sin(0.05 * x) * libm::cos(0.04 * y);
+        let scan = GreyImage::from_fn(SIZE[0], SIZE[1], |c, r| (grey([c as f64 + 0.5, r as f64 + 0.5]) + 0.5) as u8).unwrap();
+        let frame = own.frame(&[scan.view()]).unwrap().into_first();
+        assert_eq!([frame.width() as u32, frame.height() as u32], own.frame_px);
+        for (c, r) in (0..frame.width()).step_by(37).flat_map(|c| (0..frame.height()).step_by(41).map(move |r| (c, r))) {
+            let at = own.in_scan([c as f64 + 0.5, r as f64 + 0.5]).unwrap();
+            let is_within = (0..2).all(|k| (1.0..SIZE[k] as f64 - 1.0).contains(&at[k]));
+            let got = f64::from(frame.view().at(c, r));
+            assert!(!is_within || (got - grey(at)).abs() < 1.5, "{got} {}", grey(at));
+        }
+        let small = GreyImage::from_fn(50, 40, |_, _| 0).unwrap();
+        assert!(own.frame(&[small.view()]).unwrap_err().to_string().contains("50"));
+    }
+
+    #[test]
+    fn what_the_marks_leave_open_of_the_camera_is_what_their_errors_bring() {
+        const TRIALS: usize = 800;
+        let mut random = Random::new(5);
+        let mut uniform = || (random.below(1_000_000) as f64 * 1e-6 - 0.5) * 0.4;
+        let truth = FilmScan::new(&measured(|| 0.0), SIZE).unwrap().camera().camera;
+        let (mut found, mut stated) = ([0.0; 2], [0.0; 2]);
+        for _ in 0..TRIALS {
+            let scan = FilmScan::new(&measured(&mut uniform), SIZE).unwrap();
+            let PlacingCamera { camera, uncertainty } = scan.camera();
+            let at = scan.in_scan(camera.principal_point_px).unwrap();
+            let off = [camera.focal_px / truth.focal_px - 1.0, (at[0] - in_scan(0.5, -0.25)[0]) / truth.focal_px];
+            for (k, own) in [uncertainty.focal, uncertainty.principal_point].into_iter().enumerate() {
+                found[k] += off[k] * off[k];
+                stated[k] += own * own;
+            }
+        }
+        for k in 0..2 {
+            let ratio = (found[k] / stated[k]).sqrt();
+            assert!((0.9..1.1).contains(&ratio), "{ratio}");
+        }
+        // Three marks say nothing of their errors: then the camera is what it says itself.
+        let mut three = measured(|| 0.0);
+        three.scan.fiducials.truncate(3);
+        assert_eq!(FilmScan::new(&three, SIZE).unwrap().camera().uncertainty, CameraUncertainty::NONE);
+        three.camera.as_mut().unwrap().uncertainty = Some(CameraUncertainty::GIVEN);
+        assert_eq!(FilmScan::new(&three, SIZE).unwrap().camera().uncertainty, CameraUncertainty::GIVEN);
+    }
+
+    #[test]
+    fn marks_and_cameras_that_cannot_be_are_refused() {
+        let refused = |change: &dyn Fn(&mut FilmInput)| {
+            let mut film = measured(|| 0.0);
+            change(&mut film);
+            FilmScan::new(&film, SIZE).unwrap_err().to_string()
+        };
+        let marks = |change: &dyn Fn(&mut Vec<Fiducial>)| refused(&|film| change(&mut film.scan.fiducials));
+        assert!(refused(&|film| film.camera = None).contains("focal length in mm"));
+        assert!(refused(&|film| film.camera.as_mut().unwrap().focal_mm = 0.0).contains("camera.focal_mm"));
+        assert!(marks(&|marks| marks.truncate(2)).contains("fiducial marks"));
+        assert!(marks(&|marks| marks[1].col = 1100.0).contains("marks within the image"));
+        assert!(marks(&|marks| marks.iter_mut().for_each(|mark| mark.x_mm = -mark.x_mm)).contains("mirrored"));
+        let exchange = |marks: &mut Vec<Fiducial>| {
+            let [x_mm, y_mm] = [marks[0].x_mm, marks[0].y_mm];
+            marks[0] = Fiducial { x_mm: marks[1].x_mm, y_mm: marks[1].y_mm, ..marks[0] };
+            marks[1] = Fiducial { x_mm, y_mm, ..marks[1] };
+        };
+        assert!(marks(&exchange).contains("exchanged"));
+        // Of three marks two that are exchanged mirror the photo, and three of them turn and shear it.
+        let two_of_three = |marks: &mut Vec<Fiducial>| {
+            marks.truncate(3);
+            exchange(marks);
+        };
+        assert!(marks(&two_of_three).contains("mirrored"));
+        let around = |marks: &mut Vec<Fiducial>| {
+            marks.truncate(3);
+            let places: Vec<[f64; 2]> = marks.iter().map(|mark| [mark.x_mm, mark.y_mm]).collect();
+            (0..3).for_each(|k| [marks[k].x_mm, marks[k].y_mm] = places[(k + 1) % 3]);
+        };
+        assert!(marks(&around).contains("right angle"), "{}", marks(&around));
+        let similarity = FilmInput { scan: PhotoInput { model: FiducialModel::Similarity, ..measured(|| 0.0).scan }, ..measured(|| 0.0) };
+        assert!(FilmScan::new(&similarity, SIZE).is_ok());
+    }
+}

@@ -1,0 +1,51 @@
+/** What is given of scanned film that is placed on an orthophoto: its camera, and the fiducial marks of each scan. */
+import { button, fill, h } from '../../shared/panel/dom';
+import { fileButton } from '../../shared/panel/picker';
+import { say } from '../../shared/text/words';
+import type { BlockStore } from '../engine/engine';
+import { FilmFiles } from '../files/film';
+import { marksOfNone } from '../state/film';
+import { isBusy } from '../state/state';
+
+/** Names of marks that are listed, at most. */
+const LISTED = 3;
+
+export function filmFields(store: BlockStore): HTMLElement {
+  const files = new FilmFiles(store);
+  const [camera, cameraInput] = fileButton(
+    `${say('film-camera')} …`,
+    { testid: 'block-film-camera', label: say('file', { title: say('film-camera') }), accept: '.json,application/json' },
+    ([file]) => {
+      if (file !== undefined) void files.takeCamera(file);
+    },
+  );
+  const [marks, marksInput] = fileButton(
+    `${say('marks-of-scans')} …`,
+    { testid: 'block-film-marks', label: say('file', { title: say('marks-of-scans') }), multiple: true, accept: '.csv,.txt,text/*' },
+    (given) => void files.takeMarks(given),
+  );
+  const remove = button(say('remove'), 'block-film-remove', () => files.clear());
+  remove.setAttribute('aria-label', say('remove-2', { title: say('scanned-film') }));
+  const cameraName = h('p', { class: 'note', testid: 'block-film-camera-name' });
+  const marksNames = h('p', { class: 'note', testid: 'block-film-marks-names' });
+  const problem = h('p', { class: 'field-problem', testid: 'block-film-problem' });
+  store.watch(['placing', 'files', 'running', 'notice'], ([{ film }, images]) => {
+    const busy = isBusy(store.state);
+    for (const press of [camera, marks, remove]) press.disabled = busy;
+    remove.hidden = film.camera === null && film.marks.length === 0;
+    fill(cameraName, film.camera?.name ?? say('none-film-camera', { example: '{"focal_mm": 152.82, "principal_point_mm": [0.004, -0.012]}' }));
+    const names = film.marks.slice(0, LISTED).map(({ name }) => name);
+    const more = film.marks.length > LISTED ? ' …' : '';
+    fill(marksNames, names.length === 0 ? say('none-marks-of-scans', { example: '1963_017.csv', image: '1963_017.tif' }) : names.join(', ') + more);
+    const [lone] = marksOfNone(film, images);
+    const text =
+      lone !== undefined ? say('marks-of-no-image', { name: lone }) : film.marks.length > 0 && film.camera === null ? say('marks-need-their-camera') : '';
+    if (problem.textContent !== text) problem.textContent = text;
+  });
+  return h(
+    'fieldset',
+    { class: 'group' },
+    h('legend', {}, say('scanned-film')),
+    h('div', { class: 'control' }, h('div', { class: 'buttons' }, camera, marks, remove), cameraName, marksNames, problem, cameraInput, marksInput),
+  );
+}

@@ -1,0 +1,40 @@
+/** Scanned film among the images that are placed on an orthophoto: its camera, and the fiducial marks of each scan. */
+import type { TextFile } from './file';
+
+export interface GivenFilm {
+  /** Of all scans. */
+  camera: TextFile | null;
+  /** One a scan, named as its image. */
+  marks: readonly TextFile[];
+}
+
+export const NO_FILM: GivenFilm = { camera: null, marks: [] };
+
+/** What a scan is placed by beside its pixels, as its files have it. */
+export interface FilmTexts {
+  camera: string | null;
+  marks: string;
+}
+
+/** Of an image, by its name; null where it is no scan of film. */
+export function filmOf({ camera, marks }: GivenFilm, image: string): FilmTexts | null {
+  const own = marks.find(({ name }) => stemOf(name) === stemOf(image));
+  return own === undefined ? null : { camera: camera?.text ?? null, marks: own.text };
+}
+
+/** With these marks in place of those of the same scans. */
+export function withMarks(film: GivenFilm, marks: readonly TextFile[]): GivenFilm {
+  const stems = new Set(marks.map(({ name }) => stemOf(name)));
+  return { ...film, marks: [...film.marks.filter(({ name }) => !stems.has(stemOf(name))), ...marks] };
+}
+
+/** The names of marks that are of no image. */
+export function marksOfNone({ marks }: GivenFilm, images: readonly { name: string }[]): string[] {
+  const stems = new Set(images.map(({ name }) => stemOf(name)));
+  return marks.map(({ name }) => name).filter((name) => !stems.has(stemOf(name)));
+}
+
+/** A name without its end. */
+export function stemOf(name: string): string {
+  return name.replace(/\.[^.]*$/u, '').toLowerCase();
+}
