@@ -15,7 +15,7 @@ before(async () => {
 });
 
 const file = (/** @type {number} */ id) => ({ id, name: `photo_${id}.png`, file: new Blob([]) });
-const raster = (/** @type {number} */ id) => ({ ...file(id), world: null });
+const raster = (/** @type {number} */ id) => ({ ...file(id), world: null, projection: null });
 const orthophoto = (/** @type {number} */ id, /** @type {string | null} */ ofBlock = null) => ({ raster: raster(id), info: {}, ofBlock });
 const view = (/** @type {string[]} */ surveyed = [], more = {}) => ({
   partial: false,

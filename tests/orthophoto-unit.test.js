@@ -12,7 +12,7 @@ const {
 
 /** An orthophoto of San Francisco.  @param {number | null} epsg @param {[number, number]} origin @param {string | null} described */
 const orthophotoOf = (epsg, origin, described = null) => ({
-  raster: { name: 'city.tif', world: null },
+  raster: { name: 'city.tif', world: null, projection: null },
   info: { width: 4000, height: 3000, gsd: 0.5, epsg, described, georeference: { origin, by_column: [0.5, 0], by_row: [0, -0.5] } },
 });
 /** Feet of the US survey and international ones, metres of the same zone, UTM, a map of the world. */

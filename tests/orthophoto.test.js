@@ -47,18 +47,22 @@ test('orthophotos, heights and photographs are told apart by what they hold', as
     found('map.png', png, 'image/png'),
     found('map.pgw', '1\n0\n0\n-1\n0\n0\n'),
     found('alone.tfw', '1\n0\n0\n-1\n0\n0\n'),
+    found('map.prj', 'EPSG:25832'),
+    found('grid.prj', 'EPSG:25832'),
+    found('alone.prj', 'EPSG:25832'),
     // A TIFF without a place is a photograph, and so is what is damaged: the crate says why.
     found('cut.tif', picture.slice(0, 40)),
   ]);
   const names = (/** @type {{ file: File }[]} */ list) => list.map(({ file }) => file.name);
   assert.deepEqual(names(sorted.orthophotos), ['one.tif', 'map.png']);
-  assert.equal(sorted.orthophotos[1].world.name, 'map.pgw');
+  assert.deepEqual([sorted.orthophotos[1].world.name, sorted.orthophotos[1].projection.name], ['map.pgw', 'map.prj']);
+  assert.deepEqual([sorted.heights[1].world, sorted.heights[1].projection.name], [null, 'grid.prj']);
   assert.deepEqual(names(sorted.heights), ['two.tif', 'grid.asc']);
   assert.deepEqual(
     sorted.worlds.map((/** @type {File} */ { name }) => name),
     ['alone.tfw'],
   );
-  assert.deepEqual(names(sorted.others), ['notes.txt', 'photo.png', 'cut.tif']);
+  assert.deepEqual(names(sorted.others), ['notes.txt', 'photo.png', 'cut.tif', 'alone.prj']);
 
   const placed = [
     [33550, 0],
@@ -186,7 +190,7 @@ test('another orthophoto takes what was placed away; other settings mark it as e
   const { NO_PLACING, reducePlacing } = page.placing;
   const { placedFiles, placingKey, unplacedFiles } = page.placed;
   const info = { width: 10, height: 10, gsd: 1, georeference: { origin: [0, 0], by_column: [1, 0], by_row: [0, -1] }, epsg: null, heights: [0, 0] };
-  const raster = { id: 7, name: 'o.tif', file: new Blob(), world: null };
+  const raster = { id: 7, name: 'o.tif', file: new Blob(), world: null, projection: null };
   const options = { near_x: null, near_y: null, within_m: 500 };
   const state = (/** @type {object} */ placing) => ({ placing, options: { cameras: null }, files: [{ id: 1, name: 'a.jpg', file: new Blob() }] });
   let placing = reducePlacing({ ...NO_PLACING, options }, { type: 'orthophoto', orthophoto: { raster, info, ofBlock: null } });

@@ -11,16 +11,23 @@ import type {
   PlacedImage,
   Placement,
   PlacingOptions,
+  Sidecars,
 } from '../../../pkg/wasm/tiepoint.js';
 import type { FilmTexts } from '../state/film';
 import { inColumns } from '../state/links';
 import type { LinkedImage } from '../state/links';
 import { TILE_SIDE } from '../state/under';
 
+/** A file of pixels with what stands beside it. */
+interface Raster {
+  file: Blob;
+  sidecars: Sidecars;
+}
+
 /** What a worker is asked about: files are opened by whoever is asked first. */
 export interface Ground {
-  picture: { file: Blob; world: string | null };
-  heights: number | { file: Blob; world: string | null };
+  picture: Raster;
+  heights: number | Raster;
   /** Names of both. */
   keys: { picture: string; heights: string };
 }
@@ -102,14 +109,14 @@ async function opened({ picture, heights, keys }: Ground): Promise<Held> {
     // Two of them might not fit.
     held?.reference.free();
     held = null;
-    const reference = OrthophotoReference.open(inParts(picture.file), picture.world);
+    const reference = OrthophotoReference.open(inParts(picture.file), picture.sidecars);
     held = { keys: { picture: keys.picture, heights: '' }, reference, info: reference.info(), searched: '' };
   }
   if (held.keys.heights !== keys.heights) {
     const { reference } = held;
     // Where these are refused the former ones stay.
     if (typeof heights === 'number') reference.set_heights(heights);
-    else reference.set_heights(await bytesOf(heights.file), heights.world);
+    else reference.set_heights(await bytesOf(heights.file), heights.sidecars);
     held = { keys, reference, info: reference.info(), searched: '' };
   }
   return held;
@@ -242,8 +249,8 @@ export async function mosaicOpen({ project, heights, inAdjustment, gsd, names }:
   mosaic = null;
   written = [];
   const model = typeof heights === 'object' && heights !== null ? await bytesOf(heights.file) : heights;
-  const world = typeof heights === 'object' && heights !== null ? heights.world : null;
-  const made = OrthoMosaic.open(await bytesOf(project), model, world, gsd ?? undefined, inAdjustment);
+  const sidecars = typeof heights === 'object' && heights !== null ? heights.sidecars : null;
+  const made = OrthoMosaic.open(await bytesOf(project), model, sidecars, gsd ?? undefined, inAdjustment);
   mosaic = made;
   const own = made.names;
   const order = [...made.order()].map((index) => ({ name: own[index] ?? '', index }));

@@ -238,8 +238,8 @@ function groundOf(raster: RasterFile, heights: GivenHeights): Ground {
   return { picture: sourceOf(raster), heights: own, keys: { picture: String(raster.id), heights: name } };
 }
 
-function sourceOf({ file, world }: RasterFile): Ground['picture'] {
-  return { file, world: world?.text ?? null };
+function sourceOf({ file, world, projection }: RasterFile): Ground['picture'] {
+  return { file, sidecars: { world_file: world?.text ?? null, projection: projection?.text ?? null } };
 }
 
 /** An error that says what broke off, where a worker did. */

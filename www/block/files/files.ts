@@ -106,7 +106,7 @@ export class BlockFiles {
   async takeGround(given: readonly File[], asHeights = false): Promise<void> {
     const { others, ...sorted } = await sortRasters(given.map((file) => ({ file, path: '' })));
     // A picture that does not say where it lies is refused with the crate's reason.
-    const unknown = others.map(({ file }) => ({ file, world: null }));
+    const unknown = others.map(({ file }) => ({ file, world: null, projection: null }));
     const pictures = asHeights ? [] : [...sorted.orthophotos, ...(sorted.orthophotos.length > 0 ? [] : unknown)];
     const heights = asHeights ? [...sorted.heights, ...sorted.orthophotos, ...unknown] : sorted.heights;
     await this.said(await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds }));
@@ -155,8 +155,8 @@ export class BlockFiles {
     try {
       const { picture, heights } = await this.placing.scene(flight, gsd);
       const rasters = {
-        orthophotos: [{ file: new File([picture], 'orthophoto.tif'), world: null }],
-        heights: [{ file: new File([heights], 'heights.tif'), world: null }],
+        orthophotos: [{ file: new File([picture], 'orthophoto.tif'), world: null, projection: null }],
+        heights: [{ file: new File([heights], 'heights.tif'), world: null, projection: null }],
         worlds: [],
       };
       if ((await this.ground.take(rasters)) !== null) await this.runs.placeImages();

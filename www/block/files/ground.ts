@@ -45,10 +45,11 @@ export class GroundFiles {
   }
 
   /** Takes a picture of the ground in place of the one that is there. */
-  async takeOrthophoto({ file, world }: FoundRaster): Promise<string | null> {
+  async takeOrthophoto(found: FoundRaster): Promise<string | null> {
+    const { file } = found;
     this.tell('busy', say('reading-the-orthophoto', { name: file.name }));
     try {
-      const orthophoto = await this.engine.open(await rasterOf(file, world));
+      const orthophoto = await this.engine.open(await rasterOf(found));
       this.store.dispatch({ type: 'orthophoto', orthophoto });
       this.store.dispatch({ type: 'stage', view: 'orthophoto' });
       this.quiet();
@@ -60,8 +61,8 @@ export class GroundFiles {
   }
 
   /** Takes a height model in place of the heights that are there. */
-  async takeHeights({ file, world }: FoundRaster): Promise<string | null> {
-    return this.setHeights(file.name, async () => ({ kind: 'model', model: await rasterOf(file, world) }));
+  async takeHeights(found: FoundRaster): Promise<string | null> {
+    return this.setHeights(found.file.name, async () => ({ kind: 'model', model: await rasterOf(found) }));
   }
 
   /** Takes one height for all of the ground. */
@@ -96,7 +97,7 @@ export class GroundFiles {
       this.tell('problem', say('says-where-a-picture-of', { name: world.name }));
       return null;
     }
-    const taken = await this.takeOrthophoto({ file: new File([image.file], image.name, { type: image.file.type }), world });
+    const taken = await this.takeOrthophoto({ file: new File([image.file], image.name, { type: image.file.type }), world, projection: null });
     if (taken !== null) this.store.dispatch({ type: 'files', files: files.filter((file) => file !== image), truth });
     return taken;
   }
@@ -115,8 +116,9 @@ export class GroundFiles {
   }
 }
 
-export async function rasterOf(file: File, world: File | null): Promise<RasterFile> {
-  return { id: newId(), name: file.name, file, world: world === null ? null : { name: world.name, text: await world.text() } };
+export async function rasterOf({ file, world, projection }: FoundRaster): Promise<RasterFile> {
+  const textOf = async (beside: File | null) => (beside === null ? null : { name: beside.name, text: await beside.text() });
+  return { id: newId(), name: file.name, file, world: await textOf(world), projection: await textOf(projection) };
 }
 
 /** What was recognised. */

@@ -37,8 +37,8 @@ export function keptPlacing(
   };
 }
 
-function keptRaster({ id, name, file, world }: RasterFile): KeptRaster {
-  return { id, name, file: nameOf(file), world };
+function keptRaster({ id, name, file, world, projection }: RasterFile): KeptRaster {
+  return { id, name, file: nameOf(file), world, projection };
 }
 
 /** About how much room what came of an image takes, in bytes. */
@@ -58,8 +58,13 @@ export function placingFrom(
   if (given === undefined) return none;
   const kept = objectOf(given, 'placing');
   const raster = (value: unknown, name: string): RasterFile => {
-    const world = orNull(objectOf(value, name).world, (text) => textFrom(text, `${name}.world`));
-    return { ...open(readFile(value, name)), world };
+    const { world, projection } = objectOf(value, name);
+    return {
+      ...open(readFile(value, name)),
+      world: orNull(world, (text) => textFrom(text, `${name}.world`)),
+      // Earlier releases kept none.
+      projection: orNull(projection ?? null, (text) => textFrom(text, `${name}.projection`)),
+    };
   };
   const orthophoto = orNull(kept.orthophoto, (value): GivenOrthophoto => {
     const { raster: picture, info, ofBlock } = objectOf(value, 'placing.orthophoto');

@@ -1,10 +1,11 @@
 /** What a file of pixels is, told by its content: an orthophoto, the heights of its ground, or a photograph. */
 import type { FoundFile } from '../../shared/files/drop';
 
-/** An orthophoto or heights, with the world file that says where it lies. */
+/** An orthophoto or heights, with the world file that says where it lies, and the file that says in which system. */
 export interface FoundRaster {
   file: File;
   world: File | null;
+  projection: File | null;
 }
 
 export interface Sorted {
@@ -16,6 +17,7 @@ export interface Sorted {
 }
 
 const WORLD = /\.(?:tfw|jgw|pgw|bpw|gfw|tifw|tiffw|jpgw|jpegw|pngw|wld)$/iu;
+const PROJECTION = /\.prj$/iu;
 const TIFF = /\.tiff?$/iu;
 const PICTURE = /\.(?:jpe?g|png|bmp|webp|p[gpn]m)$/iu;
 const GRID = /\.(?:asc|grd|txt|agr)$/iu;
@@ -24,19 +26,22 @@ const GRID = /\.(?:asc|grd|txt|agr)$/iu;
 export async function sortRasters(found: readonly FoundFile[]): Promise<Sorted> {
   const sorted: Sorted = { orthophotos: [], heights: [], worlds: [], others: [] };
   const worlds = found.filter(({ file }) => WORLD.test(file.name));
+  const projections = found.filter(({ file }) => PROJECTION.test(file.name));
   const used = new Set<File>();
   for (const one of found) {
     const { file } = one;
-    if (WORLD.test(file.name)) continue;
-    const world = worlds.find((other) => stemOf(other) === stemOf(one))?.file ?? null;
+    if (WORLD.test(file.name) || PROJECTION.test(file.name)) continue;
+    const [world = null, projection = null] = [worlds, projections].map((beside) => beside.find((other) => stemOf(other) === stemOf(one))?.file ?? null);
     const kind = await kindOf(file, world !== null);
     if (kind === 'photograph') {
       sorted.others.push(one);
       continue;
     }
-    if (world !== null) used.add(world);
-    sorted[kind === 'heights' ? 'heights' : 'orthophotos'].push({ file, world });
+    for (const beside of [world, projection]) if (beside !== null) used.add(beside);
+    sorted[kind === 'heights' ? 'heights' : 'orthophotos'].push({ file, world, projection });
   }
+  // Put aside with what else is no image.
+  sorted.others.push(...projections.filter(({ file }) => !used.has(file)));
   sorted.worlds = worlds.map(({ file }) => file).filter((file) => !used.has(file));
   return sorted;
 }

@@ -28,7 +28,7 @@ export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing
   if (mosaic === null) return;
   tell(store, 'busy', say('laying-the-orthomosaic-under-the'));
   try {
-    const orthophoto = await placing.open(await rasterOf(new File([mosaic], NAME, { type: mosaic.type }), null), key);
+    const orthophoto = await placing.open(await rasterOf({ file: new File([mosaic], NAME, { type: mosaic.type }), world: null, projection: null }), key);
     store.dispatch({ type: 'orthophoto', orthophoto });
     tell(store, 'info', say('the-orthomosaic-lies-under-the', { orthophoto: orthophotoText(orthophoto), store: missingText(store) }), { beside: true });
   } catch (error) {

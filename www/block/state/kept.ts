@@ -1,14 +1,14 @@
 /** What of a block is kept in the browser's storage. */
 import type { BlockScore, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
 import type { GivenFilm } from './film';
-import type { OnGround, Purpose } from './placing';
-import type { BlockFile, BlockOptions, BlockState, Steps, TextFile } from './state';
+import type { OnGround, Purpose, RasterFile } from './placing';
+import type { BlockFile, BlockOptions, BlockState, Steps } from './state';
 
 /** A file that is kept by itself, under a name that does not change. */
 export type KeptFile = Omit<BlockFile, 'file'> & { file: string };
 
 /** A picture of the ground, or its heights. */
-export type KeptRaster = KeptFile & { world: TextFile | null };
+export type KeptRaster = KeptFile & Pick<RasterFile, 'world' | 'projection'>;
 
 /** What was given to place images on an orthophoto. */
 export interface KeptPlacing {

@@ -6,9 +6,10 @@ import type { GivenFilm } from './film';
 import type { LinkDraft, LinkStep } from './steps';
 import type { LinkedImage } from './links';
 
-/** A picture of the ground or its heights, with the world file that says where it lies. */
+/** A picture of the ground or its heights, with the world file that says where it lies, and the file that says in which system. */
 export interface RasterFile extends BlockFile {
   world: TextFile | null;
+  projection: TextFile | null;
 }
 
 export type GivenHeights = { kind: 'level'; height: number } | { kind: 'model'; model: RasterFile };

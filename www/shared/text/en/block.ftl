@@ -478,7 +478,7 @@ cannot-be-used-of-film = { $name } cannot be used: { $problem }
 
 ## panel/placing-settings
 
-none-a-geotiff-in-a = None. A GeoTIFF in a projected system, or a picture with its world file (.tfw, .jgw, .pgw, .wld): choose both together.
+none-a-geotiff-in-a = None. A GeoTIFF in a projected system, or a picture with its world file (.tfw, .jgw, .pgw, .wld) and perhaps its system (.prj): choose them together.
 none-the-ground-is-level = None: the ground is level. A GeoTIFF of heights or an ESRI ASCII grid, in the system and unit of the orthophoto.
 orthophoto-2 = Orthophoto …
 file-orthophoto = File: Orthophoto
