@@ -19,6 +19,7 @@ mod descriptors;
 mod editing;
 mod epipolar_images;
 mod error;
+mod film;
 mod formats;
 mod georeferenced;
 mod html;
@@ -71,6 +72,7 @@ pub use error::{
     Allowed, CameraParameter, Cause, Computation, Damage, DescribedBy, Document, Element, Error, Failure, Few, FileFault, FilePlace,
     ImageFault, ImageOperation, Input, Interruption, Location, PointName, Refusal, Side, Unsettled, Unsupported,
 };
+pub use film::{FilmFrame, FilmInput, FilmScan, film_frame};
 pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
     parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
@@ -78,7 +80,7 @@ pub use formats::{
 pub use georeferenced::{Georeference, Sidecars};
 pub use image::{
     Bands, DecodeLimits, Decoded, DiskFile, FileSource, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header,
-    reduce_to, write_png,
+    reduce_to, write_bands, write_png,
 };
 pub use json::JsonFault;
 pub use matching::{
@@ -98,10 +100,10 @@ pub use orientation::{
     PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, model_points, orient_relative, orient_relative_with,
 };
 pub use orthophoto::{
-    BlockLinks, FilmInput, FilmScan, GivenLink, GivenUse, HeightFactor, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced,
-    Orthophoto, PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, Relief,
-    SearchArea, ground_positions, heights_of_block, heights_of_points, image_positions, links_table, place_by_links, place_film,
-    place_film_by_links, place_image, place_recorded, placed_table, rectify, rectify_placed, write_geotiff, write_heights,
+    BlockLinks, GivenLink, GivenUse, HeightFactor, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced, Orthophoto,
+    PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, Relief, SearchArea,
+    ground_positions, heights_of_block, heights_of_points, image_positions, links_table, place_by_links, place_film, place_film_by_links,
+    place_image, place_recorded, placed_table, rectify, rectify_placed, write_geotiff, write_heights,
 };
 pub use outputs::{
     AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 31] = [
+const ORDER: [&str; 32] = [
     "message",
     "json",
     "error",
@@ -33,6 +33,7 @@ const ORDER: [&str; 31] = [
     "editing",
     "formats",
     "pipeline",
+    "film",
     "orthophoto",
     "tables",
     "simulate",

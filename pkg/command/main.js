@@ -7,6 +7,7 @@ import { accuracy } from './accuracy.js';
 import { block } from './block.js';
 import { covariances } from './covariances.js';
 import { explain, oneLine, UsageError } from './errors.js';
+import { film } from './film.js';
 import { helpOf, overview } from './help.js';
 import { interior } from './interior.js';
 import { match } from './match.js';
@@ -25,7 +26,7 @@ import { sample, simulate } from './simulate.js';
 /** @typedef {import('./args.js').Command} Command */
 
 /** @type {Command[]} */
-const COMMANDS = [points, match, interior, orient, moments, report, block, edit, covariances, accuracy, mosaic, epipolar, place, sample, simulate].map(
+const COMMANDS = [points, match, interior, orient, moments, report, film, block, edit, covariances, accuracy, mosaic, epipolar, place, sample, simulate].map(
   withHelp,
 );
 

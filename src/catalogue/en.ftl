@@ -240,6 +240,7 @@ refusal-mark-outside = fiducial marks: got a mark at { $col }, { $row } px of an
 refusal-marks-sigma0 = fiducial marks: got σ0 of { FIXED($sigma0_mm, digits: 3) } mm; allowed: up to { $most_mm } mm: marks are exchanged, or one is mistyped
 refusal-marks-mirrored = fiducial marks: got marks that lie mirrored in the scan; allowed: a scan of the film as it is seen from above: turn the scan over, or correct the coordinates
 refusal-marks-skew = fiducial marks: got columns and rows of the scan { FIXED($skew_deg, digits: 1) }° off a right angle; allowed: up to { $most_deg }°: marks are exchanged, or one is mistyped
+refusal-film-pixel = side of a pixel of film: got { $pixel_mm } mm; allowed: { FIXED($least, digits: 5) } to { FIXED($most, digits: 5) } mm, from half to ten times that of the scan
 refusal-film-without-camera = the camera of the film: got none beside the fiducial marks; allowed: a calibrated camera with its focal length in mm
 refusal-lone-origin = origin in the scan: got { $origin } without fiducials; allowed: an origin together with the fiducials measured in that scan
 refusal-one-camera = the cameras: got one camera; allowed: both or neither

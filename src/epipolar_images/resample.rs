@@ -4,9 +4,7 @@ use super::geometry::EpipolarGeometry;
 use super::view::StereoView;
 use crate::error::refuse;
 use crate::image::{bicubic, each_position};
-use crate::{Error, GreyImage, GreyView, Refusal, StereoPair};
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder};
+use crate::{Bands, Error, GreyImage, GreyView, Refusal, StereoPair, write_bands};
 use nalgebra::{Matrix3, Vector3};
 
 /// Two epipolar images.
@@ -78,12 +76,7 @@ impl Position<'_> {
 /// For images of different sizes.
 pub fn write_anaglyph(images: &EpipolarImages) -> Vec<u8> {
     let EpipolarImages { left, right } = images;
-    assert_eq!([left.width(), left.height()], [right.width(), right.height()], "epipolar images have one size");
-    let colours: Vec<u8> = left.data().iter().zip(right.data()).flat_map(|(red, cyan)| [*red, *cyan, *cyan]).collect();
-    let mut file = Vec::new();
-    let written = PngEncoder::new(&mut file).write_image(&colours, left.width() as u32, left.height() as u32, ExtendedColorType::Rgb8);
-    written.expect("memory takes what is written, and sides are 1 px or more");
-    file
+    write_bands(&Bands::colours([left.clone(), right.clone(), right.clone()]).expect("epipolar images have one size"))
 }
 
 #[cfg(test)]

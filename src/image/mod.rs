@@ -30,4 +30,4 @@ pub(crate) use source::read_all;
 pub use source::{DiskFile, FileSource};
 pub(crate) use squares::each_position;
 pub(crate) use tiff::{Directory, Pixels, TiffRaster, checked_directory, decoder_error as tiff_error, with_rows_of_image};
-pub use write::write_png;
+pub use write::{write_bands, write_png};

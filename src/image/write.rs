@@ -1,6 +1,6 @@
-//! Grey images as PNG files.
+//! Images as PNG files.
 
-use super::GreyView;
+use super::{Bands, GreyView};
 use crate::camera::ExifImage;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
@@ -15,6 +15,20 @@ pub fn write_png(image: GreyView<'_>, exif: Option<&ExifImage>) -> Vec<u8> {
     let told = exif.map_or(Ok(()), |exif| encoder.set_exif_metadata(exif.block()));
     let written = encoder.write_image(image.data(), image.width() as u32, image.height() as u32, ExtendedColorType::L8);
     told.expect("PNG holds EXIF");
+    written.expect("memory takes what is written, and sides are 1 px or more");
+    file
+}
+
+/// Writes grey values or colours as a PNG file of 8 bits a band and pixel.
+///
+/// # Panics
+/// As [`write_png`].
+pub fn write_bands(bands: &Bands) -> Vec<u8> {
+    let [red, green, blue] = bands.images() else { return write_png(bands.images()[0].view(), None) };
+    let colours: Vec<u8> =
+        red.data().iter().zip(green.data()).zip(blue.data()).flat_map(|((red, green), blue)| [*red, *green, *blue]).collect();
+    let mut file = Vec::new();
+    let written = PngEncoder::new(&mut file).write_image(&colours, red.width() as u32, red.height() as u32, ExtendedColorType::Rgb8);
     written.expect("memory takes what is written, and sides are 1 px or more");
     file
 }

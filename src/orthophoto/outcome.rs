@@ -1,9 +1,8 @@
 //! What comes of placing an image: its orientation in the system of the orthophoto, and what that is worth.
 
-use super::film::FilmScan;
 use super::relief::Relief;
 use crate::message::messages;
-use crate::{Camera, CameraParameter, Failure, Pose};
+use crate::{Camera, CameraParameter, Failure, FilmScan, Pose};
 use serde::{Deserialize, Serialize};
 
 messages! {

@@ -5,7 +5,6 @@
 //! price is one more convolution, and memory for the frame beside the scan.
 
 use super::by_hand::{GivenLink, GivenUse, place_by_links};
-use super::film::{FilmInput, FilmScan};
 use super::options::PlacingOptions;
 use super::outcome::{Link, PlacedImage, Placement};
 use super::photograph::Photograph;
@@ -14,7 +13,7 @@ use super::recorded_place::sought;
 use super::reference::Orthophoto;
 use super::search_area::SearchArea;
 use crate::error::refuse;
-use crate::{Error, ExifPosition, GreyView, Refusal};
+use crate::{Error, ExifPosition, FilmInput, FilmScan, GreyView, PlacingCamera, Refusal};
 
 /// Places a scanned photo on film by its interior orientation: as [`place_recorded`](crate::place_recorded), with the calibrated camera and the fiducial marks
 /// that were measured in the scan. What the scan shows beside the photograph, as the border of the film and its marks, is not matched. Positions of the
@@ -35,7 +34,7 @@ pub fn place_film(
     let frame = own.frame(&[scan])?.into_first();
     let shows = own.shows(&film.scan.fiducials);
     let photograph = Photograph { grey: frame.view(), shows: &shows };
-    let known = own.camera();
+    let known = camera_of(&own);
     let placed = sought(position, reference, area, options, |area| place_photograph(photograph, &known, reference, area, options))?;
     Ok(in_scan(&own, placed))
 }
@@ -51,7 +50,7 @@ pub fn place_film_by_links(
     links: &[GivenLink],
     options: &PlacingOptions,
 ) -> Result<PlacedImage, Error> {
-    let known = scan.camera();
+    let known = camera_of(scan);
     let in_frame = links.iter().enumerate().map(|(number, link)| {
         let at = scan.in_frame(link.at);
         if link.part == GivenUse::Used && !known.camera.sees(at[0], at[1]) {
@@ -61,6 +60,10 @@ pub fn place_film_by_links(
     });
     let in_frame = in_frame.collect::<Result<Vec<GivenLink>, Error>>()?;
     place_by_links(&known, reference, start, &in_frame, options).map(|placed| in_scan(scan, placed))
+}
+
+fn camera_of(scan: &FilmScan) -> PlacingCamera {
+    PlacingCamera { camera: scan.camera(), uncertainty: scan.uncertainty() }
 }
 
 /// With positions and residuals in px of the scan.

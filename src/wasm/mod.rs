@@ -15,6 +15,7 @@ mod draw;
 mod epipolar_images;
 mod features;
 mod file_in_parts;
+mod film;
 mod finished;
 mod geometry;
 mod matching;

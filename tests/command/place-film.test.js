@@ -3,68 +3,19 @@ import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { test } from 'node:test';
 import { Photo } from '../../pkg/node.js';
-import { file, folder, image, json, tiepoint } from './command.js';
+import { file, folder, json, tiepoint } from './command.js';
+import { ASKEW, MARKS_MM, onFilm, PIXEL_MM, PRINCIPAL_POINT_MM, scanOf, SIZE } from './scans.js';
 
-const PIXEL_MM = 0.075;
 const FLIGHT = ['--strips', '1', '--exposures', '1', '--width-px', '480', '--height-px', '360', '--pixel-mm', String(PIXEL_MM), '--relief-m', '40'];
-
-/** Fiducial marks of a film of 36 x 27 mm, whose principal point lies 4 px off their middle. */
-const MARKS_MM = /** @type {const} */ ([
-  [-17.2, -12.7],
-  [17.2, -12.7],
-  [17.2, 12.7],
-  [-17.2, 12.7],
-  [-17.5, 0],
-  [17.5, 0.1],
-]);
-const PRINCIPAL_POINT_MM = [0.3, -0.24];
-
-/** How the film lay in the scanner: turned by 7°, and columns and rows of different length. */
-const [SINE, COSINE] = [Math.sin(0.122), Math.cos(0.122)];
-const [ALONG, ACROSS] = [1.003, 0.997];
-const SIZE = /** @type {const} */ ([570, 470]);
-const MIDDLE = /** @type {const} */ ([284.3, 236.8]);
-
-/** @param {readonly [number, number]} mm @returns {[number, number]} */
-function inScan([xMm, yMm]) {
-  const [x, y] = [(xMm * ALONG) / PIXEL_MM, (-yMm * ACROSS) / PIXEL_MM];
-  return [COSINE * x - SINE * y + MIDDLE[0], SINE * x + COSINE * y + MIDDLE[1]];
-}
-
-/** @param {number} col @param {number} row @returns {[number, number]} mm of the marks */
-function onFilm(col, row) {
-  const [u, v] = [col - MIDDLE[0], row - MIDDLE[1]];
-  return [((COSINE * u + SINE * v) * PIXEL_MM) / ALONG, (-(COSINE * v - SINE * u) * PIXEL_MM) / ACROSS];
-}
-
-/** The grey value between the middles of pixels.  @param {Uint8Array} grey @param {number} width @param {number} x @param {number} y */
-function between(grey, width, x, y) {
-  const [c, r] = [Math.floor(x - 0.5), Math.floor(y - 0.5)];
-  const [s, t] = [x - 0.5 - c, y - 0.5 - r];
-  const at = (/** @type {number} */ col, /** @type {number} */ row) => grey[Math.max(row, 0) * width + Math.max(col, 0)] ?? 0;
-  return (1 - t) * ((1 - s) * at(c, r) + s * at(c + 1, r)) + t * ((1 - s) * at(c, r + 1) + s * at(c + 1, r + 1));
-}
 
 /** A photo of a scene on film: its scan, its marks and its camera as files. */
 function scanned() {
   const at = folder();
   const { photos } = json('simulate', '--block', '--out', at, ...FLIGHT, '--seed', '3', '--orthophoto', '0.8');
-  const photo = Photo.decode(readFileSync(photos[0]));
-  const [grey, width, height] = [photo.grey(), photo.width, photo.height];
-  photo.free();
-  const scan = image(at, 'scan.png', ...SIZE, (col, row) => {
-    const [xMm, yMm] = onFilm(col + 0.5, row + 0.5);
-    const off = Math.min(...MARKS_MM.map(([x, y]) => Math.max(Math.abs(xMm - x), Math.abs(yMm - y))));
-    if (off < 0.35) return off < 0.1 ? 255 : 0;
-    const [x, y] = [width / 2 + (xMm - (PRINCIPAL_POINT_MM[0] ?? 0)) / PIXEL_MM, height / 2 - (yMm - (PRINCIPAL_POINT_MM[1] ?? 0)) / PIXEL_MM];
-    return x >= 0 && y >= 0 && x < width && y < height ? Math.round(between(grey, width, x, y)) : 12;
-  });
-  const rows = MARKS_MM.map(([x, y]) => [...inScan([x, y]).map((px) => px.toFixed(1)), x, y].join(','));
   const { block } = JSON.parse(readFileSync(join(at, 'truth.json'), 'utf8'));
   const camera = { focal_mm: block.cameras[0].focal_px * PIXEL_MM, principal_point_mm: PRINCIPAL_POINT_MM };
   return {
-    scan,
-    fiducials: file(at, 'marks.csv', ['col,row,x_mm,y_mm', ...rows, ''].join('\n')),
+    ...scanOf(at, 'scan', photos[0], ASKEW),
     camera: file(at, 'film.json', JSON.stringify(camera)),
     photos,
     position: block.images[0].pose.position,
@@ -89,7 +40,7 @@ test('a scanned photo on film is placed by its fiducial marks, and what they say
   assert.ok(marks.sigma0_mm > 0 && marks.sigma0_mm < 0.01, `${marks.sigma0_mm} mm`);
   // Links are measured in the scan, within its marks.
   for (const { at } of placement.links) {
-    const [x, y] = onFilm(at[0], at[1]);
+    const [x, y] = onFilm(at[0], at[1], ASKEW);
     assert.ok(Math.abs(x) < 17.2 && Math.abs(y) < 12.7, `${x} ${y}`);
   }
   const [head = '', row = ''] = readFileSync(join(out, 'placed.csv'), 'utf8').trim().split('\n');

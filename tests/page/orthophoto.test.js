@@ -398,11 +398,18 @@ test('the camera and the marks of scanned film are taken with what is wrong with
   await give('block-film-camera', text('film.json', '{"focal_mm": 152}'));
   await says(page, 'block-film-problem', /^$/);
   assert.deepEqual(
-    [await part(page, 'block-film-camera-name').textContent(), await part(page, 'block-film-marks-name').textContent()],
+    [await part(page, 'block-film-camera-name').textContent(), await part(page, 'block-film-marks-names').textContent()],
     ['film.json', 'scan.csv'],
   );
-  await part(page, 'block-film-remove').click();
-  await says(page, 'block-film-marks-name', /^No fiducial marks\./);
+  await part(page, 'block-film-frames').click();
+  await status(page, /^One scan became an image of one camera\./);
+  await says(page, 'block-film-marks-names', /^No fiducial marks\./);
+  assert.ok(await part(page, 'block-film-frames').isDisabled());
+  // Of the same name, with a mask and a camera.
+  await part(page, 'tab-block-settings').click();
+  await says(page, 'block-masks-name', /^scan\.png$/);
+  await says(page, 'block-cameras-name', /^camera of the film$/);
+  await says(page, 'block-cameras-problem', /^$/);
   assert.deepEqual(complaints, []);
   await close();
 });

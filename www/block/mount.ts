@@ -148,7 +148,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   await breath();
   mountSettings(settings.panels[0], store, files, opener);
   await breath();
-  const pickers = mountPlacingSettings(settings.panels[1], store, files);
+  const pickers = mountPlacingSettings(settings.panels[1], store, files, placing);
   mountFlight(settings.panels[2], store, files);
   mountProgress(results.panels[0], store);
   mountResults(results.panels[0], store, () => void runs.takeOff());

@@ -1,11 +1,9 @@
 /** An orthophoto in a worker: its picture in tiles, and images that are placed on it. The worker opens it when another one is asked about, and keeps it. */
-import { BlockScene, OrthoMosaic, OrthophotoReference, parse_camera, parse_fiducials, Photo } from '../../../pkg/wasm/tiepoint.js';
+import { BlockScene, OrthoMosaic, OrthophotoReference, Photo } from '../../../pkg/wasm/tiepoint.js';
 import type {
   BlockFlight,
   FileInParts,
-  FilmInput,
   Georeference,
-  Given,
   GivenLink,
   OrthophotoInfo,
   PlacedImage,
@@ -14,6 +12,7 @@ import type {
   Sidecars,
 } from '../../../pkg/wasm/tiepoint.js';
 import type { FilmTexts } from '../state/film';
+import { readFilm } from './film';
 import { inColumns } from '../state/links';
 import type { LinkedImage } from '../state/links';
 import { TILE_SIDE } from '../state/under';
@@ -180,15 +179,8 @@ export async function orthoReference(input: Pick<PlaceInput, 'ground' | 'options
 export async function orthoPlace({ ground, options, name, file, cameras, film }: PlaceInput): Promise<LinkedImage> {
   const reference = await orthoReference({ ground, options });
   const bytes = await bytesOf(file);
-  const placed = reference.place(name, bytes, cameras, readFilm(film));
+  const placed = reference.place(name, bytes, cameras, film && readFilm(film));
   return inColumns(placed, sizeOf(placed, bytes));
-}
-
-/** What is known of a scan of film, as the crate reads it. */
-function readFilm(film: FilmTexts | null): Given<FilmInput> | null {
-  if (film === null) return null;
-  const scan = { fiducials: parse_fiducials(film.marks) };
-  return film.camera === null ? { scan } : { camera: parse_camera(film.camera), scan };
 }
 
 /** Width and height of an image, placed or not. */
@@ -206,7 +198,7 @@ function sizeOf({ placement }: PlacedImage, file: Uint8Array): [number, number] 
 /** An image by links that are given; nothing is matched. */
 export async function orthoAdjust({ ground, options, name, file, cameras, film, links, start, size }: AdjustInput): Promise<LinkedImage> {
   const { reference } = await opened(ground);
-  return inColumns(reference.adjust(name, await bytesOf(file), links, start, cameras, options, readFilm(film)), size);
+  return inColumns(reference.adjust(name, await bytesOf(file), links, start, cameras, options, film && readFilm(film)), size);
 }
 
 /** Where a position of a placed image is on the ground, or a place of the ground in the image: X, Y or px; null where it shows none. */

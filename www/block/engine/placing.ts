@@ -5,17 +5,25 @@ import type { LinkStep } from '../state/steps';
 import type { LinkedImage, LinkedPlacement } from '../state/links';
 import { placingKey, placingKeyOf, unplacedFiles } from '../state/placed';
 import { filmOf } from '../state/film';
+import type { FilmTexts } from '../state/film';
 import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import type { BlockFile } from '../state/state';
 import type { BlockCalls } from './calls';
 import type { BlockStore } from './engine';
+import type { Frame } from './film';
 import type { Ground, LaidPicture, MosaicKind } from './orthophoto';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
 /** Each worker holds an orthophoto that is not read in parts: of one beyond so many px there is one worker beside the one that shows it. */
 const MOST_SHARED = 40e6;
+
+/** The frame of a scan of film, by its name and the id of the scan. */
+export interface MadeFrame extends Frame {
+  name: string;
+  of: number;
+}
 
 export class PlacingEngine {
   private readonly shower = new WorkerClient<BlockCalls>('orthophoto');
@@ -203,6 +211,28 @@ export class PlacingEngine {
       }
       tell(order.length, order.length, say('writing-the-orthomosaic'));
       return await this.maker.call('mosaicFinish', null);
+    } catch (error) {
+      if (this.stopped || error instanceof Cancelled) return null;
+      throw named(error);
+    } finally {
+      this.maker.cancel();
+      this.store.dispatch({ type: 'placing', running: null });
+    }
+  }
+
+  /** The frames of scans of film, all with the pixel of the first; null where it was cancelled. */
+  async frames(scans: readonly { file: BlockFile; film: FilmTexts | null }[]): Promise<MadeFrame[] | null> {
+    this.stopped = false;
+    const made: MadeFrame[] = [];
+    try {
+      for (const { file, film } of scans) {
+        if (film === null) continue;
+        this.store.dispatch({ type: 'placing', running: { done: made.length, total: scans.length, text: say('frame-of', { name: file.name }) } });
+        const name = `${file.name.replace(/\.[^.]*$/u, '')}.png`;
+        const pixelMm = made[0]?.camera.pixel_mm ?? null;
+        made.push({ ...(await this.maker.call('filmFrame', { file: file.file, film, image: name, pixelMm })), name, of: file.id });
+      }
+      return made;
     } catch (error) {
       if (this.stopped || error instanceof Cancelled) return null;
       throw named(error);

@@ -1,16 +1,18 @@
-/** What is given of scanned film that is placed on an orthophoto: its camera, and the fiducial marks of each scan. */
+/** What is given of scanned film: its camera, and the fiducial marks of each scan, by which scans are placed on an orthophoto, or become images of a block. */
 import { button, fill, h } from '../../shared/panel/dom';
 import { fileButton } from '../../shared/panel/picker';
 import { say } from '../../shared/text/words';
 import type { BlockStore } from '../engine/engine';
+import type { PlacingEngine } from '../engine/placing';
 import { FilmFiles } from '../files/film';
-import { marksOfNone } from '../state/film';
+import { takeFrames } from '../files/frames';
+import { framesOf, marksOfNone } from '../state/film';
 import { isBusy } from '../state/state';
 
 /** Names of marks that are listed, at most. */
 const LISTED = 3;
 
-export function filmFields(store: BlockStore): HTMLElement {
+export function filmFields(store: BlockStore, engine: PlacingEngine): HTMLElement {
   const files = new FilmFiles(store);
   const [camera, cameraInput] = fileButton(
     `${say('film-camera')} …`,
@@ -26,6 +28,7 @@ export function filmFields(store: BlockStore): HTMLElement {
   );
   const remove = button(say('remove'), 'block-film-remove', () => files.clear());
   remove.setAttribute('aria-label', say('remove-2', { title: say('scanned-film') }));
+  const frames = button(say('make-frames'), 'block-film-frames', () => void takeFrames(store, engine));
   const cameraName = h('p', { class: 'note', testid: 'block-film-camera-name' });
   const marksNames = h('p', { class: 'note', testid: 'block-film-marks-names' });
   const problem = h('p', { class: 'field-problem', testid: 'block-film-problem' });
@@ -33,6 +36,7 @@ export function filmFields(store: BlockStore): HTMLElement {
     const busy = isBusy(store.state);
     for (const press of [camera, marks, remove]) press.disabled = busy;
     remove.hidden = film.camera === null && film.marks.length === 0;
+    frames.disabled = busy || film.camera === null || framesOf(film, images).length === 0;
     fill(cameraName, film.camera?.name ?? say('none-film-camera', { example: '{"focal_mm": 152.82, "principal_point_mm": [0.004, -0.012]}' }));
     const names = film.marks.slice(0, LISTED).map(({ name }) => name);
     const more = film.marks.length > LISTED ? ' …' : '';
@@ -47,5 +51,6 @@ export function filmFields(store: BlockStore): HTMLElement {
     { class: 'group' },
     h('legend', {}, say('scanned-film')),
     h('div', { class: 'control' }, h('div', { class: 'buttons' }, camera, marks, remove), cameraName, marksNames, problem, cameraInput, marksInput),
+    h('div', { class: 'control' }, frames, h('p', { class: 'help' }, say('make-frames-help'))),
   );
 }

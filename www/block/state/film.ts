@@ -22,6 +22,11 @@ export function filmOf({ camera, marks }: GivenFilm, image: string): FilmTexts |
   return own === undefined ? null : { camera: camera?.text ?? null, marks: own.text };
 }
 
+/** The images that are scans of film. */
+export function framesOf<T extends { name: string }>(film: GivenFilm, images: readonly T[]): T[] {
+  return images.filter(({ name }) => filmOf(film, name) !== null);
+}
+
 /** With these marks in place of those of the same scans. */
 export function withMarks(film: GivenFilm, marks: readonly TextFile[]): GivenFilm {
   const stems = new Set(marks.map(({ name }) => stemOf(name)));

@@ -470,6 +470,15 @@ marks-of-scans = Fiducial marks of scans
 none-film-camera = No film camera. The calibrated camera of scanned photos on film, a JSON file: { $example }.
 none-marks-of-scans = No fiducial marks. A table of col, row, x_mm, y_mm for each scan, named as its image: { $example } for { $image }.
 marks-of-no-image = { $name } is named as no image.
+make-frames = Make images of one camera
+make-frames-help = Resamples each scan by its fiducial marks to the image of an ideal camera, for a block: without distortion, all with one camera, which counts as calibrated. The frames take the place of the scans, with masks of the marks.
+frame-of = { $name }: the frame
+scans-became-frames = { $frames ->
+    [one] One scan became an image
+   *[other] { COUNT($frames) } scans became images
+} of one camera. Masks leave out the fiducial marks; the camera is calibrated.
+no-frames-were-made = No images were made of the scans: { $sentence }
+camera-of-frames = camera of the film
 marks-need-their-camera = Fiducial marks need the film camera with its focal length in mm.
 
 ## files/film

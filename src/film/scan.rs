@@ -1,10 +1,10 @@
 //! A photo on film as it was scanned, and the image that an ideal camera would have taken in its place.
 
-use super::adjusting::PlacingCamera;
 use crate::error::refuse;
 use crate::image::{Neighbours, each_position};
 use crate::{
-    Bands, Camera, CameraMm, CameraUncertainty, Error, Fiducial, FiducialOrientation, GreyView, Interior, PhotoInput, Refusal, photo_marks,
+    Bands, Camera, CameraMm, CameraUncertainty, Error, Fiducial, FiducialOrientation, GreyImage, GreyView, Interior, PhotoInput, Refusal,
+    photo_marks,
 };
 use serde::{Deserialize, Serialize};
 
@@ -19,8 +19,8 @@ pub struct FilmInput {
     pub scan: PhotoInput,
 }
 
-/// How the scan of a photo on film lies to its frame: the image of a camera without distortion, with square pixels as large as those of the scan in the
-/// mean, along the photo's axes, of what lies within the marks.
+/// How the scan of a photo on film lies to its frame: the image of a camera without distortion, with square pixels, along the photo's axes, of what lies
+/// within the marks.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -33,6 +33,8 @@ pub struct FilmScan {
     pub interior: Interior,
     /// How the marks give it.
     pub marks: FiducialOrientation,
+    /// Side of a pixel of the frame.
+    pub pixel_mm: f64,
     /// Where the top-left corner of the frame lies among the undistorted positions of the scan: see [`Interior::undistorted_px`].
     pub corner_px: [f64; 2],
     /// Width and height of the frame.
@@ -48,12 +50,46 @@ const EDGE_PX: f64 = 8.0;
 const MOST_SKEW_DEG: f64 = 3.0;
 
 impl FilmScan {
-    /// From the marks in a scan of this width and height.
+    /// From the marks in a scan of this width and height: its frame has pixels as large as those of the scan in the mean, and ends where the scan does.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] without a camera, and for marks that lie mirrored or askew; as [`photo_marks`](crate::photo_marks) and
     /// [`Interior::from_fiducials`].
     pub fn new(film: &FilmInput, size: [usize; 2]) -> Result<Self, Error> {
+        let scan = Self::without_frame(film, size)?;
+        let (low, high) = scan.within(&film.scan.fiducials);
+        let corner_px = low.map(f64::ceil);
+        let frame_px = [0, 1].map(|k| (high[k].floor() - corner_px[k]).max(1.0) as u32);
+        Ok(Self { corner_px, frame_px, ..scan })
+    }
+
+    /// The same with pixels of this side, in mm, and a frame that the calibration of the marks gives alone: those of all scans of a camera are alike.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::InvalidInput`] for pixels smaller than a half of those of the scan, or more than ten times as large.
+    pub fn in_common(film: &FilmInput, size: [usize; 2], pixel_mm: f64) -> Result<Self, Error> {
+        let scan = Self::without_frame(film, size)?;
+        let own_mm = scan.interior.pixel_mm();
+        let [least, most] = [0.5 * own_mm, 10.0 * own_mm];
+        if !(pixel_mm >= least && pixel_mm <= most) {
+            return refuse(Refusal::FilmPixel { pixel_mm, least, most });
+        }
+        let hidden_mm = own_mm * scan.hidden_px(&film.scan.fiducials);
+        let [x0, y0] = scan.interior.principal_point_mm;
+        let of_axis = |of: &dyn Fn(&Fiducial) -> f64| {
+            let [low, high] = range(film.scan.fiducials.iter().map(of));
+            // In whole pixels from the principal point.
+            [low + hidden_mm, high - hidden_mm].map(|v| v / pixel_mm)
+        };
+        let [left, right] = of_axis(&|mark| mark.x_mm - x0);
+        let [top, bottom] = of_axis(&|mark| y0 - mark.y_mm);
+        let first = [left, top].map(f64::ceil);
+        let frame_px = [right.floor() - first[0], bottom.floor() - first[1]].map(|side| side.max(1.0) as u32);
+        let (at, scale) = (scan.interior.principal_point_px(), pixel_mm / own_mm);
+        Ok(Self { pixel_mm, corner_px: [0, 1].map(|k| at[k] + scale * first[k]), frame_px, ..scan })
+    }
+
+    fn without_frame(film: &FilmInput, size: [usize; 2]) -> Result<Self, Error> {
         let Some(camera) = &film.camera else { return refuse(Refusal::FilmWithoutCamera) };
         let marks = photo_marks(size[0], size[1], &film.scan)?;
         let interior = Interior::from_fiducials(camera, &marks, film.scan.origin.unwrap_or([0.0; 2]))?;
@@ -65,11 +101,13 @@ impl FilmScan {
             return refuse(Refusal::MarksSkew { skew_deg, most_deg: MOST_SKEW_DEG });
         }
         let [width_px, height_px] = size.map(|side| side as u32);
-        let scan = Self { width_px, height_px, focal_mm: camera.focal_mm, interior, marks, corner_px: [0.0; 2], frame_px: [1; 2] };
-        let (low, high) = scan.within(&film.scan.fiducials);
-        let corner_px = low.map(f64::ceil);
-        let frame_px = [0, 1].map(|k| (high[k].floor() - corner_px[k]).max(1.0) as u32);
-        Ok(Self { corner_px, frame_px, ..scan })
+        let (focal_mm, pixel_mm) = (camera.focal_mm, interior.pixel_mm());
+        Ok(Self { width_px, height_px, focal_mm, interior, marks, pixel_mm, corner_px: [0.0; 2], frame_px: [1; 2] })
+    }
+
+    /// The side of a pixel of the frame in pixels of the scan.
+    fn scale(&self) -> f64 {
+        self.pixel_mm / self.interior.pixel_mm()
     }
 
     /// The lowest and the highest undistorted position of what the scan shows within the marks.
@@ -79,10 +117,11 @@ impl FilmScan {
         let [w, h] = [self.width_px, self.height_px].map(f64::from);
         let border = [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 0.5], [1.0, 1.0], [0.5, 1.0], [0.0, 1.0], [0.0, 0.5]];
         let border = border.map(|[x, y]| self.interior.undistorted_px(x * w, y * h));
-        let low = |all: &[[f64; 2]], axis: usize| all.iter().map(|at| at[axis]).fold(f64::INFINITY, f64::min);
-        let high = |all: &[[f64; 2]], axis: usize| all.iter().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max);
-        let both =
-            |axis: usize| [(low(&marks, axis) + hidden).max(low(&border, axis)), (high(&marks, axis) - hidden).min(high(&border, axis))];
+        let along = |all: &[[f64; 2]], axis: usize| range(all.iter().map(|at| at[axis]));
+        let both = |axis: usize| {
+            let ([low, high], [first, last]) = (along(&marks, axis), along(&border, axis));
+            [(low + hidden).max(first), (high - hidden).min(last)]
+        };
         let [x, y] = [both(0), both(1)];
         ([x[0], y[0]], [x[1], y[1]])
     }
@@ -96,27 +135,26 @@ impl FilmScan {
     /// What is hidden about a mark, in px.
     fn hidden_px(&self, fiducials: &[Fiducial]) -> f64 {
         let extent = |of: fn(&Fiducial) -> f64| {
-            let (low, high) = fiducials.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+            let [low, high] = range(fiducials.iter().map(of));
             high - low
         };
         HIDDEN * extent(|mark| mark.x_mm).max(extent(|mark| mark.y_mm)) / self.interior.pixel_mm()
     }
 
-    /// The camera of the frame. What is not known of it is what the marks leave open, beside what the camera says itself; what they leave open of shear and
-    /// of differing scales is as small, and no parameter of a camera.
-    pub fn camera(&self) -> PlacingCamera {
-        let pixel_mm = self.interior.pixel_mm();
-        let at = self.interior.principal_point_px();
+    /// The camera of the frame.
+    pub fn camera(&self) -> Camera {
+        let (at, scale) = (self.interior.principal_point_px(), self.scale());
         let [width, height] = self.frame_px;
-        let camera = Camera {
-            principal_point_px: [0, 1].map(|k| at[k] - self.corner_px[k]),
-            pixel_mm: Some(pixel_mm),
-            ..Camera::without_distortion(width, height, self.focal_mm / pixel_mm)
-        };
-        PlacingCamera { camera, uncertainty: self.uncertainty() }
+        Camera {
+            principal_point_px: [0, 1].map(|k| (at[k] - self.corner_px[k]) / scale),
+            pixel_mm: Some(self.pixel_mm),
+            ..Camera::without_distortion(width, height, self.focal_mm / self.pixel_mm)
+        }
     }
 
-    fn uncertainty(&self) -> CameraUncertainty {
+    /// What is not known of that camera: what the marks leave open, beside what the camera says itself. What they leave open of shear and of differing
+    /// scales is as small, and no parameter of a camera.
+    pub fn uncertainty(&self) -> CameraUncertainty {
         let own = self.interior.uncertainty.unwrap_or(CameraUncertainty::NONE);
         let Some(covariance) = &self.interior.covariance else { return own };
         let variance = |by: [f64; 3]| -> f64 { (0..9).map(|k| by[k / 3] * covariance[k / 3][k % 3] * by[k % 3]).sum() };
@@ -135,34 +173,66 @@ impl FilmScan {
 
     /// The position in the scan of a position in the frame, both in px; `None` where the distortion leads none there.
     pub fn in_scan(&self, at: [f64; 2]) -> Option<[f64; 2]> {
-        self.interior.image_px(at[0] + self.corner_px[0], at[1] + self.corner_px[1])
+        let scale = self.scale();
+        let [x, y] = [0, 1].map(|k| self.corner_px[k] + scale * at[k]);
+        self.interior.image_px(x, y)
     }
 
     /// The position in the frame of a position in the scan, both in px.
     pub fn in_frame(&self, at: [f64; 2]) -> [f64; 2] {
-        let [x, y] = self.interior.undistorted_px(at[0], at[1]);
-        [x - self.corner_px[0], y - self.corner_px[1]]
+        let (undistorted, scale) = (self.interior.undistorted_px(at[0], at[1]), self.scale());
+        [0, 1].map(|k| (undistorted[k] - self.corner_px[k]) / scale)
     }
 
     /// Whether a position in the frame is of the photograph: within the scan, and beside the marks.
-    pub(super) fn shows(&self, fiducials: &[Fiducial]) -> impl Fn([f64; 2]) -> bool + use<'_> {
-        let hidden = self.hidden_px(fiducials);
-        let marks: Vec<[f64; 2]> = fiducials.iter().map(|mark| self.of_mark(mark)).collect();
-        let corner = self.corner_px;
-        let is_hidden = move |at: [f64; 2]| {
-            let off = |mark: &[f64; 2]| libm::hypot(at[0] + corner[0] - mark[0], at[1] + corner[1] - mark[1]);
-            marks.iter().any(|mark| off(mark) < hidden)
-        };
+    pub(crate) fn shows(&self, fiducials: &[Fiducial]) -> impl Fn([f64; 2]) -> bool {
+        let (marks, hidden) = self.marks_in_frame(fiducials);
+        move |at| {
+            let is_hidden = || marks.iter().any(|mark| libm::hypot(at[0] - mark[0], at[1] - mark[1]) < hidden);
+            self.in_scan(at).is_some_and(|at| self.is_inner(at)) && !is_hidden()
+        }
+    }
+
+    /// The same of all pixels of the frame: 255 where it shows the photograph, else 0.
+    ///
+    /// # Errors
+    /// [`Error::TooManyPixels`] for a frame that is too large.
+    pub(crate) fn mask(&self, fiducials: &[Fiducial]) -> Result<GreyImage, Error> {
+        let size = self.frame_px.map(|side| side as usize);
+        let mut shown = Vec::with_capacity(size[0].saturating_mul(size[1]));
+        let position = |[column, row]: [usize; 2]| self.in_scan([column as f64 + 0.5, row as f64 + 0.5]);
+        each_position(size, position, |at| shown.push(if at.is_some_and(|at| self.is_inner(at)) { 255 } else { 0 }));
+        let (marks, hidden) = self.marks_in_frame(fiducials);
+        for [x, y] in marks {
+            let range =
+                |at: f64, side: usize| (at - hidden).clamp(0.0, side as f64) as usize..(at + hidden + 1.0).clamp(0.0, side as f64) as usize;
+            for (row, column) in range(y, size[1]).flat_map(|row| range(x, size[0]).map(move |column| (row, column))) {
+                if libm::hypot(column as f64 + 0.5 - x, row as f64 + 0.5 - y) < hidden {
+                    shown[row * size[0] + column] = 0;
+                }
+            }
+        }
+        GreyImage::new(size[0], size[1], shown)
+    }
+
+    /// Where marks are in the frame, and what is hidden about each, in px.
+    fn marks_in_frame(&self, fiducials: &[Fiducial]) -> (Vec<[f64; 2]>, f64) {
+        let scale = self.scale();
+        let in_frame = |at: [f64; 2]| [0, 1].map(|k| (at[k] - self.corner_px[k]) / scale);
+        (fiducials.iter().map(|mark| in_frame(self.of_mark(mark))).collect(), self.hidden_px(fiducials) / scale)
+    }
+
+    /// Whether a position in the scan is well within it.
+    fn is_inner(&self, [x, y]: [f64; 2]) -> bool {
         let [width, height] = [self.width_px, self.height_px].map(f64::from);
-        let is_inner = move |[x, y]: [f64; 2]| (EDGE_PX..=width - EDGE_PX).contains(&x) && (EDGE_PX..=height - EDGE_PX).contains(&y);
-        move |at| self.in_scan(at).is_some_and(is_inner) && !is_hidden(at)
+        (EDGE_PX..=width - EDGE_PX).contains(&x) && (EDGE_PX..=height - EDGE_PX).contains(&y)
     }
 
     /// The bands of the scan resampled to the frame, by bicubic convolution; what the scan does not show is 0.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for a scan of another size.
-    pub(super) fn frame(&self, scan: &[GreyView<'_>]) -> Result<Bands, Error> {
+    pub(crate) fn frame(&self, scan: &[GreyView<'_>]) -> Result<Bands, Error> {
         let own = [self.width_px, self.height_px].map(|side| side as usize);
         if let Some(other) = scan.iter().find(|band| [band.width(), band.height()] != own) {
             let [width_px, height_px] = own;
@@ -180,6 +250,11 @@ impl FilmScan {
     }
 }
 
+/// Lowest and highest.
+fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
+}
+
 /// By how much the angle between columns and rows differs from a right one.
 fn skew_deg(interior: &Interior) -> f64 {
     let [[a, b, _], [d, e, _]] = interior.parameters;
@@ -190,8 +265,8 @@ fn skew_deg(interior: &Interior) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::FiducialModel;
     use crate::math::Random;
-    use crate::{FiducialModel, GreyImage};
 
     /// A photo of 230 mm on a scan of 1000 x 960 px, turned by some degrees, whose columns and rows are of different scale and a little askew.
     const PX_FROM_MM: [[f64; 3]; 2] = [[3.9, 0.45, 505.0], [0.46, -3.92, 480.0]];
@@ -215,7 +290,7 @@ mod tests {
     fn the_frame_is_what_lies_within_the_marks_along_the_axes_of_the_photo() {
         let film = measured(|| 0.0);
         let scan = FilmScan::new(&film, SIZE).unwrap();
-        let PlacingCamera { camera, .. } = scan.camera();
+        let camera = scan.camera();
         let pixel_mm = camera.pixel_mm.unwrap();
         assert!((pixel_mm - 1.0 / (3.9_f64 * 3.92 + 0.45 * 0.46).sqrt()).abs() < 1e-12, "{pixel_mm}");
         assert!((camera.focal_px - 152.0 / pixel_mm).abs() < 1e-6);
@@ -243,6 +318,38 @@ mod tests {
     }
 
     #[test]
+    fn scans_of_one_camera_have_one_frame_however_they_were_scanned() {
+        const PIXEL_MM: f64 = 0.3;
+        let film = measured(|| 0.0);
+        // Scanned upside down, larger and askew.
+        let other = |x: f64, y: f64| [700.0 - 5.1 * x + 0.2 * y, 690.0 + 0.25 * x + 5.0 * y];
+        let turned = film.scan.fiducials.iter().map(|mark| {
+            let [col, row] = other(mark.x_mm, mark.y_mm);
+            Fiducial { col, row, ..*mark }
+        });
+        let turned = FilmInput { scan: PhotoInput { fiducials: turned.collect(), ..PhotoInput::default() }, ..film.clone() };
+        let [a, b] = [(&film, SIZE), (&turned, [1400, 1380])].map(|(film, size)| FilmScan::in_common(film, size, PIXEL_MM).unwrap());
+        let [own, others] = [&a, &b].map(FilmScan::camera);
+        assert_eq!(
+            (own.width_px, own.height_px, own.focal_px, own.pixel_mm),
+            (others.width_px, others.height_px, 152.0 / PIXEL_MM, Some(PIXEL_MM))
+        );
+        for k in 0..2 {
+            assert!((own.principal_point_px[k] - others.principal_point_px[k]).abs() < 1e-6, "{own:?} {others:?}");
+            // Whole pixels: frames differ by no part of one.
+            assert!((own.principal_point_px[k] - own.principal_point_px[k].round()).abs() < 1e-6, "{own:?}");
+        }
+        for [x, y] in [[0.5, -0.25], [60.0, 35.0], [-100.0, 98.0]] {
+            let [at, there] = [a.in_frame(in_scan(x, y)), b.in_frame(other(x, y))];
+            assert!((0..2).all(|k| (at[k] - there[k]).abs() < 1e-6), "{at:?} {there:?}");
+            let back = b.in_scan(there).unwrap();
+            assert!((0..2).all(|k| (back[k] - other(x, y)[k]).abs() < 1e-6), "{back:?}");
+        }
+        let refused = |pixel_mm: f64| FilmScan::in_common(&film, SIZE, pixel_mm).unwrap_err().to_string();
+        assert!(refused(0.1).contains("0.1") && refused(3.0).contains("3") && refused(f64::NAN).contains("pixel"), "{}", refused(0.1));
+    }
+
+    #[test]
     fn a_scan_is_resampled_to_what_its_frame_shows() {
         let film = measured(|| 0.0);
         let own = FilmScan::new(&film, SIZE).unwrap();
@@ -265,11 +372,11 @@ mod tests {
         const TRIALS: usize = 800;
         let mut random = Random::new(5);
         let mut uniform = || (random.below(1_000_000) as f64 * 1e-6 - 0.5) * 0.4;
-        let truth = FilmScan::new(&measured(|| 0.0), SIZE).unwrap().camera().camera;
+        let truth = FilmScan::new(&measured(|| 0.0), SIZE).unwrap().camera();
         let (mut found, mut stated) = ([0.0; 2], [0.0; 2]);
         for _ in 0..TRIALS {
             let scan = FilmScan::new(&measured(&mut uniform), SIZE).unwrap();
-            let PlacingCamera { camera, uncertainty } = scan.camera();
+            let (camera, uncertainty) = (scan.camera(), scan.uncertainty());
             let at = scan.in_scan(camera.principal_point_px).unwrap();
             let off = [camera.focal_px / truth.focal_px - 1.0, (at[0] - in_scan(0.5, -0.25)[0]) / truth.focal_px];
             for (k, own) in [uncertainty.focal, uncertainty.principal_point].into_iter().enumerate() {
@@ -284,9 +391,9 @@ mod tests {
         // Three marks say nothing of their errors: then the camera is what it says itself.
         let mut three = measured(|| 0.0);
         three.scan.fiducials.truncate(3);
-        assert_eq!(FilmScan::new(&three, SIZE).unwrap().camera().uncertainty, CameraUncertainty::NONE);
+        assert_eq!(FilmScan::new(&three, SIZE).unwrap().uncertainty(), CameraUncertainty::NONE);
         three.camera.as_mut().unwrap().uncertainty = Some(CameraUncertainty::GIVEN);
-        assert_eq!(FilmScan::new(&three, SIZE).unwrap().camera().uncertainty, CameraUncertainty::GIVEN);
+        assert_eq!(FilmScan::new(&three, SIZE).unwrap().uncertainty(), CameraUncertainty::GIVEN);
     }
 
     #[test]
