@@ -40,7 +40,8 @@ impl ControlTables {
     /// measurements name stand for its own.
     ///
     /// # Errors
-    /// As [`join`](Self::join) and [`BlockDescription::check`].
+    /// [`Error::InvalidInput`] for a measurement of an unknown point, where fewer than three points are measured in two images or more, and for points
+    /// outside their coordinate system; as [`BlockDescription::check`].
     pub fn check(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(), Error> {
         let named: BTreeSet<&String> = self.marks.iter().map(|mark| &mark.image).collect();
         let named: Vec<String> = if images.len() < 2 { named.into_iter().cloned().collect() } else { images.to_vec() };
@@ -62,8 +63,7 @@ impl ControlTables {
     /// their heights count from.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for a measurement of an unknown point, where fewer than three points are measured in two images or more, and for points
-    /// outside their coordinate system.
+    /// As [`check`](Self::check).
     pub(super) fn join(
         &self,
         images: &[String],

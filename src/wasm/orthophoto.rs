@@ -142,6 +142,7 @@ impl OrthophotoReference {
 
     /// Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
     /// links. The file tells its camera; `film` that of a scan of film; where it was placed, that says whether it is one. `options`: as of `search`; absent: those that it had.
+    #[allow(clippy::too_many_arguments)]
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
     pub fn adjust(
         &self,
