@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -92,6 +92,35 @@ var Facts = class {
 		this.asked.clear();
 	}
 };
+// www/block/state/film.ts
+var NO_FILM = {
+	camera: null,
+	marks: []
+};
+function filmOf({ camera, marks }, image) {
+	const own = marks.find(({ name }) => stemOf(name) === stemOf(image));
+	return own === void 0 ? null : {
+		camera: camera?.text ?? null,
+		marks: own.text
+	};
+}
+function framesOf(film, images) {
+	return images.filter(({ name }) => filmOf(film, name) !== null);
+}
+function withMarks(film, marks) {
+	const stems = new Set(marks.map(({ name }) => stemOf(name)));
+	return {
+		...film,
+		marks: [...film.marks.filter(({ name }) => !stems.has(stemOf(name))), ...marks]
+	};
+}
+function marksOfNone({ marks }, images) {
+	const stems = new Set(images.map(({ name }) => stemOf(name)));
+	return marks.map(({ name }) => name).filter((name) => !stems.has(stemOf(name)));
+}
+function stemOf(name) {
+	return name.replace(/\.[^.]*$/u, "").toLowerCase();
+}
 // www/block/state/placed.ts
 function placingKey({ placing: { orthophoto, heights, options }, options: { cameras } }) {
 	const ground = heights.kind === "level" ? heights.height : `file ${String(heights.model.id)}`;
@@ -102,20 +131,24 @@ function placingKey({ placing: { orthophoto, heights, options }, options: { came
 		cameras
 	]);
 }
-function placedFiles(state) {
-	return listed(state.files, state.placing.placed, placingKey(state));
+function placingKeyOf(key, film, image) {
+	const own = filmOf(film, image);
+	return own === null ? key : JSON.stringify([key, own]);
 }
-var listed = remember((files, all, key) => files.flatMap((file) => {
+function placedFiles(state) {
+	return listed(state.files, state.placing.placed, placingKey(state), state.placing.film);
+}
+var listed = remember((files, all, key, film) => files.flatMap((file) => {
 	const placed = all.get(file.id);
 	return placed === void 0 ? [] : [{
 		...placed,
 		file,
-		isStale: placed.key !== key
+		isStale: placed.key !== placingKeyOf(key, film, file.name)
 	}];
 }));
 function unplacedFiles(state) {
 	const key = placingKey(state);
-	return state.files.filter(({ id }) => state.placing.placed.get(id)?.key !== key);
+	return state.files.filter(({ id, name }) => state.placing.placed.get(id)?.key !== placingKeyOf(key, state.placing.film, name));
 }
 // www/block/state/edited.ts
 var UNEDITED = {
@@ -218,6 +251,7 @@ var NO_PLACING = {
 		kind: "level",
 		height: 0
 	},
+	film: NO_FILM,
 	options: null,
 	purpose: null,
 	placed: new Map(),
@@ -238,6 +272,7 @@ function reducePlacing(placing, action) {
 		case "orthophoto": return {
 			...NO_PLACING,
 			options: placing.options,
+			film: placing.film,
 			orthophoto: action.orthophoto
 		};
 		case "heights": return {
@@ -247,6 +282,10 @@ function reducePlacing(placing, action) {
 				...placing.orthophoto,
 				info: action.info
 			}
+		};
+		case "film": return {
+			...placing,
+			film: action.film
 		};
 		case "placingOptions": return placing.options === null ? placing : {
 			...placing,
@@ -477,12 +516,40 @@ function withMoreImages(chosen, images) {
 	else for (const image of images) before.add(image);
 	return choiceOfImages(before);
 }
+function choiceOfPairs(pairs) {
+	const sorted = [...new Map([...pairs].map(([a, b]) => [keyOfPair([a, b]), a < b ? [a, b] : [b, a]])).values()].sort(([a, b], [c, d]) => a - c || b - d);
+	const [first] = sorted;
+	if (first === void 0) return null;
+	return sorted.length === 1 ? {
+		kind: "pair",
+		images: [...first]
+	} : {
+		kind: "pairs",
+		pairs: sorted
+	};
+}
+function withMorePairs(chosen, pairs) {
+	const before = new Map(pairsOf(chosen).map((pair) => [keyOfPair(pair), pair]));
+	const [only] = pairs;
+	if (only === void 0) return chosen;
+	if (pairs.length === 1 && before.has(keyOfPair(only))) before.delete(keyOfPair(only));
+	else for (const pair of pairs) before.set(keyOfPair(pair), pair);
+	return choiceOfPairs(before.values());
+}
+function keyOfPair([a, b]) {
+	return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
+}
+function pairsOf(choice) {
+	if (choice?.kind === "pairs") return choice.pairs;
+	return choice?.kind === "pair" ? [choice.images] : [];
+}
 function imagesOf(choice) {
 	switch (choice?.kind) {
 		case "image":
 		case "observation": return [choice.image];
 		case "images":
 		case "pair": return choice.images;
+		case "pairs": return [...new Set(choice.pairs.flat())].sort((a, b) => a - b);
 		default: return [];
 	}
 }
@@ -499,6 +566,7 @@ function isSame(a, b) {
 	if (a === b) return true;
 	if (a === null || b === null || a.kind !== b.kind) return false;
 	if (a.kind === "given" && b.kind === "given") return a.name === b.name;
+	if (a.kind === "pairs") return pairsOf(a).map(keyOfPair).join(" ") === pairsOf(b).map(keyOfPair).join(" ");
 	const [images, others] = [imagesOf(a), imagesOf(b)];
 	const [points, others_] = [pointsOf(a), pointsOf(b)];
 	return images.length === others.length && images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
@@ -513,18 +581,18 @@ function inOtherView(selection, before, after) {
 }
 function moved(choice, before, after) {
 	if (choice?.kind === "given") return choice;
-	if (choice?.kind !== "image" && choice?.kind !== "images" && choice?.kind !== "pair") return null;
+	if (choice?.kind !== "image" && choice?.kind !== "images" && choice?.kind !== "pair" && choice?.kind !== "pairs") return null;
 	const place = (image) => after.images.findIndex(({ name }) => name === before.images[image]?.name);
 	if (choice.kind === "images") return choiceOfImages(choice.images.map(place).filter((image) => image >= 0));
 	if (choice.kind === "image") return place(choice.image) < 0 ? null : {
 		kind: "image",
 		image: place(choice.image)
 	};
-	const images = [place(choice.images[0]), place(choice.images[1])];
-	return images.includes(-1) ? null : {
+	const kept = pairsOf(choice).map(([a, b]) => [place(a), place(b)]).filter((pair) => !pair.includes(-1));
+	return choice.kind === "pair" && kept[0] !== void 0 ? {
 		kind: "pair",
-		images
-	};
+		images: [...kept[0]]
+	} : choiceOfPairs(kept);
 }
 // www/block/state/state.ts
 var BLOCK_INITIAL = {
@@ -538,7 +606,8 @@ var BLOCK_INITIAL = {
 		cameras: null,
 		control: null,
 		marks: null,
-		masks: []
+		masks: [],
+		geoid: null
 	},
 	refused: null,
 	flight: null,
@@ -556,7 +625,8 @@ var BLOCK_INITIAL = {
 function wantedKey(state) {
 	return JSON.stringify([state.files.map(({ id }) => id), {
 		...state.options,
-		...givenToRun(state)
+		...givenToRun(state),
+		geoid: state.options.geoid ?? void 0
 	}]);
 }
 function isOutdated(state) {
@@ -753,7 +823,7 @@ var PlacingEngine = class {
 		const key = placingKey(state);
 		const workers = this.placers.slice(0, isLight && (navigator.hardwareConcurrency || 1) > 2 ? 2 : 1);
 		const waiting = [...files];
-		const { options: given } = placing;
+		const { options: given, film } = placing;
 		const cameras = options.cameras?.text ?? null;
 		let done = 0;
 		this.stopped = false;
@@ -779,7 +849,8 @@ var PlacingEngine = class {
 					options: given,
 					name,
 					file: file.file,
-					cameras
+					cameras,
+					film: filmOf(film, name)
 				});
 				done += 1;
 				const former = this.store.state.placing.placed.get(id);
@@ -789,7 +860,7 @@ var PlacingEngine = class {
 					type: "placed",
 					image: id,
 					placed: {
-						key,
+						key: placingKeyOf(key, film, name),
 						result,
 						problem,
 						found,
@@ -852,6 +923,7 @@ var PlacingEngine = class {
 				name,
 				file: bytes,
 				cameras,
+				film: filmOf(placing.film, name),
 				links,
 				start,
 				size: found.size
@@ -900,7 +972,7 @@ var PlacingEngine = class {
 			side
 		});
 	}
-	async mosaic(project, files, inAdjustment) {
+	async mosaic(project, files, how) {
 		this.stopped = false;
 		const tell = (done, total, text) => this.store.dispatch({
 			type: "placing",
@@ -916,7 +988,7 @@ var PlacingEngine = class {
 			const order = await this.maker.call("mosaicOpen", {
 				project,
 				heights: null,
-				inAdjustment,
+				...how,
 				names: [...byName.keys()]
 			});
 			for (const [done, { name, index }] of order.entries()) {
@@ -930,6 +1002,45 @@ var PlacingEngine = class {
 			}
 			tell(order.length, order.length, say("writing-the-orthomosaic"));
 			return await this.maker.call("mosaicFinish", null);
+		} catch (error) {
+			if (this.stopped || error instanceof Cancelled) return null;
+			throw named$1(error);
+		} finally {
+			this.maker.cancel();
+			this.store.dispatch({
+				type: "placing",
+				running: null
+			});
+		}
+	}
+	async frames(scans) {
+		this.stopped = false;
+		const made = [];
+		try {
+			for (const { file, film } of scans) {
+				if (film === null) continue;
+				this.store.dispatch({
+					type: "placing",
+					running: {
+						done: made.length,
+						total: scans.length,
+						text: say("frame-of", { name: file.name })
+					}
+				});
+				const name = `${file.name.replace(/\.[^.]*$/u, "")}.png`;
+				const pixelMm = made[0]?.camera.pixel_mm ?? null;
+				made.push({
+					...await this.maker.call("filmFrame", {
+						file: file.file,
+						film,
+						image: name,
+						pixelMm
+					}),
+					name,
+					of: file.id
+				});
+			}
+			return made;
 		} catch (error) {
 			if (this.stopped || error instanceof Cancelled) return null;
 			throw named$1(error);
@@ -973,10 +1084,13 @@ function groundOf(raster, heights) {
 		}
 	};
 }
-function sourceOf$2({ file, world }) {
+function sourceOf$2({ file, world, projection }) {
 	return {
 		file,
-		world: world?.text ?? null
+		sidecars: {
+			world_file: world?.text ?? null,
+			projection: projection?.text ?? null
+		}
 	};
 }
 function named$1(error) {
@@ -1111,12 +1225,12 @@ function calibrationsOf({ verdict, cameras }, isSimulated, at) {
 // www/block/state/given.ts
 var PARTNER_MISSING = { marks: say("image-measurements-need-their-ground") };
 function problemsOf({ files, options, marks }) {
-	return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, marks);
+	return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, options.geoid, marks);
 }
 function firstProblem(state) {
 	return Object.values(problemsOf(state))[0] ?? null;
 }
-var problems = remember((files, placing, cameras, control, marks, masks, byHand) => {
+var problems = remember((files, placing, cameras, control, marks, masks, geoid, byHand) => {
 	if (placing === null) return {};
 	const names = files.map(({ name }) => name);
 	const found = {};
@@ -1143,6 +1257,7 @@ var problems = remember((files, placing, cameras, control, marks, masks, byHand)
 	if (pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing));
 	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
 	look("masks", "", () => check_masks(names, masks.map(({ name }) => name)));
+	if (geoid !== null) look("geoid", "", () => check_geoid(geoid.name, placing));
 	return found;
 });
 // www/block/engine/engine.ts
@@ -1195,6 +1310,7 @@ var BlockEngine = class {
 					...givenToRun(state)
 				}, settings),
 				masks: state.options.masks,
+				geoid: state.options.geoid,
 				truth,
 				workers: this.pool.size,
 				kept: this.kept,
@@ -1503,6 +1619,14 @@ var Carrier = class {
 					images
 				}];
 			}
+			case "reject_pairs":
+			case "restore_pairs": {
+				const pairs = edit.pairs.map(([a, b]) => [this.image(a), this.image(b)]).filter((pair) => !pair.includes(-1));
+				return pairs.length === 0 ? [] : [{
+					...edit,
+					pairs
+				}];
+			}
 			case "add_point": return this.add(edit.observations);
 			case "measure": {
 				const [[point], image] = [this.points([edit.point]), this.image(edit.image)];
@@ -1601,7 +1725,8 @@ function indexOfSource({ points }, source) {
 	return places$1(points.sources).get(codeOfSource(source)) ?? -1;
 }
 function choiceAfterEdit(choice, before, after) {
-	if (choice === null || choice.kind === "image" || choice.kind === "images" || choice.kind === "pair" || choice.kind === "given") return choice;
+	if (choice === null || choice.kind === "given") return choice;
+	if (choice.kind === "image" || choice.kind === "images" || choice.kind === "pair" || choice.kind === "pairs") return choice;
 	const moved = [...pointsOf(choice)].flatMap((point) => {
 		const source = sourceOf$1(before, point);
 		const index = source === null ? -1 : indexOfSource(after, source);
@@ -1626,6 +1751,7 @@ var standingOf = remember((edits) => {
 	const observations = new Map();
 	const points = new Map();
 	const images = new Set();
+	const pairs = new Map();
 	const unused = new Set();
 	const measured = new Map();
 	const measure = (image, point) => {
@@ -1658,6 +1784,12 @@ var standingOf = remember((edits) => {
 		case "restore_images":
 			for (const image of edit.images) images.delete(image);
 			break;
+		case "reject_pairs":
+			for (const pair of edit.pairs) pairs.set(keyOfPair(pair), pair);
+			break;
+		case "restore_pairs":
+			for (const pair of edit.pairs) pairs.delete(keyOfPair(pair));
+			break;
 		case "measure":
 			measure(edit.image, edit.point);
 			break;
@@ -1672,10 +1804,12 @@ var standingOf = remember((edits) => {
 		observations,
 		points,
 		images,
+		pairs,
 		unused,
 		measured
 	};
 });
+var connectedPairs$1 = remember(({ connections }) => new Set(connections.filter(({ outcome }) => outcome.kind === "connected").map(({ images }) => keyOfPair(images))));
 function editOfChoice(kind, choice, view, standing, whole = false) {
 	const rejects = kind === "reject";
 	switch (choice?.kind) {
@@ -1685,6 +1819,14 @@ function editOfChoice(kind, choice, view, standing, whole = false) {
 			return images.length === 0 ? null : {
 				kind: `${kind}_images`,
 				images
+			};
+		}
+		case "pair":
+		case "pairs": {
+			const pairs = pairsOf(choice).filter((pair) => connectedPairs$1(view).has(keyOfPair(pair))).filter((pair) => standing.pairs.has(keyOfPair(pair)) !== rejects).map(([a, b]) => [a, b]);
+			return pairs.length === 0 ? null : {
+				kind: `${kind}_pairs`,
+				pairs
 			};
 		}
 		case "observation": {
@@ -1814,6 +1956,15 @@ function nameOfEdit(edit, names = NO_NAMES) {
 			return say("step-named", {
 				verb: verbOf(edit.kind),
 				name: only === void 0 || more.length > 0 ? say("so-many-images", { images: edit.images.length }) : imageName(only, names)
+			});
+		}
+		case "reject_pairs":
+		case "restore_pairs": {
+			const [only, ...more] = edit.pairs;
+			const named = only === void 0 || more.length > 0 ? null : only.map((image) => names.images[image]);
+			return say("step-named", {
+				verb: verbOf(edit.kind),
+				name: named === null || named.includes(void 0) ? say("so-many-pairs", { pairs: edit.pairs.length }) : named.join(" – ")
 			});
 		}
 		case "measure": return nameOfMeasures([edit], names);
@@ -2598,17 +2749,17 @@ function inUnitOf(view, coordinates) {
 	return withUnit(coordinates, unitOf(view));
 }
 // www/block/state/words.ts
-function connectionOf(view, [a, b]) {
-	return connectionsOf(view).get(pairKey(a, b));
+function connectionOf(view, pair) {
+	return connectionsOf(view).get(keyOfPair(pair));
 }
-function pairKey(a, b) {
-	return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
+function outcomeText({ reason, rejected }) {
+	return rejected ? say("pair-rejected-by-hand", { reason }) : reason;
 }
 var CONNECTIONS = new WeakMap();
 function connectionsOf(view) {
 	const known = CONNECTIONS.get(view);
 	if (known !== void 0) return known;
-	const made = new Map(view.connections.map((connection) => [pairKey(...connection.images), connection]));
+	const made = new Map(view.connections.map((connection) => [keyOfPair(connection.images), connection]));
 	CONNECTIONS.set(view, made);
 	return made;
 }
@@ -2623,6 +2774,7 @@ function describe({ view, given }, choice, gsd = "") {
 		case "image": return describeImage(view, choice.image, gsd);
 		case "images": return describeImages(view, choice.images);
 		case "pair": return describePair(view, choice.images);
+		case "pairs": return describePairs(view, choice.pairs);
 		case "point": return describePoint(view, choice.point);
 		case "observation": return `${view.images[choice.image]?.name ?? ""}, ${describePoint(view, choice.point)}`;
 		case "points": return describePoints(view, choice.points);
@@ -2672,18 +2824,28 @@ function geometryText(geometry) {
 	return text;
 }
 function describePair(view, images) {
-	const names = images.map((image) => view.images[image]?.name ?? "").join(" – ");
+	const names = nameOfPair(view, images);
 	const connection = connectionOf(view, images);
 	if (connection === void 0) return say("this-pair-was-not-tried", { names });
-	const { reason, geometry, shared, chosen } = connection;
+	const { geometry, shared, chosen } = connection;
 	return `${names}: ${[
-		reason.replace(/\.$/u, ""),
+		outcomeText(connection).replace(/\.$/u, ""),
 		geometryText(geometry),
 		shared > 0 ? say("common-points-selected", {
 			shared,
 			chosen
 		}) : ""
 	].filter((part) => part !== "").join("; ")}.`;
+}
+function nameOfPair({ images }, pair) {
+	return pair.map((image) => images[image]?.name ?? "").join(" – ");
+}
+function describePairs(view, pairs) {
+	const names = pairs.slice(0, MOST_NAMES$2).map((pair) => nameOfPair(view, pair));
+	return say("several-pairs", {
+		pairs: pairs.length,
+		names: [...names, ...pairs.length > MOST_NAMES$2 ? ["…"] : []].join(", ")
+	});
 }
 function nameOfPoint({ surveyed }, point) {
 	return surveyed.find((known) => known.point === point)?.name ?? say("point-of-number", { number: point + 1 });
@@ -3142,8 +3304,8 @@ function restoreButton(store, name, edit) {
 	made.setAttribute("aria-label", say("restore-2", { name }));
 	return made;
 }
-var LISTED$1 = 200;
-function rejectedRows(view, { images, points, unused, observations }) {
+var LISTED$2 = 200;
+function rejectedRows(view, { images, pairs, points, unused, observations }) {
 	const imageName = (image) => view.images[image]?.name ?? "";
 	const pointName = (point) => {
 		const index = indexOfSource(view, point);
@@ -3159,6 +3321,13 @@ function rejectedRows(view, { images, points, unused, observations }) {
 			edit: {
 				kind: "restore_images",
 				images: [image]
+			}
+		})),
+		...[...pairs.values()].map((pair) => ({
+			name: nameOfPair(view, pair),
+			edit: {
+				kind: "restore_pairs",
+				pairs: [pair]
 			}
 		})),
 		...[...points.values()].map((point) => ({
@@ -3185,7 +3354,7 @@ function rejectedRows(view, { images, points, unused, observations }) {
 				observations: [one]
 			}
 		}))
-	].slice(0, LISTED$1);
+	].slice(0, LISTED$2);
 }
 function comparison(before, now) {
 	const line = (name, testid, text) => row(name, h("td", {
@@ -3263,10 +3432,11 @@ var GroundFiles = class {
 		}
 		return said.join(" ");
 	}
-	async takeOrthophoto({ file, world }) {
+	async takeOrthophoto(found) {
+		const { file } = found;
 		this.tell("busy", say("reading-the-orthophoto", { name: file.name }));
 		try {
-			const orthophoto = await this.engine.open(await rasterOf(file, world));
+			const orthophoto = await this.engine.open(await rasterOf(found));
 			this.store.dispatch({
 				type: "orthophoto",
 				orthophoto
@@ -3282,10 +3452,10 @@ var GroundFiles = class {
 			return null;
 		}
 	}
-	async takeHeights({ file, world }) {
-		return this.setHeights(file.name, async () => ({
+	async takeHeights(found) {
+		return this.setHeights(found.file.name, async () => ({
 			kind: "model",
-			model: await rasterOf(file, world)
+			model: await rasterOf(found)
 		}));
 	}
 	async takeLevel(height) {
@@ -3325,7 +3495,8 @@ var GroundFiles = class {
 		}
 		const taken = await this.takeOrthophoto({
 			file: new File([image.file], image.name, { type: image.file.type }),
-			world
+			world,
+			projection: null
 		});
 		if (taken !== null) this.store.dispatch({
 			type: "files",
@@ -3354,15 +3525,17 @@ var GroundFiles = class {
 		});
 	}
 };
-async function rasterOf(file, world) {
+async function rasterOf({ file, world, projection }) {
+	const textOf = async (beside) => beside === null ? null : {
+		name: beside.name,
+		text: await beside.text()
+	};
 	return {
 		id: newId(),
 		name: file.name,
 		file,
-		world: world === null ? null : {
-			name: world.name,
-			text: await world.text()
-		}
+		world: await textOf(world),
+		projection: await textOf(projection)
 	};
 }
 function orthophotoText(orthophoto) {
@@ -3384,13 +3557,13 @@ function gsdText$1(gsd, unit) {
 function named(rasters) {
 	return rasters.map(({ file }) => file.name).join(", ");
 }
-function stemOf(name) {
-	return name.replace(/\.[^.]*$/u, "").toLowerCase();
-}
 // www/block/panel/mosaic.ts
 var NAME = "orthomosaic.tif";
-async function saveMosaic(store, engine, placing, near) {
-	const mosaic = await made$1(store, engine, placing, false, near);
+async function saveMosaic(store, engine, placing, near, pixel) {
+	const mosaic = await made$1(store, engine, placing, {
+		inAdjustment: false,
+		gsd: pixel === "" ? null : Number(pixel)
+	}, near);
 	if (mosaic === null) return;
 	save(mosaic, NAME);
 	tell$2(store, "info", say("was-saved-2", {
@@ -3400,11 +3573,18 @@ async function saveMosaic(store, engine, placing, near) {
 }
 async function makeMosaic(store, engine, placing, near) {
 	const key = store.state.shown?.key ?? "";
-	const mosaic = await made$1(store, engine, placing, true, near);
+	const mosaic = await made$1(store, engine, placing, {
+		inAdjustment: true,
+		gsd: null
+	}, near);
 	if (mosaic === null) return;
 	tell$2(store, "busy", say("laying-the-orthomosaic-under-the"));
 	try {
-		const orthophoto = await placing.open(await rasterOf(new File([mosaic], NAME, { type: mosaic.type }), null), key);
+		const orthophoto = await placing.open(await rasterOf({
+			file: new File([mosaic], NAME, { type: mosaic.type }),
+			world: null,
+			projection: null
+		}), key);
 		store.dispatch({
 			type: "orthophoto",
 			orthophoto
@@ -3417,14 +3597,14 @@ async function makeMosaic(store, engine, placing, near) {
 		tell$2(store, "problem", say("the-orthomosaic-cannot-be-shown", { sentence: sentence(messageOf(error)) }), { near });
 	}
 }
-async function made$1(store, engine, placing, inAdjustment, near) {
+async function made$1(store, engine, placing, how, near) {
 	const files = imagesOfBlock(store.state);
 	if (files.length === 0) {
 		tell$2(store, "problem", say("an-orthomosaic-is-made-of"), { near });
 		return null;
 	}
 	try {
-		const mosaic = await placing.mosaic(await engine.project(), files, inAdjustment);
+		const mosaic = await placing.mosaic(await engine.project(), files, how);
 		if (mosaic !== null) return mosaic;
 		tell$2(store, "info", say("cancelled-no-orthomosaic-was-made"), { beside: true });
 	} catch (error) {
@@ -3471,8 +3651,22 @@ function mountExports(host, store, engine, placing) {
 		testid: "block-export-kind",
 		aria: { label: say("format") }
 	});
-	const press = button(say("save"), EXPORT$1, () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT$1) : saveAs(store, engine, select.value)));
-	host.append(h("span", { class: "group-label" }, say("export")), select, press);
+	const press = button(say("save"), EXPORT$1, () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT$1, pixel.value) : saveAs(store, engine, select.value)));
+	const pixel = h("input", {
+		id: "block-mosaic-pixel",
+		type: "number",
+		testid: "block-mosaic-pixel",
+		aria: { label: say("pixel-of-the-orthomosaic") }
+	});
+	pixel.placeholder = say("pixel-as-the-images");
+	pixel.title = say("pixel-of-the-orthomosaic");
+	pixel.step = "any";
+	pixel.hidden = true;
+	const offerPixel = () => {
+		pixel.hidden = select.value !== MOSAIC;
+	};
+	select.addEventListener("change", offerPixel);
+	host.append(h("span", { class: "group-label" }, say("export")), select, pixel, press);
 	store.watch([
 		"shown",
 		"running",
@@ -3482,7 +3676,7 @@ function mountExports(host, store, engine, placing) {
 	], ([shown, , , history]) => {
 		const whole = shown !== null && !shown.view.partial;
 		press.disabled = !whole || isBusy(store.state) || !isSameList(editsInForce(history), shown.edits);
-		select.disabled = !whole;
+		select.disabled = pixel.disabled = !whole;
 	});
 	store.watch(["shown"], ([shown]) => {
 		const formats = shown?.view.formats ?? [];
@@ -3495,6 +3689,7 @@ function mountExports(host, store, engine, placing) {
 		const { value } = select;
 		fill(select, ...kinds.map((kind) => new Option(kind === MOSAIC ? say("orthomosaic-geotiff") : NAMES$3[kind], kind)));
 		if (kinds.some((kind) => kind === value)) select.value = value;
+		offerPixel();
 	});
 }
 async function saveAs(store, engine, kind, near = EXPORT$1) {
@@ -3578,6 +3773,7 @@ function kindOfTable(text, images) {
 // www/block/files/files.ts
 var PROJECT = /\.tiepoint$/iu;
 var TABLE = /\.(?:csv|txt)$/iu;
+var GEOID = /\.gtx$/iu;
 var CSV = /\.csv$/iu;
 var CAMERAS$1 = /\.json$/iu;
 var TEXTS = {
@@ -3632,11 +3828,17 @@ var BlockFiles = class {
 		const alone = found.filter(({ path }) => path === "");
 		const project = alone.find(({ file }) => PROJECT.test(file.name));
 		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name));
+		const geoid = alone.find(({ file }) => GEOID.test(file.name));
 		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
 		if (project !== void 0) await this.openProject(project.file);
+		if (geoid !== void 0) this.takeGeoid(geoid.file);
 		const notCameras = cameras === void 0 ? "" : await this.takeCameras(cameras.file, photos);
 		const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
-		const aside = found.length - photos.length - tables.count - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
+		const aside = found.length - photos.length - tables.count - [
+			project,
+			cameras,
+			geoid
+		].filter((file) => file !== void 0).length;
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
 		else await this.said(said);
 		const putAside = [notCameras, tables.aside].filter((text) => text !== "").join(" ");
@@ -3649,7 +3851,8 @@ var BlockFiles = class {
 		})));
 		const unknown = others.map(({ file }) => ({
 			file,
-			world: null
+			world: null,
+			projection: null
 		}));
 		const pictures = asHeights ? [] : [...sorted.orthophotos, ...sorted.orthophotos.length > 0 ? [] : unknown];
 		const heights = asHeights ? [
@@ -3695,11 +3898,13 @@ var BlockFiles = class {
 			const rasters = {
 				orthophotos: [{
 					file: new File([picture], "orthophoto.tif"),
-					world: null
+					world: null,
+					projection: null
 				}],
 				heights: [{
 					file: new File([heights], "heights.tif"),
-					world: null
+					world: null,
+					projection: null
 				}],
 				worlds: []
 			};
@@ -3836,6 +4041,22 @@ var BlockFiles = class {
 		});
 		const problem = problemsOf(this.store.state).masks;
 		if (problem !== void 0) this.tell("problem", say("the-block-cannot-be-run-with", { problem: sentence(problem) }));
+	}
+	takeGeoid(file) {
+		this.store.dispatch({
+			type: "options",
+			options: { geoid: {
+				id: newId(),
+				name: file.name,
+				file
+			} }
+		});
+		const problem = problemsOf(this.store.state).geoid;
+		if (problem === void 0) this.tell("info", say("from", {
+			texts: say("geoid"),
+			name: file.name
+		}));
+		else this.tell("problem", say("the-block-cannot-be-run", { problem: sentence(problem) }));
 	}
 	async open(file) {
 		this.tell("busy", say("reading", { name: file.name }));
@@ -4002,9 +4223,9 @@ function images$1(count) {
 }
 // www/block/state/kept.ts
 function isBlank({ catalogue, files, shown, options, flight, placing }) {
-	const { settings, gps, cameras, control, marks, masks } = options;
-	const noText = cameras === null && control === null && marks === null;
-	const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === "use" && noText && masks.length === 0 && placing.options === catalogue?.placing;
+	const { settings, gps, cameras, control, marks, masks, geoid } = options;
+	const noFile = cameras === null && control === null && marks === null && masks.length === 0 && geoid === null;
+	const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === "use" && noFile && placing.options === catalogue?.placing;
 	return catalogue === null || files.length === 0 && shown === null && placing.orthophoto === null && untouched;
 }
 // www/block/state/in-common.ts
@@ -4074,7 +4295,7 @@ var measured = remember((points, file, history) => {
 function givenBeside(view, { options, marks }) {
 	if (view.partial || options.control === null) return NONE_GIVEN;
 	const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
-	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? 0), options.marks, marks);
+	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), options.marks, marks);
 }
 // www/block/files/edit.ts
 var OF_ONE = 60;
@@ -4082,8 +4303,8 @@ function bytesOfStep(step) {
 	return step.reduce((sum, edit) => sum + bytesOf(edit), 0);
 }
 function bytesOf(edit) {
-	const list = "observations" in edit ? edit.observations : "points" in edit ? edit.points : "images" in edit ? edit.images : [edit];
-	return OF_ONE * Math.max(1, list.length);
+	const lists = Object.values(edit).filter((value) => Array.isArray(value));
+	return OF_ONE * Math.max(1, ...lists.map(({ length }) => length));
 }
 function bytesOfMarks(step) {
 	return OF_ONE * Math.max(1, step.kind === "remove_images" ? step.files.length : step.marks.length);
@@ -4131,6 +4352,11 @@ function editFrom(value, name) {
 			kind,
 			images: listOf$1(edit.images, `${name}.images`, (image, at) => likeOf(image, 0, at))
 		};
+		case "reject_pairs":
+		case "restore_pairs": return {
+			kind,
+			pairs: listOf$1(edit.pairs, `${name}.pairs`, pairFrom)
+		};
 		case "measure": return {
 			kind,
 			point: sourceFrom(edit.point, `${name}.point`),
@@ -4157,6 +4383,11 @@ function observationFrom(value, name) {
 		point: sourceFrom(point, `${name}.point`),
 		image: likeOf(image, 0, `${name}.image`)
 	};
+}
+function pairFrom(value, name) {
+	const [a, b] = listOf$1(value, name, (image, at) => likeOf(image, 0, at));
+	if (a === void 0 || b === void 0) throw new Error(say("the-field-is-damaged", { name }));
+	return [a, b];
 }
 function sourceFrom(value, name) {
 	const source = objectOf(value, name);
@@ -4187,7 +4418,7 @@ var SMALL$1 = 2048;
 function rastersOf({ orthophoto, heights }) {
 	return [...orthophoto === null ? [] : [orthophoto.raster], ...heights.kind === "model" ? [heights.model] : []];
 }
-function keptPlacing(orthophoto, heights, options, purpose) {
+function keptPlacing(orthophoto, heights, film, options, purpose) {
 	return {
 		orthophoto: orNull(orthophoto, ({ raster, info, ofBlock }) => ({
 			raster: keptRaster(raster),
@@ -4198,16 +4429,18 @@ function keptPlacing(orthophoto, heights, options, purpose) {
 			kind: "model",
 			model: keptRaster(heights.model)
 		},
+		film,
 		options,
 		purpose
 	};
 }
-function keptRaster({ id, name, file, world }) {
+function keptRaster({ id, name, file, world, projection }) {
 	return {
 		id,
 		name,
 		file: nameOf$1(file),
-		world
+		world,
+		projection
 	};
 }
 function sizeOfPlaced({ result }) {
@@ -4221,16 +4454,11 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 	if (given === void 0) return none;
 	const kept = objectOf(given, "placing");
 	const raster = (value, name) => {
-		const world = orNull(objectOf(value, name).world, (text) => {
-			const { name: called, text: content } = objectOf(text, `${name}.world`);
-			return {
-				name: likeOf(called, "", `${name}.world.name`),
-				text: likeOf(content, "", `${name}.world.text`)
-			};
-		});
+		const { world, projection } = objectOf(value, name);
 		return {
 			...open(readFile(value, name)),
-			world
+			world: orNull(world, (text) => textFrom(text, `${name}.world`)),
+			projection: orNull(projection ?? null, (text) => textFrom(text, `${name}.projection`))
 		};
 	};
 	const orthophoto = orNull(kept.orthophoto, (value) => {
@@ -4257,7 +4485,23 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 		heights,
 		options: same(options, catalogue),
 		purpose,
+		film: filmFrom(kept.film),
 		placed: placedFrom(placed)
+	};
+}
+function filmFrom(given) {
+	if (given === void 0) return NO_FILM;
+	const { camera, marks } = objectOf(given, "placing.film");
+	return {
+		camera: orNull(camera, (text) => textFrom(text, "placing.film.camera")),
+		marks: listOf$1(marks, "placing.film.marks", textFrom)
+	};
+}
+function textFrom(given, name) {
+	const { name: called, text } = objectOf(given, name);
+	return {
+		name: likeOf(called, "", `${name}.name`),
+		text: likeOf(text, "", `${name}.text`)
 	};
 }
 function same(options, { placing }) {
@@ -4338,7 +4582,7 @@ var KeptBlocks = class {
 		if (isBlank(state)) return parts;
 		const { files, removed, options, flight, truth, opened, shown, placing } = state;
 		parts.set(GIVEN, {
-			value: given$1(files, removed, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.options, placing.purpose),
+			value: given$1(files, removed, options, flight, truth, opened, placing.orthophoto, placing.heights, placing.film, placing.options, placing.purpose),
 			bytes: SMALL
 		});
 		for (const [id, placed] of placing.placed) parts.set(PLACED + String(id), {
@@ -4353,7 +4597,7 @@ var KeptBlocks = class {
 		for (const { file } of [
 			...files,
 			...removed,
-			...options.masks,
+			...besidesOf(options),
 			...shown?.files ?? [],
 			...rastersOf(placing)
 		]) parts.set(FILE + nameOf$1(file), {
@@ -4381,6 +4625,7 @@ var KeptBlocks = class {
 		const files = kept.files.map((file) => fileFrom(parts, file));
 		const removed = kept.removed.map((file) => fileFrom(parts, file));
 		const masks = kept.masks.map((file) => fileFrom(parts, file));
+		const geoid = orNull(kept.geoid, (file) => fileFrom(parts, file));
 		const placed = new Map([...parts].flatMap(([part, value]) => part.startsWith(PLACED) ? [[Number(part.slice(13)), value]] : []));
 		const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file));
 		const history = this.journal.read(parts);
@@ -4395,7 +4640,10 @@ var KeptBlocks = class {
 			passIds([
 				...files,
 				...removed,
-				...masks,
+				...besidesOf({
+					masks,
+					geoid
+				}),
 				...shown?.files ?? [],
 				...rastersOf(placing)
 			].map(({ id }) => id));
@@ -4413,7 +4661,8 @@ var KeptBlocks = class {
 					removed,
 					options: {
 						...kept.options,
-						masks
+						masks,
+						geoid
 					},
 					flight: kept.flight,
 					truth,
@@ -4524,6 +4773,9 @@ function groundFrom(value) {
 		before
 	};
 }
+function besidesOf({ masks, geoid }) {
+	return geoid === null ? masks : [...masks, geoid];
+}
 function keptFile({ id, name, file }) {
 	return {
 		id,
@@ -4531,15 +4783,16 @@ function keptFile({ id, name, file }) {
 		file: nameOf$1(file)
 	};
 }
-var given$1 = remember((files, removed, { masks, ...options }, flight, truth, opened, orthophoto, heights, placing, purpose) => ({
+var given$1 = remember((files, removed, { masks, geoid, ...options }, flight, truth, opened, orthophoto, heights, film, placing, purpose) => ({
 	files: files.map(keptFile),
 	removed: removed.map(keptFile),
 	options,
 	masks: masks.map(keptFile),
+	geoid: orNull(geoid, keptFile),
 	flight,
 	truth: orNull(truth, (known) => nameOf$1(known)),
 	opened,
-	placing: keptPlacing(orthophoto, heights, placing, purpose)
+	placing: keptPlacing(orthophoto, heights, film, placing, purpose)
 }));
 function fileOf$2(value, name) {
 	const { id, name: called, file } = objectOf(value, name);
@@ -4564,6 +4817,7 @@ function givenFrom(value, catalogue) {
 		files: listOf$1(kept.files, "files", fileOf$2),
 		removed: listOf$1(kept.removed ?? [], "removed", fileOf$2),
 		masks: listOf$1(kept.masks, "masks", fileOf$2),
+		geoid: orNull(kept.geoid ?? null, (file) => fileOf$2(file, "geoid")),
 		options: {
 			settings: orNull(options.settings, (settings) => fitted(settings, catalogue.defaults, "options.settings")),
 			gps: options.gps === "ignore" ? "ignore" : "use",
@@ -4687,6 +4941,7 @@ var VIEWS = [
 ];
 var MOST_POINTS = 100;
 var MOST_IMAGES = 50;
+var MOST_PAIRS = 25;
 function addressOf({ shown, onStage, selection: { chosen } }) {
 	if (shown === null) return "";
 	const named = new URLSearchParams({ view: onStage });
@@ -4696,6 +4951,7 @@ function addressOf({ shown, onStage, selection: { chosen } }) {
 	if (chosen?.kind === "image" || chosen?.kind === "observation") named.append("image", name(chosen.image));
 	if (chosen?.kind === "images" && chosen.images.length <= MOST_IMAGES) for (const image of chosen.images) named.append("images", name(image));
 	if (chosen?.kind === "pair") for (const image of chosen.images) named.append("image", name(image));
+	if (chosen?.kind === "pairs" && chosen.pairs.length <= MOST_PAIRS) for (const image of chosen.pairs.flat()) named.append("pairs", name(image));
 	return named.toString();
 }
 var PAIR = "pair";
@@ -4716,7 +4972,13 @@ function asked(address, view) {
 	const indexOf = (name) => view.images.findIndex((image) => image.name === name);
 	const images = named.getAll("image").map(indexOf);
 	const several = named.getAll("images").map(indexOf).filter((image) => image >= 0);
+	const ofPairs = named.getAll("pairs").map(indexOf);
+	const pairs = ofPairs.flatMap((a, at) => at % 2 === 0 ? [[a, ofPairs[at + 1] ?? -1]] : []).filter((pair) => !pair.includes(-1));
 	const points = (named.get("point") ?? "").split(",").map((number) => Number(number) - 1).filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count);
+	if (pairs.length > 0) return {
+		view: wanted,
+		choice: choiceOfPairs(pairs)
+	};
 	return {
 		view: wanted,
 		choice: several.length > 0 ? choiceOfImages(several) : choiceOf$2(images, points)
@@ -4836,6 +5098,7 @@ function pairRows({ images, connections }) {
 		const connection = connections[row];
 		return connection?.outcome.kind === "connected" ? matchesOf(connection) : NaN;
 	};
+	const outcome = (row) => connections[row] === void 0 ? "" : outcomeText(connections[row]);
 	return {
 		count: connections.length,
 		columns: [
@@ -4845,7 +5108,7 @@ function pairRows({ images, connections }) {
 			numbers("shared", say("common"), "", 0, (i) => connections[i]?.shared, say("tie-points-that-both-images"), { total: "sum" }),
 			numbers("chosen", say("selected"), "", 0, (i) => connections[i]?.chosen, say("of-them-those-that-were"), { total: "sum" }),
 			words("geometry", say("geometry-2"), (i) => geometryText(connections[i]?.geometry ?? null), say("what-relates-the-two-views")),
-			words("reason", say("outcome"), (i) => connections[i]?.reason ?? "", say("why-the-images-are-connected"))
+			words("reason", say("outcome"), outcome, say("why-the-images-are-connected"))
 		]
 	};
 }
@@ -4933,10 +5196,16 @@ var raysOf = remember((of) => {
 });
 function observationsOf(of, choice) {
 	if (choice === null) return () => true;
-	const images = new Set(imagesOf(choice));
-	if (choice.kind === "image" || choice.kind === "images" || choice.kind === "pair") {
-		const seen = choice.kind === "pair" ? commonPoints(of, choice.images) : null;
-		return (row) => images.has(of.images[row] ?? -1) && (seen === null || seen.has(of.points[row] ?? -1));
+	if (choice.kind === "image" || choice.kind === "images") {
+		const images = new Set(imagesOf(choice));
+		return (row) => images.has(of.images[row] ?? -1);
+	}
+	if (choice.kind === "pair" || choice.kind === "pairs") {
+		const seen = pairsOf(choice).map((pair) => ({
+			pair,
+			points: commonPoints(of, pair)
+		}));
+		return (row) => seen.some(({ pair, points }) => pair.includes(of.images[row] ?? -1) && points.has(of.points[row] ?? -1));
 	}
 	const points = new Set(pointsOf(choice));
 	return (row) => points.has(of.points[row] ?? -1);
@@ -4994,12 +5263,9 @@ function rowsOfChoice(subject, { view, given }, choice) {
 		return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => points.has(point) ? [row] : []));
 	}
 	if (subject === "images") return Uint32Array.from(imagesOf(choice));
-	if (subject !== "pairs" || choice?.kind !== "pair") return new Uint32Array();
-	const row = view.connections.findIndex(({ images }) => isSame({
-		kind: "pair",
-		images
-	}, choice));
-	return row < 0 ? new Uint32Array() : Uint32Array.of(row);
+	if (subject !== "pairs") return new Uint32Array();
+	const pairs = new Set(pairsOf(choice).map(keyOfPair));
+	return Uint32Array.from(view.connections.flatMap(({ images }, row) => pairs.has(keyOfPair(images)) ? [row] : []));
 }
 var EMPTY = {};
 function kept(subject, view, filter) {
@@ -5163,6 +5429,7 @@ function oneTable(host, store, looking, source) {
 		choose: (row) => choose(ofRow(row)),
 		isChosen: (row) => chosen.has(row),
 		...subject === "points" ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {},
+		...subject === "pairs" ? { chooseMore: (rows) => choose(withMorePairs(store.state.selection.chosen, rows.flatMap((row) => pairsOf(ofRow(row))))) } : {},
 		...subject === "images" ? { chooseMore: (rows) => choose(withMoreImages(store.state.selection.chosen, rows.filter(isInBlock))) } : {}
 	});
 	let shownRows = NO_ROWS;
@@ -5282,7 +5549,7 @@ function strongestPair(state) {
 	if (shown === null || shown.view.partial) return null;
 	const there = new Set(imagesOfBlock(state).map(({ name }) => name));
 	const isThere = (image) => there.has(shown.view.images[image]?.name ?? "");
-	const [first, ...others] = shown.view.connections.filter((connection) => matchesOf(connection) > 0 && connection.images.every(isThere));
+	const [first, ...others] = shown.view.connections.filter((connection) => matchesOf(connection) > 0 && !connection.rejected && connection.images.every(isThere));
 	return first === void 0 ? null : others.reduce((best, other) => matchesOf(other) > matchesOf(best) ? other : best, first).images;
 }
 // www/block/panel/back.ts
@@ -5331,6 +5598,7 @@ function namesOf({ state: { shown } }, images) {
 var STAGES = {
 	photos: say("photos"),
 	images: say("images-features"),
+	geoid: say("geoid"),
 	likeness: say("similarity-of-images"),
 	pairs: say("pairs-matches"),
 	points: say("tie-points"),
@@ -5338,7 +5606,11 @@ var STAGES = {
 	refinement: say("refinement"),
 	orientation: say("orientation")
 };
-var OF_ONE_PIECE = new Set(["points", "orientation"]);
+var OF_ONE_PIECE = new Set([
+	"geoid",
+	"points",
+	"orientation"
+]);
 var NAMES$2 = Object.keys(STAGES);
 function mountProgress(host, store) {
 	const body = h("div", { class: "stages" });
@@ -5456,7 +5728,7 @@ function placedAfter({ selection: { chosen }, ...after }, before) {
 }
 function selectedAfter({ selection, placing, ...after }, before) {
 	const { chosen } = selection;
-	const now = imageOf$1(after, placing.chosen.image);
+	const now = imageOf$2(after, placing.chosen.image);
 	if (now !== null) return imagesOf(chosen).includes(now) ? selection : reduceSelection(selection, {
 		type: "choose",
 		choice: {
@@ -5464,7 +5736,7 @@ function selectedAfter({ selection, placing, ...after }, before) {
 			image: now
 		}
 	});
-	const former = imageOf$1(after, before.placing.chosen.image);
+	const former = imageOf$2(after, before.placing.chosen.image);
 	return chosen?.kind === "image" && chosen.image === former ? reduceSelection(selection, {
 		type: "choose",
 		choice: null
@@ -5474,7 +5746,7 @@ function fileOf$1({ shown, files }, image) {
 	const name = shown?.view.images[image]?.name;
 	return files.find((file) => file.name === name)?.id ?? null;
 }
-function imageOf$1({ shown, files }, id) {
+function imageOf$2({ shown, files }, id) {
 	const name = files.find((file) => file.id === id)?.name;
 	const image = shown?.view.images.findIndex((own) => own.name === name) ?? -1;
 	return image < 0 ? null : image;
@@ -5576,6 +5848,7 @@ function reduced(state, action) {
 		case "gotoMark": return reduceEdits(state, action);
 		case "orthophoto":
 		case "heights":
+		case "film":
 		case "placingOptions":
 		case "purpose":
 		case "placing":
@@ -7326,14 +7599,14 @@ function mountFrames(host, view, store, addImages) {
 		const panes = view.seen.panes();
 		const known = found === of ? frames : new Map();
 		of = found;
-		const next = new Map(panes.map((pane) => [pane.image, known.get(pane.image) ?? frameOf(pane.image, view, store, addImages)]));
+		const next = new Map(panes.map((pane) => [pane.image, known.get(pane.image) ?? frameOf$1(pane.image, view, store, addImages)]));
 		for (const [image, { element }] of frames) if (next.get(image)?.element !== element) element.remove();
 		for (const [, { element }] of next) if (element.parentElement === null) host.append(element);
 		frames = next;
 		for (const pane of panes) frames.get(pane.image)?.show(pane);
 	});
 }
-function frameOf(image, view, store, addImages) {
+function frameOf$1(image, view, store, addImages) {
 	const name = h("span", {});
 	const figures = h("span", {
 		class: "pane-figures",
@@ -7791,7 +8064,8 @@ var Matrix = class extends Chart {
 				if (x > this.layers.width || y > this.layers.height || x + side < HEAD || y + side < HEAD) continue;
 				context.globalAlpha = alpha;
 				context.fillStyle = tried ? colours.bars : connection.outcome.kind === "failed" ? colours.problem : colours.muted;
-				paintCell(context, x, y, side, tried);
+				if (connection.rejected) paintRejected(context, colours, x, y, side);
+				else paintCell(context, x, y, side, tried);
 				context.globalAlpha = 1;
 				if (tried && side >= NUMBERED) paintNumber(context, colours, x + side / 2, y + side / 2 + 3.5, matches);
 			}
@@ -7807,7 +8081,7 @@ var Matrix = class extends Chart {
 		const { scale: side } = t;
 		context.strokeStyle = colours.accent;
 		context.lineWidth = 2;
-		const cells = [chosen?.kind === "pair" ? chosen : null, pointed].map(cellOf).filter((cell) => cell !== null);
+		const cells = [...pairsOf(chosen), cellOf(pointed)].filter((cell) => cell !== null);
 		for (const [row, column] of cells) {
 			context.strokeRect(...toCanvas(t, column, row), side, side);
 			if (connectionOf(view, [row, column]) !== void 0) context.strokeRect(...toCanvas(t, row, column), side, side);
@@ -7838,6 +8112,13 @@ function paintCell(context, x, y, side, connected) {
 	const share = side > 12 ? .28 : .6;
 	if (connected) context.fillRect(x, y, side - gap, side - gap);
 	else context.fillRect(x + .5 * (1 - share) * side, y + .5 * (1 - share) * side, share * side, share * side);
+}
+function paintRejected(context, colours, x, y, side) {
+	const width = side > 8 ? 2 : 1;
+	context.globalAlpha = 1;
+	context.strokeStyle = colours.problem;
+	context.lineWidth = width;
+	context.strokeRect(x + width, y + width, side - 2 * width - 1, side - 2 * width - 1);
 }
 function paintNumber(context, colours, x, y, matches) {
 	context.font = "10px system-ui, sans-serif";
@@ -8514,12 +8795,14 @@ function linesOf(view) {
 	const weight = (connection) => joined ? connection.shared : matchesOf(connection);
 	const most = connected.reduce((high, connection) => Math.max(high, weight(connection)), 1);
 	const made = connected.map((connection) => ({
-		pair: connection.pair,
-		images: connection.images,
+		...connection,
 		strength: Math.sqrt(weight(connection) / most)
-	})).map((line) => ({
-		...line,
-		width: .6 + 6.4 * line.strength
+	})).map(({ pair, images, strength, rejected }) => ({
+		pair,
+		images,
+		strength,
+		rejected,
+		width: rejected ? 1 : .6 + 6.4 * strength
 	})).sort((a, b) => a.width - b.width);
 	LINES.set(view, made);
 	return made;
@@ -8561,31 +8844,36 @@ function soundness(view) {
 	return (image) => view.partial || (view.layout.kind === "oriented" ? view.images[image]?.oriented === true : largest.has(image));
 }
 function isOf(choice, images) {
+	if (choice.kind === "pairs") return pairsOf(choice).map(keyOfPair).includes(keyOfPair(images));
 	const own = imagesOf(choice);
 	return own.length === 1 ? own.every((image) => images.includes(image)) : images.every((image) => own.includes(image));
 }
+var DASHES = [4, 4];
 function paintLines(context, colours, view, plan, keepsPair) {
 	const alpha = context.globalAlpha;
 	context.lineCap = "round";
-	context.strokeStyle = colours.bars;
 	for (const line of linesOf(view)) {
 		if (!keepsPair(line.pair)) continue;
-		context.globalAlpha = alpha * (.3 + .5 * line.strength);
+		context.strokeStyle = line.rejected ? colours.problem : colours.bars;
+		context.setLineDash(line.rejected ? DASHES : []);
+		context.globalAlpha = line.rejected ? alpha : alpha * (.3 + .5 * line.strength);
 		context.lineWidth = line.width;
 		paintLine(context, view, plan, line.images);
 	}
+	context.setLineDash([]);
 	context.globalAlpha = alpha;
 }
 function paintMarkedLines(context, colours, view, plan, { marked, keepsPair }) {
 	if (marked.length === 0) return;
 	const isOn = (images) => marked.some((choice) => isOf(choice, images));
 	context.strokeStyle = colours.accent;
-	for (const { pair, images, width } of linesOf(view)) {
+	for (const { pair, images, width, rejected } of linesOf(view)) {
 		if (!keepsPair(pair) || !isOn(images)) continue;
+		context.setLineDash(rejected ? DASHES : []);
 		context.lineWidth = Math.max(width, 2);
 		paintLine(context, view, plan, images);
 	}
-	context.setLineDash([4, 4]);
+	context.setLineDash(DASHES);
 	context.lineWidth = 1;
 	for (const [pair, { images, outcome }] of view.connections.entries()) {
 		if (outcome.kind === "connected" || !keepsPair(pair) || !isOn(images)) continue;
@@ -10922,10 +11210,219 @@ function invited$1(store, { open, sample }) {
 	});
 	return welcome;
 }
+// www/block/files/film.ts
+var FilmFiles = class {
+	store;
+	constructor(store) {
+		this.store = store;
+	}
+	async takeCamera(file) {
+		const camera = await this.read(file, parse_camera);
+		if (camera === null) return;
+		this.store.dispatch({
+			type: "film",
+			film: {
+				...this.store.state.placing.film,
+				camera
+			}
+		});
+		this.tell("info", say("from", {
+			texts: say("film-camera"),
+			name: file.name
+		}));
+	}
+	async takeMarks(files) {
+		const marks = [];
+		for (const file of files) {
+			const read = await this.read(file, parse_fiducials);
+			if (read === null) return;
+			marks.push(read);
+		}
+		this.store.dispatch({
+			type: "film",
+			film: withMarks(this.store.state.placing.film, marks)
+		});
+		this.tell("info", say("from", {
+			texts: say("marks-of-scans"),
+			name: files.map(({ name }) => name).join(", ")
+		}));
+	}
+	clear() {
+		this.store.dispatch({
+			type: "film",
+			film: NO_FILM
+		});
+	}
+	async read(file, check) {
+		const text = await file.text();
+		try {
+			check(text);
+			return {
+				name: file.name,
+				text
+			};
+		} catch (error) {
+			this.tell("problem", say("cannot-be-used-of-film", {
+				name: file.name,
+				problem: sentence(messageOf(error))
+			}));
+			return null;
+		}
+	}
+	tell(kind, text) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind,
+				text
+			}
+		});
+	}
+};
+// www/block/files/frames.ts
+async function takeFrames(store, engine) {
+	const { files, truth, placing } = store.state;
+	const scans = framesOf(placing.film, files);
+	try {
+		const frames = await engine.frames(scans.map((file) => ({
+			file,
+			film: filmOf(placing.film, file.name)
+		})));
+		if (frames === null) {
+			store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "info",
+					text: say("cancelled-nothing-was-changed")
+				}
+			});
+			return;
+		}
+		const made = new Map(frames.map((frame) => [frame.of, frame]));
+		const { options } = store.state;
+		const stems = new Set(scans.map(({ name }) => stemOf(name)));
+		const masks = [...options.masks.filter(({ name }) => !stems.has(stemOf(name))), ...frames.map(({ name, mask }) => imageOf$1(name, mask))];
+		store.dispatch({
+			type: "files",
+			files: files.map((file) => frameOf(file, made)),
+			truth
+		});
+		store.dispatch({
+			type: "options",
+			options: {
+				masks,
+				cameras: camerasOf(frames, scans.length === files.length, options.cameras?.text ?? null)
+			}
+		});
+		store.dispatch({
+			type: "film",
+			film: NO_FILM
+		});
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("scans-became-frames", { frames: frames.length })
+			}
+		});
+	} catch (error) {
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "problem",
+				text: say("no-frames-were-made", { sentence: sentence(messageOf(error)) })
+			}
+		});
+	}
+}
+function frameOf(file, made) {
+	const frame = made.get(file.id);
+	return frame === void 0 ? file : imageOf$1(frame.name, frame.image);
+}
+function imageOf$1(name, bytes) {
+	return {
+		id: newId(),
+		name,
+		file: new File([bytes], name, { type: "image/png" })
+	};
+}
+function camerasOf(frames, areAll, given) {
+	const [first] = frames;
+	const like = ({ camera: { images: _, ...others } }) => JSON.stringify(others);
+	const isOne = first !== void 0 && frames.every((frame) => like(frame) === like(first));
+	const own = areAll && isOne ? [{
+		...first.camera,
+		images: "*"
+	}] : frames.map(({ camera }) => camera);
+	const others = given === null || areAll ? [] : JSON.parse(given).cameras;
+	return {
+		name: say("camera-of-frames"),
+		text: JSON.stringify({ cameras: [...own, ...others] })
+	};
+}
+// www/block/panel/film-settings.ts
+var LISTED$1 = 3;
+function filmFields(store, engine) {
+	const files = new FilmFiles(store);
+	const [camera, cameraInput] = fileButton(`${say("film-camera")} …`, {
+		testid: "block-film-camera",
+		label: say("file", { title: say("film-camera") }),
+		accept: ".json,application/json"
+	}, ([file]) => {
+		if (file !== void 0) files.takeCamera(file);
+	});
+	const [marks, marksInput] = fileButton(`${say("marks-of-scans")} …`, {
+		testid: "block-film-marks",
+		label: say("file", { title: say("marks-of-scans") }),
+		multiple: true,
+		accept: ".csv,.txt,text/*"
+	}, (given) => void files.takeMarks(given));
+	const remove = button(say("remove"), "block-film-remove", () => files.clear());
+	remove.setAttribute("aria-label", say("remove-2", { title: say("scanned-film") }));
+	const frames = button(say("make-frames"), "block-film-frames", () => void takeFrames(store, engine));
+	const cameraName = h("p", {
+		class: "note",
+		testid: "block-film-camera-name"
+	});
+	const marksNames = h("p", {
+		class: "note",
+		testid: "block-film-marks-names"
+	});
+	const problem = h("p", {
+		class: "field-problem",
+		testid: "block-film-problem"
+	});
+	store.watch([
+		"placing",
+		"files",
+		"running",
+		"notice"
+	], ([{ film }, images]) => {
+		const busy = isBusy(store.state);
+		for (const press of [
+			camera,
+			marks,
+			remove
+		]) press.disabled = busy;
+		remove.hidden = film.camera === null && film.marks.length === 0;
+		frames.disabled = busy || film.camera === null || framesOf(film, images).length === 0;
+		fill(cameraName, film.camera?.name ?? say("none-film-camera", { example: "{\"focal_mm\": 152.82, \"principal_point_mm\": [0.004, -0.012]}" }));
+		const names = film.marks.slice(0, LISTED$1).map(({ name }) => name);
+		const more = film.marks.length > LISTED$1 ? " …" : "";
+		fill(marksNames, names.length === 0 ? say("none-marks-of-scans", {
+			example: "1963_017.csv",
+			image: "1963_017.tif"
+		}) : names.join(", ") + more);
+		const [lone] = marksOfNone(film, images);
+		const text = lone !== void 0 ? say("marks-of-no-image", { name: lone }) : film.marks.length > 0 && film.camera === null ? say("marks-need-their-camera") : "";
+		if (problem.textContent !== text) problem.textContent = text;
+	});
+	return h("fieldset", { class: "group" }, h("legend", {}, say("scanned-film")), h("div", { class: "control" }, h("div", { class: "buttons" }, camera, marks, remove), cameraName, marksNames, problem, cameraInput, marksInput), h("div", { class: "control" }, frames, h("p", { class: "help" }, say("make-frames-help"))));
+}
 // www/block/panel/placing-settings.ts
 var ORTHOPHOTO = say("none-a-geotiff-in-a");
 var HEIGHTS = say("none-the-ground-is-level");
-function mountPlacingSettings(host, store, files) {
+function mountPlacingSettings(host, store, files, engine) {
 	const [orthophoto, orthophotoInput] = fileButton(say("orthophoto-2"), {
 		testid: "block-orthophoto",
 		label: say("file-orthophoto"),
@@ -10987,7 +11484,7 @@ function mountPlacingSettings(host, store, files) {
 				label
 			})
 		});
-		fill(host, given, ...sections.elements);
+		fill(host, given, filmFields(store, engine), ...sections.elements);
 		store.watch((s) => [s.placing.options], ([options]) => {
 			if (options !== null) sections.show({ placing: options });
 		});
@@ -12261,7 +12758,7 @@ function waiting(files) {
 var CAMERAS = say("from-exif-a-json-file", { example: "{\"cameras\": [{\"images\": \"DJI_*.JPG\", \"focal_px\": 3666.7}]}" });
 var CONTROL = say("none-two-files-georeference-the");
 function besides(store, files) {
-	return h("fieldset", { class: "group" }, h("legend", {}, say("files")), textFile(store, files, "cameras", say("cameras"), CAMERAS, ".json,application/json"), textFile(store, files, "control", say("ground-control-points"), CONTROL, ".txt,.csv,text/*"), textFile(store, files, "marks", say("image-measurements"), "", ".txt,.csv,text/*"), masks(store, files));
+	return h("fieldset", { class: "group" }, h("legend", {}, say("files")), textFile(store, files, "cameras", say("cameras"), CAMERAS, ".json,application/json"), textFile(store, files, "control", say("ground-control-points"), CONTROL, ".txt,.csv,text/*"), textFile(store, files, "marks", say("image-measurements"), "", ".txt,.csv,text/*"), masks(store, files), geoid(store, files));
 }
 var MASKS = say("none-images-of-the-same");
 function problemOf(store, given) {
@@ -12295,6 +12792,16 @@ function masks(store, files) {
 			what: given.length > 3 ? " …" : ""
 		}), MASKS);
 	});
+	return part.element;
+}
+function geoid(store, files) {
+	const part = besideField(store, "geoid", say("geoid"), { accept: ".gtx,.tif,.tiff,.pgm" }, ([file]) => {
+		if (file !== void 0) files.takeGeoid(file);
+	}, () => store.dispatch({
+		type: "options",
+		options: { geoid: null }
+	}));
+	store.watch((s) => [s.options.geoid], ([given]) => part.show(given?.name ?? null, say("none-a-file-from-which")));
 	return part.element;
 }
 function textFile(store, files, option, title, none, accept) {
@@ -12984,7 +13491,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	await breath();
 	mountSettings(settings.panels[0], store, files, opener);
 	await breath();
-	const pickers = mountPlacingSettings(settings.panels[1], store, files);
+	const pickers = mountPlacingSettings(settings.panels[1], store, files, placing);
 	mountFlight(settings.panels[2], store, files);
 	mountProgress(results.panels[0], store);
 	mountResults(results.panels[0], store, () => void runs.takeOff());

@@ -349,20 +349,11 @@ var OrthoMosaic = class OrthoMosaic {
 		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 		return v1;
 	}
-	static open(project, heights, heights_world_file, gsd, in_adjustment) {
-		const val3 = +(isLikeNone(gsd) ? 0 : gsd);
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = isLikeNone(heights_world_file) ? 0 : passStringToWasm0(heights_world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
+	static open(project, heights, heights_sidecars, gsd, in_adjustment) {
+		const val2 = +(isLikeNone(gsd) ? 0 : gsd);
+		const ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthomosaic_open(ptr0, len0, heights, heights_sidecars, !isLikeNone(gsd), val2, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return OrthoMosaic.__wrap(ret[0]);
 	}
@@ -397,7 +388,7 @@ var OrthophotoReference = class OrthophotoReference {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_orthophotoreference_free(ptr, 0);
 	}
-	adjust(name, file, links, start, cameras, options) {
+	adjust(name, file, links, start, cameras, options, film) {
 		let ptr0, len0, ptr1, len1, ptr2, len2;
 		try {
 			ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
@@ -412,7 +403,7 @@ var OrthophotoReference = class OrthophotoReference {
 			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 			throw e;
 		}
-		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options);
+		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options, film);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -453,10 +444,8 @@ var OrthophotoReference = class OrthophotoReference {
 	info() {
 		return wasm.orthophotoreference_info(this.__wbg_ptr);
 	}
-	static open(file, world_file) {
-		var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		var len0 = WASM_VECTOR_LEN;
-		const ret = wasm.orthophotoreference_open(file, ptr0, len0);
+	static open(file, sidecars) {
+		const ret = wasm.orthophotoreference_open(file, sidecars);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return OrthophotoReference.__wrap(ret[0]);
 	}
@@ -467,7 +456,7 @@ var OrthophotoReference = class OrthophotoReference {
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v1;
 	}
-	place(name, file, cameras) {
+	place(name, file, cameras, film) {
 		let ptr0, len0, ptr1, len1, ptr2, len2;
 		try {
 			ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
@@ -482,7 +471,7 @@ var OrthophotoReference = class OrthophotoReference {
 			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 			throw e;
 		}
-		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2);
+		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2, film);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -500,10 +489,8 @@ var OrthophotoReference = class OrthophotoReference {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return ret[0] >>> 0;
 	}
-	set_heights(heights, world_file) {
-		var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		var len0 = WASM_VECTOR_LEN;
-		const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, ptr0, len0);
+	set_heights(heights, sidecars) {
+		const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, sidecars);
 		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 	}
 };
@@ -818,6 +805,12 @@ function check_flight(flight) {
 	const ret = wasm.check_flight(flight);
 	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 }
+function check_geoid(name, placing) {
+	const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.check_geoid(ptr0, len0, placing);
+	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+}
 function check_masks(names, masks) {
 	let ptr0, len0, ptr1, len1;
 	try {
@@ -1038,6 +1031,13 @@ function parse_camera(json) {
 	const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 	const len0 = WASM_VECTOR_LEN;
 	const ret = wasm.parse_camera(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function parse_fiducials(csv) {
+	const ptr0 = passStringToWasm0(csv, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.parse_fiducials(ptr0, len0);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -2643,6 +2643,7 @@ function fieldsOf(text) {
 }
 // www/block/files/rasters.ts
 var WORLD = /\.(?:tfw|jgw|pgw|bpw|gfw|tifw|tiffw|jpgw|jpegw|pngw|wld)$/iu;
+var PROJECTION = /\.prj$/iu;
 var TIFF = /\.tiff?$/iu;
 var PICTURE = /\.(?:jpe?g|png|bmp|webp|p[gpn]m)$/iu;
 var GRID$1 = /\.(?:asc|grd|txt|agr)$/iu;
@@ -2654,22 +2655,25 @@ async function sortRasters(found) {
 		others: []
 	};
 	const worlds = found.filter(({ file }) => WORLD.test(file.name));
+	const projections = found.filter(({ file }) => PROJECTION.test(file.name));
 	const used = new Set();
 	for (const one of found) {
 		const { file } = one;
-		if (WORLD.test(file.name)) continue;
-		const world = worlds.find((other) => stemOf(other) === stemOf(one))?.file ?? null;
+		if (WORLD.test(file.name) || PROJECTION.test(file.name)) continue;
+		const [world = null, projection = null] = [worlds, projections].map((beside) => beside.find((other) => stemOf(other) === stemOf(one))?.file ?? null);
 		const kind = await kindOf$1(file, world !== null);
 		if (kind === "photograph") {
 			sorted.others.push(one);
 			continue;
 		}
-		if (world !== null) used.add(world);
+		for (const beside of [world, projection]) if (beside !== null) used.add(beside);
 		sorted[kind === "heights" ? "heights" : "orthophotos"].push({
 			file,
-			world
+			world,
+			projection
 		});
 	}
+	sorted.others.push(...projections.filter(({ file }) => !used.has(file)));
 	sorted.worlds = worlds.map(({ file }) => file).filter((file) => !used.has(file));
 	return sorted;
 }
@@ -16261,4 +16265,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

@@ -349,20 +349,11 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 			return v1;
 		}
-		static open(project, heights, heights_world_file, gsd, in_adjustment) {
-			const val3 = +(isLikeNone(gsd) ? 0 : gsd);
-			let ptr0, len0, ptr1, len1;
-			try {
-				ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
-				len0 = WASM_VECTOR_LEN;
-				ptr1 = isLikeNone(heights_world_file) ? 0 : passStringToWasm0(heights_world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-				len1 = WASM_VECTOR_LEN;
-			} catch (e) {
-				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-				throw e;
-			}
-			const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
+		static open(project, heights, heights_sidecars, gsd, in_adjustment) {
+			const val2 = +(isLikeNone(gsd) ? 0 : gsd);
+			const ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.orthomosaic_open(ptr0, len0, heights, heights_sidecars, !isLikeNone(gsd), val2, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return OrthoMosaic.__wrap(ret[0]);
 		}
@@ -397,7 +388,7 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_orthophotoreference_free(ptr, 0);
 		}
-		adjust(name, file, links, start, cameras, options) {
+		adjust(name, file, links, start, cameras, options, film) {
 			let ptr0, len0, ptr1, len1, ptr2, len2;
 			try {
 				ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
@@ -412,7 +403,7 @@
 				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 				throw e;
 			}
-			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options);
+			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options, film);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -453,10 +444,8 @@
 		info() {
 			return wasm.orthophotoreference_info(this.__wbg_ptr);
 		}
-		static open(file, world_file) {
-			var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			var len0 = WASM_VECTOR_LEN;
-			const ret = wasm.orthophotoreference_open(file, ptr0, len0);
+		static open(file, sidecars) {
+			const ret = wasm.orthophotoreference_open(file, sidecars);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return OrthophotoReference.__wrap(ret[0]);
 		}
@@ -467,7 +456,7 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			return v1;
 		}
-		place(name, file, cameras) {
+		place(name, file, cameras, film) {
 			let ptr0, len0, ptr1, len1, ptr2, len2;
 			try {
 				ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
@@ -482,7 +471,7 @@
 				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 				throw e;
 			}
-			const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2);
+			const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2, film);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -500,10 +489,8 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return ret[0] >>> 0;
 		}
-		set_heights(heights, world_file) {
-			var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			var len0 = WASM_VECTOR_LEN;
-			const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, ptr0, len0);
+		set_heights(heights, sidecars) {
+			const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, sidecars);
 			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 		}
 	};
@@ -778,6 +765,23 @@
 	}
 	function export_formats() {
 		return wasm.export_formats();
+	}
+	function film_frame(scan, film, images, pixel_mm) {
+		const val3 = +(isLikeNone(pixel_mm) ? 0 : pixel_mm);
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passStringToWasm0(images, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, !isLikeNone(pixel_mm), val3);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
 	}
 	function gradient_candidates(index, left_gradients, right_gradients, most) {
 		const val3 = +index;
@@ -1560,6 +1564,22 @@
 	}
 	// pkg/block/jobs.js
 	var jobs = { block: async ({ task, inputs }) => execute_job(task, inputs) };
+	// www/block/engine/film.ts
+	function readFilm({ camera, marks }) {
+		const scan = { fiducials: parse_fiducials(marks) };
+		return camera === null ? { scan } : {
+			camera: parse_camera(camera),
+			scan
+		};
+	}
+	async function filmFrame({ file, film, image, pixelMm }) {
+		const made = film_frame(new Uint8Array(await file.arrayBuffer()), readFilm(film), image, pixelMm ?? void 0);
+		return {
+			image: made.image,
+			mask: made.mask,
+			camera: made.camera
+		};
+	}
 	// www/block/state/links.ts
 	var USES = [
 		"used",
@@ -1592,7 +1612,7 @@
 		if (held$2?.keys.picture !== keys.picture) {
 			held$2?.reference.free();
 			held$2 = null;
-			const reference = OrthophotoReference.open(inParts(picture.file), picture.world);
+			const reference = OrthophotoReference.open(inParts(picture.file), picture.sidecars);
 			held$2 = {
 				keys: {
 					picture: keys.picture,
@@ -1606,7 +1626,7 @@
 		if (held$2.keys.heights !== keys.heights) {
 			const { reference } = held$2;
 			if (typeof heights === "number") reference.set_heights(heights);
-			else reference.set_heights(await bytesOf(heights.file), heights.world);
+			else reference.set_heights(await bytesOf(heights.file), heights.sidecars);
 			held$2 = {
 				keys,
 				reference,
@@ -1652,25 +1672,28 @@
 		if (now.searched !== JSON.stringify(input.options)) await orthoSearch(input);
 		return now.reference;
 	}
-	async function orthoPlace({ ground, options, name, file, cameras }) {
+	async function orthoPlace({ ground, options, name, file, cameras, film }) {
 		const reference = await orthoReference({
 			ground,
 			options
 		});
 		const bytes = await bytesOf(file);
-		const placed = reference.place(name, bytes, cameras);
+		const placed = reference.place(name, bytes, cameras, film && readFilm(film));
 		return inColumns(placed, sizeOf(placed, bytes));
 	}
 	function sizeOf({ placement }, file) {
-		if (placement !== null) return [placement.camera.width_px, placement.camera.height_px];
+		if (placement !== null) {
+			const { width_px: width, height_px: height } = placement.film ?? placement.camera;
+			return [width, height];
+		}
 		const photo = Photo.decode(file);
 		const size = [photo.width, photo.height];
 		photo.free();
 		return size;
 	}
-	async function orthoAdjust({ ground, options, name, file, cameras, links, start, size }) {
+	async function orthoAdjust({ ground, options, name, file, cameras, film, links, start, size }) {
 		const { reference } = await opened$2(ground);
-		return inColumns(reference.adjust(name, await bytesOf(file), links, start, cameras, options), size);
+		return inColumns(reference.adjust(name, await bytesOf(file), links, start, cameras, options, film && readFilm(film)), size);
 	}
 	async function orthoPredict({ ground, placement, at, place }) {
 		const { reference } = await opened$2(ground);
@@ -1700,13 +1723,13 @@
 	}
 	var mosaic = null;
 	var written = [];
-	async function mosaicOpen({ project, heights, inAdjustment, names }) {
+	async function mosaicOpen({ project, heights, inAdjustment, gsd, names }) {
 		mosaic?.free();
 		mosaic = null;
 		written = [];
 		const model = typeof heights === "object" && heights !== null ? await bytesOf(heights.file) : heights;
-		const world = typeof heights === "object" && heights !== null ? heights.world : null;
-		const made = OrthoMosaic.open(await bytesOf(project), model, world, void 0, inAdjustment);
+		const sidecars = typeof heights === "object" && heights !== null ? heights.sidecars : null;
+		const made = OrthoMosaic.open(await bytesOf(project), model, sidecars, gsd ?? void 0, inAdjustment);
 		mosaic = made;
 		const own = made.names;
 		const order = [...made.order()].map((index) => ({
@@ -1941,7 +1964,7 @@
 		};
 	}
 	// pkg/block/run.js
-	async function runBlock(sources, { settings = {}, cameras, gps, control, masks = [] }, surroundings) {
+	async function runBlock(sources, { settings = {}, cameras, gps, control, masks = [], geoid }, surroundings) {
 		const { pool, progress, news, signal } = surroundings;
 		const names = (files) => files.map(({ name }) => name);
 		const run = new Run({
@@ -1950,7 +1973,8 @@
 			settings,
 			cameras: cameras?.text ?? null,
 			use_gnss: gps !== "ignore",
-			control: control ?? null
+			control: control ?? null,
+			...geoid && { geoid: geoid.name }
 		});
 		const width = pool.size + 1;
 		const step = timed(width);
@@ -1963,7 +1987,8 @@
 		const perform = (job) => {
 			const done = performed(job, run, {
 				image: sources,
-				mask: masks
+				mask: masks,
+				geoid: geoid ? [geoid] : []
 			}, surroundings).catch((error) => {
 				failure ??= { error };
 			}).finally(() => underway.delete(done));
@@ -2221,6 +2246,10 @@
 			return last.result;
 		};
 	}
+	// www/block/state/selection.ts
+	function keyOfPair([a, b]) {
+		return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
+	}
 	// www/block/state/edits.ts
 	function keyOfPoint(point) {
 		const [[kind, number] = []] = Object.entries(point);
@@ -2241,6 +2270,7 @@
 		const observations = new Map();
 		const points = new Map();
 		const images = new Set();
+		const pairs = new Map();
 		const unused = new Set();
 		const measured = new Map();
 		const measure = (image, point) => {
@@ -2273,6 +2303,12 @@
 			case "restore_images":
 				for (const image of edit.images) images.delete(image);
 				break;
+			case "reject_pairs":
+				for (const pair of edit.pairs) pairs.set(keyOfPair(pair), pair);
+				break;
+			case "restore_pairs":
+				for (const pair of edit.pairs) pairs.delete(keyOfPair(pair));
+				break;
 			case "measure":
 				measure(edit.image, edit.point);
 				break;
@@ -2287,6 +2323,7 @@
 			observations,
 			points,
 			images,
+			pairs,
 			unused,
 			measured
 		};
@@ -2294,7 +2331,7 @@
 	// www/block/engine/outcome.ts
 	function viewOf(block) {
 		const onOrthophoto = block.on_orthophoto();
-		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, origin, crs, points } = block.overview();
+		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, origin, crs, geoid_m, points } = block.overview();
 		const connections = pairs.map(connectionOf);
 		const ids = block.point_ids();
 		const controls = ids.flatMap((id, point) => "ground_control" in id ? [{
@@ -2363,6 +2400,7 @@
 			},
 			origin,
 			crs,
+			geoidM: geoid_m,
 			rmsePx: rmse_px,
 			sigma0Px: sigma0_px,
 			checks,
@@ -2388,7 +2426,8 @@
 			reason: message("connection", connection),
 			geometry: geometryOf(geometries[i] ?? null),
 			shared: 0,
-			chosen: 0
+			chosen: 0,
+			rejected: false
 		}));
 		const none = new Float64Array();
 		return {
@@ -2442,6 +2481,7 @@
 			orthophoto: null,
 			origin: null,
 			crs: null,
+			geoidM: null,
 			rmsePx: null,
 			sigma0Px: null,
 			checks: null,
@@ -2451,7 +2491,7 @@
 			formats: export_formats()
 		};
 	}
-	function connectionOf({ images, rule, outcome, geometry, common_points: shared, chosen_points: chosen }) {
+	function connectionOf({ images, rule, outcome, geometry, common_points: shared, chosen_points: chosen, rejected_by_hand: rejected }) {
 		return {
 			images,
 			rule,
@@ -2463,7 +2503,8 @@
 			}),
 			geometry: geometryOf(geometry),
 			shared,
-			chosen
+			chosen,
+			rejected
 		};
 	}
 	function geometryOf(geometry) {
@@ -3761,7 +3802,7 @@
 		if (held$1 === null) throw new Error("no block is held");
 		return held$1;
 	}
-	async function blockRun({ files, options, masks, truth, workers, kept, port }) {
+	async function blockRun({ files, options, masks, geoid, truth, workers, kept, port }) {
 		const link = new Link(port);
 		const coming = new Coming((view) => link.send({
 			kind: "part",
@@ -3770,7 +3811,8 @@
 		try {
 			return hold$1(await runBlock(files.map(sourceOf), {
 				...options,
-				masks: masks.map(sourceOf)
+				masks: masks.map(sourceOf),
+				...geoid && { geoid: sourceOf(geoid) }
 			}, {
 				pool: link.pool(workers),
 				store: storeOf(kept, link),
@@ -4009,6 +4051,7 @@
 		linksOpen,
 		linksPlace,
 		linksFinish,
+		filmFrame,
 		mosaicOpen,
 		mosaicAdd,
 		mosaicFinish,

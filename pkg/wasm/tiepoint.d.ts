@@ -41,6 +41,20 @@ export interface PairTruth {
 
 
 
+/** A scan of film, resampled to the image of an ideal camera. */
+export interface FilmFiles {
+    /** PNG, grey or in colours. */
+    image: Uint8Array;
+    /** PNG: 0 where the image shows a fiducial mark, its surroundings, or nothing of the scan. */
+    mask: Uint8Array;
+    /** As a file of cameras has it. */
+    camera: CameraRule;
+    /** How the scan lies to the film. */
+    marks: FiducialOrientation;
+}
+
+
+
 /** An orthophoto that was read: `gsd` is the side of a pixel, `heights` the lowest and the highest of its ground. */
 export interface OrthophotoInfo {
     width: number;
@@ -435,6 +449,11 @@ export interface RunInput {
      */
     use_gnss?: boolean;
     control?: ControlTexts | null;
+    /**
+     * Name of the file of a geoid, from which the heights of the coordinate system count: a GeoTIFF of longitudes and latitudes, GTX, or PGM of
+     * GeographicLib.
+     */
+    geoid?: string;
 }
 
 /**
@@ -618,7 +637,7 @@ export interface CameraRule {
 /**
  * A change of a finished block by hand. Images count as those of the block.
  */
-export type BlockEdit = { kind: "reject_observations"; observations: PointImage[] } | { kind: "restore_observations"; observations: PointImage[] } | { kind: "reject_points"; points: PointSource[] } | { kind: "restore_points"; points: PointSource[] } | { kind: "reject_images"; images: number[] } | { kind: "restore_images"; images: number[] } | { kind: "measure"; point: PointSource; image: number; x_px: number; y_px: number; by?: MeasuredBy } | { kind: "add_point"; observations: HandMeasurement[] } | { kind: "set_use"; point: number; use?: ControlRole | null };
+export type BlockEdit = { kind: "reject_observations"; observations: PointImage[] } | { kind: "restore_observations"; observations: PointImage[] } | { kind: "reject_points"; points: PointSource[] } | { kind: "restore_points"; points: PointSource[] } | { kind: "reject_images"; images: number[] } | { kind: "restore_images"; images: number[] } | { kind: "reject_pairs"; pairs: [number, number][] } | { kind: "restore_pairs"; pairs: [number, number][] } | { kind: "measure"; point: PointSource; image: number; x_px: number; y_px: number; by?: MeasuredBy } | { kind: "add_point"; observations: HandMeasurement[] } | { kind: "set_use"; point: number; use?: ControlRole | null };
 
 /**
  * A change of the matches of a pair by hand.
@@ -663,7 +682,7 @@ export interface Fiducial {
 /**
  * A file by its place among the names that the run was given.
  */
-export type FileNeeded = { kind: "image"; index: number } | { kind: "mask"; index: number };
+export type FileNeeded = { kind: "image"; index: number } | { kind: "mask"; index: number } | { kind: "geoid"; index: number };
 
 /**
  * A focal length that was estimated from the matches.
@@ -827,6 +846,7 @@ export interface PairRow {
      * Those of the model that is written.
      */
     chosen_points: number;
+    rejected_by_hand: boolean;
 }
 
 /**
@@ -1092,7 +1112,7 @@ export interface RejectedObservation {
 /**
  * A slip of writing that explains wrong coordinates. Numbers are as they were written.
  */
-export type Mistake = { kind: "exchanged" } | { kind: "sign"; axis: Axis; given: string } | { kind: "decimal_point"; axis: Axis; given: string; likely: string } | { kind: "feet"; given: string; likely: string } | { kind: "metres"; given: string; likely: string } | { kind: "digit"; axis: Axis; given: string; likely: string } | { kind: "zone"; zone: number };
+export type Mistake = { kind: "exchanged" } | { kind: "sign"; axis: Axis; given: string } | { kind: "decimal_point"; axis: Axis; given: string; likely: string } | { kind: "feet"; given: string; likely: string } | { kind: "metres"; given: string; likely: string } | { kind: "digit"; axis: Axis; given: string; likely: string } | { kind: "transposed"; axis: Axis; given: string; likely: string } | { kind: "zone"; zone: number };
 
 /**
  * A surveyed point as it was measured in an image.
@@ -1915,6 +1935,39 @@ export type BlockView = "nadir" | "oblique" | "two-heights";
  * How the right point of a left one is found.
  */
 export type Strategy = "auto" | "moments" | "invariants" | "correlation" | "least-squares" | "gradient";
+
+/**
+ * How the scan of a photo on film lies to its frame: the image of a camera without distortion, with square pixels, along the photo's axes, of what lies
+ * within the marks.
+ */
+export interface FilmScan {
+    /**
+     * Of the scan.
+     */
+    width_px: number;
+    height_px: number;
+    focal_mm: number;
+    /**
+     * Of the scan.
+     */
+    interior: Interior;
+    /**
+     * How the marks give it.
+     */
+    marks: FiducialOrientation;
+    /**
+     * Side of a pixel of the frame.
+     */
+    pixel_mm: number;
+    /**
+     * Where the top-left corner of the frame lies among the undistorted positions of the scan: see [`Interior::undistorted_px`].
+     */
+    corner_px: [number, number];
+    /**
+     * Width and height of the frame.
+     */
+    frame_px: [number, number];
+}
 
 /**
  * How the weights of groups of observations were found.
@@ -2995,9 +3048,13 @@ export interface ResultSystem {
      */
     accuracy_m: number | null;
     /**
-     * The height of the zero of its heights above the ellipsoid of WGS 84; absent where it is not known.
+     * The height of the zero of its heights above the ellipsoid of WGS 84, in the middle of the block; absent where it is not known.
      */
     geoid_m: number | null;
+    /**
+     * Name of the file of the geoid from which they count; absent where none was given.
+     */
+    geoid?: string;
     /**
      * How much higher the GNSS positions are than where the block has them, where their heights took no part.
      */
@@ -3013,7 +3070,7 @@ export interface GeoreferencingOptions {
      */
     crs: string | null;
     /**
-     * The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights.
+     * The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights. The file of a geoid says it place by place.
      * Heights of GNSS positions, which are above the ellipsoid, then take part beside those of control points.
      */
     geoid_m: number | null;
@@ -3481,6 +3538,9 @@ export type OrientationSummary = { oriented: number; reason: WithText<Failure> }
  * none of them.
  */
 export interface Placement {
+    /**
+     * Of the image; of a scan of film that of its frame.
+     */
     camera: Camera;
     /**
      * Of f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂; absent for what was not estimated.
@@ -3518,6 +3578,10 @@ export interface Placement {
      * What the image says of the heights.
      */
     relief?: Relief;
+    /**
+     * How a scan of film lies to its frame: positions and residuals of links are those of the scan. Absent where the image is of a camera without film.
+     */
+    film?: FilmScan;
 }
 
 /**
@@ -3536,7 +3600,7 @@ export interface FreeParameters {
 /**
  * The parts of a run, in their order.
  */
-export type StageName = "images" | "likeness" | "pairs" | "points" | "windows" | "refinement" | "orientation";
+export type StageName = "images" | "geoid" | "likeness" | "pairs" | "points" | "windows" | "refinement" | "orientation";
 
 /**
  * The place of (0, 0, 0) of an object space whose x goes east, y north and z up, all in m.
@@ -3620,6 +3684,20 @@ export interface GlobalTest {
     lower: number;
     upper: number;
     passed: boolean;
+}
+
+/**
+ * The texts of files beside a raster, which say what it does not say itself.
+ */
+export interface Sidecars {
+    /**
+     * Of a world file: where its pixels lie.
+     */
+    world_file?: string | null;
+    /**
+     * Of a file `.prj`: its coordinate reference system as WKT.
+     */
+    projection?: string | null;
 }
 
 /**
@@ -4105,6 +4183,20 @@ export interface CameraPrior {
 }
 
 /**
+ * What is known of the scan of a photo on film.
+ */
+export interface FilmInput {
+    /**
+     * The calibrated camera: its focal length, and where they are known principal point and distortion, in the system of the calibrated marks.
+     */
+    camera: CameraMm | null;
+    /**
+     * The fiducial marks that were measured in the scan.
+     */
+    scan: PhotoInput;
+}
+
+/**
  * What is minimised.
  */
 export type OrientationMethod = "rigorous" | "determinant";
@@ -4171,6 +4263,10 @@ export interface BlockOverview {
      * The coordinate reference system that was chosen for control points and results, as it was given.
      */
     crs: string | null;
+    /**
+     * The height of the zero of its heights above the ellipsoid of WGS 84, in the middle of the block; absent where it is not known.
+     */
+    geoid_m: number | null;
     /**
      * Changes by hand.
      */
@@ -4436,7 +4532,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -4795,7 +4891,7 @@ export class OrthoMosaic {
      * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
      * adjustment, as the map of the page is.
      */
-    static open(project: Uint8Array | number[], heights: number | Uint8Array | null, heights_world_file?: string | null, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
+    static open(project: Uint8Array | number[], heights: number | Uint8Array | null, heights_sidecars: Given<Sidecars> | null | undefined, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
     /**
      * The indices of its oriented images in an order in which little waits in memory for images to come.
      */
@@ -4819,9 +4915,9 @@ export class OrthophotoReference {
     [Symbol.dispose](): void;
     /**
      * Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
-     * links. The file tells its camera. `options`: as of `search`; absent: those that it had.
+     * links. The file tells its camera; `film` that of a scan of film; where it was placed, that says whether it is one. `options`: as of `search`; absent: those that it had.
      */
-    adjust(name: string, file: Uint8Array | number[], links: readonly GivenLink[], start: Placement | null, cameras: string | null | undefined, options?: Given<PlacingOptions>): PlacedImage;
+    adjust(name: string, file: Uint8Array | number[], links: readonly GivenLink[], start: Placement | null, cameras: string | null | undefined, options?: Given<PlacingOptions>, film?: Given<FilmInput> | null): PlacedImage;
     /**
      * The same in colours: red, green, blue and alpha of each pixel, alpha 0 where it shows nothing.
      */
@@ -4846,7 +4942,7 @@ export class OrthophotoReference {
      * Opens a GeoTIFF, or an image with its world file: all of its bytes, or a file from which large ones are read in parts. Its ground is level at 0 until
      * heights are given.
      */
-    static open(file: Uint8Array | FileInParts, world_file?: string | null): OrthophotoReference;
+    static open(file: Uint8Array | FileInParts, sidecars?: Given<Sidecars>): OrthophotoReference;
     /**
      * Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
      * picture on, 0 where it shows nothing.
@@ -4855,9 +4951,10 @@ export class OrthophotoReference {
     /**
      * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
      * of its EXIF and XMP, or a usual one. Where it records a GNSS position and the system of the orthophoto is known, it is sought there first, within
-     * `within_m`, then on all of the orthophoto.
+     * `within_m`, then on all of the orthophoto. `film`: of the scan of a photo on film, its calibrated camera and the fiducial marks that were measured in it,
+     * in place of what is known otherwise.
      */
-    place(name: string, file: Uint8Array | number[], cameras?: string | null): PlacedImage;
+    place(name: string, file: Uint8Array | number[], cameras: string | null | undefined, film?: Given<FilmInput> | null): PlacedImage;
     /**
      * A placed image resampled to the ground, in its colours, as GeoTIFF.
      */
@@ -4868,9 +4965,9 @@ export class OrthophotoReference {
      */
     search(options: Given<PlacingOptions>): number;
     /**
-     * The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with its world file perhaps, or the project of an oriented block.
+     * The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with what stands beside it, or the project of an oriented block.
      */
-    set_heights(heights: number | Uint8Array, world_file?: string | null): void;
+    set_heights(heights: number | Uint8Array, sidecars?: Given<Sidecars>): void;
 }
 
 /**
@@ -5069,9 +5166,14 @@ export function check_control(points: string, marks: string, names: string[], pl
 export function check_flight(flight: Given<Flight>): void;
 
 /**
+ * Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.
+ */
+export function check_geoid(name: string, placing: GeoreferencingOptions): void;
+
+/**
  * Refuses what is no height of the ground, nor a file of heights.
  */
-export function check_heights(heights: number | Uint8Array, world_file?: string | null): void;
+export function check_heights(heights: number | Uint8Array, sidecars?: Given<Sidecars>): void;
 
 /**
  * Refuses two masks of one image.
@@ -5150,6 +5252,13 @@ export function export_formats(): ExportFormat[];
  * The defaults of the options of features.
  */
 export function feature_defaults(): FeatureOptions;
+
+/**
+ * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
+ * is made. `images`: the names of those images, of which the camera is to be. `pixel_mm`: the side of a pixel, which is to be the same for all; absent:
+ * that of the scan.
+ */
+export function film_frame(scan: Uint8Array | number[], film: Given<FilmInput>, images: string, pixel_mm?: number | null): FilmFiles;
 
 /**
  * Every parameter of a flight.
@@ -5504,7 +5613,8 @@ export interface InitOutput {
     readonly check_cameras: (a: number, b: number, c: number, d: number) => [number, number];
     readonly check_control: (a: number, b: number, c: number, d: number, e: number, f: number, g: any) => [number, number];
     readonly check_flight: (a: any) => [number, number];
-    readonly check_heights: (a: any, b: number, c: number) => [number, number];
+    readonly check_geoid: (a: number, b: number, c: any) => [number, number];
+    readonly check_heights: (a: any, b: any) => [number, number];
     readonly check_masks: (a: number, b: number, c: number, d: number) => [number, number];
     readonly connected_groups: (a: number, b: any) => [number, number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
@@ -5524,6 +5634,7 @@ export interface InitOutput {
     readonly export_block: (a: any, b: any, c: any) => [number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
+    readonly film_frame: (a: number, b: number, c: any, d: number, e: number, f: number, g: number) => [number, number, number];
     readonly finishedblock_accuracy: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
     readonly finishedblock_edited: (a: number, b: any) => [number, number, number];
@@ -5572,21 +5683,21 @@ export interface InitOutput {
     readonly orthomosaic_heights: (a: number) => [number, number, number, number];
     readonly orthomosaic_leave_out: (a: number, b: number) => [number, number, number, number];
     readonly orthomosaic_names: (a: number) => [number, number];
-    readonly orthomosaic_open: (a: number, b: number, c: any, d: number, e: number, f: number, g: number, h: number) => [number, number, number];
+    readonly orthomosaic_open: (a: number, b: number, c: any, d: any, e: number, f: number, g: number) => [number, number, number];
     readonly orthomosaic_order: (a: number) => [number, number];
     readonly orthomosaic_size: (a: number) => [number, number];
-    readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: number, e: number, f: any, g: any, h: number, i: number, j: any) => [number, number, number];
+    readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: number, e: number, f: any, g: any, h: number, i: number, j: any, k: any) => [number, number, number];
     readonly orthophotoreference_colours: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly orthophotoreference_ground_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
     readonly orthophotoreference_heights_at: (a: number, b: number, c: number) => [number, number, number, number];
     readonly orthophotoreference_image_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
     readonly orthophotoreference_info: (a: number) => any;
-    readonly orthophotoreference_open: (a: any, b: number, c: number) => [number, number, number];
+    readonly orthophotoreference_open: (a: any, b: any) => [number, number, number];
     readonly orthophotoreference_picture: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
-    readonly orthophotoreference_place: (a: number, b: number, c: number, d: number, e: number, f: number, g: number) => [number, number, number];
+    readonly orthophotoreference_place: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: any) => [number, number, number];
     readonly orthophotoreference_rectified: (a: number, b: number, c: number, d: any) => [number, number, number, number];
     readonly orthophotoreference_search: (a: number, b: any) => [number, number, number];
-    readonly orthophotoreference_set_heights: (a: number, b: any, c: number, d: number) => [number, number];
+    readonly orthophotoreference_set_heights: (a: number, b: any, c: any) => [number, number];
     readonly pair_cameras: (a: any, b: any, c: any) => [number, number, number];
     readonly pair_hint: (a: any, b: any) => [number, number, number];
     readonly pair_preset: (a: any) => [number, number, number];

@@ -623,25 +623,16 @@ export class OrthoMosaic {
      * adjustment, as the map of the page is.
      * @param {Uint8Array | number[]} project
      * @param {number | Uint8Array | null} heights
-     * @param {string | null} [heights_world_file]
+     * @param {Given<Sidecars> | null | undefined} heights_sidecars
      * @param {number | null} [gsd]
      * @param {boolean | null} [in_adjustment]
      * @returns {OrthoMosaic}
      */
-    static open(project, heights, heights_world_file, gsd, in_adjustment) {
-        const val3 = +(isLikeNone(gsd) ? 0 : gsd);
-        let ptr0, len0, ptr1, len1;
-        try {
-            ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
-            len0 = WASM_VECTOR_LEN;
-            ptr1 = isLikeNone(heights_world_file) ? 0 : passStringToWasm0(heights_world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len1 = WASM_VECTOR_LEN;
-        } catch (e) {
-            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-            throw e;
-        }
-        const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3, isLikeNone(in_adjustment) ? 0xFFFFFF : in_adjustment ? 1 : 0);
+    static open(project, heights, heights_sidecars, gsd, in_adjustment) {
+        const val2 = +(isLikeNone(gsd) ? 0 : gsd);
+        const ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.orthomosaic_open(ptr0, len0, heights, heights_sidecars, !isLikeNone(gsd), val2, isLikeNone(in_adjustment) ? 0xFFFFFF : in_adjustment ? 1 : 0);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -692,16 +683,17 @@ export class OrthophotoReference {
     }
     /**
      * Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
-     * links. The file tells its camera. `options`: as of `search`; absent: those that it had.
+     * links. The file tells its camera; `film` that of a scan of film; where it was placed, that says whether it is one. `options`: as of `search`; absent: those that it had.
      * @param {string} name
      * @param {Uint8Array | number[]} file
      * @param {readonly GivenLink[]} links
      * @param {Placement | null} start
      * @param {string | null | undefined} cameras
      * @param {Given<PlacingOptions>} [options]
+     * @param {Given<FilmInput> | null} [film]
      * @returns {PlacedImage}
      */
-    adjust(name, file, links, start, cameras, options) {
+    adjust(name, file, links, start, cameras, options, film) {
         let ptr0, len0, ptr1, len1, ptr2, len2;
         try {
             ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
@@ -716,7 +708,7 @@ export class OrthophotoReference {
             if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
             throw e;
         }
-        const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options);
+        const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options, film);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -802,13 +794,11 @@ export class OrthophotoReference {
      * Opens a GeoTIFF, or an image with its world file: all of its bytes, or a file from which large ones are read in parts. Its ground is level at 0 until
      * heights are given.
      * @param {Uint8Array | FileInParts} file
-     * @param {string | null} [world_file]
+     * @param {Given<Sidecars>} [sidecars]
      * @returns {OrthophotoReference}
      */
-    static open(file, world_file) {
-        var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        var len0 = WASM_VECTOR_LEN;
-        const ret = wasm.orthophotoreference_open(file, ptr0, len0);
+    static open(file, sidecars) {
+        const ret = wasm.orthophotoreference_open(file, sidecars);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -836,13 +826,15 @@ export class OrthophotoReference {
     /**
      * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
      * of its EXIF and XMP, or a usual one. Where it records a GNSS position and the system of the orthophoto is known, it is sought there first, within
-     * `within_m`, then on all of the orthophoto.
+     * `within_m`, then on all of the orthophoto. `film`: of the scan of a photo on film, its calibrated camera and the fiducial marks that were measured in it,
+     * in place of what is known otherwise.
      * @param {string} name
      * @param {Uint8Array | number[]} file
-     * @param {string | null} [cameras]
+     * @param {string | null | undefined} cameras
+     * @param {Given<FilmInput> | null} [film]
      * @returns {PlacedImage}
      */
-    place(name, file, cameras) {
+    place(name, file, cameras, film) {
         let ptr0, len0, ptr1, len1, ptr2, len2;
         try {
             ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
@@ -857,7 +849,7 @@ export class OrthophotoReference {
             if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
             throw e;
         }
-        const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2);
+        const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2, film);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -894,14 +886,12 @@ export class OrthophotoReference {
         return ret[0] >>> 0;
     }
     /**
-     * The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with its world file perhaps, or the project of an oriented block.
+     * The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with what stands beside it, or the project of an oriented block.
      * @param {number | Uint8Array} heights
-     * @param {string | null} [world_file]
+     * @param {Given<Sidecars>} [sidecars]
      */
-    set_heights(heights, world_file) {
-        var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        var len0 = WASM_VECTOR_LEN;
-        const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, ptr0, len0);
+    set_heights(heights, sidecars) {
+        const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, sidecars);
         if (ret[1]) {
             throw takeFromExternrefTable0(ret[0]);
         }
@@ -1544,14 +1534,26 @@ export function check_flight(flight) {
 }
 
 /**
+ * Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.
+ * @param {string} name
+ * @param {GeoreferencingOptions} placing
+ */
+export function check_geoid(name, placing) {
+    const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.check_geoid(ptr0, len0, placing);
+    if (ret[1]) {
+        throw takeFromExternrefTable0(ret[0]);
+    }
+}
+
+/**
  * Refuses what is no height of the ground, nor a file of heights.
  * @param {number | Uint8Array} heights
- * @param {string | null} [world_file]
+ * @param {Given<Sidecars>} [sidecars]
  */
-export function check_heights(heights, world_file) {
-    var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    var len0 = WASM_VECTOR_LEN;
-    const ret = wasm.check_heights(heights, ptr0, len0);
+export function check_heights(heights, sidecars) {
+    const ret = wasm.check_heights(heights, sidecars);
     if (ret[1]) {
         throw takeFromExternrefTable0(ret[0]);
     }
@@ -1834,6 +1836,36 @@ export function export_formats() {
 export function feature_defaults() {
     const ret = wasm.feature_defaults();
     return ret;
+}
+
+/**
+ * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
+ * is made. `images`: the names of those images, of which the camera is to be. `pixel_mm`: the side of a pixel, which is to be the same for all; absent:
+ * that of the scan.
+ * @param {Uint8Array | number[]} scan
+ * @param {Given<FilmInput>} film
+ * @param {string} images
+ * @param {number | null} [pixel_mm]
+ * @returns {FilmFiles}
+ */
+export function film_frame(scan, film, images, pixel_mm) {
+    const val3 = +(isLikeNone(pixel_mm) ? 0 : pixel_mm);
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passStringToWasm0(images, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, !isLikeNone(pixel_mm), val3);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -3247,7 +3279,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 14, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 15, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
             return ret;
         },

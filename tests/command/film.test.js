@@ -42,7 +42,7 @@ test('scans of film become images of one camera, and a block is made of them', (
   const [{ images, fixed, pixel_mm }] = cameras;
   assert.deepEqual([images, fixed], ['*', true]);
   assert.ok(Math.abs(pixel_mm - PIXEL_MM) < 0.001, `${pixel_mm}`);
-  const sizes = scans.map(({ image }) => {
+  const sizes = scans.map((/** @type {{ image: string }} */ { image }) => {
     const photo = Photo.decode(readFileSync(join(out, 'images', image)));
     const size = [photo.width, photo.height];
     photo.free();

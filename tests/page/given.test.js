@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
-import { block, drop, photoFolder, status } from './blocks.js';
-import { hosted, part, SKIP, upload } from './page.js';
+import { block, drop, photoFolder, photos, status } from './blocks.js';
+import { hosted, part, partsNamed, SKIP, until, upload } from './page.js';
 
 hosted('/given/');
 
@@ -101,6 +101,46 @@ test('a run that fails leaves the finished block on the page', { skip: SKIP }, a
   for (const given of ['control', 'marks']) await part(page, `block-${given}-remove`).click();
   assert.match(await status(page, /^(Oriented|Weak orientation): /), /^(Oriented|Weak orientation): .*\. 2 images/);
   rmSync(folder, { recursive: true });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+/** A geoid in GTX, 47 m above the ellipsoid about the place of simulated blocks. */
+function geoid() {
+  const [south, west, step, rows, columns] = [49.5, 7.5, 0.25, 5, 5];
+  const file = Buffer.alloc(40 + 4 * rows * columns);
+  for (const [k, value] of [south, west, step, step].entries()) file.writeDoubleBE(value, 8 * k);
+  for (const [k, value] of [rows, columns].entries()) file.writeInt32BE(value, 32 + 4 * k);
+  for (let k = 0; k < rows * columns; k += 1) file.writeFloatBE(47, 40 + 4 * k);
+  return new Uint8Array(file);
+}
+
+test('heights of a block count from the geoid of a file, which the browser keeps', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  await photos(page);
+  await part(page, 'block-geoid-input').setInputFiles(upload('flat.gtx', geoid()));
+  await status(page, /flat\.gtx without a coordinate system.* The block cannot be run with it\.$/);
+  await says(page, 'block-geoid-problem', /flat\.gtx without a coordinate system/);
+  await part(page, 'tab-block-settings').click();
+  await page.locator('input[data-key="placing.crs"]').first().fill('EPSG:32632');
+  await page.locator('input[data-key="placing.crs"]').first().blur();
+  await says(page, 'block-geoid-problem', /^$/);
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation)/);
+  assert.match(
+    (await part(page, 'block-remarks').textContent()) ?? '',
+    /heights count from the geoid of flat\.gtx, which lies 47\.00 to 47\.00 m above the ellipsoid/,
+  );
+  await until(page, 'the block is kept', async () => (await partsNamed(page, 'block/shown')) > 0);
+  await page.reload();
+  await says(page, 'block-geoid-name', /^flat\.gtx$/);
+  await says(page, 'block-remarks', /the geoid of flat\.gtx/);
+  // What covers another place is refused by the run, which leaves the finished block.
+  await part(page, 'block-geoid-remove').click();
+  await says(page, 'block-geoid-name', /^None\. A file from which/);
+  await part(page, 'block-geoid-input').setInputFiles(upload('cut.gtx', geoid().slice(0, 100)));
+  await part(page, 'block-run').click();
+  await status(page, /^The block was not finished: .*cut\.gtx, which is none that is read/);
   assert.deepEqual(complaints, []);
   await close();
 });
