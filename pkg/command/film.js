@@ -2,7 +2,7 @@
 import { basename, dirname, extname, join } from 'node:path';
 import { film_frame, parse_camera } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
-import { isFile, isFolder, makeFolder, readBytes, readText, writeInto } from './files.js';
+import { exists, isFolder, makeFolder, readBytes, readText, writeInto } from './files.js';
 import { JSON_FLAG, path } from './options.js';
 import { print, printJson } from './output.js';
 import { marksOf } from './pair.js';
@@ -84,8 +84,8 @@ function scansOf(files, folder) {
   return files.map((file) => {
     const stem = basename(file, extname(file));
     const marks = join(typeof folder === 'string' ? folder : dirname(file), `${stem}.csv`);
-    if (!isFile(file)) throw new DataError(`${file}: there is no such file`);
-    if (!isFile(marks)) throw new DataError(`${file}: its fiducial marks are missing: there is no ${marks}`);
+    if (!exists(file)) throw new DataError(`${file}: there is no such file`);
+    if (!exists(marks)) throw new DataError(`${file}: its fiducial marks are missing: there is no ${marks}`);
     const other = seen.get(stem);
     if (other !== undefined) throw new UsageError(`${other} and ${file} give images of the same name; allowed: each name once`);
     seen.set(stem, file);

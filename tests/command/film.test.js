@@ -52,6 +52,9 @@ test('scans of film become images of one camera, and a block is made of them', (
   const block = join(out, 'block');
   const summary = json('block', join(out, 'images'), '--cameras', join(out, 'cameras.json'), '--masks', join(out, 'masks'), '--out', block);
   assert.equal(summary.verdict.kind, 'oriented', JSON.stringify(summary.verdict));
+  // Scans as they are have other scales along columns and rows, each its own.
+  const raw = json('block', ...FILM.scans, '--cameras', join(out, 'cameras.json'), '--out', join(out, 'raw'));
+  assert.ok(raw.verdict.sigma0_px > 1.3 * summary.verdict.sigma0_px, `${raw.verdict.sigma0_px} ${summary.verdict.sigma0_px} px`);
   // Without positions the shape is what is known: distances between projection centres in that of the first two.
   const rows = readFileSync(join(block, 'images.csv'), 'utf8').trim().split('\n');
   const head = (rows.shift() ?? '').split(',');
@@ -60,7 +63,7 @@ test('scans of film become images of one camera, and a block is made of them', (
   const scale = apart(truth[0], truth[1]) / apart(places[0] ?? [], places[1] ?? []);
   for (let k = 2; k < places.length; k += 1) {
     const [known, found] = [apart(truth[0], truth[k]), scale * apart(places[0] ?? [], places[k] ?? [])];
-    assert.ok(Math.abs(found / known - 1) < 0.004, `${k}: ${found} of ${known} m`);
+    assert.ok(Math.abs(found / known - 1) < 0.03, `${k}: ${found} of ${known} m`);
   }
   rmSync(out, { recursive: true });
 });
