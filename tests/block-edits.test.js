@@ -73,7 +73,7 @@ test('edits are named by what they did', () => {
   assert.equal(nameOfEdit({ kind: 'measure', point: { manual: 0 }, image: 0, x_px: 1, y_px: 2, by: 'hand' }), 'measure 1 observation');
   assert.equal(nameOfEdit({ kind: 'add_point', observations: observations.slice(0, 3) }), 'add 1 point in 3 images');
   // By the names of images and surveyed points, where these are known.
-  const names = page.naming.namesOf({ images: [{ name: 'a.jpg' }, { name: 'b.jpg' }], surveyed: [{ name: 'G7', control: 3 }] });
+  const names = page.naming.namesOf({ images: [{ name: 'a.jpg' }, { name: 'b.jpg' }], connections: [], surveyed: [{ name: 'G7', control: 3 }] });
   assert.equal(nameOfEdit({ kind: 'reject_images', images: [1] }, names), 'reject b.jpg');
   assert.equal(nameOfEdit({ kind: 'reject_observations', observations: observations.slice(0, 1) }, names), 'reject 1 observation in a.jpg');
   assert.equal(nameOfEdit({ kind: 'set_use', point: 3, use: 'check' }, names), 'use G7 as check point');
@@ -392,7 +392,7 @@ test('of many edits only the one that is refused goes; those that were to follow
 
 test('a new run keeps points by hand as they stand, rejected or not', () => {
   const { carriedOver } = page.carrying;
-  const names = (/** @type {string[]} */ images, /** @type {[number, string][]} */ surveyed) => ({ images, surveyed: new Map(surveyed) });
+  const names = (/** @type {string[]} */ images, /** @type {[number, string][]} */ surveyed) => ({ images, surveyed: new Map(surveyed), connected: new Set() });
   const place = (/** @type {number} */ image) => ({ image, x_px: 1, y_px: 2, by: 'hand' });
   const edits = [
     { kind: 'add_point', observations: [place(0), place(2)] },

@@ -96,7 +96,7 @@ test('chosen pairs that matches connect are rejected and restored together, and 
   });
   assert.equal(nameOfEdit(reject), 'reject 2 pairs');
   assert.equal(nameOfEdit({ kind: 'reject_pairs', pairs: [[1, 0]] }), 'reject 1 pair');
-  assert.equal(nameOfEdit({ kind: 'restore_pairs', pairs: [[1, 0]] }, { images: NAMES, surveyed: new Map() }), 'restore b – a');
+  assert.equal(nameOfEdit({ kind: 'restore_pairs', pairs: [[1, 0]] }, { images: NAMES, surveyed: new Map(), connected: new Set() }), 'restore b – a');
   assert.equal(editOfChoice('reject', pair(0, 2), VIEW, standingOf([])), null);
   assert.equal(editOfChoice('reject', pair(1, 0), VIEW, standingOf([reject])), null);
   assert.deepEqual(editOfChoice('restore', pair(1, 0), VIEW, standingOf([reject])), { kind: 'restore_pairs', pairs: [[1, 0]] });
@@ -137,7 +137,7 @@ test('rejected pairs hold after a new run, by the names of their images', () => 
     ],
     done: 2,
   };
-  const names = (/** @type {string[]} */ images) => ({ images, surveyed: new Map() });
+  const names = (/** @type {string[]} */ images) => ({ images, surveyed: new Map(), connected: new Set(['0,1']) });
   const { history: after, lost } = page.carrying.carriedOver(history, names(NAMES), names(['c', 'b', 'x']));
   assert.deepEqual([after, lost], [{ edits: [[{ kind: 'reject_pairs', pairs: [[1, 0]] }]], done: 1 }, 1]);
 });

@@ -1,6 +1,6 @@
 // @ts-check
 import { basename, dirname, extname, join } from 'node:path';
-import { film_frame, parse_camera } from '../node.js';
+import { film_frame, film_pixel_mm, parse_camera } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
 import { exists, isFolder, makeFolder, readBytes, readText, writeInto } from './files.js';
 import { JSON_FLAG, path } from './options.js';
@@ -10,6 +10,10 @@ import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
 
 /** @typedef {import('../node.js').FiducialOrientation} FiducialOrientation @typedef {import('../node.js').CameraRule} CameraRule */
+
+/** What its images are called beside their scans, and the pattern of these names. */
+const END = '-film.png';
+const ALL = `*${END}`;
 
 /** @type {import('./args.js').Command} */
 export const film = {
@@ -24,55 +28,66 @@ export const film = {
       'The calibrated camera of the film: {"focal_mm", "principal_point_mm": [x, y]}, with its distortion where that is known; required.',
     ),
     path('fiducials', 'DIR', 'Folder with the fiducial marks of each scan, a.csv for a.tif: col,row,x_mm,y_mm. By default they stand beside the scans.'),
-    path('out', 'DIR', 'Folder that receives images/, masks/, cameras.json and film.csv; required.'),
+    path('out', 'DIR', 'Folder that receives images/, masks/, cameras.json and film.csv, none of which is there; required.'),
     JSON_FLAG,
   ],
   details:
-    'All images have the pixel of the first scan, no distortion and the principal point at one place, whatever the scanner did: they are images of one camera. They end within the marks; masks/ leave out what is hidden by marks. cameras.json takes the camera as calibrated, unless camera.json has "uncertainty". ' +
-    'Then: tiepoint block DIR/images --cameras DIR/cameras.json --masks DIR/masks --out block. film.csv: image, number of marks, sigma0_mm, rmse_mm. JSON: scans [{name, image, marks}, …], cameras.',
+    'All images have one pixel size, the largest of the scans, no distortion, and the principal point in one place, however the film lay in the scanner: they are images of one camera. They end within the outermost marks of all tables; masks/ leave out what marks hide. cameras.json states the camera as calibrated ("fixed"), unless camera.json has "uncertainty". ' +
+    `Then: tiepoint block DIR/images --cameras DIR/cameras.json --masks DIR/masks --out block. The image of a.tif is a${END}. film.csv: scan, image, number of marks, sigma0_mm, rmse_mm. JSON: scans [{name, image, marks}, …], cameras.`,
   run,
 };
 
 /** @param {import('./args.js').Call} call @returns {Promise<import('./errors.js').ExitCode>} */
 async function run({ positionals, values }) {
-  const [camera, out] = ['camera', 'out'].map((name) => values.get(name));
-  if (typeof camera !== 'string') throw new UsageError('--camera is missing: name the file of the calibrated camera of the film');
+  const [cameraFile, out] = ['camera', 'out'].map((name) => values.get(name));
+  if (typeof cameraFile !== 'string') throw new UsageError('--camera is missing: name the file of the calibrated camera of the film');
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the images');
   if (positionals.length === 0) throw new UsageError('name the scans of the film');
-  const text = readText(camera);
-  const known = about(camera, () => parse_camera(text));
-  const scans = scansOf(positionals, values.get('fiducials'));
+  const text = readText(cameraFile);
+  const camera = about(cameraFile, () => parse_camera(text));
+  // All tables come first: a mark that one scan lacks is of the film all the same, and a slip in the last one costs no work.
+  const scans = scansOf(positionals, values.get('fiducials')).map((scan) => ({ ...scan, marks: marksOf(scan.table, undefined) }));
+  const marks_mm = calibrated(scans.flatMap(({ marks }) => marks.fiducials));
+  const pixel = Math.max(...scans.map(({ marks, table: file }) => about(file, () => film_pixel_mm({ camera, scan: marks, marks_mm }))));
+  refuseExisting(out);
   for (const name of ['images', 'masks']) makeFolder(join(out, name));
   const shown = new Progress({ steps: scans.length });
   /** @type {{ name: string, image: string, marks: FiducialOrientation }[]} */
   const made = [];
   /** @type {CameraRule[]} */
   const cameras = [];
-  /** @type {number | undefined} */
-  let pixel;
-  try {
-    for (const { file, marks, image } of scans) {
-      const scan = marksOf(marks, undefined);
-      const frame = shown.step(basename(file), () => about(file, () => film_frame(readBytes(file), { camera: known, scan }, image, pixel)));
-      pixel ??= frame.camera.pixel_mm ?? undefined;
+  /** @type {string[]} */
+  const failed = [];
+  for (const { file, marks, image } of scans) {
+    try {
+      const frame = shown.step(basename(file), () => about(file, () => film_frame(readBytes(file), { camera, scan: marks, marks_mm }, ALL, pixel)));
       writeInto(join(out, 'images'), image, frame.image);
       writeInto(join(out, 'masks'), image, frame.mask);
-      addCamera(cameras, frame.camera);
+      addCamera(cameras, frame.camera, image);
       made.push({ name: basename(file), image, marks: frame.marks });
+    } catch (error) {
+      // What is wrong with one scan is told at the end: the others have their images.
+      if (!(error instanceof DataError)) throw error;
+      failed.push(error.message);
     }
-  } finally {
-    shown.end();
   }
-  writeInto(out, 'cameras.json', `${JSON.stringify({ cameras }, null, 1)}\n`);
-  const rows = made.map(({ name, marks }) => [name, String(marks.residuals_mm.length), fixed(marks.sigma0_mm, 4), fixed(rms(marks), 4)]);
-  writeInto(out, 'film.csv', [['image', 'marks', 'sigma0_mm', 'rmse_mm'], ...rows].map((row) => `${row.join(',')}\n`).join(''));
-  if (values.has('json')) printJson({ scans: made, cameras });
-  else
-    print(
-      table([['scan', 'marks', 'sigma0 [mm]', 'RMSE [mm]'], ...rows]),
-      '',
-      `written: ${made.length} images in ${join(out, 'images')}, their masks, ${join(out, 'cameras.json')} and ${join(out, 'film.csv')}`,
-    );
+  shown.end();
+  if (made.length > 0) {
+    writeInto(out, 'cameras.json', `${JSON.stringify({ cameras }, null, 1)}\n`);
+    const rows = made.map(({ name, image, marks }) => [name, image, marks.residuals_mm.length, marks.sigma0_mm ?? '', rms(marks)]);
+    writeInto(out, 'film.csv', [['scan', 'image', 'marks', 'sigma0_mm', 'rmse_mm'], ...rows].map((row) => `${row.map(cell).join(',')}\n`).join(''));
+    if (values.has('json')) printJson({ scans: made, cameras });
+    else
+      print(
+        table([
+          ['scan', 'marks', 'sigma0 [mm]', 'RMSE [mm]'],
+          ...made.map(({ name, marks }) => [name, marks.residuals_mm.length, fixed(marks.sigma0_mm, 4), fixed(rms(marks), 4)]),
+        ]),
+        '',
+        `written: ${join(out, 'images')}, ${join(out, 'masks')}, ${join(out, 'cameras.json')}, ${join(out, 'film.csv')}`,
+      );
+  }
+  if (failed.length > 0) throw new DataError(failed.join('; '));
   return 0;
 }
 
@@ -83,25 +98,38 @@ function scansOf(files, folder) {
   const seen = new Map();
   return files.map((file) => {
     const stem = basename(file, extname(file));
-    const marks = join(typeof folder === 'string' ? folder : dirname(file), `${stem}.csv`);
+    const table = join(typeof folder === 'string' ? folder : dirname(file), `${stem}.csv`);
     if (!exists(file)) throw new DataError(`${file}: there is no such file`);
-    if (!exists(marks)) throw new DataError(`${file}: its fiducial marks are missing: there is no ${marks}`);
-    const other = seen.get(stem);
+    if (!exists(table)) throw new DataError(`${file}: its fiducial marks are missing: there is no ${table}`);
+    const other = seen.get(stem.toLowerCase());
     if (other !== undefined) throw new UsageError(`${other} and ${file} give images of the same name; allowed: each name once`);
-    seen.set(stem, file);
-    return { file, marks, image: `${stem}.png` };
+    seen.set(stem.toLowerCase(), file);
+    return { file, table, image: `${stem}${END}` };
   });
 }
 
-/** One camera for all images that it is alike of: scans of one film have one.  @param {CameraRule[]} cameras @param {CameraRule} camera */
-function addCamera(cameras, camera) {
-  const like = (/** @type {CameraRule} */ { images: _, ...others }) => JSON.stringify(others);
+/** Images of another call would be taken for some of this one.  @param {string} out */
+function refuseExisting(out) {
+  const there = ['images', 'masks', 'cameras.json', 'film.csv'].map((name) => join(out, name)).find((place) => exists(place));
+  if (there !== undefined) throw new DataError(`${there} is there already; name another folder`);
+}
+
+/** The marks of a film by their calibrated places, each once.  @param {import('../node.js').Fiducial[]} marks @returns {[number, number][]} */
+function calibrated(marks) {
+  return [...new Map(marks.map(({ x_mm, y_mm }) => [`${x_mm},${y_mm}`, /** @type {[number, number]} */ ([x_mm, y_mm])])).values()];
+}
+
+/** One camera for all images that it is alike of.  @param {CameraRule[]} cameras @param {CameraRule} camera @param {string} image */
+function addCamera(cameras, camera, image) {
   const common = cameras.at(-1);
-  if (common === undefined) cameras.push({ ...camera, images: '*' });
-  else if (like(common) !== like(camera)) cameras.unshift(camera);
+  if (common === undefined) cameras.push(camera);
+  else if (JSON.stringify(common) !== JSON.stringify(camera)) cameras.unshift({ ...camera, images: image });
 }
 
 /** The root mean square length of residuals.  @param {FiducialOrientation} marks */
 function rms({ residuals_mm: residuals }) {
   return Math.sqrt(residuals.reduce((sum, [x, y]) => sum + x * x + y * y, 0) / Math.max(residuals.length, 1));
 }
+
+/** @param {string | number} value */
+const cell = (value) => (typeof value === 'string' && /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : String(value));

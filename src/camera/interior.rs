@@ -80,8 +80,12 @@ impl Interior {
     /// Brown 1971, Close-range camera calibration, Photogrammetric Engineering 37(8), in the direction from image to object.
     pub fn photo_mm(&self, x_px: f64, y_px: f64) -> [f64; 2] {
         let [[a, b, tx], [d, e, ty]] = self.parameters;
-        let x = a * x_px + b * y_px + tx - self.principal_point_mm[0];
-        let y = d * x_px + e * y_px + ty - self.principal_point_mm[1];
+        self.corrected_mm([a * x_px + b * y_px + tx, d * x_px + e * y_px + ty])
+    }
+
+    /// The same of a position on the film, in the system of the calibrated marks.
+    pub(crate) fn corrected_mm(&self, [x_mm, y_mm]: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [x_mm - self.principal_point_mm[0], y_mm - self.principal_point_mm[1]];
         let factor = radial_factor(self.radial_distortion, x * x + y * y);
         if self.tangential_distortion == [0.0; 2] {
             return [x * factor, y * factor];

@@ -230,7 +230,6 @@ impl<'a> Edited<'a> {
     }
 
     fn connected(&self, images: [usize; 2]) -> Result<(), Error> {
-        images.iter().try_for_each(|image| self.oriented(*image))?;
         let [a, b] = images;
         if a == b {
             let count = self.description.images.len();

@@ -32,6 +32,8 @@ messages! {
         MarksSigma0 { #[serde(with = "number")] sigma0_mm: f64, most_mm: f64 },
         MarksMirrored,
         MarksSkew { #[serde(with = "number")] skew_deg: f64, most_deg: f64 },
+        MarksScales { #[serde(with = "number")] scales: f64, most: f64 },
+        FilmBeside { width_px: u32, height_px: u32 },
         FilmPixel { #[serde(with = "number")] pixel_mm: f64, least: f64, most: f64 },
         FilmWithoutCamera,
         LoneOrigin { origin: String },

@@ -1,7 +1,8 @@
 //! Scans of film as a block takes them.
 
 use super::{FilmInput, FilmScan};
-use crate::{Bands, CameraRule, Error, GreyImage};
+use crate::error::refuse;
+use crate::{Bands, CameraRule, Error, GreyImage, Interior, Refusal, orient_fiducials};
 
 /// The scan of a photo on film, resampled to the image of an ideal camera.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,23 +14,27 @@ pub struct FilmFrame {
     pub mask: GreyImage,
 }
 
-/// Resamples a scan to its frame, which is the same for all scans of a camera: a block of such frames has one camera, without distortion. `pixel_mm`: the
-/// side of its pixels; absent: that of the scan, to 0.01 µm.
+/// Resamples a scan to its frame, which is the same for all scans of a film whose marks and pixel are the same: a block of such frames has one camera,
+/// without distortion. `pixel_mm`: the side of its pixels, as [`film_pixel_mm`] has that of a scan.
 ///
 /// # Errors
 /// As [`FilmScan::in_common`].
-pub fn film_frame(scan: &Bands, film: &FilmInput, pixel_mm: Option<f64>) -> Result<FilmFrame, Error> {
-    let size = [scan.width(), scan.height()];
-    let pixel_mm = match pixel_mm {
-        Some(pixel_mm) => pixel_mm,
-        None => (FilmScan::new(film, size)?.interior.pixel_mm() * STEPS_PER_MM).round() / STEPS_PER_MM,
-    };
-    let own = FilmScan::in_common(film, size, pixel_mm)?;
-    let (image, mask) = (own.frame(&scan.views())?, own.mask(&film.scan.fiducials)?);
+pub fn film_frame(scan: &Bands, film: &FilmInput, pixel_mm: f64) -> Result<FilmFrame, Error> {
+    let own = FilmScan::in_common(film, [scan.width(), scan.height()], pixel_mm)?;
+    let (image, mask) = (own.frame(&scan.views())?, own.mask(&film.film_marks())?);
     Ok(FilmFrame { scan: own, image, mask })
 }
 
-/// Pixels of scans are that well known.
+/// The side of a pixel of a scan, as its marks have it, to 0.01 µm.
+///
+/// # Errors
+/// As [`orient_fiducials`] and [`Interior::from_fiducials`]; [`Error::InvalidInput`] without a camera.
+pub fn film_pixel_mm(film: &FilmInput) -> Result<f64, Error> {
+    let Some(camera) = &film.camera else { return refuse(Refusal::FilmWithoutCamera) };
+    let interior = Interior::from_fiducials(camera, &orient_fiducials(&film.scan.fiducials, film.scan.model)?, [0.0; 2])?;
+    Ok((interior.pixel_mm() * STEPS_PER_MM).round() / STEPS_PER_MM)
+}
+
 const STEPS_PER_MM: f64 = 1e5;
 
 impl FilmFrame {
@@ -44,6 +49,7 @@ impl FilmFrame {
             tangential: camera.tangential,
             pixel_mm: camera.pixel_mm,
             fixed: self.scan.interior.uncertainty.is_none(),
+            uncertainty: self.scan.interior.uncertainty,
         }
     }
 }
@@ -62,7 +68,11 @@ mod tests {
         let marks = [[-100.0, -100.0], [100.0, -100.0], [100.0, 100.0], [-100.0, 100.0], [0.0, 0.0]];
         let fiducials = marks.map(|[x_mm, y_mm]| Fiducial { col: 420.0 + 4.0 * y_mm, row: 430.0 + 4.0 * x_mm, x_mm, y_mm });
         let camera = CameraMm { principal_point_mm: [0.25, 0.0], uncertainty, ..CameraMm::without_distortion(150.0, None) };
-        let film = FilmInput { camera: Some(camera), scan: PhotoInput { fiducials: fiducials.to_vec(), ..PhotoInput::default() } };
+        let film = FilmInput {
+            camera: Some(camera),
+            scan: PhotoInput { fiducials: fiducials.to_vec(), ..PhotoInput::default() },
+            marks_mm: Vec::new(),
+        };
         // Brighter along x of the film.
         let band = |factor: usize| GreyImage::from_fn(840, 860, move |_, row| (row / 4 * factor / 2) as u8).unwrap();
         (Bands::colours([band(2), band(1), band(1)]).unwrap(), film)
@@ -71,7 +81,7 @@ mod tests {
     #[test]
     fn a_scan_becomes_an_image_of_an_ideal_camera_with_a_mask_of_its_marks() {
         let (scan, film) = scanned(None);
-        let frame = film_frame(&scan, &film, None).unwrap();
+        let frame = film_frame(&scan, &film, film_pixel_mm(&film).unwrap()).unwrap();
         let rule = frame.rule("*");
         assert_eq!((rule.focal_px, rule.pixel_mm, rule.fixed, rule.radial), (600.0, Some(0.25), true, [0.0; 3]));
         // 2.5 mm within the marks on every side: 195 mm; the principal point is 0.25 mm right of the middle.
@@ -94,9 +104,11 @@ mod tests {
     #[test]
     fn frames_of_a_camera_that_is_not_sure_are_calibrated_and_all_have_the_pixel_that_is_asked_for() {
         let (scan, film) = scanned(Some(crate::CameraUncertainty::GIVEN));
-        let frame = film_frame(&scan, &film, Some(0.5)).unwrap();
+        let frame = film_frame(&scan, &film, 0.5).unwrap();
         let rule = frame.rule("*");
+        let known = rule.known(389, 390);
         assert_eq!((rule.focal_px, rule.pixel_mm, rule.fixed), (300.0, Some(0.5), false));
+        assert_eq!((known.uncertainty, known.free), (Some(crate::CameraUncertainty::GIVEN), crate::FreeParameters::USUAL));
         assert_eq!([frame.image.width(), frame.image.height()], [389, 390]);
     }
 }

@@ -3,5 +3,5 @@
 mod frame;
 mod scan;
 
-pub use frame::{FilmFrame, film_frame};
+pub use frame::{FilmFrame, film_frame, film_pixel_mm};
 pub use scan::{FilmInput, FilmScan};

@@ -3,8 +3,8 @@
 use crate::error::refuse;
 use crate::image::{Neighbours, each_position};
 use crate::{
-    Bands, Camera, CameraMm, CameraUncertainty, Error, Fiducial, FiducialOrientation, GreyImage, GreyView, Interior, PhotoInput, Refusal,
-    photo_marks,
+    Bands, Camera, CameraMm, CameraUncertainty, DecodeLimits, Error, FiducialOrientation, GreyImage, GreyView, Interior, PhotoInput,
+    Refusal, photo_marks,
 };
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +17,18 @@ pub struct FilmInput {
     pub camera: Option<CameraMm>,
     /// The fiducial marks that were measured in the scan.
     pub scan: PhotoInput,
+    /// All marks of the film as they are calibrated, x and y in mm, those that no one measured included: they say where the photograph ends. Empty: those
+    /// that were measured.
+    #[serde(default)]
+    pub marks_mm: Vec<[f64; 2]>,
+}
+
+impl FilmInput {
+    /// The marks of the film.
+    pub(crate) fn film_marks(&self) -> Vec<[f64; 2]> {
+        let measured = self.scan.fiducials.iter().map(|mark| [mark.x_mm, mark.y_mm]);
+        self.marks_mm.iter().copied().chain(measured).collect()
+    }
 }
 
 /// How the scan of a photo on film lies to its frame: the image of a camera without distortion, with square pixels, along the photo's axes, of what lies
@@ -48,6 +60,10 @@ const HIDDEN: f64 = 1.0 / 80.0;
 const EDGE_PX: f64 = 8.0;
 /// Columns and rows of a scan are perpendicular to this. Exchanged marks of three, which leave no residuals, bring tens of degrees.
 const MOST_SKEW_DEG: f64 = 3.0;
+/// Neither do scanners and the shrinking of film make columns and rows of lengths that differ by a larger share.
+const MOST_SCALES: f64 = 0.05;
+/// A frame without as many px along each side shows nothing.
+const LEAST_FRAME_PX: f64 = 16.0;
 
 impl FilmScan {
     /// From the marks in a scan of this width and height: its frame has pixels as large as those of the scan in the mean, and ends where the scan does.
@@ -57,36 +73,48 @@ impl FilmScan {
     /// [`Interior::from_fiducials`].
     pub fn new(film: &FilmInput, size: [usize; 2]) -> Result<Self, Error> {
         let scan = Self::without_frame(film, size)?;
-        let (low, high) = scan.within(&film.scan.fiducials);
+        let (low, high) = scan.within(&film.film_marks());
         let corner_px = low.map(f64::ceil);
-        let frame_px = [0, 1].map(|k| (high[k].floor() - corner_px[k]).max(1.0) as u32);
-        Ok(Self { corner_px, frame_px, ..scan })
+        scan.framed(corner_px, [0, 1].map(|k| high[k].floor() - corner_px[k]))
     }
 
     /// The same with pixels of this side, in mm, and a frame that the calibration of the marks gives alone: those of all scans of a camera are alike.
     ///
     /// # Errors
-    /// As [`new`](Self::new); [`Error::InvalidInput`] for pixels smaller than a half of those of the scan, or more than ten times as large.
+    /// As [`new`](Self::new); [`Error::InvalidInput`] for pixels smaller than a half of those of the scan, or more than twice as large: from finer scans grain
+    /// would come as false patterns.
     pub fn in_common(film: &FilmInput, size: [usize; 2], pixel_mm: f64) -> Result<Self, Error> {
         let scan = Self::without_frame(film, size)?;
         let own_mm = scan.interior.pixel_mm();
-        let [least, most] = [0.5 * own_mm, 10.0 * own_mm];
+        let [least, most] = [0.5 * own_mm, 2.0 * own_mm];
         if !(pixel_mm >= least && pixel_mm <= most) {
             return refuse(Refusal::FilmPixel { pixel_mm, least, most });
         }
-        let hidden_mm = own_mm * scan.hidden_px(&film.scan.fiducials);
-        let [x0, y0] = scan.interior.principal_point_mm;
-        let of_axis = |of: &dyn Fn(&Fiducial) -> f64| {
-            let [low, high] = range(film.scan.fiducials.iter().map(of));
-            // In whole pixels from the principal point.
-            [low + hidden_mm, high - hidden_mm].map(|v| v / pixel_mm)
+        let marks = film.film_marks();
+        let hidden_mm = hidden_mm(&marks);
+        // From the principal point, as the camera without distortion sees them.
+        let seen: Vec<[f64; 2]> = marks.iter().map(|mark| scan.interior.corrected_mm(*mark)).collect();
+        let of_axis = |of: &dyn Fn([f64; 2]) -> f64| {
+            let [low, high] = range(seen.iter().map(|mark| of(*mark)));
+            [((low + hidden_mm) / pixel_mm).ceil(), ((high - hidden_mm) / pixel_mm).floor()]
         };
-        let [left, right] = of_axis(&|mark| mark.x_mm - x0);
-        let [top, bottom] = of_axis(&|mark| y0 - mark.y_mm);
-        let first = [left, top].map(f64::ceil);
-        let frame_px = [right.floor() - first[0], bottom.floor() - first[1]].map(|side| side.max(1.0) as u32);
+        let [[left, right], [top, bottom]] = [of_axis(&|mark| mark[0]), of_axis(&|mark| -mark[1])];
         let (at, scale) = (scan.interior.principal_point_px(), pixel_mm / own_mm);
-        Ok(Self { pixel_mm, corner_px: [0, 1].map(|k| at[k] + scale * first[k]), frame_px, ..scan })
+        let corner_px = [at[0] + scale * left, at[1] + scale * top];
+        Self { pixel_mm, ..scan }.framed(corner_px, [right - left, bottom - top])
+    }
+
+    /// With a frame that begins there and has this width and height.
+    fn framed(self, corner_px: [f64; 2], size: [f64; 2]) -> Result<Self, Error> {
+        if !size.iter().all(|side| *side >= LEAST_FRAME_PX) {
+            return refuse(Refusal::FilmBeside { width_px: self.width_px, height_px: self.height_px });
+        }
+        let ([width, height], most) = (size, DecodeLimits::default().max_pixels as f64);
+        if !(width * height <= most) {
+            let [megapixels, max_megapixels] = [width * height, most].map(|n| n / 1e6);
+            return Err(Error::TooManyPixels { width: width as u64, height: height as u64, megapixels, max_megapixels });
+        }
+        Ok(Self { corner_px, frame_px: size.map(|side| side as u32), ..self })
     }
 
     fn without_frame(film: &FilmInput, size: [usize; 2]) -> Result<Self, Error> {
@@ -100,6 +128,10 @@ impl FilmScan {
         if !(skew_deg <= MOST_SKEW_DEG) {
             return refuse(Refusal::MarksSkew { skew_deg, most_deg: MOST_SKEW_DEG });
         }
+        let scales = scales(&interior);
+        if !(scales <= MOST_SCALES) {
+            return refuse(Refusal::MarksScales { scales, most: MOST_SCALES });
+        }
         let [width_px, height_px] = size.map(|side| side as u32);
         let (focal_mm, pixel_mm) = (camera.focal_mm, interior.pixel_mm());
         Ok(Self { width_px, height_px, focal_mm, interior, marks, pixel_mm, corner_px: [0.0; 2], frame_px: [1; 2] })
@@ -111,9 +143,9 @@ impl FilmScan {
     }
 
     /// The lowest and the highest undistorted position of what the scan shows within the marks.
-    fn within(&self, fiducials: &[Fiducial]) -> ([f64; 2], [f64; 2]) {
-        let hidden = self.hidden_px(fiducials);
-        let marks: Vec<[f64; 2]> = fiducials.iter().map(|mark| self.of_mark(mark)).collect();
+    fn within(&self, marks_mm: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
+        let hidden = hidden_mm(marks_mm) / self.interior.pixel_mm();
+        let marks: Vec<[f64; 2]> = marks_mm.iter().map(|mark| self.of_mark(*mark)).collect();
         let [w, h] = [self.width_px, self.height_px].map(f64::from);
         let border = [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 0.5], [1.0, 1.0], [0.5, 1.0], [0.0, 1.0], [0.0, 0.5]];
         let border = border.map(|[x, y]| self.interior.undistorted_px(x * w, y * h));
@@ -127,18 +159,10 @@ impl FilmScan {
     }
 
     /// Where a mark is by its calibration, among undistorted positions.
-    fn of_mark(&self, mark: &Fiducial) -> [f64; 2] {
-        let ([x0, y0], pixel_mm, [x, y]) = (self.interior.principal_point_px(), self.interior.pixel_mm(), self.interior.principal_point_mm);
-        [x0 + (mark.x_mm - x) / pixel_mm, y0 - (mark.y_mm - y) / pixel_mm]
-    }
-
-    /// What is hidden about a mark, in px.
-    fn hidden_px(&self, fiducials: &[Fiducial]) -> f64 {
-        let extent = |of: fn(&Fiducial) -> f64| {
-            let [low, high] = range(fiducials.iter().map(of));
-            high - low
-        };
-        HIDDEN * extent(|mark| mark.x_mm).max(extent(|mark| mark.y_mm)) / self.interior.pixel_mm()
+    fn of_mark(&self, mark_mm: [f64; 2]) -> [f64; 2] {
+        let ([x0, y0], pixel_mm, [x, y]) =
+            (self.interior.principal_point_px(), self.interior.pixel_mm(), self.interior.corrected_mm(mark_mm));
+        [x0 + x / pixel_mm, y0 - y / pixel_mm]
     }
 
     /// The camera of the frame.
@@ -185,8 +209,8 @@ impl FilmScan {
     }
 
     /// Whether a position in the frame is of the photograph: within the scan, and beside the marks.
-    pub(crate) fn shows(&self, fiducials: &[Fiducial]) -> impl Fn([f64; 2]) -> bool {
-        let (marks, hidden) = self.marks_in_frame(fiducials);
+    pub(crate) fn shows<'a>(&'a self, marks_mm: &[[f64; 2]]) -> impl Fn([f64; 2]) -> bool + use<'a> {
+        let (marks, hidden) = self.marks_in_frame(marks_mm);
         move |at| {
             let is_hidden = || marks.iter().any(|mark| libm::hypot(at[0] - mark[0], at[1] - mark[1]) < hidden);
             self.in_scan(at).is_some_and(|at| self.is_inner(at)) && !is_hidden()
@@ -196,13 +220,13 @@ impl FilmScan {
     /// The same of all pixels of the frame: 255 where it shows the photograph, else 0.
     ///
     /// # Errors
-    /// [`Error::TooManyPixels`] for a frame that is too large.
-    pub(crate) fn mask(&self, fiducials: &[Fiducial]) -> Result<GreyImage, Error> {
+    /// As [`GreyImage::new`].
+    pub(crate) fn mask(&self, marks_mm: &[[f64; 2]]) -> Result<GreyImage, Error> {
         let size = self.frame_px.map(|side| side as usize);
-        let mut shown = Vec::with_capacity(size[0].saturating_mul(size[1]));
+        let mut shown = Vec::with_capacity(size[0] * size[1]);
         let position = |[column, row]: [usize; 2]| self.in_scan([column as f64 + 0.5, row as f64 + 0.5]);
         each_position(size, position, |at| shown.push(if at.is_some_and(|at| self.is_inner(at)) { 255 } else { 0 }));
-        let (marks, hidden) = self.marks_in_frame(fiducials);
+        let (marks, hidden) = self.marks_in_frame(marks_mm);
         for [x, y] in marks {
             let range =
                 |at: f64, side: usize| (at - hidden).clamp(0.0, side as f64) as usize..(at + hidden + 1.0).clamp(0.0, side as f64) as usize;
@@ -216,10 +240,10 @@ impl FilmScan {
     }
 
     /// Where marks are in the frame, and what is hidden about each, in px.
-    fn marks_in_frame(&self, fiducials: &[Fiducial]) -> (Vec<[f64; 2]>, f64) {
+    fn marks_in_frame(&self, marks_mm: &[[f64; 2]]) -> (Vec<[f64; 2]>, f64) {
         let scale = self.scale();
         let in_frame = |at: [f64; 2]| [0, 1].map(|k| (at[k] - self.corner_px[k]) / scale);
-        (fiducials.iter().map(|mark| in_frame(self.of_mark(mark))).collect(), self.hidden_px(fiducials) / scale)
+        (marks_mm.iter().map(|mark| in_frame(self.of_mark(*mark))).collect(), hidden_mm(marks_mm) / self.pixel_mm)
     }
 
     /// Whether a position in the scan is well within it.
@@ -239,7 +263,7 @@ impl FilmScan {
             return refuse(Refusal::CameraSize { width_px, height_px, width: other.width(), height: other.height() });
         }
         let size = self.frame_px.map(|side| side as usize);
-        let mut bands = vec![Vec::with_capacity(size[0].saturating_mul(size[1])); scan.len()];
+        let mut bands: Vec<Vec<u8>> = scan.iter().map(|_| Vec::with_capacity(size[0] * size[1])).collect();
         let position = |[column, row]: [usize; 2]| self.in_scan([column as f64 + 0.5, row as f64 + 0.5]);
         each_position(size, position, |at| {
             let seen = at.filter(|at| (0..2).all(|k| (0.0..=own[k] as f64).contains(&at[k])));
@@ -255,6 +279,21 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
 
+/// What is hidden about a mark.
+fn hidden_mm(marks_mm: &[[f64; 2]]) -> f64 {
+    let extent = [0, 1].map(|k| {
+        let [low, high] = range(marks_mm.iter().map(|mark| mark[k]));
+        high - low
+    });
+    HIDDEN * extent[0].max(extent[1])
+}
+
+/// By what share the lengths of columns and rows differ on the film.
+fn scales(interior: &Interior) -> f64 {
+    let [[a, b, _], [d, e, _]] = interior.parameters;
+    (libm::hypot(a, d) / libm::hypot(b, e) - 1.0).abs()
+}
+
 /// By how much the angle between columns and rows differs from a right one.
 fn skew_deg(interior: &Interior) -> f64 {
     let [[a, b, _], [d, e, _]] = interior.parameters;
@@ -265,8 +304,8 @@ fn skew_deg(interior: &Interior) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::FiducialModel;
     use crate::math::Random;
+    use crate::{Fiducial, FiducialModel};
 
     /// A photo of 230 mm on a scan of 1000 x 960 px, turned by some degrees, whose columns and rows are of different scale and a little askew.
     const PX_FROM_MM: [[f64; 3]; 2] = [[3.9, 0.45, 505.0], [0.46, -3.92, 480.0]];
@@ -283,7 +322,7 @@ mod tests {
             Fiducial { col: col + off(), row: row + off(), x_mm, y_mm }
         });
         let camera = CameraMm { principal_point_mm: [0.5, -0.25], ..CameraMm::without_distortion(152.0, None) };
-        FilmInput { camera: Some(camera), scan: PhotoInput { fiducials: marks.to_vec(), ..PhotoInput::default() } }
+        FilmInput { camera: Some(camera), scan: PhotoInput { fiducials: marks.to_vec(), ..PhotoInput::default() }, marks_mm: Vec::new() }
     }
 
     #[test]
@@ -304,16 +343,15 @@ mod tests {
         // 212 mm, less 2 x 2.65 mm; the marks themselves lie beyond, and one in the middle is hidden.
         let [width_mm, height_mm] = scan.frame_px.map(|side| f64::from(side) * pixel_mm);
         assert!((width_mm - 206.7).abs() < 0.6 && (height_mm - 206.7).abs() < 0.6, "{width_mm} {height_mm}");
-        let mut with_middle = film.scan.fiducials.clone();
-        with_middle.push(Fiducial { col: 0.0, row: 0.0, x_mm: 20.0, y_mm: 30.0 });
-        let shows = scan.shows(&with_middle);
+        let with_middle = FilmInput { marks_mm: vec![[20.0, 30.0]], ..film.clone() };
+        let shows = scan.shows(&with_middle.film_marks());
         let seen = |x: f64, y: f64| shows(scan.in_frame(in_scan(x, y)));
         assert_eq!([seen(20.0, 32.0), seen(20.0, 33.5), seen(0.0, 0.0)], [false, true, true]);
         // Of a part of the scan that ends within the marks the rest is the frame.
         let part = FilmInput { scan: PhotoInput { origin: Some([500.0, 480.0]), ..film.scan.clone() }, ..film.clone() };
         let cut = FilmScan::new(&part, [300, 320]).unwrap();
         assert!(cut.frame_px.iter().all(|side| (320..400).contains(side)), "{:?}", cut.frame_px);
-        let shows = cut.shows(&part.scan.fiducials);
+        let shows = cut.shows(&part.film_marks());
         assert!(shows(cut.in_frame([20.0, 300.0])) && !shows(cut.in_frame([4.0, 300.0])) && !shows(cut.in_frame([320.0, 100.0])));
     }
 
@@ -346,7 +384,49 @@ mod tests {
             assert!((0..2).all(|k| (back[k] - other(x, y)[k]).abs() < 1e-6), "{back:?}");
         }
         let refused = |pixel_mm: f64| FilmScan::in_common(&film, SIZE, pixel_mm).unwrap_err().to_string();
-        assert!(refused(0.1).contains("0.1") && refused(3.0).contains("3") && refused(f64::NAN).contains("pixel"), "{}", refused(0.1));
+        assert!(refused(0.1).contains("0.1") && refused(0.6).contains("0.6") && refused(f64::NAN).contains("pixel"), "{}", refused(0.1));
+    }
+
+    #[test]
+    fn marks_that_nobody_measured_say_where_the_photograph_ends_and_are_hidden() {
+        let film = measured(|| 0.0);
+        let mut three = film.clone();
+        three.scan.fiducials.pop();
+        let of = |film: &FilmInput| FilmScan::in_common(film, SIZE, 0.3).unwrap();
+        // Without the fourth mark the outermost ones are still there; of two on one side half of the photo is left.
+        let mut half = film.clone();
+        half.scan.fiducials = [[-106.0, 0.0], [0.0, 106.0], [0.0, -106.0]]
+            .map(|[x_mm, y_mm]| {
+                let [col, row] = in_scan(x_mm, y_mm);
+                Fiducial { col, row, x_mm, y_mm }
+            })
+            .to_vec();
+        assert!(of(&half).frame_px[0] < 360, "{:?}", of(&half).frame_px);
+        let known = FilmInput { marks_mm: MARKS_MM.to_vec(), ..half };
+        let [whole, by_three] = [of(&film), of(&FilmInput { marks_mm: MARKS_MM.to_vec(), ..three })];
+        for other in [&by_three, &of(&known)] {
+            assert_eq!(other.frame_px, whole.frame_px);
+            let [own, others] = [&whole, other].map(|scan| scan.camera().principal_point_px);
+            assert!((0..2).all(|k| (own[k] - others[k]).abs() < 1e-6), "{own:?} {others:?}");
+        }
+    }
+
+    #[test]
+    fn marks_are_hidden_where_a_camera_without_distortion_sees_them() {
+        let mut film = measured(|| 0.0);
+        // 7.6 mm at the corners.
+        film.camera.as_mut().unwrap().radial_distortion = [2.25e-6, 0.0, 0.0];
+        film.marks_mm = vec![[80.0, 0.0]];
+        let scan = FilmScan::in_common(&film, SIZE, 0.3).unwrap();
+        let shows = scan.shows(&film.film_marks());
+        let [there, beside] = [[80.0, 0.0], [76.0, 0.0]].map(|[x, y]| shows(scan.in_frame(in_scan(x, y))));
+        assert_eq!([there, beside], [false, true]);
+        let mask = scan.mask(&film.film_marks()).unwrap();
+        let at = |x: f64| {
+            let [column, row] = scan.in_frame(in_scan(x, 0.0));
+            mask.view().at(column as usize, row as usize)
+        };
+        assert_eq!([at(80.0), at(76.0)], [0, 255]);
     }
 
     #[test]
@@ -427,6 +507,15 @@ mod tests {
             (0..3).for_each(|k| [marks[k].x_mm, marks[k].y_mm] = places[(k + 1) % 3]);
         };
         assert!(marks(&around).contains("right angle"), "{}", marks(&around));
+        // An x that was mistyped for all marks of one side leaves no residuals.
+        let stretched = |marks: &mut Vec<Fiducial>| marks.iter_mut().filter(|mark| mark.x_mm < 0.0).for_each(|mark| mark.x_mm = -160.0);
+        assert!(marks(&stretched).contains("columns and rows"), "{}", marks(&stretched));
+        // A part of the scan that lies beside the photograph.
+        assert!(
+            refused(&|film| film.scan.origin = Some([5000.0, 5000.0])).contains("outside"),
+            "{}",
+            refused(&|film| film.scan.origin = Some([5000.0, 5000.0]))
+        );
         let similarity = FilmInput { scan: PhotoInput { model: FiducialModel::Similarity, ..measured(|| 0.0).scan }, ..measured(|| 0.0) };
         assert!(FilmScan::new(&similarity, SIZE).is_ok());
     }

@@ -28,6 +28,9 @@ pub struct CameraRule {
     /// Whether the block takes the camera as it is; otherwise it is calibrated from these values.
     #[serde(default)]
     pub fixed: bool,
+    /// What is not known of a camera that is not fixed; absent: as much as of one of EXIF.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<CameraUncertainty>,
 }
 
 impl CameraRule {
@@ -47,10 +50,10 @@ impl CameraRule {
 
     /// What the rule says of the camera of images of a size.
     pub(crate) fn known(&self, width_px: u32, height_px: u32) -> KnownCamera {
-        let Self { focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, .. } = *self;
+        let Self { focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, uncertainty, .. } = *self;
         let free = if fixed { FreeParameters::default() } else { FreeParameters::USUAL };
         // Approximate values are as good as those of EXIF.
-        let uncertainty = Some(if fixed { CameraUncertainty::NONE } else { CameraUncertainty::EXIF });
+        let uncertainty = Some(if fixed { CameraUncertainty::NONE } else { uncertainty.unwrap_or(CameraUncertainty::EXIF) });
         let plain = KnownCamera::of_size(width_px, height_px, Some(focal_px));
         KnownCamera { principal_point_px, radial, tangential, pixel_mm, free, uncertainty, ..plain }
     }
@@ -63,7 +66,7 @@ impl CameraRule {
 }
 
 /// Reads `{"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7, "principal_point_px": [2000, 1500], "radial": [k1, k2, k3],
-/// "tangential": [p1, p2], "pixel_mm": 0.0024, "fixed": true}]}`, of each camera all but `focal_px` optional.
+/// "tangential": [p1, p2], "pixel_mm": 0.0024, "fixed": true}]}`, or `"uncertainty"` in place of `"fixed"`, of each camera all but `focal_px` optional.
 ///
 /// # Errors
 /// [`Error::InvalidJson`] with the place; [`Error::InvalidInput`] for an empty list and for values that no camera has.
@@ -83,6 +86,7 @@ pub fn parse_camera_rules(json: &str) -> Result<Vec<CameraRule>, Error> {
             return refuse(Refusal::EmptyPattern { camera: number });
         }
         rule.camera_named(1, 1, || Location::CameraOfFile { camera: number })?;
+        rule.uncertainty.as_ref().map_or(Ok(()), CameraUncertainty::check)?;
     }
     Ok(file.cameras)
 }

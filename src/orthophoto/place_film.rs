@@ -1,4 +1,4 @@
-//! The place of a photo on film: its scan is led to the frame of an ideal camera, and what is found there back to the scan.
+//! The place of a photo on film: its scan is resampled to the frame of an ideal camera, and what is found there is given in px of the scan.
 //!
 //! The scan is resampled once, before anything is matched: then features, resection, adjustment and the rectified picture know one camera, along whose
 //! axes the border of the film is cut off. Led along with each position instead, the way from the scan would stand in the equations of all of them. The
@@ -32,11 +32,11 @@ pub fn place_film(
     options.check_ranges()?;
     let own = FilmScan::new(film, [scan.width(), scan.height()])?;
     let frame = own.frame(&[scan])?.into_first();
-    let shows = own.shows(&film.scan.fiducials);
+    let shows = own.shows(&film.film_marks());
     let photograph = Photograph { grey: frame.view(), shows: &shows };
     let known = camera_of(&own);
     let placed = sought(position, reference, area, options, |area| place_photograph(photograph, &known, reference, area, options))?;
-    Ok(in_scan(&own, placed))
+    Ok(in_scan(&own, placed, None))
 }
 
 /// Orients a scanned photo on film by links that are given, in px of the scan: as [`place_by_links`].
@@ -59,17 +59,20 @@ pub fn place_film_by_links(
         Ok(GivenLink { at, ..*link })
     });
     let in_frame = in_frame.collect::<Result<Vec<GivenLink>, Error>>()?;
-    place_by_links(&known, reference, start, &in_frame, options).map(|placed| in_scan(scan, placed))
+    place_by_links(&known, reference, start, &in_frame, options).map(|placed| in_scan(scan, placed, Some(links)))
 }
 
 fn camera_of(scan: &FilmScan) -> PlacingCamera {
     PlacingCamera { camera: scan.camera(), uncertainty: scan.uncertainty() }
 }
 
-/// With positions and residuals in px of the scan.
-fn in_scan(scan: &FilmScan, placed: PlacedImage) -> PlacedImage {
-    let link = |link: Link| {
-        let at = scan.in_scan(link.at)?;
+/// With positions and residuals in px of the scan. `given`: the links that the placement has, in their order, where they were given.
+fn in_scan(scan: &FilmScan, placed: PlacedImage, given: Option<&[GivenLink]>) -> PlacedImage {
+    let link = |(number, link): (usize, Link)| {
+        let at = match given.and_then(|given| given.get(number)) {
+            Some(given) => given.at,
+            None => scan.in_scan(link.at)?,
+        };
         let residual_px = link.residual_px.and_then(|[x, y]| {
             let computed = scan.in_scan([link.at[0] - x, link.at[1] - y])?;
             Some([at[0] - computed[0], at[1] - computed[1]])
@@ -77,7 +80,7 @@ fn in_scan(scan: &FilmScan, placed: PlacedImage) -> PlacedImage {
         Some(Link { at, residual_px, ..link })
     };
     let placement = placed.placement.map(|placement| {
-        let links = placement.links.iter().filter_map(|own| link(*own)).collect();
+        let links = placement.links.iter().copied().enumerate().filter_map(link).collect();
         Placement { links, film: Some(scan.clone()), ..placement }
     });
     PlacedImage { placement, ..placed }
@@ -172,7 +175,7 @@ mod tests {
         let scan_input = PhotoInput { fiducials: fiducials.to_vec(), ..PhotoInput::default() };
         let reference = scene.orthophoto(0.8).unwrap();
         let area = SearchArea::new(&reference, &options()).unwrap();
-        Scanned { scene, reference, area, scan, film: FilmInput { camera: Some(camera), scan: scan_input } }
+        Scanned { scene, reference, area, scan, film: FilmInput { camera: Some(camera), scan: scan_input, marks_mm: Vec::new() } }
     }
 
     /// Errors of the projection centre in m, and by their standard errors.

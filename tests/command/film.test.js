@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { readFileSync, rmSync } from 'node:fs';
+import { readdirSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { Photo } from '../../pkg/node.js';
@@ -40,7 +40,7 @@ test('scans of film become images of one camera, and a block is made of them', (
   for (const { marks } of scans) assert.ok(marks.residuals_mm.length === MARKS_MM.length && marks.sigma0_mm < 0.01, JSON.stringify(marks.sigma0_mm));
   assert.equal(cameras.length, 1, JSON.stringify(cameras));
   const [{ images, fixed, pixel_mm }] = cameras;
-  assert.deepEqual([images, fixed], ['*', true]);
+  assert.deepEqual([images, fixed], ['*-film.png', true]);
   assert.ok(Math.abs(pixel_mm - PIXEL_MM) < 0.001, `${pixel_mm}`);
   const sizes = scans.map((/** @type {{ image: string }} */ { image }) => {
     const photo = Photo.decode(readFileSync(join(out, 'images', image)));
@@ -49,11 +49,15 @@ test('scans of film become images of one camera, and a block is made of them', (
     return size.join(' x ');
   });
   assert.equal(new Set(sizes).size, 1, sizes.join(', '));
+  assert.match(readFileSync(join(out, 'film.csv'), 'utf8'), /^scan,image,marks,sigma0_mm,rmse_mm\nfilm_0\.png,film_0-film\.png,6,0\.00\d+,0\.00\d+\n/);
+  const again = tiepoint('film', ...FILM.scans, '--camera', FILM.camera, '--out', out);
+  assert.ok(again.code === 1 && /images is there already; name another folder/.test(again.stderr), again.stderr);
   const block = join(out, 'block');
   const summary = json('block', join(out, 'images'), '--cameras', join(out, 'cameras.json'), '--masks', join(out, 'masks'), '--out', block);
   assert.equal(summary.verdict.kind, 'oriented', JSON.stringify(summary.verdict));
   // Scans as they are have other scales along columns and rows, each its own.
-  const raw = json('block', ...FILM.scans, '--cameras', join(out, 'cameras.json'), '--out', join(out, 'raw'));
+  const all = file(out, 'all.json', readFileSync(join(out, 'cameras.json'), 'utf8').replace('*-film.png', '*'));
+  const raw = json('block', ...FILM.scans, '--cameras', all, '--out', join(out, 'raw'));
   assert.ok(raw.verdict.sigma0_px > 1.3 * summary.verdict.sigma0_px, `${raw.verdict.sigma0_px} ${summary.verdict.sigma0_px} px`);
   // Without positions the shape is what is known: distances between projection centres in that of the first two.
   const rows = readFileSync(join(block, 'images.csv'), 'utf8').trim().split('\n');
@@ -66,6 +70,20 @@ test('scans of film become images of one camera, and a block is made of them', (
     assert.ok(Math.abs(found / known - 1) < 0.03, `${k}: ${found} of ${known} m`);
   }
   rmSync(out, { recursive: true });
+});
+
+test('a mark that one scan lacks, and a scan that cannot be read, cost the others nothing', () => {
+  const [at, out] = [folder(), join(folder(), 'out')];
+  const scans = FILM.scans.slice(0, 3).map((/** @type {string} */ scan, /** @type {number} */ k) => {
+    const rows = readFileSync(scan.replace(/png$/, 'csv'), 'utf8').trim().split('\n');
+    file(at, `s${k}.csv`, (k === 1 ? rows.filter((row) => !row.endsWith(',17.5,0.1')) : rows).join('\n'));
+    return file(at, `s${k}.png`, k === 2 ? 'no picture' : readFileSync(scan));
+  });
+  const { code, stderr } = tiepoint('film', ...scans, '--camera', FILM.camera, '--out', out);
+  assert.ok(code === 1 && /s2\.png/.test(stderr) && !/s[01]\.png/.test(stderr), stderr);
+  const { cameras } = JSON.parse(readFileSync(join(out, 'cameras.json'), 'utf8'));
+  assert.equal(cameras.length, 1, JSON.stringify(cameras));
+  assert.deepEqual(readdirSync(join(out, 'images')), ['s0-film.png', 's1-film.png']);
 });
 
 test('scans without marks, and without a camera, are refused', () => {

@@ -392,7 +392,7 @@ test('the camera and the marks of scanned film are taken with what is wrong with
   await give('block-film-marks', text('scan.csv', 'col,row\n1,2\n'));
   await status(page, /^scan\.csv cannot be used: .*x_mm/);
   await give('block-film-marks', text('scan.csv', 'col,row,x_mm,y_mm\n4,4,-5,4\n36,4,5,4\n36,26,5,-4\n4,26,-5,-4\n'));
-  await says(page, 'block-film-problem', /^scan\.csv is named as no image\.$/);
+  await says(page, 'block-film-problem', /^No image has the name of scan\.csv\.$/);
   await give('block-files', upload('scan.png', grey_png(40, 30, new Uint8Array(1200).fill(90)), 'image/png'));
   await says(page, 'block-film-problem', /need the film camera/);
   await give('block-film-camera', text('film.json', '{"focal_mm": 152}'));
@@ -402,12 +402,12 @@ test('the camera and the marks of scanned film are taken with what is wrong with
     ['film.json', 'scan.csv'],
   );
   await part(page, 'block-film-frames').click();
-  await status(page, /^One scan became an image of one camera\./);
+  await status(page, /^1 scan was resampled to an image of one camera, which counts as calibrated\./);
   await says(page, 'block-film-marks-names', /^No fiducial marks\./);
   assert.ok(await part(page, 'block-film-frames').isDisabled());
-  // Of the same name, with a mask and a camera.
+  // With a mask and a camera.
   await part(page, 'tab-block-settings').click();
-  await says(page, 'block-masks-name', /^scan\.png$/);
+  await says(page, 'block-masks-name', /^scan-film\.png$/);
   await says(page, 'block-cameras-name', /^camera of the film$/);
   await says(page, 'block-cameras-problem', /^$/);
   assert.deepEqual(complaints, []);

@@ -1,5 +1,6 @@
 /** The calls of a block that workers answer, and what passes between a run and the page while it goes on. */
-import type { Frame, FrameInput } from './film';
+import type { FilmTexts } from '../state/film';
+import type { Frame, FrameInput, FramePlan } from './film';
 import type { BlockJob, RunOptions, Step } from '../../../pkg/block/index.js';
 import type { BlockEdit, BlockFlight, BlockModel, ExportFormat, OrthophotoInfo, Placement, PlacingVerdict, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import type { Position } from '../../shared/state/pane';
@@ -103,6 +104,7 @@ export interface BlockCalls {
   linksOpen: { input: LinksInput; output: (string | null)[] };
   linksPlace: { input: { index: number; file: Blob }; output: PlacingVerdict | null };
   linksFinish: { input: null; output: Uint8Array };
+  filmPlan: { input: readonly FilmTexts[]; output: FramePlan };
   filmFrame: { input: FrameInput; output: Frame };
   mosaicOpen: { input: MosaicInput; output: { name: string; index: number }[] };
   mosaicAdd: { input: { index: number; file: Blob }; output: null };

@@ -1,21 +1,28 @@
 /** Scans of film in a worker: what is known of one as the crate reads it, and its frame. */
-import { film_frame, parse_camera, parse_fiducials } from '../../../pkg/wasm/tiepoint.js';
+import { film_frame, film_pixel_mm, parse_camera, parse_fiducials } from '../../../pkg/wasm/tiepoint.js';
 import type { CameraRule, FilmInput, Given } from '../../../pkg/wasm/tiepoint.js';
 import type { FilmTexts } from '../state/film';
+
+/** What all frames of a film have in common. */
+export interface FramePlan {
+  /** The side of a pixel: the largest of the scans. */
+  pixelMm: number;
+  /** All marks of the film, those that a scan lacks included. */
+  marksMm: [number, number][];
+}
 
 export interface FrameInput {
   file: Blob;
   film: FilmTexts;
-  /** The name of the frame. */
-  image: string;
-  /** The side of its pixels; null: that of the scan. */
-  pixelMm: number | null;
+  plan: FramePlan;
+  /** The pattern of the names of frames. */
+  images: string;
 }
 
 export interface Frame {
   /** PNG files. */
-  image: Uint8Array<ArrayBuffer>;
-  mask: Uint8Array<ArrayBuffer>;
+  image: Blob;
+  mask: Blob;
   camera: CameraRule;
 }
 
@@ -24,8 +31,16 @@ export function readFilm({ camera, marks }: FilmTexts): Given<FilmInput> {
   return camera === null ? { scan } : { camera: parse_camera(camera), scan };
 }
 
+export function filmPlan(films: readonly FilmTexts[]): FramePlan {
+  const marks = new Map<string, [number, number]>();
+  for (const { x_mm: x, y_mm: y } of films.flatMap((film) => parse_fiducials(film.marks))) marks.set(`${String(x)},${String(y)}`, [x, y]);
+  return { pixelMm: Math.max(...films.map((film) => film_pixel_mm(readFilm(film)))), marksMm: [...marks.values()] };
+}
+
 /** The scan as an image of an ideal camera. */
-export async function filmFrame({ file, film, image, pixelMm }: FrameInput): Promise<Frame> {
-  const made = film_frame(new Uint8Array(await file.arrayBuffer()), readFilm(film), image, pixelMm ?? undefined);
-  return { image: made.image as Uint8Array<ArrayBuffer>, mask: made.mask as Uint8Array<ArrayBuffer>, camera: made.camera };
+export async function filmFrame({ file, film, plan, images }: FrameInput): Promise<Frame> {
+  const known = { ...readFilm(film), marks_mm: plan.marksMm };
+  const made = film_frame(new Uint8Array(await file.arrayBuffer()), known, images, plan.pixelMm);
+  const png = (bytes: Uint8Array) => new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'image/png' });
+  return { image: png(made.image), mask: png(made.mask), camera: made.camera };
 }

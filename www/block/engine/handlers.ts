@@ -6,7 +6,7 @@ import type { BlockCalls, JobAnswer } from './calls';
 import { linksFinish, linksOpen, linksPlace } from './block-links';
 import { blockFit, blockWindow } from './match';
 import { blockPhoto, blockPlan } from './photo';
-import { filmFrame } from './film';
+import { filmFrame, filmPlan } from './film';
 import { blockGrey } from './grey';
 import {
   mosaicAdd,
@@ -62,6 +62,7 @@ export const BLOCK_HANDLERS: Handlers<BlockCalls> = {
   linksOpen,
   linksPlace,
   linksFinish,
+  filmPlan,
   filmFrame,
   mosaicOpen,
   mosaicAdd,

@@ -4,7 +4,7 @@ import { givenLinks, LEAST_LINKS } from '../state/steps';
 import type { LinkStep } from '../state/steps';
 import type { LinkedImage, LinkedPlacement } from '../state/links';
 import { placingKey, placingKeyOf, unplacedFiles } from '../state/placed';
-import { filmOf } from '../state/film';
+import { filmOf, FRAMES } from '../state/film';
 import type { FilmTexts } from '../state/film';
 import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
@@ -19,9 +19,8 @@ import { messageOf } from '../../shared/text/messages';
 /** Each worker holds an orthophoto that is not read in parts: of one beyond so many px there is one worker beside the one that shows it. */
 const MOST_SHARED = 40e6;
 
-/** The frame of a scan of film, by its name and the id of the scan. */
+/** The frame of a scan of film, with the id of the scan. */
 export interface MadeFrame extends Frame {
-  name: string;
   of: number;
 }
 
@@ -220,17 +219,21 @@ export class PlacingEngine {
     }
   }
 
-  /** The frames of scans of film, all with the pixel of the first; null where it was cancelled. */
-  async frames(scans: readonly { file: BlockFile; film: FilmTexts | null }[]): Promise<MadeFrame[] | null> {
+  /** The frames of scans of film; null where it was cancelled. */
+  async frames(scans: readonly { file: BlockFile; film: FilmTexts }[]): Promise<MadeFrame[] | null> {
     this.stopped = false;
     const made: MadeFrame[] = [];
+    const tell = (name: string) =>
+      this.store.dispatch({ type: 'placing', running: { done: made.length, total: scans.length, text: say('resampling-scan', { name }) } });
     try {
+      tell(scans[0]?.file.name ?? '');
+      const plan = await this.maker.call(
+        'filmPlan',
+        scans.map(({ film }) => film),
+      );
       for (const { file, film } of scans) {
-        if (film === null) continue;
-        this.store.dispatch({ type: 'placing', running: { done: made.length, total: scans.length, text: say('frame-of', { name: file.name }) } });
-        const name = `${file.name.replace(/\.[^.]*$/u, '')}.png`;
-        const pixelMm = made[0]?.camera.pixel_mm ?? null;
-        made.push({ ...(await this.maker.call('filmFrame', { file: file.file, film, image: name, pixelMm })), name, of: file.id });
+        tell(file.name);
+        made.push({ ...(await this.maker.call('filmFrame', { file: file.file, film, plan, images: FRAMES })), of: file.id });
       }
       return made;
     } catch (error) {

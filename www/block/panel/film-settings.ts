@@ -32,11 +32,13 @@ export function filmFields(store: BlockStore, engine: PlacingEngine): HTMLElemen
   const cameraName = h('p', { class: 'note', testid: 'block-film-camera-name' });
   const marksNames = h('p', { class: 'note', testid: 'block-film-marks-names' });
   const problem = h('p', { class: 'field-problem', testid: 'block-film-problem' });
-  store.watch(['placing', 'files', 'running', 'notice'], ([{ film }, images]) => {
+  store.watch(['placing', 'files', 'running', 'notice'], ([{ film, placed }, images]) => {
     const busy = isBusy(store.state);
     for (const press of [camera, marks, remove]) press.disabled = busy;
     remove.hidden = film.camera === null && film.marks.length === 0;
-    frames.disabled = busy || film.camera === null || framesOf(film, images).length === 0;
+    const scans = framesOf(film, images);
+    // What was placed would be lost.
+    frames.disabled = busy || film.camera === null || scans.length === 0 || scans.some(({ id }) => placed.has(id));
     fill(cameraName, film.camera?.name ?? say('none-film-camera', { example: '{"focal_mm": 152.82, "principal_point_mm": [0.004, -0.012]}' }));
     const names = film.marks.slice(0, LISTED).map(({ name }) => name);
     const more = film.marks.length > LISTED ? ' …' : '';

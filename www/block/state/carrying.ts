@@ -3,6 +3,7 @@ import type { BlockEdit, HandMeasurement, PointSource } from '../../../pkg/wasm/
 import type { History } from '../../shared/state/history';
 import type { EditStep } from './edits';
 import type { Names } from './naming';
+import { keyOfPair } from './selection';
 
 /** What is left of a history there. */
 export interface CarriedOver {
@@ -42,7 +43,7 @@ class Carrier {
 
   constructor(
     private readonly before: Names,
-    after: Names,
+    private readonly after: Names,
     private readonly sameTiePoints: boolean,
   ) {
     this.places = new Map(after.images.map((name, image) => [name, image]));
@@ -69,7 +70,7 @@ class Carrier {
       }
       case 'reject_pairs':
       case 'restore_pairs': {
-        const pairs = edit.pairs.map(([a, b]): [number, number] => [this.image(a), this.image(b)]).filter((pair) => !pair.includes(-1));
+        const pairs = edit.pairs.map(([a, b]): [number, number] => [this.image(a), this.image(b)]).filter((pair) => this.after.connected.has(keyOfPair(pair)));
         return pairs.length === 0 ? [] : [{ ...edit, pairs }];
       }
       case 'add_point':

@@ -22,6 +22,14 @@ export function filmOf({ camera, marks }: GivenFilm, image: string): FilmTexts |
   return own === undefined ? null : { camera: camera?.text ?? null, marks: own.text };
 }
 
+/** The pattern of the names of frames: no image that is none fits it by chance. */
+export const FRAMES = '*-film.png';
+
+/** What the frame of a scan is called. */
+export function frameName(scan: string): string {
+  return FRAMES.replace('*', scan.replace(/\.[^.]*$/u, ''));
+}
+
 /** The images that are scans of film. */
 export function framesOf<T extends { name: string }>(film: GivenFilm, images: readonly T[]): T[] {
   return images.filter(({ name }) => filmOf(film, name) !== null);
@@ -29,8 +37,8 @@ export function framesOf<T extends { name: string }>(film: GivenFilm, images: re
 
 /** With these marks in place of those of the same scans. */
 export function withMarks(film: GivenFilm, marks: readonly TextFile[]): GivenFilm {
-  const stems = new Set(marks.map(({ name }) => stemOf(name)));
-  return { ...film, marks: [...film.marks.filter(({ name }) => !stems.has(stemOf(name))), ...marks] };
+  const byStem = new Map([...film.marks, ...marks].map((own) => [stemOf(own.name), own]));
+  return { ...film, marks: [...byStem.values()] };
 }
 
 /** The names of marks that are of no image. */

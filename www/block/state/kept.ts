@@ -54,5 +54,8 @@ export function isBlank({ catalogue, files, shown, options, flight, placing }: B
   const { settings, gps, cameras, control, marks, masks, geoid } = options;
   const noFile = cameras === null && control === null && marks === null && masks.length === 0 && geoid === null;
   const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === 'use' && noFile && placing.options === catalogue?.placing;
-  return catalogue === null || (files.length === 0 && shown === null && placing.orthophoto === null && untouched);
+  return (
+    catalogue === null ||
+    (files.length === 0 && shown === null && placing.orthophoto === null && placing.film.camera === null && placing.film.marks.length === 0 && untouched)
+  );
 }

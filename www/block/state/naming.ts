@@ -2,6 +2,7 @@
 import type { BlockEdit } from '../../../pkg/wasm/tiepoint.js';
 import type { EditStep } from './edits';
 import type { MarkStep } from './marks';
+import { keyOfPair } from './selection';
 import type { BlockView } from './view';
 import { say } from '../../shared/text/words';
 
@@ -10,21 +11,28 @@ export interface Names {
   images: readonly string[];
   /** Of surveyed points, by their numbers. */
   surveyed: ReadonlyMap<number, string>;
+  /** Keys of the pairs that matches connect. */
+  connected: ReadonlySet<string>;
 }
 
-export const NO_NAMES: Names = { images: [], surveyed: new Map() };
+export const NO_NAMES: Names = { images: [], surveyed: new Map(), connected: new Set() };
 
 /** The names of a block as it was found: the same whatever is edited. */
-export function namesOf({ images, surveyed }: BlockView): Names {
-  return { images: images.map(({ name }) => name), surveyed: new Map(surveyed.map(({ control, name }) => [control, name])) };
+export function namesOf({ images, surveyed, connections }: BlockView): Names {
+  const connected = connections.filter(({ outcome }) => outcome.kind === 'connected').map((pair) => keyOfPair(pair.images));
+  return {
+    images: images.map(({ name }) => name),
+    surveyed: new Map(surveyed.map(({ control, name }) => [control, name])),
+    connected: new Set(connected),
+  };
 }
 
 /** Whether a surveyed point is a place of an orthophoto, as the crate names these. */
 export const isPlace = (name: string): boolean => /^orthophoto_\d+$/u.test(name);
 
 /** Names without those of places of an orthophoto, which are others on another one. */
-export function withoutPlaces({ images, surveyed }: Names): Names {
-  return { images, surveyed: new Map([...surveyed].filter(([, name]) => !isPlace(name))) };
+export function withoutPlaces({ surveyed, ...names }: Names): Names {
+  return { ...names, surveyed: new Map([...surveyed].filter(([, name]) => !isPlace(name))) };
 }
 
 /** What a step did. */

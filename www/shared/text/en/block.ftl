@@ -469,14 +469,19 @@ film-camera = Film camera
 marks-of-scans = Fiducial marks of scans
 none-film-camera = No film camera. The calibrated camera of scanned photos on film, a JSON file: { $example }.
 none-marks-of-scans = No fiducial marks. A table of col, row, x_mm, y_mm for each scan, named as its image: { $example } for { $image }.
-marks-of-no-image = { $name } is named as no image.
+marks-of-no-image = No image has the name of { $name }.
 make-frames = Make images of one camera
-make-frames-help = Resamples each scan by its fiducial marks to the image of an ideal camera, for a block: without distortion, all with one camera, which counts as calibrated. The frames take the place of the scans, with masks of the marks.
-frame-of = { $name }: the frame
-scans-became-frames = { $frames ->
-    [one] One scan became an image
-   *[other] { COUNT($frames) } scans became images
-} of one camera. Masks leave out the fiducial marks; the camera is calibrated.
+make-frames-help = For a block: resamples each scan by its fiducial marks to the image of an ideal camera, one for all of them, without distortion. These images take the place of the scans, with masks of the marks and the file of their camera. What was measured in the scans does not hold for them.
+resampling-scan = Resampling { $name }
+two-scans-of-one-name = { $name } and another scan would become images of one name: rename one of them.
+scans-became-frames =
+    { $frames ->
+        [one] 1 scan was resampled to an image
+       *[other] { COUNT($frames) } scans were resampled to images
+    } of one camera, { $known ->
+        [yes] which counts as calibrated
+       *[no] which the block calibrates within what is not known of it
+    }. Masks leave out the fiducial marks.
 no-frames-were-made = No images were made of the scans: { $sentence }
 camera-of-frames = camera of the film
 marks-need-their-camera = Fiducial marks need the film camera with its focal length in mm.
