@@ -1013,12 +1013,13 @@ refusal-control-unit =
        *[other] في منطقة هذا النظام
     } إن كانت بوحدة { $given_in }؛ المسموح: إحداثيات في { $crs } ووحدتها { $own }
 refusal-geoid-of-ellipsoid = ارتفاع الجيوئيد: أُعطي { $geoid_m } م مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: 0، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
+refusal-geoid-file-of-ellipsoid = الجيوئيد: أُعطي { $name } مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: بلا جيوئيد، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
 refusal-no-geoid = الجيوئيد: أُعطي { $name } وهو ليس مما يُقرأ؛ المسموح: GeoTIFF بخطوط الطول والعرض وشماله إلى أعلى، أو GTX، أو PGM من GeographicLib
 refusal-geoid-elsewhere = الجيوئيد: أُعطي { $name } وهو يغطي خطوط الطول من { FIXED($west, digits: 2) } إلى { FIXED($east, digits: 2) } وخطوط العرض من { FIXED($south, digits: 2) } إلى { FIXED($north, digits: 2) }، لكتلة عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }؛ المسموح: جيوئيد يغطي الكتلة
 refusal-geoid-height =
     الجيوئيد: { $height ->
         [none] لا ارتفاع
-       *[other] أُعطي { $height } م
+       *[other] أُعطي { FIXED($height, digits: 2) } م
     } في { $name } عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }؛ المسموح: ارتفاعات فوق الإهليلجي من -200 إلى 200 م حول الكتلة كلها
 refusal-geoid-nodes = الجيوئيد: أُعطي { $columns } × { $rows } من الارتفاعات حول الكتلة في { $name }؛ المسموح: حتى { $most }
 refusal-geoid-twice = ارتفاع الجيوئيد: أُعطي { $geoid_m } م والملف { $name }؛ المسموح: أحدهما

@@ -400,12 +400,13 @@ refusal-control-unit =
        *[other] in the area of this system
     } if they are in { $given_in }; allowed: coordinates in { $crs }, whose unit is { $own }
 refusal-geoid-of-ellipsoid = height of the geoid: got { $geoid_m } m beside { $crs }, whose heights are ellipsoidal; allowed: 0, or a system of the plane, or one with heights above sea level
-refusal-no-geoid = geoid: got { $name }, which is none that is read; allowed: a GeoTIFF of longitudes and latitudes with north up, a GTX, or a PGM of GeographicLib
+refusal-geoid-file-of-ellipsoid = geoid: got { $name } beside { $crs }, whose heights are ellipsoidal; allowed: no geoid, or a system of the plane, or one with heights above sea level
+refusal-no-geoid = geoid: got { $name }, which is not a geoid file that can be read; allowed: a GeoTIFF of longitudes and latitudes with north up, a GTX, or a PGM of GeographicLib
 refusal-geoid-elsewhere = geoid: got { $name }, which covers longitudes { FIXED($west, digits: 2) } to { FIXED($east, digits: 2) } and latitudes { FIXED($south, digits: 2) } to { FIXED($north, digits: 2) }, for a block at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }; allowed: a geoid that covers the block
 refusal-geoid-height =
     geoid: got { $height ->
         [none] no height
-       *[other] { $height } m
+       *[other] { FIXED($height, digits: 2) } m
     } in { $name } at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }; allowed: heights above the ellipsoid from -200 to 200 m all about the block
 refusal-geoid-nodes = geoid: got { $columns } x { $rows } heights about the block in { $name }; allowed: up to { $most }
 refusal-geoid-twice = height of the geoid: got { $geoid_m } m and the file { $name }; allowed: one of them
@@ -464,9 +465,9 @@ refusal-height-count = height model: got { $heights } heights for { $width } x {
 refusal-height-range = heights of a height model: got { $low } to { $high }; allowed: -1000 to 20000, with at least one; what stands for 'no height' must be declared
 refusal-no-height-model = height model: got neither a TIFF nor text; allowed: a GeoTIFF or an ESRI ASCII grid
 refusal-heights-without-place = height model: got a TIFF that does not say where it lies; allowed: a GeoTIFF, or a world file beside it
-refusal-truncated-heights = height model: got { $width } x { $height } heights in { $bytes } bytes: it is truncated; allowed: a whole file
-refusal-many-heights = height model: got { $width } x { $height } heights; allowed: up to 100 million
-refusal-height-samples = height model: got a TIFF of samples of another kind; allowed: one sample per pixel: whole numbers or floating point
+refusal-truncated-heights = heights: got { $width } x { $height } heights in { $bytes } bytes: it is truncated; allowed: a whole file
+refusal-many-heights = heights: got { $width } x { $height } heights; allowed: up to 100 million
+refusal-height-samples = heights: got a TIFF of samples of another kind; allowed: one sample per pixel: whole numbers or floating point
 refusal-grid-word = ESRI ASCII grid: got { $name } without a number; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
 refusal-grid-lacks = ESRI ASCII grid: got no { $name }; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
 refusal-grid-size = ESRI ASCII grid: got { $columns } columns, { $rows } rows of { $cell }; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
@@ -1064,7 +1065,7 @@ mistake-decimal-point = The decimal point of its { $axis } seems to be misplaced
 mistake-feet = Its height seems to be in feet: { $given } ft are { $likely } m.
 mistake-metres = Its height seems to be in metres: { $given } m are { $likely } ft.
 mistake-digit = A digit of its { $axis } seems to be mistyped: { $given } where { $likely } would fit.
-mistake-transposed = Two digits of its { $axis } seem to be exchanged: { $given } where { $likely } would fit.
+mistake-transposed = Two neighbouring digits of its { $axis } seem to be transposed: { $given } where { $likely } would fit.
 mistake-zone = Its coordinates seem to be those of zone { $zone }.
 
 unit-millimetres = millimetres

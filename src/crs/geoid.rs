@@ -30,7 +30,7 @@ impl Geoid {
         let is_grid = self.columns >= 2 && self.rows() >= 2 && self.rows() * self.columns == self.heights_m.len();
         is_grid
             && numbers.clone().all(|v| v.is_finite())
-            && self.step_deg.iter().all(|v| *v > 0.0)
+            && self.step_deg.iter().all(|v| *v > 0.0 && *v <= 180.0)
             && self.heights_m.iter().all(|v| v.is_finite())
     }
 

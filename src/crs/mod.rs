@@ -15,7 +15,7 @@ mod spelling;
 mod system;
 mod zones;
 
-pub(crate) use definition::Definition;
+pub(crate) use definition::{Definition, HeightReference};
 pub(crate) use described::{Described, Projection};
 pub use geoid::Geoid;
 pub(crate) use height_zero::HeightZero;

@@ -170,6 +170,7 @@ messages! {
         ControlDegrees { point: String, #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String },
         ControlElsewhere { point: String, #[serde(with = "number")] distance_km: f64, crs: String, #[serde(with = "number")] most_km: f64, swapped: bool, zone: Option<u32>, likely: Option<String> },
         GeoidOfEllipsoid { crs: String, #[serde(with = "number")] geoid_m: f64 },
+        GeoidFileOfEllipsoid { name: String, crs: String },
         NoGeoid { name: String },
         GeoidElsewhere { name: String, west: f64, south: f64, east: f64, north: f64, #[serde(with = "number")] longitude_deg: f64, #[serde(with = "number")] latitude_deg: f64 },
         GeoidHeight { name: String, longitude_deg: f64, latitude_deg: f64, height: Option<f64> },

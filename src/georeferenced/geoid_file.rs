@@ -20,7 +20,9 @@ pub(crate) struct Area {
 const MARGIN_DEG: f64 = 0.02;
 const ROUNDING_DEG: f64 = 1e-9;
 /// No geoid lies farther from the ellipsoid, in m.
-const HIGHEST: f64 = 200.0;
+const HIGHEST_M: f64 = 200.0;
+/// No grid has smaller steps.
+const LEAST_STEP_DEG: f64 = 1e-6;
 /// Most heights about a block: no grid of a geoid is so fine that it has more.
 const MOST_NODES: usize = 1_000_000;
 /// Of a node for which GTX has no height.
@@ -63,7 +65,7 @@ impl<'a> Nodes<'a> {
     fn of_tiff(name: &str, file: &[u8]) -> Result<Self, Error> {
         let Some((pixels, no_data)) = degrees_of(file)? else { return refuse(Refusal::NoGeoid { name: name.into() }) };
         let [step, down] = [pixels.by_column[0], pixels.by_row[1]];
-        if !(step > 0.0 && down < 0.0 && pixels.by_column[1] == 0.0 && pixels.by_row[0] == 0.0) {
+        if !(step >= LEAST_STEP_DEG && -down >= LEAST_STEP_DEG && pixels.by_column[1] == 0.0 && pixels.by_row[0] == 0.0) {
             return refuse(Refusal::NoGeoid { name: name.into() });
         }
         let (columns, rows, heights) = numbers_of_tiff(file)?;
@@ -89,8 +91,9 @@ impl<'a> Nodes<'a> {
         let &[rows, columns] = counts.as_chunks::<4>().0 else { return None };
         let [rows, columns] = [rows, columns].map(|count| usize::try_from(i32::from_be_bytes(count)).ok());
         let (rows, columns) = (rows?, columns?);
-        let is_on_earth =
-            south.abs() <= 90.0 && west.abs() <= 360.0 && [north_step, east_step].iter().all(|step| *step > 0.0 && *step <= 10.0);
+        let is_on_earth = south.abs() <= 90.0
+            && west.abs() <= 360.0
+            && [north_step, east_step].iter().all(|step| *step >= LEAST_STEP_DEG && *step <= 10.0);
         let heights = heights.as_chunks::<4>().0;
         if !is_on_earth || rows.checked_mul(columns) != Some(heights.len()) || GTX_HEAD + 4 * heights.len() != file.len() {
             return None;
@@ -175,9 +178,8 @@ impl<'a> Nodes<'a> {
             });
         }
         // The margin only where it has heights there.
-        let [with_margin, alone] =
-            [MARGIN_DEG, 0.0].map(|margin| self.part(name, at, area.reach.map(|reach| reach + margin), ends, around));
-        with_margin.or(alone)
+        let part = |margin: f64| self.part(name, at, area.reach.map(|reach| reach + margin), ends, around);
+        part(MARGIN_DEG).or_else(|_| part(0.0))
     }
 
     /// The nodes around what lies this far from the first one and reaches so far.
@@ -188,10 +190,13 @@ impl<'a> Nodes<'a> {
             if !is_round {
                 (low, high) = (low.max(0.0), high.min(ends[k]));
             }
-            let last = if is_round { f64::INFINITY } else { (ends[k] / self.step[k]).round() };
-            let second = ((high / self.step[k]).ceil()).min(last);
-            let first = (low / self.step[k]).floor().min(second - 1.0);
-            (first as i64, second as i64)
+            if is_round {
+                let first = (low / self.step[k]).floor();
+                return (first as i64, (high / self.step[k]).ceil().max(first + 1.0) as i64);
+            }
+            let last = (ends[k] / self.step[k]).round();
+            let second = (high / self.step[k]).ceil().clamp(1.0, last);
+            ((low / self.step[k]).floor().clamp(0.0, second - 1.0) as i64, second as i64)
         };
         let ((first_column, last_column), (first_row, last_row)) = (range(0), range(1));
         let [columns, rows] = [last_column - first_column + 1, last_row - first_row + 1].map(|count| count as usize);
@@ -205,7 +210,7 @@ impl<'a> Nodes<'a> {
                 let height = (self.height)(own as usize, row as usize);
                 let [longitude_deg, latitude_deg] =
                     [self.south_west[0] + column as f64 * self.step[0], self.south_west[1] + row as f64 * self.step[1]];
-                if !(f64::from(height).abs() <= HIGHEST) {
+                if !(f64::from(height).abs() <= HIGHEST_M) {
                     let height = Some(f64::from(height)).filter(|height| height.is_finite());
                     return refuse(Refusal::GeoidHeight { name: name.into(), longitude_deg: turn(longitude_deg), latitude_deg, height });
                 }
@@ -256,6 +261,11 @@ mod tests {
         for place in [[10.1, 50.3], [10.08, 50.28], [10.13, 50.31]] {
             let known = f64::from(height(place[0], place[1]));
             assert!((part.above_m(place) - known).abs() < 1e-4, "{place:?}: {} for {known}", part.above_m(place));
+        }
+        // A single place on its edge: beside the first node, and beyond the last one.
+        for place in [[10.1, 47.0], [5.0, 50.1], [15.0, 55.0]] {
+            let edge = part_of_geoid("de.gtx", &file, &area(place, 0.0)).unwrap();
+            assert!((edge.above_m(place) - f64::from(height(place[0], place[1]))).abs() < 1e-4, "{place:?}: {edge:?}");
         }
         // To its edge, where no margin is left.
         let corner = part_of_geoid("de.gtx", &file, &area([5.01, 47.01], 0.01)).unwrap();

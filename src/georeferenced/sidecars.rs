@@ -2,7 +2,8 @@
 
 use super::geotiff::{SaidSystem, refuse_degrees};
 use crate::Error;
-use crate::crs::Definition;
+use crate::crs::{Definition, HeightReference};
+use crate::text::shorten;
 use serde::{Deserialize, Serialize};
 
 /// The texts of files beside a raster, which say what it does not say itself.
@@ -26,24 +27,33 @@ impl From<Option<&str>> for Sidecars {
 impl Sidecars {
     /// The system of a raster that says this of it: its own goes first.
     ///
+    /// A text that is not understood names a system that is not known, as tags of a raster may.
+    ///
     /// # Errors
-    /// [`Error::InvalidInput`] for a text that cannot be read, and for degrees.
+    /// [`Error::InvalidInput`] for degrees.
     pub(crate) fn system(&self, said: SaidSystem) -> Result<SaidSystem, Error> {
         let says_own = said.epsg.is_some() || said.described.is_some();
         let Some(text) = self.projection.as_deref().filter(|_| !says_own) else { return Ok(said) };
-        let definition = Definition::read(text)?;
+        let described = Some(name_in(text)).filter(|name| !name.is_empty());
+        let Ok(definition) = Definition::read(text) else { return Ok(SaidSystem { described, ..said }) };
         if definition.is_geographic() {
             return refuse_degrees();
         }
-        let epsg = definition.plane_epsg();
+        let (epsg, states_heights) = (definition.plane_epsg(), definition.heights() != HeightReference::Unsaid);
         Ok(SaidSystem {
             epsg,
-            described: if epsg.is_none() { Some(definition.name()) } else { None },
+            described: described.filter(|_| epsg.is_none()),
             text: Some(definition.text().into()),
             unit_m: said.unit_m.or(definition.unit_m()),
+            height_unit_m: said.height_unit_m.or(states_heights.then(|| definition.height_unit_m())),
             ..said
         })
     }
+}
+
+/// The name that a text gives a system: what WKT has in its first quotes, or the text.
+fn name_in(text: &str) -> String {
+    shorten(text.split('"').nth(1).unwrap_or(text.trim()))
 }
 
 #[cfg(test)]
@@ -63,7 +73,7 @@ mod tests {
         let coded = system("EPSG:25832", SaidSystem::default()).unwrap();
         assert_eq!((coded.epsg, coded.described.as_deref(), coded.unit_m), (Some(25_832), None, Some(1.0)));
         let esri = system(&format!("{ESRI}\n"), SaidSystem::default()).unwrap();
-        assert!(esri.name().is_some_and(|name| name.contains("25832") || name.contains("UTM_Zone_32N")), "{esri:?}");
+        assert!(esri.name().is_some_and(|name| name.contains("25832") || name == "ETRS_1989_UTM_Zone_32N"), "{esri:?}");
         let at = [691_000.0, 5_334_000.0];
         let place = |said: &SaidSystem| {
             let system = CoordinateSystem::about(said.definition().unwrap(), None, at).unwrap();
@@ -74,6 +84,16 @@ mod tests {
         // What the raster says itself goes first.
         let own = SaidSystem { epsg: Some(25_833), ..SaidSystem::default() };
         assert_eq!(system("EPSG:25832", own.clone()).unwrap(), own);
-        assert!(system("EPSG:4326", SaidSystem::default()).is_err() && system("none", SaidSystem::default()).is_err());
+        assert!(system("EPSG:4326", SaidSystem::default()).is_err());
+        // Of the former Arc/Info, and of nobody: the system has a name at most.
+        for (text, name) in [("Projection    UTM\nZone 32\n", true), ("LOCAL_CS[\"site\"]", true), ("", false)] {
+            let unknown = system(text, SaidSystem::default()).unwrap();
+            assert!(unknown.definition().is_none() && unknown.described.is_some() == name, "{unknown:?}");
+        }
+        assert_eq!(system("LOCAL_CS[\"site\"]", SaidSystem::default()).unwrap().name().as_deref(), Some("site"));
+        // Heights in their own unit.
+        const FOOT_US: f64 = 1200.0 / 3937.0;
+        let feet = system("EPSG:26910+6360", SaidSystem::default()).unwrap();
+        assert!((feet.height_unit_m.unwrap() - FOOT_US).abs() < 1e-12, "{feet:?}");
     }
 }

@@ -146,7 +146,8 @@ impl HeightModel {
             return Self::read_tiff(file, &sidecars);
         }
         let Ok(text) = std::str::from_utf8(file) else { return refuse(Refusal::NoHeightModel) };
-        Ok(Self { said: Arc::new(sidecars.system(SaidSystem::default())?), ..Self::read_ascii(text)? })
+        let said = sidecars.system(SaidSystem::default())?;
+        Ok(Self { unit_m: said.height_unit_m, said: Arc::new(said), ..Self::read_ascii(text)? })
     }
 
     /// The EPSG code of its system, where its file tells one.

@@ -1,6 +1,6 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
-use super::system::{in_other_unit, system_of};
+use super::system::{system_of, with_unit};
 use crate::crs::{CoordinateSystem, HeightZero};
 use crate::error::refuse;
 use crate::formats::{UnreadColumns, unread_columns};
@@ -46,7 +46,7 @@ impl ControlTables {
         let named: BTreeSet<&String> = self.marks.iter().map(|mark| &mark.image).collect();
         let named: Vec<String> = if images.len() < 2 { named.into_iter().cloned().collect() } else { images.to_vec() };
         let joined = self.join(&named, placing, &HeightZero::Unknown);
-        let (control, _) = joined.map_err(|error| in_other_unit(placing, &self.plane(), &[]).map_or(error, Refusal::into_error))?;
+        let (control, _) = joined.map_err(|error| with_unit(error, placing, &self.plane(), &[]))?;
         // How large an image is, and with it whether a measurement is outside it, only the run knows, which names the size.
         for (point, seen) in control.iter().flat_map(|point| point.measurements.iter().map(move |seen| (point, seen))) {
             if ![seen.x_px, seen.y_px].iter().all(|place| (0.0..=f64::from(MOST_PX)).contains(place)) {

@@ -34,9 +34,12 @@ impl Stage for GeoidStage {
 
     fn prepare(&mut self, _: usize, _: &[String], state: &State) -> Result<Work, Error> {
         let name = state.input.geoid.clone().unwrap_or_default();
-        let places = state.places();
-        let Some(middle) = middle_of_places(&places) else { return refuse(Refusal::GeoidWithoutPlace { name }) };
-        let task = Task::Geoid(GeoidTask { name, area: area_of(&places, middle) });
+        let [images, control] = state.places();
+        // Control points may be wrong.
+        let Some(middle) = middle_of_places(&images).or_else(|| middle_of_places(&control)) else {
+            return refuse(Refusal::GeoidWithoutPlace { name });
+        };
+        let task = Task::Geoid(GeoidTask { name, area: area_of(&[images, control].concat(), middle) });
         Ok(Work { key: None, task: Some(task), records: Vec::new(), input: None })
     }
 

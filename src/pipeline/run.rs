@@ -194,7 +194,9 @@ impl Run {
                 self.news.extend(copies.iter().map(told));
                 skipped.extend(copies);
                 state.take_images(read, skipped)?;
-                if state.input.geoid.is_some() { Phase::Geoid(GeoidStage::default()) } else { described(state)? }
+                // A block without a place has no results in the system that would count from it.
+                let is_wanted = state.input.geoid.is_some() && state.places().iter().any(|places| !places.is_empty());
+                if is_wanted { Phase::Geoid(GeoidStage::default()) } else { described(state)? }
             }
             Phase::Geoid(_) => described(state)?,
             Phase::Likeness(stage) => chosen_pairs(state, &stage.lists(state.images.len()))?,

@@ -3,7 +3,7 @@
 use super::cameras::{contradicted, doubtful};
 use super::control::gnss_observation;
 use super::input::{Checked, RunInput};
-use super::system::{check_near, in_other_unit, system_of};
+use super::system::{check_near, system_of, with_unit};
 use super::{BlockRun, ControlTables, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
 use crate::crs::{CoordinateSystem, Geoid, HeightZero};
 use crate::error::refuse;
@@ -151,14 +151,15 @@ impl State {
         Ok(())
     }
 
-    /// Longitudes and latitudes of the ground control points in their system, and of the images.
-    pub fn places(&self) -> Vec<[f64; 2]> {
+    /// Longitudes and latitudes of the images, and of the ground control points in their system.
+    pub fn places(&self) -> [Vec<[f64; 2]>; 2] {
         let given = self.images.iter().filter_map(|image| gnss(&self.input, &image.exif));
         let gnss: Vec<[f64; 2]> = given.map(|position| [position.longitude_deg, position.latitude_deg]).collect();
         let control = self.input.control.as_ref().map(ControlTables::plane).unwrap_or_default();
         let system = system_of(&self.input.settings.placing, &HeightZero::Unknown, &control, &gnss).ok().flatten();
         let on_earth = |[x, y]: [f64; 2]| system.as_ref()?.geographic([x, y, 0.0]).map(|[longitude, latitude, _]| [longitude, latitude]);
-        control.iter().filter_map(|point| on_earth(*point)).chain(gnss.iter().copied()).collect()
+        let control = control.iter().filter_map(|point| on_earth(*point)).collect();
+        [gnss, control]
     }
 
     /// GNSS positions in m east, north and up of the first of them.
@@ -216,12 +217,12 @@ pub(super) fn describe(input: &Checked, images: &[RunImage], cameras: &[InitialC
     let places: Vec<[f64; 2]> =
         images.iter().filter_map(|image| gnss(input, &image.exif)).map(|place| [place.longitude_deg, place.latitude_deg]).collect();
     let plane = input.control.as_ref().map(ControlTables::plane).unwrap_or_default();
-    let in_other_unit = |error: Error| in_other_unit(placing, &plane, &places).map_or(error, Refusal::into_error);
-    let system = system_of(placing, &input.zero, &plane, &places).map_err(in_other_unit)?;
+    let named = |error: Error| with_unit(error, placing, &plane, &places);
+    let system = system_of(placing, &input.zero, &plane, &places).map_err(named)?;
     let names: Vec<String> = images.iter().map(|image| image.name.clone()).collect();
-    let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero)).transpose().map_err(in_other_unit)?;
+    let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero)).transpose().map_err(named)?;
     let (control, unknown_images) = joined.unwrap_or_default();
-    system.iter().try_for_each(|system| check_near(&control, &places, system)).map_err(in_other_unit)?;
+    system.iter().try_for_each(|system| check_near(&control, &places, system)).map_err(named)?;
     let has_heights = control.is_empty() || system.is_none_or(|system| system.zero().is_known());
     let cameras = cameras.iter().map(InitialCamera::to_be_calibrated).collect();
     let description = BlockDescription { cameras, images: known_images(input, images, has_heights), control };

@@ -62,9 +62,20 @@ const ALIKE: f64 = 1e-5;
 /// No map of a transverse Mercator projection reaches farther from its central meridian.
 const MOST_FROM_MERIDIAN_DEG: f64 = 4.0;
 
+/// An error of control points that lie elsewhere than they can, or that unit in which they would not.
+pub(super) fn with_unit(error: Error, placing: &GeoreferencingOptions, control: &[[f64; 2]], gnss: &[[f64; 2]]) -> Error {
+    let Error::InvalidInput { refusal } = &error else { return error };
+    let is_of_place = matches!(
+        refusal,
+        Refusal::CrsPlace { .. } | Refusal::CrsArea { .. } | Refusal::ControlPlace { .. } | Refusal::ControlElsewhere { .. }
+    );
+    let unit = if is_of_place { in_other_unit(placing, control, gnss) } else { None };
+    unit.map_or(error, Refusal::into_error)
+}
+
 /// The unit in which control points that cannot be in the system would be: that in which they lie near the images or, where no image has a position, the
 /// only one in which they lie on the map of the system; absent where there is none.
-pub(super) fn in_other_unit(placing: &GeoreferencingOptions, control: &[[f64; 2]], gnss: &[[f64; 2]]) -> Option<Refusal> {
+fn in_other_unit(placing: &GeoreferencingOptions, control: &[[f64; 2]], gnss: &[[f64; 2]]) -> Option<Refusal> {
     let definition = placing.definition().ok()??;
     let unit_m = definition.unit_m()?;
     let [x, y] = middle(control.iter().copied(), false)?;
@@ -218,6 +229,10 @@ mod tests {
             assert!(told.contains(&format!("if they are in {unit}")) && told.contains("whose unit is m"), "{told}");
         }
         assert_eq!([told(1.0), told(1.5)], [None, None]);
+        // Another error of coordinates that lie far from the meridian is that error.
+        let [far_x, far_y] = [840_000.0, 5_390_000.0];
+        let other = Refusal::MeasuredUnknown { point: "a".into() }.into_error();
+        assert_eq!(with_unit(other.clone(), &placing, &[[far_x, far_y]; 3], &[]), other);
         // Without positions of images by where the map of the system is.
         for (factor, unit) in [(1000.0, "mm"), (1.0 / 0.3048, "ft")] {
             let told = in_other_unit(&placing, &[[factor * x, factor * y]; 3], &[]).unwrap().into_error().to_string();

@@ -134,7 +134,11 @@ impl Doubted {
     fn transposed(&self, k: usize) -> Option<String> {
         let given = written(self.given[k]);
         let digits: Vec<usize> = given.char_indices().filter(|(_, letter)| letter.is_ascii_digit()).map(|(at, _)| at).collect();
-        let exchanged = digits.windows(2).map(|pair| {
+        let point = given.find('.').unwrap_or(given.len());
+        // As of one digit: tenths of a place that is as small as what may be left are any.
+        let unit = |at: usize| libm::exp10(if at < point { (point - at) as f64 - 1.0 } else { point as f64 - at as f64 });
+        let certain = digits.windows(2).filter(|pair| unit(pair[1]) >= LEAST_TIMES * self.within[k]);
+        let exchanged = certain.map(|pair| {
             let mut letters: Vec<char> = given.chars().collect();
             letters.swap(pair[0], pair[1]);
             letters.into_iter().collect::<String>()
@@ -226,6 +230,9 @@ mod tests {
         assert_eq!(mistake(with(1, 5_316_002.17), TRUE), transposed(Axis::Y, "5316002.17", "5316020.17"));
         assert_eq!(mistake(with(2, 341.25), TRUE), transposed(Axis::Z, "341.25", "431.25"));
         assert_eq!(mistake([-1324.5, 7.0, 3.0], [-1234.5, 7.0, 3.0]), transposed(Axis::X, "-1324.5", "-1234.5"));
+        // Of places that are as small as what may be left any two explain.
+        let doubted = Doubted { given: [122.83, 7.0, 3.0], likely: [127.9, 7.0, 3.0], height_unit_m: 1.0, within: [0.5; 3] };
+        assert_eq!(doubted.mistake(), None);
     }
 
     #[test]

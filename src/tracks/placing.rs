@@ -1,7 +1,7 @@
 //! The system of coordinates that place a block, and how exact they are where they do not say so themselves.
 
 use crate::catalogue::options;
-use crate::crs::Definition;
+use crate::crs::{Definition, HeightReference};
 use crate::error::refuse;
 use crate::{Error, GnssErrors, Refusal};
 
@@ -13,7 +13,7 @@ options! {
         /// The coordinate reference system of the control points, in which tables give the results, too: an EPSG code (EPSG:25832), PROJ text or WKT. GNSS positions, control points and an orthophoto then georeference the block together.
         crs: Option<String> = None, "Coordinate system", absent "control points are in a system of their own, in m; results in theirs, or in one that touches the earth at the block";
 
-        /// The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights. The file of a geoid says it place by place.
+        /// The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights. A geoid file gives it at each place.
         /// Heights of GNSS positions, which are above the ellipsoid, then take part beside those of control points.
         geoid_m: Option<f64> = None, "Height of the geoid", in "m", -200..=200, absent "not known: heights of GNSS positions take no part beside control points, unless the system has ellipsoidal heights", acts "placing.crs is not absent";
 
@@ -61,10 +61,14 @@ impl GeoreferencingOptions {
     /// [`Error::InvalidOption`]; [`Error::InvalidInput`] for the coordinate system.
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.check_ranges()?;
-        self.definition().map(|_| ())
+        let Some(definition) = self.definition()? else { return Ok(()) };
+        match self.geoid_m.filter(|geoid_m| definition.heights() == HeightReference::Ellipsoid && *geoid_m != 0.0) {
+            Some(geoid_m) => refuse(Refusal::GeoidOfEllipsoid { crs: definition.name(), geoid_m }),
+            None => Ok(()),
+        }
     }
 
-    /// Rejects the file of a geoid that no heights would count from, and one beside its height.
+    /// Rejects the file of a geoid that no heights would count from, as without a system or with ellipsoidal heights, and one beside its height.
     ///
     /// # Errors
     /// [`Error::InvalidInput`].
@@ -73,7 +77,11 @@ impl GeoreferencingOptions {
         if let Some(geoid_m) = self.geoid_m {
             return refuse(Refusal::GeoidTwice { name, geoid_m });
         }
-        if self.crs.is_none() { refuse(Refusal::GeoidWithoutCrs { name }) } else { Ok(()) }
+        let Some(definition) = self.definition()? else { return refuse(Refusal::GeoidWithoutCrs { name }) };
+        if definition.heights() == HeightReference::Ellipsoid {
+            return refuse(Refusal::GeoidFileOfEllipsoid { name, crs: definition.name() });
+        }
+        Ok(())
     }
 
     /// The coordinate system as it was given; absent where none was.
