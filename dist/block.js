@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -104,14 +104,18 @@ function filmOf({ camera, marks }, image) {
 		marks: own.text
 	};
 }
+var FRAMES = "*-film.png";
+function frameName(scan) {
+	return FRAMES.replace("*", scan.replace(/\.[^.]*$/u, ""));
+}
 function framesOf(film, images) {
 	return images.filter(({ name }) => filmOf(film, name) !== null);
 }
 function withMarks(film, marks) {
-	const stems = new Set(marks.map(({ name }) => stemOf(name)));
+	const byStem = new Map([...film.marks, ...marks].map((own) => [stemOf(own.name), own]));
 	return {
 		...film,
-		marks: [...film.marks.filter(({ name }) => !stems.has(stemOf(name))), ...marks]
+		marks: [...byStem.values()]
 	};
 }
 function marksOfNone({ marks }, images) {
@@ -1016,27 +1020,26 @@ var PlacingEngine = class {
 	async frames(scans) {
 		this.stopped = false;
 		const made = [];
+		const tell = (name) => this.store.dispatch({
+			type: "placing",
+			running: {
+				done: made.length,
+				total: scans.length,
+				text: say("resampling-scan", { name })
+			}
+		});
 		try {
+			tell(scans[0]?.file.name ?? "");
+			const plan = await this.maker.call("filmPlan", scans.map(({ film }) => film));
 			for (const { file, film } of scans) {
-				if (film === null) continue;
-				this.store.dispatch({
-					type: "placing",
-					running: {
-						done: made.length,
-						total: scans.length,
-						text: say("frame-of", { name: file.name })
-					}
-				});
-				const name = `${file.name.replace(/\.[^.]*$/u, "")}.png`;
-				const pixelMm = made[0]?.camera.pixel_mm ?? null;
+				tell(file.name);
 				made.push({
 					...await this.maker.call("filmFrame", {
 						file: file.file,
 						film,
-						image: name,
-						pixelMm
+						plan,
+						images: FRAMES
 					}),
-					name,
 					of: file.id
 				});
 			}
@@ -1590,6 +1593,7 @@ function carriedOver({ edits: steps, done }, before, after, sameTiePoints = fals
 }
 var Carrier = class {
 	before;
+	after;
 	sameTiePoints;
 	places;
 	surveyed;
@@ -1597,6 +1601,7 @@ var Carrier = class {
 	added = 0;
 	constructor(before, after, sameTiePoints) {
 		this.before = before;
+		this.after = after;
 		this.sameTiePoints = sameTiePoints;
 		this.places = new Map(after.images.map((name, image) => [name, image]));
 		this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
@@ -1621,7 +1626,7 @@ var Carrier = class {
 			}
 			case "reject_pairs":
 			case "restore_pairs": {
-				const pairs = edit.pairs.map(([a, b]) => [this.image(a), this.image(b)]).filter((pair) => !pair.includes(-1));
+				const pairs = edit.pairs.map(([a, b]) => [this.image(a), this.image(b)]).filter((pair) => this.after.connected.has(keyOfPair(pair)));
 				return pairs.length === 0 ? [] : [{
 					...edit,
 					pairs
@@ -1867,18 +1872,21 @@ function editOfPoints(kind, all, standing) {
 // www/block/state/naming.ts
 var NO_NAMES = {
 	images: [],
-	surveyed: new Map()
+	surveyed: new Map(),
+	connected: new Set()
 };
-function namesOf$1({ images, surveyed }) {
+function namesOf$1({ images, surveyed, connections }) {
+	const connected = connections.filter(({ outcome }) => outcome.kind === "connected").map((pair) => keyOfPair(pair.images));
 	return {
 		images: images.map(({ name }) => name),
-		surveyed: new Map(surveyed.map(({ control, name }) => [control, name]))
+		surveyed: new Map(surveyed.map(({ control, name }) => [control, name])),
+		connected: new Set(connected)
 	};
 }
 var isPlace = (name) => /^orthophoto_\d+$/u.test(name);
-function withoutPlaces({ images, surveyed }) {
+function withoutPlaces({ surveyed, ...names }) {
 	return {
-		images,
+		...names,
 		surveyed: new Map([...surveyed].filter(([, name]) => !isPlace(name)))
 	};
 }
@@ -3378,7 +3386,7 @@ var MOST_SCALE = .002;
 var APART$1 = 1e3;
 var unitOfInfo = remember((info) => {
 	const { epsg, described } = info;
-	if (epsg === null) return /\b(?:ft|ftUS|feet|foot)\b/iu.test(described ?? "") ? "ft" : "m";
+	if (epsg === null) return /(?:^|[^a-z])(?:ft|ftUS|feet|foot)(?:[^a-z]|$)/iu.test(described ?? "") ? "ft" : "m";
 	return Math.abs(unitM(`EPSG:${String(epsg)}`, info) / FOOT_M - 1) < MOST_SCALE ? "ft" : "m";
 });
 function unitOfOrthophoto(orthophoto) {
@@ -3409,7 +3417,7 @@ var GroundFiles = class {
 		this.store = store;
 		this.engine = engine;
 	}
-	async take({ orthophotos, heights, worlds }) {
+	async take({ orthophotos, heights, worlds, projections }) {
 		const said = [];
 		const [orthophoto, ...more] = orthophotos;
 		if (orthophoto !== void 0) {
@@ -3426,7 +3434,7 @@ var GroundFiles = class {
 		}
 		if (others.length > 0) said.push(say("skipped-an-orthophoto-has-one", { others: named(others) }));
 		for (const world of worlds) {
-			const taken = await this.takeWorld(world);
+			const taken = await this.takeWorld(world, projections.find(({ name }) => stemOf(name) === stemOf(world.name)) ?? null);
 			if (taken === null) return null;
 			said.push(taken);
 		}
@@ -3485,7 +3493,7 @@ var GroundFiles = class {
 			return null;
 		}
 	}
-	async takeWorld(world) {
+	async takeWorld(world, projection) {
 		const stem = stemOf(world.name);
 		const { files, truth } = this.store.state;
 		const image = files.find(({ name }) => stemOf(name) === stem);
@@ -3496,7 +3504,7 @@ var GroundFiles = class {
 		const taken = await this.takeOrthophoto({
 			file: new File([image.file], image.name, { type: image.file.type }),
 			world,
-			projection: null
+			projection
 		});
 		if (taken !== null) this.store.dispatch({
 			type: "files",
@@ -3542,13 +3550,14 @@ function orthophotoText(orthophoto) {
 	const { raster, info } = orthophoto;
 	const { width, height, gsd, epsg } = info;
 	const by = raster.world === null ? "" : say("placed-by", { name: raster.world.name });
+	const system = raster.projection === null ? "" : say("in-the-system-of", { name: raster.projection.name });
 	return say("orthophoto-px-of", {
 		name: raster.name,
 		width,
 		height,
 		gsd: gsdText$1(gsd, unitOfOrthophoto(orthophoto)),
 		what: epsg === null ? "" : say("epsg", { epsg }),
-		by
+		by: by + system
 	});
 }
 function gsdText$1(gsd, unit) {
@@ -3562,7 +3571,7 @@ var NAME = "orthomosaic.tif";
 async function saveMosaic(store, engine, placing, near, pixel) {
 	const mosaic = await made$1(store, engine, placing, {
 		inAdjustment: false,
-		gsd: pixel === "" ? null : Number(pixel)
+		gsd: pixel ?? null
 	}, near);
 	if (mosaic === null) return;
 	save(mosaic, NAME);
@@ -3651,7 +3660,7 @@ function mountExports(host, store, engine, placing) {
 		testid: "block-export-kind",
 		aria: { label: say("format") }
 	});
-	const press = button(say("save"), EXPORT$1, () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT$1, pixel.value) : saveAs(store, engine, select.value)));
+	const press = button(say("save"), EXPORT$1, () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT$1, typed(pixel)) : saveAs(store, engine, select.value)));
 	const pixel = h("input", {
 		id: "block-mosaic-pixel",
 		type: "number",
@@ -3821,6 +3830,7 @@ var BlockFiles = class {
 	async take(given, why = "") {
 		const before = this.store.state.notice;
 		const { others: found, taken, ...rasters } = asGiven(await sortRasters(given));
+		const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
 		const ground = await this.ground.take(rasters);
 		const several = taken === 0 ? "" : say("that-say-where-they-lie", { taken: images$1(taken) });
 		const said = ground === null ? null : [ground, several].filter((text) => text !== "").join(" ");
@@ -3838,7 +3848,7 @@ var BlockFiles = class {
 			project,
 			cameras,
 			geoid
-		].filter((file) => file !== void 0).length;
+		].filter((file) => file !== void 0).length + lone.length;
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
 		else await this.said(said);
 		const putAside = [notCameras, tables.aside].filter((text) => text !== "").join(" ");
@@ -3863,7 +3873,8 @@ var BlockFiles = class {
 		await this.said(await this.ground.take({
 			orthophotos: pictures,
 			heights,
-			worlds: sorted.worlds
+			worlds: sorted.worlds,
+			projections: sorted.projections
 		}));
 	}
 	async takeLevel(height) {
@@ -3906,7 +3917,8 @@ var BlockFiles = class {
 					world: null,
 					projection: null
 				}],
-				worlds: []
+				worlds: [],
+				projections: []
 			};
 			if (await this.ground.take(rasters) !== null) await this.runs.placeImages();
 		} catch (error) {
@@ -4226,7 +4238,7 @@ function isBlank({ catalogue, files, shown, options, flight, placing }) {
 	const { settings, gps, cameras, control, marks, masks, geoid } = options;
 	const noFile = cameras === null && control === null && marks === null && masks.length === 0 && geoid === null;
 	const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === "use" && noFile && placing.options === catalogue?.placing;
-	return catalogue === null || files.length === 0 && shown === null && placing.orthophoto === null && untouched;
+	return catalogue === null || files.length === 0 && shown === null && placing.orthophoto === null && placing.film.camera === null && placing.film.marks.length === 0 && untouched;
 }
 // www/block/state/in-common.ts
 function inSystemOfBlock(view, rows, { crs, geoid_m }) {
@@ -7599,14 +7611,14 @@ function mountFrames(host, view, store, addImages) {
 		const panes = view.seen.panes();
 		const known = found === of ? frames : new Map();
 		of = found;
-		const next = new Map(panes.map((pane) => [pane.image, known.get(pane.image) ?? frameOf$1(pane.image, view, store, addImages)]));
+		const next = new Map(panes.map((pane) => [pane.image, known.get(pane.image) ?? frameOf(pane.image, view, store, addImages)]));
 		for (const [image, { element }] of frames) if (next.get(image)?.element !== element) element.remove();
 		for (const [, { element }] of next) if (element.parentElement === null) host.append(element);
 		frames = next;
 		for (const pane of panes) frames.get(pane.image)?.show(pane);
 	});
 }
-function frameOf$1(image, view, store, addImages) {
+function frameOf(image, view, store, addImages) {
 	const name = h("span", {});
 	const figures = h("span", {
 		class: "pane-figures",
@@ -11281,50 +11293,37 @@ var FilmFiles = class {
 };
 // www/block/files/frames.ts
 async function takeFrames(store, engine) {
-	const { files, truth, placing } = store.state;
+	const { files, placing } = store.state;
 	const scans = framesOf(placing.film, files);
-	try {
-		const frames = await engine.frames(scans.map((file) => ({
-			file,
-			film: filmOf(placing.film, file.name)
-		})));
-		if (frames === null) {
-			store.dispatch({
-				type: "notice",
-				notice: {
-					kind: "info",
-					text: say("cancelled-nothing-was-changed")
-				}
-			});
-			return;
-		}
-		const made = new Map(frames.map((frame) => [frame.of, frame]));
-		const { options } = store.state;
-		const stems = new Set(scans.map(({ name }) => stemOf(name)));
-		const masks = [...options.masks.filter(({ name }) => !stems.has(stemOf(name))), ...frames.map(({ name, mask }) => imageOf$1(name, mask))];
-		store.dispatch({
-			type: "files",
-			files: files.map((file) => frameOf(file, made)),
-			truth
-		});
-		store.dispatch({
-			type: "options",
-			options: {
-				masks,
-				cameras: camerasOf(frames, scans.length === files.length, options.cameras?.text ?? null)
-			}
-		});
-		store.dispatch({
-			type: "film",
-			film: NO_FILM
-		});
+	const stems = scans.map(({ name }) => stemOf(name));
+	const twice = scans.find(({ name }, k) => stems.indexOf(stemOf(name)) !== k);
+	if (twice !== void 0) {
 		store.dispatch({
 			type: "notice",
 			notice: {
-				kind: "info",
-				text: say("scans-became-frames", { frames: frames.length })
+				kind: "problem",
+				text: say("two-scans-of-one-name", { name: twice.name })
 			}
 		});
+		return;
+	}
+	try {
+		const films = scans.flatMap((file) => {
+			const film = filmOf(placing.film, file.name);
+			return film === null ? [] : [{
+				file,
+				film
+			}];
+		});
+		const frames = await engine.frames(films);
+		if (frames === null) store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("cancelled-nothing-was-changed")
+			}
+		});
+		else replace(store, frames);
 	} catch (error) {
 		store.dispatch({
 			type: "notice",
@@ -11335,29 +11334,59 @@ async function takeFrames(store, engine) {
 		});
 	}
 }
-function frameOf(file, made) {
-	const frame = made.get(file.id);
-	return frame === void 0 ? file : imageOf$1(frame.name, frame.image);
+function replace(store, frames) {
+	const { files, truth, options } = store.state;
+	const made = new Map(frames.map((frame) => [frame.of, frame]));
+	const cameras = camerasOf(frames, options.cameras);
+	const ownMasks = frames.map(({ of, mask }) => imageOf$1(files, of, mask));
+	const masks = [...options.masks.filter(({ name }) => !ownMasks.some((own) => own.name === name)), ...ownMasks];
+	const images = files.map((file) => {
+		const frame = made.get(file.id);
+		return frame === void 0 ? file : imageOf$1(files, file.id, frame.image);
+	});
+	store.dispatch({
+		type: "files",
+		files: images,
+		truth
+	});
+	store.dispatch({
+		type: "options",
+		options: {
+			masks,
+			cameras
+		}
+	});
+	store.dispatch({
+		type: "film",
+		film: NO_FILM
+	});
+	const isKnown = frames.every(({ camera }) => camera.fixed);
+	const text = say("scans-became-frames", {
+		frames: frames.length,
+		known: isKnown ? "yes" : "no"
+	});
+	store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "info",
+			text
+		}
+	});
 }
-function imageOf$1(name, bytes) {
+function imageOf$1(files, scan, png) {
+	const name = frameName(files.find(({ id }) => id === scan)?.name ?? "");
 	return {
 		id: newId(),
 		name,
-		file: new File([bytes], name, { type: "image/png" })
+		file: new File([png], name, { type: png.type })
 	};
 }
-function camerasOf(frames, areAll, given) {
-	const [first] = frames;
-	const like = ({ camera: { images: _, ...others } }) => JSON.stringify(others);
-	const isOne = first !== void 0 && frames.every((frame) => like(frame) === like(first));
-	const own = areAll && isOne ? [{
-		...first.camera,
-		images: "*"
-	}] : frames.map(({ camera }) => camera);
-	const others = given === null || areAll ? [] : JSON.parse(given).cameras;
+function camerasOf(frames, given) {
+	const others = given === null ? [] : parse_camera_rules(given.text);
+	const own = [...new Map(frames.map(({ camera }) => [JSON.stringify(camera), camera])).values()];
 	return {
 		name: say("camera-of-frames"),
-		text: JSON.stringify({ cameras: [...own, ...others] })
+		text: JSON.stringify({ cameras: [...own, ...others.filter(({ images }) => images !== FRAMES)] })
 	};
 }
 // www/block/panel/film-settings.ts
@@ -11397,7 +11426,7 @@ function filmFields(store, engine) {
 		"files",
 		"running",
 		"notice"
-	], ([{ film }, images]) => {
+	], ([{ film, placed }, images]) => {
 		const busy = isBusy(store.state);
 		for (const press of [
 			camera,
@@ -11405,7 +11434,8 @@ function filmFields(store, engine) {
 			remove
 		]) press.disabled = busy;
 		remove.hidden = film.camera === null && film.marks.length === 0;
-		frames.disabled = busy || film.camera === null || framesOf(film, images).length === 0;
+		const scans = framesOf(film, images);
+		frames.disabled = busy || film.camera === null || scans.length === 0 || scans.some(({ id }) => placed.has(id));
 		fill(cameraName, film.camera?.name ?? say("none-film-camera", { example: "{\"focal_mm\": 152.82, \"principal_point_mm\": [0.004, -0.012]}" }));
 		const names = film.marks.slice(0, LISTED$1).map(({ name }) => name);
 		const more = film.marks.length > LISTED$1 ? " …" : "";
@@ -11427,13 +11457,13 @@ function mountPlacingSettings(host, store, files, engine) {
 		testid: "block-orthophoto",
 		label: say("file-orthophoto"),
 		multiple: true,
-		accept: "image/*,.tif,.tiff,.tfw,.jgw,.pgw,.wld,.asc,.txt"
+		accept: "image/*,.tif,.tiff,.tfw,.jgw,.pgw,.wld,.prj,.asc,.txt"
 	}, (given) => void files.takeGround(given));
 	const [heights, heightsInput] = fileButton(say("heights"), {
 		testid: "block-heights",
 		label: say("file-heights"),
 		multiple: true,
-		accept: ".tif,.tiff,.asc,.txt,.tfw,image/tiff"
+		accept: ".tif,.tiff,.asc,.txt,.tfw,.wld,.prj,image/tiff"
 	}, (given) => void files.takeGround(given, true));
 	const remove = button(say("remove"), "block-orthophoto-remove", () => store.dispatch({
 		type: "orthophoto",

@@ -1034,6 +1034,13 @@ function parse_camera(json) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
+function parse_camera_rules(json) {
+	const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.parse_camera_rules(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
 function parse_fiducials(csv) {
 	const ptr0 = passStringToWasm0(csv, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 	const len0 = WASM_VECTOR_LEN;
@@ -2622,6 +2629,91 @@ function undoKeys(isActive, step) {
 // www/shared/state/pane.ts
 var STEPS_OF_PX = 100;
 var roundedPx = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
+// www/shared/panel/numberfield.ts
+var STAYS = say("the-last-valid-value-stays");
+function numberInput(testid, problem, change) {
+	const input = h("input", {
+		id: `c-${testid}`,
+		type: "number",
+		testid,
+		aria: { describedby: problem.id }
+	});
+	input.step = "any";
+	input.inputMode = "decimal";
+	input.addEventListener("change", change);
+	return input;
+}
+function problemLine(testid) {
+	return h("p", {
+		class: "field-problem",
+		id: `c-${testid}-problem`,
+		testid: `${testid}-problem`,
+		role: "alert"
+	});
+}
+function numberField$1(label, unit, testid, change, problem) {
+	const line = problem ?? problemLine(testid);
+	const input = numberInput(testid, line, change);
+	const name = h("label", { for: input.id }, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unitText(unit)}`));
+	return {
+		input,
+		problem: line,
+		element: h("div", { class: "control compact" }, name, input, problem === void 0 ? line : null)
+	};
+}
+function firstRefused(fields) {
+	return fields.find(([, input]) => input.getAttribute("aria-invalid") === "true" && typed(input) !== void 0)?.[0] ?? null;
+}
+function typed({ value, valueAsNumber, validity }) {
+	return value === "" && !validity.badInput ? void 0 : valueAsNumber;
+}
+function mark$1(input, wrong) {
+	if (wrong) input.setAttribute("aria-invalid", "true");
+	else input.removeAttribute("aria-invalid");
+}
+function showNumber({ input, problem }, value) {
+	if (value == null) input.value = "";
+	else if (input.valueAsNumber !== value) input.value = String(value);
+	mark$1(input, false);
+	problem.textContent = "";
+}
+function readNumber({ input, problem }, allowed, last) {
+	const value = typed(input);
+	const instead = value === void 0 ? null : Number.isNaN(value) ? say("a-number") : allowed(value);
+	mark$1(input, instead !== null);
+	problem.textContent = instead === null ? "" : say("allowed-or-empty", {
+		instead,
+		stays: STAYS
+	});
+	return instead === null ? value : last;
+}
+function readPair(inputs, problem, allowed) {
+	const [a, b] = [typed(inputs[0]), typed(inputs[1])];
+	const tell = (text, wrong) => {
+		problem.textContent = text;
+		inputs.forEach((input, i) => {
+			mark$1(input, wrong[i] === true);
+		});
+	};
+	if (a === void 0 && b === void 0) {
+		tell("", [false, false]);
+		return null;
+	}
+	if (a === void 0 || b === void 0) {
+		tell(say("give-both-numbers-or-empty", { stays: STAYS }), [a === void 0, b === void 0]);
+		return;
+	}
+	const instead = Number.isNaN(a + b) ? say("two-numbers") : allowed(a, b);
+	if (instead === null) {
+		tell("", [false, false]);
+		return [a, b];
+	}
+	const alone = [allowed(a, 0) !== null, allowed(0, b) !== null];
+	tell(say("allowed", {
+		instead,
+		stays: STAYS
+	}), alone);
+}
 // www/shared/files/save.ts
 function save(blob, name) {
 	const link = document.createElement("a");
@@ -2652,6 +2744,7 @@ async function sortRasters(found) {
 		orthophotos: [],
 		heights: [],
 		worlds: [],
+		projections: [],
 		others: []
 	};
 	const worlds = found.filter(({ file }) => WORLD.test(file.name));
@@ -2673,7 +2766,7 @@ async function sortRasters(found) {
 			projection
 		});
 	}
-	sorted.others.push(...projections.filter(({ file }) => !used.has(file)));
+	sorted.projections = projections.map(({ file }) => file).filter((file) => !used.has(file));
 	sorted.worlds = worlds.map(({ file }) => file).filter((file) => !used.has(file));
 	return sorted;
 }
@@ -2695,7 +2788,9 @@ function asGiven(sorted) {
 }
 async function hasGround(found) {
 	const { orthophotos, heights, others } = await sortRasters(found);
-	return heights.length > 0 || orthophotos.length === 1 && (others.length > 0 || found.length === 2);
+	const [picture] = orthophotos;
+	const stands = orthophotos.length === 1 && (others.length > 0 || picture?.world !== null || picture.projection !== null);
+	return heights.length > 0 || stands;
 }
 function stemOf({ file, path }) {
 	return (path === "" ? file.name : path).replace(/\.[^./]*$/u, "").toLowerCase();
@@ -3581,7 +3676,7 @@ function makeField(parameter, id, binding) {
 		case "flag": return flagField(parameter, id, binding);
 		case "choice": return choiceField(parameter, id, binding);
 		case "integer":
-		case "real": return numberField$1(parameter, id, binding);
+		case "real": return numberField(parameter, id, binding);
 		default: return textField(key, id, binding);
 	}
 }
@@ -3650,7 +3745,7 @@ function stepOf(parameter) {
 	if (parameter.kind === "real") return null;
 	return parameter.odd ? 2 : 1;
 }
-function numberField$1(parameter, id, { set, standard, whenEmpty }) {
+function numberField(parameter, id, { set, standard, whenEmpty }) {
 	const step = stepOf(parameter);
 	const input = h("input", {
 		id,
@@ -5260,91 +5355,6 @@ var Archive = class {
 		return new Blob(this.chunks, { type: "application/zip" });
 	}
 };
-// www/shared/panel/numberfield.ts
-var STAYS = say("the-last-valid-value-stays");
-function numberInput(testid, problem, change) {
-	const input = h("input", {
-		id: `c-${testid}`,
-		type: "number",
-		testid,
-		aria: { describedby: problem.id }
-	});
-	input.step = "any";
-	input.inputMode = "decimal";
-	input.addEventListener("change", change);
-	return input;
-}
-function problemLine(testid) {
-	return h("p", {
-		class: "field-problem",
-		id: `c-${testid}-problem`,
-		testid: `${testid}-problem`,
-		role: "alert"
-	});
-}
-function numberField(label, unit, testid, change, problem) {
-	const line = problem ?? problemLine(testid);
-	const input = numberInput(testid, line, change);
-	const name = h("label", { for: input.id }, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unitText(unit)}`));
-	return {
-		input,
-		problem: line,
-		element: h("div", { class: "control compact" }, name, input, problem === void 0 ? line : null)
-	};
-}
-function firstRefused(fields) {
-	return fields.find(([, input]) => input.getAttribute("aria-invalid") === "true" && typed(input) !== void 0)?.[0] ?? null;
-}
-function typed({ value, valueAsNumber, validity }) {
-	return value === "" && !validity.badInput ? void 0 : valueAsNumber;
-}
-function mark$1(input, wrong) {
-	if (wrong) input.setAttribute("aria-invalid", "true");
-	else input.removeAttribute("aria-invalid");
-}
-function showNumber({ input, problem }, value) {
-	if (value == null) input.value = "";
-	else if (input.valueAsNumber !== value) input.value = String(value);
-	mark$1(input, false);
-	problem.textContent = "";
-}
-function readNumber({ input, problem }, allowed, last) {
-	const value = typed(input);
-	const instead = value === void 0 ? null : Number.isNaN(value) ? say("a-number") : allowed(value);
-	mark$1(input, instead !== null);
-	problem.textContent = instead === null ? "" : say("allowed-or-empty", {
-		instead,
-		stays: STAYS
-	});
-	return instead === null ? value : last;
-}
-function readPair(inputs, problem, allowed) {
-	const [a, b] = [typed(inputs[0]), typed(inputs[1])];
-	const tell = (text, wrong) => {
-		problem.textContent = text;
-		inputs.forEach((input, i) => {
-			mark$1(input, wrong[i] === true);
-		});
-	};
-	if (a === void 0 && b === void 0) {
-		tell("", [false, false]);
-		return null;
-	}
-	if (a === void 0 || b === void 0) {
-		tell(say("give-both-numbers-or-empty", { stays: STAYS }), [a === void 0, b === void 0]);
-		return;
-	}
-	const instead = Number.isNaN(a + b) ? say("two-numbers") : allowed(a, b);
-	if (instead === null) {
-		tell("", [false, false]);
-		return [a, b];
-	}
-	const alone = [allowed(a, 0) !== null, allowed(0, b) !== null];
-	tell(say("allowed", {
-		instead,
-		stays: STAYS
-	}), alone);
-}
 // www/shared/panel/facts.ts
 var open$1 = new Set();
 function facts(list) {
@@ -9141,7 +9151,7 @@ function mountCamera(host, store, loadFile) {
 			label: firstRefused(fields.map(({ input }, i) => [NUMBERS[i]?.label ?? "", input]))
 		});
 	};
-	const fields = NUMBERS.map(({ label, unit, testid }) => numberField(label, unit, testid, change));
+	const fields = NUMBERS.map(({ label, unit, testid }) => numberField$1(label, unit, testid, change));
 	const source = h("p", {
 		class: "note",
 		testid: "camera-source"
@@ -9227,8 +9237,8 @@ function offsetGroup(store) {
 		});
 	};
 	const problem = problemLine("offset");
-	const dx = numberField("dx", "px", "offset-dx", change, problem);
-	const dy = numberField("dy", "px", "offset-dy", change, problem);
+	const dx = numberField$1("dx", "px", "offset-dx", change, problem);
+	const dy = numberField$1("dy", "px", "offset-dy", change, problem);
 	const found = h("p", {
 		class: "note",
 		testid: "offset-found"
@@ -16265,4 +16275,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

@@ -767,7 +767,7 @@
 		return wasm.export_formats();
 	}
 	function film_frame(scan, film, images, pixel_mm) {
-		const val3 = +(isLikeNone(pixel_mm) ? 0 : pixel_mm);
+		const val3 = +pixel_mm;
 		let ptr0, len0, ptr1, len1;
 		try {
 			ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
@@ -779,9 +779,14 @@
 			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 			throw e;
 		}
-		const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, !isLikeNone(pixel_mm), val3);
+		const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, val3);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
+	}
+	function film_pixel_mm(film) {
+		const ret = wasm.film_pixel_mm(film);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return ret[0];
 	}
 	function gradient_candidates(index, left_gradients, right_gradients, most) {
 		const val3 = +index;
@@ -1572,11 +1577,24 @@
 			scan
 		};
 	}
-	async function filmFrame({ file, film, image, pixelMm }) {
-		const made = film_frame(new Uint8Array(await file.arrayBuffer()), readFilm(film), image, pixelMm ?? void 0);
+	function filmPlan(films) {
+		const marks = new Map();
+		for (const { x_mm: x, y_mm: y } of films.flatMap((film) => parse_fiducials(film.marks))) marks.set(`${String(x)},${String(y)}`, [x, y]);
 		return {
-			image: made.image,
-			mask: made.mask,
+			pixelMm: Math.max(...films.map((film) => film_pixel_mm(readFilm(film)))),
+			marksMm: [...marks.values()]
+		};
+	}
+	async function filmFrame({ file, film, plan, images }) {
+		const known = {
+			...readFilm(film),
+			marks_mm: plan.marksMm
+		};
+		const made = film_frame(new Uint8Array(await file.arrayBuffer()), known, images, plan.pixelMm);
+		const png = (bytes) => new Blob([bytes], { type: "image/png" });
+		return {
+			image: png(made.image),
+			mask: png(made.mask),
 			camera: made.camera
 		};
 	}
@@ -4051,6 +4069,7 @@
 		linksOpen,
 		linksPlace,
 		linksFinish,
+		filmPlan,
 		filmFrame,
 		mosaicOpen,
 		mosaicAdd,

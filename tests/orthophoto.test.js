@@ -62,7 +62,14 @@ test('orthophotos, heights and photographs are told apart by what they hold', as
     sorted.worlds.map((/** @type {File} */ { name }) => name),
     ['alone.tfw'],
   );
-  assert.deepEqual(names(sorted.others), ['notes.txt', 'photo.png', 'cut.tif', 'alone.prj']);
+  assert.deepEqual(
+    sorted.projections.map((/** @type {File} */ { name }) => name),
+    ['alone.prj'],
+  );
+  const { hasGround } = page.rasters;
+  const [map, world, system] = [found('map.png', png, 'image/png'), found('map.pgw', '1\n0\n0\n-1\n0\n0\n'), found('map.prj', 'EPSG:25832')];
+  assert.deepEqual([await hasGround([map, world, system]), await hasGround([map, world]), await hasGround([found('one.tif', picture)])], [true, true, false]);
+  assert.deepEqual(names(sorted.others), ['notes.txt', 'photo.png', 'cut.tif']);
 
   const placed = [
     [33550, 0],

@@ -156,7 +156,7 @@ function masksOf(values) {
 function geoidOf(values, { placing }) {
   const file = values.get('geoid');
   if (typeof file !== 'string') return {};
-  if (!exists(file)) throw new DataError(`${file}: there is no such file`);
+  if (!exists(file) || isFolder(file)) throw new DataError(`${file}: there is no such file`);
   check_geoid(basename(file), placing);
   return { geoid: sourceOf(file) };
 }

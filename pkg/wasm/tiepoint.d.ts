@@ -632,6 +632,10 @@ export interface CameraRule {
      * Whether the block takes the camera as it is; otherwise it is calibrated from these values.
      */
     fixed?: boolean;
+    /**
+     * What is not known of a camera that is not fixed; absent: as much as of one of EXIF.
+     */
+    uncertainty?: CameraUncertainty;
 }
 
 /**
@@ -3070,7 +3074,7 @@ export interface GeoreferencingOptions {
      */
     crs: string | null;
     /**
-     * The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights. The file of a geoid says it place by place.
+     * The height of the zero of the heights of this system above the ellipsoid of WGS 84, as the geoid has it at the block: 0 for ellipsoidal heights. A geoid file gives it at each place.
      * Heights of GNSS positions, which are above the ellipsoid, then take part beside those of control points.
      */
     geoid_m: number | null;
@@ -4194,6 +4198,11 @@ export interface FilmInput {
      * The fiducial marks that were measured in the scan.
      */
     scan: PhotoInput;
+    /**
+     * All marks of the film as they are calibrated, x and y in mm, those that no one measured included: they say where the photograph ends. Empty: those
+     * that were measured.
+     */
+    marks_mm?: [number, number][];
 }
 
 /**
@@ -5255,10 +5264,15 @@ export function feature_defaults(): FeatureOptions;
 
 /**
  * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
- * is made. `images`: the names of those images, of which the camera is to be. `pixel_mm`: the side of a pixel, which is to be the same for all; absent:
- * that of the scan.
+ * is made. `images`: the pattern of their names, of which the camera is to be. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the
+ * marks of the film: see `film_pixel_mm`.
  */
-export function film_frame(scan: Uint8Array | number[], film: Given<FilmInput>, images: string, pixel_mm?: number | null): FilmFiles;
+export function film_frame(scan: Uint8Array | number[], film: Given<FilmInput>, images: string, pixel_mm: number): FilmFiles;
+
+/**
+ * The side of a pixel of a scan in mm, as its fiducial marks have it.
+ */
+export function film_pixel_mm(film: Given<FilmInput>): number;
 
 /**
  * Every parameter of a flight.
@@ -5634,7 +5648,8 @@ export interface InitOutput {
     readonly export_block: (a: any, b: any, c: any) => [number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
-    readonly film_frame: (a: number, b: number, c: any, d: number, e: number, f: number, g: number) => [number, number, number];
+    readonly film_frame: (a: number, b: number, c: any, d: number, e: number, f: number) => [number, number, number];
+    readonly film_pixel_mm: (a: any) => [number, number, number];
     readonly finishedblock_accuracy: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
     readonly finishedblock_edited: (a: number, b: any) => [number, number, number];

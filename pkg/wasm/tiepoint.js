@@ -1840,16 +1840,16 @@ export function feature_defaults() {
 
 /**
  * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
- * is made. `images`: the names of those images, of which the camera is to be. `pixel_mm`: the side of a pixel, which is to be the same for all; absent:
- * that of the scan.
+ * is made. `images`: the pattern of their names, of which the camera is to be. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the
+ * marks of the film: see `film_pixel_mm`.
  * @param {Uint8Array | number[]} scan
  * @param {Given<FilmInput>} film
  * @param {string} images
- * @param {number | null} [pixel_mm]
+ * @param {number} pixel_mm
  * @returns {FilmFiles}
  */
 export function film_frame(scan, film, images, pixel_mm) {
-    const val3 = +(isLikeNone(pixel_mm) ? 0 : pixel_mm);
+    const val3 = +pixel_mm;
     let ptr0, len0, ptr1, len1;
     try {
         ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
@@ -1861,11 +1861,24 @@ export function film_frame(scan, film, images, pixel_mm) {
         if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
         throw e;
     }
-    const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, !isLikeNone(pixel_mm), val3);
+    const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, val3);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The side of a pixel of a scan in mm, as its fiducial marks have it.
+ * @param {Given<FilmInput>} film
+ * @returns {number}
+ */
+export function film_pixel_mm(film) {
+    const ret = wasm.film_pixel_mm(film);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return ret[0];
 }
 
 /**

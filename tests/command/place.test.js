@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { OrthophotoReference, Photo } from '../../pkg/node.js';
+import { grey_png, OrthophotoReference, Photo } from '../../pkg/node.js';
 import { file, folder, json, tiepoint } from './command.js';
 
 const FLIGHT = ['--strips', '1', '--exposures', '2', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.075', '--relief-m', '40'];
@@ -108,6 +108,28 @@ test('an orthophoto without a place, one in degrees and other bad input are refu
   const world = file(at, 'a.pgw', '0.5\n0\n0\n');
   writeFileSync(join(at, 'a.png'), readFileSync(photo));
   assert.match(refused(photo, '--orthophoto', join(at, 'a.png')), /^1 .*world file/, world);
+});
+
+test('a picture with a world file is in the system of the .prj beside it, and heights of another are refused', () => {
+  const at = folder();
+  const reference = OrthophotoReference.open(readFileSync(join(OWN.at, 'orthophoto.tif')));
+  const { width, height, gsd, georeference } = reference.info();
+  writeFileSync(join(at, 'map.png'), grey_png(width, height, reference.picture(0, 0, width, height, 0)));
+  reference.free();
+  const [x = NaN, y = NaN] = georeference.origin;
+  file(at, 'map.pgw', [gsd, 0, 0, -gsd, x + gsd / 2, y - gsd / 2].map((value) => `${value}\n`).join(''));
+  file(at, 'map.prj', 'EPSG:25832');
+  const place = (/** @type {string[]} */ ...args) => ['place', OWN.photos[0], '--orthophoto', join(at, 'map.png'), '--points', '3000', ...args];
+  const { orthophoto, images } = json(...place('--heights', join(OWN.at, 'heights.tif')));
+  assert.equal(orthophoto.epsg, 25832);
+  assert.equal(images[0].verdict.kind, 'placed', JSON.stringify(images[0].verdict));
+  const grid = file(at, 'other.asc', `ncols 2\nnrows 2\nxllcorner ${x}\nyllcorner ${y - 2000}\ncellsize 2000\n1 1 1 1\n`);
+  file(at, 'OTHER.PRJ', 'EPSG:25833');
+  const { code, stderr } = tiepoint(...place('--heights', grid));
+  assert.ok(code === 1 && /other\.asc: .*EPSG:25833.*EPSG:25832/.test(stderr), stderr);
+  // What is not understood names no system.
+  file(at, 'map.prj', 'Projection    UTM\nZone 32\n');
+  assert.equal(json(...place('--heights', join(OWN.at, 'heights.tif'))).orthophoto.epsg, null);
 });
 
 test('a block becomes an orthomosaic, on which its photos are placed again', () => {

@@ -135,12 +135,12 @@ test('heights of a block count from the geoid of a file, which the browser keeps
   await page.reload();
   await says(page, 'block-geoid-name', /^flat\.gtx$/);
   await says(page, 'block-remarks', /the geoid of flat\.gtx/);
-  // What covers another place is refused by the run, which leaves the finished block.
+  // What is no geoid is refused by the run, which leaves the finished block.
   await part(page, 'block-geoid-remove').click();
-  await says(page, 'block-geoid-name', /^None\. A file from which/);
+  await says(page, 'block-geoid-name', /^None\. The geoid to which/);
   await part(page, 'block-geoid-input').setInputFiles(upload('cut.gtx', geoid().slice(0, 100)));
   await part(page, 'block-run').click();
-  await status(page, /^The block was not finished: .*cut\.gtx, which is none that is read/);
+  await status(page, /^The block was not finished: .*cut\.gtx, which is not a geoid file that can be read/);
   assert.deepEqual(complaints, []);
   await close();
 });

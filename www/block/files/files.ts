@@ -12,6 +12,7 @@ import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import { asksPurpose, lacksPlaceAlone, purposeOf } from '../state/purpose';
 import { carriedOver } from '../state/carrying';
+import { stemOf } from '../state/film';
 import { namesOf, withoutPlaces } from '../state/naming';
 import type { Purpose } from '../state/placing';
 import { IMAGE_FILE } from '../../../pkg/block/image-files.js';
@@ -81,6 +82,7 @@ export class BlockFiles {
   async take(given: readonly FoundFile[], why = ''): Promise<void> {
     const before = this.store.state.notice;
     const { others: found, taken, ...rasters } = asGiven(await sortRasters(given));
+    const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
     const ground = await this.ground.take(rasters);
     const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
     const said = ground === null ? null : [ground, several].filter((text) => text !== '').join(' ');
@@ -95,7 +97,7 @@ export class BlockFiles {
     if (geoid !== undefined) this.takeGeoid(geoid.file);
     const notCameras = cameras === undefined ? '' : await this.takeCameras(cameras.file, photos);
     const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
-    const aside = found.length - photos.length - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length;
+    const aside = found.length - photos.length - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length + lone.length;
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
     else await this.said(said);
     const putAside = [notCameras, tables.aside].filter((text) => text !== '').join(' ');
@@ -109,7 +111,7 @@ export class BlockFiles {
     const unknown = others.map(({ file }) => ({ file, world: null, projection: null }));
     const pictures = asHeights ? [] : [...sorted.orthophotos, ...(sorted.orthophotos.length > 0 ? [] : unknown)];
     const heights = asHeights ? [...sorted.heights, ...sorted.orthophotos, ...unknown] : sorted.heights;
-    await this.said(await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds }));
+    await this.said(await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds, projections: sorted.projections }));
   }
 
   /** Takes one height for all of the ground. */
@@ -158,6 +160,7 @@ export class BlockFiles {
         orthophotos: [{ file: new File([picture], 'orthophoto.tif'), world: null, projection: null }],
         heights: [{ file: new File([heights], 'heights.tif'), world: null, projection: null }],
         worlds: [],
+        projections: [],
       };
       if ((await this.ground.take(rasters)) !== null) await this.runs.placeImages();
     } catch (error) {

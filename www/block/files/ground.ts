@@ -20,7 +20,7 @@ export class GroundFiles {
   ) {}
 
   /** Gives what is said of them, nothing where nothing was given; null where one of them was refused, which is said. */
-  async take({ orthophotos, heights, worlds }: Omit<Sorted, 'others'>): Promise<string | null> {
+  async take({ orthophotos, heights, worlds, projections }: Omit<Sorted, 'others'>): Promise<string | null> {
     const said: string[] = [];
     const [orthophoto, ...more] = orthophotos;
     if (orthophoto !== undefined) {
@@ -37,7 +37,7 @@ export class GroundFiles {
     }
     if (others.length > 0) said.push(say('skipped-an-orthophoto-has-one', { others: named(others) }));
     for (const world of worlds) {
-      const taken = await this.takeWorld(world);
+      const taken = await this.takeWorld(world, projections.find(({ name }) => stemOf(name) === stemOf(world.name)) ?? null);
       if (taken === null) return null;
       said.push(taken);
     }
@@ -89,7 +89,7 @@ export class GroundFiles {
   }
 
   /** A world file by itself places the image of its name, which then is no photograph. */
-  private async takeWorld(world: File): Promise<string | null> {
+  private async takeWorld(world: File, projection: File | null): Promise<string | null> {
     const stem = stemOf(world.name);
     const { files, truth } = this.store.state;
     const image = files.find(({ name }) => stemOf(name) === stem);
@@ -97,7 +97,7 @@ export class GroundFiles {
       this.tell('problem', say('says-where-a-picture-of', { name: world.name }));
       return null;
     }
-    const taken = await this.takeOrthophoto({ file: new File([image.file], image.name, { type: image.file.type }), world, projection: null });
+    const taken = await this.takeOrthophoto({ file: new File([image.file], image.name, { type: image.file.type }), world, projection });
     if (taken !== null) this.store.dispatch({ type: 'files', files: files.filter((file) => file !== image), truth });
     return taken;
   }
@@ -126,13 +126,14 @@ export function orthophotoText(orthophoto: GivenOrthophoto): string {
   const { raster, info } = orthophoto;
   const { width, height, gsd, epsg } = info;
   const by = raster.world === null ? '' : say('placed-by', { name: raster.world.name });
+  const system = raster.projection === null ? '' : say('in-the-system-of', { name: raster.projection.name });
   return say('orthophoto-px-of', {
     name: raster.name,
     width,
     height,
     gsd: gsdText(gsd, unitOfOrthophoto(orthophoto)),
     what: epsg === null ? '' : say('epsg', { epsg }),
-    by,
+    by: by + system,
   });
 }
 

@@ -13,6 +13,8 @@ export interface Sorted {
   heights: FoundRaster[];
   /** World files without a picture. */
   worlds: File[];
+  /** Files that say a system, without a picture. */
+  projections: File[];
   others: FoundFile[];
 }
 
@@ -24,7 +26,7 @@ const GRID = /\.(?:asc|grd|txt|agr)$/iu;
 
 /** Sorts what was given; files whose names say that they are neither stay with the others. */
 export async function sortRasters(found: readonly FoundFile[]): Promise<Sorted> {
-  const sorted: Sorted = { orthophotos: [], heights: [], worlds: [], others: [] };
+  const sorted: Sorted = { orthophotos: [], heights: [], worlds: [], projections: [], others: [] };
   const worlds = found.filter(({ file }) => WORLD.test(file.name));
   const projections = found.filter(({ file }) => PROJECTION.test(file.name));
   const used = new Set<File>();
@@ -40,8 +42,7 @@ export async function sortRasters(found: readonly FoundFile[]): Promise<Sorted> 
     for (const beside of [world, projection]) if (beside !== null) used.add(beside);
     sorted[kind === 'heights' ? 'heights' : 'orthophotos'].push({ file, world, projection });
   }
-  // Put aside with what else is no image.
-  sorted.others.push(...projections.filter(({ file }) => !used.has(file)));
+  sorted.projections = projections.map(({ file }) => file).filter((file) => !used.has(file));
   sorted.worlds = worlds.map(({ file }) => file).filter((file) => !used.has(file));
   return sorted;
 }
@@ -56,7 +57,9 @@ export function asGiven(sorted: Sorted): Sorted & { taken: number } {
 /** Whether photographs are to be placed on an orthophoto: it is among them, or its heights are. */
 export async function hasGround(found: readonly FoundFile[]): Promise<boolean> {
   const { orthophotos, heights, others } = await sortRasters(found);
-  return heights.length > 0 || (orthophotos.length === 1 && (others.length > 0 || found.length === 2));
+  const [picture] = orthophotos;
+  const stands = orthophotos.length === 1 && (others.length > 0 || picture?.world !== null || picture.projection !== null);
+  return heights.length > 0 || stands;
 }
 
 /** Folder and name without its end. */

@@ -1,5 +1,6 @@
 /** Saving a block: its own file, everything, or what another program reads. */
 import { button, fill, h } from '../../shared/panel/dom';
+import { typed } from '../../shared/panel/numberfield';
 import { Cancelled } from '../../shared/engine/client';
 import { save } from '../../shared/files/save';
 import type { ExportKind } from '../engine/calls';
@@ -38,7 +39,7 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
   const press = button(
     say('save'),
     EXPORT,
-    () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT, pixel.value) : saveAs(store, engine, select.value as ExportKind)),
+    () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT, typed(pixel)) : saveAs(store, engine, select.value as ExportKind)),
   );
   const pixel = h('input', { id: 'block-mosaic-pixel', type: 'number', testid: 'block-mosaic-pixel', aria: { label: say('pixel-of-the-orthomosaic') } });
   pixel.placeholder = say('pixel-as-the-images');

@@ -12,9 +12,9 @@ import { messageOf } from '../../shared/text/messages';
 
 const NAME = 'orthomosaic.tif';
 
-/** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. `pixel`: the side of a pixel as it was typed; empty: that of the images. */
-export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, near: string, pixel: string): Promise<void> {
-  const mosaic = await made(store, engine, placing, { inAdjustment: false, gsd: pixel === '' ? null : Number(pixel) }, near);
+/** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. `pixel`: the side of a pixel; undefined: that of the images; what is no number is refused. */
+export async function saveMosaic(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, near: string, pixel: number | undefined): Promise<void> {
+  const mosaic = await made(store, engine, placing, { inAdjustment: false, gsd: pixel ?? null }, near);
   if (mosaic === null) return;
   save(mosaic, NAME);
   tell(store, 'info', say('was-saved-2', { name: NAME, store: missingText(store) }), { beside: true });

@@ -27,7 +27,7 @@ export interface PlacingPickers {
 }
 
 export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files: BlockFiles, engine: PlacingEngine): PlacingPickers {
-  const accept = 'image/*,.tif,.tiff,.tfw,.jgw,.pgw,.wld,.asc,.txt';
+  const accept = 'image/*,.tif,.tiff,.tfw,.jgw,.pgw,.wld,.prj,.asc,.txt';
   const [orthophoto, orthophotoInput] = fileButton(
     say('orthophoto-2'),
     { testid: 'block-orthophoto', label: say('file-orthophoto'), multiple: true, accept },
@@ -35,7 +35,7 @@ export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files
   );
   const [heights, heightsInput] = fileButton(
     say('heights'),
-    { testid: 'block-heights', label: say('file-heights'), multiple: true, accept: '.tif,.tiff,.asc,.txt,.tfw,image/tiff' },
+    { testid: 'block-heights', label: say('file-heights'), multiple: true, accept: '.tif,.tiff,.asc,.txt,.tfw,.wld,.prj,image/tiff' },
     (given) => void files.takeGround(given, true),
   );
   const remove = button(say('remove'), 'block-orthophoto-remove', () => store.dispatch({ type: 'orthophoto', orthophoto: null }));

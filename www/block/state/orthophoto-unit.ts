@@ -16,7 +16,7 @@ const APART = 1000;
 /** Metres, where nothing says that they are feet. */
 const unitOfInfo = remember((info: OrthophotoInfo): LengthUnit => {
   const { epsg, described } = info;
-  if (epsg === null) return /\b(?:ft|ftUS|feet|foot)\b/iu.test(described ?? '') ? 'ft' : 'm';
+  if (epsg === null) return /(?:^|[^a-z])(?:ft|ftUS|feet|foot)(?:[^a-z]|$)/iu.test(described ?? '') ? 'ft' : 'm';
   return Math.abs(unitM(`EPSG:${String(epsg)}`, info) / FOOT_M - 1) < MOST_SCALE ? 'ft' : 'm';
 });
 

@@ -39,7 +39,7 @@ export function firstRefused(fields: readonly (readonly [string, HTMLInputElemen
 }
 
 /** The number typed: undefined where the field is empty, NaN where it holds no number. */
-function typed({ value, valueAsNumber, validity }: HTMLInputElement): number | undefined {
+export function typed({ value, valueAsNumber, validity }: HTMLInputElement): number | undefined {
   return value === '' && !validity.badInput ? undefined : valueAsNumber;
 }
 

@@ -92,6 +92,7 @@ heights-from-to-m = الارتفاعات من { $name }: { FIXED($from, digits: 
 cannot-be-used-as-heights = لا يمكن استعمال { $name } ارتفاعات
 says-where-a-picture-of = يذكر { $name } موضع صورة بالاسم نفسه: أعطهما معًا.
 placed-by = ، موضعها من { $name }
+in-the-system-of = ، بنظام { $name }
 epsg = ، EPSG:{ $epsg }
 orthophoto-px-of = الصورة المصححة { $name }: { COUNT($width) } × { COUNT($height) } بكسل قدره { $gsd }{ $what }{ $by }.
 the-work-that-was-done = {" "}ما أُنجز من العمل محفوظ: «تشغيل» يتابع من هناك.

@@ -108,6 +108,7 @@ heights-from-to-m = Heights from { $name }: { FIXED($from, digits: 1) } to { FIX
 cannot-be-used-as-heights = { $name } cannot be used as heights
 says-where-a-picture-of = { $name } says where a picture of the same name lies: give both together.
 placed-by = , placed by { $name }
+in-the-system-of = , in the system of { $name }
 epsg = , EPSG:{ $epsg }
 orthophoto-px-of = Orthophoto { $name }: { COUNT($width) } × { COUNT($height) } px of { $gsd }{ $what }{ $by }.
 
@@ -631,7 +632,7 @@ none-two-files-georeference-the = None. Ground control points (name, x, y, z, op
 none-images-of-the-same = None. Images of the same size, black where no features are detected; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.
 masks = Masks
 geoid = Geoid
-none-a-file-from-which = None. A file from which the heights of the coordinate system count: GeoTIFF of longitudes and latitudes, GTX, or PGM of GeographicLib.
+none-a-file-from-which = None. The geoid to which heights of the coordinate system refer: a GeoTIFF of longitudes and latitudes, GTX (which can be dropped), or PGM of GeographicLib.
 masks-2 = { $given } masks: { $names }{ $what }
 file = File: { $title }
 remove-2 = Remove: { $title }
