@@ -224,5 +224,9 @@ export function checkTogether(values, beside) {
 
 /** Gives settings the names of their options in a message of the crate.  @param {Option[]} options @param {string} message */
 export function withOptionNames(options, message) {
-  return options.reduce((text, { key, name }) => (key ? text.replaceAll(key, `--${name}`) : text), message);
+  return options.reduce((text, { key, name }) => {
+    if (!key) return text;
+    // A key that is a word of the language, as heights, names the option where it is what a message is about.
+    return key.includes('.') ? text.replaceAll(key, `--${name}`) : text.replace(new RegExp(`(^|: )${key} is `), `$1--${name} is `);
+  }, message);
 }

@@ -100,5 +100,5 @@ test('scans without marks, and without a camera, are refused', () => {
   assert.match(refused(scan, '--camera', FILM.camera, '--fiducials', at), /^1 .*film_0\.png: its fiducial marks are missing: there is no .*film_0\.csv/);
   assert.match(refused(join(at, 'none.png'), '--camera', FILM.camera), /^1 .*there is no such file/);
   file(at, 'film_0.csv', 'col,row,x_mm,y_mm\n1,2,3,4\n');
-  assert.match(refused(scan, '--camera', FILM.camera, '--fiducials', at), /^1 .*film_0\.png.*fiducial marks/);
+  assert.match(refused(scan, '--camera', FILM.camera, '--fiducials', at), /^1 .*film_0\.csv: fiducial marks: 1 given/);
 });
