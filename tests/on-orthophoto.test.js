@@ -22,6 +22,7 @@ const view = (/** @type {string[]} */ surveyed = [], more = {}) => ({
   oriented: 2,
   images: [1, 2].map((id) => ({ name: `photo_${id}.png`, rays: 0 })),
   points: { count: 0, taking: 0, sources: new Float64Array(), rays: new Uint16Array() },
+  connections: [],
   surveyed: surveyed.map((name, control) => ({ name, control })),
   orthophoto: null,
   ...more,
