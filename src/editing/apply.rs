@@ -230,13 +230,16 @@ impl<'a> Edited<'a> {
     }
 
     fn connected(&self, images: [usize; 2]) -> Result<(), Error> {
+        images.iter().try_for_each(|image| self.oriented(*image))?;
         let [a, b] = images;
         if a == b {
             let count = self.description.images.len();
             return refuse(Refusal::PairOfImages { images: images.map(|image| image as u32), count });
         }
         if !self.connected.contains(&ascending(images)) {
-            return refuse(Refusal::PairNotConnected { first: self.name(a), second: self.name(b) });
+            let [first, second] =
+                images.map(|image| self.description.images.get(image).map(|known| known.name.clone()).unwrap_or_default());
+            return refuse(Refusal::PairNotConnected { first, second });
         }
         Ok(())
     }
@@ -462,7 +465,9 @@ mod tests {
         let connections = connections(known.1.images.len() as u32, [0, 7]);
         let refused = |edit: BlockEdit| tried(&known, &connections, &[edit]).unwrap_err().to_string();
         let pair = |pair| BlockEdit::RejectPairs { pairs: vec![pair] };
-        assert!(refused(pair([7, 0])).contains("which no matches connect; allowed: connected pairs of the block (edit 1)"));
+        let names = [7, 0].map(|image: usize| known.0.images[image].name.clone());
+        let told = format!("got {} and {}, which no matches connect; allowed: connected pairs of the block (edit 1)", names[0], names[1]);
+        assert!(refused(pair([7, 0])).contains(&told), "{}", refused(pair([7, 0])));
         assert!(refused(BlockEdit::RestorePairs { pairs: vec![[0, 7]] }).contains("which no matches connect"));
         assert!(refused(pair([3, 3])).contains("pair of images: got [3, 3]; allowed: two different images of 8"));
         assert!(refused(pair([0, 99])).contains("index 99"));

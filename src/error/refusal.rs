@@ -130,7 +130,7 @@ messages! {
         MeasuredPlace { #[serde(with = "number")] x_px: f64, #[serde(with = "number")] y_px: f64, location: Location, width_px: u32, height_px: u32 },
         UnknownPoint { point_name: PointName },
         ImageNotOriented { location: Location },
-        PairNotConnected { first: Location, second: Location },
+        PairNotConnected { first: String, second: String },
         BlockNotOriented,
 
         // Exchange formats and tables.

@@ -31,7 +31,7 @@ const texts = (page) =>
 
 /** Words that are names of keys, files, operators or options in every language. */
 const NAMES =
-  /"[^"]*"|\.(?:tfw|jgw|pgw|wld)\b|\b[\w-]+\.(?:png|jpe?g|json|csv|tiepoint|tfw|jgw|pgw|wld|zip)\b|\b(?:[a-z]+_[a-z_]+|radial|tangential|fixed|mask|auto|Förstner|Moravec|Ground|Huber|Agisoft|Bundler|NVM|VisualSFM|ESRI|ASCII|Apache-2\.0|MIT|COLMAP|images|cameras|world file|Baarda|DJI|WebP|English|Simulated)\b/gu;
+  /"[^"]*"|\.(?:tfw|jgw|pgw|wld|prj)\b|\b[\w-]+\.(?:png|jpe?g|tif|json|csv|tiepoint|tfw|jgw|pgw|wld|zip)\b|\b(?:[a-z]+_[a-z_]+|radial|tangential|fixed|mask|auto|Förstner|Moravec|Ground|Huber|Agisoft|Bundler|NVM|VisualSFM|ESRI|ASCII|Apache-2\.0|MIT|COLMAP|images|cameras|world file|Baarda|DJI|WebP|GTX|PGM|GeographicLib|col|row|English|Simulated)\b/gu;
 
 /** Texts with a word in Latin letters that is neither a name nor a unit.  @param {readonly string[]} all */
 const english = (all) => all.filter((text) => (text.replaceAll(NAMES, ' ').match(/[A-Za-z][A-Za-z’-]{2,}/gu) ?? []).some((word) => !SAME.test(word)));

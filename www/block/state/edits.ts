@@ -140,7 +140,9 @@ export function editOfChoice(kind: 'reject' | 'restore', choice: Choice | null, 
     }
     case 'pair':
     case 'pairs': {
-      const connected = pairsOf(choice).filter((pair) => connectedPairs(view).has(keyOfPair(pair)));
+      // What was never oriented has no observations that could be left out.
+      const isInBlock = (image: number) => view.images[image]?.oriented !== false || standing.images.has(image);
+      const connected = pairsOf(choice).filter((pair) => connectedPairs(view).has(keyOfPair(pair)) && pair.every(isInBlock));
       const pairs = connected.filter((pair) => standing.pairs.has(keyOfPair(pair)) !== rejects).map(([a, b]): [number, number] => [a, b]);
       return pairs.length === 0 ? null : { kind: `${kind}_pairs`, pairs };
     }
