@@ -1828,7 +1828,8 @@ function editOfChoice(kind, choice, view, standing, whole = false) {
 		}
 		case "pair":
 		case "pairs": {
-			const pairs = pairsOf(choice).filter((pair) => connectedPairs$1(view).has(keyOfPair(pair))).filter((pair) => standing.pairs.has(keyOfPair(pair)) !== rejects).map(([a, b]) => [a, b]);
+			const isInBlock = (image) => view.images[image]?.oriented !== false || standing.images.has(image);
+			const pairs = pairsOf(choice).filter((pair) => connectedPairs$1(view).has(keyOfPair(pair)) && pair.every(isInBlock)).filter((pair) => standing.pairs.has(keyOfPair(pair)) !== rejects).map(([a, b]) => [a, b]);
 			return pairs.length === 0 ? null : {
 				kind: `${kind}_pairs`,
 				pairs
