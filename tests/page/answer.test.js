@@ -94,6 +94,14 @@ test('matches alone are drawn at first; one press shows the rejected points, and
   await part(page, 'view').focus();
   for (let i = 0; i < 40 && !/Rejected/.test((await part(page, 'selected').textContent()) ?? ''); i++) await page.keyboard.press('n');
   assert.match((await part(page, 'selected').textContent()) ?? '', /^Left point \d+ at [\d.]+, [\d.]+ px\. .*Rejected/);
+  // Each button is found by what it shows the details of.
+  await page.keyboard.press('Control+k');
+  await part(page, 'search-text').fill('details of');
+  assert.deepEqual(await page.locator('[data-testid="search-list"] li > span:first-child').allTextContents(), [
+    'Details of the results',
+    'Details of the selected point',
+  ]);
+  await page.keyboard.press('Escape');
   await part(page, 'selected-details').click();
   await part(page, 'point-verdict').waitFor();
   // A rule that is ticked in the details is shown by itself.
