@@ -8,7 +8,8 @@ const {
   orthophoto_unit: { unitOfOrthophoto },
   placed_columns: { linkColumns, placedColumns },
   ground: { orthophotoText },
-} = await pageModules(['block/state/orthophoto-unit', 'block/state/placed-columns', 'block/files/ground']);
+  placing_answer: { heightsText },
+} = await pageModules(['block/state/orthophoto-unit', 'block/state/placed-columns', 'block/files/ground', 'block/panel/placing-answer']);
 
 /** An orthophoto of San Francisco.  @param {number | null} epsg @param {[number, number]} origin @param {string | null} described */
 const orthophotoOf = (epsg, origin, described = null) => ({
@@ -40,4 +41,17 @@ test('tables and texts of images that are placed on an orthophoto in feet name f
   const links = { at: [], places: [], residuals: [], uses: [] };
   assert.deepEqual(units(linkColumns({ links }, [], 0, 'ft')), new Set(['', 'ft', 'px']));
   assert.match(orthophotoText(orthophotoOf(2227, [6_000_000, 2_100_000])), / px of 0\.5 ft/);
+});
+
+test('heights are in the unit of the orthophoto, level ground too', () => {
+  const said = (/** @type {object} */ heights, /** @type {number} */ epsg, /** @type {[number, number]} */ origin) => {
+    const orthophoto = orthophotoOf(epsg, origin);
+    return heightsText({ placing: { heights, orthophoto: { ...orthophoto, info: { ...orthophoto.info, heights: [10, 20] } } } });
+  };
+  const level = { kind: 'level', height: 12 };
+  const model = { kind: 'model', model: { name: 'heights.tif' } };
+  for (const [epsg, origin, unit] of SYSTEMS) {
+    assert.match(said(level, epsg, origin), new RegExp(`level at 12\\.00 ${unit}: `), `EPSG:${epsg}`);
+    assert.match(said(model, epsg, origin), new RegExp(`: 10\\.0 to 20\\.0 ${unit}\\.`), `EPSG:${epsg}`);
+  }
 });

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 /**
  * `npm test`: sets up what is missing and runs every check; the last line gives the totals. Names of groups run these alone:
- * `npm test -- rust wasm build types package command page`; `npm test -- quick` is the inner loop: formatting, lints, types, unit tests.
+ * `npm test -- rust wasm build types package command page firefox`; `npm test -- quick` is the inner loop: formatting, lints, types, unit tests.
  *
  * Without `build` the tracked module is not built anew, which takes ten minutes: a native test compares the digest of the sources that it holds.
  */
@@ -13,13 +13,13 @@ import { cargoCounts, tapCounts } from './lib/counts.mjs';
 import { DIST, PKG_WASM, readJson, ROOT, TARGET } from './lib/paths.mjs';
 import { must, run } from './lib/process.mjs';
 import { cargo, ensureBindgen, ensureToolchain, WASM_TARGET } from './lib/rust.mjs';
-import { ensureChromium, ensurePackages } from './lib/setup.mjs';
+import { ensureChromium, ensureFirefox, ensurePackages } from './lib/setup.mjs';
 import { Steps } from './lib/steps.mjs';
 
 /** Files of tests of the command, and of the page, that run at the same time: as many as the processors of a small machine. */
 const FILES = 2;
 
-const GROUPS = ['rust', 'wasm', 'build', 'types', 'package', 'command', 'page'];
+const GROUPS = ['rust', 'wasm', 'build', 'types', 'package', 'command', 'page', 'firefox'];
 
 /** @typedef {import('./lib/rust.mjs').Toolchain} Toolchain @typedef {import('./lib/rust.mjs').BindgenPrograms} BindgenPrograms */
 
@@ -153,7 +153,7 @@ async function quick(steps) {
 /** @param {Steps} steps @param {boolean} rebuilds the module too */
 async function everything(steps, rebuilds) {
   const needs = (/** @type {string[]} */ ...groups) => groups.some((group) => steps.wanted(group));
-  const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', () => ensurePackages().then(() => true)));
+  const packages = needs('build', 'types', 'page', 'firefox') && (await steps.prepare('npm packages', () => ensurePackages().then(() => true)));
   const toolchain = needs('rust', 'wasm', 'build', 'package') ? await steps.prepare('Rust', ensureToolchain) : null;
 
   // Two lanes for two processors: what cargo does natively, and what Node runs on the tracked module and page. The files of the command's tests,
@@ -169,12 +169,14 @@ async function everything(steps, rebuilds) {
     if (packages) await typeChecks(steps);
     if (packages) await rebuiltPage(steps);
     const chromium = needs('page') ? await steps.prepare('Chromium', ensureChromium) : null;
-    const program = { CHROMIUM: chromium?.path ?? '', NO_CHROMIUM: chromium?.reason ?? '' };
-    if (packages) await nodeTests(steps, 'page', 'tests, page in Chromium', program, FILES);
+    const firefox = needs('firefox') ? await steps.prepare('Firefox', ensureFirefox) : null;
+    const programs = { CHROMIUM: chromium?.path ?? '', NO_CHROMIUM: chromium?.reason ?? '', FIREFOX: firefox?.path ?? '', NO_FIREFOX: firefox?.reason ?? '' };
+    if (packages) await nodeTests(steps, 'page', 'tests, page in Chromium', programs, FILES);
+    if (packages) await nodeTests(steps, 'firefox', 'tests, page in Firefox', programs, FILES);
     await nodeTests(steps, 'command', 'tests, command', {}, FILES);
-    const programs = toolchain && (needs('wasm') || rebuilds) ? await steps.prepare('wasm-bindgen', () => ensureBindgen(toolchain)) : null;
-    if (toolchain && programs) await wasmTests(steps, toolchain, programs);
-    if (toolchain && programs && rebuilds) await rebuiltModule(steps, toolchain, programs);
+    const bindgen = toolchain && (needs('wasm') || rebuilds) ? await steps.prepare('wasm-bindgen', () => ensureBindgen(toolchain)) : null;
+    if (toolchain && bindgen) await wasmTests(steps, toolchain, bindgen);
+    if (toolchain && bindgen && rebuilds) await rebuiltModule(steps, toolchain, bindgen);
   };
   await Promise.all([native(), executed()]);
 }

@@ -1,5 +1,6 @@
 // @ts-check
 import { withText } from '../messages.js';
+import { cameraWanted } from '../pair/camera-wanted.js';
 import { acting_parameters, defaults, matches_csv, message, pair_hint, pair_preset, pair_presets, points_csv, resolved, write_pair_project } from '../node.js';
 import { checkSize } from './block-camera.js';
 import { VERDICT_CODES } from './errors.js';
@@ -191,15 +192,6 @@ function describeGeometry({ match: { geometry, no_geometry: none }, no_orientati
   ];
 }
 
-/** What a camera that is given would answer. */
-const ASKS_FOR_CAMERA = ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered', 'unknown_camera', 'resized_or_cropped', 'cropped', 'other_pixels'];
-
-/** Whether a camera is what is wanting.  @param {PairOutput['verdict']} verdict @returns {boolean} */
-function asksForCamera(verdict) {
-  if (verdict.kind === 'oriented') return false;
-  return ASKS_FOR_CAMERA.includes(verdict.kind === 'weak' ? verdict.warning.kind : verdict.no_orientation.kind);
-}
-
 /** The outcome in text.  @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings @returns {string[]} */
 export function describe(output, settings) {
   const { matches, ...rejected } = output.match.counts;
@@ -207,7 +199,7 @@ export function describe(output, settings) {
   return [
     message('pair_verdict', output.verdict),
     ...(hint ? [`hint: ${message('pair_hint', hint)}`] : []),
-    ...(asksForCamera(output.verdict) ? ['hint: give the camera with --camera FILE, or its focal length alone with --focal-px F'] : []),
+    ...(cameraWanted(output.verdict) === 'given' ? ['hint: give the camera with --camera FILE, or its focal length alone with --focal-px F'] : []),
     '',
     countTable([
       ['left', output.left],

@@ -1,4 +1,4 @@
-/** Opens the built page in Chromium and looks at it as a user does. */
+/** Opens the built page in a browser, Chromium unless another one is named, and looks at it as a user does. */
 
 import { mkdirSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -75,14 +75,17 @@ export async function launch(args) {
   }
 }
 
-/** Starts browser and server for the tests of a file; gives the page's address below a folder. */
-export function hosted(prefix = '/') {
+/**
+ * Starts browser and server for the tests of a file; gives the page's address below a folder.
+ * @param {string} [prefix] @param {(() => Promise<import('playwright-core').Browser>) | null} [starts] another browser than Chromium; null: there is none
+ */
+export function hosted(prefix = '/', starts = program ? () => launch(FLAGS) : null) {
   before(async () => {
-    if (!program) return;
+    if (starts === null) return;
     mkdirSync(SHOTS, { recursive: true });
     // What it sends is not compressed: each file of tests would compress the module anew (tests/server.test.js holds what a host sends).
     server = await servePage({ prefix, compresses: false });
-    browser = await launch(FLAGS);
+    browser = await starts();
   });
   // A test that failed leaves its page to go on, and would slow down those after it.
   afterEach(async () => {

@@ -3,10 +3,37 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { block, photos, status } from './blocks.js';
+import { block, FLIGHT, photos, status } from './blocks.js';
 import { hosted, part, saved, says, SHOTS, SKIP } from './page.js';
 
 hosted('/plots/');
+
+test('nothing below the answer moves when a saved file is named there, however wide the window is', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block({ fresh: true });
+  await photos(page, FLIGHT, /^(Oriented|Weak orientation): /);
+  await part(page, 'block-show-plots').click();
+  const line = part(page, 'block-status');
+  const high = () => part(page, 'block-answer').evaluate((answer) => answer.getBoundingClientRect().height);
+  /** @type {Map<number, number>} */
+  const before = new Map();
+  const widths = Array.from({ length: 30 }, (_, i) => 740 + 20 * i);
+  for (const width of widths) {
+    await page.setViewportSize({ width, height: 800 });
+    before.set(width, await high());
+  }
+  assert.equal(await line.locator('.done-since').count(), 0);
+  await saved(page, 'plot-png');
+  await status(page, /block-images\.png was saved\.$/);
+  /** @type {string[]} */
+  const moved = [];
+  for (const width of widths) {
+    await page.setViewportSize({ width, height: 800 });
+    if ((await high()) !== before.get(width)) moved.push(`${width}: ${before.get(width)} to ${await high()}`);
+  }
+  assert.deepEqual(moved, []);
+  assert.deepEqual(complaints, []);
+  await close();
+});
 
 test('plots say what they show, choose by press and rectangle in all views, and are saved as picture and table', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
@@ -15,7 +42,7 @@ test('plots say what they show, choose by press and rectangle in all views, and 
   await status(page, /^(Oriented|Weak orientation): /);
   await part(page, 'block-show-plots').click();
   await says(page, 'block-plot-words', /^6 values over image\. RMSE of the residuals: median 0\.\d{3}, from 0\.\d{3} to 0\.\d{3} px\.$/);
-  let box = await part(page, 'block-plot').boundingBox();
+  const box = await part(page, 'block-plot').boundingBox();
   assert.ok(box);
   const at = (/** @type {number} */ x, /** @type {number} */ y) =>
     /** @type {const} */ ([(box?.x ?? 0) + x * (box?.width ?? 0), (box?.y ?? 0) + y * (box?.height ?? 0)]);
@@ -27,8 +54,8 @@ test('plots say what they show, choose by press and rectangle in all views, and 
   await says(page, 'block-chosen', /^photo_0000[23]\.png: /);
   const table = (await saved(page, 'plot-csv')).toString().trimEnd().split('\n');
   await status(page, /block-images\.csv was saved\.$/);
-  // What is said may take a line of its own.
-  box = await part(page, 'block-plot').boundingBox();
+  // The room of what is said was there before.
+  assert.deepEqual(await part(page, 'block-plot').boundingBox(), box);
   assert.equal(table[0], 'Image,RMSE of the residuals [px]');
   assert.match(table[1] ?? '', /^photo_00000\.png,0\.\d+$/);
   assert.equal(table.length, 7);

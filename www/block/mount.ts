@@ -143,7 +143,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
         showTab('tab-block-placed');
       },
     },
-    drawerButton('details', say('details'), 'block-details', results.element),
+    drawerButton('details', say('details'), 'block-details', results.element, say('details-of-the-results')),
   );
   await breath();
   mountSettings(settings.panels[0], store, files, opener);

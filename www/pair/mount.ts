@@ -94,7 +94,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   byId('stage').after(right);
   const settingsButton = drawerButton('settings', say('settings'), 'settings', left);
   byId('menu').before(h('div', { class: 'drawers', aria: { label: say('settings-of-the-pair') }, role: 'group' }, settingsButton));
-  byId('answer-actions').append(drawerButton('details', say('details'), 'details', right));
+  byId('answer-actions').append(drawerButton('details', say('details'), 'details', right, say('details-of-the-results')));
   const engine = new Engine(store);
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);

@@ -4,25 +4,20 @@ import { givenLinks, LEAST_LINKS } from '../state/steps';
 import type { LinkStep } from '../state/steps';
 import type { LinkedImage, LinkedPlacement } from '../state/links';
 import { placingKey, placingKeyOf, unplacedFiles } from '../state/placed';
-import { filmOf, FRAMES } from '../state/film';
-import type { FilmTexts } from '../state/film';
+import { filmOf } from '../state/film';
 import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import type { BlockFile } from '../state/state';
 import type { BlockCalls } from './calls';
 import type { BlockStore } from './engine';
-import type { Frame } from './film';
+import { makeFrames } from './frames';
+import type { MadeFrame, Scan, Tell } from './frames';
 import type { Ground, LaidPicture, MosaicKind } from './orthophoto';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
 /** Each worker holds an orthophoto that is not read in parts: of one beyond so many px there is one worker beside the one that shows it. */
 const MOST_SHARED = 40e6;
-
-/** The frame of a scan of film, with the id of the scan. */
-export interface MadeFrame extends Frame {
-  of: number;
-}
 
 export class PlacingEngine {
   private readonly shower = new WorkerClient<BlockCalls>('orthophoto');
@@ -195,11 +190,9 @@ export class PlacingEngine {
    * The orthomosaic of the block of a project file on the heights of its tie points, as GeoTIFF; null where it was cancelled. In the coordinate reference system
    * of the block where it has one, or, `inAdjustment`, in the system of its adjustment.
    */
-  async mosaic(project: Blob, files: readonly BlockFile[], how: MosaicKind): Promise<Blob | null> {
-    this.stopped = false;
-    const tell = (done: number, total: number, text: string) => this.store.dispatch({ type: 'placing', running: { done, total, text } });
-    tell(0, files.length, say('laying-out-the-orthomosaic'));
-    try {
+  mosaic(project: Blob, files: readonly BlockFile[], how: MosaicKind): Promise<Blob | null> {
+    return this.made(async (tell) => {
+      tell(0, files.length, say('laying-out-the-orthomosaic'));
       const byName = new Map(files.map(({ name, file }) => [name, file]));
       const order = await this.maker.call('mosaicOpen', { project, heights: null, ...how, names: [...byName.keys()] });
       for (const [done, { name, index }] of order.entries()) {
@@ -209,33 +202,20 @@ export class PlacingEngine {
         await this.maker.call('mosaicAdd', { index, file });
       }
       tell(order.length, order.length, say('writing-the-orthomosaic'));
-      return await this.maker.call('mosaicFinish', null);
-    } catch (error) {
-      if (this.stopped || error instanceof Cancelled) return null;
-      throw named(error);
-    } finally {
-      this.maker.cancel();
-      this.store.dispatch({ type: 'placing', running: null });
-    }
+      return this.maker.call('mosaicFinish', null);
+    });
   }
 
   /** The frames of scans of film; null where it was cancelled. */
-  async frames(scans: readonly { file: BlockFile; film: FilmTexts }[]): Promise<MadeFrame[] | null> {
+  frames(scans: readonly Scan[]): Promise<MadeFrame[] | null> {
+    return this.made((tell) => makeFrames(this.maker, scans, tell));
+  }
+
+  /** What is made of images one after the other; null where it was cancelled. */
+  private async made<T>(make: (tell: Tell) => Promise<T>): Promise<T | null> {
     this.stopped = false;
-    const made: MadeFrame[] = [];
-    const tell = (name: string) =>
-      this.store.dispatch({ type: 'placing', running: { done: made.length, total: scans.length, text: say('resampling-scan', { name }) } });
     try {
-      tell(scans[0]?.file.name ?? '');
-      const plan = await this.maker.call(
-        'filmPlan',
-        scans.map(({ film }) => film),
-      );
-      for (const { file, film } of scans) {
-        tell(file.name);
-        made.push({ ...(await this.maker.call('filmFrame', { file: file.file, film, plan, images: FRAMES })), of: file.id });
-      }
-      return made;
+      return await make((done, total, text) => this.store.dispatch({ type: 'placing', running: { done, total, text } }));
     } catch (error) {
       if (this.stopped || error instanceof Cancelled) return null;
       throw named(error);

@@ -11,7 +11,7 @@ import { newId } from './ids';
 import type { FoundRaster, Sorted } from './rasters';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
-import { withUnit } from '../../shared/text/units';
+import { unitText, withUnit } from '../../shared/text/units';
 
 export class GroundFiles {
   constructor(
@@ -67,7 +67,7 @@ export class GroundFiles {
 
   /** Takes one height for all of the ground. */
   async takeLevel(height: number): Promise<string | null> {
-    return this.setHeights(withUnit(fixed(height, 2), 'm'), () => Promise.resolve({ kind: 'level', height }));
+    return this.setHeights(withUnit(fixed(height, 2), unitOfOrthophoto(this.store.state.placing.orthophoto)), () => Promise.resolve({ kind: 'level', height }));
   }
 
   private async setHeights(name: string, made: () => Promise<GivenHeights>): Promise<string | null> {
@@ -81,7 +81,8 @@ export class GroundFiles {
       this.quiet();
       const { heights, orthophoto } = this.store.state.placing;
       const [from, to] = orthophoto?.info.heights ?? [];
-      return heights.kind === 'level' ? say('the-ground-is-level-at', { name }) : say('heights-from-to-m', { name, from, to });
+      if (heights.kind === 'level') return say('the-ground-is-level-at', { name });
+      return say('heights-from-to', { name, from, to, unit: unitText(unitOfOrthophoto(orthophoto)) });
     } catch (error) {
       this.refused(say('cannot-be-used-as-heights', { name }), error);
       return null;

@@ -4,6 +4,7 @@ import { count } from '../../shared/text/format';
 import { gsdText, orthophotoText } from '../files/ground';
 import { usedSo } from '../state/links';
 import { placedFiles, unplacedFiles } from '../state/placed';
+import { unitText } from '../../shared/text/units';
 import { unitOfOrthophoto } from '../state/orthophoto-unit';
 import type { LengthUnit } from '../state/orthophoto-unit';
 import { purposeOf } from '../state/purpose';
@@ -53,11 +54,12 @@ const MOSTLY = 0.95;
 
 /** What the ground is taken for. */
 export function heightsText({ placing: { heights, orthophoto } }: BlockState): string {
-  if (heights.kind === 'level') return say('its-ground-is-taken-as', { height: heights.height });
+  const unit = unitText(unitOfOrthophoto(orthophoto));
+  if (heights.kind === 'level') return say('its-ground-is-taken-as', { height: heights.height, unit });
   const [from, to] = orthophoto?.info.heights ?? [];
   const share = orthophoto?.info.heights_share ?? 1;
   const part = share < MOSTLY ? say('they-lie-under-of-the', { share: Math.round(100 * share) }) : '';
-  return say('heights-of-to-m', { name: heights.model.name, from, to, part });
+  return say('heights-of-to', { name: heights.model.name, from, to, unit, part });
 }
 
 function answered(state: BlockState, tried: readonly PlacedFile[], actions: PlacingAnswerActions): Answer {

@@ -10,6 +10,7 @@ import type { PlacingEngine } from '../engine/placing';
 import { filmFields } from './film-settings';
 import type { BlockFiles } from '../files/files';
 import { orthophotoText } from '../files/ground';
+import { unitOfOrthophoto } from '../state/orthophoto-unit';
 import type { Purpose } from '../state/placing';
 import { purposeOf } from '../state/purpose';
 import { isBusy } from '../state/state';
@@ -59,7 +60,8 @@ export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files
     heights.disabled = busy || placing.orthophoto === null;
     fill(name, placing.orthophoto === null ? ORTHOPHOTO : orthophotoText(placing.orthophoto));
     const [from, to] = placing.orthophoto?.info.heights ?? [];
-    fill(model, placing.heights.kind === 'level' ? HEIGHTS : say('to-m', { name: placing.heights.model.name, from, to }));
+    const unit = unitText(unitOfOrthophoto(placing.orthophoto));
+    fill(model, placing.heights.kind === 'level' ? HEIGHTS : say('from-to', { name: placing.heights.model.name, from, to, unit }));
   });
   store.watch(['catalogue'], ([catalogue]) => {
     if (catalogue === null) return;
@@ -107,6 +109,7 @@ function purposeField(store: BlockStore): HTMLElement {
 /** One height for level ground. */
 function levelField(store: BlockStore, files: BlockFiles): [HTMLElement, HTMLElement] {
   const problem = problemLine('block-level');
+  const unit = h('span', { class: 'unit' });
   const input = numberInput('block-level', problem, () => {
     const { valueAsNumber: height } = input;
     const allowed = store.state.catalogue?.levelParameter;
@@ -120,8 +123,9 @@ function levelField(store: BlockStore, files: BlockFiles): [HTMLElement, HTMLEle
     ([heights, orthophoto]) => {
       input.disabled = orthophoto === null;
       if (document.activeElement !== input) input.value = heights.kind === 'level' ? String(heights.height) : '';
+      unit.textContent = ` ${unitText(unitOfOrthophoto(orthophoto))}`;
     },
   );
-  const label = h('label', { for: input.id }, say('level-ground-at'), h('span', { class: 'unit' }, ` ${unitText('m')}`));
+  const label = h('label', { for: input.id }, say('level-ground-at'), unit);
   return [h('div', { class: 'control compact' }, label, input), problem];
 }

@@ -132,8 +132,7 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   if (running.kind === 'yes') return { ...line('busy', runText(running.steps)), more: notice?.beside === true ? notice.text : '' };
   if (state.placing.running !== null) return placingRuns(state.placing.running);
   if (notice?.beside === true) {
-    const answer = answerOf({ ...state, notice: null }, actions);
-    return { ...answer, more: `${answer.more ?? ''} ${notice.text}`.trimStart() };
+    return { ...answerOf({ ...state, notice: null }, actions), said: notice.text };
   }
   if (notice !== null) {
     const said = line(notice.kind === 'info' ? 'idle' : notice.kind, notice.text);
@@ -143,7 +142,7 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
     if (isInfo && lacksPlaceAlone(state)) return { ...besideVerdict(state, actions, notice.text), next: placeBlock(actions) };
     if (notice.kind !== 'busy' && shown !== null && isFinished(state) && !isOfGround(state)) {
       const answer = answered(state, shown, actions);
-      return isInfo ? { ...answer, more: `${answer.more ?? ''} ${notice.text}`.trimStart() } : { ...answer, problem: notice.text };
+      return { ...answer, ...(isInfo ? { said: notice.text } : { problem: notice.text }) };
     }
     if (!isInfo || state.placing.orthophoto === null || !isOfGround(state)) return said;
     const { next = null, others = [] } = placed(state, actions);

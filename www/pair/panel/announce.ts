@@ -11,7 +11,9 @@ import { say } from '../../shared/text/words';
 export function mountAnnouncements(host: HTMLElement, store: Store, details: () => void): void {
   const keys = byId('keys');
   const text = h('span', {});
-  fill(host, text, ' ', button(say('details'), 'selected-details', details));
+  const press = button(say('details'), 'selected-details', details);
+  press.ariaLabel = say('details-of-the-point');
+  fill(host, text, ' ', press);
   // What became of it changes by edits and by new results, too.
   store.watch(['selection', 'history', 'results'], ([selection]) => {
     const { state } = store;

@@ -1,6 +1,7 @@
 /** What came of a pair: its verdict, the figures that decided, and what to do next. */
+import { cameraWanted } from '../../../pkg/pair/camera-wanted.js';
 import { pair_hint } from '../../shared/crate';
-import type { OrientedPair, PairHint, PairVerdict, Warning } from '../../shared/crate';
+import type { OrientedPair, PairHint, PairVerdict } from '../../shared/crate';
 import type { Answer, Figure, Next } from '../../shared/panel/answer';
 import { count, decimalsOfError, fixed } from '../../shared/text/format';
 import { offeredCalibration } from '../state/calibration';
@@ -63,7 +64,7 @@ function answered(state: State, actions: AnswerActions): Answer {
   }
   const answer = { text: message('pair_verdict', verdict), more, figures: figuresOf(state, oriented) };
   if (verdict.kind === 'oriented') return { ...answer, kind: 'done', verdict: 'oriented', next: calibrated(state, actions) ?? nextAfter(state, actions) };
-  const next = verdict.kind === 'weak' && asksForCamera(verdict.warning) ? cameraNext(state, actions) : { text: say('show-why'), act: actions.why };
+  const next = cameraWanted(verdict) !== null ? cameraNext(state, actions) : { text: say('show-why'), act: actions.why };
   return { ...answer, kind: 'partial', verdict: verdict.kind, next };
 }
 
@@ -97,21 +98,15 @@ function figuresWithout(state: State): Figure[] {
   ];
 }
 
-/** Warnings that another camera would answer. */
-function asksForCamera({ kind }: Warning): boolean {
-  return ['unknown_camera', 'focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal', 'resized_or_cropped', 'cropped', 'other_pixels'].includes(
-    kind,
-  );
-}
-
 function nextWithout(state: State, actions: AnswerActions): Next {
-  const kind = whyNone(state)?.kind ?? '';
+  const none = whyNone(state);
   const why = { text: say('show-why'), act: actions.why };
+  if (none === null) return why;
   // Other photographs help, nothing that could be given with these.
+  const { kind } = none;
   if (kind === 'no_geometry' || kind === 'parts_of_one_image') return { text: say('open-other-photos'), act: () => actions.open(null) };
   if (kind === 'one_photo') return { text: say('replace-the-right-image'), act: () => actions.open('right') };
-  const camera = ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered'].includes(kind);
-  return camera ? cameraNext(state, actions) : why;
+  return cameraWanted({ kind: 'not_oriented', no_orientation: none }) === null ? why : cameraNext(state, actions);
 }
 
 /** Takes the camera as a block calibrated it, where it did. */

@@ -7,14 +7,17 @@ const MOST_BYTES = 2 ** 25;
 export async function decodeColour(bytes: Uint8Array<ArrayBuffer>): Promise<ImageBitmap | null> {
   if (bytes.length > MOST_BYTES) return null;
   try {
-    return await createImageBitmap(new Blob(withoutExif(bytes)));
+    return await createImageBitmap(new Blob([withoutExif(bytes)]));
   } catch {
     return null;
   }
 }
 
-/** A JPEG file without its EXIF segments: browsers turn images by the orientation that stands there, whatever they are asked. Of others all stays. */
-function withoutExif(bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer>[] {
+/**
+ * A JPEG file without its EXIF segments: browsers turn images by the orientation that stands there, whatever they are asked. Of others all stays.
+ * In one piece: Firefox knows a format by the first piece of a blob, and before the EXIF segment of a photograph stand two bytes.
+ */
+function withoutExif(bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
   const kept: Uint8Array<ArrayBuffer>[] = [];
   let [from, at] = [0, 2];
   const isJpeg = bytes[0] === 0xff && bytes[1] === 0xd8;
@@ -27,5 +30,12 @@ function withoutExif(bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer>[] 
     }
     at = next;
   }
-  return [...kept, bytes.subarray(from)];
+  kept.push(bytes.subarray(from));
+  const whole = new Uint8Array(kept.reduce((sum, { length }) => sum + length, 0));
+  let end = 0;
+  for (const piece of kept) {
+    whole.set(piece, end);
+    end += piece.length;
+  }
+  return whole;
 }

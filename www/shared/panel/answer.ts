@@ -21,6 +21,8 @@ export interface Answer {
   text: string;
   /** What is said after it, smaller. */
   more?: string;
+  /** What was done since, as a file that was saved; it comes after that. */
+  said?: string;
   /** What went wrong since: the answer stays. */
   problem?: string;
   figures?: readonly Figure[];
@@ -48,7 +50,7 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
   new ResizeObserver(() => {
     if (host.dataset.kind !== 'busy') ({ height } = host.getBoundingClientRect());
   }).observe(host);
-  return ({ kind, verdict, text, more = '', problem = '', figures: found = [], next = null, others: now = [] }) => {
+  return ({ kind, verdict, text, more = '', said = '', problem = '', figures: found = [], next = null, others: now = [] }) => {
     instead = now;
     host.dataset.kind = kind;
     // While something runs it says less: what is beside it stays where it is.
@@ -56,8 +58,10 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
     host.dataset.verdict = verdict ?? '';
     line.dataset.kind = kind;
     // What is said already would be read out again.
-    if (line.textContent !== [text, more, problem].filter((part) => part !== '').join(' ')) {
-      const rest = [h('span', {}, more), h('span', { class: 'wrong' }, problem)].filter((part) => part.textContent !== '');
+    if (line.textContent !== [text, more, said, problem].filter((part) => part !== '').join(' ')) {
+      const rest = [h('span', {}, more), h('span', { class: 'done-since' }, said), h('span', { class: 'wrong' }, problem)].filter(
+        (part) => part.textContent !== '',
+      );
       fill(line, h('strong', {}, text), ...rest.flatMap((part) => [' ', part]));
       scrolled.disconnect();
       for (const part of rest) scrolled.observe(part);

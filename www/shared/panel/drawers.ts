@@ -51,12 +51,16 @@ export function uncoverPictures(): void {
   if (OVER.matches) setDrawer('settings', false);
 }
 
-/** A button that opens a drawer and closes it; the drawer itself gets a button that closes it. */
-export function drawerButton(drawer: Drawer, text: string, testid: string, element: HTMLElement): HTMLButtonElement {
+/**
+ * A button that opens a drawer and closes it; the drawer itself gets a button that closes it.
+ * `name`: what it is called where `text` alone does not say of what it is; it begins with that.
+ */
+export function drawerButton(drawer: Drawer, text: string, testid: string, element: HTMLElement, name = ''): HTMLButtonElement {
   const made = button(text, testid, () => {
     setDrawer(drawer, !isOpen(drawer));
     if (isOpen(drawer)) reveal(element);
   });
+  if (name !== '') made.ariaLabel = name;
   const close = button('×', `close-${testid}`, () => {
     setDrawer(drawer, false);
     made.focus();

@@ -80,6 +80,7 @@ cancelled-nothing-was-saved-the-epipolar = أُلغي: لم تُصنع الصو�
 ## mount and answer
 
 settings-of-the-pair = إعدادات الزوج
+details-of-the-point = التفاصيل: النقطة المحددة
 n--4 = { $label }.
 point-at =
     النقطة { $side ->

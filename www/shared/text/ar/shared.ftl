@@ -9,6 +9,7 @@ settings = الإعدادات
 simulate = محاكاة
 results = النتائج
 details = التفاصيل
+details-of-the-results = التفاصيل: النتائج
 clear = مسح
 reject = رفض
 restore = استعادة

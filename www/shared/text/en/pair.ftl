@@ -97,6 +97,7 @@ settings-of-the-pair = Settings of the pair
 
 ## panel/announce
 
+details-of-the-point = Details of the selected point
 n--4 = { $label }.
 point-at =
     { $side ->

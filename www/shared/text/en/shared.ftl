@@ -11,6 +11,7 @@ settings = Settings
 simulate = Simulate
 results = Results
 details = Details
+details-of-the-results = Details of the results
 clear = Clear
 reject = Reject
 restore = Restore
