@@ -765,6 +765,26 @@ function stepName(step) {
 		link: step.link + 1
 	});
 }
+// www/block/engine/frames.ts
+async function makeFrames(worker, scans, tell) {
+	const made = [];
+	const at = (name) => tell(made.length, scans.length, say("resampling-scan", { name }));
+	at(scans[0]?.file.name ?? "");
+	const plan = await worker.call("filmPlan", scans.map(({ film }) => film));
+	for (const { file, film } of scans) {
+		at(file.name);
+		made.push({
+			...await worker.call("filmFrame", {
+				file: file.file,
+				film,
+				plan,
+				images: FRAMES
+			}),
+			of: file.id
+		});
+	}
+	return made;
+}
 // www/block/engine/placing.ts
 var MOST_SHARED = 4e7;
 var PlacingEngine = class {
@@ -976,18 +996,9 @@ var PlacingEngine = class {
 			side
 		});
 	}
-	async mosaic(project, files, how) {
-		this.stopped = false;
-		const tell = (done, total, text) => this.store.dispatch({
-			type: "placing",
-			running: {
-				done,
-				total,
-				text
-			}
-		});
-		tell(0, files.length, say("laying-out-the-orthomosaic"));
-		try {
+	mosaic(project, files, how) {
+		return this.made(async (tell) => {
+			tell(0, files.length, say("laying-out-the-orthomosaic"));
 			const byName = new Map(files.map(({ name, file }) => [name, file]));
 			const order = await this.maker.call("mosaicOpen", {
 				project,
@@ -1005,45 +1016,23 @@ var PlacingEngine = class {
 				});
 			}
 			tell(order.length, order.length, say("writing-the-orthomosaic"));
-			return await this.maker.call("mosaicFinish", null);
-		} catch (error) {
-			if (this.stopped || error instanceof Cancelled) return null;
-			throw named$1(error);
-		} finally {
-			this.maker.cancel();
-			this.store.dispatch({
-				type: "placing",
-				running: null
-			});
-		}
-	}
-	async frames(scans) {
-		this.stopped = false;
-		const made = [];
-		const tell = (name) => this.store.dispatch({
-			type: "placing",
-			running: {
-				done: made.length,
-				total: scans.length,
-				text: say("resampling-scan", { name })
-			}
+			return this.maker.call("mosaicFinish", null);
 		});
+	}
+	frames(scans) {
+		return this.made((tell) => makeFrames(this.maker, scans, tell));
+	}
+	async made(make) {
+		this.stopped = false;
 		try {
-			tell(scans[0]?.file.name ?? "");
-			const plan = await this.maker.call("filmPlan", scans.map(({ film }) => film));
-			for (const { file, film } of scans) {
-				tell(file.name);
-				made.push({
-					...await this.maker.call("filmFrame", {
-						file: file.file,
-						film,
-						plan,
-						images: FRAMES
-					}),
-					of: file.id
-				});
-			}
-			return made;
+			return await make((done, total, text) => this.store.dispatch({
+				type: "placing",
+				running: {
+					done,
+					total,
+					text
+				}
+			}));
 		} catch (error) {
 			if (this.stopped || error instanceof Cancelled) return null;
 			throw named$1(error);
@@ -3468,7 +3457,7 @@ var GroundFiles = class {
 		}));
 	}
 	async takeLevel(height) {
-		return this.setHeights(withUnit(fixed(height, 2), "m"), () => Promise.resolve({
+		return this.setHeights(withUnit(fixed(height, 2), unitOfOrthophoto(this.store.state.placing.orthophoto)), () => Promise.resolve({
 			kind: "level",
 			height
 		}));
@@ -3484,10 +3473,12 @@ var GroundFiles = class {
 			this.quiet();
 			const { heights, orthophoto } = this.store.state.placing;
 			const [from, to] = orthophoto?.info.heights ?? [];
-			return heights.kind === "level" ? say("the-ground-is-level-at", { name }) : say("heights-from-to-m", {
+			if (heights.kind === "level") return say("the-ground-is-level-at", { name });
+			return say("heights-from-to", {
 				name,
 				from,
-				to
+				to,
+				unit: unitText(unitOfOrthophoto(orthophoto))
 			});
 		} catch (error) {
 			this.refused(say("cannot-be-used-as-heights", { name }), error);
@@ -6157,7 +6148,7 @@ var MOST_BYTES = 2 ** 25;
 async function decodeColour(bytes) {
 	if (bytes.length > MOST_BYTES) return null;
 	try {
-		return await createImageBitmap(new Blob(withoutExif(bytes)));
+		return await createImageBitmap(new Blob([withoutExif(bytes)]));
 	} catch {
 		return null;
 	}
@@ -6174,7 +6165,14 @@ function withoutExif(bytes) {
 		}
 		at = next;
 	}
-	return [...kept, bytes.subarray(from)];
+	kept.push(bytes.subarray(from));
+	const whole = new Uint8Array(kept.reduce((sum, { length }) => sum + length, 0));
+	let end = 0;
+	for (const piece of kept) {
+		whole.set(piece, end);
+		end += piece.length;
+	}
+	return whole;
 }
 // www/block/view/images/bitmaps.ts
 var COPY_SIDE = 1024;
@@ -11493,10 +11491,12 @@ function mountPlacingSettings(host, store, files, engine) {
 		heights.disabled = busy || placing.orthophoto === null;
 		fill(name, placing.orthophoto === null ? ORTHOPHOTO : orthophotoText(placing.orthophoto));
 		const [from, to] = placing.orthophoto?.info.heights ?? [];
-		fill(model, placing.heights.kind === "level" ? HEIGHTS : say("to-m", {
+		const unit = unitText(unitOfOrthophoto(placing.orthophoto));
+		fill(model, placing.heights.kind === "level" ? HEIGHTS : say("from-to", {
 			name: placing.heights.model.name,
 			from,
-			to
+			to,
+			unit
 		}));
 	});
 	store.watch(["catalogue"], ([catalogue]) => {
@@ -11557,6 +11557,7 @@ function purposeField(store) {
 }
 function levelField(store, files) {
 	const problem = problemLine("block-level");
+	const unit = h("span", { class: "unit" });
 	const input = numberInput("block-level", problem, () => {
 		const { valueAsNumber: height } = input;
 		const allowed = store.state.catalogue?.levelParameter;
@@ -11571,8 +11572,9 @@ function levelField(store, files) {
 	store.watch((s) => [s.placing.heights, s.placing.orthophoto], ([heights, orthophoto]) => {
 		input.disabled = orthophoto === null;
 		if (document.activeElement !== input) input.value = heights.kind === "level" ? String(heights.height) : "";
+		unit.textContent = ` ${unitText(unitOfOrthophoto(orthophoto))}`;
 	});
-	const label = h("label", { for: input.id }, say("level-ground-at"), h("span", { class: "unit" }, ` ${unitText("m")}`));
+	const label = h("label", { for: input.id }, say("level-ground-at"), unit);
 	return [h("div", { class: "control compact" }, label, input), problem];
 }
 // www/block/state/placed-columns.ts
@@ -13065,14 +13067,19 @@ function placingAnswer(state, actions) {
 }
 var MOSTLY = .95;
 function heightsText({ placing: { heights, orthophoto } }) {
-	if (heights.kind === "level") return say("its-ground-is-taken-as", { height: heights.height });
+	const unit = unitText(unitOfOrthophoto(orthophoto));
+	if (heights.kind === "level") return say("its-ground-is-taken-as", {
+		height: heights.height,
+		unit
+	});
 	const [from, to] = orthophoto?.info.heights ?? [];
 	const share = orthophoto?.info.heights_share ?? 1;
 	const part = share < MOSTLY ? say("they-lie-under-of-the", { share: Math.round(100 * share) }) : "";
-	return say("heights-of-to-m", {
+	return say("heights-of-to", {
 		name: heights.model.name,
 		from,
 		to,
+		unit,
 		part
 	});
 }
@@ -13263,16 +13270,13 @@ function answerOf(state, actions) {
 		more: notice?.beside === true ? notice.text : ""
 	};
 	if (state.placing.running !== null) return placingRuns(state.placing.running);
-	if (notice?.beside === true) {
-		const answer = answerOf({
+	if (notice?.beside === true) return {
+		...answerOf({
 			...state,
 			notice: null
-		}, actions);
-		return {
-			...answer,
-			more: `${answer.more ?? ""} ${notice.text}`.trimStart()
-		};
-	}
+		}, actions),
+		said: notice.text
+	};
 	if (notice !== null) {
 		const said = line(notice.kind === "info" ? "idle" : notice.kind, notice.text);
 		const isInfo = notice.kind === "info";
@@ -13281,16 +13285,10 @@ function answerOf(state, actions) {
 			...besideVerdict(state, actions, notice.text),
 			next: placeBlock(actions)
 		};
-		if (notice.kind !== "busy" && shown !== null && isFinished(state) && !isOfGround(state)) {
-			const answer = answered(state, shown, actions);
-			return isInfo ? {
-				...answer,
-				more: `${answer.more ?? ""} ${notice.text}`.trimStart()
-			} : {
-				...answer,
-				problem: notice.text
-			};
-		}
+		if (notice.kind !== "busy" && shown !== null && isFinished(state) && !isOfGround(state)) return {
+			...answered(state, shown, actions),
+			...isInfo ? { said: notice.text } : { problem: notice.text }
+		};
 		if (!isInfo || state.placing.orthophoto === null || !isOfGround(state)) return said;
 		const { next = null, others = [] } = placed(state, actions);
 		return {
@@ -13518,7 +13516,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 			setDrawer("table", true);
 			showTab("tab-block-placed");
 		}
-	}, drawerButton("details", say("details"), "block-details", results.element));
+	}, drawerButton("details", say("details"), "block-details", results.element, say("details-of-the-results")));
 	await breath();
 	mountSettings(settings.panels[0], store, files, opener);
 	await breath();

@@ -1847,11 +1847,12 @@ function setDrawer(drawer, wanted) {
 function uncoverPictures() {
 	if (OVER.matches) setDrawer("settings", false);
 }
-function drawerButton(drawer, text, testid, element) {
+function drawerButton(drawer, text, testid, element, name = "") {
 	const made = button(text, testid, () => {
 		setDrawer(drawer, !isOpen(drawer));
 		if (isOpen(drawer)) reveal$1(element);
 	});
+	if (name !== "") made.ariaLabel = name;
 	const close = button("×", `close-${testid}`, () => {
 		setDrawer(drawer, false);
 		made.focus();
@@ -5413,7 +5414,7 @@ function answerCard(host, line, buttons, prefix) {
 	new ResizeObserver(() => {
 		if (host.dataset.kind !== "busy") ({height} = host.getBoundingClientRect());
 	}).observe(host);
-	return ({ kind, verdict, text, more = "", problem = "", figures: found = [], next = null, others: now = [] }) => {
+	return ({ kind, verdict, text, more = "", said = "", problem = "", figures: found = [], next = null, others: now = [] }) => {
 		instead = now;
 		host.dataset.kind = kind;
 		host.style.minHeight = kind === "busy" && height > 0 ? `${String(height)}px` : "";
@@ -5422,9 +5423,14 @@ function answerCard(host, line, buttons, prefix) {
 		if (line.textContent !== [
 			text,
 			more,
+			said,
 			problem
 		].filter((part) => part !== "").join(" ")) {
-			const rest = [h("span", {}, more), h("span", { class: "wrong" }, problem)].filter((part) => part.textContent !== "");
+			const rest = [
+				h("span", {}, more),
+				h("span", { class: "done-since" }, said),
+				h("span", { class: "wrong" }, problem)
+			].filter((part) => part.textContent !== "");
 			fill(line, h("strong", {}, text), ...rest.flatMap((part) => [" ", part]));
 			scrolled.disconnect();
 			for (const part of rest) scrolled.observe(part);
@@ -5443,7 +5449,7 @@ function answerCard(host, line, buttons, prefix) {
 	};
 }
 // www/shared/text/names.ts
-var OTHER = {
+var OTHER$1 = {
 	"camera.focal_mm": say("focal-length"),
 	"camera.pixel_mm": say("pixel-size"),
 	"camera.principal_point_mm": say("principal-point"),
@@ -5453,7 +5459,7 @@ var OTHER = {
 	origin: say("origin-in-the-scan-2")
 };
 function readable(catalogue, message) {
-	const labels = new Map(Object.entries(OTHER));
+	const labels = new Map(Object.entries(OTHER$1));
 	for (const { key, label } of [...catalogue?.parameters ?? [], ...catalogue?.flightParameters ?? []]) labels.set(key, label);
 	return message.replace(/[a-z]+\.[a-z0-9_]+/gu, (key) => quoted(labels.get(key)) ?? key).replace(/^(\w+)(?= is )/u, (key) => quoted(labels.get(key)) ?? key).replace(/(\d) x (?=\d)/gu, "$1 × ");
 }
@@ -8388,7 +8394,7 @@ function takerOf(store, view, files) {
 	};
 }
 // www/pair/files/keep.ts
-var GIVEN = "pair";
+var GIVEN$1 = "pair";
 var RESULT = "pair/result";
 var FILE = "pair/file/";
 var SMALL = 4096;
@@ -8442,7 +8448,7 @@ var KeptPairs = class {
 		const parts = new Map();
 		const given = isBlank(state) ? null : givenOf(state);
 		if (given === null) return parts;
-		parts.set(GIVEN, {
+		parts.set(GIVEN$1, {
 			value: given,
 			bytes: SMALL
 		});
@@ -8470,7 +8476,7 @@ var KeptPairs = class {
 		return parts;
 	}
 	async read(parts) {
-		const value = parts.get(GIVEN);
+		const value = parts.get(GIVEN$1);
 		if (value === void 0) return () => void 0;
 		const kept = givenFrom(value, this.catalogue);
 		const { typed, display, flight, paused } = kept;
@@ -8860,7 +8866,9 @@ function outOfGeometry({ geometry, no_geometry }, compared) {
 function mountAnnouncements(host, store, details) {
 	const keys = byId("keys");
 	const text = h("span", {});
-	fill(host, text, " ", button(say("details"), "selected-details", details));
+	const press = button(say("details"), "selected-details", details);
+	press.ariaLabel = say("details-of-the-point");
+	fill(host, text, " ", press);
 	store.watch([
 		"selection",
 		"history",
@@ -10515,6 +10523,29 @@ async function exportReport(store, engine) {
 		client.cancel();
 	}
 }
+// pkg/pair/camera-wanted.js
+var GIVEN = [
+	"no_camera",
+	"no_focal_length",
+	"no_pixel_size",
+	"altered",
+	"unknown_camera",
+	"resized_or_cropped",
+	"cropped",
+	"other_pixels"
+];
+var OTHER = [
+	"focal_length",
+	"wide_angle",
+	"contradicted_focal",
+	"doubtful_focal"
+];
+function cameraWanted(verdict) {
+	if (verdict.kind === "oriented") return null;
+	const { kind } = verdict.kind === "weak" ? verdict.warning : verdict.no_orientation;
+	if (GIVEN.includes(kind)) return "given";
+	return OTHER.includes(kind) ? "other" : null;
+}
 // pkg/pair/at-base.js
 function atBase(orientation, baseMm, otherMm) {
 	const scale = baseMm === 0 ? NaN : otherMm / baseMm;
@@ -10928,7 +10959,7 @@ function answered(state, actions) {
 		verdict: "oriented",
 		next: calibrated(state, actions) ?? nextAfter(state, actions)
 	};
-	const next = verdict.kind === "weak" && asksForCamera(verdict.warning) ? cameraNext(state, actions) : {
+	const next = cameraWanted(verdict) !== null ? cameraNext(state, actions) : {
 		text: say("show-why"),
 		act: actions.why
 	};
@@ -10978,24 +11009,14 @@ function figuresWithout(state) {
 		label: say("points-tried")
 	}];
 }
-function asksForCamera({ kind }) {
-	return [
-		"unknown_camera",
-		"focal_length",
-		"wide_angle",
-		"contradicted_focal",
-		"doubtful_focal",
-		"resized_or_cropped",
-		"cropped",
-		"other_pixels"
-	].includes(kind);
-}
 function nextWithout(state, actions) {
-	const kind = whyNone(state)?.kind ?? "";
+	const none = whyNone(state);
 	const why = {
 		text: say("show-why"),
 		act: actions.why
 	};
+	if (none === null) return why;
+	const { kind } = none;
 	if (kind === "no_geometry" || kind === "parts_of_one_image") return {
 		text: say("open-other-photos"),
 		act: () => actions.open(null)
@@ -11004,12 +11025,10 @@ function nextWithout(state, actions) {
 		text: say("replace-the-right-image"),
 		act: () => actions.open("right")
 	};
-	return [
-		"no_camera",
-		"no_focal_length",
-		"no_pixel_size",
-		"altered"
-	].includes(kind) ? cameraNext(state, actions) : why;
+	return cameraWanted({
+		kind: "not_oriented",
+		no_orientation: none
+	}) === null ? why : cameraNext(state, actions);
 }
 function calibrated(state, actions) {
 	return offeredCalibration(state) === null ? null : {
@@ -14500,7 +14519,7 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 		aria: { label: say("settings-of-the-pair") },
 		role: "group"
 	}, settingsButton));
-	byId("answer-actions").append(drawerButton("details", say("details"), "details", right));
+	byId("answer-actions").append(drawerButton("details", say("details"), "details", right, say("details-of-the-results")));
 	const engine = new Engine(store);
 	const view = new View(byId("view"), store, engine);
 	const navigator = new Navigator(store, view);

@@ -4081,7 +4081,7 @@
 	async function decodeColour(bytes) {
 		if (bytes.length > MOST_BYTES) return null;
 		try {
-			return await createImageBitmap(new Blob(withoutExif(bytes)));
+			return await createImageBitmap(new Blob([withoutExif(bytes)]));
 		} catch {
 			return null;
 		}
@@ -4098,7 +4098,14 @@
 			}
 			at = next;
 		}
-		return [...kept, bytes.subarray(from)];
+		kept.push(bytes.subarray(from));
+		const whole = new Uint8Array(kept.reduce((sum, { length }) => sum + length, 0));
+		let end = 0;
+		for (const piece of kept) {
+			whole.set(piece, end);
+			end += piece.length;
+		}
+		return whole;
 	}
 	// www/pair/engine/colour.ts
 	var MOST_PIXELS = 5e7;
