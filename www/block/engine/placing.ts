@@ -4,7 +4,7 @@ import { givenLinks, LEAST_LINKS } from '../state/steps';
 import type { LinkStep } from '../state/steps';
 import type { LinkedImage, LinkedPlacement } from '../state/links';
 import { placingKey, placingKeyOf, unplacedFiles } from '../state/placed';
-import { filmOf, FRAMES } from '../state/film';
+import { filmOf, frameName } from '../state/film';
 import type { FilmTexts } from '../state/film';
 import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
@@ -220,7 +220,7 @@ export class PlacingEngine {
   }
 
   /** The frames of scans of film; null where it was cancelled. */
-  async frames(scans: readonly { file: BlockFile; film: FilmTexts }[]): Promise<MadeFrame[] | null> {
+  async frames(scans: readonly { file: BlockFile; film: FilmTexts; mask: BlockFile | null }[]): Promise<MadeFrame[] | null> {
     this.stopped = false;
     const made: MadeFrame[] = [];
     const tell = (name: string) =>
@@ -231,9 +231,9 @@ export class PlacingEngine {
         'filmPlan',
         scans.map(({ film }) => film),
       );
-      for (const { file, film } of scans) {
+      for (const { file, film, mask } of scans) {
         tell(file.name);
-        made.push({ ...(await this.maker.call('filmFrame', { file: file.file, film, plan, images: FRAMES })), of: file.id });
+        made.push({ ...(await this.maker.call('filmFrame', { file: file.file, film, plan, image: frameName(file.name), mask })), of: file.id });
       }
       return made;
     } catch (error) {
