@@ -72,7 +72,10 @@ pub use error::{
     Allowed, CameraParameter, Cause, Computation, Damage, DescribedBy, Document, Element, Error, Failure, Few, FileFault, FilePlace,
     ImageFault, ImageOperation, Input, Interruption, Location, PointName, Refusal, Side, Unsettled, Unsupported,
 };
-pub use film::{FilmFrame, FilmInput, FilmScan, film_frame, film_pixel_mm};
+pub use film::{
+    FilmFrame, FilmInput, FilmScan, FrameOfScan, FramedMeasurements, SCAN_LIMITS, decode_scan, film_cameras, film_frame, film_pixel_mm,
+    measurements_in_frames,
+};
 pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
     parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,

@@ -23,6 +23,7 @@ test('a table is what its rows are', () => {
   assert.deepEqual(kind(POINTS), { kind: 'control' });
   assert.deepEqual(kind('point,x,y,z\n1,2,3,4\n'), { kind: 'control' });
   assert.deepEqual(kind(MARKS), { kind: 'marks' });
+  assert.deepEqual(kind('# of a scan\ny_mm;x_mm;row;col;name\n1;2;3;4;a\n'), { kind: 'fiducials' });
   // Names without an ending are those of the block.
   assert.equal(kind('A1,a,1,2\n', 'A1').kind, 'marks');
   for (const [text, why] of /** @type {[string, RegExp][]} */ ([
@@ -69,7 +70,7 @@ test('tables of results are put aside, each with what it is, and the control poi
   assert.equal(notice.kind, 'info');
   assert.match(
     notice.text,
-    /^images\.csv is put aside, neither control points nor image measurements: its rows are images, not surveyed points\. pairs\.csv is put aside, /,
+    /^images\.csv is put aside, neither control points nor image measurements nor fiducial marks: its rows are images, not surveyed points\. pairs\.csv is put aside, /,
   );
   // It does not take the place of what is said of the block.
   assert.equal(notice.beside, true);

@@ -188,7 +188,7 @@ const sourceOf = (file) => ({
 });
 
 /** @param {string} folder @returns {string[]} */
-function imagesIn(folder) {
+export function imagesIn(folder) {
   const names = filesIn(folder).filter((name) => IMAGE_FILE.test(name));
   if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
   return names.map((name) => join(folder, name));

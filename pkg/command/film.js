@@ -1,19 +1,33 @@
 // @ts-check
 import { basename, dirname, extname, join } from 'node:path';
-import { film_frame, film_pixel_mm, parse_camera } from '../node.js';
+import {
+  film_cameras,
+  film_frame,
+  film_measurements,
+  film_pixel_mm,
+  image_measurement_table,
+  masks_of_images,
+  parse_camera,
+  parse_image_measurements,
+} from '../node.js';
+import { imagesIn } from './block.js';
 import { about, DataError, UsageError } from './errors.js';
 import { exists, isFolder, makeFolder, readBytes, readText, writeInto } from './files.js';
 import { JSON_FLAG, path } from './options.js';
-import { print, printJson } from './output.js';
+import { note, print, printJson } from './output.js';
 import { marksOf } from './pair.js';
 import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
 
-/** @typedef {import('../node.js').FiducialOrientation} FiducialOrientation @typedef {import('../node.js').CameraRule} CameraRule */
+/** @typedef {import('../node.js').FilmScan} FilmScan @typedef {import('../node.js').CameraRule} CameraRule */
 
 /** What its images are called beside their scans, and the pattern of these names. */
 const END = '-film.png';
 const ALL = `*${END}`;
+const MARKS = 'marks.csv';
+const OUTPUTS = ['images', 'masks', 'cameras.json', 'film.csv', MARKS];
+/** So many names stand in a message. */
+const LISTED = 5;
 
 /** @type {import('./args.js').Command} */
 export const film = {
@@ -28,43 +42,52 @@ export const film = {
       'The calibrated camera of the film: {"focal_mm", "principal_point_mm": [x, y]}, with its distortion where that is known; required.',
     ),
     path('fiducials', 'DIR', 'Folder with the fiducial marks of each scan, a.csv for a.tif: col,row,x_mm,y_mm. By default they stand beside the scans.'),
-    path('out', 'DIR', 'Folder that receives images/, masks/, cameras.json and film.csv, none of which is there; required.'),
+    path('masks', 'DIR', 'Masks of the scans, named and as large as these: what is 0 (black) in one is 0 in the mask of its image, too.'),
+    path(
+      'marks',
+      'marks.csv',
+      'Image measurements of control and check points that were made in the scans: image,point,x,y in px, the image named as the file of its scan. marks.csv in the folder of --out has them in px of the images.',
+    ),
+    path('out', 'DIR', 'Folder that receives images/, masks/, cameras.json and film.csv, with --marks also marks.csv, none of which is there; required.'),
     JSON_FLAG,
   ],
   details:
-    'All images have one pixel size, the largest of the scans, no distortion, and the principal point in one place, however the film lay in the scanner: they are images of one camera. They end within the outermost marks of all tables; masks/ leave out what marks hide. cameras.json states the camera as calibrated ("fixed"), unless camera.json has "uncertainty". ' +
-    `Then: tiepoint block DIR/images --cameras DIR/cameras.json --masks DIR/masks --out block. The image of a.tif is a${END}. film.csv: scan, image, number of marks, sigma0_mm, rmse_mm. JSON: scans [{name, image, marks}, …], cameras.`,
+    'All images have one pixel size, the largest of the scans, no distortion, and the principal point in one place, however the film lay in the scanner: they are images of one camera. They end within the outermost marks of all tables; masks/ leave out what fiducial marks hide. cameras.json has the camera with what the errors of the fiducial marks and "uncertainty" of camera.json leave open; without either it is "fixed". A GNSS position in the metadata of a scan is that of its image. ' +
+    `Then: tiepoint block DIR/images --cameras DIR/cameras.json --masks DIR/masks --out block. The image of a.tif is a${END}. film.csv: scan, image, number of marks, sigma0_mm, rmse_mm. JSON: scans [{name, image, marks, rmse_mm}, …], cameras, with --marks measurements {moved, beside}.`,
   run,
 };
 
 /** @param {import('./args.js').Call} call @returns {Promise<import('./errors.js').ExitCode>} */
 async function run({ positionals, values }) {
-  const [cameraFile, out] = ['camera', 'out'].map((name) => values.get(name));
+  const [cameraFile, marksFile, out] = ['camera', 'marks', 'out'].map((name) => values.get(name));
   if (typeof cameraFile !== 'string') throw new UsageError('--camera is missing: name the file of the calibrated camera of the film');
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the images');
   if (positionals.length === 0) throw new UsageError('name the scans of the film');
   const text = readText(cameraFile);
   const camera = about(cameraFile, () => parse_camera(text));
   // All tables come first: a mark that one scan lacks is of the film all the same, and a slip in the last one costs no work.
-  const scans = scansOf(positionals, values.get('fiducials')).map((scan) => ({ ...scan, marks: marksOf(scan.table, undefined) }));
+  const scans = withMasks(scansOf(positionals, values.get('fiducials')), values.get('masks')).map((scan) => ({
+    ...scan,
+    marks: marksOf(scan.table, undefined),
+  }));
+  const measured = typeof marksFile === 'string' ? measurementsOf(marksFile, scans) : null;
   const marks_mm = calibrated(scans.flatMap(({ marks }) => marks.fiducials));
   const pixel = Math.max(...scans.map(({ marks, table: file }) => about(file, () => film_pixel_mm({ camera, scan: marks, marks_mm }))));
   refuseExisting(out);
   for (const name of ['images', 'masks']) makeFolder(join(out, name));
   const shown = new Progress({ steps: scans.length });
-  /** @type {{ name: string, image: string, marks: FiducialOrientation }[]} */
+  /** @type {{ name: string, image: string, film: FilmScan, camera: CameraRule, rmse_mm: number }[]} */
   const made = [];
-  /** @type {CameraRule[]} */
-  const cameras = [];
   /** @type {string[]} */
   const failed = [];
-  for (const { file, marks, image } of scans) {
+  for (const { file, mask, marks, image } of scans) {
     try {
-      const frame = shown.step(basename(file), () => about(file, () => film_frame(readBytes(file), { camera, scan: marks, marks_mm }, ALL, pixel)));
+      const known = { camera, scan: marks, marks_mm };
+      const maskBytes = mask === null ? undefined : readBytes(mask);
+      const frame = shown.step(basename(file), () => about(file, () => film_frame(readBytes(file), known, image, pixel, mask ?? undefined, maskBytes)));
       writeInto(join(out, 'images'), image, frame.image);
       writeInto(join(out, 'masks'), image, frame.mask);
-      addCamera(cameras, frame.camera, image);
-      made.push({ name: basename(file), image, marks: frame.marks });
+      made.push({ name: basename(file), image, film: frame.scan, camera: frame.camera, rmse_mm: frame.rmse_mm });
     } catch (error) {
       // What is wrong with one scan is told at the end: the others have their images.
       if (!(error instanceof DataError)) throw error;
@@ -73,18 +96,27 @@ async function run({ positionals, values }) {
   }
   shown.end();
   if (made.length > 0) {
+    const cameras = film_cameras(
+      ALL,
+      made.map((frame) => frame.camera),
+    );
     writeInto(out, 'cameras.json', `${JSON.stringify({ cameras }, null, 1)}\n`);
-    const rows = made.map(({ name, image, marks }) => [name, image, marks.residuals_mm.length, marks.sigma0_mm ?? '', rms(marks)]);
+    const rows = made.map(({ name, image, film: { marks }, rmse_mm }) => [name, image, marks.residuals_mm.length, marks.sigma0_mm ?? '', rmse_mm]);
     writeInto(out, 'film.csv', [['scan', 'image', 'marks', 'sigma0_mm', 'rmse_mm'], ...rows].map((row) => `${row.map(cell).join(',')}\n`).join(''));
-    if (values.has('json')) printJson({ scans: made, cameras });
-    else
+    const measurements = measured && writeMeasurements(out, measured, made, scans);
+    if (values.has('json')) {
+      const own = made.map(({ name, image, film: { marks }, rmse_mm }) => ({ name, image, marks, rmse_mm }));
+      printJson({ scans: own, cameras, ...(measurements && { measurements }) });
+    } else
       print(
         table([
           ['scan', 'marks', 'sigma0 [mm]', 'RMSE [mm]'],
-          ...made.map(({ name, marks }) => [name, marks.residuals_mm.length, fixed(marks.sigma0_mm, 4), fixed(rms(marks), 4)]),
+          ...made.map(({ name, film: { marks }, rmse_mm }) => [name, marks.residuals_mm.length, fixed(marks.sigma0_mm, 4), fixed(rmse_mm, 4)]),
         ]),
         '',
-        `written: ${join(out, 'images')}, ${join(out, 'masks')}, ${join(out, 'cameras.json')}, ${join(out, 'film.csv')}`,
+        `written: ${OUTPUTS.filter((name) => name !== MARKS || measured !== null)
+          .map((name) => join(out, name))
+          .join(', ')}`,
       );
   }
   if (failed.length > 0) throw new DataError(failed.join('; '));
@@ -110,7 +142,7 @@ function scansOf(files, folder) {
 
 /** Images of another call would be taken for some of this one.  @param {string} out */
 function refuseExisting(out) {
-  const there = ['images', 'masks', 'cameras.json', 'film.csv'].map((name) => join(out, name)).find((place) => exists(place));
+  const there = OUTPUTS.map((name) => join(out, name)).find((place) => exists(place));
   if (there !== undefined) throw new DataError(`${there} is there already; name another folder`);
 }
 
@@ -119,17 +151,51 @@ function calibrated(marks) {
   return [...new Map(marks.map(({ x_mm, y_mm }) => [`${x_mm},${y_mm}`, /** @type {[number, number]} */ ([x_mm, y_mm])])).values()];
 }
 
-/** One camera for all images that it is alike of.  @param {CameraRule[]} cameras @param {CameraRule} camera @param {string} image */
-function addCamera(cameras, camera, image) {
-  const common = cameras.at(-1);
-  if (common === undefined) cameras.push(camera);
-  else if (JSON.stringify(common) !== JSON.stringify(camera)) cameras.unshift({ ...camera, images: image });
+/** The scans with the files of their masks; null without one.  @template {{ file: string }} T @param {T[]} scans @param {unknown} folder */
+function withMasks(scans, folder) {
+  if (typeof folder !== 'string') return scans.map((scan) => ({ ...scan, mask: null }));
+  if (!isFolder(folder)) throw new UsageError(`--masks is ${folder}, which is no folder; name a folder of masks`);
+  const files = imagesIn(folder);
+  const names = files.map((file) => basename(file));
+  const of = masks_of_images(
+    scans.map(({ file }) => basename(file)),
+    names,
+  );
+  const unused = names.filter((_, index) => !of.includes(index));
+  if (unused.length > 0) note(`masks of no scan: ${listed(unused)}`);
+  return scans.map((scan, k) => ({ ...scan, mask: files[of[k] ?? -1] ?? null }));
 }
 
-/** The root mean square length of residuals.  @param {FiducialOrientation} marks */
-function rms({ residuals_mm: residuals }) {
-  return Math.sqrt(residuals.reduce((sum, [x, y]) => sum + x * x + y * y, 0) / Math.max(residuals.length, 1));
+/** What was measured, some of it in these scans.  @param {string} file @param {readonly { file: string }[]} scans */
+function measurementsOf(file, scans) {
+  const text = readText(file);
+  const measured = about(file, () => parse_image_measurements(text));
+  const names = new Set(scans.map((scan) => basename(scan.file)));
+  if (!measured.some(({ image }) => names.has(image)))
+    throw new DataError(`${file}: no measurement is of a scan; give each the name of its scan, as ${[...names][0]}, in the column image`);
+  return measured;
 }
+
+/**
+ * Writes measurements in px of the images, and says which have none there. Those of scans that became no image are left out.
+ * @param {string} out @param {import('../node.js').ImageMeasurementRow[]} measured
+ * @param {readonly { name: string, image: string, film: FilmScan }[]} made @param {readonly { file: string }[]} scans
+ */
+function writeMeasurements(out, measured, made, scans) {
+  const lost = new Set(scans.map(({ file }) => basename(file)).filter((name) => !made.some((frame) => frame.name === name)));
+  const frames = made.map(({ name, image, film: own }) => ({ scan: name, image, film: own }));
+  const { measurements, moved, beside } = film_measurements(
+    measured.filter(({ image }) => !lost.has(image)),
+    frames,
+  );
+  writeInto(out, MARKS, image_measurement_table(measurements));
+  const names = beside.map(({ image, point }) => `${point} in ${image}`);
+  if (names.length > 0) note(`measurements that lie beside the image of their scan, which ends within the fiducial marks, are skipped: ${listed(names)}`);
+  return { moved, beside };
+}
+
+/** @param {readonly string[]} names */
+const listed = (names) => names.slice(0, LISTED).join(', ') + (names.length > LISTED ? `, and ${names.length - LISTED} more` : '');
 
 /** @param {string | number} value */
 const cell = (value) => (typeof value === 'string' && /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : String(value));

@@ -76,7 +76,7 @@ impl Position<'_> {
 /// For images of different sizes.
 pub fn write_anaglyph(images: &EpipolarImages) -> Vec<u8> {
     let EpipolarImages { left, right } = images;
-    write_bands(&Bands::colours([left.clone(), right.clone(), right.clone()]).expect("epipolar images have one size"))
+    write_bands(&Bands::colours([left.clone(), right.clone(), right.clone()]).expect("epipolar images have one size"), None)
 }
 
 #[cfg(test)]

@@ -2,7 +2,11 @@
 
 use super::{FilmInput, FilmScan};
 use crate::error::refuse;
-use crate::{Bands, CameraRule, Error, GreyImage, Interior, Refusal, orient_fiducials};
+use crate::pipeline::decode_mask;
+use crate::{
+    Bands, CameraRule, CameraUncertainty, DecodeLimits, Error, ExifImage, GreyImage, Interior, Refusal, decode_bands, orient_fiducials,
+    write_bands,
+};
 
 /// The scan of a photo on film, resampled to the image of an ideal camera.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,10 +41,42 @@ pub fn film_pixel_mm(film: &FilmInput) -> Result<f64, Error> {
 
 const STEPS_PER_MM: f64 = 1e5;
 
+/// What the file of a scan may ask for: a film of 230 mm with its border, 240 mm, has 294 MP at 14 µm. Its frame, which ends within the marks, has 218 MP.
+pub const SCAN_LIMITS: DecodeLimits = DecodeLimits { max_pixels: 300_000_000, max_memory_bytes: 3 << 30 };
+
+/// Decodes the file of a scan.
+///
+/// # Errors
+/// As [`decode_bands`], within [`SCAN_LIMITS`].
+pub fn decode_scan(file: &[u8]) -> Result<Bands, Error> {
+    decode_bands(file, &SCAN_LIMITS)
+}
+
 impl FilmFrame {
-    /// Its camera as a file of cameras has it, for the images whose names fit: as it is, unless the camera of the film says what is not known of it.
+    /// Leaves out of its mask what a mask of the scan leaves out, where that is 0. `name` and `file` are those of an image as large as the scan.
+    ///
+    /// # Errors
+    /// [`Error::UnreadableImage`] and [`Error::InvalidInput`], naming the mask, for one that cannot be decoded and for one of another size.
+    pub fn hide(&mut self, name: &str, file: &[u8]) -> Result<(), Error> {
+        let mask = decode_mask(name, file, [self.scan.width_px as usize, self.scan.height_px as usize], &SCAN_LIMITS)?;
+        self.mask = self.scan.masked(&self.mask, mask.view())?;
+        Ok(())
+    }
+
+    /// The image as a PNG file, with the place that the metadata of the scan record: camera and orientation in them are those of a scanner.
+    ///
+    /// # Panics
+    /// As [`write_bands`].
+    pub fn image_file(&self, of_scan: &ExifImage) -> Vec<u8> {
+        let place = of_scan.position.map(|position| ExifImage { position: Some(position), ..ExifImage::default() });
+        write_bands(&self.image, place.as_ref())
+    }
+
+    /// Its camera as a file of cameras has it, for the images whose names fit: as it is where nothing speaks against that, else to be calibrated within what
+    /// the camera of the film and the errors of the marks leave open.
     pub fn rule(&self, images: &str) -> CameraRule {
         let camera = self.scan.camera();
+        let uncertainty = Some(self.scan.uncertainty().without_traces()).filter(|own| *own != CameraUncertainty::NONE);
         CameraRule {
             images: images.into(),
             focal_px: camera.focal_px,
@@ -48,8 +84,8 @@ impl FilmFrame {
             radial: camera.radial,
             tangential: camera.tangential,
             pixel_mm: camera.pixel_mm,
-            fixed: self.scan.interior.uncertainty.is_none(),
-            uncertainty: self.scan.interior.uncertainty,
+            fixed: uncertainty.is_none(),
+            uncertainty,
         }
     }
 }
@@ -61,7 +97,7 @@ const ROUNDING: f64 = 1e6;
 mod tests {
     use super::*;
     use crate::formats::parse_camera_rules;
-    use crate::{CameraMm, Fiducial, PhotoInput};
+    use crate::{CameraMm, Fiducial, PhotoInput, write_png};
 
     /// 4 px a mm, turned by a right angle: x of the film is down, y to the right.
     fn scanned(uncertainty: Option<crate::CameraUncertainty>) -> (Bands, FilmInput) {
@@ -99,6 +135,84 @@ mod tests {
         assert_eq!([mask.at(390, 390), mask.at(396, 390), mask.at(403, 390), mask.at(100, 100)], [0, 0, 255, 255]);
         let text = format!(r#"{{"cameras": [{}]}}"#, serde_json::to_string(&rule).unwrap());
         assert_eq!(parse_camera_rules(&text).unwrap(), [rule]);
+    }
+
+    #[test]
+    fn errors_of_the_marks_are_not_known_of_the_camera() {
+        let (scan, mut film) = scanned(None);
+        // 0.2 px of an mm of 4 px, to and fro: 0.05 mm.
+        film.scan.fiducials.iter_mut().zip([0.2, -0.2, 0.2, -0.2, 0.0]).for_each(|(mark, off)| mark.col += off);
+        let frame = film_frame(&scan, &film, 0.25).unwrap();
+        let (rule, own) = (frame.rule("*"), frame.scan.uncertainty());
+        assert_eq!((rule.fixed, rule.uncertainty), (false, Some(own)));
+        // Five marks of 100 mm about the middle: σ of a coordinate / √5, and of the scale σ / 200 mm.
+        let sigma_mm = frame.scan.marks.sigma0_mm.unwrap();
+        assert!((sigma_mm - 0.05).abs() < 1e-4, "{sigma_mm}");
+        assert!((own.principal_point * 150.0 / (sigma_mm / 5.0_f64.sqrt()) - 1.0).abs() < 1e-3, "{own:?}");
+        assert!((own.focal / (sigma_mm / 200.0 / 2.0_f64.sqrt()) - 1.0).abs() < 1e-3 && own.k1 == 0.0, "{own:?}");
+        let known = rule.known(780, 780);
+        assert_eq!(known.known_within(), own);
+    }
+
+    #[test]
+    fn a_mask_of_the_scan_hides_the_same_in_its_frame() {
+        let (scan, film) = scanned(None);
+        let mut frame = film_frame(&scan, &film, 0.25).unwrap();
+        let before = frame.mask.clone();
+        // A rectangle, in px of the scan.
+        let mask =
+            GreyImage::from_fn(840, 860, |column, row| u8::from(!((300..500).contains(&column) && (200..250).contains(&row)))).unwrap();
+        frame.hide("scan_mask.png", &write_png(mask.view(), None)).unwrap();
+        let hidden = |at: [usize; 2]| {
+            let [column, row] = frame.scan.in_scan(at.map(|v| v as f64 + 0.5)).unwrap();
+            (300.0..500.0).contains(&column) && (200.0..250.0).contains(&row)
+        };
+        let (mut seen, mut other) = (0, 0);
+        for (column, row) in (0..780).flat_map(|column| (0..780).map(move |row| (column, row))) {
+            let wanted = if hidden([column, row]) { 0 } else { before.view().at(column, row) };
+            other += usize::from(frame.mask.view().at(column, row) != wanted);
+            seen += usize::from(wanted != before.view().at(column, row));
+        }
+        assert!(other == 0 && (9_500..10_500).contains(&seen), "{other} {seen}");
+        let small = GreyImage::from_fn(84, 86, |_, _| 0).unwrap();
+        let refused = frame.hide("scan_mask.png", &write_png(small.view(), None)).unwrap_err().to_string();
+        assert!(refused.contains("scan_mask.png") && refused.contains("840 x 860"), "{refused}");
+        assert!(frame.hide("scan_mask.png", b"none").unwrap_err().to_string().contains("scan_mask.png"));
+    }
+
+    #[test]
+    fn the_place_of_a_scan_is_that_of_its_frame_and_no_scanner_its_camera() {
+        let (scan, film) = scanned(None);
+        let frame = film_frame(&scan, &film, 0.25).unwrap();
+        let position = crate::ExifPosition { longitude_deg: 8.25, latitude_deg: -50.5, height_m: Some(1840.5), error_m: Some(12.0) };
+        let camera = crate::ExifCamera { focal_mm: 28.0, ..Default::default() };
+        let of_scan = ExifImage {
+            make: Some("Scanner".into()),
+            camera: Some(camera),
+            orientation: Some(6),
+            position: Some(position),
+            ..ExifImage::default()
+        };
+        let read = |file: &[u8]| ExifImage::read(file, 780, 780);
+        let wanted = ExifImage { orientation: Some(1), position: Some(position), ..ExifImage::default() };
+        assert_eq!(read(&frame.image_file(&of_scan)), wanted);
+        assert_eq!(read(&frame.image_file(&ExifImage { position: None, ..of_scan.clone() })), ExifImage::default());
+        assert_eq!(decode_scan(&frame.image_file(&of_scan)).unwrap(), frame.image);
+        // Grey files have it as well.
+        let grey = film_frame(&Bands::from(scan.to_grey()), &film, 0.25).unwrap();
+        assert_eq!(read(&grey.image_file(&of_scan)), wanted);
+    }
+
+    #[test]
+    fn scans_of_240_mm_at_14_um_are_decoded_and_larger_ones_refused_by_what_they_declare() {
+        // A PNG of grey values that ends behind its header.
+        let declared = |side: u32| {
+            let sides = [side.to_be_bytes(), side.to_be_bytes()].concat();
+            let head: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR";
+            decode_scan(&[head, &sides, &[8, 0, 0, 0, 0, 0, 0, 0, 0]].concat()).unwrap_err()
+        };
+        assert!(matches!(declared(17_321), Error::TooManyPixels { max_megapixels: 300.0, .. }), "{:?}", declared(17_321));
+        assert!(matches!(declared(17_143), Error::UnreadableImage { .. }), "{:?}", declared(17_143));
     }
 
     #[test]

@@ -58,6 +58,8 @@ pub struct FilmScan {
 const HIDDEN: f64 = 1.0 / 80.0;
 /// And so far within the edges of the scan: what is matched there would see beyond.
 const EDGE_PX: f64 = 8.0;
+/// Positions so near to each other are one.
+const SAME_PX: f64 = 1e-3;
 /// Columns and rows of a scan are perpendicular to this. Exchanged marks of three, which leave no residuals, bring tens of degrees.
 const MOST_SKEW_DEG: f64 = 3.0;
 /// Neither do scanners and the shrinking of film make columns and rows of lengths that differ by a larger share.
@@ -188,11 +190,8 @@ impl FilmScan {
         let [[a, b, _], [d, e, _]] = self.interior.parameters;
         let of_area = variance([e, -d, 0.0]) + variance([-b, a, 0.0]);
         let focal = 0.5 * of_area.max(0.0).sqrt() / (a * e - b * d).abs();
-        CameraUncertainty {
-            focal: libm::hypot(own.focal, focal),
-            principal_point: libm::hypot(own.principal_point, principal_point),
-            k1: own.k1,
-        }
+        let with = |own: f64, of_marks: f64| libm::hypot(own, of_marks).min(1.0);
+        CameraUncertainty { focal: with(own.focal, focal), principal_point: with(own.principal_point, principal_point), k1: own.k1 }
     }
 
     /// The position in the scan of a position in the frame, both in px; `None` where the distortion leads none there.
@@ -206,6 +205,14 @@ impl FilmScan {
     pub fn in_frame(&self, at: [f64; 2]) -> [f64; 2] {
         let (undistorted, scale) = (self.interior.undistorted_px(at[0], at[1]), self.scale());
         [0, 1].map(|k| (undistorted[k] - self.corner_px[k]) / scale)
+    }
+
+    /// The same of a position that the frame shows; `None` beside it, and where the distortion leads another position there.
+    pub fn shown_in_frame(&self, at: [f64; 2]) -> Option<[f64; 2]> {
+        let there = self.in_frame(at);
+        let is_within = (0..2).all(|k| (0.0..=f64::from(self.frame_px[k])).contains(&there[k]));
+        let back = Some(there).filter(|_| is_within).and_then(|there| self.in_scan(there))?;
+        (0..2).all(|k| (back[k] - at[k]).abs() < SAME_PX).then_some(there)
     }
 
     /// Whether a position in the frame is of the photograph: within the scan, and beside the marks.
@@ -236,6 +243,26 @@ impl FilmScan {
                 }
             }
         }
+        GreyImage::new(size[0], size[1], shown)
+    }
+
+    /// A mask of the frame that leaves out, too, what a mask as large as the scan does: where they are 0.
+    ///
+    /// # Errors
+    /// As [`GreyImage::new`].
+    pub(crate) fn masked(&self, own: &GreyImage, of_scan: GreyView<'_>) -> Result<GreyImage, Error> {
+        let [width, height] = [of_scan.width(), of_scan.height()].map(|side| side as f64);
+        let size = self.frame_px.map(|side| side as usize);
+        let mut shown = Vec::with_capacity(size[0] * size[1]);
+        let position = |[column, row]: [usize; 2]| self.in_scan([column as f64 + 0.5, row as f64 + 0.5]);
+        each_position(size, position, |at| {
+            let is_wanted = |[x, y]: [f64; 2]| {
+                let is_within = x >= 0.0 && y >= 0.0 && x < width && y < height;
+                is_within && of_scan.at(x as usize, y as usize) != 0
+            };
+            let value = own.data()[shown.len()];
+            shown.push(if at.is_some_and(is_wanted) { value } else { 0 });
+        });
         GreyImage::new(size[0], size[1], shown)
     }
 

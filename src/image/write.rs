@@ -10,25 +10,26 @@ use image::{ExtendedColorType, ImageEncoder};
 /// # Panics
 /// For a side of 2³² px or more, of which no image fits into memory.
 pub fn write_png(image: GreyView<'_>, exif: Option<&ExifImage>) -> Vec<u8> {
-    let mut file = Vec::new();
-    let mut encoder = PngEncoder::new(&mut file);
-    let told = exif.map_or(Ok(()), |exif| encoder.set_exif_metadata(exif.block()));
-    let written = encoder.write_image(image.data(), image.width() as u32, image.height() as u32, ExtendedColorType::L8);
-    told.expect("PNG holds EXIF");
-    written.expect("memory takes what is written, and sides are 1 px or more");
-    file
+    written(image.data(), [image.width(), image.height()], ExtendedColorType::L8, exif)
 }
 
-/// Writes grey values or colours as a PNG file of 8 bits a band and pixel.
+/// Writes grey values or colours as a PNG file of 8 bits a band and pixel; `exif` tells of its camera and place.
 ///
 /// # Panics
 /// As [`write_png`].
-pub fn write_bands(bands: &Bands) -> Vec<u8> {
-    let [red, green, blue] = bands.images() else { return write_png(bands.images()[0].view(), None) };
+pub fn write_bands(bands: &Bands, exif: Option<&ExifImage>) -> Vec<u8> {
+    let [red, green, blue] = bands.images() else { return write_png(bands.images()[0].view(), exif) };
     let colours: Vec<u8> =
         red.data().iter().zip(green.data()).zip(blue.data()).flat_map(|((red, green), blue)| [*red, *green, *blue]).collect();
+    written(&colours, [red.width(), red.height()], ExtendedColorType::Rgb8, exif)
+}
+
+fn written(samples: &[u8], [width, height]: [usize; 2], colour: ExtendedColorType, exif: Option<&ExifImage>) -> Vec<u8> {
     let mut file = Vec::new();
-    let written = PngEncoder::new(&mut file).write_image(&colours, red.width() as u32, red.height() as u32, ExtendedColorType::Rgb8);
+    let mut encoder = PngEncoder::new(&mut file);
+    let told = exif.map_or(Ok(()), |exif| encoder.set_exif_metadata(exif.block()));
+    let written = encoder.write_image(samples, width as u32, height as u32, colour);
+    told.expect("PNG holds EXIF");
     written.expect("memory takes what is written, and sides are 1 px or more");
     file
 }

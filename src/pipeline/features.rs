@@ -1,9 +1,9 @@
 //! Features of an image, where its mask lets them be, as they are kept.
 
+use super::masks::decode_mask;
 use super::records::{column, is_whole, kept, read_record, rows_of, write_record};
 use super::task::FeatureTask;
-use crate::error::refuse;
-use crate::{DESCRIPTOR_BYTES, DecodeLimits, Decoded, Error, ExifImage, GreyImage, ImageFault, Refusal, decode, features as find};
+use crate::{DESCRIPTOR_BYTES, DecodeLimits, Decoded, Error, ExifImage, GreyImage, decode, features as find};
 use serde::{Deserialize, Serialize};
 
 /// Bytes of a feature's position, and of its shape: scale, direction and weight.
@@ -52,7 +52,10 @@ impl<'a> Features<'a> {
 /// The image is decoded once, and let go with the job.
 pub(super) fn execute(task: &FeatureTask, image: &[u8], mask: Option<&[u8]>) -> Result<Vec<u8>, Error> {
     let Decoded { grey, .. } = decode(image, &DecodeLimits::default())?;
-    let mask = mask.zip(task.mask.as_deref()).map(|(bytes, name)| decoded_mask(name, bytes, &grey)).transpose()?;
+    let mask = mask
+        .zip(task.mask.as_deref())
+        .map(|(bytes, name)| decode_mask(name, bytes, [grey.width(), grey.height()], &DecodeLimits::default()))
+        .transpose()?;
     let found = find(grey.view(), mask.as_ref().map(GreyImage::view), &task.options)?;
     let (width, height) = (grey.width(), grey.height());
     let exif = ExifImage::read(image, width as u64, height as u64);
@@ -62,15 +65,4 @@ pub(super) fn execute(task: &FeatureTask, image: &[u8], mask: Option<&[u8]>) -> 
     let shapes = column(found.iter().flat_map(|f| [f.point.scale_px, f.orientation_rad, f.point.weight]), bytes);
     let descriptors: Vec<u8> = found.iter().flat_map(|f| f.descriptor).collect();
     Ok(write_record(&task.key, &head, found.len(), &[&positions, &shapes, &descriptors]))
-}
-
-fn decoded_mask(name: &str, bytes: &[u8], image: &GreyImage) -> Result<GreyImage, Error> {
-    let mask = decode(bytes, &DecodeLimits::default())
-        .map_err(|error| Error::UnreadableImage { image_fault: ImageFault::Mask { name: name.to_string(), error: Box::new(error) } })?
-        .grey;
-    if (mask.width(), mask.height()) == (image.width(), image.height()) {
-        return Ok(mask);
-    }
-    let [width, height, image_width, image_height] = [mask.width(), mask.height(), image.width(), image.height()];
-    refuse(Refusal::MaskOfImage { name: name.into(), width, height, image_width, image_height })
 }

@@ -47,6 +47,7 @@ pub(crate) use ground::{GroundPoint, is_place_of_orthophoto};
 pub use host::{images_in, run_block};
 pub use input::{ControlTexts, RunInput};
 pub use job::{FileNeeded, Job, News, ReadImage, StageName, Step, Work};
+pub(crate) use masks::decode_mask;
 pub use masks::masks_of;
 pub use on_orthophoto::{NotLinked, OnOrthophoto};
 pub use records::digest;

@@ -1,7 +1,11 @@
 //! Scans of film as blocks take them.
 
-use super::convert::{JsResult, object, pack, read_options, thrown};
-use crate::{DecodeLimits, FilmInput, decode_bands, film_frame as frame, film_pixel_mm as pixel, write_bands, write_png};
+use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
+use crate::formats::image_measurement_table as table;
+use crate::{
+    CameraRule, Error, ExifImage, FilmInput, FilmScan, FrameOfScan, ImageMeasurementRow, decode_scan, film_cameras as cameras,
+    film_frame as frame, film_pixel_mm as pixel, measurements_in_frames, write_png,
+};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -10,38 +14,48 @@ use wasm_bindgen::prelude::wasm_bindgen;
 const TYPES: &str = r#"
 /** A scan of film, resampled to the image of an ideal camera. */
 export interface FilmFiles {
-    /** PNG, grey or in colours. */
+    /** PNG, grey or in colours, with the position that the metadata of the scan record. */
     image: Uint8Array;
-    /** PNG: 0 where the image shows a fiducial mark, its surroundings, or nothing of the scan. */
+    /** PNG: 0 where the image shows a fiducial mark, its surroundings, nothing of the scan, or what the mask of the scan leaves out. */
     mask: Uint8Array;
-    /** As a file of cameras has it. */
+    /** As a file of cameras has it, of this image alone: `film_cameras` gives that of all images of a film. */
     camera: CameraRule;
-    /** How the scan lies to the film. */
-    marks: FiducialOrientation;
+    /** How the scan lies to the image, by which `film_positions` leads from one to the other, and how the marks give it. */
+    scan: FilmScan;
+    /** Root mean square length of the residuals of the marks in mm. */
+    rmse_mm: number;
 }
 "#;
 
 /// Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
-/// is made. `images`: the pattern of their names, of which the camera is to be. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the
-/// marks of the film: see `film_pixel_mm`.
+/// is made. `image`: what its image is called. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the marks of the film: see
+/// `film_pixel_mm`. `mask_name` and `mask`: the file of an image as large as the scan that is 0 where no features are wanted.
 #[wasm_bindgen(unchecked_return_type = "FilmFiles")]
 pub fn film_frame(
-    scan: &[u8],
+    scan: Vec<u8>,
     #[wasm_bindgen(unchecked_param_type = "Given<FilmInput>")] film: &JsValue,
-    images: &str,
+    image: &str,
     pixel_mm: f64,
+    mask_name: Option<String>,
+    mask: Option<Vec<u8>>,
 ) -> JsResult<JsValue> {
     let film: FilmInput = read_options("film", film)?;
-    let made = {
-        let bands = decode_bands(scan, &DecodeLimits::default()).map_err(thrown)?;
-        frame(&bands, &film, pixel_mm).map_err(thrown)?
-    };
+    let bands = decode_scan(&scan).map_err(thrown)?;
+    let exif = ExifImage::read(&scan, bands.width() as u64, bands.height() as u64);
+    // Of large scans memory holds what is needed, and no more.
+    drop(scan);
+    let mut made = frame(&bands, &film, pixel_mm).map_err(thrown)?;
+    drop(bands);
+    if let Some(mask) = mask {
+        made.hide(&mask_name.unwrap_or_default(), &mask).map_err(thrown)?;
+    }
     let file = |bytes: Vec<u8>| JsValue::from(Uint8Array::from(bytes.as_slice()));
     Ok(object([
-        ("image", file(write_bands(&made.image))),
+        ("image", file(made.image_file(&exif))),
         ("mask", file(write_png(made.mask.view(), None))),
-        ("camera", pack(&made.rule(images))),
-        ("marks", pack(&made.scan.marks)),
+        ("camera", pack(&made.rule(image))),
+        ("scan", pack(&made.scan)),
+        ("rmse_mm", made.scan.marks.rmse_mm().into()),
     ]))
 }
 
@@ -49,4 +63,47 @@ pub fn film_frame(
 #[wasm_bindgen]
 pub fn film_pixel_mm(#[wasm_bindgen(unchecked_param_type = "Given<FilmInput>")] film: &JsValue) -> JsResult<f64> {
     pixel(&read_options("film", film)?).map_err(thrown)
+}
+
+/// The cameras of frames as a file of cameras has them, from that of each: frames of one film have one, for all images whose names fit `pattern`.
+#[wasm_bindgen(unchecked_return_type = "CameraRule[]")]
+pub fn film_cameras(pattern: &str, #[wasm_bindgen(unchecked_param_type = "CameraRule[]")] rules: &JsValue) -> JsResult<JsValue> {
+    let rules: Vec<CameraRule> = read("rules", rules)?;
+    Ok(pack(&cameras(pattern, &rules)))
+}
+
+/// Positions of a scan in its frame, or of a frame in its scan: x, y, x, y … in px, the centre of the top-left pixel at (0.5, 0.5). NaN where there is none,
+/// as beside the frame. `to`: `frame` or `scan`.
+#[wasm_bindgen(unchecked_return_type = "Float64Array")]
+pub fn film_positions(
+    #[wasm_bindgen(unchecked_param_type = "FilmScan")] scan: &JsValue,
+    positions: &[f64],
+    #[wasm_bindgen(unchecked_param_type = "'frame' | 'scan'")] to: &str,
+) -> JsResult<JsValue> {
+    let scan: FilmScan = read("scan", scan)?;
+    let to_frame = match to {
+        "frame" => true,
+        "scan" => false,
+        _ => return Err(thrown(Error::InvalidArgument { what: "to", got: to.into(), wanted: "frame or scan".into() })),
+    };
+    let led = |at: &[f64; 2]| if to_frame { scan.shown_in_frame(*at) } else { scan.in_scan(*at) };
+    Ok(numbers(rows::<2>("positions", positions)?.iter().flat_map(|at| led(at).unwrap_or([f64::NAN; 2]))))
+}
+
+/// Takes image measurements that were made in scans into their frames.
+#[wasm_bindgen(unchecked_return_type = "FramedMeasurements")]
+pub fn film_measurements(
+    #[wasm_bindgen(unchecked_param_type = "ImageMeasurementRow[]")] measurements: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "FrameOfScan[]")] frames: &JsValue,
+) -> JsResult<JsValue> {
+    let (measurements, frames): (Vec<ImageMeasurementRow>, Vec<FrameOfScan>) =
+        (read("measurements", measurements)?, read("frames", frames)?);
+    Ok(pack(&measurements_in_frames(&measurements, &frames)))
+}
+
+/// The table of image measurements, which reads back as they are.
+#[wasm_bindgen]
+pub fn image_measurement_table(#[wasm_bindgen(unchecked_param_type = "ImageMeasurementRow[]")] measurements: &JsValue) -> JsResult<String> {
+    let measurements: Vec<ImageMeasurementRow> = read("measurements", measurements)?;
+    Ok(table(&measurements))
 }

@@ -120,6 +120,13 @@ pub fn check_geoid(name: &str, #[wasm_bindgen(unchecked_param_type = "Georeferen
     read::<GeoreferencingOptions>("placing", placing)?.check_geoid(Some(name)).map_err(thrown)
 }
 
+/// The index of the mask of each image, by their names; -1 for an image without one. Refuses two masks of one image.
+#[wasm_bindgen]
+pub fn masks_of_images(names: Vec<String>, masks: Vec<String>) -> JsResult<Vec<i32>> {
+    let (of, _) = masks_of(&names, &masks).map_err(thrown)?;
+    Ok(of.into_iter().map(|mask| mask.map_or(-1, |index| index as i32)).collect())
+}
+
 /// Refuses two masks of one image.
 #[wasm_bindgen]
 pub fn check_masks(names: Vec<String>, masks: Vec<String>) -> JsResult<()> {

@@ -28,9 +28,15 @@ export const SIZE = /** @type {const} */ ([570, 470]);
 export const ASKEW = { turn: 0.122, along: 1.003, across: 0.997, middle: [284.3, 236.8] };
 
 /** @param {readonly [number, number]} mm @param {Lying} lying @returns {[number, number]} */
-function inScan([xMm, yMm], { turn, along, across, middle }) {
+export function inScan([xMm, yMm], { turn, along, across, middle }) {
   const [x, y] = [(xMm * along) / PIXEL_MM, (-yMm * across) / PIXEL_MM];
   return [Math.cos(turn) * x - Math.sin(turn) * y + middle[0], Math.sin(turn) * x + Math.cos(turn) * y + middle[1]];
+}
+
+/** Where a scan shows what a photo without distortion has at a position, both in px.  @param {readonly [number, number]} px @param {readonly [number, number]} size of the photo @param {Lying} lying */
+export function inScanOfPhoto([x, y], [width, height], lying) {
+  const [x0 = 0, y0 = 0] = PRINCIPAL_POINT_MM;
+  return inScan([x0 + (x - width / 2) * PIXEL_MM, y0 - (y - height / 2) * PIXEL_MM], lying);
 }
 
 /** @param {number} col @param {number} row @param {Lying} lying @returns {[number, number]} mm of the marks */

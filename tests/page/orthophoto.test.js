@@ -392,7 +392,7 @@ test('the camera and the marks of scanned film are taken with what is wrong with
   await give('block-film-marks', text('scan.csv', 'col,row\n1,2\n'));
   await status(page, /^scan\.csv cannot be used: .*x_mm/);
   await give('block-film-marks', text('scan.csv', 'col,row,x_mm,y_mm\n4,4,-5,3.4375\n36,4,5,3.4375\n36,26,5,-3.4375\n4,26,-5,-3.4375\n'));
-  await says(page, 'block-film-problem', /^No image has the name of scan\.csv\.$/);
+  await says(page, 'block-film-problem', /^No image has the name of scan\.csv: fiducial marks are named as the image of their scan\.$/);
   await give('block-files', upload('scan.png', grey_png(40, 30, new Uint8Array(1200).fill(90)), 'image/png'));
   await says(page, 'block-film-problem', /need the film camera/);
   await give('block-film-camera', text('film.json', '{"focal_mm": 152}'));

@@ -1,6 +1,6 @@
 /** Scans of film in a worker: what is known of one as the crate reads it, and its frame. */
 import { film_frame, film_pixel_mm, parse_camera, parse_fiducials } from '../../../pkg/wasm/tiepoint.js';
-import type { CameraRule, FilmInput, Given } from '../../../pkg/wasm/tiepoint.js';
+import type { CameraRule, FilmInput, FilmScan, Given } from '../../../pkg/wasm/tiepoint.js';
 import type { FilmTexts } from '../state/film';
 
 /** What all frames of a film have in common. */
@@ -15,15 +15,20 @@ export interface FrameInput {
   file: Blob;
   film: FilmTexts;
   plan: FramePlan;
-  /** The pattern of the names of frames. */
-  images: string;
+  /** What the frame is called. */
+  image: string;
+  /** What of the scan is left out. */
+  mask: { name: string; file: Blob } | null;
 }
 
 export interface Frame {
   /** PNG files. */
   image: Blob;
   mask: Blob;
+  /** Of this frame alone. */
   camera: CameraRule;
+  /** How the scan lies to it. */
+  scan: FilmScan;
 }
 
 export function readFilm({ camera, marks }: FilmTexts): Given<FilmInput> {
@@ -38,9 +43,11 @@ export function filmPlan(films: readonly FilmTexts[]): FramePlan {
 }
 
 /** The scan as an image of an ideal camera. */
-export async function filmFrame({ file, film, plan, images }: FrameInput): Promise<Frame> {
+export async function filmFrame({ file, film, plan, image, mask }: FrameInput): Promise<Frame> {
   const known = { ...readFilm(film), marks_mm: plan.marksMm };
-  const made = film_frame(new Uint8Array(await file.arrayBuffer()), known, images, plan.pixelMm);
-  const png = (bytes: Uint8Array) => new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'image/png' });
-  return { image: png(made.image), mask: png(made.mask), camera: made.camera };
+  const bytes = async (of: Blob) => new Uint8Array(await of.arrayBuffer());
+  const hidden = mask === null ? undefined : await bytes(mask.file);
+  const made = film_frame(await bytes(file), known, image, plan.pixelMm, mask?.name, hidden);
+  const png = (of: Uint8Array) => new Blob([of as Uint8Array<ArrayBuffer>], { type: 'image/png' });
+  return { image: png(made.image), mask: png(made.mask), camera: made.camera, scan: made.scan };
 }

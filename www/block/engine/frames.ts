@@ -1,7 +1,7 @@
 /** Frames of scans of film, which a worker makes one after the other. */
 import type { WorkerClient } from '../../shared/engine/client';
 import { say } from '../../shared/text/words';
-import { FRAMES } from '../state/film';
+import { frameName } from '../state/film';
 import type { FilmTexts } from '../state/film';
 import type { BlockFile } from '../state/state';
 import type { BlockCalls } from './calls';
@@ -10,6 +10,8 @@ import type { Frame } from './film';
 export interface Scan {
   file: BlockFile;
   film: FilmTexts;
+  /** Its mask, in px of the scan. */
+  mask: BlockFile | null;
 }
 
 /** The frame of a scan of film, with the id of the scan. */
@@ -29,9 +31,9 @@ export async function makeFrames(worker: WorkerClient<BlockCalls>, scans: readon
     'filmPlan',
     scans.map(({ film }) => film),
   );
-  for (const { file, film } of scans) {
+  for (const { file, film, mask } of scans) {
     at(file.name);
-    made.push({ ...(await worker.call('filmFrame', { file: file.file, film, plan, images: FRAMES })), of: file.id });
+    made.push({ ...(await worker.call('filmFrame', { file: file.file, film, plan, image: frameName(file.name), mask })), of: file.id });
   }
   return made;
 }

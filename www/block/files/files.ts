@@ -12,7 +12,7 @@ import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import { asksPurpose, lacksPlaceAlone, purposeOf } from '../state/purpose';
 import { carriedOver } from '../state/carrying';
-import { stemOf } from '../state/film';
+import { awaitsFrames, marksOfNone, stemOf } from '../state/film';
 import { namesOf, withoutPlaces } from '../state/naming';
 import type { Purpose } from '../state/placing';
 import { IMAGE_FILE } from '../../../pkg/block/image-files.js';
@@ -20,6 +20,7 @@ import { PARTNER_MISSING, problemsOf } from '../state/given';
 import { waitsForMarks } from '../state/marks';
 import { controlText } from '../state/words';
 import type { GivenText } from '../state/given';
+import { FilmFiles } from './film';
 import { GroundFiles } from './ground';
 import { newId } from './ids';
 import { fieldsOf, OWN_SETTINGS } from '../../shared/files/json';
@@ -34,6 +35,8 @@ const TABLE = /\.(?:csv|txt)$/iu;
 const GEOID = /\.gtx$/iu;
 const CSV = /\.csv$/iu;
 const CAMERAS = /\.json$/iu;
+/** The field that cameras of film have, and files of cameras and settings do not. */
+const FOCAL_LENGTH = 'focal_mm';
 
 const TEXTS: Readonly<Record<GivenText, string>> = { cameras: say('cameras'), control: say('ground-control-points'), marks: say('image-measurements') };
 
@@ -46,6 +49,7 @@ const WAITS = 'tiepoint-wait';
 export class BlockFiles {
   /** Orthophotos and heights. */
   readonly ground: GroundFiles;
+  private readonly film: FilmFiles;
   /** Images that are given wait until Run is pressed: large blocks have settings and files that come first. */
   private waiting = keptChoice(WAITS) === 'yes';
 
@@ -60,6 +64,7 @@ export class BlockFiles {
     private readonly putAside: () => Promise<boolean>,
   ) {
     this.ground = new GroundFiles(store, placing);
+    this.film = new FilmFiles(store);
     let before = store.state;
     store.watch(['marks', 'shown'], ([marks, shown]) => {
       // What the browser kept, and another block, are shown as they are.
@@ -85,22 +90,24 @@ export class BlockFiles {
     const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
     const ground = await this.ground.take(rasters);
     const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
-    const said = ground === null ? null : [ground, several].filter((text) => text !== '').join(' ');
     // Nothing else is taken with what is wrong: it can be given again.
-    if (said === null) return;
+    if (ground === null) return;
     const alone = found.filter(({ path }) => path === '');
     const project = alone.find(({ file }) => PROJECT.test(file.name));
-    const cameras = alone.find(({ file }) => CAMERAS.test(file.name));
+    const film = await this.takeFilm(alone.map(({ file }) => file));
+    const said = [ground, several, film.said].filter((text) => text !== '').join(' ');
+    const cameras = alone.find(({ file }) => CAMERAS.test(file.name) && !film.files.has(file));
     const geoid = alone.find(({ file }) => GEOID.test(file.name));
     const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.openProject(project.file);
     if (geoid !== undefined) this.takeGeoid(geoid.file);
     const notCameras = cameras === undefined ? '' : await this.takeCameras(cameras.file, photos);
-    const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
-    const aside = found.length - photos.length - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length + lone.length;
+    const tables = await this.takeTables(alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)));
+    const aside =
+      found.length - photos.length - film.files.size - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length + lone.length;
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
-    else await this.said(said);
-    const putAside = [notCameras, tables.aside].filter((text) => text !== '').join(' ');
+    else await this.said([said, film.said === '' ? '' : this.framesStep()].filter((text) => text !== '').join(' '));
+    const putAside = [film.aside, this.marksOfNone(film.marks), notCameras, tables.aside].filter((text) => text !== '').join(' ');
     if (putAside !== '') this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
   }
 
@@ -132,6 +139,8 @@ export class BlockFiles {
   private async start(): Promise<void> {
     const { state } = this.store;
     if (purposeOf(state) === 'images') await this.runs.placeImages();
+    // A block is made of the frames of scans, not of these.
+    else if (awaitsFrames(state.placing.film, state.files)) return;
     // What is done with the orthophoto comes first.
     else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run();
   }
@@ -215,6 +224,32 @@ export class BlockFiles {
     return say('cameras' in fields ? 'cameras-are-put-aside' : 'holds-no-cameras', { problem: sentence(problem) });
   }
 
+  /** Takes the camera and the fiducial marks of scanned film, told by what they hold. `marks`: their names; `aside`: what is wrong with them. */
+  private async takeFilm(given: readonly File[]): Promise<{ files: Set<File>; marks: readonly string[]; said: string; aside: string }> {
+    const cameras: File[] = [];
+    const marks: File[] = [];
+    for (const file of given) {
+      if (CAMERAS.test(file.name) && FOCAL_LENGTH in fieldsOf(await file.text())) cameras.push(file);
+      else if (TABLE.test(file.name) && kindOfTable(await file.text(), new Set()).kind === 'fiducials') marks.push(file);
+    }
+    const [camera] = cameras;
+    const said = [...(camera === undefined ? [] : [await this.film.camera(camera)]), ...(marks.length === 0 ? [] : [await this.film.marks(marks)])];
+    const texts = (kind: 'info' | 'problem') => said.flatMap((one) => (one.kind === kind ? [one.text] : [])).join(' ');
+    return {
+      files: new Set([...(camera === undefined ? [] : [camera]), ...marks]),
+      marks: marks.map(({ name }) => name),
+      said: texts('info'),
+      aside: texts('problem'),
+    };
+  }
+
+  /** What is said of fiducial marks, of those with these names, that are of no image. */
+  private marksOfNone(names: readonly string[]): string {
+    const { placing, files } = this.store.state;
+    const lone = marksOfNone(placing.film, files).filter((name) => names.includes(name));
+    return lone.map((name) => say('marks-of-no-image', { name })).join(' ');
+  }
+
   /** Takes tables of control points and of image measurements; what is neither is left aside, and changes nothing. `count`: those that are said something of. */
   private async takeTables(files: readonly File[]): Promise<{ count: number; aside: string }> {
     const names = new Set(this.store.state.files.map(({ name }) => name));
@@ -226,7 +261,7 @@ export class BlockFiles {
       if (found.kind === 'neither' && !CSV.test(file.name)) continue;
       count += 1;
       if (found.kind === 'neither') aside.push(say('is-no-table-of', { name: file.name, why: sentence(found.why) }));
-      else await this.takeText(found.kind, file);
+      else if (found.kind !== 'fiducials') await this.takeText(found.kind, file);
     }
     return { count, aside: aside.join(' ') };
   }
@@ -359,12 +394,28 @@ export class BlockFiles {
       own ?? '',
       twice > 0 ? say('skipped-their-names-are-in', { twice: images(twice) }) : '',
       aside > 0 ? say('skipped-not-an-image-by', { aside }) : '',
-      runs || own !== null ? '' : purposeOf(this.store.state) === 'images' ? say('press-place') : sorted.length >= 2 ? say('press-run') : NEEDS_MORE,
+      runs || own !== null ? '' : this.nextStep(sorted.length),
     ].filter((note) => note !== '');
     // What is wrong with a file, or why the block cannot be run, was said just now.
     const { notice } = this.store.state;
     if (notes.length === 0 || (notice?.kind === 'problem' && notice !== noticed)) return;
     this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: notes.join(' '), beside: runs, passing: notes.length === 1 && why !== '' } });
+  }
+
+  /** What the user does next with so many images. */
+  private nextStep(count: number): string {
+    if (purposeOf(this.store.state) === 'images') return say('press-place');
+    const frames = this.framesStep();
+    if (frames !== '') return frames;
+    return count >= 2 ? say('press-run') : NEEDS_MORE;
+  }
+
+  /** The same where scans are to become images of one camera first; nothing where there are none, or they are placed as they are. */
+  private framesStep(): string {
+    const { state } = this.store;
+    const { film } = state.placing;
+    if (purposeOf(state) === 'images' || !awaitsFrames(film, state.files)) return '';
+    return film.camera === null ? say('marks-need-their-camera') : say('press-frames', { make: say('make-frames') });
   }
 
   private tell(kind: 'info' | 'busy' | 'problem', text: string): void {

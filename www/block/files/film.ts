@@ -7,27 +7,48 @@ import type { BlockStore } from '../engine/engine';
 import type { TextFile } from '../state/file';
 import { NO_FILM, withMarks } from '../state/film';
 
+/** So many files are named in a message. */
+const LISTED = 5;
+
+/** What is said of files: what they are, or what is wrong with one. */
+interface Said {
+  kind: 'info' | 'problem';
+  text: string;
+}
+
 export class FilmFiles {
   constructor(private readonly store: BlockStore) {}
 
   /** In place of the camera that is there. */
   async takeCamera(file: File): Promise<void> {
-    const camera = await this.read(file, parse_camera);
-    if (camera === null) return;
-    this.store.dispatch({ type: 'film', film: { ...this.store.state.placing.film, camera } });
-    this.tell('info', say('from', { texts: say('film-camera'), name: file.name }));
+    this.tell(await this.camera(file));
   }
 
   /** Marks of scans, beside those of others. */
   async takeMarks(files: readonly File[]): Promise<void> {
+    this.tell(await this.marks(files));
+  }
+
+  /** Takes the camera, and gives what is said of it. */
+  async camera(file: File): Promise<Said> {
+    const camera = await this.read(file, parse_camera);
+    if (typeof camera === 'string') return { kind: 'problem', text: camera };
+    this.store.dispatch({ type: 'film', film: { ...this.store.state.placing.film, camera } });
+    return { kind: 'info', text: say('from', { texts: say('film-camera'), name: file.name }) };
+  }
+
+  /** Takes marks, all of them or none, and gives what is said of them. */
+  async marks(files: readonly File[]): Promise<Said> {
     const marks: TextFile[] = [];
     for (const file of files) {
       const read = await this.read(file, parse_fiducials);
-      if (read === null) return;
+      if (typeof read === 'string') return { kind: 'problem', text: read };
       marks.push(read);
     }
     this.store.dispatch({ type: 'film', film: withMarks(this.store.state.placing.film, marks) });
-    this.tell('info', say('from', { texts: say('marks-of-scans'), name: files.map(({ name }) => name).join(', ') }));
+    const names = files.slice(0, LISTED).map(({ name }) => name);
+    const name = names.join(', ') + (files.length > LISTED ? ' …' : '');
+    return { kind: 'info', text: say('from', { texts: say('marks-of-scans'), name }) };
   }
 
   /** Leaves no image a scan of film. */
@@ -35,19 +56,18 @@ export class FilmFiles {
     this.store.dispatch({ type: 'film', film: NO_FILM });
   }
 
-  /** A file that the crate reads; null where it does not, which is said. */
-  private async read(file: File, check: (text: string) => unknown): Promise<TextFile | null> {
+  /** A file that the crate reads; where it does not, what is wrong with it. */
+  private async read(file: File, check: (text: string) => unknown): Promise<TextFile | string> {
     const text = await file.text();
     try {
       check(text);
       return { name: file.name, text };
     } catch (error) {
-      this.tell('problem', say('cannot-be-used-of-film', { name: file.name, problem: sentence(messageOf(error)) }));
-      return null;
+      return say('cannot-be-used-of-film', { name: file.name, problem: sentence(messageOf(error)) });
     }
   }
 
-  private tell(kind: 'info' | 'problem', text: string): void {
-    this.store.dispatch({ type: 'notice', notice: { kind, text } });
+  private tell(notice: Said): void {
+    this.store.dispatch({ type: 'notice', notice });
   }
 }

@@ -1,19 +1,31 @@
-/** Scans of film in place of which a block takes their frames: images of one ideal camera. */
-import { parse_camera_rules } from '../../../pkg/wasm/tiepoint.js';
-import type { CameraRule } from '../../../pkg/wasm/tiepoint.js';
+/** Scans of film in place of which a block takes their frames: images of one ideal camera, with what belongs to the scans. */
+import {
+  film_cameras,
+  film_measurements,
+  image_measurement_table,
+  masks_of_images,
+  parse_camera_rules,
+  parse_image_measurements,
+} from '../../../pkg/wasm/tiepoint.js';
+import type { CameraRule, FrameOfScan, ImageMeasurementRow } from '../../../pkg/wasm/tiepoint.js';
 import { sentence } from '../../shared/text/format';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 import type { BlockStore } from '../engine/engine';
 import type { MadeFrame } from '../engine/frames';
 import type { PlacingEngine } from '../engine/placing';
+import type { TextFile } from '../state/file';
 import { filmOf, FRAMES, frameName, framesOf, NO_FILM, stemOf } from '../state/film';
+import { withMeasurements } from '../state/marks';
 import type { BlockFile, BlockOptions } from '../state/state';
 import { newId } from './ids';
 
+/** So many measurements are named in a message. */
+const LISTED = 3;
+
 /** Puts frames in the place of all images that have fiducial marks, with their masks and their camera. */
 export async function takeFrames(store: BlockStore, engine: PlacingEngine): Promise<void> {
-  const { files, placing } = store.state;
+  const { files, placing, options } = store.state;
   const scans = framesOf(placing.film, files);
   const stems = scans.map(({ name }) => stemOf(name));
   const twice = scans.find(({ name }, k) => stems.indexOf(stemOf(name)) !== k);
@@ -22,9 +34,10 @@ export async function takeFrames(store: BlockStore, engine: PlacingEngine): Prom
     return;
   }
   try {
-    const films = scans.flatMap((file) => {
+    const masks = masksOf(scans, options.masks);
+    const films = scans.flatMap((file, k) => {
       const film = filmOf(placing.film, file.name);
-      return film === null ? [] : [{ file, film }];
+      return film === null ? [] : [{ file, film, mask: masks[k] ?? null }];
     });
     const frames = await engine.frames(films);
     if (frames === null) store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('cancelled-nothing-was-changed') } });
@@ -34,23 +47,79 @@ export async function takeFrames(store: BlockStore, engine: PlacingEngine): Prom
   }
 }
 
+/** The mask of each scan. */
+function masksOf(scans: readonly BlockFile[], masks: readonly BlockFile[]): (BlockFile | undefined)[] {
+  const names = (files: readonly BlockFile[]) => files.map(({ name }) => name);
+  return [...masks_of_images(names(scans), names(masks))].map((index) => masks[index]);
+}
+
 /** What was given meanwhile stays. */
 function replace(store: BlockStore, frames: readonly MadeFrame[]): void {
-  const { files, truth, options } = store.state;
+  const { files, truth, options, marks } = store.state;
   const made = new Map(frames.map((frame) => [frame.of, frame]));
+  const scans = files.filter(({ id }) => made.has(id));
   const cameras = camerasOf(frames, options.cameras);
   const ownMasks = frames.map(({ of, mask }) => imageOf(files, of, mask));
-  const masks = [...options.masks.filter(({ name }) => !ownMasks.some((own) => own.name === name)), ...ownMasks];
+  // Those of the scans are in the masks of their frames.
+  const former = new Set([...masksOf(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
+  const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
   const images = files.map((file) => {
     const frame = made.get(file.id);
     return frame === undefined ? file : imageOf(files, file.id, frame.image);
   });
+  const measured = new Carried(
+    scans.flatMap(({ id, name }) => {
+      const frame = made.get(id);
+      return frame === undefined ? [] : [{ scan: name, image: frameName(name), film: frame.scan }];
+    }),
+  );
+  const ofFile = measured.table(options.marks);
+  const byHand = withMeasurements(marks, (rows) => measured.rows(rows));
   store.dispatch({ type: 'files', files: images, truth });
-  store.dispatch({ type: 'options', options: { masks, cameras } });
+  store.dispatch({ type: 'options', options: { masks, cameras, marks: ofFile } });
+  store.dispatch({ type: 'marks', marks: byHand });
   store.dispatch({ type: 'film', film: NO_FILM });
   const isKnown = frames.every(({ camera }) => camera.fixed);
   const text = say('scans-became-frames', { frames: frames.length, known: isKnown ? 'yes' : 'no' });
-  store.dispatch({ type: 'notice', notice: { kind: 'info', text } });
+  store.dispatch({ type: 'notice', notice: { kind: 'info', text: [text, ...measured.said()].join(' ') } });
+}
+
+/** Image measurements that are carried from scans to their frames. */
+class Carried {
+  private moved = 0;
+  private readonly beside = new Set<string>();
+
+  constructor(private readonly frames: FrameOfScan[]) {}
+
+  rows(rows: readonly ImageMeasurementRow[]): ImageMeasurementRow[] {
+    const { measurements, moved, beside } = film_measurements([...rows], this.frames);
+    this.moved += moved;
+    for (const { image, point } of beside) this.beside.add(say('in', { point, image }));
+    return measurements;
+  }
+
+  /** Those of a file; one that cannot be read, or has none of a scan, stays as it is. */
+  table(file: TextFile | null): TextFile | null {
+    if (file === null) return null;
+    let rows: ImageMeasurementRow[];
+    try {
+      rows = parse_image_measurements(file.text);
+    } catch {
+      return file;
+    }
+    const scans = new Set(this.frames.map(({ scan }) => scan));
+    return rows.some(({ image }) => scans.has(image)) ? { name: file.name, text: image_measurement_table(this.rows(rows)) } : file;
+  }
+
+  /** What became of them; nothing where there were none. */
+  said(): string[] {
+    const names = [...this.beside];
+    const listed = names.slice(0, LISTED).join(', ') + (names.length > LISTED ? ' …' : '');
+    return [
+      ...(this.moved > 0 ? [say('measurements-carried', { moved: this.moved })] : []),
+      ...(names.length > 0 ? [say('measurements-beside-frames', { count: names.length, listed })] : []),
+    ];
+  }
 }
 
 function imageOf(files: readonly BlockFile[], scan: number, png: Blob): BlockFile {
@@ -61,6 +130,9 @@ function imageOf(files: readonly BlockFile[], scan: number, png: Blob): BlockFil
 /** The camera of the frames, before those that were given for other images. Frames of one film have one. */
 function camerasOf(frames: readonly MadeFrame[], given: BlockOptions['cameras']): { name: string; text: string } {
   const others: readonly CameraRule[] = given === null ? [] : parse_camera_rules(given.text);
-  const own = [...new Map(frames.map(({ camera }) => [JSON.stringify(camera), camera])).values()];
+  const own = film_cameras(
+    FRAMES,
+    frames.map(({ camera }) => camera),
+  );
   return { name: say('camera-of-frames'), text: JSON.stringify({ cameras: [...own, ...others.filter(({ images }) => images !== FRAMES)] }) };
 }

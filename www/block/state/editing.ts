@@ -33,7 +33,9 @@ export type EditsAction =
   /** Measurements of control points are taken, or taken away, or images taken out. */
   | { type: 'mark'; step: MarkStep }
   /** So many of these steps hold. */
-  | { type: 'gotoMark'; done: number };
+  | { type: 'gotoMark'; done: number }
+  /** The same steps with measurements in other images. */
+  | { type: 'marks'; marks: History<MarkStep> };
 
 /** Whether the block on the screen can be edited. */
 export function isEditable({ shown, running }: Pick<BlockState, 'shown' | 'running'>): boolean {
@@ -82,6 +84,8 @@ export function reduceEdits(state: BlockState, action: EditsAction): BlockState 
       return withRemoved({ ...state, marks: recorded(state.marks, action.step), draft: null, notice: afterEdit(state) });
     case 'gotoMark':
       return withRemoved({ ...state, marks: wentTo(state.marks, action.done), draft: null, notice: afterEdit(state) });
+    case 'marks':
+      return { ...state, marks: action.marks };
     case 'draft':
       // What was said of the draft goes with it.
       return { ...state, draft: isEditable(state) ? action.draft : null, notice: action.draft === null && state.notice?.beside === true ? null : state.notice };

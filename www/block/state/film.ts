@@ -35,6 +35,11 @@ export function framesOf<T extends { name: string }>(film: GivenFilm, images: re
   return images.filter(({ name }) => filmOf(film, name) !== null);
 }
 
+/** Whether some images are scans of which frames are to be made first, before a block is. */
+export function awaitsFrames(film: GivenFilm, images: readonly { name: string }[]): boolean {
+  return framesOf(film, images).length > 0;
+}
+
 /** With these marks in place of those of the same scans. */
 export function withMarks(film: GivenFilm, marks: readonly TextFile[]): GivenFilm {
   const byStem = new Map([...film.marks, ...marks].map((own) => [stemOf(own.name), own]));

@@ -1,5 +1,5 @@
 /** Image measurements of control and check points that are collected by hand, beside those of a file: which hold, and whether they take the points into a run. Pure. */
-import { parse_ground_control_points, parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
+import { image_measurement_table, parse_ground_control_points, parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
 import type { GroundControlRow, ImageMeasurementRow } from '../../../pkg/wasm/tiepoint.js';
 import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
@@ -82,7 +82,7 @@ const collected = remember((control: TextFile | null, file: TextFile | null, his
   const seen = new Map<string, number>();
   for (const { point, image } of marks) if (images.has(image)) seen.set(point, (seen.get(point) ?? 0) + 1);
   const twice = points.filter(({ name, role }) => role === 'control' && (seen.get(name) ?? 0) >= LEAST_IMAGES).length;
-  return { twice, run: twice < LEAST_POINTS ? null : { points: control.text, marks: tableOf(marks) }, asGiven: false };
+  return { twice, run: twice < LEAST_POINTS ? null : { points: control.text, marks: image_measurement_table(marks) }, asGiven: false };
 });
 
 /** What of control points a state has. */
@@ -110,12 +110,6 @@ export function givenToRun(state: WithMarks): Given {
   return run === null ? { control: null, marks: null } : { control, marks: { name: marks?.name ?? '', text: run.marks } };
 }
 
-/** A table that reads back as it is. */
-function tableOf(marks: readonly ImageMeasurementRow[]): string {
-  const quoted = (text: string) => `"${text.replaceAll('"', '""')}"`;
-  return `image,point,x_px,y_px\n${marks.map(({ image, point, x_px, y_px }) => `${quoted(image)},${quoted(point)},${String(x_px)},${String(y_px)}\n`).join('')}`;
-}
-
 /** Where images show a given point, by their indices in the view. */
 export const placesOfGiven = remember((name: string, view: BlockView, file: TextFile | null, history: History<MarkStep>): ReadonlyMap<number, Position> => {
   const index = new Map(view.images.map((image, i) => [image.name, i]));
@@ -132,4 +126,14 @@ export function besideEdits(marks: History<MarkStep>, place: (after: number, at:
   const places = marks.edits.map(({ after }, at) => place(after, at));
   if (marks.edits.every(({ after }, at) => after === places[at])) return marks;
   return { ...marks, edits: marks.edits.map((step, at) => ({ ...step, after: places[at] ?? step.after })) };
+}
+
+/** The steps with other measurements in place of theirs; a step that has none left is gone. */
+export function withMeasurements(
+  { edits, done }: History<MarkStep>,
+  other: (marks: readonly ImageMeasurementRow[]) => readonly ImageMeasurementRow[],
+): History<MarkStep> {
+  const steps = edits.map((step) => (step.kind === 'remove_images' ? step : { ...step, marks: other(step.marks) }));
+  const stays = (step: MarkStep) => step.kind === 'remove_images' || step.marks.length > 0;
+  return { edits: steps.filter(stays), done: steps.slice(0, done).filter(stays).length };
 }

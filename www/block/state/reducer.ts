@@ -116,6 +116,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'draft':
     case 'mark':
     case 'gotoMark':
+    case 'marks':
       return reduceEdits(state, action);
     case 'orthophoto':
     case 'heights':

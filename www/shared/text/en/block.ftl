@@ -79,7 +79,7 @@ skipped-their-names-are-in = { $twice } skipped: their names are in the block al
 holds-settings = { $name } holds settings: load it under Settings. It is put aside.
 cameras-are-put-aside = { $problem } The file is put aside.
 holds-no-cameras = { $problem } It holds no cameras and is put aside.
-is-no-table-of = { $name } is put aside, neither control points nor image measurements: { $why }
+is-no-table-of = { $name } is put aside, neither control points nor image measurements nor fiducial marks: { $why }
 it-has-no-rows = it has no rows
 its-rows-are-images = its rows are images, not surveyed points
 its-rows-are-tie-points = its rows are tie points of a result, not surveyed points
@@ -89,6 +89,7 @@ skipped-not-an-image-by = { $aside } { $aside ->
     } skipped: not an image by name.
 press-place = Press Place.
 press-run = Press Run.
+press-frames = Press { $make } under Scanned film, in the settings of the orthophoto.
 the-block-is-unchanged = { $what }: { $error }. The block is unchanged.
 all-images-of-the-block = All images of the block are there.
 of-of-the-block-are = { $files } of { $size } of the block are there.
@@ -470,9 +471,9 @@ film-camera = Film camera
 marks-of-scans = Fiducial marks of scans
 none-film-camera = No film camera. The calibrated camera of scanned photos on film, a JSON file: { $example }.
 none-marks-of-scans = No fiducial marks. A table of col, row, x_mm, y_mm for each scan, named as its image: { $example } for { $image }.
-marks-of-no-image = No image has the name of { $name }.
+marks-of-no-image = No image has the name of { $name }: fiducial marks are named as the image of their scan.
 make-frames = Make images of one camera
-make-frames-help = For a block: resamples each scan by its fiducial marks to the image of an ideal camera, one for all of them, without distortion. These images take the place of the scans, with masks of the marks and the file of their camera. What was measured in the scans does not hold for them.
+make-frames-help = For a block: resamples each scan by its fiducial marks to the image of an ideal camera, one for all of them, without distortion. These images take the place of the scans, with masks of the marks and the file of their camera. Masks of the scans, image measurements that were made in them, and their GNSS positions go along.
 resampling-scan = Resampling { $name }
 two-scans-of-one-name = { $name } and another scan would become images of one name: rename one of them.
 scans-became-frames =
@@ -481,8 +482,18 @@ scans-became-frames =
        *[other] { COUNT($frames) } scans were resampled to images
     } of one camera, { $known ->
         [yes] which counts as calibrated
-       *[no] which the block calibrates within what is not known of it
+       *[no] which the block calibrates within what its calibration and the errors of the fiducial marks leave open
     }. Masks leave out the fiducial marks.
+measurements-carried =
+    { $moved ->
+        [one] 1 image measurement was
+       *[other] { COUNT($moved) } image measurements were
+    } carried over.
+measurements-beside-frames =
+    { $count ->
+        [one] 1 image measurement lies
+       *[other] { COUNT($count) } image measurements lie
+    } beside the images of scans, which end within the fiducial marks: { $listed }. Skipped.
 no-frames-were-made = No images were made of the scans: { $sentence }
 camera-of-frames = camera of the film
 marks-need-their-camera = Fiducial marks need the film camera with its focal length in mm.

@@ -1,0 +1,159 @@
+/** Scans of film on the page: taken by what their files hold, and made images of one camera together with what belongs to them. Without a browser. */
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { block_settings, film_frame, film_positions, grey_png, parse_camera, parse_fiducials, parse_image_measurements, Photo } from '../pkg/node.js';
+import { pageModules } from './www.js';
+
+/** @type {Record<string, any>} */
+const page = {};
+
+before(async () => {
+  Object.assign(page, await pageModules(['block/files/files', 'block/files/frames', 'block/state/reducer', 'block/state/state', 'shared/state/store']));
+});
+
+const CAMERA = '{"focal_mm": 152}';
+/** A film of 100 x 80 mm on a scan of 240 x 200 px, 2 px a mm. */
+const FIDUCIALS = 'col,row,x_mm,y_mm\n20,20,-50,40\n220,20,50,40\n220,180,50,-40\n20,180,-50,-40\n';
+const SCAN = grey_png(
+  240,
+  200,
+  Uint8Array.from({ length: 240 * 200 }, (_, i) => i % 251),
+);
+const POINTS = 'P1,0,0,0\nP2,100,0,0\nP3,0,100,0\n';
+
+/** What takes files in, beside an empty block, and the runs that were started. */
+function taking() {
+  const store = new page.store.Holder(page.state.BLOCK_INITIAL, page.reducer.reduceBlock);
+  store.dispatch({ type: 'options', options: { settings: block_settings({}) } });
+  /** @type {string[]} */
+  const started = [];
+  const runs = { run: async () => void started.push('block'), placeImages: async () => void started.push('images') };
+  const files = new page.files.BlockFiles(
+    store,
+    {},
+    {},
+    runs,
+    async () => {},
+    async () => true,
+  );
+  const take = (/** @type {Record<string, string | Uint8Array>} */ given) =>
+    files.take(Object.entries(given).map(([name, content]) => ({ file: new File([/** @type {BlobPart} */ (content)], name), path: '' })));
+  return { store, take, started };
+}
+
+test('camera and fiducial marks are taken with the scans, which wait for their images', async () => {
+  const { store, take, started } = taking();
+  await take({ 'a.png': SCAN, 'b.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS, 'b.csv': FIDUCIALS.replaceAll(',', ';'), 'c.csv': FIDUCIALS });
+  const { film } = store.state.placing;
+  assert.equal(film.camera.name, 'film.json');
+  assert.deepEqual(
+    film.marks.map((/** @type {{ name: string }} */ { name }) => name),
+    ['a.csv', 'b.csv', 'c.csv'],
+  );
+  const { text } = store.state.notice;
+  assert.match(
+    text,
+    /^Film camera from film\.json\. Fiducial marks of scans from a\.csv, b\.csv, c\.csv\. 2 images in the block\. Press Make images of one camera /,
+  );
+  assert.match(text, /No image has the name of c\.csv: fiducial marks are named as the image of their scan\.$/);
+  assert.ok(!/skipped|put aside/.test(text), text);
+  assert.deepEqual(started, []);
+  // Scans that are given before their marks have been run as they are.
+  const other = taking();
+  await other.take({ 'a.png': SCAN, 'b.png': SCAN });
+  assert.deepEqual(other.started, ['block']);
+  await other.take({ 'a.csv': FIDUCIALS });
+  assert.deepEqual(other.started, ['block']);
+  assert.match(other.store.state.notice.text, /^Fiducial marks of scans from a\.csv\. Fiducial marks need the film camera/);
+  await other.take({ 'film.json': CAMERA });
+  assert.match(other.store.state.notice.text, /^Film camera from film\.json\. Press Make images of one camera /);
+  assert.deepEqual(other.started, ['block']);
+});
+
+test('what is wrong with a camera or with marks is said, and the images are taken', async () => {
+  const { store, take } = taking();
+  await take({ 'a.png': SCAN, 'film.json': '{"focal_mm": 0}', 'a.csv': FIDUCIALS.replace('-50,40', '-50,4O') });
+  const { text } = store.state.notice;
+  assert.match(text, /film\.json cannot be used: .*focal_mm/);
+  assert.match(text, /a\.csv cannot be used: .*4O.*y_mm.*line 2/);
+  const { placing, files } = store.state;
+  assert.deepEqual([placing.film.camera, placing.film.marks.length, files.length], [null, 0, 1]);
+});
+
+/** The frames of scans as a worker makes them. */
+const engine = {
+  frames: (/** @type {any[]} */ scans) =>
+    Promise.all(
+      scans.map(async ({ file, film, mask }) => {
+        const bytes = async (/** @type {Blob} */ of) => new Uint8Array(await of.arrayBuffer());
+        const known = { camera: parse_camera(film.camera), scan: { fiducials: parse_fiducials(film.marks) } };
+        const made = film_frame(await bytes(file.file), known, `${file.name}-frame`, 0.5, mask?.name, mask && (await bytes(mask.file)));
+        const png = (/** @type {Uint8Array} */ of) => new Blob([/** @type {BlobPart} */ (of)], { type: 'image/png' });
+        return { ...made, image: png(made.image), mask: png(made.mask), of: file.id };
+      }),
+    ),
+};
+
+test('masks and image measurements of scans become those of their frames, by file and by hand', async () => {
+  const { store, take } = taking();
+  await take({ 'a.png': SCAN, 'b.png': SCAN, 'IMG_7.jpg': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS, 'b.csv': FIDUCIALS });
+  const mask = (/** @type {number} */ column) =>
+    grey_png(
+      240,
+      200,
+      Uint8Array.from({ length: 240 * 200 }, (_, i) => (i % 240 < column ? 0 : 255)),
+    );
+  const masks = ['a_mask.png', 'IMG_7.png'].map((name, k) => ({ id: 900 + k, name, file: new File([/** @type {BlobPart} */ (mask(120))], name) }));
+  const marks = { name: 'marks.csv', text: 'image,point,x,y\na.png,P1,100.5,60.25\nIMG_7.jpg,P1,7,8\nb.png,P2,3,4\n' };
+  store.dispatch({ type: 'options', options: { masks, marks, control: { name: 'points.csv', text: POINTS } } });
+  const row = (/** @type {string} */ image, /** @type {string} */ point, /** @type {number} */ x_px, /** @type {number} */ y_px) => ({
+    image,
+    point,
+    x_px,
+    y_px,
+  });
+  const hand = [row('b.png', 'P1', 90, 70), row('a.png', 'P3', 130, 90)];
+  store.dispatch({ type: 'marks', marks: { edits: [[row('a.png', 'P2', 1, 1)], hand].map((step) => ({ kind: 'measure', marks: step, after: 0 })), done: 2 } });
+
+  await page.frames.takeFrames(store, engine);
+  const { files, options, marks: steps, notice, placing } = store.state;
+  const names = (/** @type {readonly { name: string }[]} */ list) => list.map(({ name }) => name);
+  assert.deepEqual(names(files), ['IMG_7.jpg', 'a-film.png', 'b-film.png']);
+  assert.deepEqual(names(options.masks), ['IMG_7.png', 'a-film.png', 'b-film.png']);
+  assert.deepEqual([placing.film.camera, placing.film.marks.length], [null, 0]);
+  const film = film_frame(SCAN, { camera: parse_camera(CAMERA), scan: { fiducials: parse_fiducials(FIDUCIALS) } }, 'a', 0.5).scan;
+  const moved = (/** @type {number} */ x, /** @type {number} */ y) => [...film_positions(film, Float64Array.of(x, y), 'frame')];
+  const [x = NaN, y = NaN] = moved(100.5, 60.25);
+  assert.deepEqual(parse_image_measurements(options.marks.text), [row('a-film.png', 'P1', x, y), row('IMG_7.jpg', 'P1', 7, 8)]);
+  const [[bx = NaN, by = NaN], [ax = NaN, ay = NaN]] = [moved(90, 70), moved(130, 90)];
+  // The step that measured beside the frame is gone.
+  assert.deepEqual(steps, { edits: [{ kind: 'measure', marks: [row('b-film.png', 'P1', bx, by), row('a-film.png', 'P3', ax, ay)], after: 0 }], done: 1 });
+  assert.match(
+    notice.text,
+    /^2 scans were resampled to images of one camera, which counts as calibrated\. Masks leave out the fiducial marks\. 3 image measurements were carried over\./,
+  );
+  assert.match(notice.text, /2 image measurements lie beside the images of scans, .*: P2 in b\.png, P2 in a\.png\. Skipped\.$/);
+  const hidden = await Promise.all(
+    options.masks.slice(1).map(async (/** @type {{ file: Blob }} */ { file }) => {
+      const photo = Photo.decode(new Uint8Array(await file.arrayBuffer()));
+      const [grey, width] = [photo.grey(), photo.width];
+      photo.free();
+      const at = (/** @type {number} */ column) => grey[60 * width + column];
+      const own = moved(120, 80)[0] ?? NaN;
+      return [at(Math.floor(own) - 2), at(Math.ceil(own) + 2)];
+    }),
+  );
+  assert.deepEqual(hidden, [
+    [0, 255],
+    [255, 255],
+  ]);
+  // Two masks of one scan are refused before anything is made.
+  const again = taking();
+  await again.take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
+  const twice = ['a_mask.png', 'a.png'].map((name, k) => ({ id: 950 + k, name, file: new File([/** @type {BlobPart} */ (mask(1))], name) }));
+  again.store.dispatch({ type: 'options', options: { masks: twice } });
+  await page.frames.takeFrames(again.store, engine);
+  assert.match(again.store.state.notice.text, /^No images were made of the scans: .*a_mask\.png and a\.png/);
+  assert.deepEqual(names(again.store.state.files), ['a.png']);
+});
