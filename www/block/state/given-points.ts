@@ -34,6 +34,7 @@ const measured = remember((points: readonly Beside[], file: TextFile | null, his
 
 /** Those that edits add, as long as the block is not adjusted by them. */
 const added = remember((view: BlockView, points: ReadonlyMap<string, AddedPoint>, unused: ReadonlySet<number>): readonly ViewGiven[] => {
+  if (points.size === 0) return NONE_GIVEN;
   const known = new Set(view.surveyed.map(({ name }) => name));
   const waiting = [...points.values()].filter(({ edit }) => !known.has(edit.name));
   if (waiting.length === 0) return NONE_GIVEN;
