@@ -10,7 +10,20 @@ const page = {};
 before(async () => {
   Object.assign(
     page,
-    await pageModules(['block/state/state', 'block/state/reducer', 'block/state/purpose', 'block/state/showing', 'block/view/orthophoto/block']),
+    await pageModules([
+      'block/state/state',
+      'block/state/reducer',
+      'block/state/purpose',
+      'block/state/showing',
+      'block/state/added',
+      'block/state/places',
+      'block/state/draft',
+      'block/state/editing',
+      'block/state/naming',
+      'block/state/words',
+      'block/files/edit',
+      'block/view/orthophoto/block',
+    ]),
   );
 });
 
@@ -25,6 +38,10 @@ const view = (/** @type {string[]} */ surveyed = [], more = {}) => ({
   connections: [],
   surveyed: surveyed.map((name, control) => ({ name, control })),
   orthophoto: null,
+  crs: null,
+  origin: null,
+  geoidM: null,
+  checks: null,
   ...more,
 });
 
@@ -92,6 +109,111 @@ test('edits hold in the system of an orthophoto, but for those of places of anot
   assert.deepEqual(again.history.edits.flat().slice(2), [{ kind: 'reject_points', points: [{ ground_control: 0 }] }]);
   const other = reduce(placed, { type: 'edit', edits: [{ kind: 'reject_points', points: [{ ground_control: 1 }] }] });
   assert.equal(reduce(other, { type: 'onGround', view: view(['G1']), edits: [], ground: null }).history.edits.length, 2);
+});
+
+/** A place that was measured by hand.  @param {number} number */
+const place = (number, position = [530, 880, 12]) => ({
+  kind: 'add_control',
+  name: `orthophoto_hand_${number}`,
+  position,
+  standard_errors: [0.3, 0.5],
+  sigma_px: 1,
+  use: 'control',
+  epsg: 25832,
+});
+const measure = (/** @type {number} */ control, /** @type {number} */ image) => ({
+  kind: 'measure',
+  point: { ground_control: control },
+  image,
+  x_px: 10 * image,
+  y_px: 5,
+  by: 'hand',
+});
+
+test('places by hand keep their image measurements on another orthophoto, whatever numbers it gives them, and over a reload', () => {
+  const reduce = page.reducer.reduceBlock;
+  const own = view(['G1'], { givenControl: 1 });
+  const steps = [[place(1)], [measure(1, 0), measure(1, 1)], [place(2)], [measure(2, 1)], [{ kind: 'set_use', point: 2, use: 'check' }]];
+  const before = steps.reduce((state, edits) => reduce(state, { type: 'edit', edits }), after(...run(after(), own)));
+  const linkedView = view(['G1', 'orthophoto_1', 'orthophoto_2'], { givenControl: 4 });
+  const placed = reduce(before, { type: 'onGround', view: linkedView, edits: [], ground: { key: '', before: new Blob([]) } });
+  const there = [[place(1)], [measure(4, 0), measure(4, 1)], [place(2)], [measure(5, 1)], [{ kind: 'set_use', point: 5, use: 'check' }]];
+  assert.deepEqual(placed.history, { edits: there, done: 5 });
+  // Back in the system that it had.
+  const back = reduce(placed, { type: 'onGround', view: own, edits: [], ground: null });
+  assert.deepEqual(back.history, { edits: steps, done: 5 });
+  // Steps that were undone too, and what is read of the browser's storage.
+  const undone = reduce(reduce(before, { type: 'goto', done: 2 }), { type: 'onGround', view: linkedView, edits: [], ground: null });
+  assert.deepEqual(undone.history, { edits: there, done: 2 });
+  assert.deepEqual(page.edit.stepFrom(structuredClone(steps[0]), 'step'), steps[0]);
+  assert.throws(() => page.edit.stepFrom([{ ...place(1), name: 7 }], 'step'), /step\[0\]\.name is damaged/);
+  assert.equal(page.naming.nameOfStep(steps[0]), 'add the place orthophoto_hand_1');
+  assert.equal(page.added.nextPlace(undone.history), 3);
+  assert.equal(page.added.nextPlace({ edits: [], done: 0 }), 1);
+});
+
+test('a place by hand stands beside the block until it suffices, is measured by edits, and is chosen once it is in the block', () => {
+  const reduce = page.reducer.reduceBlock;
+  const start = after(...run(after(), view([], { givenControl: 0, orthophoto: { kind: 'not_linked', inCrs: false, text: '' } })));
+  const added = reduce(start, { type: 'edit', edits: [place(1)] });
+  const [beside] = added.shown.given;
+  assert.deepEqual(beside, { name: 'orthophoto_hand_1', position: [530, 880, 12], place: null, role: 'control', images: 0, byHand: true });
+  // In the system of the orthophoto its coordinates are those of the block.
+  const onIt = reduce(added, { type: 'edited', view: { ...start.shown.view, orthophoto: { kind: 'by_hand', inCrs: false, text: '' } }, edits: [place(1)] });
+  assert.deepEqual(onIt.shown.given[0].place, [530, 880, 12]);
+  const chosen = reduce(added, { type: 'choose', choice: { kind: 'given', name: 'orthophoto_hand_1' } });
+  const draft = { of: { given: 'orthophoto_hand_1' }, places: new Map([[1, { at: [10, 5], by: 'hand' }]]) };
+  const points = page.added.addedPoints(page.editing.editsInForce(chosen.history), 0);
+  assert.deepEqual(page.draft.stepOfDraft(draft, ['a', 'b'], 1, points), { type: 'edit', edits: [measure(0, 1)] });
+  const measured = reduce(chosen, { type: 'edit', edits: [measure(0, 1)] });
+  assert.equal(measured.shown.given[0].images, 1);
+  assert.deepEqual([...page.added.addedPoints(page.editing.editsInForce(measured.history), 0).get('orthophoto_hand_1').places], [[1, [10, 5]]]);
+  assert.deepEqual(measured.selection.chosen, { kind: 'given', name: 'orthophoto_hand_1' });
+  const inBlock = { ...start.shown.view, surveyed: [{ name: 'orthophoto_hand_1', control: 0, point: 3, byHand: true }] };
+  const taken = reduce(measured, { type: 'edited', view: inBlock, edits: page.editing.editsInForce(measured.history) });
+  assert.deepEqual([taken.shown.given, taken.selection.chosen], [[], { kind: 'point', point: 3 }]);
+  // Undone, it is gone, and what is left out says so.
+  assert.deepEqual(reduce(measured, { type: 'goto', done: 0 }).shown.given, []);
+  const out = reduce(measured, { type: 'edit', edits: [{ kind: 'set_use', point: 0, use: null }] });
+  assert.equal(out.shown.given[0].role, null);
+});
+
+test('places are added to a block that lies on the orthophoto or is to lie there, and to no other', () => {
+  const reduce = page.reducer.reduceBlock;
+  const { takesPlaces } = page.places;
+  const finished = after(...run(after()));
+  assert.ok(!takesPlaces(finished));
+  const asked = given.reduce(reduce, finished);
+  assert.ok(!takesPlaces(asked));
+  assert.ok(takesPlaces(reduce(asked, { type: 'purpose', purpose: 'block' })));
+  assert.ok(!takesPlaces(reduce(asked, { type: 'purpose', purpose: 'images' })));
+  const adding = reduce(reduce(asked, { type: 'purpose', purpose: 'block' }), { type: 'addsPlace', adds: true });
+  assert.ok(adding.placing.adds);
+  assert.ok(!reduce(adding, { type: 'purpose', purpose: 'map' }).placing.adds);
+  assert.ok(!reduce(adding, { type: 'picksPlace', picks: true }).placing.adds);
+});
+
+test('edits of tie points that a block without an image lost come back with it, on an orthophoto as elsewhere', () => {
+  const reduce = page.reducer.reduceBlock;
+  const points = (/** @type {number} */ count) => ({ count, taking: count, sources: new Float64Array(count), rays: new Uint16Array(count) });
+  const whole = view([], { givenControl: 0, points: points(3) });
+  const fewer = { ...view([], { givenControl: 0, points: points(2) }), images: [{ name: 'photo_1.png', rays: 0 }] };
+  const ground = { key: '', before: new Blob([]) };
+  const onGround = (/** @type {any} */ state) =>
+    reduce(state, { type: 'onGround', view: { ...state.shown.view, surveyed: [{ name: 'orthophoto_1', control: 0 }], givenControl: 1 }, edits: [], ground });
+  const anew = (/** @type {any} */ state, /** @type {any} */ found) => onGround(reduce(state, { type: 'done', key: 'k', view: found, files: [], seconds: 1 }));
+  const edits = [
+    [{ kind: 'reject_points', points: [{ tie_point: 5 }] }],
+    [{ kind: 'reject_points', points: [{ ground_control: 0 }] }],
+    [place(1)],
+    [measure(1, 0)],
+  ];
+  const edited = edits.reduce((state, step) => reduce(state, { type: 'edit', edits: step }), onGround(after(...run(after(), whole))));
+  const without = anew(edited, fewer);
+  // Of the other block neither the tie point nor its place of the orthophoto is known.
+  assert.deepEqual(without.history.edits, [[place(1)], [measure(1, 0)]]);
+  const back = anew(without, whole);
+  assert.deepEqual(back.history.edits, [edits[0], edits[2], edits[3]]);
 });
 
 /** A block that lies on an orthophoto of 100 by 80 m, whose origin is (500, 900): two images and three of its places, one of them rejected by hand, beside a ground control point. */

@@ -1,13 +1,15 @@
 //! Blocks in the system of an orthophoto, beside their truth.
 
-use super::shown::shown;
+use super::shown::{Shown, shown};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
-    Axis, BlockEdit, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning, ControlRole,
-    ControlTexts, DecodeLimits, Heights, MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, OverviewWarning, PlacingOptions, RunInput,
-    SearchArea, decode, parse_ground_control_points, run_block,
+    Axis, BlockEdit, BlockFiles, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning,
+    ControlRole, ControlTexts, DecodeLimits, Heights, MeasuredBy, MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, OverviewWarning,
+    PlacingOptions, PointSource, RunInput, SearchArea, control_by_hand, decode, parse_ground_control_points, read_project, run_block,
+    write_block_project,
 };
 
 /// Of the map, from that of the scene.
@@ -234,4 +236,200 @@ fn a_wrong_ground_control_point_is_rejected_beside_an_orthophoto_as_alone() {
     is_right(&both);
     let tie_point = both.reconstruction.as_ref().unwrap().models[0].points[0];
     is_right(&both.with_edits(&[BlockEdit::RejectPoints { points: vec![tie_point] }]).unwrap());
+}
+
+/// Places of level ground near the corners of the block, each with all images that show it.
+fn corners() -> Vec<Shown> {
+    let (reference, _) = own();
+    let at_px: Vec<[f64; 2]> = (0..63).map(|k| [60.0 + 45.0 * f64::from(k % 9), 60.0 + 40.0 * f64::from(k / 9)]).collect();
+    let all = shown(&flown().scene, &[0, 3, 4, 7], &at_px);
+    // Beside roofs and walls nobody measures by eye.
+    let is_level = |(place, _): &Shown| {
+        let added = control_by_hand(1, [place[0] + FAR[0], place[1] + FAR[1]], reference, None, &options());
+        matches!(added, Ok(BlockEdit::AddControl { standard_errors: Some([_, height]), position, .. }) if height < 1.0 && (position[2] - place[2]).abs() < 0.3)
+    };
+    let level: Vec<Shown> = all.into_iter().filter(is_level).collect();
+    // Those that lie farthest out to four sides.
+    let sides = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+    let outermost =
+        |[a, b]: [f64; 2]| level.iter().max_by(|(p, _), (q, _)| (a * p[0] + b * p[1]).total_cmp(&(a * q[0] + b * q[1]))).unwrap().clone();
+    sides.map(outermost).into()
+}
+
+/// Edits that measure these places by hand in a block with so many surveyed points. `times`: how many px a usual error of the eye is, in either picture.
+fn by_hand(given: usize, places: &[Shown], times: f64) -> Vec<BlockEdit> {
+    let (reference, _) = own();
+    let off = |k: usize| times * [0.7, -1.1, 0.4, -0.3, 1.2, -0.6, 0.2, 0.9][k % 8];
+    let of_place = |(number, (place, seen)): (usize, &Shown)| {
+        let at = [0, 1].map(|k| place[k] + FAR[k] + 0.8 * off(3 * number + k));
+        let add = control_by_hand(number + 1, at, reference, None, &options()).unwrap();
+        let measure = seen.iter().enumerate().map(move |(k, (image, [x, y]))| {
+            let (x_px, y_px) = ((x + off(number + 2 * k)).clamp(0.0, 480.0), (y - off(number + 2 * k + 3)).clamp(0.0, 360.0));
+            BlockEdit::Measure { point: PointSource::GroundControl(given + number), image: *image, x_px, y_px, by: MeasuredBy::Hand }
+        });
+        std::iter::once(add).chain(measure).collect::<Vec<BlockEdit>>()
+    };
+    places.iter().enumerate().flat_map(of_place).collect()
+}
+
+fn largest_m(errors: &[[(f64, f64); 3]]) -> f64 {
+    errors.iter().flatten().map(|(off, _)| off.abs()).fold(0.0, f64::max)
+}
+
+/// The camera is narrow: a place that lies a px beside itself in two photos 60 m apart is 9 m too high or too low, and four of them tilt the block by a
+/// degree, or 15 m at 800 m. Standard errors say so, and without errors of the eye the block is where it was photographed.
+fn holds(run: &BlockRun, exact: &BlockRun) {
+    let truth = flown().scene.truth();
+    let (off, exact) = (errors(run, &truth), errors(exact, &truth));
+    println!("{:.2} m, {:.2} m without errors: {off:.3?}", largest_m(&off), largest_m(&exact));
+    let ratios: Vec<f64> = off.iter().flatten().map(|(_, ratio)| ratio.abs()).collect();
+    let mean_square = ratios.iter().map(|ratio| ratio * ratio).sum::<f64>() / ratios.len() as f64;
+    assert!(ratios.iter().all(|ratio| *ratio < 3.3) && (0.05..4.0).contains(&mean_square), "{mean_square} {off:.3?}");
+    assert!(largest_m(&exact) < 2.5, "{exact:.3?}");
+}
+
+/// Names of the control points that take part in a block.
+fn used(run: &BlockRun) -> Vec<String> {
+    let model = &run.reconstruction.as_ref().unwrap().models[0];
+    model.surveyed.iter().filter(|point| point.role == ControlRole::Control).map(|point| point.name.clone()).collect()
+}
+
+fn files(run: &BlockRun) -> BTreeMap<String, String> {
+    let mut written = BTreeMap::new();
+    let mut files = BlockFiles::new(&[], None);
+    while files
+        .step(run, &mut |path, text| {
+            written.insert(path.to_string(), text.to_string());
+            Ok(())
+        })
+        .unwrap()
+        .is_none()
+    {}
+    written
+}
+
+#[test]
+fn four_places_by_hand_hold_a_block_whose_automatic_places_are_all_rejected() {
+    let found = linked(block());
+    let given = parse_ground_control_points(&found.input.control.as_ref().unwrap().points).unwrap();
+    let given = given.iter().filter(|row| row.role.is_some()).count();
+    let reject = BlockEdit::RejectPoints {
+        points: (0..given)
+            .filter(|k| found.reconstruction.as_ref().unwrap().models[0].points.contains(&PointSource::GroundControl(*k)))
+            .map(PointSource::GroundControl)
+            .collect(),
+    };
+    let places = by_hand(given, &corners(), 1.0);
+    let edited = found.with_edits(&[vec![reject.clone()], places.clone()].concat()).unwrap();
+    assert_eq!(used(&edited), ["orthophoto_hand_1", "orthophoto_hand_2", "orthophoto_hand_3", "orthophoto_hand_4"]);
+    assert_eq!(outcome(&edited), outcome(&found));
+    holds(&edited, &found.with_edits(&[vec![reject.clone()], by_hand(given, &corners(), 0.0)].concat()).unwrap());
+    // Without them the block would float, and beside the automatic ones they take part as any.
+    assert!(used(&found.with_edits(std::slice::from_ref(&reject)).unwrap()).is_empty());
+    let beside = found.with_edits(&places).unwrap();
+    let all = used(&beside);
+    assert!(all.len() > 40 && all.contains(&"orthophoto_hand_4".to_string()), "{all:?}");
+    let better = errors(&beside, &flown().scene.truth());
+    assert!(largest_m(&better) < 1.6, "{better:.3?}");
+
+    // The tables say which they are, the project keeps them, and without edits the block is what it was.
+    let written = files(&edited);
+    let rows: Vec<Vec<&str>> = written["surveyed.csv"].lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0].last(), Some(&"by_hand"));
+    let of = |name: &str| rows.iter().find(|row| row[0] == name).unwrap().clone();
+    assert_eq!(of("orthophoto_hand_1")[rows[0].len() - 2..], ["used", "1"]);
+    assert_eq!(of(&used(&found)[0])[rows[0].len() - 2..], ["off", "0"]);
+    assert!(!files(&found)["surveyed.csv"].contains("by_hand"));
+    let tiepoint::Project::Block(again) = read_project(write_block_project(&edited).unwrap().as_bytes()).unwrap() else {
+        panic!("a block")
+    };
+    assert_eq!(*again, edited);
+    assert_eq!(again.with_edits(&[]).unwrap(), found);
+    // One that is rejected by hand, or used as a check point, is named so.
+    let checked = [
+        places,
+        vec![
+            BlockEdit::SetUse { point: given + 1, role: Some(ControlRole::Check) },
+            BlockEdit::RejectPoints { points: vec![PointSource::GroundControl(given)] },
+        ],
+    ]
+    .concat();
+    let checked = files(&found.with_edits(&checked).unwrap())["surveyed.csv"].clone();
+    let row = |name: &str| checked.lines().find(|line| line.starts_with(name)).unwrap().to_string();
+    assert!(row("orthophoto_hand_1,").ends_with("off,1") && row("orthophoto_hand_2,check").ends_with("check,1"), "{checked}");
+}
+
+#[test]
+fn places_by_hand_bring_a_block_that_could_not_be_linked_into_the_system_of_the_orthophoto() {
+    let (reference, _) = own();
+    let found = BlockLinks::default().linked(block(), reference, &options()).unwrap();
+    assert!(
+        matches!(outcome(&found), OnOrthophoto::NotLinked { not_linked: NotLinked::FewImages { placed: 0, .. } }),
+        "{}",
+        outcome(&found)
+    );
+    let places = by_hand(0, &corners(), 1.0);
+    // What is adjusted anew without a change.
+    let tie_point =
+        *found.reconstruction.as_ref().unwrap().models[0].points.iter().find(|point| matches!(point, PointSource::TiePoint(_))).unwrap();
+    let as_it_was = found.with_edits(&[BlockEdit::RestorePoints { points: vec![tie_point] }]).unwrap();
+    // Two do not suffice, however often they are measured: they wait, and the block stays where its GNSS positions have it.
+    let third = places.iter().enumerate().filter(|(_, edit)| matches!(edit, BlockEdit::AddControl { .. })).nth(2).unwrap().0;
+    let two = found.with_edits(&places[..third]).unwrap();
+    assert_eq!(two.reconstruction, as_it_was.reconstruction);
+    assert_eq!(outcome(&two), outcome(&found));
+    assert!(files(&two)["surveyed.csv"].lines().skip(1).all(|line| line.ends_with("not placed,1")), "{}", files(&two)["surveyed.csv"]);
+    // Nor does a third that one image shows.
+    let three = found.with_edits(&places[..third + 2]).unwrap();
+    assert_eq!(three.reconstruction, as_it_was.reconstruction);
+
+    // Nor do three of which one was measured at another place in each image: its rays do not meet.
+    let mut apart: Vec<BlockEdit> = by_hand(0, &corners()[..3], 1.0);
+    let of_first = apart.iter_mut().filter_map(|edit| match edit {
+        BlockEdit::Measure { point: PointSource::GroundControl(0), x_px, y_px, .. } => Some((x_px, y_px)),
+        _ => None,
+    });
+    for (k, (x_px, y_px)) in of_first.enumerate() {
+        (*x_px, *y_px) = ((*x_px + 97.0 * (k + 1) as f64) % 480.0, (*y_px + 151.0 * (k * k + 1) as f64) % 360.0);
+    }
+    assert_eq!(found.with_edits(&apart).unwrap().reconstruction, as_it_was.reconstruction);
+
+    let edited = found.with_edits(&places).unwrap();
+    let OnOrthophoto::ByHand { linked, images: 8, points: 4, in_crs: false, .. } = outcome(&edited) else { panic!("{}", outcome(&edited)) };
+    assert!(linked >= 4, "{linked}");
+    assert!(
+        edited.model.origin.is_none()
+            && !matches!(BlockVerdict::of(&edited), BlockVerdict::Weak { overview_warning: OverviewWarning::NotOnOrthophoto { .. }, .. })
+    );
+    holds(&edited, &found.with_edits(&by_hand(0, &corners(), 0.0)).unwrap());
+    // Undone, it is what it was.
+    assert_eq!(edited.found(), found);
+    let tiepoint::Project::Block(again) = read_project(write_block_project(&edited).unwrap().as_bytes()).unwrap() else {
+        panic!("a block")
+    };
+    assert_eq!(again.with_edits(&places[..third]).unwrap(), two);
+}
+
+#[test]
+fn control_points_that_cannot_be_added_are_refused_by_their_edit() {
+    let found = linked(block());
+    let (reference, _) = own();
+    let at = corners()[0].0;
+    let add = control_by_hand(1, [at[0] + FAR[0], at[1] + FAR[1]], reference, None, &options()).unwrap();
+    let refused = |edits: &[BlockEdit]| found.with_edits(edits).unwrap_err().to_string();
+    let told = refused(&[add.clone(), add.clone()]);
+    assert!(told.contains("\"orthophoto_hand_1\", which is empty or that of another one") && told.contains("(edit 2)"), "{told}");
+    let BlockEdit::AddControl { position, role, epsg, .. } = add.clone() else { panic!("{add:?}") };
+    let named =
+        |name: &str, standard_errors| BlockEdit::AddControl { name: name.into(), position, standard_errors, sigma_px: None, role, epsg };
+    assert!(refused(&[named("orthophoto_1", None)]).contains("that of another one"));
+    assert!(refused(&[named("", None)]).contains("which is empty"));
+    let told = refused(&[named("P", Some([0.1, -1.0]))]);
+    assert!(told.contains("got [0.1, -1.0] for P; allowed: numbers above 0"), "{told}");
+    // What is not added yet is not measured.
+    let given = parse_ground_control_points(&found.input.control.as_ref().unwrap().points).unwrap();
+    let given = given.iter().filter(|row| row.role.is_some()).count();
+    let measure = BlockEdit::Measure { point: PointSource::GroundControl(given), image: 0, x_px: 10.0, y_px: 10.0, by: MeasuredBy::Hand };
+    assert!(refused(&[measure, add.clone()]).contains("(edit 1)"));
+    assert!(refused(&[BlockEdit::SetUse { point: given, role: None }, add]).contains("(edit 1)"));
 }

@@ -22,7 +22,7 @@ export const edit = {
   ],
   details:
     'PROJECT is the project.tiepoint of a block. Kinds of edits: reject_observations, restore_observations, reject_points, restore_points, reject_images, restore_images, reject_pairs, restore_pairs (pairs: two images each), measure (point, image, x_px, y_px; ' +
-    'moves an observation or adds one), add_point (observations in two or more images), set_use (point, use: control, check or null). The project keeps the block as it was found beside the edits: they can be undone. ' +
+    'moves an observation or adds one), add_point (observations in two or more images), add_control (name, position, standard_errors, sigma_px, use; measured by edits behind it), set_use (point, use: control, check or null). The project keeps the block as it was found beside the edits: they can be undone. ' +
     'Images are not needed. The exit code is that of the verdict: 0 oriented, 3 weak, 4 not oriented.',
   run,
 };

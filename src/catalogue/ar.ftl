@@ -791,6 +791,11 @@ on-orthophoto-linked =
         [0] .
        *[other] ؛ ورُفض { $rejected } منها.
     }
+on-orthophoto-by-hand =
+    { $in_crs ->
+        [true] ضُبطت الكتلة بالصورة المصححة في نظامها المرجعي للإحداثيات،
+       *[false] تقع الكتلة في نظام الصورة المصححة،
+    } بعدد { $points } من المواضع المقيسة يدويًا في { $linked } من { $images } من الصور.
 on-orthophoto-not-linked = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
 
 # Why a block is not in the system of an orthophoto.
@@ -953,6 +958,8 @@ refusal-unknown-point = نقطة تعديل: أُعطيت { $point_name }؛ ال
 refusal-image-not-oriented = صورة تعديل: أُعطيت { $location }، وهي غير موجَّهة؛ المسموح: صور موجَّهة من الكتلة
 refusal-pair-not-connected = زوج تعديل: أُعطيت { $first } و{ $second }، ولا تصل بينهما مطابقات؛ المسموح: أزواج متصلة من الكتلة
 refusal-block-not-oriented = كتلة التعديلات: أُعطيت كتلة غير موجَّهة؛ المسموح: كتلة موجَّهة
+refusal-added-control-name = اسم نقطة ضبط أرضية جديدة: أُعطي { $name }، وهو فارغ أو اسم نقطة أخرى؛ المسموح: اسم خاص بها
+refusal-added-control-errors = الأخطاء المعيارية لنقطة ضبط أرضية جديدة: أُعطي { $errors } للنقطة { $name }؛ المسموح: أعداد أكبر من 0
 
 # Exchange formats and tables.
 refusal-feature-numbers = سمة COLMAP: أُعطي { $numbers } للسمة { $feature }؛ المسموح: أعداد منتهية
@@ -1079,6 +1086,8 @@ refusal-chosen-feature = الأرصاد: أُعطيت السمة { $feature }؛ 
 refusal-link-position = موضع رابط: أُعطي { $position } للرابط { $link }؛ المسموح: داخل الصورة ذات { $width_px } × { $height_px } بكسل
 refusal-link-beside-frame = موضع رابط: أُعطي { $position } للرابط { $link }؛ المسموح: داخل العلامات الإطارية للمسح الضوئي
 refusal-link-place = مكان رابط على الأرض: أُعطي { $place } للرابط { $link }؛ المسموح: حيث لأرض الصورة المصححة ارتفاع
+refusal-place-without-height = موضع على الأرض: أُعطي { $place }؛ المسموح: حيث لأرض الصورة المصححة ارتفاع
+refusal-place-system = موضع من صورة مصححة: أُعطي موضع من نظام لا يقود منه شيء إلى { $crs } ({ $failure })؛ المسموح: مواضع صورة مصححة يقود نظامها إلى هناك
 refusal-world-file = ملف الإحداثيات (world file): أُعطي { $text }؛ المسموح: ستة أعداد، عدد في كل سطر: A وD وB وE للبكسل، وX وY لمركز البكسل العلوي الأيسر
 refusal-georeference = الإسناد الجغرافي: أُعطي { $numbers }؛ المسموح: إحداثيات منتهية وبكسلات لها امتداد
 refusal-degrees = إحداثيات صورة الأرض: أُعطي خط الطول والعرض بالدرجات؛ المسموح: نظام إسقاط بالأمتار أو الأقدام: أعد إسقاطها، بالأمر gdalwarp -t_srs مثلًا

@@ -340,6 +340,8 @@ refusal-unknown-point = point of an edit: got { $point_name }; allowed: points o
 refusal-image-not-oriented = image of an edit: got { $location }, which is not oriented; allowed: images of the block that are oriented
 refusal-pair-not-connected = pair of an edit: got { $first } and { $second }, which no matches connect; allowed: connected pairs of the block
 refusal-block-not-oriented = block of the edits: got one that is not oriented; allowed: an oriented one
+refusal-added-control-name = name of a new ground control point: got { $name }, which is empty or that of another one; allowed: a name of its own
+refusal-added-control-errors = standard errors of a new ground control point: got { $errors } for { $name }; allowed: numbers above 0
 
 # Exchange formats and tables.
 refusal-feature-numbers = COLMAP feature: got { $numbers } as feature { $feature }; allowed: finite numbers
@@ -458,6 +460,8 @@ refusal-chosen-feature = observations: got feature { $feature }; allowed: featur
 refusal-link-position = position of a link: got { $position }, of link { $link }; allowed: within the image of { $width_px } x { $height_px } px
 refusal-link-beside-frame = position of a link: got { $position }, of link { $link }; allowed: within the fiducial marks of the scan
 refusal-link-place = place of a link: got { $place }, of link { $link }; allowed: where the ground of the orthophoto has a height
+refusal-place-without-height = place of the ground: got { $place }; allowed: where the ground of the orthophoto has a height
+refusal-place-system = place of an orthophoto: got one of a system from which nothing leads to { $crs } ({ $failure }); allowed: places of an orthophoto whose system leads there
 refusal-world-file = world file: got { $text }; allowed: six numbers, one per line: A, D, B, E of the pixel, X and Y of the centre of the top-left pixel
 refusal-georeference = georeference: got { $numbers }; allowed: finite coordinates and pixels with an extent
 refusal-degrees = coordinates of a picture of the ground: got longitude and latitude in degrees; allowed: a projected system in metres or feet: reproject it, with gdalwarp -t_srs say
@@ -1200,6 +1204,11 @@ on-orthophoto-linked =
         [0] .
        *[other] ; { $rejected } were rejected.
     }
+on-orthophoto-by-hand =
+    { $in_crs ->
+        [true] The block is adjusted by the orthophoto in its coordinate reference system,
+       *[false] The block lies in the system of the orthophoto,
+    } by { $points } places that were measured by hand in { $linked } of { $images } images.
 on-orthophoto-not-linked = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 
 # Why a block is not in the system of an orthophoto.

@@ -4,21 +4,35 @@ use super::edit::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
 use super::rejected_pairs::{ImagePairs, ascending, sort_pairs, take_out};
 use crate::error::refuse;
 use crate::model::{BlockDescription, ControlRole, ImageObservation};
-use crate::reconstruction::{Changed, ObservedPoint, ObservedRay, RayPart, RayWeight, readjust};
+use crate::reconstruction::{Changed, ObservedPoint, ObservedRay, PLACING, RayPart, RayWeight, brought, origin_of, readjust};
 use crate::{
-    Camera, Connection, Error, Input, KnownImage, Location, ObservationSource, PairOutcome, PointName, PointSource, ReconstructedModel,
-    ReconstructionOptions, Refusal, UnorientedImage, UnorientedReason,
+    Camera, Connection, Error, GeographicOrigin, GroundControlPoint, Input, KnownImage, Location, ObservationSource, PairOutcome,
+    PointName, PointSource, ReconstructedModel, ReconstructionOptions, Refusal, UnorientedImage, UnorientedReason,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A block as it was found, as far as edits change it.
 pub(crate) struct FoundBlock<'a> {
     pub model: &'a ReconstructedModel,
+    /// As the block was found.
+    pub as_found: &'a BlockDescription,
+    /// With the surveyed points that the edits add behind those that were given, and what is known of images beside them.
     pub description: &'a BlockDescription,
+    /// Whether the model lies in the system of the coordinates of surveyed points.
+    pub is_in_their_system: bool,
     /// Its images as they are known without control points, which they are where none is left of those that the block had.
     pub alone: &'a [KnownImage],
     /// The pairs that were matched.
     pub connections: &'a [Connection],
+}
+
+/// A block after edits.
+pub(crate) struct EditedBlock {
+    pub model: ReconstructedModel,
+    /// Images that are no longer in it.
+    pub unoriented: Vec<UnorientedImage>,
+    /// Where points that were added brought the block into their system: where (0, 0, 0) of that is, absent where it has no place on the earth.
+    pub brought_to: Option<Option<GeographicOrigin>>,
 }
 
 /// The model of a block after edits, adjusted anew; and the images that are no longer in it.
@@ -26,15 +40,12 @@ pub(crate) struct FoundBlock<'a> {
 /// # Errors
 /// [`Error::InvalidInput`] for an edit of what does not exist, for places outside an image, and for a new point whose rays do not meet; the
 /// errors of [`adjust_block`](crate::adjust_block) for a block that falls apart.
-pub(crate) fn edited_model(
-    found: &FoundBlock<'_>,
-    edits: &[BlockEdit],
-    options: &ReconstructionOptions,
-) -> Result<(ReconstructedModel, Vec<UnorientedImage>), Error> {
-    let FoundBlock { model, description, alone, .. } = *found;
+pub(crate) fn edited_model(found: &FoundBlock<'_>, edits: &[BlockEdit], options: &ReconstructionOptions) -> Result<EditedBlock, Error> {
+    let FoundBlock { model, as_found, alone, .. } = *found;
     let surveyed = model.points.iter().filter_map(|point| if let PointSource::GroundControl(index) = point { Some(*index) } else { None });
-    if let Some(index) = surveyed.max().filter(|index| *index >= description.control.len()) {
-        return refuse(Refusal::Index { input: Input::SurveyedPointOfBlock, index, count: description.control.len() });
+    let given = as_found.control.len();
+    if let Some(index) = surveyed.max().filter(|index| *index >= given) {
+        return refuse(Refusal::Index { input: Input::SurveyedPointOfBlock, index, count: given });
     }
     let mut draft = Edited::new(found);
     for (number, edit) in (1..).zip(edits) {
@@ -42,14 +53,43 @@ pub(crate) fn edited_model(
     }
     let rejected = draft.rejected_images.iter();
     let rejected: Vec<_> = rejected.map(|image| UnorientedImage { image: *image, reason: UnorientedReason::RejectedByHand }).collect();
-    let (points, images, mut now) = draft.taken();
+    let (mut points, images, mut now) = draft.taken();
+    let is_added = |point: &ObservedPoint| matches!(point.source, PointSource::GroundControl(control) if control >= given);
+    let may_be_brought = !found.is_in_their_system && points.iter().any(&is_added) && places_block(&points, &images, &now);
+    if may_be_brought {
+        let changed = Changed { images: images.clone(), points: &points, description: &now };
+        // Those whose image measurements contradict each other place nothing.
+        let (model, lost) = brought(model, changed, options)?;
+        if model.in_system && model.adjusted.datum.uses_control() {
+            return Ok(EditedBlock { model, unoriented: [rejected, lost].concat(), brought_to: Some(origin_of(&now)?) });
+        }
+    }
+    if !found.is_in_their_system {
+        points.retain(|point| !is_added(point));
+        now.control[given..].iter_mut().for_each(|waiting| waiting.measurements.clear());
+    }
     let is_control = |point: &ObservedPoint| matches!(point.source, PointSource::GroundControl(control) if now.control[control].role == ControlRole::Control);
     if !points.iter().any(is_control) {
         now.images = alone.to_vec();
     }
     let changed = Changed { images, points: &points, description: &now };
-    let (model, lost) = readjust(model, changed, description, options)?;
-    Ok((model, [rejected, lost].concat()))
+    let (model, lost) = readjust(model, changed, &in_system_of(as_found, &now), options)?;
+    Ok(EditedBlock { model, unoriented: [rejected, lost].concat(), brought_to: None })
+}
+
+/// Whether surveyed points suffice to bring the block into their system: so many that place it, each measured in two images or more.
+fn places_block(points: &[ObservedPoint], images: &[usize], description: &BlockDescription) -> bool {
+    let places = |point: &&ObservedPoint| matches!(point.source, PointSource::GroundControl(control) if description.control[control].role == ControlRole::Control);
+    let taking = |point: &ObservedPoint| {
+        point.rays.iter().filter(|ray| ray.part != RayPart::RejectedByHand && images.binary_search(&ray.image).is_ok()).count()
+    };
+    points.iter().filter(places).filter(|point| taking(point) >= 2).count() >= PLACING
+}
+
+/// The description by which the block was found, and in its system the points that were added: they say nothing of where that is.
+fn in_system_of(as_found: &BlockDescription, now: &BlockDescription) -> BlockDescription {
+    let added = now.control[as_found.control.len()..].iter().map(|point| GroundControlPoint { role: ControlRole::Check, ..point.clone() });
+    BlockDescription { control: as_found.control.iter().cloned().chain(added).collect(), ..as_found.clone() }
 }
 
 /// Says which edit of the list is refused.
@@ -74,11 +114,13 @@ struct Edited<'a> {
     rejected_pairs: ImagePairs,
     /// Points that were added.
     added: u32,
+    /// Surveyed points that are known so far: those that were given, and those that were added.
+    surveyed: usize,
 }
 
 impl<'a> Edited<'a> {
     fn new(found: &FoundBlock<'a>) -> Self {
-        let FoundBlock { model, description, connections, .. } = *found;
+        let FoundBlock { model, as_found, description, connections, .. } = *found;
         let matched = connections.iter().filter(|pair| matches!(pair.outcome, PairOutcome::Connected { .. }));
         let connected = matched.map(|pair| ascending(pair.images.map(|image| image as usize))).collect();
         let points = model.observed_points();
@@ -93,6 +135,7 @@ impl<'a> Edited<'a> {
             rejected_images: BTreeSet::new(),
             rejected_pairs: ImagePairs::new(),
             added: 0,
+            surveyed: as_found.control.len(),
         }
     }
 
@@ -129,6 +172,11 @@ impl<'a> Edited<'a> {
                 self.measure(*point, &HandMeasurement { image: *image, x_px: *x_px, y_px: *y_px, by: *by })
             }
             BlockEdit::AddPoint { observations } => self.add(observations),
+            // The description has it already.
+            BlockEdit::AddControl { .. } => {
+                self.surveyed += 1;
+                Ok(())
+            }
             BlockEdit::SetUse { point, role } => self.set_use(*point, *role),
         }
     }
@@ -148,7 +196,7 @@ impl<'a> Edited<'a> {
     fn measure(&mut self, point: PointSource, measurement: &HandMeasurement) -> Result<(), Error> {
         let ray = self.measured(measurement, point)?;
         if let (PointSource::GroundControl(control), None) = (point, self.place_of.get(&point)) {
-            if control >= self.description.control.len() {
+            if control >= self.surveyed {
                 return self.known(point).map(|_| ());
             }
             let rays = self.marks_of(control);
@@ -180,8 +228,8 @@ impl<'a> Edited<'a> {
     }
 
     fn set_use(&mut self, point: usize, role: Option<ControlRole>) -> Result<(), Error> {
-        let Some(known) = self.description.control.get_mut(point) else {
-            return refuse(Refusal::Index { input: Input::SurveyedPoint, index: point, count: self.description.control.len() });
+        let Some(known) = self.description.control[..self.surveyed].get_mut(point) else {
+            return refuse(Refusal::Index { input: Input::SurveyedPoint, index: point, count: self.surveyed });
         };
         let source = PointSource::GroundControl(point);
         match role {
@@ -350,8 +398,9 @@ mod tests {
         connections: &[Connection],
         edits: &[BlockEdit],
     ) -> Result<ReconstructedModel, Error> {
-        let found = FoundBlock { model, description, alone: &description.images, connections };
-        edited_model(&found, edits, &options()).map(|(model, _)| model)
+        let found =
+            FoundBlock { model, as_found: description, description, is_in_their_system: true, alone: &description.images, connections };
+        edited_model(&found, edits, &options()).map(|edited| edited.model)
     }
 
     /// All pairs, of which one has too few matches.

@@ -51,9 +51,29 @@ pub enum BlockEdit {
     AddPoint {
         observations: Vec<HandMeasurement>,
     },
+    /// A new surveyed point, which edits after it measure: [`PointSource::GroundControl`] with the number of those that the block was found with, and of such
+    /// edits before. Where the block does not lie in the system of its coordinates, three or more that place it, each measured in two images or more, bring
+    /// it there; until then these points take no part.
+    AddControl {
+        /// No other surveyed point has it.
+        name: String,
+        /// As a table of ground control points has them: in the coordinate reference system of the block, where one was chosen.
+        position: [f64; 3],
+        /// Standard errors of the place and of the height, above 0; absent: those of the settings.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        standard_errors: Option<[f64; 2]>,
+        /// Standard error of a coordinate of its image measurements in px; absent: that of the settings.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        sigma_px: Option<f64>,
+        #[serde(default, rename = "use")]
+        role: ControlRole,
+        /// The EPSG code of the system of its coordinates, of a place of an orthophoto whose code is known.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        epsg: Option<u16>,
+    },
     /// Whether a surveyed point places the block, checks it, or takes no part (absent).
     SetUse {
-        /// Index of the surveyed point among those that the table does not say `off` of.
+        /// Index of the surveyed point among those that the table does not say `off` of, and behind them those that were added.
         point: usize,
         #[serde(default, rename = "use")]
         role: Option<ControlRole>,

@@ -132,6 +132,8 @@ messages! {
         ImageNotOriented { location: Location },
         PairNotConnected { first: String, second: String },
         BlockNotOriented,
+        AddedControlName { name: String },
+        AddedControlErrors { errors: String, name: String },
 
         // Exchange formats and tables.
         FeatureNumbers { numbers: String, feature: usize },
@@ -198,6 +200,8 @@ messages! {
         LinkPosition { position: String, link: usize, width_px: u32, height_px: u32 },
         LinkBesideFrame { position: String, link: usize },
         LinkPlace { place: String, link: usize },
+        PlaceWithoutHeight { place: String },
+        PlaceSystem { crs: String, failure: Failure },
         WorldFile { text: String },
         Georeference { numbers: String },
         Degrees,

@@ -188,7 +188,7 @@ impl BlockLinks {
 }
 
 /// The orthophoto in m where it goes into a coordinate reference system, else as it is.
-fn in_metres<'a>(into: Option<&IntoSystem>, reference: &'a Orthophoto) -> Cow<'a, Orthophoto> {
+pub(super) fn in_metres<'a>(into: Option<&IntoSystem>, reference: &'a Orthophoto) -> Cow<'a, Orthophoto> {
     into.map_or(Cow::Borrowed(reference), |into| Cow::Owned(into.in_metres(reference)))
 }
 

@@ -114,7 +114,7 @@ pub(super) fn borders(model: &BlockModel, heights: &Heights) -> Vec<[f64; 2]> {
 pub(crate) fn epsg_of(run: &BlockRun, map: Option<&BlockMap>) -> Option<u16> {
     match (map, &run.orthophoto) {
         (Some(map), _) => map.epsg(),
-        (None, Some(OnOrthophoto::Linked { in_crs: false, epsg, .. })) => *epsg,
+        (None, Some(OnOrthophoto::Linked { in_crs: false, epsg, .. } | OnOrthophoto::ByHand { in_crs: false, epsg, .. })) => *epsg,
         (None, _) => None,
     }
 }

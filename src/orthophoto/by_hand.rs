@@ -48,8 +48,10 @@ pub struct GivenLink {
 
 /// Links that take part, at least: three orient an image, and a fourth tells whether they are right.
 const LEAST_LINKS: usize = 4;
-/// Standard error of a link that was measured by eye, in px of the image: one in either picture.
-const BY_HAND_PX: f64 = std::f64::consts::SQRT_2;
+/// Standard error of a position that was measured by eye, in px of its picture.
+pub(super) const BY_EYE_PX: f64 = 1.0;
+/// That of a link, in px of the image: it was measured in either picture.
+const BY_HAND_PX: f64 = std::f64::consts::SQRT_2 * BY_EYE_PX;
 
 /// Orients an image by given links: from where it was placed before, or by resection where it was not. The links of the result are the given
 /// ones in their order.

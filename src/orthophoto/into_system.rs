@@ -31,7 +31,14 @@ impl IntoSystem {
     /// # Errors
     /// [`NotLinked::OtherSystem`] where nothing leads from one to the other, in the middle of the orthophoto or towards its corners.
     pub fn of(run: &BlockRun, orthophoto: &Orthophoto) -> Result<Option<Self>, NotLinked> {
-        let Some(crs) = &run.input.settings.placing.crs else { return Ok(None) };
+        run.input.settings.placing.crs.as_ref().map(|crs| Self::into(crs, orthophoto)).transpose()
+    }
+
+    /// Into this coordinate reference system of a block.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of).
+    pub fn into(crs: &str, orthophoto: &Orthophoto) -> Result<Self, NotLinked> {
         let said = orthophoto.said();
         let not_linked =
             |error: &Error| NotLinked::OtherSystem { orthophoto: said.name(), crs: shorten(crs), failure: Failure::from(error) };
@@ -42,7 +49,7 @@ impl IntoSystem {
         let is_left_to_try = tried.iter().any(Result::is_ok);
         match tried.into_iter().find_map(Result::err).filter(|_| !is_left_to_try) {
             Some(error) => Err(not_linked(&error)),
-            None => Ok(Some(into)),
+            None => Ok(into),
         }
     }
 
@@ -59,6 +66,11 @@ impl IntoSystem {
         };
         let unit_m = said.unit_m.or(orthophoto.unit_m()).unwrap_or(1.0);
         Ok(Self { orthophoto, block, is_assumed, unit_m })
+    }
+
+    /// The unit of the orthophoto in m.
+    pub fn unit_m(&self) -> f64 {
+        self.unit_m
     }
 
     /// The orthophoto in m.

@@ -13,6 +13,7 @@ use crate::{
     export_block,
 };
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// The name of the project file.
 const PROJECT: &str = "project.tiepoint";
@@ -102,7 +103,8 @@ fn write_tables(run: &BlockRun, emit: Emit<'_>) -> Result<(), Error> {
     let surveyed = shown.surveyed();
     let absent = absent_points(run, &surveyed);
     if !surveyed.is_empty() || !absent.is_empty() {
-        emit("surveyed.csv", &tables::control(&surveyed, &absent))?;
+        let by_hand: Option<BTreeSet<String>> = run.edited.as_ref().map(|_| run.added_control().map(|row| row.name).collect());
+        emit("surveyed.csv", &tables::control(&surveyed, &absent, by_hand.as_ref()))?;
     }
     emit("pairs.csv", &tables::pairs(run, &pair_rows(run)?.0))
 }

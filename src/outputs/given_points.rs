@@ -2,7 +2,9 @@
 
 use super::precision::written;
 use crate::pipeline::is_place_of_orthophoto;
-use crate::{BlockEdit, BlockRun, ControlRole, PointSource, SurveyedPoint, parse_ground_control_points, parse_image_measurements};
+use crate::{
+    BlockEdit, BlockRun, ControlRole, GroundControlRow, PointSource, SurveyedPoint, parse_ground_control_points, parse_image_measurements,
+};
 use std::collections::BTreeSet;
 
 /// What became of a point without figures.
@@ -47,13 +49,28 @@ pub(super) struct AbsentPoint {
     pub absence: Absence,
 }
 
+/// How many points were given and are not switched off: as edits count them.
+pub(super) fn given_control(run: &BlockRun) -> usize {
+    let rows = run.input.control.as_ref().map(|texts| parse_ground_control_points(&texts.points).unwrap_or_default());
+    rows.unwrap_or_default().iter().filter(|row| row.role.is_some()).count()
+}
+
 /// The points that were given and are not among those that a block has figures of, in the order in which they were given. Without any model there are none.
 pub(super) fn absent_points(run: &BlockRun, surveyed: &[SurveyedPoint]) -> Vec<AbsentPoint> {
-    let Some((model, texts)) = written(run).zip(run.input.control.as_ref()) else { return Vec::new() };
-    // A run reads the table before it starts.
-    let rows = parse_ground_control_points(&texts.points).unwrap_or_default();
-    let marks = parse_image_measurements(&texts.marks).unwrap_or_default();
-    let measured: BTreeSet<&str> = marks.iter().map(|mark| mark.point.as_str()).collect();
+    let Some(model) = written(run) else { return Vec::new() };
+    // A run reads the tables before it starts.
+    let texts = run.input.control.as_ref();
+    let mut rows = texts.map(|texts| parse_ground_control_points(&texts.points).unwrap_or_default()).unwrap_or_default();
+    let marks = texts.map(|texts| parse_image_measurements(&texts.marks).unwrap_or_default()).unwrap_or_default();
+    let mut measured: BTreeSet<String> = marks.into_iter().map(|mark| mark.point).collect();
+    let given = given_control(run);
+    let added: Vec<GroundControlRow> = run.added_control().collect();
+    let by_hand = run.edits().iter().filter_map(|edit| match edit {
+        BlockEdit::Measure { point: PointSource::GroundControl(point), .. } => Some(*point),
+        _ => None,
+    });
+    measured.extend(by_hand.filter_map(|point| Some(added.get(point.checked_sub(given)?)?.name.clone())));
+    rows.extend(added);
     let has_figures: BTreeSet<&str> = surveyed.iter().map(|point| point.name.as_str()).collect();
     let is_placed = model.in_system && model.adjusted.datum.uses_control();
     // Edits count the points that the table does not switch off.
@@ -69,7 +86,7 @@ pub(super) fn absent_points(run: &BlockRun, surveyed: &[SurveyedPoint]) -> Vec<A
         let absence = match role {
             None if !given && is_place_of_orthophoto(&row.name) => Absence::Rejected,
             None => Absence::Off,
-            Some(_) if !measured.contains(row.name.as_str()) => Absence::NotMeasured,
+            Some(_) if !measured.contains(&row.name) => Absence::NotMeasured,
             Some(_) if !is_placed => Absence::NotPlaced,
             Some(ControlRole::Control) => Absence::Untested,
             Some(ControlRole::Check) => Absence::NotDetermined,

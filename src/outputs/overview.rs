@@ -1,5 +1,6 @@
 //! A finished block at a glance: what the page shows of it.
 
+use super::given_points::given_control;
 use super::images::{ImageRow, image_rows};
 use super::in_system::InSystem;
 use super::pairs::{PairRow, pair_rows};
@@ -44,6 +45,8 @@ pub struct BlockOverview {
     pub checks: Option<CheckSummary>,
     /// The surveyed points of the model that is written.
     pub surveyed: Vec<SurveyedPoint>,
+    /// How many surveyed points the block was found with: edits count those that they add from there on.
+    pub given_control: usize,
     /// Where its system touches the earth; absent where that is not known.
     pub origin: Option<GeographicOrigin>,
     /// The coordinate reference system that was chosen for control points and results, as it was given.
@@ -138,6 +141,7 @@ impl BlockOverview {
             sigma0_px: adjusted.and_then(|adjusted| adjusted.sigma0_px),
             checks: CheckSummary::of(&shown.surveyed()),
             surveyed: surveyed(run).to_vec(),
+            given_control: given_control(run),
             origin: run.model.origin,
             crs: run.input.settings.placing.crs.clone(),
             geoid_m: shown.system().and_then(|system| system.geoid_m),

@@ -8,6 +8,7 @@ use super::refined::refined_observations;
 use crate::formats::{images_table, points_table, rays_table};
 use crate::text::{Row, table};
 use crate::{BlockRun, ControlRole, ObservationVerdict, PairOutcome, RefinedObservation, SurveyedPoint};
+use std::collections::BTreeSet;
 
 const OF_IMAGES: [&str; 14] = [
     "model",
@@ -146,21 +147,29 @@ pub(super) fn pairs(run: &BlockRun, rows: &[PairRow]) -> String {
 }
 
 /// `surveyed.csv`: surveyed points beside their adjusted places, and those that the block has no place of.
-pub(super) fn control(points: &[SurveyedPoint], absent: &[AbsentPoint]) -> String {
+///
+/// `by_hand`: names of those that were added by hand; absent of a block that was not edited.
+pub(super) fn control(points: &[SurveyedPoint], absent: &[AbsentPoint], by_hand: Option<&BTreeSet<String>>) -> String {
+    let marked = |row: Row, name: &String| match by_hand {
+        Some(by_hand) => row.number(u8::from(by_hand.contains(name))),
+        None => row,
+    };
     let rows = points.iter().map(|point| {
         let row = Row::default().text(&point.name).number(word(&point.role)).number(point.rays);
         let row = point.position.iter().chain(&point.difference_m).fold(row, |row, value| row.number(value));
         let row = point.standard_errors_m.iter().fold(row, |row, error| row.known(*error));
         let left_out = [point.left_out.map(|left| left.difference), point.left_out.map(|left| left.standard_errors)];
         let row = left_out.iter().fold(row, |row, values| (0..3).fold(row, |row, k| row.known(values.map(|values| values[k]))));
-        point.detectable_m.iter().fold(row, |row, error| row.known(*error)).number(point.state())
+        let row = point.detectable_m.iter().fold(row, |row, error| row.known(*error)).number(point.state());
+        marked(row, &point.name)
     });
     let without_figures = absent.iter().map(|point| {
         let row = Row::default().text(&point.name).number(use_of(point.role)).number(0).numbers(Some(point.position));
         // From dx to the last but one column.
-        (6..CONTROL.len() - 1).fold(row, |row, _| row.number("")).number(point.absence.state())
+        marked((6..CONTROL.len() - 1).fold(row, |row, _| row.number("")).number(point.absence.state()), &point.name)
     });
-    table(&CONTROL, rows.chain(without_figures))
+    let of_edits = by_hand.iter().flat_map(|_| EDITED);
+    table(&CONTROL.into_iter().chain(of_edits).collect::<Vec<_>>(), rows.chain(without_figures))
 }
 
 /// What a point is for, as its table says it.

@@ -142,7 +142,7 @@ impl ControlTables {
 }
 
 /// In its coordinate system, where there is one, a point is one of the earth; its standard errors hold along the axes of either.
-fn control_point(
+pub(super) fn control_point(
     point: &GroundControlRow,
     role: ControlRole,
     placing: &GeoreferencingOptions,

@@ -1,13 +1,16 @@
 //! A finished block with edits by hand: the block as it was found, and a new adjustment by what the edits leave.
 
-use super::ground::own_control;
+use super::added_control::added_control;
+use super::ground::{is_place_of_orthophoto, own_control};
 use super::mistakes::explain_control;
 use super::points::reconstruction_options;
-use super::state::{describe, known_images};
+use super::state::{describe, describe_with, known_images};
 use super::{BlockRun, EditedRun, OnOrthophoto, Remark};
 use crate::editing::{BlockEdit, FoundBlock, edited_model};
 use crate::error::refuse;
-use crate::{Error, ReconstructionOptions, Refusal};
+use crate::reconstruction::PLACING;
+use crate::{Error, GroundControlRow, ObservationVerdict, PointSource, ReconstructedModel, ReconstructionOptions, Refusal};
+use std::collections::BTreeSet;
 
 impl BlockRun {
     /// The edits that were applied to the block as it was found.
@@ -21,7 +24,18 @@ impl BlockRun {
         let Some(found) = &self.edited else { return self.clone() };
         let mut remarks = self.remarks.clone();
         remarks.retain(|remark| *remark != Remark::UnsupportedEdits);
-        Self { reconstruction: Ok(found.reconstruction.clone()), model: found.model.clone(), edited: None, remarks, ..self.clone() }
+        let orthophoto = match &self.orthophoto {
+            Some(OnOrthophoto::ByHand { .. }) => found.orthophoto.clone(),
+            other => other.clone(),
+        };
+        Self {
+            reconstruction: Ok(found.reconstruction.clone()),
+            model: found.model.clone(),
+            edited: None,
+            remarks,
+            orthophoto,
+            ..self.clone()
+        }
     }
 
     /// The block as it was found with these edits, whatever edits it has: its largest model is adjusted anew by the observations that they
@@ -38,27 +52,76 @@ impl BlockRun {
         if edits.is_empty() {
             return Ok(found);
         }
+        found.check_added(edits)?;
         let is_unsupported = model.lacks_support();
         let input = found.input.clone().checked(found.geoid.as_ref())?;
-        let (description, _) = describe(&input, &found.images, &found.cameras)?;
+        let (as_found, _) = describe(&input, &found.images, &found.cameras)?;
+        let further: Vec<GroundControlRow> = added_control(edits).collect();
+        let (description, _) = describe_with(&input, &further, &found.images, &found.cameras)?;
         // Places of an orthophoto were judged when the block was linked to it.
         let is_linked = matches!(found.orthophoto, Some(OnOrthophoto::Linked { .. }));
-        let tested_control = is_linked.then(|| own_control(&description));
+        let tested_control = is_linked.then(|| own_control(&as_found));
         let options = ReconstructionOptions { tested_control, ..reconstruction_options(&input.settings) };
         let alone = known_images(&input, &found.images, true);
-        let block = FoundBlock { model, description: &description, alone: &alone, connections: &found.connections };
-        let (mut model, gone) = edited_model(&block, edits, &options)?;
+        let in_crs = input.settings.placing.crs.is_some();
+        let block = FoundBlock {
+            model,
+            as_found: &as_found,
+            description: &description,
+            // Positions on the earth alone place a block elsewhere than in the system of coordinates that are not on it.
+            is_in_their_system: model.in_system && (in_crs || model.adjusted.datum.uses_control()),
+            alone: &alone,
+            connections: &found.connections,
+        };
+        let edited = edited_model(&block, edits, &options)?;
         let confidence = found.confidences();
         let before = found.reconstruction.clone().unwrap_or_default();
-        explain_control(&mut model, before.origin, &input, options.adjustment.limit());
         let mut assembly = before.clone();
+        if let Some(origin) = edited.brought_to {
+            assembly.origin = origin;
+            // Other models lie in the system that the block had.
+            for other in &mut assembly.models[1..] {
+                (other.in_system, other.surveyed) = (false, Vec::new());
+            }
+        }
+        let mut model = edited.model;
+        explain_control(&mut model, assembly.origin, &input, options.adjustment.limit());
+        let by_hand = if is_linked { None } else { placed_by_hand(&model, edits, as_found.control.len(), in_crs) };
         assembly.models[0] = model;
-        assembly.unoriented.extend(gone);
+        assembly.unoriented.extend(edited.unoriented);
         assembly.unoriented.sort_by_key(|unoriented| unoriented.image);
         let written = assembly.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
-        let edited = EditedRun { edits: edits.to_vec(), reconstruction: before, model: found.model.clone() };
+        let kept = by_hand.is_some().then(|| found.orthophoto.clone()).flatten();
+        let record = EditedRun { edits: edits.to_vec(), reconstruction: before, model: found.model.clone(), orthophoto: kept };
         let mut remarks = found.remarks.clone();
         remarks.extend(is_unsupported.then_some(Remark::UnsupportedEdits));
-        Ok(Self { reconstruction: Ok(assembly), model: written, edited: Some(Box::new(edited)), remarks, ..found })
+        let orthophoto = by_hand.or_else(|| found.orthophoto.clone());
+        Ok(Self { reconstruction: Ok(assembly), model: written, edited: Some(Box::new(record)), remarks, orthophoto, ..found })
     }
+}
+
+/// What places of an orthophoto that were measured by hand made of a block that was not linked to it; `None` where they are too few to place it.
+/// `given`: how many surveyed points it was found with.
+fn placed_by_hand(model: &ReconstructedModel, edits: &[BlockEdit], given: usize, in_crs: bool) -> Option<OnOrthophoto> {
+    let names: Vec<String> = added_control(edits).map(|row| row.name).collect();
+    let is_place = |source: &PointSource| match source {
+        PointSource::GroundControl(control) => {
+            control.checked_sub(given).and_then(|added| names.get(added)).is_some_and(|name| is_place_of_orthophoto(name))
+        }
+        PointSource::TiePoint(_) | PointSource::Manual(_) => false,
+    };
+    let block = &model.adjusted.block;
+    let places: BTreeSet<usize> =
+        block.control.iter().map(|control| control.point).filter(|point| is_place(&model.points[*point])).collect();
+    if !model.in_system || places.len() < PLACING {
+        return None;
+    }
+    let rays = block.rays.iter().zip(&model.adjusted.rays);
+    let seeing = rays.filter(|(ray, statistics)| statistics.verdict == ObservationVerdict::Accepted && places.contains(&ray.point));
+    let linked = seeing.map(|(ray, _)| ray.image).collect::<BTreeSet<usize>>().len();
+    let epsg = edits.iter().find_map(|edit| match edit {
+        BlockEdit::AddControl { epsg, .. } => *epsg,
+        _ => None,
+    });
+    Some(OnOrthophoto::ByHand { linked, images: model.images.len(), points: places.len(), in_crs, epsg })
 }

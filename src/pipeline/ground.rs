@@ -324,6 +324,11 @@ pub(crate) fn is_place_of_orthophoto(name: &str) -> bool {
     name.starts_with(NAME)
 }
 
+/// The name of a place of an orthophoto that was measured by hand, which no other has.
+pub(crate) fn name_by_hand(number: usize) -> String {
+    format!("{NAME}hand_{number}")
+}
+
 fn has_crs(input: &RunInput) -> bool {
     input.settings.placing.crs.is_some()
 }

@@ -4,6 +4,7 @@
 //! `windows` and `refinement` where observations are refined → orientation → [`BlockRun`]. [`Run`] goes from stage to stage; what a job is for
 //! a worker stands in `task`, what it does in `execute`, what is kept of it in `records`.
 
+mod added_control;
 mod cameras;
 mod control;
 mod edited;
@@ -42,7 +43,7 @@ pub use control::ControlTables;
 pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::replace_file;
-pub(crate) use ground::{GroundPoint, is_place_of_orthophoto};
+pub(crate) use ground::{GroundPoint, is_place_of_orthophoto, name_by_hand};
 #[cfg(not(target_arch = "wasm32"))]
 pub use host::{images_in, run_block};
 pub use input::{ControlTexts, RunInput};

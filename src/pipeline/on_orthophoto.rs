@@ -24,6 +24,18 @@ messages! {
             #[serde(default, skip_serializing_if = "Option::is_none")]
             epsg: Option<u16>,
         },
+        /// Places that were measured by hand brought the block into the system of the orthophoto, or, `in_crs`, into the coordinate reference system that it
+        /// has: so many, which `linked` of `images` show.
+        ByHand {
+            linked: usize,
+            images: usize,
+            points: usize,
+            #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+            in_crs: bool,
+            /// The EPSG code of the system of the orthophoto, where that is known.
+            #[serde(default, skip_serializing_if = "Option::is_none")]
+            epsg: Option<u16>,
+        },
         /// The block is as it was without it.
         NotLinked { not_linked: NotLinked },
     }

@@ -70,6 +70,9 @@ pub struct EditedRun {
     pub edits: Vec<BlockEdit>,
     pub reconstruction: Reconstruction,
     pub model: BlockModel,
+    /// What had come of the orthophoto, where edits brought the block into the system of one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orthophoto: Option<OnOrthophoto>,
 }
 
 /// An image that was read.

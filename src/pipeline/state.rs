@@ -1,7 +1,7 @@
 //! What a run knows, from stage to stage.
 
 use super::cameras::{contradicted, doubtful};
-use super::control::gnss_observation;
+use super::control::{control_point, gnss_observation};
 use super::input::{Checked, RunInput};
 use super::system::{check_near, system_of, with_unit};
 use super::{BlockRun, ControlTables, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
@@ -9,8 +9,8 @@ use crate::crs::{CoordinateSystem, Geoid, HeightZero};
 use crate::error::refuse;
 use crate::formats::UnreadColumns;
 use crate::{
-    BlockDescription, BlockModel, CameraCaution, Connection, Error, ExifImage, ExifPosition, Failure, FeatureMatch, ImageFeatures,
-    KnownImage, Reconstruction, Refusal, TiePoints, TwoView, local_from_geographic,
+    BlockDescription, BlockModel, CameraCaution, Connection, Error, ExifImage, ExifPosition, Failure, FeatureMatch, GroundControlRow,
+    ImageFeatures, KnownImage, Reconstruction, Refusal, TiePoints, TwoView, local_from_geographic,
 };
 
 /// Positions of an image's features in px.
@@ -213,15 +213,29 @@ fn gnss<'a>(input: &Checked, exif: &'a ExifImage) -> Option<&'a ExifPosition> {
 /// the block then, and the distances between GNSS positions say whether they are in metres. With one both do; heights of GNSS positions only where
 /// it is known how high above the ellipsoid the zero of the others is.
 pub(super) fn describe(input: &Checked, images: &[RunImage], cameras: &[InitialCamera]) -> Result<(BlockDescription, Vec<String>), Error> {
+    describe_with(input, &[], images, cameras)
+}
+
+/// The same with further surveyed points behind those that were given, without any image measurements.
+pub(super) fn describe_with(
+    input: &Checked,
+    further: &[GroundControlRow],
+    images: &[RunImage],
+    cameras: &[InitialCamera],
+) -> Result<(BlockDescription, Vec<String>), Error> {
     let placing = &input.settings.placing;
     let places: Vec<[f64; 2]> =
         images.iter().filter_map(|image| gnss(input, &image.exif)).map(|place| [place.longitude_deg, place.latitude_deg]).collect();
-    let plane = input.control.as_ref().map(ControlTables::plane).unwrap_or_default();
+    let mut plane = input.control.as_ref().map(ControlTables::plane).unwrap_or_default();
+    plane.extend(further.iter().map(|row| [row.position[0], row.position[1]]));
     let named = |error: Error| with_unit(error, placing, &plane, &places);
     let system = system_of(placing, &input.zero, &plane, &places).map_err(named)?;
     let names: Vec<String> = images.iter().map(|image| image.name.clone()).collect();
     let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero)).transpose().map_err(named)?;
-    let (control, unknown_images) = joined.unwrap_or_default();
+    let (mut control, unknown_images) = joined.unwrap_or_default();
+    for row in further {
+        control.push(control_point(row, row.role.unwrap_or_default(), placing, system.as_ref()).map_err(named)?);
+    }
     system.iter().try_for_each(|system| check_near(&control, &places, system)).map_err(named)?;
     let has_heights = control.is_empty() || system.is_none_or(|system| system.zero().is_known());
     let cameras = cameras.iter().map(InitialCamera::to_be_calibrated).collect();
@@ -251,9 +265,11 @@ impl BlockRun {
         self.model.origin?;
         let input = &self.input;
         let control = input.control.as_ref().and_then(|texts| ControlTables::read(&texts.points, &texts.marks).ok());
+        let mut plane = control.as_ref().map(ControlTables::plane).unwrap_or_default();
+        plane.extend(self.added_control().map(|row| [row.position[0], row.position[1]]));
         let positions = self.images.iter().filter(|_| input.use_gnss).filter_map(|image| image.exif.position.as_ref());
         let gnss: Vec<[f64; 2]> = positions.map(|position| [position.longitude_deg, position.latitude_deg]).collect();
         let zero = input.zero(self.geoid.as_ref());
-        system_of(&input.settings.placing, &zero, &control.as_ref().map(ControlTables::plane).unwrap_or_default(), &gnss).ok().flatten()
+        system_of(&input.settings.placing, &zero, &plane, &gnss).ok().flatten()
     }
 }

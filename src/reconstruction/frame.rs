@@ -27,7 +27,7 @@ const LEVELLING: usize = 3;
 const LEVEL_SIGMA_M: f64 = 100.0;
 
 /// Surveyed points, or positions of images, from which on they place a block by themselves.
-pub(super) const PLACING: usize = 3;
+pub(crate) const PLACING: usize = 3;
 
 impl Frame {
     /// Geographic positions are taken into a system that touches the earth in the middle of most of them. Where those of the images are of

@@ -38,11 +38,11 @@ mod surveyed;
 mod units;
 mod warning;
 
-pub(crate) use frame::origin_of;
+pub(crate) use frame::{PLACING, origin_of};
 pub(crate) use mistake::Doubted;
 pub use mistake::{Axis, Mistake};
 pub use options::ReconstructionOptions;
-pub(crate) use readjust::{Changed, ObservedPoint, ObservedRay, RayPart, RayWeight, readjust, with_further_control};
+pub(crate) use readjust::{Changed, ObservedPoint, ObservedRay, RayPart, RayWeight, brought, readjust, with_further_control};
 pub use reconstruct::reconstruct_block;
 pub use result::{
     ObservationSource, PointSource, ReconstructedModel, Reconstruction, RefusedControl, RejectedObservation, SupportingPoint,

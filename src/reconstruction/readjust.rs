@@ -272,7 +272,6 @@ pub(crate) fn with_further_control(
     description: &BlockDescription,
     options: &ReconstructionOptions,
 ) -> Result<ReconstructedModel, Error> {
-    let base = Base::new(model, description);
     let mut points = model.observed_points();
     let known: BTreeSet<PointSource> = points.iter().map(|point| point.source).collect();
     let source = ObservationSource { feature: None, confidence: 1.0, by_hand: false };
@@ -285,14 +284,31 @@ pub(crate) fn with_further_control(
             part: RayPart::Takes,
         });
         let point = ObservedPoint { source: PointSource::GroundControl(index), place: None, is_given: true, rays: rays.collect() };
-        if !known.contains(&point.source)
-            && let Some(place) = base.meeting(&point, options)
-        {
-            points.push(ObservedPoint { place: Some(place), ..point });
-        }
+        points.extend((!known.contains(&point.source)).then_some(point));
     }
-    let changed = Changed { images: model.images.clone(), points: &points, description };
-    readjust(model, changed, description, options).map(|(model, _)| model)
+    brought(model, Changed { images: model.images.clone(), points: &points, description }, options).map(|(model, _)| model)
+}
+
+/// Adjusts a model anew in the system of the surveyed points of `changed`, whatever its own was; those without a place whose image measurements do not
+/// meet take no part.
+///
+/// # Errors
+/// As [`readjust`].
+pub(crate) fn brought(
+    model: &ReconstructedModel,
+    changed: Changed<'_>,
+    options: &ReconstructionOptions,
+) -> Result<(ReconstructedModel, Vec<UnorientedImage>), Error> {
+    let Changed { images, points, description } = changed;
+    let base = Base::new(model, description);
+    let placed = |point: &ObservedPoint| match point.source {
+        PointSource::GroundControl(_) if point.place.is_none() => {
+            base.meeting(point, options).map(|place| ObservedPoint { place: Some(place), ..point.clone() })
+        }
+        _ => Some(point.clone()),
+    };
+    let points: Vec<ObservedPoint> = points.iter().filter_map(placed).collect();
+    readjust(model, Changed { images, points: &points, description }, description, options)
 }
 
 impl BlockDescription {

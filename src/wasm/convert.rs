@@ -31,6 +31,11 @@ pub fn read_options<T: DeserializeOwned + Serialize + Default>(what: &'static st
     parsed(value).and_then(with_defaults).map_err(|fault| refused(what, fault))
 }
 
+/// Options inside an object that was read: absent where they are.
+pub fn options_inside<T: DeserializeOwned + Serialize + Default>(what: &'static str, value: Option<Value>) -> JsResult<Option<T>> {
+    value.map(with_defaults).transpose().map_err(|fault| refused(what, fault))
+}
+
 /// The JSON form of a value: null where it has none, as `undefined`. A number that is none (NaN, ±Infinity), which would become null and
 /// so read as absent, becomes its name and is refused.
 fn parsed(value: &JsValue) -> Result<Value, JsonFault> {

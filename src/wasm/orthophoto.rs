@@ -1,16 +1,18 @@
 //! Images placed on an orthophoto.
 
-use super::convert::{JsResult, object, pack, read, read_options, thrown, wrong_project};
+use super::convert::{JsResult, object, options_inside, pack, read, read_options, thrown, wrong_project};
 use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
 use crate::{
     BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, FilmInput, FilmScan, GivenLink, HeightModel, Heights, Mosaic,
-    Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SearchArea, Sidecars, decode, decode_bands,
-    ground_positions, heights_of_block, image_positions, links_table, place_by_links, place_film, place_film_by_links, place_recorded,
-    placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SearchArea, Sidecars, control_by_hand, decode,
+    decode_bands, ground_positions, heights_of_block, image_positions, links_table, place_by_links, place_film, place_film_by_links,
+    place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
+use serde::Deserialize;
+use serde_json::Value;
 use std::io;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -32,7 +34,51 @@ export interface OrthophotoInfo {
     /** Whether its pixels are read where they are needed. */
     in_parts: boolean;
 }
+
+/** What an image is oriented by without matching. */
+export interface ByLinks {
+    links: readonly GivenLink[];
+    /** Where it was placed, which says whether it is a scan of film; absent: by resection of the links. */
+    placement?: Placement | null;
+    /** The text of a file of cameras, as of `place`. */
+    cameras?: string | null;
+    /** As of `search`; absent: those that it had. */
+    options?: Given<PlacingOptions> | null;
+    /** Of a scan of film that was not placed, as of `place`. */
+    film?: Given<FilmInput> | null;
+}
+
+/** A place of the ground that becomes a ground control point of a block. */
+export interface PlaceByHand {
+    /** X and Y in the system of the orthophoto. */
+    place: readonly [number, number];
+    /** Its number among the places by hand, from 1, which names it. */
+    number: number;
+    /** The coordinate reference system that the block has; absent: its control points are in the system of the orthophoto. */
+    crs?: string | null;
+    /** As of `search`; absent: those that it had. */
+    options?: Given<PlacingOptions> | null;
+}
 "#;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ByLinks {
+    links: Vec<GivenLink>,
+    placement: Option<Placement>,
+    cameras: Option<String>,
+    options: Option<Value>,
+    film: Option<Value>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PlaceByHand {
+    place: [f64; 2],
+    number: usize,
+    crs: Option<String>,
+    options: Option<Value>,
+}
 
 /// An orthophoto with the heights of its ground in wasm memory, on which images are placed. Call `free` when it is no longer needed.
 #[wasm_bindgen]
@@ -140,43 +186,39 @@ impl OrthophotoReference {
         self.orthophoto.colours([column, row], [width, height], u32::try_from(halvings).unwrap_or(u32::MAX)).map_err(thrown)
     }
 
-    /// Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
-    /// links. The file tells its camera; `film` that of a scan of film; where it was placed, that says whether it is one. `options`: as of `search`; absent: those that it had.
-    #[allow(clippy::too_many_arguments)]
+    /// Orients an image by links that are given, in their order; nothing is matched.
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
-    pub fn adjust(
-        &self,
-        name: &str,
-        file: &[u8],
-        #[wasm_bindgen(unchecked_param_type = "readonly GivenLink[]")] links: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Placement | null")] start: &JsValue,
-        cameras: Option<String>,
-        #[wasm_bindgen(unchecked_optional_param_type = "Given<PlacingOptions>")] options: &JsValue,
-        #[wasm_bindgen(unchecked_optional_param_type = "Given<FilmInput> | null")] film: &JsValue,
-    ) -> JsResult<JsValue> {
-        let film = read_film(film)?;
-        let options = if options.is_undefined() { self.options.clone() } else { read_options::<PlacingOptions>("placing", options)? };
+    pub fn adjust(&self, name: &str, file: &[u8], #[wasm_bindgen(unchecked_param_type = "ByLinks")] given: &JsValue) -> JsResult<JsValue> {
+        let ByLinks { links, placement, cameras, options, film } = read("links", given)?;
+        let film: Option<FilmInput> = options_inside("film", film)?;
+        let options = options_inside("placing", options)?.unwrap_or_else(|| self.options.clone());
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
-        let links: Vec<GivenLink> = read("links", links)?;
-        let start: Option<Placement> = if start.is_null() || start.is_undefined() { None } else { Some(read("start", start)?) };
-        let size = match &start {
-            Some(start) => [start.camera.width_px, start.camera.height_px],
+        let size = match &placement {
+            Some(placement) => [placement.camera.width_px, placement.camera.height_px],
             None => {
                 let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
                 [image.width() as u32, image.height() as u32]
             }
         };
-        let scan = match &start {
-            Some(start) => start.film.clone(),
+        let scan = match &placement {
+            Some(placement) => placement.film.clone(),
             None => film.map(|film| FilmScan::new(&film, size.map(|side| side as usize))).transpose().map_err(thrown)?,
         };
         if let Some(scan) = scan {
-            let placed = place_film_by_links(&scan, &self.orthophoto, start.as_ref(), &links, &options);
+            let placed = place_film_by_links(&scan, &self.orthophoto, placement.as_ref(), &links, &options);
             return placed.map(|placed| pack(&placed)).map_err(thrown);
         }
         let exif = ExifImage::read(file, u64::from(size[0]), u64::from(size[1]));
         let camera = PlacingCamera::of(&rules, name, size, &exif);
-        place_by_links(&camera, &self.orthophoto, start.as_ref(), &links, &options).map(|placed| pack(&placed)).map_err(thrown)
+        place_by_links(&camera, &self.orthophoto, placement.as_ref(), &links, &options).map(|placed| pack(&placed)).map_err(thrown)
+    }
+
+    /// The edit that adds a place of the ground, measured by eye, as a ground control point to a block; edits after it measure it in images.
+    #[wasm_bindgen(unchecked_return_type = "Extract<BlockEdit, { kind: 'add_control' }>")]
+    pub fn control_by_hand(&self, #[wasm_bindgen(unchecked_param_type = "PlaceByHand")] given: &JsValue) -> JsResult<JsValue> {
+        let PlaceByHand { place, number, crs, options } = read("place", given)?;
+        let options = options_inside("placing", options)?.unwrap_or_else(|| self.options.clone());
+        control_by_hand(number, place, &self.orthophoto, crs.as_deref(), &options).map(|edit| pack(&edit)).map_err(thrown)
     }
 
     /// Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.

@@ -5,7 +5,7 @@ import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { block, status, surveyedFolder } from './blocks.js';
-import { hosted, part, says, SHOTS, SKIP, upload } from './page.js';
+import { hosted, keptEdits, part, says, SHOTS, SKIP, upload } from './page.js';
 
 hosted('/surveyed/');
 
@@ -122,6 +122,11 @@ test('a control point is measured where it is predicted, used as check point, le
   await page.locator('[data-testid="block-points"] tbody tr:not(.filler)').first().click();
   await page.keyboard.press('Delete');
   await undoIs(page, /^Undo: reject 1 point \(/);
+  // A reload forgets none of it.
+  const edits = await page.locator('[data-testid="block-history"] li').count();
+  await keptEdits(page, 'block/edits', edits - 1, 5);
+  await page.reload();
+  await status(page, /Restored from this browser/);
   await part(page, 'block-run').click();
   await status(page, /[2-9] edits by hand were kept\.$/);
   await undoIs(page, /^Undo: reject 1 point \(/);

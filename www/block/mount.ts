@@ -165,7 +165,14 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
     images,
     MATRIX_VIEW,
     plotsView(facts),
-    orthophotoView(engine, facts, placing, { open: pickers.orthophoto, sample: placedSample }),
+    orthophotoView(engine, facts, placing, {
+      open: pickers.orthophoto,
+      sample: placedSample,
+      measure: () => {
+        store.dispatch({ type: 'stage', view: 'images' });
+        measures?.toggle(false);
+      },
+    }),
   ];
   const editLine = mountStage(stage, store, looking, facts, views, makeDock(store, looking, facts, placingTables(store)), { sample, placedSample, open: pick });
   stage.prepend(status);

@@ -6,7 +6,8 @@ import type { BlockEdit, BlockFlight, BlockModel, ExportFormat, OrthophotoInfo, 
 import type { Position } from '../../shared/state/pane';
 import type { LinksInput } from './block-links';
 import type { Turn, Window } from './match';
-import type { AdjustInput, Ground, LaidInput, LaidPicture, MosaicInput, PlaceInput, PredictInput, TileInput } from './orthophoto';
+import type { AdjustInput, ControlInput, Ground, LaidInput, LaidPicture, MosaicInput, PlaceInput, PredictInput, TileInput } from './orthophoto';
+import type { AddedControl } from '../state/added';
 import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { LinkedImage } from '../state/links';
 import type { BlockFile } from '../state/state';
@@ -99,6 +100,7 @@ export interface BlockCalls {
   orthoRectified: { input: { ground: Ground; file: Blob; placement: Placement }; output: Uint8Array };
   orthoAdjust: { input: AdjustInput; output: LinkedImage };
   orthoPredict: { input: PredictInput; output: [number, number] | null };
+  orthoControl: { input: ControlInput; output: AddedControl };
   orthoLaid: { input: LaidInput; output: LaidPicture };
   // The worker that places a block on it; the images by their indices.
   linksOpen: { input: LinksInput; output: (string | null)[] };

@@ -14,6 +14,7 @@ import type {
 import type { FilmTexts } from '../state/film';
 import { readFilm } from './film';
 import { inColumns } from '../state/links';
+import type { AddedControl } from '../state/added';
 import type { LinkedImage } from '../state/links';
 import { TILE_SIDE } from '../state/under';
 
@@ -77,6 +78,15 @@ export interface PredictInput {
   placement: Placement;
   at: readonly [number, number] | null;
   place: readonly [number, number] | null;
+}
+
+export interface ControlInput extends Pick<PlaceInput, 'ground' | 'options'> {
+  /** X and Y in the system of the orthophoto. */
+  place: readonly [number, number];
+  /** Of the places by hand. */
+  number: number;
+  /** Of the block; null: none. */
+  crs: string | null;
 }
 
 export interface LaidInput {
@@ -198,7 +208,8 @@ function sizeOf({ placement }: PlacedImage, file: Uint8Array): [number, number] 
 /** An image by links that are given; nothing is matched. */
 export async function orthoAdjust({ ground, options, name, file, cameras, film, links, start, size }: AdjustInput): Promise<LinkedImage> {
   const { reference } = await opened(ground);
-  return inColumns(reference.adjust(name, await bytesOf(file), links, start, cameras, options, film && readFilm(film)), size);
+  const given = { links, placement: start, cameras, options, film: film && readFilm(film) };
+  return inColumns(reference.adjust(name, await bytesOf(file), given), size);
 }
 
 /** Where a position of a placed image is on the ground, or a place of the ground in the image: X, Y or px; null where it shows none. */
@@ -208,6 +219,12 @@ export async function orthoPredict({ ground, placement, at, place }: PredictInpu
     at === null ? reference.image_positions(placement, Float64Array.from(place ?? [])) : reference.ground_positions(placement, Float64Array.from(at));
   const [x = NaN, y = NaN] = found;
   return Number.isNaN(x) ? null : [x, y];
+}
+
+/** The edit that adds a place of the orthophoto to a block. */
+export async function orthoControl({ ground, options, place, number, crs }: ControlInput): Promise<AddedControl> {
+  const { reference } = await opened(ground);
+  return reference.control_by_hand({ place, number, crs, options });
 }
 
 /** A placed image on the ground, as GeoTIFF. */

@@ -27,6 +27,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     verdict,
     checks,
     surveyed,
+    given_control: givenControl,
     origin,
     crs,
     geoid_m,
@@ -35,6 +36,7 @@ export function viewOf(block: FinishedBlock): BlockView {
   const connections = pairs.map(connectionOf);
   const ids = block.point_ids();
   // Surveyed points stand in the order of the points.
+  const added = new Set(block.edits().flatMap((edit) => (edit.kind === 'add_control' ? [edit.name] : [])));
   const controls = ids.flatMap((id, point) => ('ground_control' in id ? [{ control: id.ground_control, point }] : []));
   return {
     partial: false,
@@ -105,7 +107,7 @@ export function viewOf(block: FinishedBlock): BlockView {
         ? null
         : {
             kind: onOrthophoto.kind,
-            inCrs: onOrthophoto.kind === 'linked' && onOrthophoto.in_crs === true,
+            inCrs: onOrthophoto.kind !== 'not_linked' && onOrthophoto.in_crs === true,
             text: message('on_orthophoto', onOrthophoto),
           },
     origin,
@@ -114,7 +116,13 @@ export function viewOf(block: FinishedBlock): BlockView {
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     checks,
-    surveyed: surveyed.map((known, i) => ({ ...known, ...(controls[i] ?? { control: -1, point: -1 }), isUsed: known.refused?.is_used ?? true })),
+    surveyed: surveyed.map((known, i) => ({
+      ...known,
+      ...(controls[i] ?? { control: -1, point: -1 }),
+      isUsed: known.refused?.is_used ?? true,
+      byHand: added.has(known.name),
+    })),
+    givenControl,
     score: null,
     warnings: warnings.map((warning) => message('overview_warning', warning)),
     formats: export_formats(),
@@ -184,6 +192,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     sigma0Px: null,
     checks: null,
     surveyed: [],
+    givenControl: 0,
     score: null,
     warnings: [],
     formats: export_formats(),

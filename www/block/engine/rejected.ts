@@ -1,6 +1,8 @@
 /** Points that were rejected by hand, beside those of the block that is held: they stay in sight, so that they can be restored where they were rejected. */
 import type { BlockEdit, FinishedBlock, ObservationDetail, PointColumns, PointDetail, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import { codeOfSource, standingOf } from '../state/edits';
+import { addedPoints } from '../state/added';
+import type { AddedPoint } from '../state/added';
 import type { ImagePoints } from '../state/facts';
 import type { BlockView, ViewPoints, ViewSurveyed } from '../state/view';
 
@@ -13,10 +15,11 @@ export class Found {
   private readonly columns: PointColumns;
   private readonly surveyed: ReadonlyMap<number, ViewSurveyed>;
 
-  /** `surveyed`: as its view has them. */
+  /** `surveyed`, `givenControl`: as its view has them. */
   constructor(
     readonly block: FinishedBlock,
     surveyed: readonly ViewSurveyed[],
+    readonly givenControl: number,
   ) {
     this.places = new Map(block.point_ids().map((id, point) => [codeOfSource(id), point]));
     this.columns = block.overview().points;
@@ -136,7 +139,17 @@ export class Rejected {
     const { source, index } = gone;
     if (index < 0) {
       const observations = this.byHand(source).map(({ image, x_px, y_px }) => ({ ...UNADJUSTED, image, x_px, y_px, by_hand: true }));
-      return { id: source, name: null, role: null, position: null, errors: null, rmse_px: null, confidence: 1, observations, elsewhere: [] };
+      return {
+        id: source,
+        name: this.added(source)?.edit.name ?? null,
+        role: null,
+        position: null,
+        errors: null,
+        rmse_px: null,
+        confidence: 1,
+        observations,
+        elsewhere: [],
+      };
     }
     const detail = this.found.block.point(index);
     return {
@@ -152,18 +165,33 @@ export class Rejected {
   /** Surveyed points that are not used, where the block was found with them. */
   private surveyed(taking: number): ViewSurveyed[] {
     return this.gone.flatMap(({ source }, place) => {
-      const known = 'ground_control' in source ? this.found.surveyedPoint(source.ground_control) : undefined;
+      const known = 'ground_control' in source ? (this.found.surveyedPoint(source.ground_control) ?? this.surveyedByHand(source)) : undefined;
       return known === undefined
         ? []
         : [{ ...known, rays: 0, difference_m: [NaN, NaN, NaN], standard_errors_m: [null, null, null], point: taking + place, isUsed: false }];
     });
   }
 
+  /** A surveyed point that was added by hand. */
+  private added(source: PointSource): AddedPoint | undefined {
+    if (!('ground_control' in source)) return undefined;
+    return [...addedPoints(this.edits, this.found.givenControl).values()].find(({ control }) => control === source.ground_control);
+  }
+
+  /** One as it stands in a table, without figures. */
+  private surveyedByHand(source: PointSource): ViewSurveyed | undefined {
+    const added = this.added(source);
+    if (added === undefined) return undefined;
+    const { name, position, use } = added.edit;
+    const none = { standard_errors_m: [null, null, null], detectable_m: [null, null, null], difference_m: [NaN, NaN, NaN] } satisfies Partial<ViewSurveyed>;
+    return { ...none, name, role: use ?? 'control', rays: 0, position, control: added.control, point: -1, isUsed: false, byHand: true };
+  }
+
   /** The places of a point that was added by hand. */
   private byHand(source: PointSource) {
-    if (!('manual' in source)) return [];
-    const places = new Map(this.edits.filter((edit) => edit.kind === 'add_point')[source.manual]?.observations.map((one) => [one.image, one]));
-    for (const edit of this.edits) if (edit.kind === 'measure' && 'manual' in edit.point && edit.point.manual === source.manual) places.set(edit.image, edit);
+    const added = 'manual' in source ? this.edits.filter((edit) => edit.kind === 'add_point')[source.manual]?.observations : [];
+    const places = new Map(added?.map((one) => [one.image, one]));
+    for (const edit of this.edits) if (edit.kind === 'measure' && codeOfSource(edit.point) === codeOfSource(source)) places.set(edit.image, edit);
     return [...places.values()];
   }
 }

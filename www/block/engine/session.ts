@@ -81,7 +81,8 @@ function hold(block: FinishedBlock, truth: BlockModel | null, kind: 'another' | 
 
 function foundOf(block: FinishedBlock): Found {
   const before = block.edited([]);
-  return new Found(before, viewOf(before).surveyed);
+  const { surveyed, givenControl } = viewOf(before);
+  return new Found(before, surveyed, givenControl);
 }
 
 function imagePoints(image: number): ImagePoints {

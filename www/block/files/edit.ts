@@ -2,6 +2,7 @@
 import { likeOf, listOf, objectOf } from '../../shared/files/keepable';
 import type { BlockEdit, HandMeasurement, PointImage, PointSource } from '../../../pkg/wasm/tiepoint.js';
 
+import type { AddedControl } from '../state/added';
 import type { EditStep } from '../state/edits';
 import type { MarkStep } from '../state/marks';
 import { say } from '../../shared/text/words';
@@ -66,6 +67,8 @@ function editFrom(value: unknown, name: string): BlockEdit {
       return { kind, point: sourceFrom(edit.point, `${name}.point`), ...placeFrom(edit, name) };
     case 'add_point':
       return { kind, observations: listOf(edit.observations, `${name}.observations`, placeFrom) };
+    case 'add_control':
+      return addedFrom(edit, name);
     case 'set_use': {
       const use = edit.use;
       return { kind, point: likeOf(edit.point, 0, `${name}.point`), ...(use === 'control' || use === 'check' ? { use } : {}) };
@@ -74,6 +77,22 @@ function editFrom(value: unknown, name: string): BlockEdit {
       throw new Error(say('the-field-kind-is-damaged', { name }));
   }
 }
+
+function addedFrom({ name: called, position, standard_errors: errors, sigma_px: sigmaPx, use, epsg }: Record<string, unknown>, name: string): AddedControl {
+  const [x = NaN, y = NaN, z = NaN] = listOf(position, `${name}.position`, numberFrom);
+  const [across, up] = errors === undefined ? [] : listOf(errors, `${name}.standard_errors`, numberFrom);
+  return {
+    kind: 'add_control',
+    name: likeOf(called, '', `${name}.name`),
+    position: [x, y, z],
+    ...(across === undefined || up === undefined ? {} : { standard_errors: [across, up] as [number, number] }),
+    ...(sigmaPx === undefined ? {} : { sigma_px: likeOf(sigmaPx, 0, `${name}.sigma_px`) }),
+    use: use === 'check' ? 'check' : 'control',
+    ...(epsg === undefined ? {} : { epsg: likeOf(epsg, 0, `${name}.epsg`) }),
+  };
+}
+
+const numberFrom = (value: unknown, name: string) => likeOf(value, 0, name);
 
 function observationFrom(value: unknown, name: string): PointImage {
   const { point, image } = objectOf(value, name);

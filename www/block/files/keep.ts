@@ -146,9 +146,9 @@ export class KeptBlocks implements Keepable {
   private async make(shown: Shown): Promise<void> {
     try {
       const project = await this.engine.project();
-      const { key, files, steps, seconds, view, ground } = shown;
+      const { key, tiePoints, files, steps, seconds, view, ground } = shown;
       if (this.store.state.shown?.found === shown.found)
-        this.made = { found: shown.found, kept: { project, key, files: files.map(keptFile), steps, seconds, score: view.score, ground } };
+        this.made = { found: shown.found, kept: { project, key, tiePoints, files: files.map(keptFile), steps, seconds, score: view.score, ground } };
     } catch {
       // See above.
     }
@@ -164,6 +164,8 @@ export class KeptBlocks implements Keepable {
     const kept: KeptShown = {
       project,
       key: likeOf(value.key, '', 'shown.key'),
+      // Earlier releases kept none.
+      tiePoints: likeOf(value.tiePoints ?? '', '', 'shown.tiePoints'),
       files: listOf(value.files, 'shown.files', fileOf),
       steps: objectOf(value.steps, 'shown.steps'),
       seconds: likeOf(value.seconds, 0, 'shown.seconds'),
@@ -172,10 +174,10 @@ export class KeptBlocks implements Keepable {
     };
     const files = kept.files.map((file) => fileFrom(parts, file));
     const opened = await this.engine.read(new Uint8Array(await project.arrayBuffer()));
-    const { key, steps, seconds, score, ground } = kept;
+    const { key, tiePoints, steps, seconds, score, ground } = kept;
     const view = { ...opened.view, score };
     return {
-      shown: { key, files, steps, seconds, view, given: NONE_GIVEN, found: view, tiePoints: '', edits: theSame(opened.edits, history.edits.flat()), ground },
+      shown: { key, files, steps, seconds, view, given: NONE_GIVEN, found: view, tiePoints, edits: theSame(opened.edits, history.edits.flat()), ground },
       kept: value as unknown as KeptShown,
       hold: opened.hold,
     };

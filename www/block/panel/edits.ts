@@ -12,14 +12,17 @@ import type { Facts } from '../engine/facts';
 import { isGiven, stepOfDraft } from '../state/draft';
 import { figuresOf } from '../state/edited';
 import type { Figures } from '../state/edited';
-import { isEditable } from '../state/editing';
+import { editsInForce, isEditable } from '../state/editing';
 import { editOfChoice, indexOfSource, standingOf } from '../state/edits';
+import { addedPoints } from '../state/added';
+import { remember } from '../../shared/state/remember';
 import { marksByHand } from '../state/marks';
 import type { MarkStep } from '../state/marks';
 import { nameOfEdit, nameOfMarks, nameOfStep, namesOf, NO_NAMES } from '../state/naming';
 import type { BlockEdit, PointDetail, PointSource } from '../../../pkg/wasm/tiepoint.js';
-import type { Standing } from '../state/edits';
+import type { EditStep, Standing } from '../state/edits';
 import type { Names } from '../state/naming';
+import { takesPlaces } from '../state/places';
 import { blockOnOrthophoto } from '../state/showing';
 import { joined, split } from '../state/joining';
 import { shownImages } from '../state/panes';
@@ -115,9 +118,20 @@ function nameOfTimed({ history, marks }: Pick<BlockState, 'history' | 'marks'>, 
   return mark === undefined ? '' : nameOfMarks(mark);
 }
 
-/** Of the block as it was found. */
-function namesIn({ shown }: BlockState): Names {
-  return shown === null ? NO_NAMES : namesOf(shown.found);
+/** Of the block as it was found, and of the points that its edits add. */
+function namesIn({ shown, history }: BlockState): Names {
+  return shown === null ? NO_NAMES : namedIn(shown.found, history.edits);
+}
+
+const namedIn = remember((found: BlockView, steps: readonly EditStep[]): Names => {
+  const names = namesOf(found);
+  const added = [...addedPoints(steps.flat(), found.givenControl).values()].map(({ edit, control }): [number, string] => [control, edit.name]);
+  return added.length === 0 ? names : { ...names, surveyed: new Map([...names.surveyed, ...added]) };
+});
+
+/** The points that edits in force add. */
+function addedIn({ shown, history }: BlockState) {
+  return addedPoints(editsInForce(history), shown?.view.givenControl ?? 0);
 }
 
 /** "Reject 14 points", with the noun of what is chosen. */
@@ -198,7 +212,8 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     apart.hidden = drafting || !inImages || splitOf(state, facts) === null;
     match.hidden = !inImages || ((measure.disabled || given) && !drafting);
     accept.hidden = !drafting;
-    accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done) === null;
+    accept.disabled =
+      state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done, addedIn(state)) === null;
     leave.hidden = !drafting;
     const said = textOf(state);
     if (text.textContent !== said) text.textContent = said;
@@ -252,7 +267,7 @@ function px(value: number | null): string {
 /** The keys of edits: undo and redo wherever the block is shown, the others on the stage and in the tables. */
 export function mountBlockEditKeys(store: BlockStore, hosts: readonly HTMLElement[]): void {
   // Links of images that were placed by themselves have keys of their own.
-  const isBlockSeen = () => store.state.onStage !== 'orthophoto' || blockOnOrthophoto(store.state) !== null;
+  const isBlockSeen = () => store.state.onStage !== 'orthophoto' || blockOnOrthophoto(store.state) !== null || takesPlaces(store.state);
   undoKeys(
     () => byId('block-view').offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(),
     (by) => step(store, by),

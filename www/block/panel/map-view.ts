@@ -9,6 +9,7 @@ import type { PlacingEngine } from '../engine/placing';
 import { medianGsd, systemOf } from '../state/ground';
 import type { System } from '../state/ground';
 import { whyNotLaid } from '../state/laid';
+import { isInSystemOf } from '../state/showing';
 import { imagesOfBlock, isBusy } from '../state/state';
 import { inverse, mapped } from '../state/under';
 import { unitText, withUnit } from '../../shared/text/units';
@@ -126,7 +127,7 @@ function showLegend(legend: HTMLElement, bar: HTMLElement, map: BlockMap, view: 
 /** What the coordinates of a block are, in words. */
 function systemText(view: BlockView, map: BlockMap): string {
   const system = systemOf(view, map.ground());
-  return system === 'surveyed' && view.orthophoto?.kind === 'linked' ? say('system-of-the-orthophoto') : SYSTEMS[system];
+  return system === 'surveyed' && isInSystemOf(view) ? say('system-of-the-orthophoto') : SYSTEMS[system];
 }
 
 function legendText(view: BlockView, map: BlockMap): string {

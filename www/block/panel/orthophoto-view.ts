@@ -10,14 +10,16 @@ import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
 import { hasKeys, REDO_KEYS, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
 import { LinkHands } from '../engine/link-hands';
+import { PlaceHands } from '../engine/place-hands';
 import type { PlacingEngine } from '../engine/placing';
 import { LEAST_LINKS, shownLinks, stepName, useWord } from '../state/steps';
 import { linkOf, USES } from '../state/links';
+import { takesPlaces } from '../state/places';
 import { blockOnOrthophoto, chosenPlaced } from '../state/showing';
 import { purposeOf } from '../state/purpose';
 import { isBusy } from '../state/state';
 import { PlacedImageView } from '../view/orthophoto/image';
-import { blockKeys, linkKeys } from '../view/orthophoto/keys';
+import { blockKeys, linkKeys, placeKeys } from '../view/orthophoto/keys';
 import type { BlockSteps } from '../view/orthophoto/keys';
 import { LINK_STYLES } from '../view/orthophoto/links';
 import { OrthophotoPlan } from '../view/orthophoto/plan';
@@ -30,12 +32,14 @@ import { say } from '../../shared/text/words';
 const KEYS = say('press-a-footprint-to-see');
 
 export interface OrthophotoActions {
+  /** Measures the chosen point in images. */
+  measure: () => void;
   /** Asks for an orthophoto. */
   open: () => void;
   sample: () => void;
 }
 
-export function orthophotoView(engine: BlockEngine, facts: Facts, placing: PlacingEngine, { open, sample }: OrthophotoActions): StageView {
+export function orthophotoView(engine: BlockEngine, facts: Facts, placing: PlacingEngine, { open, sample, measure }: OrthophotoActions): StageView {
   return {
     name: 'orthophoto',
     title: say('orthophoto'),
@@ -55,31 +59,36 @@ export function orthophotoView(engine: BlockEngine, facts: Facts, placing: Placi
       );
       element.addEventListener('focus', () => ground.focus());
       const hands = new LinkHands(store, placing);
+      const places = new PlaceHands(store, placing, measure);
       undoKeys(
         // Edits of the block have keys of their own.
-        () => place.offsetParent !== null && blockOnOrthophoto(store.state) === null,
+        () => place.offsetParent !== null && blockOnOrthophoto(store.state) === null && !takesPlaces(store.state),
         (by) => hands.go(by),
       );
       const steps: BlockSteps = { step: (of, by) => plan.step(of, by), leave: () => looking.choose(null) };
-      const keys = declare({ where: say('orthophoto'), host: element, list: [...blockKeys(store, steps), ...linkKeys(store, hands)] });
-      const plan = new OrthophotoPlan(ground, store, hands, keys, placing, looking, facts);
+      const keys = declare({
+        where: say('orthophoto'),
+        host: element,
+        list: [...placeKeys(store, places, () => plan.takeMiddle()), ...blockKeys(store, steps), ...linkKeys(store, hands)],
+      });
+      const plan = new OrthophotoPlan(ground, store, hands, places, keys, placing, looking, facts);
       const image = new PlacedImageView(picture, store, hands, keys, (file) => engine.grey(file));
       plan.image = image;
       image.ground = plan;
       plan.watch(() => fill(place, plan.place === null ? '' : `X ${fixed(plan.place[0], 2)}  Y ${fixed(-plan.place[1], 2)}`));
       image.watch(() => fill(at, image.place === null ? '' : say('column-row', { place: image.place[0], place_2: image.place[1] })));
       follow(store, plan, image, beside, name);
-      store.watch(['placing', 'files', 'options', 'shown'], () => {
+      store.watch(['placing', 'files', 'options', 'shown', 'history'], () => {
         element.classList.toggle('has-block', blockOnOrthophoto(store.state) !== null);
         const text = chosenText(store);
         if (chosen.textContent !== text) chosen.textContent = text;
-        element.classList.toggle('picks', store.state.placing.picks);
+        element.classList.toggle('picks', store.state.placing.picks || store.state.placing.adds);
       });
       const [residuals, select] = vectorChoice('ortho-residuals', (factor) => {
         image.factor = factor;
       });
       select.value = String(image.factor);
-      return { element, tools: [toolsOf(store, placing, plan, residuals), handsOf(store, hands)], zoomable: plan, keys: KEYS };
+      return { element, tools: [toolsOf(store, placing, plan, residuals), handsOf(store, hands), placesOf(store, places, ground)], zoomable: plan, keys: KEYS };
     },
   };
 }
@@ -105,6 +114,10 @@ function chosenText({ state }: BlockStore): string {
   const { placing } = state;
   const placed = chosenPlaced(state);
   if (placing.picks) return say('press-the-orthophoto-where-images');
+  if (placing.adds) return say('press-the-place-on-the-orthophoto');
+  const waiting = state.shown?.given.filter(({ byHand }) => byHand) ?? [];
+  if (takesPlaces(state) && blockOnOrthophoto(state) === null && waiting.length > 0)
+    return say('places-by-hand-wait', { places: waiting.length, measured: waiting.filter(({ images }) => images >= 2).length });
   if (blockOnOrthophoto(state) !== null) return '';
   if (placed === null && purposeOf(state) === 'block') return say('a-block-that-is-placed');
   if (placed === null) return placing.placed.size > 0 ? say('press-a-footprint-or-a') : '';
@@ -225,8 +238,23 @@ function handsOf(store: BlockStore, hands: LinkHands): HTMLElement {
   return h('div', { class: 'map-tools' }, reject, restore, add, accept, undo, redo);
 }
 
+/** Measures places of the orthophoto for the block. */
+function placesOf(store: BlockStore, hands: PlaceHands, ground: HTMLElement): HTMLElement {
+  const add = toggle(say('add-place'), 'place-add', say('measures-a-place-by-hand'), () => {
+    hands.toggle();
+    // The cross is moved by keys.
+    if (store.state.placing.adds) ground.focus();
+  });
+  store.watch(['placing', 'running', 'notice', 'files', 'options', 'shown'], ([{ adds }]) => {
+    add.hidden = !takesPlaces(store.state);
+    add.disabled = !adds && !hands.can;
+    add.setAttribute('aria-pressed', String(adds));
+  });
+  return h('div', { class: 'map-tools' }, add);
+}
+
 /** What can be done before there is an orthophoto. */
-function invited(store: BlockStore, { open, sample }: OrthophotoActions): HTMLElement {
+function invited(store: BlockStore, { open, sample }: Pick<OrthophotoActions, 'open' | 'sample'>): HTMLElement {
   const own = button(say('open-an-orthophoto'), 'ortho-open-first', open);
   own.className = 'primary';
   const simulate = button(say('try-a-sample'), 'ortho-sample', sample);

@@ -13,6 +13,7 @@ import { controlText } from '../state/words';
 import { unplacedFiles } from '../state/placed';
 import type { Purpose } from '../state/placing';
 import { asksPurpose, isOffGround, lacksPlaceAlone, purposeOf } from '../state/purpose';
+import { isInSystemOf } from '../state/showing';
 import { isBusy, isOutdated } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
 import type { BlockView } from '../state/view';
@@ -198,7 +199,7 @@ function answered(state: BlockState, shown: Shown, actions: BlockAnswerActions):
       verdict: view.verdict?.kind ?? 'weak',
       text: view.verdict?.text ?? '',
       // Where it lies says more than its counts, which the results have.
-      more: view.orthophoto?.kind === 'linked' ? view.orthophoto.text : countsOf(shown),
+      more: view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown),
       figures: figuresOf(view),
       next: sound ? next : why,
     };

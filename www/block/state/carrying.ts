@@ -40,6 +40,9 @@ class Carrier {
   /** The new numbers of the points that were added; -1 of those that are gone. */
   private readonly numbers: number[] = [];
   private added = 0;
+  /** The new numbers of the surveyed points that were added; -1 of those that are gone. */
+  private readonly controls: number[] = [];
+  private placed = 0;
 
   constructor(
     private readonly before: Names,
@@ -52,12 +55,14 @@ class Carrier {
 
   /** `whole`: nothing of it where an edit is lost. */
   step(step: EditStep, whole: boolean): EditStep {
-    const [first, added] = [this.numbers.length, this.added];
+    const [first, added, firstControl, placed] = [this.numbers.length, this.added, this.controls.length, this.placed];
     const own = step.flatMap((edit) => this.carried(edit));
     if (!whole || own.length === step.length) return own;
     // Later steps find none of its points.
     this.numbers.fill(-1, first);
     this.added = added;
+    this.controls.fill(-1, firstControl);
+    this.placed = placed;
     return [];
   }
 
@@ -92,6 +97,10 @@ class Carrier {
         });
         return observations.length === 0 ? [] : [{ ...edit, observations }];
       }
+      case 'add_control':
+        this.controls.push(this.after.givenControl + this.placed);
+        this.placed += 1;
+        return [edit];
       case 'set_use': {
         const point = this.control(edit.point);
         return point < 0 ? [] : [{ ...edit, point }];
@@ -113,6 +122,7 @@ class Carrier {
   }
 
   private control(control: number): number {
+    if (control >= this.before.givenControl) return this.controls[control - this.before.givenControl] ?? -1;
     return this.surveyed.get(this.before.surveyed.get(control) ?? '') ?? -1;
   }
 

@@ -118,8 +118,8 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Row
   const beside = (row: number) => given[row - surveyed.length];
   const useText = (row: number) => {
     const own = beside(row);
-    if (own !== undefined) return givenUse(own);
-    return surveyed[row]?.isUsed === false ? say('not-used') : roleText(surveyed[row]?.role);
+    const use = own === undefined ? (surveyed[row]?.isUsed === false ? say('not-used') : roleText(surveyed[row]?.role)) : givenUse(own);
+    return (own ?? surveyed[row])?.byHand === true ? say('use-by-hand', { use }) : use;
   };
   return {
     count: surveyed.length + given.length,

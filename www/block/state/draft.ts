@@ -3,6 +3,7 @@ import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
 import type { Draft, GivenPoint, Placed } from './edited';
 import type { MarkStep } from './marks';
+import type { AddedPoint } from './added';
 import type { BlockEdit, HandMeasurement } from '../../../pkg/wasm/tiepoint.js';
 
 /** A draft without places yet: of a point that is there, or of a new one. */
@@ -20,15 +21,24 @@ export function isGiven(of: Draft['of']): of is GivenPoint {
   return of !== null && 'given' in of;
 }
 
-/** What the draft becomes, which is done at once; null while too little of it is placed. `names`: of the images; `after`: so many edits hold. */
+/**
+ * What the draft becomes, which is done at once; null while too little of it is placed. `names`: of the images; `after`: so many edits hold; `added`: the points
+ * that edits add, which edits measure.
+ */
 export function stepOfDraft(
   draft: Draft,
   names: readonly string[],
   after: number,
+  added: ReadonlyMap<string, Pick<AddedPoint, 'control'>>,
 ): { type: 'edit'; edits: BlockEdit[] } | { type: 'mark'; step: MarkStep } | null {
   const { of, places } = draft;
   if (!isGiven(of)) {
     const edits = editsOfDraft(draft);
+    return edits === null ? null : { type: 'edit', edits };
+  }
+  const own = added.get(of.given);
+  if (own !== undefined) {
+    const edits = editsOfDraft({ of: { ground_control: own.control }, places });
     return edits === null ? null : { type: 'edit', edits };
   }
   const marks = [...places].flatMap(([image, { at }]) => {

@@ -11,7 +11,7 @@ import type { Names } from './naming';
 import type { Choice } from './selection';
 import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
-import { nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
+import { formerOf, nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
 import type { Draft, Edits } from './edited';
 import type { BlockEdit } from '../../../pkg/wasm/tiepoint.js';
 import { besideEdits } from './marks';
@@ -135,7 +135,7 @@ export function stepsOf({ edits: steps }: History<EditStep>, edits: readonly Blo
 
 function withEdited(state: BlockState, shown: Shown, view: BlockView, edits: readonly BlockEdit[]): BlockState {
   const { selection } = state;
-  const added = edits.length > shown.edits.length ? newPoint(edits, view) : null;
+  const added = edits.length > shown.edits.length ? (newPoint(edits, view) ?? takenIn(selection.chosen, view)) : null;
   return {
     ...state,
     shown: { ...shown, view, edits },
@@ -148,6 +148,12 @@ function withEdited(state: BlockState, shown: Shown, view: BlockView, edits: rea
 function newPoint(edits: readonly BlockEdit[], view: BlockView): Choice | null {
   if (edits.at(-1)?.kind !== 'add_point') return null;
   const point = indexOfSource(view, { manual: edits.filter(({ kind }) => kind === 'add_point').length - 1 });
+  return point < 0 ? null : { kind: 'point', point };
+}
+
+/** A point beside the block that is chosen and is in it now. */
+function takenIn(chosen: Choice | null, { surveyed }: BlockView): Choice | null {
+  const point = chosen?.kind === 'given' ? (surveyed.find(({ name }) => name === chosen.name)?.point ?? -1) : -1;
   return point < 0 ? null : { kind: 'point', point };
 }
 
@@ -171,14 +177,21 @@ export function carried({ history, marks, shown, former }: BlockState, view: Blo
       const places = placesBefore(one, steps.edits);
       return besideEdits(steps, (place, at) => places[at] ?? place);
     }, marks);
+    // Places of an orthophoto that it lay on are no points of the block that was found.
+    const regained = carriedOver(last.history, last.names, namesOf(view), true);
+    if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
+      const { edits, said } = keptOf(regained, back, last.names);
+      return { edits: { ...edits, former }, said };
+    }
     return { edits: { ...UNEDITED, former, history: last.history, marks: back }, said: saidOfKept(last.history) };
   }
   const found = carriedOver(history, names, namesOf(view), isSame);
-  if (isSame && found.lost + found.aside.length === 0) return { edits: { ...UNEDITED, former, history, marks }, said: saidOfKept(history) };
+  if (isSame && found.lost + found.aside.length === 0 && names.givenControl === view.givenControl)
+    return { edits: { ...UNEDITED, former, history, marks }, said: saidOfKept(history) };
   const { edits, said } = keptOf(found, marks, names);
   if (before === '') return { edits, said };
   const places = marks.edits.map((step) => step.after);
-  const one = { tiePoints: before, history, kept: found.history, left: found.left, places };
+  const one = { tiePoints: before, names, history, kept: found.history, left: found.left, places };
   return { edits: { ...edits, former: withFormer(former, one) }, said };
 }
 
@@ -188,10 +201,14 @@ function saidOfKept(history: History<EditStep>): string {
 }
 
 /** The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. */
-export function carriedToGround({ history, marks, shown }: BlockState, view: BlockView): { edits: Carried; said: string } {
+export function carriedToGround({ history, marks, shown, former }: BlockState, view: BlockView): { edits: Carried; said: string } {
   const names = shown === null ? NO_NAMES : namesOf(shown.found);
-  if (withoutPlaces(names).surveyed.size === names.surveyed.size) return { edits: { ...UNEDITED, history, marks }, said: '' };
-  return keptOf(carriedOver(history, names, withoutPlaces(namesOf(view)), true), marks, names);
+  // Points that were added have other numbers behind others.
+  const isNumberedAlike = names.givenControl === view.givenControl;
+  if (isNumberedAlike && withoutPlaces(names).surveyed.size === names.surveyed.size) return { edits: { ...UNEDITED, former, history, marks }, said: '' };
+  const found = carriedOver(history, names, withoutPlaces(namesOf(view)), true);
+  const { edits, said } = keptOf(found, marks, names);
+  return { edits: { ...edits, former: formerOf(former, history, found.history, found.left) }, said };
 }
 
 /** So many steps are named. */

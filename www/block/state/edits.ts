@@ -116,6 +116,8 @@ export const standingOf = remember((edits: readonly BlockEdit[]): Standing => {
         for (const { image } of edit.observations) measure(image, { manual: added });
         added += 1;
         break;
+      case 'add_control':
+        break;
       case 'set_use':
         if (edit.use == null) unused.add(edit.point);
         else unused.delete(edit.point);

@@ -3,12 +3,15 @@
  */
 import type { History } from '../../shared/state/history';
 import type { EditStep } from './edits';
+import type { Names } from './naming';
 import type { BlockView } from './view';
 
 /** A block that was found, and its edits before another one took its place. */
 export interface Former {
   /** Names it. */
   tiePoints: string;
+  /** Of what its edits are about. */
+  names: Names;
   history: History<EditStep>;
   /** What was left of them, and of the first so many steps. */
   kept: History<EditStep>;
@@ -30,6 +33,13 @@ export function nameOfTiePoints({ images, points }: BlockView): string {
   points.sources.forEach(add);
   points.rays.forEach(add);
   return JSON.stringify([images.map(({ name, features }) => [name, features]), points.count, code]);
+}
+
+/** The same blocks, once what was left of the latest was carried to another one of its tie points. `left`: of its first so many steps. */
+export function formerOf(former: readonly Former[], before: History<EditStep>, after: History<EditStep>, left: readonly number[]): readonly Former[] {
+  const last = former.at(-1);
+  if (last === undefined || last.kept.edits !== before.edits || last.kept.done !== before.done) return former;
+  return [...former.slice(0, -1), { ...last, kept: after, left: last.left.map((count) => left[count] ?? after.edits.length) }];
 }
 
 /** With one more. */

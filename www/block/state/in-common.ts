@@ -15,7 +15,7 @@ interface SystemOfFile {
 /** The coordinates of each row in the system of the block; null where nothing leads there. */
 export function inSystemOfBlock(view: BlockView, rows: readonly GroundControlRow[], { crs, geoid_m }: SystemOfFile): readonly (Coordinates | null)[] {
   const { orthophoto, origin } = view;
-  if (orthophoto?.kind === 'linked' && !orthophoto.inCrs) return rows.map(({ position }) => position);
+  if (orthophoto !== null && orthophoto.kind !== 'not_linked' && !orthophoto.inCrs) return rows.map(({ position }) => position);
   const onEarth = crs === null || origin === null ? null : byEarth(rows, crs, geoid_m, origin);
   return onEarth ?? byCommonPoints(view, rows);
 }

@@ -38,6 +38,8 @@ export interface KeptBlock {
 export interface KeptShown {
   project: Blob;
   key: string;
+  /** Names its tie points; empty of a block that was opened. */
+  tiePoints: string;
   /** The images that it was made from. */
   files: readonly KeptFile[];
   steps: Steps;

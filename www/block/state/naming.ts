@@ -13,21 +13,24 @@ export interface Names {
   surveyed: ReadonlyMap<number, string>;
   /** Keys of the pairs that matches connect. */
   connected: ReadonlySet<string>;
+  /** How many surveyed points the block was found with. */
+  givenControl: number;
 }
 
-export const NO_NAMES: Names = { images: [], surveyed: new Map(), connected: new Set() };
+export const NO_NAMES: Names = { images: [], surveyed: new Map(), connected: new Set(), givenControl: 0 };
 
 /** The names of a block as it was found: the same whatever is edited. */
-export function namesOf({ images, surveyed, connections }: BlockView): Names {
+export function namesOf({ images, surveyed, connections, givenControl }: BlockView): Names {
   const connected = connections.filter(({ outcome }) => outcome.kind === 'connected').map((pair) => keyOfPair(pair.images));
   return {
     images: images.map(({ name }) => name),
     surveyed: new Map(surveyed.map(({ control, name }) => [control, name])),
     connected: new Set(connected),
+    givenControl,
   };
 }
 
-/** Whether a surveyed point is a place of an orthophoto, as the crate names these. */
+/** Whether a surveyed point is a place of an orthophoto that was found on it, as the crate names these. */
 export const isPlace = (name: string): boolean => /^orthophoto_\d+$/u.test(name);
 
 /** Names without those of places of an orthophoto, which are others on another one. */
@@ -114,6 +117,8 @@ export function nameOfEdit(edit: BlockEdit, names: Names = NO_NAMES): string {
       return nameOfMeasures([edit], names);
     case 'add_point':
       return say('step-add-point', { images: edit.observations.length });
+    case 'add_control':
+      return say('step-add-place', { name: edit.name });
     case 'set_use': {
       const name = names.surveyed.get(edit.point) ?? say('one-surveyed-point');
       return say('step-use', { name, use: edit.use ?? 'none' });

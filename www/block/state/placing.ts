@@ -67,6 +67,8 @@ export interface Placing {
   pointed: Looked;
   /** The next press on the orthophoto says near where images were taken. */
   picks: boolean;
+  /** The next press on the orthophoto adds a place of it to the block. */
+  adds: boolean;
   /** The link that is being measured. */
   draft: LinkDraft | null;
   /** Images whose links are adjusted now. */
@@ -91,6 +93,7 @@ export const NO_PLACING: Placing = {
   chosen: NOTHING_LOOKED_AT,
   pointed: NOTHING_LOOKED_AT,
   picks: false,
+  adds: false,
   draft: null,
   adjusting: null,
   uses: new Set<LinkUse>(['used', 'check', 'rejected']),
@@ -109,6 +112,7 @@ export type PlacingAction =
   | { type: 'choosePlaced'; looked: Looked }
   | { type: 'pointPlaced'; looked: Looked }
   | { type: 'picksPlace'; picks: boolean }
+  | { type: 'addsPlace'; adds: boolean }
   | { type: 'linkDraft'; draft: LinkDraft | null }
   | { type: 'adjustsLinks'; image: number | null }
   | { type: 'showLinks'; use: LinkUse; on: boolean };
@@ -130,7 +134,7 @@ export function reducePlacing(placing: Placing, action: PlacingAction): Placing 
       return placing.options === null ? placing : { ...placing, options: { ...placing.options, ...action.options }, picks: false };
     case 'purpose':
       // What is measured or pressed is of images that are placed by themselves.
-      return placing.purpose === action.purpose ? placing : { ...placing, purpose: action.purpose, draft: null, picks: false };
+      return placing.purpose === action.purpose ? placing : { ...placing, purpose: action.purpose, draft: null, picks: false, adds: false };
     case 'placing':
       return { ...placing, running: action.running };
     case 'placed':
@@ -142,7 +146,9 @@ export function reducePlacing(placing: Placing, action: PlacingAction): Placing 
     case 'pointPlaced':
       return isSameLooked(placing.pointed, action.looked) ? placing : { ...placing, pointed: action.looked };
     case 'picksPlace':
-      return { ...placing, picks: action.picks, draft: null };
+      return { ...placing, picks: action.picks, draft: null, adds: false };
+    case 'addsPlace':
+      return { ...placing, adds: action.adds, draft: null, picks: false };
     case 'linkDraft':
       return { ...placing, draft: action.draft, picks: false };
     case 'adjustsLinks':

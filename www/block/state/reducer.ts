@@ -128,6 +128,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'choosePlaced':
     case 'pointPlaced':
     case 'picksPlace':
+    case 'addsPlace':
     case 'linkDraft':
     case 'adjustsLinks':
     case 'showLinks': {

@@ -17,9 +17,14 @@ export function blockOnOrthophoto(state: Given): Shown | null {
   const { shown, placing } = state;
   const { orthophoto } = placing;
   if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial) return null;
-  if (shown.view.orthophoto?.kind !== 'linked' || purposeOf(state) === 'images') return null;
+  if (!isInSystemOf(shown.view) || purposeOf(state) === 'images') return null;
   const toOrthophoto = toSystemOf(orthophoto, shown.view);
   return toOrthophoto !== null && hasPlaceOn(orthophoto, shown.view, toOrthophoto) ? shown : null;
+}
+
+/** Whether a block lies in the system of an orthophoto, or is adjusted by it in its own: by places that were found on it, or measured by hand. */
+export function isInSystemOf({ orthophoto }: BlockView): boolean {
+  return orthophoto?.kind === 'linked' || orthophoto?.kind === 'by_hand';
 }
 
 /** From the system of a block that is linked to an orthophoto to the system of that; null where nothing leads there. */

@@ -114,9 +114,11 @@ export interface ViewSurveyed extends SurveyedPoint {
   point: number;
   /** Whether it takes part; else it was left out by hand, or contradicts the other observations. */
   isUsed: boolean;
+  /** Whether an edit by hand added it. */
+  byHand: boolean;
 }
 
-/** A control or check point that was given and is not in the block: too few image measurements say where it is. */
+/** A control or check point that was given, or added by hand, and is not in the block: too few image measurements say where it is. */
 export interface ViewGiven {
   name: string;
   /** In the unit and the system of its file. */
@@ -127,6 +129,8 @@ export interface ViewGiven {
   role: 'control' | 'check' | null;
   /** In so many images it is measured. */
   images: number;
+  /** Whether an edit by hand added it. */
+  byHand: boolean;
 }
 
 export interface BlockView {
@@ -166,6 +170,8 @@ export interface BlockView {
   sigma0Px: number | null;
   /** Ground control points and check points of the block. */
   surveyed: readonly ViewSurveyed[];
+  /** How many of them the block was found with, those without figures included: edits count those that they add from there on. */
+  givenControl: number;
   /** What check points say of the block; null without any. */
   checks: CheckSummary | null;
   /** How near a simulated block is to its truth. */

@@ -7,10 +7,11 @@ import type { Facts } from '../../engine/facts';
 import type { Turn } from '../../engine/match';
 import { begun, isGiven, placed, stepOfDraft } from '../../state/draft';
 import type { Draft } from '../../state/edited';
-import { isEditable } from '../../state/editing';
+import { editsInForce, isEditable } from '../../state/editing';
 import { indexOfSource, sourceOf } from '../../state/edits';
 import { placesOfGiven } from '../../state/marks';
 import { inOtherImage, placeOfGround } from '../../state/observed';
+import { addedPoints } from '../../state/added';
 import { pointsOf } from '../../state/selection';
 import { isOn } from './scene';
 import type { Pane } from './scene';
@@ -103,7 +104,14 @@ export class Measuring {
   /** Where images show a given point by its measurements that hold, the first one first. */
   marks(): ReadonlyMap<number, Position> {
     const { shown, selection, options, marks } = this.store.state;
-    return shown === null || selection.chosen?.kind !== 'given' ? NOWHERE : placesOfGiven(selection.chosen.name, shown.view, options.marks, marks);
+    if (shown === null || selection.chosen?.kind !== 'given') return NOWHERE;
+    return this.added().get(selection.chosen.name)?.places ?? placesOfGiven(selection.chosen.name, shown.view, options.marks, marks);
+  }
+
+  /** The points that edits add. */
+  private added() {
+    const { shown, history } = this.store.state;
+    return addedPoints(editsInForce(history), shown?.view.givenControl ?? 0);
   }
 
   /** The places of the draft, beside what was measured of a given point before. */
@@ -140,7 +148,7 @@ export class Measuring {
   accept(): void {
     const { draft, shown, history } = this.store.state;
     const names = shown?.view.images.map(({ name }) => name) ?? [];
-    const step = draft === null ? null : stepOfDraft(draft, names, history.done);
+    const step = draft === null ? null : stepOfDraft(draft, names, history.done, this.added());
     if (step !== null) this.store.dispatch(step);
   }
 

@@ -5,6 +5,7 @@ import type { Colours } from '../../../shared/view/colours';
 import { ACCEPTED } from '../../../shared/view/palette';
 import { toCanvas } from '../../../shared/view/transform';
 import type { Rect, Transform } from '../../../shared/view/transform';
+import { isPlaceByHand } from '../../state/added';
 import type { ViewGround } from '../../state/ground';
 import { USES } from '../../state/links';
 import { isPlace } from '../../state/naming';
@@ -16,7 +17,7 @@ import type { BlockView, ViewSurveyed } from '../../state/view';
 import { offsetsOf, paintSurveyed } from '../map/ground';
 import { footprintAt, paintCentres, paintFootprint } from './footprints';
 import type { Footprint } from './footprints';
-import { drawLinks, drawRing, linkAt, pointsOnGround } from './links';
+import { codeOfUse, drawLinks, drawRing, linkAt, pointsOnGround } from './links';
 import type { DrawnLinks } from './links';
 
 type BlockFootprint = Footprint & { image: number };
@@ -38,6 +39,9 @@ export interface OnOrthophoto {
 }
 
 type Keeps = (row: number) => boolean;
+
+/** Whether a point is a place of the orthophoto, found on it or measured by hand. */
+const isOnOrthophoto = (name: string) => isPlace(name) || isPlaceByHand(name);
 
 /** What is drawn of a block, and its ground, in another system: places in plan, and the differences of surveyed points. */
 export const inSystem = remember((view: BlockView, ground: ViewGround | null, to: Affine): { view: BlockView; ground: ViewGround | null } => {
@@ -70,8 +74,8 @@ export const onOrthophoto = remember(
         ? []
         : [{ image, name, isStale, colour: ACCEPTED.colour, centre: [position[0], position[1]], outline: outlineOf(ground, image) }],
     ),
-    places: pointsWhere(view, (row, name) => isPlace(name) && keepsPoint(row)),
-    surveyed: pointsWhere(view, (row, name) => !isPlace(name) && keepsPoint(row)),
+    places: pointsWhere(view, (row, name) => isOnOrthophoto(name) && keepsPoint(row)),
+    surveyed: pointsWhere(view, (row, name) => !isOnOrthophoto(name) && keepsPoint(row)),
   }),
 );
 
@@ -87,7 +91,7 @@ function pointsWhere({ surveyed }: BlockView, keeps: (row: number, name: string)
     rows,
     drawn: pointsOnGround(
       own.flatMap(({ position }) => position),
-      own.map((point) => USES.indexOf(useOf(point))),
+      own.map((point) => codeOfUse(useOf(point), point.byHand)),
     ),
   };
 }

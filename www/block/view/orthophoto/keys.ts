@@ -2,6 +2,7 @@
 import type { Command } from '../../../shared/view/commands';
 import type { BlockStore } from '../../engine/engine';
 import type { LinkHands } from '../../engine/link-hands';
+import type { PlaceHands } from '../../engine/place-hands';
 import { blockOnOrthophoto, chosenPlaced } from '../../state/showing';
 import { NOTHING_LOOKED_AT } from '../../state/placing';
 import { shownLinks } from '../../state/steps';
@@ -11,6 +12,16 @@ import { say } from '../../../shared/text/words';
 export interface BlockSteps {
   step: (of: 'image' | 'place', by: 1 | -1) => void;
   leave: () => void;
+}
+
+/** While places of the orthophoto can be measured for the block. `middle`: takes the place under the cross. */
+export function placeKeys(store: BlockStore, hands: PlaceHands, middle: () => void): Command[] {
+  const adds = () => store.state.placing.adds;
+  return [
+    { keys: ['a'], does: say('adds-a-place-or'), can: () => adds() || (hands.can && chosenPlaced(store.state) === null), run: () => hands.toggle() },
+    { keys: ['Enter'], does: say('takes-the-place-under-the-cross'), can: adds, run: middle },
+    { keys: ['Escape'], does: say('adds-no-place'), can: adds, run: () => hands.toggle() },
+  ];
 }
 
 /** While the block lies on the orthophoto. */

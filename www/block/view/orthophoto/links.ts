@@ -64,6 +64,11 @@ export function pointsOnGround(places: Iterable<number>, codes: Iterable<number>
 /** Of those that take part, the ones by hand have a code of their own. */
 const BY_HAND = USES.length;
 
+/** The code of one. */
+export function codeOfUse(use: LinkUse, byHand: boolean): number {
+  return use === 'used' && byHand ? BY_HAND : USES.indexOf(use);
+}
+
 function codesOf(uses: Uint8Array, byHand: Uint8Array): Uint8Array {
   return uses.map((use, i) => (use === 0 && byHand[i] === 1 ? BY_HAND : use));
 }

@@ -1,16 +1,18 @@
 /** The orthophoto from above, with what is placed on it: footprints, projection centres, and the places of the block or the links of the chosen image. */
 import { remember } from '../../../shared/state/remember';
-import { ACCEPTED, REJECTED } from '../../../shared/view/palette';
+import { ACCEPTED, CANDIDATE, MEASURED, REJECTED, SELECTED } from '../../../shared/view/palette';
 import type { Colours } from '../../../shared/view/colours';
 import { toCanvas, toPosition } from '../../../shared/view/transform';
 import type { Rect, Transform } from '../../../shared/view/transform';
 import type { BlockStore } from '../../engine/engine';
 import type { Facts } from '../../engine/facts';
 import type { LinkHands } from '../../engine/link-hands';
+import type { PlaceHands } from '../../engine/place-hands';
 import type { PlacingEngine } from '../../engine/placing';
 import { shownLinks } from '../../state/steps';
 import { keptBy } from '../../state/columns';
 import type { LinkedPlacement } from '../../state/links';
+import { takesPlaces } from '../../state/places';
 import { blockOnOrthophoto, toSystemOf } from '../../state/showing';
 import { unitOfOrthophoto } from '../../state/orthophoto-unit';
 import { placedFiles } from '../../state/placed';
@@ -24,7 +26,7 @@ import { choiceAt, inSystem, onOrthophoto, paintBlock, placeOfChoice, stepped } 
 import type { OnOrthophoto } from './block';
 import { footprintAt, paintCentres, paintFootprint } from './footprints';
 import type { Footprint } from './footprints';
-import { drawLinks, drawRing, linksOnGround } from './links';
+import { drawCross, drawLinks, drawRing, linksOnGround } from './links';
 import type { DrawnLinks } from './links';
 import { ImageOver } from './over';
 import { LinkPicture } from './picture';
@@ -50,6 +52,7 @@ export class OrthophotoPlan extends LinkPicture {
     host: HTMLElement,
     store: BlockStore,
     hands: LinkHands,
+    private readonly places: PlaceHands,
     keys: (key: string, shift: boolean) => boolean,
     engine: PlacingEngine,
     private readonly looking: Looking,
@@ -64,7 +67,7 @@ export class OrthophotoPlan extends LinkPicture {
       ({ file }, placement, side) => engine.laid(file, placement, side),
       () => this.layers.redraw('picture'),
     );
-    store.watch(['placing', 'files', 'options', 'shown'], () => this.layers.redraw());
+    store.watch(['placing', 'files', 'options', 'shown', 'history'], () => this.layers.redraw());
     store.watch(['selection'], ([{ chosen }]) => this.follow(chosen));
     facts.watch(() => this.layers.redraw('marks'));
   }
@@ -139,8 +142,25 @@ export class OrthophotoPlan extends LinkPicture {
   /** The image beside it. */
   image: LinkPicture | null = null;
 
+  /** Takes the place in the middle, under the cross. */
+  takeMiddle(): void {
+    this.take(this.layers.width / 2, this.layers.height / 2);
+  }
+
+  /** Adds the place at a position of the canvas to the block. */
+  private take(x: number, y: number): void {
+    const box = this.whole();
+    if (box === null) return;
+    const [east, south] = toPosition(this.current(box), x, y);
+    void this.places.take([east, -south]);
+  }
+
   protected override pressed(x: number, y: number): void {
     const box = this.whole();
+    if (this.store.state.placing.adds) {
+      this.take(x, y);
+      return;
+    }
     if (!this.store.state.placing.picks || box === null) {
       const block = this.block();
       if (block === null || box === null) super.pressed(x, y);
@@ -200,6 +220,8 @@ export class OrthophotoPlan extends LinkPicture {
     const block = this.block();
     if (block !== null) paintBlock(context, colours, t, clip, block, this.store.state.placing.uses, this.store.state.selection);
     else this.paintPlaced(context, colours, t, clip);
+    this.paintWaiting(context, colours, t);
+    if (this.store.state.placing.adds) drawCross(context, [width / 2, height / 2], MEASURED.colour);
     paintScale(context, colours, t, height, SYSTEM, null, unitOfOrthophoto(this.store.state.placing.orthophoto));
     paintNorth(context, colours, width, SYSTEM);
   }
@@ -217,6 +239,22 @@ export class OrthophotoPlan extends LinkPicture {
     }
     this.paintEnd(context, t);
     paintCentres(context, colours, t, all, ({ file }) => file === chosen.image);
+  }
+
+  /** Places that were added and are not in the block yet; those of a coordinate reference system lie elsewhere. */
+  private paintWaiting(context: CanvasRenderingContext2D, colours: Colours, t: Transform): void {
+    const { shown, selection } = this.store.state;
+    if (shown === null || shown.view.crs !== null || !takesPlaces(this.store.state)) return;
+    context.save();
+    for (const { name, position } of shown.given.filter(({ byHand }) => byHand)) {
+      const at = toCanvas(t, position[0], -position[1]);
+      const isChosen = selection.chosen?.kind === 'given' && selection.chosen.name === name;
+      drawCross(context, at, isChosen ? SELECTED : CANDIDATE);
+      context.font = '11px system-ui, sans-serif';
+      context.textAlign = 'start';
+      haloed(context, colours, name, at[0] + 9, at[1] - 6);
+    }
+    context.restore();
   }
 
   /** Where images are sought, if that is said. */

@@ -336,6 +336,13 @@ press-a-footprint-to-see = اضغط أثرًا أرضيًا لترى صورته 
 orthophoto-with-the-images-that = الصورة المصححة مع الصور الموضوعة عليها
 the-chosen-image-with-its = الصورة المختارة مع روابطها
 column-row = العمود { FIXED($place, digits: 1) }  الصف { FIXED($place_2, digits: 1) }
+press-the-place-on-the-orthophoto = موضع جديد: اضغطه على الصورة المصححة، أو حرّكها حتى يقع تحت علامة التقاطع واضغط Enter. ثم تُفتح الصور التي تُظهره.
+places-by-hand-wait = { $places ->
+        [one] موضع واحد مقيس يدويًا
+        [two] موضعان مقيسان يدويًا
+        [few] { $places } مواضع مقيسة يدويًا
+       *[other] { $places } موضعًا مقيسًا يدويًا
+    }، وعدد المقيس منها في صورتين أو أكثر { $measured }: ثلاثة تتوافق قياساتها تنقل الكتلة إلى نظام الصورة المصححة.
 press-the-orthophoto-where-images = اضغط الصورة المصححة حيث التُقطت الصور.
 a-block-that-is-placed = تُظهر الخريطة الكتلة على الصورة المصححة.
 press-a-footprint-or-a = اضغط أثرًا أرضيًا أو صفًا من الجدول لترى روابطه.
@@ -372,6 +379,8 @@ leaves-the-chosen-link-out = يستبعد الرابط المختار (Delete)
 use-link = استعمال الرابط
 lets-the-chosen-link-take = يشرك الرابط المختار (R)
 add-link = إضافة رابط
+add-place = إضافة موضع
+measures-a-place-by-hand = يقيس موضعًا من الصورة المصححة يدويًا، ثم يضبط الكتلة نقطةَ ضبط (A)
 measures-a-link-by-hand = يقيس رابطًا يدويًا في الصورة وفي الصورة المصححة (A)
 takes-the-link-that-is = يأخذ الرابط المقيس (Enter)
 undo-2 = تراجع: { $last }
@@ -827,6 +836,7 @@ step-add-point = إضافة نقطة في { $images ->
         [few] { $images } صور
        *[other] { $images } صورة
     }
+step-add-place = إضافة الموضع { $name }
 step-use = { $use ->
         [none] استبعاد { $name }
         [control] استعمال { $name } نقطة ضبط
@@ -962,6 +972,9 @@ geometry =
     }، ± { FIXED($sigma_px, digits: 2) } بكسل
 gives-up-or-chooses-nothing = يترك، أو لا يختار شيئًا
 accepts-the-link-that-is = يقبل الرابط المقيس
+adds-a-place-or = يقيس موضعًا من الصورة المصححة للكتلة أو يتركه
+takes-the-place-under-the-cross = يأخذ الموضع الذي تحت علامة التقاطع
+adds-no-place = يترك الموضع
 measures-a-new-link-or = يقيس رابطًا جديدًا أو يتركه
 uses-the-chosen-link-again = يستعمل الرابط المختار من جديد
 rejects-the-chosen-link = يرفض الرابط المختار
@@ -973,6 +986,7 @@ point-of-number = النقطة { COUNT($number) }
 within = ± { $length }
 projection-centres-95 = مراكز الإسقاط (95 %)
 
+use-by-hand = { $use }، يدويًا
 given-use = { $role ->
     [control] ضبط
     [check] تحقق

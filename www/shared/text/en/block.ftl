@@ -373,6 +373,11 @@ press-a-footprint-to-see = Press a footprint to see its image beside the orthoph
 orthophoto-with-the-images-that = Orthophoto with the images that are placed on it
 the-chosen-image-with-its = The chosen image with its links
 column-row = column { FIXED($place, digits: 1) }  row { FIXED($place_2, digits: 1) }
+press-the-place-on-the-orthophoto = A new place: press it on the orthophoto, or move it under the cross and press Enter. The images that show it open next.
+places-by-hand-wait = { $places ->
+        [one] 1 place by hand
+       *[other] { $places } places by hand
+    }, { $measured } measured in two images or more: three whose measurements fit each other bring the block into the system of the orthophoto.
 press-the-orthophoto-where-images = Press the orthophoto where images were taken.
 a-block-that-is-placed = The map shows the block on the orthophoto.
 press-a-footprint-or-a = Press a footprint or a row of the table to see its links.
@@ -409,6 +414,8 @@ leaves-the-chosen-link-out = Leaves the chosen link out (Delete)
 use-link = Use link
 lets-the-chosen-link-take = Lets the chosen link take part (R)
 add-link = Add link
+add-place = Add place
+measures-a-place-by-hand = Measures a place of the orthophoto by hand, which then holds the block as a control point (A)
 measures-a-link-by-hand = Measures a link by hand, in the image and on the orthophoto (A)
 takes-the-link-that-is = Takes the link that is measured (Enter)
 undo-2 = Undo: { $last }
@@ -910,6 +917,7 @@ step-add-point = add 1 point in { $images ->
         [one] 1 image
        *[other] { $images } images
     }
+step-add-place = add the place { $name }
 step-use = { $use ->
         [none] leave { $name } out
         [control] use { $name } as control point
@@ -1051,6 +1059,9 @@ geometry =
 
 gives-up-or-chooses-nothing = gives up, or chooses nothing
 accepts-the-link-that-is = accepts the link that is measured
+adds-a-place-or = measures a place of the orthophoto for the block, or gives it up
+takes-the-place-under-the-cross = takes the place under the cross
+adds-no-place = gives the place up
 measures-a-new-link-or = measures a new link, or gives it up
 uses-the-chosen-link-again = uses the chosen link again
 rejects-the-chosen-link = rejects the chosen link
@@ -1062,6 +1073,7 @@ point-of-number = point { COUNT($number) }
 within = ± { $length }
 projection-centres-95 = projection centres (95 %)
 
+use-by-hand = { $use }, by hand
 given-use = { $role ->
     [control] control
     [check] check
