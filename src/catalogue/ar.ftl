@@ -707,6 +707,11 @@ remark-orthophoto-converted =
         [none] {""}
        *[other] ، بدقة { SIGNIFICANT($accuracy_m, digits: 1) } م لانتقالي مرجعيهما
     }
+remark-orthophoto-elsewhere =
+    { $images ->
+        [1] موقع الصورة في GNSS لا يقع
+       *[other] لا موقع في GNSS من مواقع { $images } من الصور يقع
+    } ضمن { FIXED($within_m, digits: 0) } م من الصورة المصححة: أقربها كما يضعه { $crs } يبعد عنها { SIGNIFICANT($distance_km, digits: 3) } كم. { $orthophoto_slip } ويُبحث فيها كلها
 remark-orthophoto-units = شرق الصورة المصححة وشمالها بوحدات طول كل منها { $unit_m } م؛ وتؤخذ ارتفاعات أرضها بوحدات طول كل منها { $height_unit_m } م
 remark-unsupported-edits = كُتب ملف المشروع قبل أن تُحفظ جميع النقاط المضبوطة: مع التعديلات تُضبط الكتلة بالنقاط المختارة وحدها، وهي أقل دقة
 remark-unmeasured-points =
@@ -792,6 +797,14 @@ on-orthophoto-linked =
        *[other] ؛ ورُفض { $rejected } منها.
     }
 on-orthophoto-not-linked = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
+
+# How an orthophoto may have come to lie elsewhere than its images.
+orthophoto-slip-zone = في المنطقة { $zone } من UTM تقع الصورة المصححة هناك: هل سُمّي نظامها خطأً؟
+orthophoto-slip-exchanged = إذا تبادل x وy وقعت الصورة المصححة هناك: x هو الشرق.
+orthophoto-slip-other-half = في المنطقة نفسها من النصف الآخر للأرض (الشمالي أو الجنوبي) تقع الصورة المصححة هناك: هل سُمّي نظامها خطأً؟
+orthophoto-slip-unit = إذا كانت إحداثياتها بوحدة { $given_in } وقعت الصورة المصححة هناك.
+orthophoto-slip-coordinate = إذا كان { $likely } في وسطها وقعت الصورة المصححة هناك.
+orthophoto-slip-unknown = هل هي الصورة المصححة لهذه الصور، وهل نظامها صحيح، أم المواقع خاطئة؟
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = لم توجَّه

@@ -1116,6 +1116,11 @@ remark-orthophoto-converted =
         [none] {""}
        *[other] , accurate to { SIGNIFICANT($accuracy_m, digits: 1) } m by the shifts of their datums
     }
+remark-orthophoto-elsewhere =
+    { $images ->
+        [1] the GNSS position of the image does not lie
+       *[other] no GNSS position of the { $images } images lies
+    } within { FIXED($within_m, digits: 0) } m of the orthophoto: as { $crs } has it, the nearest is { SIGNIFICANT($distance_km, digits: 3) } km from it. { $orthophoto_slip } All of it is searched
 remark-orthophoto-units = the orthophoto has eastings and northings in units of { $unit_m } m; heights of its ground are taken in units of { $height_unit_m } m
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unmeasured-points =
@@ -1201,6 +1206,14 @@ on-orthophoto-linked =
        *[other] ; { $rejected } were rejected.
     }
 on-orthophoto-not-linked = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
+
+# How an orthophoto may have come to lie elsewhere than its images.
+orthophoto-slip-zone = In zone { $zone } of UTM the orthophoto lies there: is its system named wrong?
+orthophoto-slip-exchanged = With x and y exchanged the orthophoto lies there: x is the easting.
+orthophoto-slip-other-half = In the same zone of the other half of the earth (north or south) the orthophoto lies there: is its system named wrong?
+orthophoto-slip-unit = If its coordinates are in { $given_in } the orthophoto lies there.
+orthophoto-slip-coordinate = With { $likely } in its middle the orthophoto lies there.
+orthophoto-slip-unknown = Is it the orthophoto of these images, is its system the right one, or are the positions wrong?
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = it is not oriented

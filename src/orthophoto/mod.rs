@@ -17,6 +17,7 @@ mod block_map;
 mod by_hand;
 mod camera;
 mod confirming;
+mod elsewhere;
 mod emptiness;
 mod first_place;
 mod footprint;
