@@ -29,7 +29,7 @@ impl Orthophoto {
         let definition = self.said().definition()?;
         let gnss: Vec<[f64; 2]> = positions.iter().map(|position| [position.longitude_deg, position.latitude_deg]).collect();
         let orthophoto_slip = orthophoto_slip(&definition, self.middle_in_system()?, &gnss, 0.5 * self.diagonal_m()?);
-        let (images, crs) = (positions.len(), definition.name());
+        let (images, crs) = (positions.len(), self.said().name().unwrap_or_else(|| definition.name()));
         let orthophoto_slip = orthophoto_slip.unwrap_or(OrthophotoSlip::Unknown);
         Some(Remark::OrthophotoElsewhere { images, within_m, distance_km, crs, orthophoto_slip })
     }
