@@ -88,6 +88,8 @@ async function run({ positionals, values }) {
     shown.end();
     if (placing.check_share === 0) note('--check-share is 0: no link checks the result');
     if (!ground) note(NO_HEIGHTS);
+    const { heights_from: from } = result.orthophoto;
+    if (from) note(`heights count from ${from}, as their file says`);
     if (failed.length < positionals.length) {
       if (values.has('json')) printJson(result);
       else print(...describe(result), ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []));
@@ -140,7 +142,7 @@ function camerasOf(cameras, images) {
   return text;
 }
 
-/** @typedef {{ orthophoto: object, remarks: readonly object[], images: (PlacedImage & { name: string })[] }} Result */
+/** @typedef {{ orthophoto: import('../node.js').OrthophotoInfo & { name: string }, remarks: readonly object[], images: (PlacedImage & { name: string })[] }} Result */
 
 /** @param {string} out @param {Result} result */
 function write(out, result) {

@@ -712,6 +712,17 @@ remark-orthophoto-elsewhere =
         [1] موقع الصورة في GNSS لا يقع
        *[other] لا موقع في GNSS من مواقع { $images } من الصور يقع
     } ضمن { FIXED($within_m, digits: 0) } م من الصورة المصححة: أقربها كما يضعه { $crs } يبعد عنها { SIGNIFICANT($distance_km, digits: 3) } كم. { $orthophoto_slip } ويُبحث فيها كلها
+remark-orthophoto-heights =
+    ارتفاعات أرض الصورة المصححة تُعدّ من { $from_ellipsoid ->
+        [true] الإهليلج
+       *[false] جيوئيد أو مستوى بحر
+    } كما يقول ملفها ({ $heights })، وارتفاعات { $crs } من { $from_ellipsoid ->
+        [true] جيوئيد
+       *[false] الإهليلج
+    }: موقع الكتلة { $above_m ->
+        [none] مزاح في الارتفاع بمقدار ارتفاع الجيوئيد
+       *[other] أعلى مما يجب بمقدار { FIXED($above_m, digits: 1) } م
+    }؛ حوّل الارتفاعات، أو بيّن بالخيار --geoid أو --geoid-m أو --crs أن صفرهما واحد
 remark-orthophoto-units = شرق الصورة المصححة وشمالها بوحدات طول كل منها { $unit_m } م؛ وتؤخذ ارتفاعات أرضها بوحدات طول كل منها { $height_unit_m } م
 remark-unsupported-edits = كُتب ملف المشروع قبل أن تُحفظ جميع النقاط المضبوطة: مع التعديلات تُضبط الكتلة بالنقاط المختارة وحدها، وهي أقل دقة
 remark-unmeasured-points =

@@ -1121,6 +1121,17 @@ remark-orthophoto-elsewhere =
         [1] the GNSS position of the image does not lie
        *[other] no GNSS position of the { $images } images lies
     } within { FIXED($within_m, digits: 0) } m of the orthophoto: as { $crs } has it, the nearest is { SIGNIFICANT($distance_km, digits: 3) } km from it. { $orthophoto_slip } All of it is searched
+remark-orthophoto-heights =
+    heights of the orthophoto's ground count from { $from_ellipsoid ->
+        [true] the ellipsoid
+       *[false] a geoid or level of the sea
+    }, as their file says ({ $heights }), those of { $crs } from { $from_ellipsoid ->
+        [true] a geoid
+       *[false] the ellipsoid
+    }: the block lies { $above_m ->
+        [none] off in height by the height of the geoid
+       *[other] { FIXED($above_m, digits: 1) } m too high
+    }; convert the heights, or say with --geoid, --geoid-m or --crs that both count from one zero
 remark-orthophoto-units = the orthophoto has eastings and northings in units of { $unit_m } m; heights of its ground are taken in units of { $height_unit_m } m
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unmeasured-points =

@@ -2,6 +2,7 @@
 
 use super::ground::Ground;
 use crate::Georeference;
+use crate::crs::Vertical;
 use crate::error::refuse;
 use crate::georeferenced::{GeoTags, MOST_VALUES, SaidSystem, Sidecars, numbers_of_tiff};
 use crate::image::checked_directory;
@@ -73,6 +74,19 @@ impl Heights {
         match self {
             Self::Level(_) => 1.0,
             Self::Model(model) => model.said.height_unit_m.unwrap_or(1.0),
+        }
+    }
+
+    /// What they count from, as the name of a vertical system, where their file says it.
+    pub fn counts_from(&self) -> Option<String> {
+        self.vertical().map(|vertical| vertical.name)
+    }
+
+    /// What they count from, where their file says it.
+    pub(super) fn vertical(&self) -> Option<Vertical> {
+        match self {
+            Self::Level(_) => None,
+            Self::Model(model) => model.said.vertical(),
         }
     }
 

@@ -44,6 +44,9 @@ messages! {
         OrthophotoElsewhere { images: usize, within_m: f64, distance_km: f64, crs: String, orthophoto_slip: OrthophotoSlip },
         /// Coordinates of the orthophoto, or heights of its ground, are not in m.
         OrthophotoUnits { unit_m: f64, height_unit_m: f64 },
+        /// Heights of the orthophoto's ground count from elsewhere than those of the block's system, as their file says: from what it names, above the
+        /// ellipsoid or not; by so much the places are too high, where that is known.
+        OrthophotoHeights { heights: String, from_ellipsoid: bool, crs: String, above_m: Option<f64> },
         /// The block has no place on the earth that would be in the system that was chosen.
         NoResultSystem { crs: String },
         /// The block comes from a project file that holds less than is known of a block.
@@ -81,6 +84,7 @@ impl Remark {
                 | Self::OrthophotoConverted { .. }
                 | Self::OrthophotoUnits { .. }
                 | Self::OrthophotoElsewhere { .. }
+                | Self::OrthophotoHeights { .. }
         )
     }
 }

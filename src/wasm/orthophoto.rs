@@ -27,6 +27,8 @@ export interface OrthophotoInfo {
     /** What its system is called where it has one without a code. */
     described: string | null;
     heights: [number, number];
+    /** What they count from, by the name of a vertical system, where their file says it. */
+    heights_from: string | null;
     /** Share of the picture that has a height, 0 to 1. */
     heights_share: number;
     /** Whether its pixels are read where they are needed. */
@@ -97,6 +99,7 @@ impl OrthophotoReference {
             ("epsg", pack(epsg)),
             ("described", pack(&self.orthophoto.described())),
             ("heights", pack(&heights.range())),
+            ("heights_from", pack(&heights.counts_from())),
             ("heights_share", self.orthophoto.heights_share().into()),
             ("in_parts", self.orthophoto.is_in_parts().into()),
         ])

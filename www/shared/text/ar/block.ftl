@@ -392,7 +392,11 @@ place-on-the-orthophoto = وضع على الصورة المصححة
 place-them-as-a-block = وضعها كتلةً
 its-ground-is-taken-as = تُعد أرضها مستوية عند { FIXED($height, digits: 2) } م: أعط ارتفاعاتها حيث ليست كذلك.
 they-lie-under-of-the = {" "}تقع تحت { $share } % من الصورة المصححة: لا يوضع شيء في غيرها.
-heights-of-to-m = ارتفاعات { $name }: { FIXED($from, digits: 1) } إلى { FIXED($to, digits: 1) } م.{ $part }
+heights-of-to-m =
+    ارتفاعات { $name }: { FIXED($from, digits: 1) } إلى { FIXED($to, digits: 1) } م.{ $from_what ->
+        [none] {""}
+       *[other] {" "}وتُعدّ من { $from_what }.
+    }{ $part }
 with-doubt = ، منها { COUNT($weak) } مع شك
 not-placed = ، ولم توضع { COUNT($without) }
 of-placed = وُضعت { COUNT($placed) } من { $tried }{ $what }{ $what_2 }.

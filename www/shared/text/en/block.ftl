@@ -432,7 +432,11 @@ place-on-the-orthophoto = Place on the orthophoto
 place-them-as-a-block = Place them as a block
 its-ground-is-taken-as = Its ground is taken as level at { FIXED($height, digits: 2) } m: give its heights where it is not.
 they-lie-under-of-the = {" "}They lie under { $share } % of the orthophoto: nothing is placed elsewhere.
-heights-of-to-m = Heights of { $name }: { FIXED($from, digits: 1) } to { FIXED($to, digits: 1) } m.{ $part }
+heights-of-to-m =
+    Heights of { $name }: { FIXED($from, digits: 1) } to { FIXED($to, digits: 1) } m.{ $from_what ->
+        [none] {""}
+       *[other] {" "}They count from { $from_what }.
+    }{ $part }
 with-doubt = , { COUNT($weak) } with doubt
 not-placed = , { COUNT($without) } not placed
 of-placed = { COUNT($placed) } of { $tried } placed{ $what }{ $what_2 }.
