@@ -888,6 +888,7 @@ overview-warning-model = { $block_warning }
 overview-warning-few-oriented = More than a fifth of the images could not be oriented.
 overview-warning-apart = { $images } images are oriented apart from the others, in a model of their own.
 overview-warning-not-on-orthophoto = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
+overview-warning-focal-apart = With the orthophoto the focal length of { $label } is { FIXED($estimated_px, digits: 1) } px where { FIXED($prior_px, digits: 1) } px was known, { FIXED($apart, digits: 1) } standard deviations of that apart: check the camera, the heights and their unit.
 overview-warning-none-oriented = No image could be oriented.
 overview-warning-failed = No image could be oriented: { $failure }.
 
