@@ -1041,7 +1041,7 @@ refusal-control-unit =
 refusal-geoid-of-ellipsoid = ارتفاع الجيوئيد: أُعطي { $geoid_m } م مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: 0، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
 refusal-geoid-file-of-ellipsoid = الجيوئيد: أُعطي { $name } مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: بلا جيوئيد، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
 refusal-no-geoid = الجيوئيد: أُعطي { $name } وهو ليس مما يُقرأ؛ المسموح: GeoTIFF بخطوط الطول والعرض وشماله إلى أعلى، أو GTX، أو PGM من GeographicLib
-refusal-geoid-elsewhere = الجيوئيد: أُعطي { $name } وهو يغطي خطوط الطول من { FIXED($west, digits: 2) } إلى { FIXED($east, digits: 2) } وخطوط العرض من { FIXED($south, digits: 2) } إلى { FIXED($north, digits: 2) }، لكتلة عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }؛ المسموح: جيوئيد يغطي الكتلة
+refusal-geoid-elsewhere = الجيوئيد: أُعطي { $name } وهو يغطي خطوط الطول من { FIXED($west, digits: 2) } إلى { FIXED($east, digits: 2) } وخطوط العرض من { FIXED($south, digits: 2) } إلى { FIXED($north, digits: 2) }، لكتلة عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }، خطوط طولها من { FIXED($block_west, digits: 4) } إلى { FIXED($block_east, digits: 4) } وخطوط عرضها من { FIXED($block_south, digits: 4) } إلى { FIXED($block_north, digits: 4) }؛ المسموح: جيوئيد يغطي الكتلة
 refusal-geoid-height =
     الجيوئيد: { $height ->
         [none] لا ارتفاع

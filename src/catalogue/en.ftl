@@ -402,7 +402,7 @@ refusal-control-unit =
 refusal-geoid-of-ellipsoid = height of the geoid: got { $geoid_m } m beside { $crs }, whose heights are ellipsoidal; allowed: 0, or a system of the plane, or one with heights above sea level
 refusal-geoid-file-of-ellipsoid = geoid: got { $name } beside { $crs }, whose heights are ellipsoidal; allowed: no geoid, or a system of the plane, or one with heights above sea level
 refusal-no-geoid = geoid: got { $name }, which is not a geoid file that can be read; allowed: a GeoTIFF of longitudes and latitudes with north up, a GTX, or a PGM of GeographicLib
-refusal-geoid-elsewhere = geoid: got { $name }, which covers longitudes { FIXED($west, digits: 2) } to { FIXED($east, digits: 2) } and latitudes { FIXED($south, digits: 2) } to { FIXED($north, digits: 2) }, for a block at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }; allowed: a geoid that covers the block
+refusal-geoid-elsewhere = geoid: got { $name }, which covers longitudes { FIXED($west, digits: 2) } to { FIXED($east, digits: 2) } and latitudes { FIXED($south, digits: 2) } to { FIXED($north, digits: 2) }, for a block at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }, of longitudes { FIXED($block_west, digits: 4) } to { FIXED($block_east, digits: 4) } and latitudes { FIXED($block_south, digits: 4) } to { FIXED($block_north, digits: 4) }; allowed: a geoid that covers the block
 refusal-geoid-height =
     geoid: got { $height ->
         [none] no height

@@ -123,22 +123,21 @@ impl GeoTags {
         if keys.short(MODEL_TYPE) == Some(GEOGRAPHIC) {
             return refuse_degrees();
         }
-        Ok(Self { georeference: place(&directory, &keys)?, system: keys.system()?, no_data: no_data(&directory) })
+        Ok(Self { georeference: place(&directory, &keys)?, system: keys.system()?, no_data: number_of(&directory, NO_DATA) })
     }
 }
 
-/// Of a raster at longitudes and latitudes: the way to these from its pixels, and which value stands for nothing; absent for one of another system, and
-/// where it has no place.
+/// Of a raster at longitudes and latitudes: the way to these from its pixels; absent for one of another system, and where it has no place.
 ///
 /// # Errors
 /// As [`GeoTags::read`].
-pub(super) fn degrees_of(tiff: &[u8]) -> Result<Option<(Georeference, Option<f64>)>, Error> {
+pub(super) fn degrees_of(tiff: &[u8]) -> Result<Option<Georeference>, Error> {
     let directory = checked_directory(tiff)?;
     let keys = Keys::read(&directory);
     if keys.short(MODEL_TYPE) != Some(GEOGRAPHIC) || keys.short(ANGULAR_UNIT).is_some_and(|unit| unit != DEGREE) {
         return Ok(None);
     }
-    Ok(place(&directory, &keys)?.map(|georeference| (georeference, no_data(&directory))))
+    place(&directory, &keys)
 }
 
 fn place<S: FileSource>(directory: &Directory<S>, keys: &Keys) -> Result<Option<Georeference>, Error> {
@@ -147,8 +146,9 @@ fn place<S: FileSource>(directory: &Directory<S>, keys: &Keys) -> Result<Option<
     Georeference { origin: of_corner.ground([half, half]), ..of_corner }.checked().map(Some)
 }
 
-fn no_data<S: FileSource>(directory: &Directory<S>) -> Option<f64> {
-    directory.text(NO_DATA).and_then(|text| text.parse().ok())
+/// A number that a tag has as text.
+pub(super) fn number_of<S: FileSource>(directory: &Directory<S>, tag: u64) -> Option<f64> {
+    directory.text(tag).and_then(|text| text.parse().ok())
 }
 
 /// Angles are no lengths: north and east differ by the cosine of the latitude.

@@ -4,7 +4,7 @@ use super::ground::Ground;
 use crate::Georeference;
 use crate::crs::Vertical;
 use crate::error::refuse;
-use crate::georeferenced::{GeoTags, MOST_VALUES, SaidSystem, Sidecars, numbers_of_tiff};
+use crate::georeferenced::{GeoTags, MOST_VALUES, Numbers, SaidSystem, Sidecars};
 use crate::image::checked_directory;
 use crate::{Error, Refusal};
 use std::borrow::Cow;
@@ -193,9 +193,8 @@ impl HeightModel {
                 return refuse(Refusal::HeightsWithoutPlace);
             }
         };
-        let (width, height, values) = numbers_of_tiff(file)?;
-        let hole = tags.no_data.map(|v| v as f32);
-        let values = values.into_iter().map(|v| if Some(v) == hole { f32::NAN } else { v }).collect();
+        let numbers = Numbers::open(file)?;
+        let ([width, height], values) = (numbers.size(), numbers.all()?);
         let said = sidecars.system(tags.system)?;
         Ok(Self { unit_m: said.height_unit_m, said: Arc::new(said), ..Self::new(width, height, values, georeference)? })
     }
