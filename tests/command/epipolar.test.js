@@ -38,7 +38,11 @@ function colours(path) {
   for (let row = 0; row < height; row += 1) {
     const filter = data[row * (stride + 1)];
     for (let k = 0; k < stride; k += 1) {
-      const [left, above, corner] = [k < 3 ? 0 : pixels[row * stride + k - 3], pixels[(row - 1) * stride + k] ?? 0, k < 3 ? 0 : (pixels[(row - 1) * stride + k - 3] ?? 0)];
+      const [left, above, corner] = [
+        k < 3 ? 0 : pixels[row * stride + k - 3],
+        pixels[(row - 1) * stride + k] ?? 0,
+        k < 3 ? 0 : (pixels[(row - 1) * stride + k - 3] ?? 0),
+      ];
       const [a = 0, b, c] = [left, row === 0 ? 0 : above, row === 0 ? 0 : corner];
       const paeth = () => {
         const [pa, pb, pc] = [Math.abs(b - c), Math.abs(a - c), Math.abs(a + b - 2 * c)];

@@ -85,6 +85,7 @@ skipped-a-project-has-one = تُخطّي { $more }: للمشروع صورة مص
 skipped-an-orthophoto-has-one = تُخطّي { $others }: للصورة المصححة نموذج ارتفاعات واحد.
 reading-the-orthophoto = تجري قراءة الصورة المصححة { $name } …
 cannot-be-used-as-an = لا يمكن استعمال { $name } صورة مصححة
+is-a-grid-at-longitudes = { $name } شبكة أعداد عند خطوط طول وعرض. إن كانت جيوئيدًا فأعطها في الإعدادات بوصفها «الجيوئيد»؛ أما ارتفاعات الأرض فيجب أن تكون في نظام مسقط.
 holds-heights-give-their-orthophoto = يحوي { $name } ارتفاعات: أعط صورتها المصححة أولًا، أو أعطهما معًا.
 reading-the-heights = تجري قراءة الارتفاعات { $name } …
 the-ground-is-level-at = الأرض مستوية عند { $name }.

@@ -101,6 +101,7 @@ skipped-a-project-has-one = { $more } skipped: a project has one orthophoto.
 skipped-an-orthophoto-has-one = { $others } skipped: an orthophoto has one height model.
 reading-the-orthophoto = Reading the orthophoto { $name } …
 cannot-be-used-as-an = { $name } cannot be used as an orthophoto
+is-a-grid-at-longitudes = { $name } is a grid of numbers at longitudes and latitudes. If it is a geoid, give it as *Geoid* in the settings; heights of the ground have to be in a projected system.
 holds-heights-give-their-orthophoto = { $name } holds heights: give their orthophoto first, or both together.
 reading-the-heights = Reading the heights { $name } …
 the-ground-is-level-at = The ground is level at { $name }.
