@@ -6,6 +6,7 @@ use crate::image::{Directory, tiff_error, with_rows_of_image};
 use crate::{Error, Refusal};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::io::Cursor;
 use std::sync::{Mutex, PoisonError};
 use tiff::decoder::{Decoder, DecodingResult, Limits};
@@ -91,15 +92,17 @@ impl<'a> Numbers<'a> {
         let across = self.size[0].div_ceil(columns);
         let (left, index) = (column / columns, row / rows * across + column / columns);
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        if !kept.contains_key(&index) {
-            self.refuse_many(columns, rows)?;
-            let mut decoder = self.decoder.lock().unwrap_or_else(PoisonError::into_inner);
-            let values = self.meaning.taken(decoder.read_chunk(index as u32).map_err(tiff_error)?)?;
-            kept.insert(index, values);
-        }
+        let values = match kept.entry(index) {
+            Entry::Occupied(kept) => kept.into_mut(),
+            Entry::Vacant(place) => {
+                self.refuse_many(columns, rows)?;
+                let mut decoder = self.decoder.lock().unwrap_or_else(PoisonError::into_inner);
+                place.insert(self.meaning.taken(decoder.read_chunk(index as u32).map_err(tiff_error)?)?)
+            }
+        };
         // Those at the right edge are cut off there.
         let stride = columns.min(self.size[0] - left * columns);
-        let value = kept[&index].get(row % rows * stride + column % columns).copied();
+        let value = values.get(row % rows * stride + column % columns).copied();
         value.map_or_else(|| refuse(Refusal::TruncatedHeights { width: columns, height: rows, bytes: self.bytes }), Ok)
     }
 
