@@ -120,7 +120,14 @@ test('a picture with a world file is in the system of the .prj beside it, and he
   const [x = NaN, y = NaN] = georeference.origin;
   file(at, 'map.pgw', [gsd, 0, 0, -gsd, x + gsd / 2, y - gsd / 2].map((value) => `${value}\n`).join(''));
   file(at, 'map.prj', 'EPSG:25832');
-  const place = (/** @type {string[]} */ ...args) => ['place', OWN.photos[0], '--orthophoto', join(at, 'map.png'), '--points', '3000', ...args];
+  // It does not lie where the photos record their positions: one without them.
+  const photo = Photo.decode(readFileSync(OWN.photos[0] ?? ''));
+  writeFileSync(join(at, 'plain.png'), grey_png(photo.width, photo.height, photo.grey()));
+  const cameras = file(at, 'cameras.json', JSON.stringify({ cameras: [{ images: '*', focal_px: OWN.truth.cameras[0].focal_px, fixed: true }] }));
+  const place = (/** @type {string[]} */ ...args) => [
+    ...['place', join(at, 'plain.png'), '--cameras', cameras, '--orthophoto', join(at, 'map.png'), '--points', '3000'],
+    ...args,
+  ];
   const { orthophoto, images } = json(...place('--heights', join(OWN.at, 'heights.tif')));
   assert.equal(orthophoto.epsg, 25832);
   assert.equal(images[0].verdict.kind, 'placed', JSON.stringify(images[0].verdict));
