@@ -44,7 +44,7 @@ fn resampled(geometry: &EpipolarGeometry, side: usize, view: &StereoView, image:
     };
     let (width, height) = (geometry.width_px, geometry.height_px);
     let own = image.views();
-    let mut bands = vec![Vec::with_capacity(width * height); own.len()];
+    let mut bands: Vec<Vec<u8>> = own.iter().map(|_| Vec::with_capacity(width * height)).collect();
     each_position(
         [width, height],
         |pixel| at.of(pixel),

@@ -20,19 +20,26 @@ struct Plane {
     pixels: [usize; 2],
 }
 
+/// The components of a picture in their order.
+struct Planes {
+    /// Width and height of the picture.
+    size: [usize; 2],
+    planes: Vec<Plane>,
+}
+
 /// Red, green and blue of a file that was checked; absent where it has other scans, or no three components.
 ///
 /// # Errors
 /// [`Error::UnreadableImage`] for a damaged scan.
 pub(super) fn colours(bytes: &[u8]) -> Result<Option<Vec<Vec<u8>>>, Error> {
-    let Some((size, planes)) = planes(bytes)? else { return Ok(None) };
+    let Some(Planes { size, planes }) = Planes::read(bytes)? else { return Ok(None) };
     let mut components = Vec::with_capacity(planes.len());
     for Plane { stream, size: own, pixels } in planes {
         let samples = decoded(stream, ColorSpace::Luma, own[0] * own[1])?;
         components.push(enlarged(samples, own, size, pixels));
     }
     let [luma, blue, red] = components.as_slice() else { return Ok(None) };
-    let mut bands = vec![Vec::with_capacity(luma.len()); 3];
+    let mut bands: Vec<Vec<u8>> = (0..3).map(|_| Vec::with_capacity(luma.len())).collect();
     for ((luma, blue), red) in luma.iter().zip(blue).zip(red) {
         let (blue, red) = (blue - NEUTRAL, red - NEUTRAL);
         let rgb = [luma + 1.402 * red, luma - 0.344_136 * blue - 0.714_136 * red, luma + 1.772 * blue];
@@ -41,52 +48,55 @@ pub(super) fn colours(bytes: &[u8]) -> Result<Option<Vec<Vec<u8>>>, Error> {
     Ok(Some(bands))
 }
 
-/// Width and height of the picture, and its three components in their order.
-fn planes(bytes: &[u8]) -> Result<Option<([usize; 2], Vec<Plane>)>, Error> {
-    let mut segments = Segments::of(bytes);
-    let (mut tables, mut restart_interval) = (Vec::new(), 0);
-    let mut frame: Option<Frame> = None;
-    let mut planes: Vec<Option<Plane>> = (0..3).map(|_| None).collect();
-    loop {
-        let segment = segments.next()?;
-        match segment.marker {
-            _ if segment.is_frame() => {
-                let own = Frame::read(&segment)?;
-                if own.progressive || own.components.len() != planes.len() {
-                    return Ok(None);
+impl Planes {
+    /// Absent where the file has other scans, or no three components.
+    fn read(bytes: &[u8]) -> Result<Option<Self>, Error> {
+        let mut segments = Segments::of(bytes);
+        let (mut tables, mut restart_interval) = (Vec::new(), 0);
+        let mut frame: Option<Frame> = None;
+        let mut planes: Vec<Option<Plane>> = (0..3).map(|_| None).collect();
+        loop {
+            let segment = segments.next()?;
+            match segment.marker {
+                _ if segment.is_frame() => {
+                    let own = Frame::read(&segment)?;
+                    if own.progressive || own.components.len() != planes.len() {
+                        return Ok(None);
+                    }
+                    frame = Some(own);
                 }
-                frame = Some(own);
-            }
-            marker::SOS => {
-                let (data, restarts) = segments.entropy_coded()?;
-                let (Some(frame), [1, id, ..]) = (&frame, segment.body) else { return Ok(None) };
-                let Some(k) = frame.components.iter().position(|component| component.id == *id) else { return Ok(None) };
-                if planes[k].is_some() {
-                    continue;
+                marker::SOS => {
+                    let (data, restarts) = segments.entropy_coded()?;
+                    let (Some(frame), [1, id, ..]) = (&frame, segment.body) else { return Ok(None) };
+                    let Some(k) = frame.components.iter().position(|component| component.id == *id) else { return Ok(None) };
+                    if planes[k].is_some() {
+                        continue;
+                    }
+                    let scan = Scan::new(segment.body, frame, &[*id], restart_interval);
+                    scan.check_restarts(&restarts)?;
+                    let own = frame.only(k);
+                    let mut stream = vec![0xff, marker::SOI];
+                    stream.extend(&tables);
+                    own.write(&mut stream);
+                    write_segment(marker::SOS, segment.body, &mut stream);
+                    scan.write(data, &mut stream)?;
+                    stream.extend([0xff, marker::EOI]);
+                    planes[k] = Some(Plane { stream, size: [own.width, own.height].map(usize::from), pixels: frame.pixels_of(k) });
                 }
-                let scan = Scan::new(segment.body, frame, &[*id], restart_interval);
-                scan.check_restarts(&restarts)?;
-                let own = frame.only(k);
-                let mut stream = vec![0xff, marker::SOI];
-                stream.extend(&tables);
-                own.write(&mut stream);
-                write_segment(marker::SOS, segment.body, &mut stream);
-                scan.write(data, &mut stream)?;
-                stream.extend([0xff, marker::EOI]);
-                planes[k] = Some(Plane { stream, size: [own.width, own.height].map(usize::from), pixels: frame.pixels_of(k) });
+                marker::EOI => break,
+                marker::DRI => {
+                    let interval = segment.body.first_chunk().map_or(0, |interval| u16::from_be_bytes(*interval));
+                    restart_interval = usize::from(interval);
+                    write_segment(marker::DRI, segment.body, &mut tables);
+                }
+                marker::DQT | marker::DHT => write_segment(segment.marker, segment.body, &mut tables),
+                _ => {}
             }
-            marker::EOI => break,
-            marker::DRI => {
-                let interval = segment.body.first_chunk().map_or(0, |interval| u16::from_be_bytes(*interval));
-                restart_interval = usize::from(interval);
-                write_segment(marker::DRI, segment.body, &mut tables);
-            }
-            marker::DQT | marker::DHT => write_segment(segment.marker, segment.body, &mut tables),
-            _ => {}
         }
+        let size = frame.map(|frame| [frame.width, frame.height].map(usize::from));
+        let planes: Option<Vec<Plane>> = planes.into_iter().collect();
+        Ok(size.zip(planes).map(|(size, planes)| Self { size, planes }))
     }
-    let size = frame.map(|frame| [frame.width, frame.height].map(usize::from));
-    Ok(size.zip(planes.into_iter().collect()))
 }
 
 /// Samples of a component at the pixels of the picture, between the middles of its own in both directions.
