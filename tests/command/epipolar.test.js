@@ -108,7 +108,10 @@ test('epipolar images have the colours of their photos, and the anaglyph their g
     const colours = Buffer.from([...photo.grey()].flatMap((grey) => [grey, grey, 255 - grey]));
     writeFileSync(join(coloured, `${side}.ppm`), Buffer.concat([Buffer.from(`P6\n${photo.width} ${photo.height}\n255\n`), colours]));
   }
-  const ofColoured = call.map((word) => (/(?:left|right)\.png$/.test(word) ? join(coloured, basename(word).replace('.png', '.ppm')) : word));
+  // The truth is of the grey photos.
+  const ofColoured = call
+    .slice(0, call.indexOf('--truth'))
+    .map((word) => (/(?:left|right)\.png$/.test(word) ? join(coloured, basename(word).replace('.png', '.ppm')) : word));
   assert.ok([0, 3].includes(tiepoint(...ofColoured, '--out', out).code ?? 1));
   const made = folder();
   const { code, stderr } = tiepoint('epipolar', join(out, 'project.tiepoint'), coloured, '--out', made);
