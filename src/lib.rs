@@ -124,8 +124,8 @@ pub use pair::{
 };
 pub use pipeline::{
     BlockRun, CameraRules, ControlTables, ControlTexts, EditedRun, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News,
-    NotLinked, OnOrthophoto, ReadImage, RefinedObservation, RefinementTable, Remark, Run, RunImage, RunInput, SkippedImage, StageName,
-    Step, Task, Work, digest, execute, masks_of,
+    NotLinked, OnOrthophoto, OrthophotoSlip, ReadImage, RefinedObservation, RefinementTable, Remark, Run, RunImage, RunInput, SkippedImage,
+    StageName, Step, Task, Work, digest, execute, masks_of,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use pipeline::{images_in, replace_file, run_block};

@@ -7,9 +7,9 @@ use std::path::PathBuf;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
     Axis, BlockEdit, BlockFiles, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning,
-    ControlRole, ControlTexts, DecodeLimits, Heights, MeasuredBy, MultiscaleOptions, NotLinked, OnOrthophoto, Orthophoto, OverviewWarning,
-    PlacingOptions, PointSource, RunInput, SearchArea, control_by_hand, decode, parse_ground_control_points, read_project, run_block,
-    write_block_project,
+    CameraUncertainty, ControlRole, ControlTexts, DecodeLimits, Heights, MeasuredBy, MultiscaleOptions, NotLinked, OnOrthophoto,
+    Orthophoto, OverviewWarning, PlacingOptions, PointSource, RunInput, SearchArea, control_by_hand, decode, parse_ground_control_points,
+    read_project, run_block, write_block_project,
 };
 
 /// Of the map, from that of the scene.
@@ -160,6 +160,36 @@ fn a_block_comes_into_the_system_of_its_orthophoto() {
     assert!(before.orthophoto.is_none() && found.found() == found);
     let name = model.surveyed[0].name.clone();
     assert!(name.starts_with("orthophoto_"), "{name}");
+}
+
+#[test]
+fn a_focal_length_that_contradicts_what_was_known_is_said_of_a_block_on_an_orthophoto() {
+    let found = linked(block());
+    let focal_px = found.model.cameras[0].focal_px;
+    let verdict = |times: f64, uncertainty: CameraUncertainty, orthophoto: Option<OnOrthophoto>| {
+        let mut run = BlockRun { orthophoto, ..found.clone() };
+        run.cameras[0].focal_px = Some(times * focal_px);
+        run.cameras[0].uncertainty = Some(uncertainty);
+        BlockVerdict::of(&run)
+    };
+    let on = || found.orthophoto.clone();
+    let said = verdict(1.25, CameraUncertainty::EXIF, on());
+    let BlockVerdict::Weak { overview_warning: OverviewWarning::FocalApart { estimated_px, prior_px, apart, .. }, .. } = &said else {
+        panic!("{said}")
+    };
+    assert_eq!((*estimated_px, *prior_px), (focal_px, 1.25 * focal_px));
+    assert!((apart - 0.25 / 1.25 / CameraUncertainty::EXIF.focal).abs() < 1e-9, "{apart}");
+    assert!(said.to_string().contains("4.0 standard deviations"), "{said}");
+    // Within what was known; of a camera that nobody knew; so near that it does not matter; and without an orthophoto.
+    for (times, uncertainty, orthophoto) in [
+        (1.09, CameraUncertainty::EXIF, on()),
+        (1.25, CameraUncertainty::ASSUMED, on()),
+        (1.015, CameraUncertainty::GIVEN, on()),
+        (1.25, CameraUncertainty::EXIF, None),
+    ] {
+        let verdict = verdict(times, uncertainty, orthophoto);
+        assert!(matches!(verdict, BlockVerdict::Oriented { .. }), "{times}: {verdict}");
+    }
 }
 
 #[test]

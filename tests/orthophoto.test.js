@@ -34,6 +34,17 @@ const scene = () => {
   return { picture, heights };
 };
 
+/** The same GeoTIFF with keys that say longitudes and latitudes.  @param {Uint8Array} file */
+function inDegrees(file) {
+  const changed = Uint8Array.from(file);
+  // GTModelTypeGeoKey, which stands in the directory of keys, once: projected.
+  const key = [0, 4, 0, 0, 1, 0, 1, 0];
+  const at = changed.findIndex((_, from) => key.every((byte, k) => changed[from + k] === byte));
+  assert.ok(at > 0);
+  changed[at + 6] = 2;
+  return changed;
+}
+
 test('orthophotos, heights and photographs are told apart by what they hold', async () => {
   const { sortRasters, kindOfTiff } = page.rasters;
   const { picture, heights } = scene();
@@ -42,6 +53,7 @@ test('orthophotos, heights and photographs are told apart by what they hold', as
     found('one.tif', picture),
     found('two.tif', heights),
     found('grid.asc', 'ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n'),
+    found('degrees.tif', inDegrees(heights)),
     found('notes.txt', 'no grid'),
     found('photo.png', png, 'image/png'),
     found('map.png', png, 'image/png'),
@@ -58,6 +70,7 @@ test('orthophotos, heights and photographs are told apart by what they hold', as
   assert.deepEqual([sorted.orthophotos[1].world.name, sorted.orthophotos[1].projection.name], ['map.pgw', 'map.prj']);
   assert.deepEqual([sorted.heights[1].world, sorted.heights[1].projection.name], [null, 'grid.prj']);
   assert.deepEqual(names(sorted.heights), ['two.tif', 'grid.asc']);
+  assert.deepEqual([names(sorted.degrees), await page.rasters.hasGround([found('degrees.tif', inDegrees(heights))])], [['degrees.tif'], true]);
   assert.deepEqual(
     sorted.worlds.map((/** @type {File} */ { name }) => name),
     ['alone.tfw'],
@@ -81,6 +94,9 @@ test('orthophotos, heights and photographs are told apart by what they hold', as
   assert.equal(kind([258, 16], [339, 2], ...placed), 'heights');
   assert.equal(kind([258, 32], [339, 3], ...placed), 'heights');
   assert.equal(kind([258, 32], [339, 3], [277, 3], ...placed), 'orthophoto');
+  assert.equal(kind([258, 32], [339, 3], [1024, 2], ...placed), 'degrees');
+  assert.equal(kind([258, 32], [339, 3], [1024, 1], ...placed), 'heights');
+  assert.equal(kind([258, 8], [277, 3], [1024, 2], ...placed), 'orthophoto');
   assert.equal(kind([258, 8], [277, 3]), 'photograph');
   assert.equal(kindOfTiff(new Map([[258, 32]]), true), 'heights');
 });

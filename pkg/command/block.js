@@ -17,14 +17,14 @@ import { BlockFolder, formatsOf } from './block-folder.js';
 import { about, DataError, UsageError } from './errors.js';
 import { exists, filesIn, isFile, isFolder, readText, reasonOf } from './files.js';
 import { FolderStore } from './folder-store.js';
-import { onOrthophoto, ORTHOPHOTO_OPTIONS, orthophotoOf } from './on-orthophoto.js';
+import { noteElsewhere, onOrthophoto, ORTHOPHOTO_OPTIONS, orthophotoOf } from './on-orthophoto.js';
 import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, WORKERS } from './options.js';
 import { ThreadPool } from './pool.js';
 import { Progress } from './progress.js';
 
 /**
  * @typedef {import('./args.js').Call} Call
- * @typedef {import('../block/index.js').Source} Source
+ * @typedef {import('../block/index.js').Source & { file: string }} Source
  */
 
 const OPTIONS = optionsOf(block_parameters(), block_settings({}), BLOCK_NAMES);
@@ -101,6 +101,11 @@ async function run(call) {
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new Progress({ quiet: values.has('json') });
   try {
+    if (reference && options.gps === 'use')
+      noteElsewhere(
+        reference,
+        sources.map(({ file }) => file),
+      );
     const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.stage(step) });
     shown.end();
     const finished = reference ? await onOrthophoto(found, sources, reference) : found;
@@ -180,6 +185,7 @@ function sourcesOf(given) {
 /** @param {string} file @returns {Source} */
 const sourceOf = (file) => ({
   name: basename(file),
+  file,
   bytes: async () => {
     // Reading a pipe would wait for whoever writes into it.
     if (!isFile(file)) throw new Error('it is no file, but a pipe, a socket or a device');

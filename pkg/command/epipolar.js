@@ -3,7 +3,7 @@ import { createHash } from 'node:crypto';
 import { join } from 'node:path';
 import { EpipolarPair } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
-import { isFolder, makeFolder, readBytes, readPhoto, writeInto } from './files.js';
+import { isFolder, makeFolder, readBytes, writeInto } from './files.js';
 import { path } from './options.js';
 import { print } from './output.js';
 
@@ -18,7 +18,7 @@ export const epipolar = {
     path('right', 'NAME', 'The right image; with --left.'),
   ],
   details:
-    'PROJECT is the project.tiepoint of a pair or a block, FOLDER that of its images. Of a block the two images with most points in common are taken, unless two are named; points whose rays are nearly parallel count less. It writes left.png and right.png, grey, ' +
+    'PROJECT is the project.tiepoint of a pair or a block, FOLDER that of its images. Of a block the two images with most points in common are taken, unless two are named; points whose rays are nearly parallel count less. It writes left.png and right.png, in the colours of their files, ' +
     'without distortion, of one size and focal length; anaglyph.png, both in one for red-cyan glasses; and epipolar.json, how they lie, with the residual y-parallax of the points that both show.',
   run,
 };
@@ -33,13 +33,14 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   const pair = about(project, () => EpipolarPair.open(bytes, typeof left === 'string' && typeof right === 'string' ? [left, right] : undefined));
   const photos = pair.names.map((name, k) => {
     const file = join(folder, name);
-    const content = createHash('sha256').update(readBytes(file)).digest('hex');
+    const photo = readBytes(file);
+    const content = createHash('sha256').update(photo).digest('hex');
     if (pair.contents[k] !== null && pair.contents[k] !== content) throw new DataError(`${file}: it is another file than the ${name} of the project`);
-    return readPhoto(file);
+    return photo;
   });
   const [ofLeft, ofRight] = photos;
   if (!ofLeft || !ofRight) throw new Error('a pair has two images');
-  const files = pair.resample(ofLeft, ofRight);
+  const files = about(folder, () => pair.resample_files(ofLeft, ofRight));
   makeFolder(out);
   /** @type {[string, string | Uint8Array][]} */
   const all = [

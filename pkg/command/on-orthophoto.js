@@ -1,9 +1,9 @@
 // @ts-check
 /** A block in the system of an orthophoto: its images are placed one after the other, then it is adjusted by what they show of its ground. */
 
-import { BlockOnOrthophoto, placing_defaults, placing_parameters } from '../node.js';
+import { BlockOnOrthophoto, message, placing_defaults, placing_parameters } from '../node.js';
 import { UsageError } from './errors.js';
-import { GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP } from './ground.js';
+import { elsewhereOf, GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP } from './ground.js';
 import { optionsOf, path, settingsOf } from './options.js';
 import { note } from './output.js';
 import { Progress } from './progress.js';
@@ -40,6 +40,12 @@ export function orthophotoOf(values) {
   const ground = groundOf(values);
   if (!ground) note(NO_HEIGHTS);
   return openReference(file, ground, settingsOf(OPTIONS, values, { placing: placing_defaults() }).placing);
+}
+
+/** Says before anything is matched that the orthophoto is of elsewhere.  @param {OrthophotoReference} reference @param {readonly string[]} images */
+export function noteElsewhere(reference, images) {
+  const doubt = elsewhereOf(reference, images);
+  if (doubt) note(message('remark', doubt));
 }
 
 /**

@@ -1,5 +1,6 @@
 // @ts-check
 import { basename, extname } from 'node:path';
+import { withText } from '../messages.js';
 import { check_cameras, message, parse_camera, placed_tables, placing_defaults, placing_parameters } from '../node.js';
 import { about, DataError, UsageError, VERDICT_CODES } from './errors.js';
 import { makeFolder, readBytes, readText, writeInto } from './files.js';
@@ -8,7 +9,7 @@ import { note, print, printJson } from './output.js';
 import { marksOf } from './pair.js';
 import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
-import { GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP } from './ground.js';
+import { elsewhereOf, GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP } from './ground.js';
 
 /** @typedef {import('../node.js').PlacedImage} PlacedImage */
 
@@ -38,7 +39,7 @@ export const place = {
   ],
   details:
     'Points of the image are found on the orthophoto, first about its GNSS position where it records one and the orthophoto says its system, the image is oriented by them, resampled to the ground and matched again, then adjusted; a part of the links takes no part and checks the result. Lengths are those of the ' +
-    'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, images [{name, verdict, placement or null, search}, …] with camera, pose, standard errors, footprint, links, of scanned film also film with its interior orientation. ' +
+    'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, remarks, images [{name, verdict, placement or null, search}, …] with camera, pose, standard errors, footprint, links, of scanned film also film with its interior orientation. ' +
     'The exit code is that of the worst verdict: 0 placed, 3 weak, 4 not placed.',
   run,
 };
@@ -55,9 +56,13 @@ async function run({ positionals, values }) {
   const cameras = camerasOf(values.get('cameras'), positionals);
   const ground = groundOf(values);
   if (typeof out === 'string') makeFolder(out);
-  const shown = new Progress({ steps: positionals.length + 2 });
+  const shown = new Progress({ steps: positionals.length + 3 });
   const reference = shown.step(`reading ${file}`, () => openReference(file, ground, placing));
   try {
+    const doubt = shown.step('reading positions', () => elsewhereOf(reference, positionals));
+    const remarks = doubt ? [withText('remark', doubt)] : [];
+    shown.end();
+    for (const { text } of remarks) note(text);
     /** @type {Result['images']} */
     const images = [];
     /** @type {string[]} */
@@ -78,11 +83,13 @@ async function run({ positionals, values }) {
         failed.push(error.message);
       }
     }
-    const result = { orthophoto: { name: basename(file), ...reference.info() }, images };
+    const result = { orthophoto: { name: basename(file), ...reference.info() }, remarks, images };
     const written = shown.step('writing', () => (typeof out === 'string' && images.length > 0 ? [...write(out, result), ...pictures] : []));
     shown.end();
     if (placing.check_share === 0) note('--check-share is 0: no link checks the result');
     if (!ground) note(NO_HEIGHTS);
+    const { heights_from: from } = result.orthophoto;
+    if (from) note(`heights count from ${from}, as their file says`);
     if (failed.length < positionals.length) {
       if (values.has('json')) printJson(result);
       else print(...describe(result), ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []));
@@ -135,7 +142,7 @@ function camerasOf(cameras, images) {
   return text;
 }
 
-/** @typedef {{ orthophoto: object, images: (PlacedImage & { name: string })[] }} Result */
+/** @typedef {{ orthophoto: import('../node.js').OrthophotoInfo & { name: string }, remarks: readonly object[], images: (PlacedImage & { name: string })[] }} Result */
 
 /** @param {string} out @param {Result} result */
 function write(out, result) {

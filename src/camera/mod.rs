@@ -29,4 +29,5 @@ pub(crate) use rotation::nearest_rotation;
 pub use rotation::{angles_from_rotation, rotation_from_angles};
 pub(crate) use same::{USUAL_FOCAL, contradict, is_near};
 pub use uncertainty::CameraUncertainty;
+pub(crate) use uncertainty::apart_from_known;
 pub use xmp::{Attitude, DroneRecord, RtkSolution};

@@ -24,7 +24,23 @@ pub struct CameraUncertainty {
     pub k1: f64,
 }
 
+/// A constant of a camera contradicts what was known of it where it is more than so many of its standard deviations off, which chance brings in one of
+/// twenty, and so large a share of the focal length: what is known to a tenth of that is not worth a doubt.
+const MOST_APART: f64 = 2.0;
+const LEAST_APART: f64 = 0.02;
+
+/// How many of the standard deviations `sigma_px` of what was known a constant is apart that came out `off_px` from it; absent where it contradicts nothing.
+pub(crate) fn apart_from_known(off_px: f64, sigma_px: f64, focal_px: f64) -> Option<f64> {
+    let off_px = off_px.abs();
+    (off_px > MOST_APART * sigma_px && off_px > LEAST_APART * focal_px).then(|| off_px / sigma_px)
+}
+
 impl CameraUncertainty {
+    /// Whether nobody knew the focal length: then it contradicts nothing.
+    pub(crate) fn is_guess(&self) -> bool {
+        self.focal >= Self::ASSUMED.focal
+    }
+
     /// Refuses what is no standard deviation of the camera of a pair.
     pub(crate) fn check(&self) -> Result<(), Error> {
         for (name, value) in [

@@ -471,6 +471,7 @@ overview-warning-model = { $block_warning }
 overview-warning-few-oriented = تعذّر توجيه أكثر من خُمس الصور.
 overview-warning-apart = وُجّهت { $images } من الصور بمعزل عن غيرها، في نموذج مستقل.
 overview-warning-not-on-orthophoto = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
+overview-warning-focal-apart = البعد البؤري للكاميرا { $label } مع الصورة المصححة { FIXED($estimated_px, digits: 1) } بكسل، والمعروف { FIXED($prior_px, digits: 1) } بكسل، والفرق { FIXED($apart, digits: 1) } انحرافًا معياريًا منه: تحقق من الكاميرا والارتفاعات ووحدتها.
 overview-warning-none-oriented = لم يمكن توجيه أي صورة.
 overview-warning-failed = لم يمكن توجيه أي صورة: { $failure }.
 
@@ -707,6 +708,22 @@ remark-orthophoto-converted =
         [none] {""}
        *[other] ، بدقة { SIGNIFICANT($accuracy_m, digits: 1) } م لانتقالي مرجعيهما
     }
+remark-orthophoto-elsewhere =
+    { $images ->
+        [1] موقع الصورة في GNSS لا يقع
+       *[other] لا موقع في GNSS من مواقع { $images } من الصور يقع
+    } ضمن { FIXED($within_m, digits: 0) } م من الصورة المصححة: أقربها كما يضعه { $crs } يبعد عنها { SIGNIFICANT($distance_km, digits: 3) } كم. { $orthophoto_slip } ويُبحث فيها كلها
+remark-orthophoto-heights =
+    ارتفاعات أرض الصورة المصححة تُعدّ من { $from_ellipsoid ->
+        [true] الإهليلج
+       *[false] جيوئيد أو مستوى بحر
+    } كما يقول ملفها ({ $heights })، وارتفاعات { $crs } من { $from_ellipsoid ->
+        [true] جيوئيد
+       *[false] الإهليلج
+    }: موقع الكتلة { $above_m ->
+        [none] مزاح في الارتفاع بمقدار ارتفاع الجيوئيد
+       *[other] أعلى مما يجب بمقدار { FIXED($above_m, digits: 1) } م
+    }؛ حوّل الارتفاعات، أو بيّن بالخيار --geoid أو --geoid-m أو --crs أن صفرهما واحد
 remark-orthophoto-units = شرق الصورة المصححة وشمالها بوحدات طول كل منها { $unit_m } م؛ وتؤخذ ارتفاعات أرضها بوحدات طول كل منها { $height_unit_m } م
 remark-unsupported-edits = كُتب ملف المشروع قبل أن تُحفظ جميع النقاط المضبوطة: مع التعديلات تُضبط الكتلة بالنقاط المختارة وحدها، وهي أقل دقة
 remark-unmeasured-points =
@@ -798,6 +815,14 @@ on-orthophoto-by-hand =
     } بعدد { $points } من المواضع المقيسة يدويًا في { $linked } من { $images } من الصور.
 on-orthophoto-not-linked = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
 
+# How an orthophoto may have come to lie elsewhere than its images.
+orthophoto-slip-zone = في المنطقة { $zone } من UTM تقع الصورة المصححة هناك: هل سُمّي نظامها خطأً؟
+orthophoto-slip-exchanged = إذا تبادل x وy وقعت الصورة المصححة هناك: x هو الشرق.
+orthophoto-slip-other-half = في المنطقة نفسها من النصف الآخر للأرض (الشمالي أو الجنوبي) تقع الصورة المصححة هناك: هل سُمّي نظامها خطأً؟
+orthophoto-slip-unit = إذا كانت إحداثياتها بوحدة { $given_in } وقعت الصورة المصححة هناك.
+orthophoto-slip-coordinate = إذا كان { $likely } في وسطها وقعت الصورة المصححة هناك.
+orthophoto-slip-unknown = هل هي الصورة المصححة لهذه الصور، وهل نظامها صحيح، أم المواقع خاطئة؟
+
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = لم توجَّه
 not-linked-own-system = للكتلة النظام المرجعي { $crs }، ولم يكن الإصدار الذي شغّلها يضبطها فيه بصورة مصححة
@@ -828,6 +853,7 @@ placing-weakness-plan = لا يُعرف موضع مركز الإسقاط إلا 
 placing-weakness-camera = تطلب النقاط { $camera_parameter } بمقدار { FIXED($estimated_px, digits: 1) } بكسل، والمعروف { FIXED($prior_px, digits: 1) } بكسل، والفرق { FIXED($apart, digits: 1) } انحرافًا معياريًا منه: تحقق من الكاميرا والارتفاعات.
 placing-weakness-height-factor = تطلب النقاط فروق ارتفاع تساوي { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } مرة من فروق الارتفاعات المعطاة: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة.
 placing-weakness-relief = في { PERCENT($displaced, digits: 0) } من الصورة تقع النقاط معًا في غير الموضع الذي تحدده الارتفاعات: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة. منسوب واحد يصلح للأرض المستوية وحدها.
+placing-weakness-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، والمعتاد { FIXED($usual_m, digits: 0) } م على الأكثر: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
 placing-weakness-noise = الجذر التربيعي لمتوسط مربعات المتبقيات { FIXED($rmse_px, digits: 2) } بكسل، وتبلغ الصور الجيدة { FIXED($usual_px, digits: 2) } بكسل: تحقق من الارتفاعات ومن عمر الصورة المصححة.
 
 # How an image with a GNSS position was sought on an orthophoto.
@@ -1022,7 +1048,7 @@ refusal-control-unit =
 refusal-geoid-of-ellipsoid = ارتفاع الجيوئيد: أُعطي { $geoid_m } م مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: 0، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
 refusal-geoid-file-of-ellipsoid = الجيوئيد: أُعطي { $name } مع { $crs } وارتفاعاته فوق الإهليلجي؛ المسموح: بلا جيوئيد، أو نظام مستوٍ، أو نظام بارتفاعات فوق سطح البحر
 refusal-no-geoid = الجيوئيد: أُعطي { $name } وهو ليس مما يُقرأ؛ المسموح: GeoTIFF بخطوط الطول والعرض وشماله إلى أعلى، أو GTX، أو PGM من GeographicLib
-refusal-geoid-elsewhere = الجيوئيد: أُعطي { $name } وهو يغطي خطوط الطول من { FIXED($west, digits: 2) } إلى { FIXED($east, digits: 2) } وخطوط العرض من { FIXED($south, digits: 2) } إلى { FIXED($north, digits: 2) }، لكتلة عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }؛ المسموح: جيوئيد يغطي الكتلة
+refusal-geoid-elsewhere = الجيوئيد: أُعطي { $name } وهو يغطي خطوط الطول من { FIXED($west, digits: 2) } إلى { FIXED($east, digits: 2) } وخطوط العرض من { FIXED($south, digits: 2) } إلى { FIXED($north, digits: 2) }، لكتلة عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }، خطوط طولها من { FIXED($block_west, digits: 4) } إلى { FIXED($block_east, digits: 4) } وخطوط عرضها من { FIXED($block_south, digits: 4) } إلى { FIXED($block_north, digits: 4) }؛ المسموح: جيوئيد يغطي الكتلة
 refusal-geoid-height =
     الجيوئيد: { $height ->
         [none] لا ارتفاع

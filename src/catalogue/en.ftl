@@ -404,7 +404,7 @@ refusal-control-unit =
 refusal-geoid-of-ellipsoid = height of the geoid: got { $geoid_m } m beside { $crs }, whose heights are ellipsoidal; allowed: 0, or a system of the plane, or one with heights above sea level
 refusal-geoid-file-of-ellipsoid = geoid: got { $name } beside { $crs }, whose heights are ellipsoidal; allowed: no geoid, or a system of the plane, or one with heights above sea level
 refusal-no-geoid = geoid: got { $name }, which is not a geoid file that can be read; allowed: a GeoTIFF of longitudes and latitudes with north up, a GTX, or a PGM of GeographicLib
-refusal-geoid-elsewhere = geoid: got { $name }, which covers longitudes { FIXED($west, digits: 2) } to { FIXED($east, digits: 2) } and latitudes { FIXED($south, digits: 2) } to { FIXED($north, digits: 2) }, for a block at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }; allowed: a geoid that covers the block
+refusal-geoid-elsewhere = geoid: got { $name }, which covers longitudes { FIXED($west, digits: 2) } to { FIXED($east, digits: 2) } and latitudes { FIXED($south, digits: 2) } to { FIXED($north, digits: 2) }, for a block at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }, of longitudes { FIXED($block_west, digits: 4) } to { FIXED($block_east, digits: 4) } and latitudes { FIXED($block_south, digits: 4) } to { FIXED($block_north, digits: 4) }; allowed: a geoid that covers the block
 refusal-geoid-height =
     geoid: got { $height ->
         [none] no height
@@ -892,6 +892,7 @@ overview-warning-model = { $block_warning }
 overview-warning-few-oriented = More than a fifth of the images could not be oriented.
 overview-warning-apart = { $images } images are oriented apart from the others, in a model of their own.
 overview-warning-not-on-orthophoto = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
+overview-warning-focal-apart = With the orthophoto the focal length of { $label } is { FIXED($estimated_px, digits: 1) } px where { FIXED($prior_px, digits: 1) } px was known, { FIXED($apart, digits: 1) } standard deviations of that apart: check the camera, the heights and their unit.
 overview-warning-none-oriented = No image could be oriented.
 overview-warning-failed = No image could be oriented: { $failure }.
 
@@ -1120,6 +1121,22 @@ remark-orthophoto-converted =
         [none] {""}
        *[other] , accurate to { SIGNIFICANT($accuracy_m, digits: 1) } m by the shifts of their datums
     }
+remark-orthophoto-elsewhere =
+    { $images ->
+        [1] the GNSS position of the image does not lie
+       *[other] no GNSS position of the { $images } images lies
+    } within { FIXED($within_m, digits: 0) } m of the orthophoto: as { $crs } has it, the nearest is { SIGNIFICANT($distance_km, digits: 3) } km from it. { $orthophoto_slip } All of it is searched
+remark-orthophoto-heights =
+    heights of the orthophoto's ground count from { $from_ellipsoid ->
+        [true] the ellipsoid
+       *[false] a geoid or level of the sea
+    }, as their file says ({ $heights }), those of { $crs } from { $from_ellipsoid ->
+        [true] a geoid
+       *[false] the ellipsoid
+    }: the block lies { $above_m ->
+        [none] off in height by the height of the geoid
+       *[other] { FIXED($above_m, digits: 1) } m too high
+    }; convert the heights, or say with --geoid, --geoid-m or --crs that both count from one zero
 remark-orthophoto-units = the orthophoto has eastings and northings in units of { $unit_m } m; heights of its ground are taken in units of { $height_unit_m } m
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unmeasured-points =
@@ -1211,6 +1228,14 @@ on-orthophoto-by-hand =
     } by { $points } places that were measured by hand in { $linked } of { $images } images.
 on-orthophoto-not-linked = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 
+# How an orthophoto may have come to lie elsewhere than its images.
+orthophoto-slip-zone = In zone { $zone } of UTM the orthophoto lies there: is its system named wrong?
+orthophoto-slip-exchanged = With x and y exchanged the orthophoto lies there: x is the easting.
+orthophoto-slip-other-half = In the same zone of the other half of the earth (north or south) the orthophoto lies there: is its system named wrong?
+orthophoto-slip-unit = If its coordinates are in { $given_in } the orthophoto lies there.
+orthophoto-slip-coordinate = With { $likely } in its middle the orthophoto lies there.
+orthophoto-slip-unknown = Is it the orthophoto of these images, is its system the right one, or are the positions wrong?
+
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = it is not oriented
 not-linked-own-system = it has the coordinate reference system { $crs }, in which the version that ran it did not adjust by an orthophoto
@@ -1241,6 +1266,7 @@ placing-weakness-plan = The place of the projection centre is known to ± { SIGN
 placing-weakness-camera = The points ask for { $camera_parameter } of { FIXED($estimated_px, digits: 1) } px where { FIXED($prior_px, digits: 1) } px was known, { FIXED($apart, digits: 1) } standard deviations of that apart: check the camera and the heights.
 placing-weakness-height-factor = The points ask for differences of height { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } times those of the heights: check that the heights are of this ground, and in the unit of the orthophoto.
 placing-weakness-relief = In { PERCENT($displaced, digits: 0) } of the image the points lie together elsewhere than the heights put them: check that the heights are of this ground, and in the unit of the orthophoto. One level stands for level ground alone.
+placing-weakness-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, where { FIXED($usual_m, digits: 0) } m are usual at most: check the coordinate system of the orthophoto, the heights and the position.
 placing-weakness-noise = Residuals are { FIXED($rmse_px, digits: 2) } px in the root mean square, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
 
 # How an image with a GNSS position was sought on an orthophoto.

@@ -13,6 +13,7 @@ mod positions;
 mod rounding;
 mod spelling;
 mod system;
+mod vertical;
 mod zones;
 
 pub(crate) use definition::{Definition, HeightReference};
@@ -22,4 +23,5 @@ pub(crate) use height_zero::HeightZero;
 pub(crate) use positions::middle;
 pub use positions::{coordinates_in_system, places_of_coordinates};
 pub(crate) use system::CoordinateSystem;
+pub(crate) use vertical::Vertical;
 pub(crate) use zones::beside as beside_in_utm;

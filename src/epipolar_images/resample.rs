@@ -3,15 +3,15 @@
 use super::geometry::EpipolarGeometry;
 use super::view::StereoView;
 use crate::error::refuse;
-use crate::image::{bicubic, each_position};
-use crate::{Bands, Error, GreyImage, GreyView, Refusal, StereoPair, write_bands};
+use crate::image::{Neighbours, each_position};
+use crate::{Bands, Error, Refusal, StereoPair, write_bands};
 use nalgebra::{Matrix3, Vector3};
 
-/// Two epipolar images.
+/// Two epipolar images, each grey or in colours as its photo is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EpipolarImages {
-    pub left: GreyImage,
-    pub right: GreyImage,
+    pub left: Bands,
+    pub right: Bands,
 }
 
 impl EpipolarImages {
@@ -19,13 +19,13 @@ impl EpipolarImages {
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for an image of another size than its camera.
-    pub fn new(geometry: &EpipolarGeometry, pair: &StereoPair, images: [GreyView<'_>; 2]) -> Result<Self, Error> {
+    pub fn new(geometry: &EpipolarGeometry, pair: &StereoPair, images: [&Bands; 2]) -> Result<Self, Error> {
         let of = |side: usize| resampled(geometry, side, &pair.views[side], images[side]);
         Ok(Self { left: of(0)?, right: of(1)? })
     }
 }
 
-fn resampled(geometry: &EpipolarGeometry, side: usize, view: &StereoView, image: GreyView<'_>) -> Result<GreyImage, Error> {
+fn resampled(geometry: &EpipolarGeometry, side: usize, view: &StereoView, image: &Bands) -> Result<Bands, Error> {
     let [width_px, height_px] = view.size_px;
     if [image.width(), image.height()] != view.size_px {
         return refuse(Refusal::EpipolarImageSize {
@@ -43,14 +43,18 @@ fn resampled(geometry: &EpipolarGeometry, side: usize, view: &StereoView, image:
         focal_px: geometry.focal_px,
     };
     let (width, height) = (geometry.width_px, geometry.height_px);
-    let mut grey = Vec::with_capacity(width * height);
-    let seen = |position: Option<[f64; 2]>| position.filter(|position| view.sees(*position));
+    let own = image.views();
+    let mut bands: Vec<Vec<u8>> = own.iter().map(|_| Vec::with_capacity(width * height)).collect();
     each_position(
         [width, height],
         |pixel| at.of(pixel),
-        |position| grey.push(seen(position).map_or(0, |position| bicubic(image, position))),
+        |position| {
+            // The neighbours of a position are the same in all bands.
+            let seen = position.filter(|position| view.sees(*position)).map(|position| Neighbours::about(position, view.size_px));
+            bands.iter_mut().zip(&own).for_each(|(band, own)| band.push(seen.as_ref().map_or(0, |seen| seen.mean(*own))));
+        },
     );
-    GreyImage::new(width, height, grey)
+    Bands::of([width, height], bands)
 }
 
 /// Where an image shows the middles of the pixels of its epipolar image.
@@ -70,20 +74,21 @@ impl Position<'_> {
     }
 }
 
-/// Writes both images in one as a PNG file for red-cyan glasses: red is the left one.
+/// Writes both images in one as a PNG file for red-cyan glasses: red are the grey values of the left one, since colours would differ between the eyes.
 ///
 /// # Panics
 /// For images of different sizes.
 pub fn write_anaglyph(images: &EpipolarImages) -> Vec<u8> {
     let EpipolarImages { left, right } = images;
-    write_bands(&Bands::colours([left.clone(), right.clone(), right.clone()]).expect("epipolar images have one size"), None)
+    let [left, right] = [left, right].map(Bands::to_grey);
+    write_bands(&Bands::colours([left, right.clone(), right]).expect("epipolar images have one size"), None)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::camera::rotation_from_angles;
-    use crate::{Camera, Pose, StereoView};
+    use crate::{Camera, GreyImage, Pose, StereoView};
 
     /// The grey value of level ground at a height of 0.
     fn ground([x, y]: [f64; 2]) -> f64 {
@@ -113,8 +118,12 @@ mod tests {
         let (right, of_right) = photographed([-0.03, -0.04, -0.06], [25.0, 3.0, 62.0]);
         let geometry = EpipolarGeometry::new([&left, &right], &[]).unwrap();
         let pair = StereoPair { views: [left, right], is_swapped: false, contents: [None, None], points_px: Vec::new() };
-        let images = EpipolarImages::new(&geometry, &pair, [of_left.view(), of_right.view()]).unwrap();
-        for (side, image) in [&images.left, &images.right].into_iter().enumerate() {
+        // The left one in colours: red as it is, green and blue by other values.
+        let other = |of: fn(u8) -> u8| GreyImage::from_fn(300, 220, |c, r| of(of_left.view().at(c, r))).unwrap();
+        let coloured = Bands::colours([of_left.clone(), other(|grey| 255 - grey), other(|grey| grey / 2)]).unwrap();
+        let images = EpipolarImages::new(&geometry, &pair, [&coloured, &of_right.clone().into()]).unwrap();
+        assert!(images.left.are_colours() && !images.right.are_colours());
+        for (side, image) in [&images.left.images()[0], &images.right.images()[0]].into_iter().enumerate() {
             let pose = Pose { rotation: geometry.rotation, position: geometry.projection_centres[side] };
             let [cx, cy] = geometry.principal_points_px[side];
             let mut compared = 0;
@@ -130,11 +139,16 @@ mod tests {
             }
             assert!(compared > geometry.width_px * geometry.height_px / 2, "{compared}");
         }
+        let [red, green, blue] = images.left.images() else { panic!("grey") };
+        for (column, row) in [(100, 80), (60, 50), (150, 100)] {
+            let [red, green, blue] = [red, green, blue].map(|band| i32::from(band.view().at(column, row)));
+            assert!(red > 0 && (255 - red - green).abs() <= 1 && (red / 2 - blue).abs() <= 1, "{column} {row}: {red} {green} {blue}");
+        }
         let anaglyph = image::load_from_memory(&write_anaglyph(&images)).unwrap().to_rgb8();
-        let [grey, other] = [&images.left, &images.right].map(|image| image.view().at(100, 80));
+        let [grey, other] = [&images.left, &images.right].map(|image| image.to_grey().view().at(100, 80));
         assert_eq!(anaglyph.get_pixel(100, 80).0, [grey, other, other]);
         let small = GreyImage::from_fn(10, 10, |_, _| 0).unwrap();
-        let refused = EpipolarImages::new(&geometry, &pair, [of_left.view(), small.view()]).unwrap_err();
+        let refused = EpipolarImages::new(&geometry, &pair, [&coloured, &small.into()]).unwrap_err();
         assert!(refused.to_string().contains("10 x 10 px for a"), "{refused}");
     }
 }

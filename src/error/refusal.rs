@@ -174,7 +174,7 @@ messages! {
         GeoidOfEllipsoid { crs: String, #[serde(with = "number")] geoid_m: f64 },
         GeoidFileOfEllipsoid { name: String, crs: String },
         NoGeoid { name: String },
-        GeoidElsewhere { name: String, west: f64, south: f64, east: f64, north: f64, #[serde(with = "number")] longitude_deg: f64, #[serde(with = "number")] latitude_deg: f64 },
+        GeoidElsewhere { name: String, west: f64, south: f64, east: f64, north: f64, #[serde(with = "number")] longitude_deg: f64, #[serde(with = "number")] latitude_deg: f64, block_west: f64, block_east: f64, block_south: f64, block_north: f64 },
         GeoidHeight { name: String, longitude_deg: f64, latitude_deg: f64, height: Option<f64> },
         GeoidNodes { name: String, columns: usize, rows: usize, most: usize },
         GeoidTwice { name: String, geoid_m: f64 },

@@ -1,7 +1,7 @@
 //! Files of geoids: of one that covers a country or the earth the part about a block.
 
 use super::geotiff::degrees_of;
-use super::samples::numbers_of_tiff;
+use super::samples::Numbers;
 use crate::crs::Geoid;
 use crate::error::refuse;
 use crate::math::turn;
@@ -58,25 +58,20 @@ struct Nodes<'a> {
     columns: usize,
     rows: usize,
     /// By column and row, from the west and the south; NaN where there is none.
-    height: Box<dyn Fn(usize, usize) -> f32 + 'a>,
+    height: Box<dyn Fn(usize, usize) -> Result<f32, Error> + 'a>,
 }
 
 impl<'a> Nodes<'a> {
-    fn of_tiff(name: &str, file: &[u8]) -> Result<Self, Error> {
-        let Some((pixels, no_data)) = degrees_of(file)? else { return refuse(Refusal::NoGeoid { name: name.into() }) };
+    fn of_tiff(name: &str, file: &'a [u8]) -> Result<Self, Error> {
+        let Some(pixels) = degrees_of(file)? else { return refuse(Refusal::NoGeoid { name: name.into() }) };
         let [step, down] = [pixels.by_column[0], pixels.by_row[1]];
         if !(step >= LEAST_STEP_DEG && -down >= LEAST_STEP_DEG && pixels.by_column[1] == 0.0 && pixels.by_row[0] == 0.0) {
             return refuse(Refusal::NoGeoid { name: name.into() });
         }
-        let (columns, rows, heights) = numbers_of_tiff(file)?;
-        if heights.len() != columns * rows {
-            return refuse(Refusal::HeightSamples);
-        }
-        let hole = no_data.map(|value| value as f32);
-        let height = move |column: usize, row: usize| {
-            let value = heights[(rows - 1 - row) * columns + column];
-            if Some(value) == hole { f32::NAN } else { value }
-        };
+        // Of a grid that covers the earth the tiles about the block are decoded.
+        let numbers = Numbers::open(file)?;
+        let [columns, rows] = numbers.size();
+        let height = move |column: usize, row: usize| numbers.at(column, rows - 1 - row);
         Ok(Self { south_west: pixels.ground([0.5, rows as f64 - 0.5]), step: [step, -down], columns, rows, height: Box::new(height) })
     }
 
@@ -100,7 +95,7 @@ impl<'a> Nodes<'a> {
         }
         let height = move |column: usize, row: usize| {
             let value = f32::from_be_bytes(heights[row * columns + column]);
-            if value == NO_HEIGHT { f32::NAN } else { value }
+            Ok(if value == NO_HEIGHT { f32::NAN } else { value })
         };
         Some(Self { south_west: [west, south], step: [east_step, north_step], columns, rows, height: Box::new(height) })
     }
@@ -138,7 +133,7 @@ impl<'a> Nodes<'a> {
         }
         let height = move |column: usize, row: usize| {
             let value = u16::from_be_bytes(values[(rows - 1 - row) * columns + column]);
-            (offset + scale * f64::from(value)) as f32
+            Ok((offset + scale * f64::from(value)) as f32)
         };
         let step = [360.0 / columns as f64, 180.0 / (rows - 1) as f64];
         Some(Self { south_west: [0.0, -90.0], step, columns, rows, height: Box::new(height) })
@@ -167,6 +162,8 @@ impl<'a> Nodes<'a> {
         if self.columns < 2 || self.rows < 2 || !is_within(0) || !is_within(1) {
             let ([longitude_deg, latitude_deg], [width, height]) = (area.middle, ends);
             let (east, north) = (turn_of_file(west + width), south + height);
+            let [[block_west, block_east], [block_south, block_north]] =
+                [0, 1].map(|k| [-1.0, 1.0].map(|sign| area.middle[k] + sign * area.reach[k]));
             return refuse(Refusal::GeoidElsewhere {
                 name: name.into(),
                 west: turn_of_file(west),
@@ -175,6 +172,10 @@ impl<'a> Nodes<'a> {
                 north,
                 longitude_deg,
                 latitude_deg,
+                block_west: turn(block_west),
+                block_east: turn(block_east),
+                block_south,
+                block_north,
             });
         }
         // The margin only where it has heights there.
@@ -207,7 +208,7 @@ impl<'a> Nodes<'a> {
         for row in first_row..=last_row {
             for column in first_column..=last_column {
                 let own = around.map_or(column, |around| column.rem_euclid(around as i64));
-                let height = (self.height)(own as usize, row as usize);
+                let height = (self.height)(own as usize, row as usize)?;
                 let [longitude_deg, latitude_deg] =
                     [self.south_west[0] + column as f64 * self.step[0], self.south_west[1] + row as f64 * self.step[1]];
                 if !(f64::from(height).abs() <= HIGHEST_M) {
@@ -305,7 +306,9 @@ mod tests {
         let refused = |file: &[u8], middle: [f64; 2]| part_of_geoid("a.gtx", file, &area(middle, 0.02)).unwrap_err().to_string();
         let elsewhere = refused(&file, [-3.0, 40.0]);
         assert!(
-            ["a.gtx", "5.00 to 15.00", "47.00 to 55.00", "-3.0000", "40.0000"].iter().all(|word| elsewhere.contains(word)),
+            ["a.gtx", "5.00 to 15.00", "47.00 to 55.00", "-3.0000", "40.0000", "-3.0200 to -2.9800", "39.9800 to 40.0200"]
+                .iter()
+                .all(|word| elsewhere.contains(word)),
             "{elsewhere}"
         );
         let hole = refused(&file, [14.5, 50.0]);

@@ -1,7 +1,7 @@
 //! The tags of GeoTIFF: where a TIFF lies, in which system and units, and which value stands for nothing.
 
 use super::georeference::Georeference;
-use crate::crs::{Definition, Described, Projection};
+use crate::crs::{Definition, Described, Projection, Vertical};
 use crate::error::refuse;
 use crate::image::{Directory, checked_directory};
 use crate::text::shorten;
@@ -40,6 +40,7 @@ const DEGREE: u16 = 9102;
 const TRANSVERSE_MERCATOR: u16 = 1;
 const CONIC_OF_TWO_PARALLELS: u16 = 8;
 const CONIC_OF_ONE_PARALLEL: u16 = 9;
+const HEIGHT_SYSTEM: u16 = 4096;
 pub(crate) const HEIGHT_UNIT: u16 = 4099;
 pub(crate) const PROJECTED: u16 = 1;
 const GEOGRAPHIC: u16 = 2;
@@ -73,6 +74,8 @@ pub(crate) struct SaidSystem {
     pub unit_m: Option<f64>,
     /// The unit of heights in m.
     pub height_unit_m: Option<f64>,
+    /// The code of what its heights count from.
+    pub height_code: Option<u16>,
 }
 
 impl SaidSystem {
@@ -85,6 +88,11 @@ impl SaidSystem {
     /// The unit of eastings and northings in m: the one that the file names, or that of the system.
     pub fn plane_unit_m(&self) -> Option<f64> {
         self.unit_m.or_else(|| self.definition()?.unit_m())
+    }
+
+    /// What its heights count from: by their own code, or as its system has them. Absent where nothing says it.
+    pub fn vertical(&self) -> Option<Vertical> {
+        self.height_code.and_then(Vertical::of_code).or_else(|| Vertical::of_system(&self.definition()?))
     }
 
     /// Absent for a code that is unknown here, and for a system of which not all is said.
@@ -115,22 +123,21 @@ impl GeoTags {
         if keys.short(MODEL_TYPE) == Some(GEOGRAPHIC) {
             return refuse_degrees();
         }
-        Ok(Self { georeference: place(&directory, &keys)?, system: keys.system()?, no_data: no_data(&directory) })
+        Ok(Self { georeference: place(&directory, &keys)?, system: keys.system()?, no_data: number_of(&directory, NO_DATA) })
     }
 }
 
-/// Of a raster at longitudes and latitudes: the way to these from its pixels, and which value stands for nothing; absent for one of another system, and
-/// where it has no place.
+/// Of a raster at longitudes and latitudes: the way to these from its pixels; absent for one of another system, and where it has no place.
 ///
 /// # Errors
 /// As [`GeoTags::read`].
-pub(super) fn degrees_of(tiff: &[u8]) -> Result<Option<(Georeference, Option<f64>)>, Error> {
+pub(super) fn degrees_of(tiff: &[u8]) -> Result<Option<Georeference>, Error> {
     let directory = checked_directory(tiff)?;
     let keys = Keys::read(&directory);
     if keys.short(MODEL_TYPE) != Some(GEOGRAPHIC) || keys.short(ANGULAR_UNIT).is_some_and(|unit| unit != DEGREE) {
         return Ok(None);
     }
-    Ok(place(&directory, &keys)?.map(|georeference| (georeference, no_data(&directory))))
+    place(&directory, &keys)
 }
 
 fn place<S: FileSource>(directory: &Directory<S>, keys: &Keys) -> Result<Option<Georeference>, Error> {
@@ -139,8 +146,9 @@ fn place<S: FileSource>(directory: &Directory<S>, keys: &Keys) -> Result<Option<
     Georeference { origin: of_corner.ground([half, half]), ..of_corner }.checked().map(Some)
 }
 
-fn no_data<S: FileSource>(directory: &Directory<S>) -> Option<f64> {
-    directory.text(NO_DATA).and_then(|text| text.parse().ok())
+/// A number that a tag has as text.
+pub(super) fn number_of<S: FileSource>(directory: &Directory<S>, tag: u64) -> Option<f64> {
+    directory.text(tag).and_then(|text| text.parse().ok())
 }
 
 /// Angles are no lengths: north and east differ by the cosine of the latitude.
@@ -216,7 +224,9 @@ impl Keys {
             None => unit_m(LINEAR_UNIT)?,
         };
         let parameters = described.as_ref().and_then(|name| self.described(name, plane_m.unwrap_or(1.0)));
-        Ok(SaidSystem { epsg, described, parameters, text: None, unit_m: plane_m, height_unit_m: unit_m(HEIGHT_UNIT)? })
+        let height_code = self.short(HEIGHT_SYSTEM).filter(|code| *code != 0 && *code != USER_DEFINED);
+        let height_unit_m = unit_m(HEIGHT_UNIT)?;
+        Ok(SaidSystem { epsg, described, parameters, text: None, unit_m: plane_m, height_unit_m, height_code })
     }
 
     /// A system by its parameters; absent for other projections, and where one is missing.
@@ -290,6 +300,16 @@ mod tests {
         assert_eq!(unnamed.described.as_deref(), Some("all of it"));
         // Without a code of its own a system that is described is none that nothing is said of.
         assert_eq!(said(&[own[2]], &[0.0], texts).described.as_deref(), Some("California zone 3"));
+        // What heights count from, by their own code before that of a system with heights.
+        let heights = |keys: &[[u16; 4]]| said(keys, &[1.0], "x|").vertical().map(|vertical| (vertical.name, vertical.is_ellipsoidal));
+        let compound = [PROJECTED_SYSTEM, 0, 1, 5555];
+        let egm96 = heights(&[compound, [HEIGHT_SYSTEM, 0, 1, 5773]]).unwrap();
+        assert!(egm96.0.contains("EGM96") && !egm96.1, "{egm96:?}");
+        assert!(heights(&[compound]).is_some_and(|(name, is_ellipsoidal)| name.contains("DHHN92") && !is_ellipsoidal));
+        assert!(heights(&[[HEIGHT_SYSTEM, 0, 1, 4979]]).is_some_and(|(_, is_ellipsoidal)| is_ellipsoidal));
+        for nothing in [0, USER_DEFINED, 9999] {
+            assert_eq!(heights(&[[PROJECTED_SYSTEM, 0, 1, 25832], [HEIGHT_SYSTEM, 0, 1, nothing]]), None);
+        }
         let rods = GeoTags::read(&tiff(&[[LINEAR_UNIT, 0, 1, 9042]], &[0.0], "")[..]).unwrap_err();
         assert!(rods.to_string().contains("9042"), "{rods}");
         // Keys that lead nowhere say nothing.

@@ -13,5 +13,5 @@ pub(crate) use geotiff::{
     GeoTags, KEYS, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, SaidSystem, TIE_POINTS, TRANSFORMATION,
     name_of, refuse_degrees,
 };
-pub(crate) use samples::{MOST_VALUES, numbers_of_tiff};
+pub(crate) use samples::{MOST_VALUES, Numbers};
 pub use sidecars::Sidecars;

@@ -2,15 +2,10 @@
 
 use super::GreyView;
 
-/// The grey value at a position in px, by cubic convolution; beyond the edges are the pixels of the edge.
+/// The pixels about a position, four by four, and how much each counts: the same in all bands of an image. Beyond the edges are the pixels of the edge.
 ///
 /// # Source
 /// Keys 1981, Cubic convolution interpolation for digital image processing (a = -1/2).
-pub(crate) fn bicubic(image: GreyView<'_>, at: [f64; 2]) -> u8 {
-    Neighbours::about(at, [image.width(), image.height()]).mean(image)
-}
-
-/// The pixels about a position, four by four, and how much each counts: the same in all bands of an image.
 pub(crate) struct Neighbours {
     columns: [usize; 4],
     rows: [usize; 4],
@@ -31,6 +26,7 @@ impl Neighbours {
         Self { columns, rows, by_column, by_row }
     }
 
+    /// The grey value at the position.
     pub fn mean(&self, image: GreyView<'_>) -> u8 {
         let mut sum = 0.0;
         for (row, weight) in self.rows.iter().zip(self.by_row) {

@@ -19,7 +19,7 @@ mod webp;
 mod write;
 
 pub use bands::Bands;
-pub(crate) use bicubic::{Neighbours, bicubic};
+pub(crate) use bicubic::Neighbours;
 pub use decode::{DecodeLimits, Decoded, decode, decode_bands};
 pub use grey::{GreyImage, GreyView};
 pub(crate) use header::is_tiff;

@@ -6,9 +6,9 @@ use crate::json::JsonFault;
 use crate::{
     Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Document,
     Element, Error, Failure, Few, FileFault, FilePlace, ImageFault, ImageOperation, ImageReason, Input, Interruption, KnownWorst,
-    LengthUnit, Location, Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OverviewWarning,
-    PairHint, PairOutcome, PairRule, PairVerdict, PlaceSearch, PlacingVerdict, PlacingWeakness, PointName, Refusal, Remark, Rule, Side,
-    UnorientedReason, Unsettled, Unsupported, Warning,
+    LengthUnit, Location, Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OrthophotoSlip,
+    OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlaceSearch, PlacingVerdict, PlacingWeakness, PointName, Refusal,
+    Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -80,6 +80,7 @@ fn families() -> Vec<Family> {
         family::<NotLinked>(),
         family::<NotPlaced>(),
         family::<OnOrthophoto>(),
+        family::<OrthophotoSlip>(),
         family::<PlaceSearch>(),
         family::<PlacingVerdict>(),
         family::<PlacingWeakness>(),

@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 41] = [
+pub(super) const NESTED: [&str; 42] = [
     "allowed",
     "axis",
     "block_warning",
@@ -40,6 +40,7 @@ pub(super) const NESTED: [&str; 41] = [
     "not_linked",
     "not_placed",
     "observed",
+    "orthophoto_slip",
     "outcome",
     "overview_warning",
     "placing_weakness",

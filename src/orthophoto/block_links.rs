@@ -14,7 +14,7 @@ use super::reference::Orthophoto;
 use super::search_area::SearchArea;
 use crate::math::{NORMAL_MEDIAN, dot3, median, minus};
 use crate::pipeline::GroundPoint;
-use crate::{BlockRun, ControlRole, Error, GreyView, NotLinked, Pose};
+use crate::{BlockRun, ControlRole, Error, ExifPosition, GreyView, NotLinked, Pose, Remark};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -116,6 +116,15 @@ impl BlockLinks {
     /// # Errors
     /// [`Error::InvalidInput`] for ground control points of names that the places have.
     pub fn linked(&self, run: &BlockRun, reference: &Orthophoto, options: &PlacingOptions) -> Result<BlockRun, Error> {
+        let positions: Vec<ExifPosition> = run.gnss_positions().copied().collect();
+        let elsewhere = reference.elsewhere(&positions, options);
+        let mut found = self.linked_by_places(run, reference, options)?;
+        found.remarks.retain(|remark| !matches!(remark, Remark::OrthophotoElsewhere { .. }));
+        found.remarks.extend(elsewhere);
+        Ok(found)
+    }
+
+    fn linked_by_places(&self, run: &BlockRun, reference: &Orthophoto, options: &PlacingOptions) -> Result<BlockRun, Error> {
         let oriented = run.model.images.iter().filter(|image| image.pose.is_some()).count();
         if oriented == 0 {
             return Ok(run.not_linked(NotLinked::NotOriented));

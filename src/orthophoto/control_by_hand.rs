@@ -8,6 +8,7 @@ use super::into_system::IntoSystem;
 use super::links::height_spread;
 use super::options::PlacingOptions;
 use super::reference::Orthophoto;
+use crate::crs::HeightZero;
 use crate::error::refuse;
 use crate::pipeline::{GroundPoint, name_by_hand};
 use crate::{BlockEdit, ControlRole, Error, NotLinked, Refusal};
@@ -34,7 +35,8 @@ pub fn control_by_hand(
         NotLinked::Failed { failure } => Refusal::PlaceSystem { crs: crs.unwrap_or_default().into(), failure }.into_error(),
         _ => Refusal::PlaceWithoutHeight { place: format!("{place:?}") }.into_error(),
     };
-    let into = crs.map(|crs| IntoSystem::into(crs, orthophoto)).transpose().map_err(system)?;
+    // Only places are taken: what is to be said of their heights the block has said.
+    let into = crs.map(|crs| IntoSystem::into(crs, HeightZero::Unknown, orthophoto)).transpose().map_err(system)?;
     let reference = in_metres(into.as_ref(), orthophoto);
     let [x, y] = place.map(|v| v * into.as_ref().map_or(1.0, IntoSystem::unit_m));
     let Some(height) = Some([x, y]).filter(|at| at.iter().all(|v| v.is_finite())).and_then(|at| reference.heights.at(at)) else {

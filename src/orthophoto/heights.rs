@@ -2,8 +2,9 @@
 
 use super::ground::Ground;
 use crate::Georeference;
+use crate::crs::Vertical;
 use crate::error::refuse;
-use crate::georeferenced::{GeoTags, MOST_VALUES, SaidSystem, Sidecars, numbers_of_tiff};
+use crate::georeferenced::{GeoTags, MOST_VALUES, Numbers, SaidSystem, Sidecars};
 use crate::image::checked_directory;
 use crate::{Error, Refusal};
 use std::borrow::Cow;
@@ -73,6 +74,19 @@ impl Heights {
         match self {
             Self::Level(_) => 1.0,
             Self::Model(model) => model.said.height_unit_m.unwrap_or(1.0),
+        }
+    }
+
+    /// What they count from, as the name of a vertical system, where their file says it.
+    pub fn counts_from(&self) -> Option<String> {
+        self.vertical().map(|vertical| vertical.name)
+    }
+
+    /// What they count from, where their file says it.
+    pub(super) fn vertical(&self) -> Option<Vertical> {
+        match self {
+            Self::Level(_) => None,
+            Self::Model(model) => model.said.vertical(),
         }
     }
 
@@ -179,9 +193,8 @@ impl HeightModel {
                 return refuse(Refusal::HeightsWithoutPlace);
             }
         };
-        let (width, height, values) = numbers_of_tiff(file)?;
-        let hole = tags.no_data.map(|v| v as f32);
-        let values = values.into_iter().map(|v| if Some(v) == hole { f32::NAN } else { v }).collect();
+        let numbers = Numbers::open(file)?;
+        let ([width, height], values) = (numbers.size(), numbers.all()?);
         let said = sidecars.system(tags.system)?;
         Ok(Self { unit_m: said.height_unit_m, said: Arc::new(said), ..Self::new(width, height, values, georeference)? })
     }

@@ -1,7 +1,7 @@
 //! The way from an orthophoto into the coordinate reference system of a block.
 
 use super::reference::Orthophoto;
-use crate::crs::{CoordinateSystem, Definition};
+use crate::crs::{CoordinateSystem, Definition, HeightReference, HeightZero, Vertical};
 use crate::error::refuse;
 use crate::georeferenced::{SaidSystem, name_of};
 use crate::math::median;
@@ -23,6 +23,8 @@ pub(super) struct IntoSystem {
     is_assumed: bool,
     /// The unit of its eastings and northings in m.
     unit_m: f64,
+    /// Where the heights of the block's system count from.
+    zero: HeightZero,
 }
 
 impl IntoSystem {
@@ -31,18 +33,19 @@ impl IntoSystem {
     /// # Errors
     /// [`NotLinked::OtherSystem`] where nothing leads from one to the other, in the middle of the orthophoto or towards its corners.
     pub fn of(run: &BlockRun, orthophoto: &Orthophoto) -> Result<Option<Self>, NotLinked> {
-        run.input.settings.placing.crs.as_ref().map(|crs| Self::into(crs, orthophoto)).transpose()
+        let zero = || run.input.zero(run.geoid.as_ref());
+        run.input.settings.placing.crs.as_ref().map(|crs| Self::into(crs, zero(), orthophoto)).transpose()
     }
 
-    /// Into this coordinate reference system of a block.
+    /// Into this coordinate reference system of a block, whose heights count from `zero`.
     ///
     /// # Errors
     /// As [`of`](Self::of).
-    pub fn into(crs: &str, orthophoto: &Orthophoto) -> Result<Self, NotLinked> {
+    pub fn into(crs: &str, zero: HeightZero, orthophoto: &Orthophoto) -> Result<Self, NotLinked> {
         let said = orthophoto.said();
         let not_linked =
             |error: &Error| NotLinked::OtherSystem { orthophoto: said.name(), crs: shorten(crs), failure: Failure::from(error) };
-        let into = Self::between(&said, crs).map_err(|error| not_linked(&error))?;
+        let into = Self::between(&said, crs, zero).map_err(|error| not_linked(&error))?;
         // The block is somewhere on it: one of these places will do.
         let [width, height] = orthophoto.size().map(|side| side as f64);
         let tried = TRIED.map(|[x, y]| into.conversion(orthophoto.georeference.ground([x * width, y * height]).map(|v| into.unit_m * v)));
@@ -53,7 +56,7 @@ impl IntoSystem {
         }
     }
 
-    fn between(said: &SaidSystem, crs: &str) -> Result<Self, Error> {
+    fn between(said: &SaidSystem, crs: &str, zero: HeightZero) -> Result<Self, Error> {
         let block = Definition::read(crs)?;
         let is_assumed = said.epsg.is_none() && said.described.is_none();
         let orthophoto = match (said.epsg, &said.described) {
@@ -65,7 +68,8 @@ impl IntoSystem {
             },
         };
         let unit_m = said.unit_m.or(orthophoto.unit_m()).unwrap_or(1.0);
-        Ok(Self { orthophoto, block, is_assumed, unit_m })
+        let zero = if block.heights() == HeightReference::Ellipsoid { HeightZero::Level(0.0) } else { zero };
+        Ok(Self { orthophoto, block, is_assumed, unit_m, zero })
     }
 
     /// The unit of the orthophoto in m.
@@ -127,8 +131,33 @@ impl IntoSystem {
                 .filter(|accuracy_m| *accuracy_m > 0.0),
         };
         let is_metric = self.unit_m == 1.0 && height_unit_m == 1.0;
-        let said = [self.is_assumed.then(assumed), conversion.map(converted), (!is_metric).then(units)];
+        let heights = orthophoto.heights.vertical().and_then(|vertical| self.other_heights(vertical, orthophoto));
+        let said = [self.is_assumed.then(assumed), conversion.map(converted), (!is_metric).then(units), heights];
         said.into_iter().flatten().collect()
+    }
+}
+
+impl IntoSystem {
+    /// What is to be said where heights of the ground count from elsewhere than those of the block: they are taken as they are.
+    fn other_heights(&self, Vertical { name, is_ellipsoidal }: Vertical, orthophoto: &Orthophoto) -> Option<Remark> {
+        let above_m = match &self.zero {
+            HeightZero::Unknown => return None,
+            HeightZero::Level(zero_m) if (*zero_m == 0.0) == is_ellipsoidal => return None,
+            HeightZero::Geoid(_) if !is_ellipsoidal => return None,
+            // Above the ellipsoid, where those of the block are above a geoid.
+            zero if is_ellipsoidal => self.on_earth(orthophoto).and_then(|place| zero.above_m(place)),
+            _ => None,
+        };
+        Some(Remark::OrthophotoHeights { heights: name, from_ellipsoid: is_ellipsoidal, crs: self.block.name(), above_m })
+    }
+
+    /// The middle of the orthophoto.
+    fn on_earth(&self, orthophoto: &Orthophoto) -> Option<[f64; 2]> {
+        let factor = self.unit_m / self.orthophoto.unit_m().unwrap_or(1.0);
+        let middle = orthophoto.size().map(|side| 0.5 * side as f64);
+        let [x, y] = orthophoto.georeference.ground(middle).map(|v| factor * v);
+        let [longitude, latitude, _] = CoordinateSystem::about(self.orthophoto.clone(), None, [x, y]).ok()?.geographic([x, y, 0.0])?;
+        Some([longitude, latitude])
     }
 }
 
@@ -165,4 +194,44 @@ fn on_earth(system: &CoordinateSystem, position: [f64; 3]) -> Result<[f64; 3], E
 
 fn outside(system: &CoordinateSystem, [x, y]: [f64; 2]) -> Error {
     Refusal::CrsPlace { x, y, crs: system.definition().name(), degrees: system.definition().is_geographic() }.into_error()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Georeference, GreyImage, Heights};
+
+    #[test]
+    fn heights_of_the_ground_from_another_zero_than_those_of_the_block_are_named() {
+        let grey = GreyImage::from_fn(64, 64, |c, _| 100 + c as u8).unwrap();
+        let georeference = Georeference::north_up([500_000.0, 5_500_000.0], 1.0);
+        let orthophoto = Orthophoto::new(grey, georeference, Heights::Level(0.0)).unwrap();
+        let said = SaidSystem { epsg: Some(25_832), ..SaidSystem::default() };
+        let of = |crs: &str, zero: HeightZero, code: u16| {
+            let into = IntoSystem::between(&said, crs, zero).unwrap();
+            match into.other_heights(Vertical::of_code(code).unwrap(), &orthophoto) {
+                Some(Remark::OrthophotoHeights { heights, from_ellipsoid, above_m, .. }) => Some((heights, from_ellipsoid, above_m)),
+                None => None,
+                other => panic!("{other:?}"),
+            }
+        };
+        const UTM: &str = "EPSG:25832";
+        let geoid = || HeightZero::Level(46.8);
+        // Above the ellipsoid, where the block counts from a geoid; above the sea, where it counts from the ellipsoid.
+        let (name, from_ellipsoid, above_m) = of(UTM, geoid(), 4979).unwrap();
+        assert!(name.contains("WGS 84") && from_ellipsoid && above_m == Some(46.8), "{name} {above_m:?}");
+        for (crs, zero) in [(UTM, HeightZero::Level(0.0)), ("EPSG:4937", HeightZero::Unknown)] {
+            let (name, from_ellipsoid, above_m) = of(crs, zero, 7837).unwrap();
+            assert!(name.contains("DHHN2016") && !from_ellipsoid && above_m.is_none(), "{crs}: {name} {above_m:?}");
+        }
+        // The same, and what is not known.
+        let same =
+            [(UTM, geoid(), 7837), (UTM, HeightZero::Level(0.0), 4979), (UTM, HeightZero::Unknown, 4979), (UTM, HeightZero::Unknown, 7837)];
+        for (crs, zero, code) in same {
+            assert_eq!(of(crs, zero, code), None, "{code}");
+        }
+        let told =
+            Remark::OrthophotoHeights { heights: "a".into(), from_ellipsoid: true, crs: "b".into(), above_m: Some(46.83) }.to_string();
+        assert!(told.contains("46.8 m too high"), "{told}");
+    }
 }

@@ -18,6 +18,7 @@ mod by_hand;
 mod camera;
 mod confirming;
 mod control_by_hand;
+mod elsewhere;
 mod emptiness;
 mod first_place;
 mod footprint;

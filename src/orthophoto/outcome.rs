@@ -45,6 +45,8 @@ messages! {
         HeightFactor { factor: f64, standard_error: f64 },
         /// In this share of the image points lie together elsewhere than the heights put them.
         Relief { displaced: f64 },
+        /// It lies farther from its GNSS position, in plan, than receivers err and the place itself may be off.
+        Gnss { plan_m: f64, usual_m: f64 },
         /// Links disagree far more than those of good pictures do.
         Noise { rmse_px: f64, usual_px: f64 },
     }
@@ -75,7 +77,7 @@ messages! {
             #[serde(default)]
             plan_m: f64,
         },
-        /// It was found farther from its position, in plan, than receivers of cameras err.
+        /// It was found farther from its position, in plan, than receivers of cameras err, and is doubted for another reason.
         ApartFromGnss { plan_m: f64, usual_m: f64 },
         /// It was not: all that may be searched was.
         BeyondGnss { within_m: f64 },

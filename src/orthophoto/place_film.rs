@@ -90,7 +90,7 @@ fn in_scan(scan: &FilmScan, placed: PlacedImage, given: Option<&[GivenLink]>) ->
 mod tests {
     use super::*;
     use crate::camera::CameraUncertainty;
-    use crate::image::bicubic;
+    use crate::image::Neighbours;
     use crate::math::Random;
     use crate::orthophoto::PlacingVerdict;
     use crate::{
@@ -160,7 +160,7 @@ mod tests {
             let [x, y] = [x_mm - PRINCIPAL_POINT_MM[0], y_mm - PRINCIPAL_POINT_MM[1]];
             let at = [0.5 * PHOTO_PX[0] as f64 + x / PIXEL_MM, 0.5 * PHOTO_PX[1] as f64 - y / PIXEL_MM];
             let is_photo = (0..2).all(|k| (0.0..=PHOTO_PX[k] as f64).contains(&at[k]));
-            if is_photo { bicubic(photo.view(), at) } else { 12 }
+            if is_photo { Neighbours::about(at, [photo.width(), photo.height()]).mean(photo.view()) } else { 12 }
         };
         let scan = GreyImage::from_fn(SCAN_PX[0], SCAN_PX[1], grey).unwrap();
         // Marks are measured to a twentieth of a pixel.

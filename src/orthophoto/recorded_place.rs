@@ -3,7 +3,7 @@
 use super::adjusting::PlacingCamera;
 use super::into_system::{RecordedPlace, recorded_place};
 use super::options::PlacingOptions;
-use super::outcome::{PlaceSearch, PlacedImage};
+use super::outcome::{PlaceSearch, PlacedImage, PlacingVerdict, PlacingWeakness};
 use super::place::place_image;
 use super::reference::Orthophoto;
 use super::search_area::SearchArea;
@@ -55,18 +55,27 @@ pub(super) fn sought(
 const USUAL_M: f64 = 30.0;
 const STATED: f64 = 3.0;
 
-/// With how far the image was placed from its position in plan: heights of another ground and another system of the orthophoto show there alone.
+/// With how far the image was placed from its position in plan: heights of another ground and another system of the orthophoto show there alone. Where it is
+/// farther than both may err, it is placed with doubt.
 fn beside_position(placed: PlacedImage, on_map: &RecordedPlace) -> PlacedImage {
     let Some(placement) = &placed.placement else { return placed };
     let [x, y] = [0, 1].map(|k| placement.pose.position[k] - on_map.place[k]);
     let plan_m = on_map.unit_m * libm::hypot(x, y);
-    let usual_m = USUAL_M.max(STATED * on_map.stated_m.unwrap_or(0.0));
+    let own_m = placement.position_errors_m.map_or(0.0, |[x, y, _]| on_map.unit_m * libm::hypot(x, y));
+    let usual_m = libm::hypot(USUAL_M.max(STATED * on_map.stated_m.unwrap_or(0.0)), STATED * own_m);
     let search = match placed.search {
-        _ if plan_m > usual_m => Some(PlaceSearch::ApartFromGnss { plan_m, usual_m }),
         Some(PlaceSearch::Gnss { within_m, .. }) => Some(PlaceSearch::Gnss { within_m, plan_m }),
         other => other,
     };
-    PlacedImage { search, ..placed }
+    match placed.verdict {
+        PlacingVerdict::Placed { links, .. } if plan_m > usual_m => {
+            let verdict = PlacingVerdict::Weak { links, placing_weakness: PlacingWeakness::Gnss { plan_m, usual_m } };
+            PlacedImage { verdict, search, ..placed }
+        }
+        // What is doubted already says its own reason first.
+        _ if plan_m > usual_m => PlacedImage { search: Some(PlaceSearch::ApartFromGnss { plan_m, usual_m }), ..placed },
+        _ => PlacedImage { search, ..placed },
+    }
 }
 
 /// Where an image that records its position is sought.
@@ -107,8 +116,71 @@ impl<D: FnOnce() -> Option<SearchArea>> Areas<'_, D> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::orthophoto::outcome::{NotPlaced, PlacingVerdict};
-    use crate::{Feature, ScalePoint};
+    use crate::orthophoto::outcome::{NotPlaced, Placement};
+    use crate::orthophoto::relief::Relief;
+    use crate::{Camera, Feature, Pose, ScalePoint};
+
+    /// An image with that position and standard errors in m, judged as given.
+    fn placed_at(position: [f64; 3], errors: Option<[f64; 3]>, verdict: PlacingVerdict) -> PlacedImage {
+        let placement = Placement {
+            camera: Camera::without_distortion(800, 600, 1000.0),
+            camera_errors: [None; 8],
+            pose: Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position },
+            angles_deg: [0.0; 3],
+            angle_errors_deg: None,
+            position_errors_m: errors,
+            above_ground_m: 500.0,
+            gsd_m: 0.5,
+            footprint: Vec::new(),
+            sigma0_px: None,
+            rmse_px: 0.2,
+            degrees_of_freedom: 100,
+            coverage: 1.0,
+            links: Vec::new(),
+            checks: None,
+            relief: Relief::default(),
+            film: None,
+        };
+        PlacedImage { verdict, placement: Some(placement), search: Some(PlaceSearch::Gnss { within_m: 500.0, plan_m: 0.0 }) }
+    }
+
+    #[test]
+    fn an_image_far_from_its_gnss_position_is_placed_with_doubt_unless_either_may_be_as_far_off() {
+        let sure = || PlacingVerdict::Placed { links: 400, sigma0_px: 0.3, half_width_m: 0.2 };
+        let of = |plan_m: f64, errors: Option<[f64; 3]>, unit_m: f64, stated_m: Option<f64>| {
+            let on_map = RecordedPlace { place: [1000.0, 2000.0], unit_m, stated_m };
+            let placed = placed_at([1000.0 + 0.6 * plan_m / unit_m, 2000.0 - 0.8 * plan_m / unit_m, 600.0], errors, sure());
+            beside_position(placed, &on_map)
+        };
+        let near = of(29.0, Some([0.1; 3]), 1.0, None);
+        assert_eq!(near.verdict, sure());
+        assert!(matches!(near.search, Some(PlaceSearch::Gnss { plan_m, .. }) if (plan_m - 29.0).abs() < 1e-9), "{:?}", near.search);
+        for unit_m in [1.0, 0.3048] {
+            let far = of(31.0, Some([0.1; 3]), unit_m, None);
+            let PlacingVerdict::Weak { links: 400, placing_weakness: PlacingWeakness::Gnss { plan_m, usual_m } } = far.verdict else {
+                panic!("{}", far.verdict)
+            };
+            assert!((plan_m - 31.0).abs() < 1e-9 && (30.0..30.1).contains(&usual_m), "{plan_m} {usual_m}");
+            // How it was sought is said beside it.
+            assert!(matches!(far.search, Some(PlaceSearch::Gnss { within_m: 500.0, .. })), "{:?}", far.search);
+        }
+        // A receiver that states more, and a place that is hardly known: 3 · hypot(12, 12) m beside 30 m.
+        for (placed, limit_m) in [
+            (of(59.0, Some([0.1; 3]), 1.0, Some(20.0)), 60.0),
+            (of(58.0, Some([12.0; 3]), 1.0, None), libm::hypot(30.0, 36.0 * std::f64::consts::SQRT_2)),
+        ] {
+            assert_eq!(placed.verdict, sure(), "{limit_m}");
+        }
+        for placed in [of(61.0, Some([0.1; 3]), 1.0, Some(20.0)), of(60.0, Some([12.0; 3]), 1.0, None)] {
+            assert!(matches!(placed.verdict, PlacingVerdict::Weak { .. }), "{}", placed.verdict);
+        }
+        // Another doubt stays, and the distance is said beside it.
+        let weak = PlacingVerdict::Weak { links: 20, placing_weakness: PlacingWeakness::FewLinks { links: 20, needed: 30 } };
+        let on_map = RecordedPlace { place: [0.0, 0.0], unit_m: 1.0, stated_m: None };
+        let doubted = beside_position(placed_at([400.0, 0.0, 600.0], Some([0.1; 3]), weak.clone()), &on_map);
+        assert_eq!(doubted.verdict, weak);
+        assert!(matches!(doubted.search, Some(PlaceSearch::ApartFromGnss { plan_m: 400.0, .. })), "{:?}", doubted.search);
+    }
 
     #[test]
     fn each_part_of_an_orthophoto_is_searched_once_for_an_image() {

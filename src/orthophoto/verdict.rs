@@ -4,7 +4,7 @@ use super::adjusting::PlacingCamera;
 use super::outcome::{LinkUse, Placement, PlacingVerdict, PlacingWeakness};
 use super::relief::HeightFactor;
 use crate::CameraParameter;
-use crate::camera::CameraUncertainty;
+use crate::camera::apart_from_known;
 use crate::math::student_limit;
 
 /// Links below which an orientation is weak.
@@ -24,11 +24,6 @@ const USUAL_RMSE_PX: f64 = 3.0;
 const USUAL_FACTOR: [f64; 2] = [0.75, 1.33];
 const FACTOR_APART: f64 = 4.0;
 const MOST_DISPLACED: f64 = 0.1;
-
-/// A parameter of the camera contradicts what was known of it where it is more than so many of its standard deviations off, which chance brings in one of
-/// twenty, and so large a share of the focal length: what is known to a tenth of that is not worth a doubt.
-const MOST_APART: f64 = 2.0;
-const LEAST_APART: f64 = 0.02;
 
 /// `known`: the camera before the image was placed.
 pub(super) fn verdict(placement: &Placement, known: &PlacingCamera) -> PlacingVerdict {
@@ -96,18 +91,15 @@ fn of_heights(placement: &Placement) -> Option<PlacingWeakness> {
 
 /// What of the focal length and the principal point contradicts most what was known. What nobody knew contradicts nothing.
 fn contradiction(placement: &Placement, known: &PlacingCamera) -> Option<PlacingWeakness> {
-    if known.uncertainty.focal >= CameraUncertainty::ASSUMED.focal {
+    if known.uncertainty.is_guess() {
         return None;
     }
     let prior = known.prior();
     let values = placement.camera.values();
     let estimated = (0..CameraParameter::ALL.len())
         .filter(|k| matches!(CameraParameter::ALL[*k], CameraParameter::Focal | CameraParameter::PrincipalX | CameraParameter::PrincipalY));
-    let apart = estimated.filter_map(|k| {
-        let (off, sigma) = ((values[k] - prior.values[k]).abs(), prior.sigma[k]?);
-        let is_apart = off > MOST_APART * sigma && off > LEAST_APART * known.camera.focal_px;
-        is_apart.then(|| (off / sigma, k))
-    });
+    let apart = estimated
+        .filter_map(|k| apart_from_known(values[k] - prior.values[k], prior.sigma[k]?, known.camera.focal_px).map(|apart| (apart, k)));
     apart.max_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(apart, k)| PlacingWeakness::Camera {
         camera_parameter: CameraParameter::ALL[k],
         estimated_px: values[k],
@@ -120,7 +112,7 @@ fn contradiction(placement: &Placement, known: &PlacingCamera) -> Option<Placing
 mod tests {
     use super::*;
     use crate::orthophoto::{Link, LinkUse, Relief};
-    use crate::{Camera, Pose};
+    use crate::{Camera, CameraUncertainty, Pose};
 
     fn placement(camera: Camera) -> Placement {
         let link = |k: usize| Link {

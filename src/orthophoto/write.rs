@@ -72,7 +72,7 @@ fn written(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::georeferenced::{MODEL_TYPE, PROJECTED};
+    use crate::georeferenced::{MODEL_TYPE, Numbers, PROJECTED};
     use crate::{Bands, DecodeLimits, Heights, Orthophoto, decode_bands};
 
     fn picture(georeference: Georeference) -> Rectified {
@@ -122,6 +122,21 @@ mod tests {
         let model = HeightModel::new(3, 2, values, Georeference::north_up([10.0, 20.0], 5.0)).unwrap();
         let read = HeightModel::read(&write_heights(&model, None).unwrap(), None).unwrap();
         assert_eq!((read.georeference, read.at([12.5, 17.5]), read.at([17.5, 17.5])), (model.georeference, Some(1.5), None));
+    }
+
+    #[test]
+    fn numbers_of_tiles_are_read_one_by_one_to_the_edges() {
+        let [width, height] = [600, 530];
+        let values: Vec<f32> = (0..width * height).map(|k| if k % 101 == 0 { f32::NAN } else { k as f32 }).collect();
+        let file = write_floats([width, height], &values, &Georeference::north_up([10.0, 20.0], 5.0), None).unwrap();
+        let numbers = Numbers::open(&file).unwrap();
+        for (column, row) in [(0, 0), (599, 0), (255, 255), (256, 256), (511, 529), (512, 529), (599, 529), (3, 528)] {
+            let value = numbers.at(column, row).unwrap();
+            let own = values[row * width + column];
+            assert!(value == own || value.is_nan() && own.is_nan(), "{column} {row}: {value} for {own}");
+        }
+        let all = numbers.all().unwrap();
+        assert!(all.iter().zip(&values).all(|(value, own)| value == own || value.is_nan() && own.is_nan()));
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! What is weak about a finished block at a glance.
 
+use crate::camera::apart_from_known;
 use crate::message::messages;
 use crate::{BlockRun, BlockWarning, Failure, NotLinked, OnOrthophoto};
 use serde::Serialize;
@@ -17,6 +18,9 @@ messages! {
         /// Images in a model of their own.
         Apart { images: usize },
         NoneOriented,
+        /// Of a camera whose focal length came out otherwise, with the orthophoto and its heights, than what was known of it: so many standard deviations of
+        /// that apart.
+        FocalApart { label: String, estimated_px: f64, prior_px: f64, apart: f64 },
         /// It was given an orthophoto, and is not in its system.
         NotOnOrthophoto { not_linked: NotLinked },
         /// The orientation failed.
@@ -30,7 +34,11 @@ impl OverviewWarning {
         match self {
             Self::Model { block_warning } => block_warning.is_weakness(),
             Self::Apart { .. } => false,
-            Self::FewOriented { .. } | Self::NotOnOrthophoto { .. } | Self::NoneOriented | Self::Failed { .. } => true,
+            Self::FewOriented { .. }
+            | Self::NotOnOrthophoto { .. }
+            | Self::FocalApart { .. }
+            | Self::NoneOriented
+            | Self::Failed { .. } => true,
         }
     }
 }
@@ -54,5 +62,19 @@ pub(super) fn overview_warnings(run: &BlockRun) -> Vec<OverviewWarning> {
             None => vec![OverviewWarning::NoneOriented],
         },
     };
-    without.into_iter().chain(found).collect()
+    without.into_iter().chain(found).chain(focals_apart(run)).collect()
+}
+
+/// Cameras of a block on an orthophoto that contradict what was known of them: as single images placed on it do, for wrong heights, or another unit of them.
+fn focals_apart(run: &BlockRun) -> Vec<OverviewWarning> {
+    if !matches!(run.orthophoto, Some(OnOrthophoto::Linked { .. })) {
+        return Vec::new();
+    }
+    let both = run.cameras.iter().zip(&run.model.cameras);
+    let apart = both.filter_map(|(initial, camera)| {
+        let (prior_px, within) = (initial.focal_px?, initial.to_be_calibrated().known_within());
+        let apart = apart_from_known(camera.focal_px - prior_px, within.focal * prior_px, prior_px).filter(|_| !within.is_guess())?;
+        Some(OverviewWarning::FocalApart { label: initial.label.clone(), estimated_px: camera.focal_px, prior_px, apart })
+    });
+    apart.collect()
 }

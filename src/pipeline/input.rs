@@ -76,7 +76,7 @@ pub(super) struct Checked {
 
 impl RunInput {
     /// Where the heights of the coordinate system count from, by the part of the geoid, where one is given.
-    pub(super) fn zero(&self, geoid: Option<&Geoid>) -> HeightZero {
+    pub(crate) fn zero(&self, geoid: Option<&Geoid>) -> HeightZero {
         geoid.map_or_else(|| self.settings.placing.geoid_m.into(), |geoid| HeightZero::Geoid(Arc::new(geoid.clone())))
     }
 

@@ -39,8 +39,14 @@ messages! {
         /// Places of the orthophoto were converted to the coordinate reference system of the block; the accuracy of the shifts of their datums, where
         /// these are two.
         OrthophotoConverted { orthophoto: String, crs: String, accuracy_m: Option<f64> },
+        /// No GNSS position of an image lies within so many m of the orthophoto, as the system that this names has it; how far off the nearest is, and what
+        /// would bring the orthophoto to them.
+        OrthophotoElsewhere { images: usize, within_m: f64, distance_km: f64, crs: String, orthophoto_slip: OrthophotoSlip },
         /// Coordinates of the orthophoto, or heights of its ground, are not in m.
         OrthophotoUnits { unit_m: f64, height_unit_m: f64 },
+        /// Heights of the orthophoto's ground count from elsewhere than those of the block's system, as their file says: from what it names, above the
+        /// ellipsoid or not; by so much the places are too high, where that is known.
+        OrthophotoHeights { heights: String, from_ellipsoid: bool, crs: String, above_m: Option<f64> },
         /// The block has no place on the earth that would be in the system that was chosen.
         NoResultSystem { crs: String },
         /// The block comes from a project file that holds less than is known of a block.
@@ -48,10 +54,38 @@ messages! {
     }
 }
 
+messages! {
+    /// How an orthophoto may have come to lie elsewhere than the images that are to be placed on it.
+    #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum OrthophotoSlip as "orthophoto_slip" {
+        /// Its coordinates are those of another zone of UTM.
+        Zone { zone: u32 },
+        /// x stands where y belongs.
+        Exchanged,
+        /// Its northings are those of the other half of the earth.
+        OtherHalf,
+        /// Its coordinates are in another unit than that of its system.
+        Unit { given_in: String },
+        /// A coordinate of its middle was written wrong.
+        Coordinate { likely: String },
+        /// Nothing known brings it there.
+        Unknown,
+    }
+}
+
 impl Remark {
     /// Whether it is of the orthophoto that a block was given.
     pub(super) fn is_of_orthophoto(&self) -> bool {
-        matches!(self, Self::OrthophotoSystemAssumed { .. } | Self::OrthophotoConverted { .. } | Self::OrthophotoUnits { .. })
+        matches!(
+            self,
+            Self::OrthophotoSystemAssumed { .. }
+                | Self::OrthophotoConverted { .. }
+                | Self::OrthophotoUnits { .. }
+                | Self::OrthophotoElsewhere { .. }
+                | Self::OrthophotoHeights { .. }
+        )
     }
 }
 

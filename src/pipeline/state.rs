@@ -260,6 +260,11 @@ pub(super) fn known_images(input: &Checked, images: &[RunImage], has_heights: bo
 }
 
 impl BlockRun {
+    /// The GNSS positions of its images, where it uses them.
+    pub(crate) fn gnss_positions(&self) -> impl Iterator<Item = &ExifPosition> {
+        self.images.iter().filter(|_| self.input.use_gnss).filter_map(|image| image.exif.position.as_ref())
+    }
+
     /// The coordinate reference system that was chosen, at the place of the block; absent where none was, and where the block has no place on the earth.
     pub(crate) fn system(&self) -> Option<CoordinateSystem> {
         self.model.origin?;
@@ -267,8 +272,7 @@ impl BlockRun {
         let control = input.control.as_ref().and_then(|texts| ControlTables::read(&texts.points, &texts.marks).ok());
         let mut plane = control.as_ref().map(ControlTables::plane).unwrap_or_default();
         plane.extend(self.added_control().map(|row| [row.position[0], row.position[1]]));
-        let positions = self.images.iter().filter(|_| input.use_gnss).filter_map(|image| image.exif.position.as_ref());
-        let gnss: Vec<[f64; 2]> = positions.map(|position| [position.longitude_deg, position.latitude_deg]).collect();
+        let gnss: Vec<[f64; 2]> = self.gnss_positions().map(|position| [position.longitude_deg, position.latitude_deg]).collect();
         let zero = input.zero(self.geoid.as_ref());
         system_of(&input.settings.placing, &zero, &plane, &gnss).ok().flatten()
     }

@@ -1,6 +1,7 @@
 //! The coordinate reference system of a block's control points and results, and whether its control points can be in it.
 
-use crate::crs::{CoordinateSystem, HeightZero, beside_in_utm, middle};
+use super::remark::OrthophotoSlip;
+use crate::crs::{CoordinateSystem, Definition, HeightZero, beside_in_utm, middle};
 use crate::error::refuse;
 use crate::math::{dot3, median, turn};
 use crate::reconstruction::Doubted;
@@ -77,20 +78,26 @@ pub(super) fn with_unit(error: Error, placing: &GeoreferencingOptions, control: 
 /// only one in which they lie on the map of the system; absent where there is none.
 fn in_other_unit(placing: &GeoreferencingOptions, control: &[[f64; 2]], gnss: &[[f64; 2]]) -> Option<Refusal> {
     let definition = placing.definition().ok()??;
+    let images = middle_of_places(gnss).map(|images| (images, reach_m(gnss, images)));
+    let (unit, own) = unit_beside(&definition, middle(control.iter().copied(), false)?, images)?;
+    Some(Refusal::ControlUnit { given_in: unit.into(), own, crs: definition.name(), near: images.is_some() })
+}
+
+/// The unit in which coordinates in the plane of a system, that cannot be there, would be, and that of the system. `images`: the middle of the GNSS positions
+/// and how far from it, in m, coordinates are near them.
+fn unit_beside(definition: &Definition, [x, y]: [f64; 2], images: Option<([f64; 2], f64)>) -> Option<(&'static str, String)> {
     let unit_m = definition.unit_m()?;
-    let [x, y] = middle(control.iter().copied(), false)?;
-    let images = middle_of_places(gnss);
     let is_there = |factor: f64| {
         let at = [factor * x, factor * y];
         let system = match images {
-            Some(images) => CoordinateSystem::new(definition.clone(), None, images),
+            Some((images, _)) => CoordinateSystem::new(definition.clone(), None, images),
             None => CoordinateSystem::about(definition.clone(), None, at),
         };
         let Some([longitude, latitude, _]) = system.ok().and_then(|system| system.geographic([at[0], at[1], 0.0])) else { return false };
         match images {
-            Some(images) => {
+            Some((images, reach_m)) => {
                 let [east, north, _] = local_from_geographic([longitude, latitude, 0.0], [images[0], images[1], 0.0]);
-                libm::hypot(east, north) <= reach_m(gnss, images)
+                libm::hypot(east, north) <= reach_m
             }
             None => definition.central_meridian_deg().is_some_and(|meridian| turn(longitude - meridian).abs() <= MOST_FROM_MERIDIAN_DEG),
         }
@@ -105,8 +112,7 @@ fn in_other_unit(placing: &GeoreferencingOptions, control: &[[f64; 2]], gnss: &[
         return None;
     }
     let named = LENGTHS.iter().find(|(_, own_m)| is(*own_m, unit_m)).map(|(name, _)| (*name).to_string());
-    let (own, crs, near) = (named.unwrap_or_else(|| format!("{unit_m} m")), definition.name(), images.is_some());
-    Some(Refusal::ControlUnit { given_in: (*unit).into(), own, crs, near })
+    Some((*unit, named.unwrap_or_else(|| format!("{unit_m} m"))))
 }
 
 /// How a control point that lies elsewhere may have come there.
@@ -117,6 +123,34 @@ struct Slip {
     /// The coordinate that would be right.
     likely: Option<String>,
 }
+
+/// How an orthophoto that lies elsewhere than GNSS positions may have come there, by the coordinates of its middle, in the unit of its system, and how far
+/// it reaches from there in m; absent where nothing known brings it to them.
+pub(crate) fn orthophoto_slip(definition: &Definition, [x, y]: [f64; 2], gnss: &[[f64; 2]], extent_m: f64) -> Option<OrthophotoSlip> {
+    let images = middle_of_places(gnss)?;
+    let system = CoordinateSystem::new(definition.clone(), None, images).ok()?;
+    let reach_m = reach_m(gnss, images) + extent_m;
+    let doubted = doubted_at(&system, [x, y, 0.0], images, reach_m)?;
+    let Slip { swapped, zone, likely } = slip_of(&system, &doubted);
+    let is_utm = || !beside_in_utm(definition, [x, y]).is_empty();
+    let other_half = || [1.0, -1.0].into_iter().any(|sign| doubted.explains([x, y + sign * OTHER_HALF_M, 0.0]));
+    // Eastings with the number of the zone before them, where the system has them without.
+    let short_x = libm::fmod(x, ZONE_PREFIX);
+    let is_prefixed = || x > ZONE_PREFIX && doubted.explains([short_x, y, 0.0]);
+    zone.map(|zone| OrthophotoSlip::Zone { zone })
+        .or_else(|| swapped.then_some(OrthophotoSlip::Exchanged))
+        .or_else(|| (is_utm() && other_half()).then_some(OrthophotoSlip::OtherHalf))
+        .or_else(|| {
+            let (given_in, _) = unit_beside(definition, [x, y], Some((images, reach_m)))?;
+            Some(OrthophotoSlip::Unit { given_in: given_in.into() })
+        })
+        .or_else(|| is_prefixed().then(|| OrthophotoSlip::Coordinate { likely: format!("x = {short_x}") }))
+        .or_else(|| likely.map(|likely| OrthophotoSlip::Coordinate { likely }))
+}
+
+/// The northing of the equator on the southern half of UTM, and what stands before an easting that begins with the number of its zone, in m.
+const OTHER_HALF_M: f64 = 10_000_000.0;
+const ZONE_PREFIX: f64 = 1_000_000.0;
 
 fn slip_of(system: &CoordinateSystem, doubted: &Doubted) -> Slip {
     let zone = in_other_zone(system, doubted.given, |place| doubted.explains(place));
@@ -145,9 +179,13 @@ fn reach_m(gnss: &[[f64; 2]], [longitude, latitude]: [f64; 2]) -> f64 {
 }
 
 /// The coordinates of a place beside those of the middle of a block, whose heights are not known; absent where one lies outside the system.
-fn doubted(system: &CoordinateSystem, place: [f64; 3], [longitude, latitude]: [f64; 2], reach_m: f64) -> Option<Doubted> {
-    let given = system.coordinates(place)?;
-    let [x, y, _] = system.coordinates([longitude, latitude, place[2]])?;
+fn doubted(system: &CoordinateSystem, place: [f64; 3], images: [f64; 2], reach_m: f64) -> Option<Doubted> {
+    doubted_at(system, system.coordinates(place)?, images, reach_m)
+}
+
+/// The same of coordinates in the system.
+fn doubted_at(system: &CoordinateSystem, given: [f64; 3], [longitude, latitude]: [f64; 2], reach_m: f64) -> Option<Doubted> {
+    let [x, y, _] = system.coordinates([longitude, latitude, 0.0])?;
     let likely = [x, y, given[2]];
     let [east, north, _] = system.difference_m(likely, [x - UNITS, y - UNITS, given[2]]).map(|length_m| length_m / UNITS);
     Some(Doubted {
@@ -176,7 +214,6 @@ fn geographic(position: &ObservedPosition) -> Option<[f64; 3]> {
 mod tests {
     use super::*;
     use crate::ControlRole;
-    use crate::crs::Definition;
 
     const UTM: &str = "EPSG:32632";
 

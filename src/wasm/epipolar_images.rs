@@ -2,7 +2,9 @@
 
 use super::convert::{JsResult, object, pack, thrown};
 use super::photo::Photo;
-use crate::{EpipolarGeometry, EpipolarImages, Error, StereoPair, read_project, write_anaglyph, write_png};
+use crate::{
+    Bands, DecodeLimits, EpipolarGeometry, EpipolarImages, Error, StereoPair, decode_bands, read_project, write_anaglyph, write_bands,
+};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -67,14 +69,27 @@ impl EpipolarPair {
         pack(&self.geometry)
     }
 
-    /// Resamples both images, which are given in the order of `names`.
+    /// Resamples the grey values of both images, which are given in the order of `names`.
     #[wasm_bindgen(unchecked_return_type = "EpipolarFiles")]
     pub fn resample(&self, left: &Photo, right: &Photo) -> JsResult<JsValue> {
-        let images = EpipolarImages::new(&self.geometry, &self.pair, [left.view(), right.view()]).map_err(thrown)?;
+        self.files([left, right].map(Photo::bands))
+    }
+
+    /// Resamples both images in the colours of their files, which are given in the order of `names`.
+    #[wasm_bindgen(unchecked_return_type = "EpipolarFiles")]
+    pub fn resample_files(&self, left: &[u8], right: &[u8]) -> JsResult<JsValue> {
+        let decoded = |file: &[u8]| decode_bands(file, &DecodeLimits::default()).map_err(thrown);
+        self.files([decoded(left)?, decoded(right)?])
+    }
+}
+
+impl EpipolarPair {
+    fn files(&self, [left, right]: [Bands; 2]) -> JsResult<JsValue> {
+        let images = EpipolarImages::new(&self.geometry, &self.pair, [&left, &right]).map_err(thrown)?;
         let file = |bytes: Vec<u8>| JsValue::from(Uint8Array::from(bytes.as_slice()));
         Ok(object([
-            ("left", file(write_png(images.left.view(), None))),
-            ("right", file(write_png(images.right.view(), None))),
+            ("left", file(write_bands(&images.left, None))),
+            ("right", file(write_bands(&images.right, None))),
             ("anaglyph", file(write_anaglyph(&images))),
             ("parameters", self.geometry.file(&self.pair).into()),
         ]))

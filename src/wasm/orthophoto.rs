@@ -5,8 +5,8 @@ use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
 use crate::{
-    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, FileFault, FilmInput, FilmScan, GivenLink, HeightModel, Heights, Mosaic,
-    Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SearchArea, Sidecars, control_by_hand, decode,
+    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FileFault, FilmInput, FilmScan, GivenLink, HeightModel, Heights,
+    Mosaic, Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SearchArea, Sidecars, control_by_hand, decode,
     decode_bands, ground_positions, heights_of_block, image_positions, links_table, place_by_links, place_film, place_film_by_links,
     place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
@@ -29,6 +29,8 @@ export interface OrthophotoInfo {
     /** What its system is called where it has one without a code. */
     described: string | null;
     heights: [number, number];
+    /** What they count from, by the name of a vertical system, where their file says it. */
+    heights_from: string | null;
     /** Share of the picture that has a height, 0 to 1. */
     heights_share: number;
     /** Whether its pixels are read where they are needed. */
@@ -143,6 +145,7 @@ impl OrthophotoReference {
             ("epsg", pack(epsg)),
             ("described", pack(&self.orthophoto.described())),
             ("heights", pack(&heights.range())),
+            ("heights_from", pack(&heights.counts_from())),
             ("heights_share", self.orthophoto.heights_share().into()),
             ("in_parts", self.orthophoto.is_in_parts().into()),
         ])
@@ -173,6 +176,20 @@ impl OrthophotoReference {
         };
         self.area = Some(area);
         placed.map(|placed| pack(&placed)).map_err(thrown)
+    }
+
+    /// What is to be said of images that record these GNSS positions (`image_position`) before they are placed: that none lies near
+    /// the orthophoto, and what would bring it to them; null where one does, or where nothing says where both are. `options`: as of `search`; absent: those
+    /// that it had.
+    #[wasm_bindgen(unchecked_return_type = "Remark | null")]
+    pub fn elsewhere(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "readonly ExifPosition[]")] positions: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "Given<PlacingOptions>")] options: &JsValue,
+    ) -> JsResult<JsValue> {
+        let options = if options.is_undefined() { self.options.clone() } else { read_options::<PlacingOptions>("placing", options)? };
+        let positions: Vec<ExifPosition> = read("positions", positions)?;
+        Ok(pack(&self.orthophoto.elsewhere(&positions, &options)))
     }
 
     /// Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
@@ -350,6 +367,13 @@ pub fn placed_tables(
     let placed: Vec<PlacedImage> = read("placed images", placed)?;
     let named: Vec<(String, PlacedImage)> = names.into_iter().zip(placed).collect();
     Ok(object([("placed", placed_table(&named).into()), ("links", links_table(&named).into())]))
+}
+
+/// The GNSS position that an image records, by the first bytes of its file or all of them; null where it records none.
+#[wasm_bindgen(unchecked_return_type = "ExifPosition | null")]
+pub fn image_position(file: &[u8]) -> JsValue {
+    // Positions depend on no size.
+    pack(&ExifImage::read(file, 1, 1).position)
 }
 
 /// Every option of placing images.

@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, numbers, object, pack, points, read, read_options, set, thrown};
 use crate::{
-    DecodeLimits, Decoded, DroneRecord, Error, ExifCamera, GreyImage, GreyView, PairImage, PairSettings, PointSet, Reduced, ReportImage,
-    Strategy, WindowOptions, decode, describe, describe_image, detect, reduce_to, window_moments,
+    Bands, DecodeLimits, Decoded, DroneRecord, Error, ExifCamera, GreyImage, GreyView, PairImage, PairSettings, PointSet, Reduced,
+    ReportImage, Strategy, WindowOptions, decode, describe, describe_image, detect, reduce_to, window_moments,
 };
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
@@ -176,6 +176,11 @@ impl Photo {
     pub(super) fn named(&self, name: String, mask: Option<Vec<u8>>) -> JsResult<ReportImage> {
         let mask = mask.map(|mask| GreyImage::new(self.grey.width(), self.grey.height(), mask)).transpose().map_err(thrown)?;
         Ok(ReportImage { name, grey: self.grey.clone(), exif: self.camera.clone(), mask })
+    }
+
+    /// Its grey values.
+    pub(super) fn bands(&self) -> Bands {
+        self.grey.clone().into()
     }
 
     pub(super) fn view(&self) -> GreyView<'_> {

@@ -1,8 +1,9 @@
 /** The command `epipolar`: what two oriented images show lies in the same row of their epipolar images. */
 
 import assert from 'node:assert/strict';
-import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { inflateSync } from 'node:zlib';
 import { test } from 'node:test';
 import { Photo } from '../../pkg/node.js';
 import { file, folder, image, samplePair, tiepoint } from './command.js';
@@ -21,6 +22,37 @@ function made(/** @type {string[]} */ ...args) {
     anaglyph: photo('anaglyph.png'),
     parameters: JSON.parse(readFileSync(join(out, 'epipolar.json'), 'utf8')),
   };
+}
+
+/** The pixels of a PNG of red, green and blue of 8 bits, without its filters.  @param {string} path */
+function colours(path) {
+  const bytes = readFileSync(path);
+  const [width, height] = [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
+  assert.deepEqual([bytes[24], bytes[25]], [8, 2], `${path} is not in colours`);
+  const packed = [];
+  for (let at = 8; at < bytes.length; at += 12 + bytes.readUInt32BE(at))
+    if (bytes.toString('latin1', at + 4, at + 8) === 'IDAT') packed.push(bytes.subarray(at + 8, at + 8 + bytes.readUInt32BE(at)));
+  const data = inflateSync(Buffer.concat(packed));
+  const stride = 3 * width;
+  const pixels = new Uint8Array(stride * height);
+  for (let row = 0; row < height; row += 1) {
+    const filter = data[row * (stride + 1)];
+    for (let k = 0; k < stride; k += 1) {
+      const [left, above, corner] = [
+        k < 3 ? 0 : pixels[row * stride + k - 3],
+        pixels[(row - 1) * stride + k] ?? 0,
+        k < 3 ? 0 : (pixels[(row - 1) * stride + k - 3] ?? 0),
+      ];
+      const [a = 0, b, c] = [left, row === 0 ? 0 : above, row === 0 ? 0 : corner];
+      const paeth = () => {
+        const [pa, pb, pc] = [Math.abs(b - c), Math.abs(a - c), Math.abs(a + b - 2 * c)];
+        return pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
+      };
+      const guess = [0, a, b, (a + b) >> 1, paeth()][filter ?? 0] ?? 0;
+      pixels[row * stride + k] = (data[row * (stride + 1) + 1 + k] ?? 0) + guess;
+    }
+  }
+  return { width, pixels };
 }
 
 /** Of windows of the left image the shift in rows at which the right one resembles them most, along their rows. */
@@ -66,6 +98,37 @@ test('what the photos of an oriented pair show lies in the same rows, and its co
   const farAway = (focal * base) / (parallaxes.x_px[1] - ofLeft[0] + ofRight[0]);
   assert.ok(farAway > base && farAway < 5 * base, `${farAway} ${base}`);
   assert.ok(height > 300);
+});
+
+test('epipolar images have the colours of their photos, and the anaglyph their grey values', () => {
+  const { at, call } = samplePair();
+  const [coloured, out] = [folder(), folder()];
+  for (const side of ['left', 'right']) {
+    const photo = Photo.decode(readFileSync(join(at, `${side}.png`)));
+    const colours = Buffer.from([...photo.grey()].flatMap((grey) => [grey, grey, 255 - grey]));
+    writeFileSync(join(coloured, `${side}.ppm`), Buffer.concat([Buffer.from(`P6\n${photo.width} ${photo.height}\n255\n`), colours]));
+  }
+  // The truth is of the grey photos.
+  const ofColoured = call
+    .slice(0, call.indexOf('--truth'))
+    .map((word) => (/(?:left|right)\.png$/.test(word) ? join(coloured, basename(word).replace('.png', '.ppm')) : word));
+  assert.ok([0, 3].includes(tiepoint(...ofColoured, '--out', out).code ?? 1));
+  const made = folder();
+  const { code, stderr } = tiepoint('epipolar', join(out, 'project.tiepoint'), coloured, '--out', made);
+  assert.equal(code, 0, stderr);
+  for (const side of ['left', 'right']) {
+    const { width, pixels } = colours(join(made, `${side}.png`));
+    let [shown, right] = [0, 0];
+    for (let k = 0; k < pixels.length; k += 3) {
+      const [red = 0, green = 0, blue = 0] = pixels.subarray(k, k + 3);
+      if (red + green + blue === 0) continue;
+      shown += 1;
+      right += Number(red === green && Math.abs(red + blue - 255) <= 1);
+    }
+    assert.ok(width > 300 && shown > 100_000 && right > 0.999 * shown, `${side}: ${right} of ${shown}`);
+  }
+  const anaglyph = colours(join(made, 'anaglyph.png')).pixels;
+  assert.ok(anaglyph.every((value, k) => k % 3 !== 2 || value === anaglyph[k - 1]));
 });
 
 test('of a block the two images with most points in common are taken, or those that are named', () => {

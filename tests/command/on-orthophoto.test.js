@@ -1,7 +1,7 @@
 /** A block in the system of an orthophoto, by the command. */
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { folder, json, tiepoint } from './command.js';
@@ -48,6 +48,26 @@ test('an orthophoto of elsewhere leaves the block as it was, and the exit code s
   tiepoint(...CALL, '--out', plain);
   for (const name of ['images.csv', 'points.csv', 'orientation.json'])
     assert.equal(readFileSync(join(out, name), 'utf8'), readFileSync(join(plain, name), 'utf8'), name);
+});
+
+test('an orthophoto that lies elsewhere than the GNSS positions is doubted before anything is matched, and in the summary', () => {
+  const at = folder();
+  const [picture, , heights] = [1, 0, 3].map((k) => OWN.ground[k] ?? '');
+  const map = join(at, 'map.tif');
+  copyFileSync(picture ?? '', map);
+  writeFileSync(join(at, 'map.prj'), 'EPSG:25832');
+  const call = (/** @type {string[]} */ ...more) =>
+    tiepoint(...CALL, '--orthophoto', map, '--heights', heights ?? '', '--orthophoto-points', '3000', '--out', folder(), '--json', ...more);
+  const { stdout, stderr } = call();
+  // At once, and again beside the result.
+  const said = stderr.split('no GNSS position of the 3 images lies within 500 m of the orthophoto: as EPSG:25832 has it');
+  assert.equal(said.length, 3, stderr);
+  const { remarks, orthophoto } = JSON.parse(stdout);
+  assert.equal(remarks.filter((/** @type {any} */ { kind }) => kind === 'orthophoto_elsewhere').length, 1, JSON.stringify(remarks));
+  assert.equal(orthophoto.kind, 'linked', JSON.stringify(orthophoto));
+  // Positions that take no part say nothing.
+  const without = call('--gps', 'ignore');
+  assert.ok(!without.stderr.includes('of the orthophoto: as'), without.stderr);
 });
 
 test('options of an orthophoto without one, and files that are none, are refused before anything is computed', () => {

@@ -3,6 +3,7 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { grey_png, OrthophotoReference, Photo } from '../../pkg/node.js';
+import { georeferenced } from '../page/georeferenced.js';
 import { file, folder, json, tiepoint } from './command.js';
 
 const FLIGHT = ['--strips', '1', '--exposures', '2', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.075', '--relief-m', '40'];
@@ -119,7 +120,14 @@ test('a picture with a world file is in the system of the .prj beside it, and he
   const [x = NaN, y = NaN] = georeference.origin;
   file(at, 'map.pgw', [gsd, 0, 0, -gsd, x + gsd / 2, y - gsd / 2].map((value) => `${value}\n`).join(''));
   file(at, 'map.prj', 'EPSG:25832');
-  const place = (/** @type {string[]} */ ...args) => ['place', OWN.photos[0], '--orthophoto', join(at, 'map.png'), '--points', '3000', ...args];
+  // It does not lie where the photos record their positions: one without them.
+  const photo = Photo.decode(readFileSync(OWN.photos[0] ?? ''));
+  writeFileSync(join(at, 'plain.png'), grey_png(photo.width, photo.height, photo.grey()));
+  const cameras = file(at, 'cameras.json', JSON.stringify({ cameras: [{ images: '*', focal_px: OWN.truth.cameras[0].focal_px, fixed: true }] }));
+  const place = (/** @type {string[]} */ ...args) => [
+    ...['place', join(at, 'plain.png'), '--cameras', cameras, '--orthophoto', join(at, 'map.png'), '--points', '3000'],
+    ...args,
+  ];
   const { orthophoto, images } = json(...place('--heights', join(OWN.at, 'heights.tif')));
   assert.equal(orthophoto.epsg, 25832);
   assert.equal(images[0].verdict.kind, 'placed', JSON.stringify(images[0].verdict));
@@ -130,6 +138,31 @@ test('a picture with a world file is in the system of the .prj beside it, and he
   // What is not understood names no system.
   file(at, 'map.prj', 'Projection    UTM\nZone 32\n');
   assert.equal(json(...place('--heights', join(OWN.at, 'heights.tif'))).orthophoto.epsg, null);
+});
+
+test('an orthophoto that lies elsewhere than its images is doubted before they are placed, with the zone that fits', () => {
+  const at = folder();
+  const { png, world, tif } = georeferenced(readFileSync(join(OWN.at, 'orthophoto.tif')), 25832, OWN.truth.origin, 0);
+  const [map, right] = [join(at, 'map.png'), join(at, 'right.tif')];
+  writeFileSync(map, png);
+  file(at, 'map.pgw', world);
+  writeFileSync(right, tif);
+  file(at, 'map.prj', 'EPSG:25833');
+  const place = (/** @type {string} */ orthophoto) => {
+    const { stdout, stderr } = tiepoint('place', ...OWN.photos, '--orthophoto', orthophoto, '--level', '0', '--points', '3000', '--json');
+    return { stderr, ...JSON.parse(stdout) };
+  };
+  const doubted = place(map);
+  assert.match(doubted.stderr, /no GNSS position of the 2 images lies within 500 m of the orthophoto: as EPSG:25833 has it.* km from it\. In zone 32 of UTM/);
+  assert.equal(doubted.remarks.length, 1);
+  assert.deepEqual([doubted.remarks[0].kind, doubted.remarks[0].orthophoto_slip], ['orthophoto_elsewhere', { kind: 'zone', zone: 32 }]);
+  // It is searched all the same.
+  assert.ok(
+    doubted.images.every((/** @type {any} */ { placement }) => placement !== null),
+    JSON.stringify(doubted.images.map((/** @type {any} */ { verdict }) => verdict)),
+  );
+  const sure = place(right);
+  assert.deepEqual([sure.remarks, /GNSS position of/.test(sure.stderr)], [[], false]);
 });
 
 test('a block becomes an orthomosaic, on which its photos are placed again', () => {

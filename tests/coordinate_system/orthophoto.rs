@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use tiepoint::{
     BlockEdit, BlockLinks, BlockRun, CameraUncertainty, ControlRole, ControlTexts, Datum, DecodeLimits, ExifImage, ExifPosition, Failure,
     Georeference, HeightModel, Heights, Mosaic, NotLinked, OnOrthophoto, Orthophoto, PlaceSearch, PlacingCamera, PlacingOptions,
-    PointSource, Remark, SearchArea, decode, place_recorded,
+    PlacingVerdict, PlacingWeakness, PointSource, Remark, SearchArea, decode, place_recorded,
 };
 
 /// The orthophoto of the scene in a zone of UTM, in a unit of so many m, with heights above the geoid in m.
@@ -238,22 +238,36 @@ fn an_image_is_sought_about_its_gnss_position_first_and_then_anywhere() {
         let known = in_utm(truth.images[0].pose.unwrap().position);
         let off = (placement.pose.position[0] - known[0]).hypot(placement.pose.position[1] - known[1]);
         assert!(off < 2.0, "{off} m");
-        found.search
+        if !matches!(found.verdict, PlacingVerdict::Placed { .. }) {
+            assert!(
+                matches!(found.verdict, PlacingVerdict::Weak { placing_weakness: PlacingWeakness::Gnss { .. }, .. }),
+                "{}",
+                found.verdict
+            );
+        }
+        (found.verdict, found.search)
     };
-    let near = place(in_system(), Some(&recorded), &options);
+    let search = |reference: &Orthophoto, position: Option<&ExifPosition>, options: &PlacingOptions| {
+        let (verdict, search) = place(reference, position, options);
+        assert!(matches!(verdict, PlacingVerdict::Placed { .. }), "{verdict}");
+        search
+    };
+    let near = search(in_system(), Some(&recorded), &options);
     assert!(matches!(near, Some(PlaceSearch::Gnss { within_m: 300.0, plan_m }) if plan_m < 20.0), "{near:?}");
     // More than a kilometre east, and on the orthophoto, where another photo was taken.
     let east = ExifPosition { longitude_deg: recorded.longitude_deg + 0.02, ..recorded };
     let other = ExifImage::read(&fs::read(&flown().photos[7]).unwrap(), 480, 360).position.unwrap();
     let little = PlacingOptions { within_m: 60.0, ..placing() };
     for (wrong, options) in [(east, &options), (other, &little)] {
-        let apart = place(in_system(), Some(&wrong), options);
-        assert!(matches!(apart, Some(PlaceSearch::ApartFromGnss { plan_m, usual_m: 30.0 }) if plan_m > options.within_m), "{apart:?}");
+        let (verdict, sought) = place(in_system(), Some(&wrong), options);
+        let PlacingVerdict::Weak { placing_weakness: PlacingWeakness::Gnss { plan_m, usual_m }, .. } = verdict else { panic!("{verdict}") };
+        assert!(plan_m > options.within_m && (30.0..31.0).contains(&usual_m), "{plan_m} {usual_m}");
+        assert_eq!(sought, Some(PlaceSearch::BeyondGnss { within_m: options.within_m }));
     }
     // Without a position, without a system of the orthophoto, and where another place is given.
-    assert_eq!(place(in_system(), None, &options), None);
-    assert_eq!(place(&orthophoto(UTM, 1.0), Some(&recorded), &options), None);
+    assert_eq!(search(in_system(), None, &options), None);
+    assert_eq!(search(&orthophoto(UTM, 1.0), Some(&recorded), &options), None);
     let [x, y, _] = in_utm(truth.images[0].pose.unwrap().position);
     let near = PlacingOptions { near_x: Some(x), near_y: Some(y), ..options };
-    assert_eq!(place(in_system(), Some(&recorded), &near), None);
+    assert_eq!(search(in_system(), Some(&recorded), &near), None);
 }

@@ -310,6 +310,32 @@ async function bySystem(page, crs) {
   };
 }
 
+test('images that record positions elsewhere than the orthophoto are doubted before anything is matched, with the zone that fits', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  const scene = new BlockScene(FLIGHT);
+  const { origin } = scene.truth();
+  scene.free();
+  assert.ok(origin);
+  const picture = blockGround(FLIGHT, 1).find(({ name }) => name === 'orthophoto.tif')?.bytes ?? new Uint8Array();
+  const { png, world } = georeferenced(picture, 32632, origin, 0);
+  const text = (/** @type {string} */ value) => new TextEncoder().encode(value);
+  const open = (/** @type {string} */ name, /** @type {string} */ system) =>
+    part(page, 'block-orthophoto-input').setInputFiles([
+      upload(`${name}.png`, png, 'image/png'),
+      upload(`${name}.pgw`, text(world)),
+      upload(`${name}.prj`, text(system)),
+    ]);
+  await photos(page);
+  await part(page, 'tab-block-orthophoto').click();
+  await open('wrong', 'EPSG:32633');
+  await says(page, 'block-answer', /No GNSS position of the \d+ images lies within 500 m of the orthophoto: as EPSG:32633 has it, .* In zone 32 of UTM/i);
+  await open('right', 'EPSG:32632');
+  await says(page, 'block-orthophoto-name', /^Orthophoto right\.png/);
+  await page.waitForFunction(() => !/GNSS position/.test(document.querySelector('[data-testid="block-answer"]')?.textContent ?? ''));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('an orthophoto in UTM lies under a block with GNSS positions, with a code or in the system that is chosen: centres are at their true pixels', {
   skip: SKIP,
 }, async () => {

@@ -182,6 +182,10 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   const near = makeNear('block-near', () => store.dispatch({ type: 'notice', notice: null }));
   main.append(near.element);
   store.watch(['notice'], ([notice]) => near.show(notice));
+  store.watch(
+    ({ files: given, placing: { orthophoto, options } }) => [given, orthophoto?.raster ?? null, options] as const,
+    () => void placing.lookElsewhere(),
+  );
   new EditFollower(store, engine);
   mountAddress(store, modes, beside);
   store.watch(['running'], ([running]) => {

@@ -97,6 +97,25 @@ impl Frame {
         if scanned.len() == 1 { 1 } else { self.components.iter().filter(|c| scanned.contains(&c.id)).map(blocks).sum() }
     }
 
+    /// How many pixels of the picture a sample of a component is wide and high.
+    pub fn pixels_of(&self, component: usize) -> [usize; 2] {
+        let (across, down) = if component == 0 { (1, 1) } else { self.components[0].sampling };
+        [across, down].map(usize::from)
+    }
+
+    /// The grey image of one component, as large as its samples are many.
+    pub fn only(&self, component: usize) -> Self {
+        let [across, down] = self.pixels_of(component);
+        let Component { id, table, .. } = self.components[component];
+        Self {
+            marker: self.marker,
+            progressive: self.progressive,
+            width: self.width.div_ceil(across as u16),
+            height: self.height.div_ceil(down as u16),
+            components: vec![Component { id, sampling: (1, 1), table }],
+        }
+    }
+
     /// Leaves the first component alone: a grey image.
     pub fn keep_first(&mut self) {
         self.components.truncate(1);

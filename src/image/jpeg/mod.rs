@@ -3,18 +3,20 @@
 //! The decoder gets a stream that is written anew from the checked segments. What it would not notice is noticed here: a file
 //! that ends early, or scan data that do.
 
+mod apart;
+mod decoder;
 mod frame;
 mod scan;
 mod segments;
 mod stream;
 
-use zune_jpeg::JpegDecoder;
-use zune_jpeg::zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options::DecoderOptions};
+use zune_jpeg::zune_core::colorspace::ColorSpace;
 
+use self::decoder::decoded;
 use self::frame::Frame;
 use self::segments::{Segments, marker};
 use self::stream::{CheckedStream, Output};
-use super::layout::{FileLayout, Format, damaged, undecodable};
+use super::layout::{FileLayout, Format, damaged};
 use super::luminance::{SampleLayout, Wanted, bands_of_u8};
 use crate::{Damage, Error};
 
@@ -35,6 +37,13 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<FileLayout, Error> {
 /// Decodes to grey, the stored luma or the luma of stored colour, or to colours.
 pub(super) fn decode(bytes: &[u8], pixels: usize, wanted: Wanted) -> Result<Vec<Vec<u8>>, Error> {
     let file = CheckedStream::read(bytes)?;
+    // Of scans of single components the checked stream has that of luma.
+    if wanted == Wanted::Colours
+        && !file.has_colours
+        && let Some(bands) = apart::colours(bytes)?
+    {
+        return Ok(bands);
+    }
     let in_colours = wanted == Wanted::Colours && file.has_colours;
     let (colours, channels) = match file.output {
         Output::Rgb => (ColorSpace::RGB, 3),
@@ -42,16 +51,7 @@ pub(super) fn decode(bytes: &[u8], pixels: usize, wanted: Wanted) -> Result<Vec<
         Output::Luma => (ColorSpace::Luma, 1),
         Output::LumaAndChroma => (ColorSpace::YCbCr, 3),
     };
-    // Without the processor's own instructions the decoder computes the same everywhere; luma is not slower for it.
-    let options = DecoderOptions::new_safe()
-        .set_strict_mode(true)
-        .set_max_width(usize::from(u16::MAX))
-        .set_max_height(usize::from(u16::MAX))
-        .jpeg_set_out_colorspace(colours);
-    let samples = JpegDecoder::new_with_options(ZCursor::new(file.bytes), options).decode().map_err(|e| undecodable(Format::Jpeg, e))?;
-    if samples.len() != pixels * channels {
-        return Err(damaged(Format::Jpeg, Damage::OtherThanHeader));
-    }
+    let samples = decoded(file.bytes, colours, pixels * channels)?;
     let layout = SampleLayout { channels, colour: colours == ColorSpace::RGB, plane_stride: None };
     Ok(bands_of_u8(samples, pixels, layout, wanted))
 }

@@ -2,7 +2,18 @@
 import type { FilmTexts } from '../state/film';
 import type { Frame, FrameInput, FramePlan } from './film';
 import type { BlockJob, RunOptions, Step } from '../../../pkg/block/index.js';
-import type { BlockEdit, BlockFlight, BlockModel, ExportFormat, OrthophotoInfo, Placement, PlacingVerdict, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type {
+  BlockEdit,
+  BlockFlight,
+  BlockModel,
+  ExportFormat,
+  OrthophotoInfo,
+  Placement,
+  PlacingOptions,
+  PlacingVerdict,
+  PointDetail,
+  Remark,
+} from '../../../pkg/wasm/tiepoint.js';
 import type { Position } from '../../shared/state/pane';
 import type { LinksInput } from './block-links';
 import type { Turn, Window } from './match';
@@ -95,6 +106,8 @@ export interface BlockCalls {
   // The worker that shows an orthophoto, and those that place images on it.
   orthoInfo: { input: Ground; output: OrthophotoInfo };
   orthoTile: { input: TileInput; output: ImageBitmap };
+  /** What is to be said of images before they are placed. */
+  orthoElsewhere: { input: { ground: Ground; options: PlacingOptions; files: readonly Blob[] }; output: Remark | null };
   orthoSearch: { input: Pick<PlaceInput, 'ground' | 'options'>; output: number };
   orthoPlace: { input: PlaceInput; output: LinkedImage };
   orthoRectified: { input: { ground: Ground; file: Blob; placement: Placement }; output: Uint8Array };

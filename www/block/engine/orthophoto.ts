@@ -1,7 +1,8 @@
 /** An orthophoto in a worker: its picture in tiles, and images that are placed on it. The worker opens it when another one is asked about, and keeps it. */
-import { BlockScene, OrthoMosaic, OrthophotoReference, Photo } from '../../../pkg/wasm/tiepoint.js';
+import { BlockScene, image_position, OrthoMosaic, OrthophotoReference, Photo } from '../../../pkg/wasm/tiepoint.js';
 import type {
   BlockFlight,
+  ExifPosition,
   FileInParts,
   Georeference,
   GivenLink,
@@ -9,6 +10,7 @@ import type {
   PlacedImage,
   Placement,
   PlacingOptions,
+  Remark,
   Sidecars,
 } from '../../../pkg/wasm/tiepoint.js';
 import type { FilmTexts } from '../state/film';
@@ -169,6 +171,29 @@ function bitmapOf(
 ): Promise<ImageBitmap> {
   const colours = reference.colours(column, row, width, height, halvings);
   return createImageBitmap(new ImageData(new Uint8ClampedArray(colours.buffer as ArrayBuffer, colours.byteOffset, colours.length), width, height));
+}
+
+/** EXIF stands at the beginning of a file; of a TIFF it may stand anywhere. */
+const HEAD_BYTES = 1 << 20;
+
+/** What is to be said of images before they are placed: that none records a GNSS position near the orthophoto. Null where one does, or nothing says it. */
+export async function orthoElsewhere({ ground, options, files }: { ground: Ground; options: PlacingOptions; files: readonly Blob[] }): Promise<Remark | null> {
+  const { reference } = await opened(ground);
+  const positions: ExifPosition[] = [];
+  for (const file of files) {
+    const position = await positionOf(file);
+    if (position === null) continue;
+    // The others need not be read.
+    if (reference.elsewhere([position], options) === null) return null;
+    positions.push(position);
+  }
+  return reference.elsewhere(positions, options);
+}
+
+async function positionOf(file: Blob): Promise<ExifPosition | null> {
+  const head = await bytesOf(file.slice(0, HEAD_BYTES));
+  const isTiff = [0x4949, 0x4d4d].includes(((head[0] ?? 0) << 8) | (head[1] ?? 0));
+  return image_position(head) ?? (isTiff && file.size > head.length ? image_position(await bytesOf(file)) : null);
 }
 
 /** Finds the points among which images are sought; refuses options and heights with which none can be. */

@@ -15,7 +15,8 @@ import { makeFrames } from './frames';
 import type { MadeFrame, Scan, Tell } from './frames';
 import type { Ground, LaidPicture, MosaicKind } from './orthophoto';
 import { say } from '../../shared/text/words';
-import { messageOf } from '../../shared/text/messages';
+import { message, messageOf } from '../../shared/text/messages';
+import { sentence } from '../../shared/text/format';
 
 /** Each worker holds an orthophoto that is not read in parts: of one beyond so many px there is one worker beside the one that shows it. */
 const MOST_SHARED = 40e6;
@@ -65,6 +66,24 @@ export class PlacingEngine {
     const { ground } = this;
     if (ground === null) return Promise.reject(new Error('no orthophoto is given'));
     return this.shower.call('orthoTile', { ground, level, column, row });
+  }
+
+  /** Looks whether images record positions elsewhere than the orthophoto, before anything is matched. */
+  async lookElsewhere(): Promise<void> {
+    const { files, placing } = this.store.state;
+    const { orthophoto, options } = placing;
+    const { ground } = this;
+    let text = '';
+    // One that was made of a block lies where that does.
+    if (orthophoto !== null && orthophoto.ofBlock === null && ground !== null && options !== null && files.length > 0) {
+      const asked = { ground, options, files: files.map(({ file }) => file) };
+      const doubt = await this.shower.call('orthoElsewhere', asked).catch(() => null);
+      text = doubt === null ? '' : sentence(message('remark', doubt));
+      const now = this.store.state;
+      // Something else was given meanwhile, which is looked at by itself.
+      if (now.files !== files || now.placing.orthophoto?.raster !== orthophoto.raster || now.placing.options !== options) return;
+    }
+    this.store.dispatch({ type: 'elsewhere', text });
   }
 
   /** Places images: those that are not placed yet, where none are named. Gives how many were tried; null where it was cancelled or refused as a whole. */

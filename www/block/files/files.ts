@@ -86,7 +86,13 @@ export class BlockFiles {
   /** Adds images to the block; what a folder holds besides images is left aside. `why` is said first. */
   async take(given: readonly FoundFile[], why = ''): Promise<void> {
     const before = this.store.state.notice;
-    const { others: found, taken, ...rasters } = asGiven(await sortRasters(given));
+    const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given));
+    const [unclear] = degrees;
+    if (unclear !== undefined) {
+      // A geoid, or heights that are refused: the user says which.
+      this.tell('problem', say('is-a-grid-at-longitudes', { name: unclear.file.name }));
+      return;
+    }
     const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
     const ground = await this.ground.take(rasters);
     const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
@@ -117,7 +123,7 @@ export class BlockFiles {
     // A picture that does not say where it lies is refused with the crate's reason.
     const unknown = others.map(({ file }) => ({ file, world: null, projection: null }));
     const pictures = asHeights ? [] : [...sorted.orthophotos, ...(sorted.orthophotos.length > 0 ? [] : unknown)];
-    const heights = asHeights ? [...sorted.heights, ...sorted.orthophotos, ...unknown] : sorted.heights;
+    const heights = [...sorted.heights, ...sorted.degrees, ...(asHeights ? [...sorted.orthophotos, ...unknown] : [])];
     await this.said(await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds, projections: sorted.projections }));
   }
 

@@ -20,7 +20,7 @@ export class GroundFiles {
   ) {}
 
   /** Gives what is said of them, nothing where nothing was given; null where one of them was refused, which is said. */
-  async take({ orthophotos, heights, worlds, projections }: Omit<Sorted, 'others'>): Promise<string | null> {
+  async take({ orthophotos, heights, worlds, projections }: Omit<Sorted, 'others' | 'degrees'>): Promise<string | null> {
     const said: string[] = [];
     const [orthophoto, ...more] = orthophotos;
     if (orthophoto !== undefined) {

@@ -11,6 +11,8 @@ export interface FoundRaster {
 export interface Sorted {
   orthophotos: FoundRaster[];
   heights: FoundRaster[];
+  /** Grids of numbers at longitudes and latitudes: geoids, or heights that are in degrees. */
+  degrees: FoundRaster[];
   /** World files without a picture. */
   worlds: File[];
   /** Files that say a system, without a picture. */
@@ -26,7 +28,7 @@ const GRID = /\.(?:asc|grd|txt|agr)$/iu;
 
 /** Sorts what was given; files whose names say that they are neither stay with the others. */
 export async function sortRasters(found: readonly FoundFile[]): Promise<Sorted> {
-  const sorted: Sorted = { orthophotos: [], heights: [], worlds: [], projections: [], others: [] };
+  const sorted: Sorted = { orthophotos: [], heights: [], degrees: [], worlds: [], projections: [], others: [] };
   const worlds = found.filter(({ file }) => WORLD.test(file.name));
   const projections = found.filter(({ file }) => PROJECTION.test(file.name));
   const used = new Set<File>();
@@ -40,7 +42,7 @@ export async function sortRasters(found: readonly FoundFile[]): Promise<Sorted> 
       continue;
     }
     for (const beside of [world, projection]) if (beside !== null) used.add(beside);
-    sorted[kind === 'heights' ? 'heights' : 'orthophotos'].push({ file, world, projection });
+    sorted[LISTS[kind]].push({ file, world, projection });
   }
   sorted.projections = projections.map(({ file }) => file).filter((file) => !used.has(file));
   sorted.worlds = worlds.map(({ file }) => file).filter((file) => !used.has(file));
@@ -56,10 +58,10 @@ export function asGiven(sorted: Sorted): Sorted & { taken: number } {
 
 /** Whether photographs are to be placed on an orthophoto: it is among them, or its heights are. */
 export async function hasGround(found: readonly FoundFile[]): Promise<boolean> {
-  const { orthophotos, heights, others } = await sortRasters(found);
+  const { orthophotos, heights, degrees, others } = await sortRasters(found);
   const [picture] = orthophotos;
   const stands = orthophotos.length === 1 && (others.length > 0 || picture?.world !== null || picture.projection !== null);
-  return heights.length > 0 || stands;
+  return heights.length > 0 || degrees.length > 0 || stands;
 }
 
 /** Folder and name without its end. */
@@ -67,7 +69,9 @@ function stemOf({ file, path }: FoundFile): string {
   return (path === '' ? file.name : path).replace(/\.[^./]*$/u, '').toLowerCase();
 }
 
-type Kind = 'orthophoto' | 'heights' | 'photograph';
+type Kind = 'orthophoto' | 'heights' | 'degrees' | 'photograph';
+
+const LISTS = { orthophoto: 'orthophotos', heights: 'heights', degrees: 'degrees' } as const;
 
 async function kindOf(file: File, hasWorld: boolean): Promise<Kind> {
   if (GRID.test(file.name)) return /^\s*(?:ncols|nrows)\s/iu.test(await file.slice(0, 64).text()) ? 'heights' : 'photograph';
@@ -78,12 +82,16 @@ async function kindOf(file: File, hasWorld: boolean): Promise<Kind> {
 /** Of TIFF 6.0 and OGC 19-008r4. */
 const [BITS, SAMPLES, FORMAT, SCALE, TIES, TRANSFORMATION, KEYS] = [258, 277, 339, 33550, 33922, 34264, 34735];
 const UNSIGNED = 1;
+/** The key that says of which kind a system is, which stands among the tags here: no tag has its number. */
+const MODEL_TYPE = 1024;
+const GEOGRAPHIC = 2;
 
 /** Numbers below 0 or with decimals are heights; so is one band of more than 16 bits. */
 export function kindOfTiff(tags: ReadonlyMap<number, number>, hasWorld: boolean): Kind {
   const isPlaced = hasWorld || tags.has(TRANSFORMATION) || (tags.has(SCALE) && tags.has(TIES)) || tags.has(KEYS);
   const isOne = (tags.get(SAMPLES) ?? 1) === 1;
-  if (isOne && isPlaced && ((tags.get(FORMAT) ?? UNSIGNED) !== UNSIGNED || (tags.get(BITS) ?? 1) > 16)) return 'heights';
+  if (isOne && isPlaced && ((tags.get(FORMAT) ?? UNSIGNED) !== UNSIGNED || (tags.get(BITS) ?? 1) > 16))
+    return tags.get(MODEL_TYPE) === GEOGRAPHIC ? 'degrees' : 'heights';
   return isPlaced ? 'orthophoto' : 'photograph';
 }
 
@@ -107,7 +115,15 @@ async function tiffTags(file: Blob): Promise<ReadonlyMap<number, number>> {
       const from = entry * each;
       const values = isBig ? Number(directory.getBigUint64(from + 4, little)) : directory.getUint32(from + 4, little);
       const isShort = directory.getUint16(from + 2, little) === 3 && values <= (isBig ? 4 : 2);
+      if (directory.getUint16(from, little) === KEYS) await keys(from, values);
       tags.set(directory.getUint16(from, little), isShort ? directory.getUint16(from + (isBig ? 12 : 8), little) : await first(from, values));
+    }
+    /** Each key has four numbers: itself, where its value stands, how many there are, and the value. */
+    async function keys(from: number, values: number): Promise<void> {
+      const offset = isBig ? Number(directory.getBigUint64(from + 12, little)) : directory.getUint32(from + 8, little);
+      const all = await read(offset, 2 * Math.min(values, 4 * MOST_ENTRIES));
+      for (let at = 8; at + 8 <= all.byteLength; at += 8)
+        if (all.getUint16(at, little) === MODEL_TYPE && all.getUint16(at + 2, little) === 0) tags.set(MODEL_TYPE, all.getUint16(at + 6, little));
     }
     /** Three bands say their bits elsewhere. */
     async function first(from: number, values: number): Promise<number> {

@@ -59,7 +59,8 @@ export function heightsText({ placing: { heights, orthophoto } }: BlockState): s
   const [from, to] = orthophoto?.info.heights ?? [];
   const share = orthophoto?.info.heights_share ?? 1;
   const part = share < MOSTLY ? say('they-lie-under-of-the', { share: Math.round(100 * share) }) : '';
-  return say('heights-of-to', { name: heights.model.name, from, to, unit, part });
+  const from_what = orthophoto?.info.heights_from ?? null;
+  return say('heights-of-to', { name: heights.model.name, from, to, unit, from_what, part });
 }
 
 function answered(state: BlockState, tried: readonly PlacedFile[], actions: PlacingAnswerActions): Answer {

@@ -56,7 +56,7 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
   store.watch(
     (s) => [s] as const,
     ([state]) => {
-      const answer = answerOf(state, actions);
+      const answer = doubted(state, answerOf(state, actions));
       // Each image and pair would be read out.
       line.setAttribute('aria-live', answer.kind === 'busy' ? 'off' : 'polite');
       // Messages of the crate name parameters by their keys.
@@ -68,6 +68,14 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
     },
   );
   return card;
+}
+
+/** With what is said, before anything is matched, of images that record positions elsewhere than the orthophoto on which they are to be placed. */
+function doubted(state: BlockState, answer: Answer): Answer {
+  const { elsewhere } = state.placing;
+  const purpose = purposeOf(state);
+  const isUsed = purpose === 'images' || (purpose === 'block' && state.options.gps === 'use');
+  return elsewhere === '' || !isUsed ? answer : { ...answer, more: `${answer.more ?? ''} ${elsewhere}`.trimStart() };
 }
 
 function placed(state: BlockState, actions: BlockAnswerActions): Answer {

@@ -63,6 +63,8 @@ export interface Placing {
   /** By the number of the image's file. */
   placed: ReadonlyMap<number, Placed>;
   running: { done: number; total: number; text: string } | null;
+  /** That the images record positions elsewhere than the orthophoto; empty where nothing says so. */
+  elsewhere: string;
   chosen: Looked;
   pointed: Looked;
   /** The next press on the orthophoto says near where images were taken. */
@@ -90,6 +92,7 @@ export const NO_PLACING: Placing = {
   purpose: null,
   placed: new Map(),
   running: null,
+  elsewhere: '',
   chosen: NOTHING_LOOKED_AT,
   pointed: NOTHING_LOOKED_AT,
   picks: false,
@@ -108,6 +111,7 @@ export type PlacingAction =
   | { type: 'placingOptions'; options: Partial<PlacingOptions> }
   | { type: 'purpose'; purpose: Purpose }
   | { type: 'placing'; running: Placing['running'] }
+  | { type: 'elsewhere'; text: string }
   | { type: 'placed'; image: number; placed: Placed }
   | { type: 'choosePlaced'; looked: Looked }
   | { type: 'pointPlaced'; looked: Looked }
@@ -137,6 +141,8 @@ export function reducePlacing(placing: Placing, action: PlacingAction): Placing 
       return placing.purpose === action.purpose ? placing : { ...placing, purpose: action.purpose, draft: null, picks: false, adds: false };
     case 'placing':
       return { ...placing, running: action.running };
+    case 'elsewhere':
+      return placing.elsewhere === action.text ? placing : { ...placing, elsewhere: action.text };
     case 'placed':
       return { ...placing, placed: new Map([...placing.placed, [action.image, action.placed]]) };
     case 'choosePlaced':

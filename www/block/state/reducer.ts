@@ -124,6 +124,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'placingOptions':
     case 'purpose':
     case 'placing':
+    case 'elsewhere':
     case 'placed':
     case 'choosePlaced':
     case 'pointPlaced':

@@ -25,6 +25,7 @@ import {
   simulate,
   write_pair_project,
 } from '../../../pkg/wasm/tiepoint.js';
+import type { EpipolarFiles } from '../../../pkg/wasm/tiepoint.js';
 import type { Handlers } from '../../shared/engine/messages';
 import type { ImageSource } from '../state/data';
 import type { Input, Output, PairCalls } from './calls';
@@ -53,7 +54,7 @@ function photo(): OpenPhoto {
 async function decode(source: ImageSource): Promise<Photo> {
   switch (source.kind) {
     case 'file':
-      return Photo.decode(new Uint8Array(await source.file.arrayBuffer()));
+      return Photo.decode(await bytesOf(source.file));
     case 'grey':
       return Photo.from_grey(source.width, source.height, source.grey);
     case 'project':
@@ -160,15 +161,29 @@ async function epipolar({ project, images: [ofLeft, ofRight] }: Input<'epipolar'
   const encoder = new TextEncoder();
   const pair = EpipolarPair.open(encoder.encode(project));
   const [first, second] = pair.is_swapped ? [ofRight, ofLeft] : [ofLeft, ofRight];
-  const photos = [await decode(first), await decode(second)] as const;
   try {
-    const { left, right, anaglyph, parameters } = pair.resample(...photos);
+    const { left, right, anaglyph, parameters } = await resampled(pair, first, second);
     const files = { 'left.png': left, 'right.png': right, 'anaglyph.png': anaglyph, 'epipolar.json': encoder.encode(parameters) };
     // Pictures are compressed already.
     return { archive: zipSync(files, { level: 0, mtime: ARCHIVE_TIME }), geometry: pair.geometry };
   } finally {
-    for (const held of [...photos, pair]) held.free();
+    pair.free();
   }
+}
+
+/** In the colours of their files; what was simulated is grey. */
+async function resampled(pair: EpipolarPair, left: ImageSource, right: ImageSource): Promise<EpipolarFiles> {
+  if (left.kind === 'file' && right.kind === 'file') return pair.resample_files(await bytesOf(left.file), await bytesOf(right.file));
+  const photos = [await decode(left), await decode(right)] as const;
+  try {
+    return pair.resample(...photos);
+  } finally {
+    for (const held of photos) held.free();
+  }
+}
+
+async function bytesOf(file: Blob): Promise<Uint8Array> {
+  return new Uint8Array(await file.arrayBuffer());
 }
 
 function interiorOf({ width, height, camera, pairFocalMm, fiducials, model, origin }: Input<'interior'>): Output<'interior'> {

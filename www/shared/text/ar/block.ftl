@@ -86,6 +86,7 @@ skipped-a-project-has-one = تُخطّي { $more }: للمشروع صورة مص
 skipped-an-orthophoto-has-one = تُخطّي { $others }: للصورة المصححة نموذج ارتفاعات واحد.
 reading-the-orthophoto = تجري قراءة الصورة المصححة { $name } …
 cannot-be-used-as-an = لا يمكن استعمال { $name } صورة مصححة
+is-a-grid-at-longitudes = { $name } شبكة أعداد عند خطوط طول وعرض. إن كانت جيوئيدًا فأعطها في الإعدادات بوصفها «الجيوئيد»؛ أما ارتفاعات الأرض فيجب أن تكون في نظام مسقط.
 holds-heights-give-their-orthophoto = يحوي { $name } ارتفاعات: أعط صورتها المصححة أولًا، أو أعطهما معًا.
 reading-the-heights = تجري قراءة الارتفاعات { $name } …
 the-ground-is-level-at = الأرض مستوية عند { $name }.
@@ -402,7 +403,11 @@ place-on-the-orthophoto = وضع على الصورة المصححة
 place-them-as-a-block = وضعها كتلةً
 its-ground-is-taken-as = تُعد أرضها مستوية عند { FIXED($height, digits: 2) } { $unit }: أعط ارتفاعاتها حيث ليست كذلك.
 they-lie-under-of-the = {" "}تقع تحت { $share } % من الصورة المصححة: لا يوضع شيء في غيرها.
-heights-of-to = ارتفاعات { $name }: { FIXED($from, digits: 1) } إلى { FIXED($to, digits: 1) } { $unit }.{ $part }
+heights-of-to =
+    ارتفاعات { $name }: { FIXED($from, digits: 1) } إلى { FIXED($to, digits: 1) } { $unit }.{ $from_what ->
+        [none] {""}
+       *[other] {" "}وتُعدّ من { $from_what }.
+    }{ $part }
 with-doubt = ، منها { COUNT($weak) } مع شك
 not-placed = ، ولم توضع { COUNT($without) }
 of-placed = وُضعت { COUNT($placed) } من { $tried }{ $what }{ $what_2 }.

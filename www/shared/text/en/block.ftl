@@ -102,6 +102,7 @@ skipped-a-project-has-one = { $more } skipped: a project has one orthophoto.
 skipped-an-orthophoto-has-one = { $others } skipped: an orthophoto has one height model.
 reading-the-orthophoto = Reading the orthophoto { $name } …
 cannot-be-used-as-an = { $name } cannot be used as an orthophoto
+is-a-grid-at-longitudes = { $name } is a grid of numbers at longitudes and latitudes. If it is a geoid, give it as *Geoid* in the settings; heights of the ground have to be in a projected system.
 holds-heights-give-their-orthophoto = { $name } holds heights: give their orthophoto first, or both together.
 reading-the-heights = Reading the heights { $name } …
 the-ground-is-level-at = The ground is level at { $name }.
@@ -440,7 +441,11 @@ place-on-the-orthophoto = Place on the orthophoto
 place-them-as-a-block = Place them as a block
 its-ground-is-taken-as = Its ground is taken as level at { FIXED($height, digits: 2) } { $unit }: give its heights where it is not.
 they-lie-under-of-the = {" "}They lie under { $share } % of the orthophoto: nothing is placed elsewhere.
-heights-of-to = Heights of { $name }: { FIXED($from, digits: 1) } to { FIXED($to, digits: 1) } { $unit }.{ $part }
+heights-of-to =
+    Heights of { $name }: { FIXED($from, digits: 1) } to { FIXED($to, digits: 1) } { $unit }.{ $from_what ->
+        [none] {""}
+       *[other] {" "}They count from { $from_what }.
+    }{ $part }
 with-doubt = , { COUNT($weak) } with doubt
 not-placed = , { COUNT($without) } not placed
 of-placed = { COUNT($placed) } of { $tried } placed{ $what }{ $what_2 }.

@@ -1,0 +1,128 @@
+//! Colours of a sequential file with one scan for each component.
+//!
+//! The decoder takes one scan of a sequential file. Each component is decoded as a grey image of its own, enlarged to the picture, and they are put
+//! together as JFIF does.
+
+use super::decoder::decoded;
+use super::frame::Frame;
+use super::scan::Scan;
+use super::segments::{Segments, marker, write_segment};
+use crate::Error;
+use zune_jpeg::zune_core::colorspace::ColorSpace;
+
+/// Chroma without colour.
+const NEUTRAL: f64 = 128.0;
+
+/// The stream of one component, the size of its image, and how many pixels of the picture a sample of it is wide and high.
+struct Plane {
+    stream: Vec<u8>,
+    size: [usize; 2],
+    pixels: [usize; 2],
+}
+
+/// The components of a picture in their order.
+struct Planes {
+    /// Width and height of the picture.
+    size: [usize; 2],
+    planes: Vec<Plane>,
+}
+
+/// Red, green and blue of a file that was checked; absent where it has other scans, or no three components.
+///
+/// # Errors
+/// [`Error::UnreadableImage`] for a damaged scan.
+pub(super) fn colours(bytes: &[u8]) -> Result<Option<Vec<Vec<u8>>>, Error> {
+    let Some(Planes { size, planes }) = Planes::read(bytes)? else { return Ok(None) };
+    let mut components = Vec::with_capacity(planes.len());
+    for Plane { stream, size: own, pixels } in planes {
+        let samples = decoded(stream, ColorSpace::Luma, own[0] * own[1])?;
+        components.push(enlarged(samples, own, size, pixels));
+    }
+    let [luma, blue, red] = components.as_slice() else { return Ok(None) };
+    let mut bands: Vec<Vec<u8>> = (0..3).map(|_| Vec::with_capacity(luma.len())).collect();
+    for ((luma, blue), red) in luma.iter().zip(blue).zip(red) {
+        let (blue, red) = (blue - NEUTRAL, red - NEUTRAL);
+        let rgb = [luma + 1.402 * red, luma - 0.344_136 * blue - 0.714_136 * red, luma + 1.772 * blue];
+        bands.iter_mut().zip(rgb).for_each(|(band, value)| band.push((value + 0.5).clamp(0.0, 255.0) as u8));
+    }
+    Ok(Some(bands))
+}
+
+impl Planes {
+    /// Absent where the file has other scans, or no three components.
+    fn read(bytes: &[u8]) -> Result<Option<Self>, Error> {
+        let mut segments = Segments::of(bytes);
+        let (mut tables, mut restart_interval) = (Vec::new(), 0);
+        let mut frame: Option<Frame> = None;
+        let mut planes: Vec<Option<Plane>> = (0..3).map(|_| None).collect();
+        loop {
+            let segment = segments.next()?;
+            match segment.marker {
+                _ if segment.is_frame() => {
+                    let own = Frame::read(&segment)?;
+                    if own.progressive || own.components.len() != planes.len() {
+                        return Ok(None);
+                    }
+                    frame = Some(own);
+                }
+                marker::SOS => {
+                    let (data, restarts) = segments.entropy_coded()?;
+                    let (Some(frame), [1, id, ..]) = (&frame, segment.body) else { return Ok(None) };
+                    let Some(k) = frame.components.iter().position(|component| component.id == *id) else { return Ok(None) };
+                    if planes[k].is_some() {
+                        continue;
+                    }
+                    let scan = Scan::new(segment.body, frame, &[*id], restart_interval);
+                    scan.check_restarts(&restarts)?;
+                    let own = frame.only(k);
+                    let mut stream = vec![0xff, marker::SOI];
+                    stream.extend(&tables);
+                    own.write(&mut stream);
+                    write_segment(marker::SOS, segment.body, &mut stream);
+                    scan.write(data, &mut stream)?;
+                    stream.extend([0xff, marker::EOI]);
+                    planes[k] = Some(Plane { stream, size: [own.width, own.height].map(usize::from), pixels: frame.pixels_of(k) });
+                }
+                marker::EOI => break,
+                marker::DRI => {
+                    let interval = segment.body.first_chunk().map_or(0, |interval| u16::from_be_bytes(*interval));
+                    restart_interval = usize::from(interval);
+                    write_segment(marker::DRI, segment.body, &mut tables);
+                }
+                marker::DQT | marker::DHT => write_segment(segment.marker, segment.body, &mut tables),
+                _ => {}
+            }
+        }
+        let size = frame.map(|frame| [frame.width, frame.height].map(usize::from));
+        let planes: Option<Vec<Plane>> = planes.into_iter().collect();
+        Ok(size.zip(planes).map(|(size, planes)| Self { size, planes }))
+    }
+}
+
+/// Samples of a component at the pixels of the picture, between the middles of its own in both directions.
+fn enlarged(samples: Vec<u8>, [columns, rows]: [usize; 2], [width, height]: [usize; 2], [wide, high]: [usize; 2]) -> Vec<f64> {
+    if [wide, high] == [1, 1] {
+        return samples.into_iter().map(f64::from).collect();
+    }
+    let along = |number: usize, own: usize, pixels: usize| -> Vec<(usize, usize, f64)> {
+        let places = (0..number).map(|k| {
+            let at = ((k as f64 + 0.5) / pixels as f64 - 0.5).clamp(0.0, own as f64 - 1.0);
+            let first = at as usize;
+            (first, (first + 1).min(own - 1), at - first as f64)
+        });
+        places.collect()
+    };
+    let across = along(width, columns, wide);
+    let mut values = Vec::with_capacity(width * height);
+    for (above, below, down) in along(height, rows, high) {
+        let of_row = |row: usize, (left, right, part): (usize, usize, f64)| {
+            let [left, right] = [left, right].map(|column| f64::from(samples[row * columns + column]));
+            left + part * (right - left)
+        };
+        values.extend(across.iter().map(|place| {
+            let (above, below) = (of_row(above, *place), of_row(below, *place));
+            above + down * (below - above)
+        }));
+    }
+    values
+}
