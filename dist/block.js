@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -110,6 +110,9 @@ function frameName(scan) {
 }
 function framesOf(film, images) {
 	return images.filter(({ name }) => filmOf(film, name) !== null);
+}
+function awaitsFrames(film, images) {
+	return framesOf(film, images).length > 0;
 }
 function withMarks(film, marks) {
 	const byStem = new Map([...film.marks, ...marks].map((own) => [stemOf(own.name), own]));
@@ -260,9 +263,11 @@ var NO_PLACING = {
 	purpose: null,
 	placed: new Map(),
 	running: null,
+	elsewhere: "",
 	chosen: NOTHING_LOOKED_AT,
 	pointed: NOTHING_LOOKED_AT,
 	picks: false,
+	adds: false,
 	draft: null,
 	adjusting: null,
 	uses: new Set([
@@ -303,11 +308,16 @@ function reducePlacing(placing, action) {
 			...placing,
 			purpose: action.purpose,
 			draft: null,
-			picks: false
+			picks: false,
+			adds: false
 		};
 		case "placing": return {
 			...placing,
 			running: action.running
+		};
+		case "elsewhere": return placing.elsewhere === action.text ? placing : {
+			...placing,
+			elsewhere: action.text
 		};
 		case "placed": return {
 			...placing,
@@ -327,7 +337,14 @@ function reducePlacing(placing, action) {
 		case "picksPlace": return {
 			...placing,
 			picks: action.picks,
-			draft: null
+			draft: null,
+			adds: false
+		};
+		case "addsPlace": return {
+			...placing,
+			adds: action.adds,
+			draft: null,
+			picks: false
 		};
 		case "linkDraft": return {
 			...placing,
@@ -404,7 +421,7 @@ var collected = remember((control, file, history, files) => {
 		twice,
 		run: twice < 3 ? null : {
 			points: control.text,
-			marks: tableOf(marks)
+			marks: image_measurement_table(marks)
 		},
 		asGiven: false
 	};
@@ -433,10 +450,6 @@ function givenToRun(state) {
 		}
 	};
 }
-function tableOf(marks) {
-	const quoted = (text) => `"${text.replaceAll("\"", "\"\"")}"`;
-	return `image,point,x_px,y_px\n${marks.map(({ image, point, x_px, y_px }) => `${quoted(image)},${quoted(point)},${String(x_px)},${String(y_px)}\n`).join("")}`;
-}
 var placesOfGiven = remember((name, view, file, history) => {
 	const index = new Map(view.images.map((image, i) => [image.name, i]));
 	return new Map(allMarks(file, history).flatMap(({ point, image, x_px, y_px }) => {
@@ -453,6 +466,17 @@ function besideEdits(marks, place) {
 			...step,
 			after: places[at] ?? step.after
 		}))
+	};
+}
+function withMeasurements({ edits, done }, other) {
+	const steps = edits.map((step) => step.kind === "remove_images" ? step : {
+		...step,
+		marks: other(step.marks)
+	});
+	const stays = (step) => step.kind === "remove_images" || step.marks.length > 0;
+	return {
+		edits: steps.filter(stays),
+		done: steps.slice(0, done).filter(stays).length
 	};
 }
 // www/block/state/selection.ts
@@ -771,14 +795,15 @@ async function makeFrames(worker, scans, tell) {
 	const at = (name) => tell(made.length, scans.length, say("resampling-scan", { name }));
 	at(scans[0]?.file.name ?? "");
 	const plan = await worker.call("filmPlan", scans.map(({ film }) => film));
-	for (const { file, film } of scans) {
+	for (const { file, film, mask } of scans) {
 		at(file.name);
 		made.push({
 			...await worker.call("filmFrame", {
 				file: file.file,
 				film,
 				plan,
-				images: FRAMES
+				image: frameName(file.name),
+				mask
 			}),
 			of: file.id
 		});
@@ -835,6 +860,27 @@ var PlacingEngine = class {
 			level,
 			column,
 			row
+		});
+	}
+	async lookElsewhere() {
+		const { files, placing } = this.store.state;
+		const { orthophoto, options } = placing;
+		const { ground } = this;
+		let text = "";
+		if (orthophoto !== null && orthophoto.ofBlock === null && ground !== null && options !== null && files.length > 0) {
+			const asked = {
+				ground,
+				options,
+				files: files.map(({ file }) => file)
+			};
+			const doubt = await this.shower.call("orthoElsewhere", asked).catch(() => null);
+			text = doubt === null ? "" : sentence(message("remark", doubt));
+			const now = this.store.state;
+			if (now.files !== files || now.placing.orthophoto?.raster !== orthophoto.raster || now.placing.options !== options) return;
+		}
+		this.store.dispatch({
+			type: "elsewhere",
+			text
 		});
 	}
 	async place(files = unplacedFiles(this.store.state)) {
@@ -969,6 +1015,18 @@ var PlacingEngine = class {
 			},
 			...given
 		});
+	}
+	controlByHand(place, number, crs) {
+		const { ground } = this;
+		const { options } = this.store.state.placing;
+		if (ground === null || options === null) return Promise.reject(new Error("no orthophoto is given"));
+		return this.waited(() => this.shower.call("orthoControl", {
+			ground,
+			options,
+			place,
+			number,
+			crs
+		}));
 	}
 	async rectified(file) {
 		const { ground } = this;
@@ -1588,6 +1646,8 @@ var Carrier = class {
 	surveyed;
 	numbers = [];
 	added = 0;
+	controls = [];
+	placed = 0;
 	constructor(before, after, sameTiePoints) {
 		this.before = before;
 		this.after = after;
@@ -1596,11 +1656,18 @@ var Carrier = class {
 		this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
 	}
 	step(step, whole) {
-		const [first, added] = [this.numbers.length, this.added];
+		const [first, added, firstControl, placed] = [
+			this.numbers.length,
+			this.added,
+			this.controls.length,
+			this.placed
+		];
 		const own = step.flatMap((edit) => this.carried(edit));
 		if (!whole || own.length === step.length) return own;
 		this.numbers.fill(-1, first);
 		this.added = added;
+		this.controls.fill(-1, firstControl);
+		this.placed = placed;
 		return [];
 	}
 	carried(edit) {
@@ -1652,6 +1719,10 @@ var Carrier = class {
 					observations
 				}];
 			}
+			case "add_control":
+				this.controls.push(this.after.givenControl + this.placed);
+				this.placed += 1;
+				return [edit];
 			case "set_use": {
 				const point = this.control(edit.point);
 				return point < 0 ? [] : [{
@@ -1679,6 +1750,7 @@ var Carrier = class {
 		return this.places.get(this.before.images[image] ?? "") ?? -1;
 	}
 	control(control) {
+		if (control >= this.before.givenControl) return this.controls[control - this.before.givenControl] ?? -1;
 		return this.surveyed.get(this.before.surveyed.get(control) ?? "") ?? -1;
 	}
 	points(points) {
@@ -1791,6 +1863,7 @@ var standingOf = remember((edits) => {
 			for (const { image } of edit.observations) measure(image, { manual: added });
 			added += 1;
 			break;
+		case "add_control": break;
 		case "set_use": if (edit.use == null) unused.add(edit.point);
 		else unused.delete(edit.point);
 	}
@@ -1863,14 +1936,16 @@ function editOfPoints(kind, all, standing) {
 var NO_NAMES = {
 	images: [],
 	surveyed: new Map(),
-	connected: new Set()
+	connected: new Set(),
+	givenControl: 0
 };
-function namesOf$1({ images, surveyed, connections }) {
+function namesOf$1({ images, surveyed, connections, givenControl }) {
 	const connected = connections.filter(({ outcome }) => outcome.kind === "connected").map((pair) => keyOfPair(pair.images));
 	return {
 		images: images.map(({ name }) => name),
 		surveyed: new Map(surveyed.map(({ control, name }) => [control, name])),
-		connected: new Set(connected)
+		connected: new Set(connected),
+		givenControl
 	};
 }
 var isPlace = (name) => /^orthophoto_\d+$/u.test(name);
@@ -1967,6 +2042,7 @@ function nameOfEdit(edit, names = NO_NAMES) {
 		}
 		case "measure": return nameOfMeasures([edit], names);
 		case "add_point": return say("step-add-point", { images: edit.observations.length });
+		case "add_control": return say("step-add-place", { name: edit.name });
 		case "set_use": {
 			const name = names.surveyed.get(edit.point) ?? say("one-surveyed-point");
 			return say("step-use", {
@@ -2025,6 +2101,15 @@ function nameOfTiePoints({ images, points }) {
 		points.count,
 		code
 	]);
+}
+function formerOf(former, before, after, left) {
+	const last = former.at(-1);
+	if (last === void 0 || last.kept.edits !== before.edits || last.kept.done !== before.done) return former;
+	return [...former.slice(0, -1), {
+		...last,
+		kept: after,
+		left: last.left.map((count) => left[count] ?? after.edits.length)
+	}];
 }
 function withFormer(former, one) {
 	return [...former.filter(({ tiePoints }) => tiePoints !== one.tiePoints), one].slice(-20);
@@ -2113,6 +2198,10 @@ function reduceEdits(state, action) {
 			draft: null,
 			notice: afterEdit(state)
 		});
+		case "marks": return {
+			...state,
+			marks: action.marks
+		};
 		case "draft": return {
 			...state,
 			draft: isEditable(state) ? action.draft : null,
@@ -2166,7 +2255,7 @@ function stepsOf({ edits: steps }, edits) {
 }
 function withEdited(state, shown, view, edits) {
 	const { selection } = state;
-	const added = edits.length > shown.edits.length ? newPoint(edits, view) : null;
+	const added = edits.length > shown.edits.length ? newPoint(edits, view) ?? takenIn(selection.chosen, view) : null;
 	return {
 		...state,
 		shown: {
@@ -2190,6 +2279,13 @@ function newPoint(edits, view) {
 		point
 	};
 }
+function takenIn(chosen, { surveyed }) {
+	const point = chosen?.kind === "given" ? surveyed.find(({ name }) => name === chosen.name)?.point ?? -1 : -1;
+	return point < 0 ? null : {
+		kind: "point",
+		point
+	};
+}
 var NOTHING_CARRIED = {
 	history: NO_HISTORY,
 	left: [0],
@@ -2208,6 +2304,17 @@ function carried({ history, marks, shown, former }, view) {
 			const places = placesBefore(one, steps.edits);
 			return besideEdits(steps, (place, at) => places[at] ?? place);
 		}, marks);
+		const regained = carriedOver(last.history, last.names, namesOf$1(view), true);
+		if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
+			const { edits, said } = keptOf(regained, back, last.names);
+			return {
+				edits: {
+					...edits,
+					former
+				},
+				said
+			};
+		}
 		return {
 			edits: {
 				...UNEDITED,
@@ -2219,7 +2326,7 @@ function carried({ history, marks, shown, former }, view) {
 		};
 	}
 	const found = carriedOver(history, names, namesOf$1(view), isSame);
-	if (isSame && found.lost + found.aside.length === 0) return {
+	if (isSame && found.lost + found.aside.length === 0 && names.givenControl === view.givenControl) return {
 		edits: {
 			...UNEDITED,
 			former,
@@ -2236,6 +2343,7 @@ function carried({ history, marks, shown, former }, view) {
 	const places = marks.edits.map((step) => step.after);
 	const one = {
 		tiePoints: before,
+		names,
 		history,
 		kept: found.history,
 		left: found.left,
@@ -2253,17 +2361,26 @@ function saidOfKept(history) {
 	const held = editsInForce(history).length;
 	return held === 0 ? "" : say("by-hand-kept", { edits: held });
 }
-function carriedToGround({ history, marks, shown }, view) {
+function carriedToGround({ history, marks, shown, former }, view) {
 	const names = shown === null ? NO_NAMES : namesOf$1(shown.found);
-	if (withoutPlaces(names).surveyed.size === names.surveyed.size) return {
+	if (names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size) return {
 		edits: {
 			...UNEDITED,
+			former,
 			history,
 			marks
 		},
 		said: ""
 	};
-	return keptOf(carriedOver(history, names, withoutPlaces(namesOf$1(view)), true), marks, names);
+	const found = carriedOver(history, names, withoutPlaces(namesOf$1(view)), true);
+	const { edits, said } = keptOf(found, marks, names);
+	return {
+		edits: {
+			...edits,
+			former: formerOf(former, history, found.history, found.left)
+		},
+		said
+	};
 }
 var MOST_NAMED$1 = 3;
 function keptOf({ history, left, lost, aside }, marks, names) {
@@ -2372,10 +2489,21 @@ function placed$1(draft, image, [x, y], { width, height }, by = "hand") {
 function isGiven(of) {
 	return of !== null && "given" in of;
 }
-function stepOfDraft(draft, names, after) {
+function stepOfDraft(draft, names, after, added) {
 	const { of, places } = draft;
 	if (!isGiven(of)) {
 		const edits = editsOfDraft(draft);
+		return edits === null ? null : {
+			type: "edit",
+			edits
+		};
+	}
+	const own = added.get(of.given);
+	if (own !== void 0) {
+		const edits = editsOfDraft({
+			of: { ground_control: own.control },
+			places
+		});
 		return edits === null ? null : {
 			type: "edit",
 			edits
@@ -2416,6 +2544,27 @@ function editsOfDraft({ of, places }) {
 		kind: "add_point",
 		observations
 	}];
+}
+// www/block/state/added.ts
+var NONE = new Map();
+var addedPoints = remember((edits, given) => {
+	if (!edits.some(({ kind }) => kind === "add_control")) return NONE;
+	const points = [];
+	const find = (point) => "ground_control" in point ? points[point.ground_control - given] : void 0;
+	for (const edit of edits) if (edit.kind === "add_control") points.push({
+		edit,
+		control: given + points.length,
+		places: new Map()
+	});
+	else if (edit.kind === "measure") find(edit.point)?.places.set(edit.image, [edit.x_px, edit.y_px]);
+	else if (edit.kind === "reject_observations") for (const { point, image } of edit.observations) find(point)?.places.delete(image);
+	return new Map(points.map((point) => [point.edit.name, point]));
+});
+var BY_HAND$3 = /^orthophoto_hand_(\d+)$/u;
+var isPlaceByHand = (name) => BY_HAND$3.test(name);
+function nextPlace({ edits }) {
+	const numbers = edits.flat().map((edit) => edit.kind === "add_control" ? Number(BY_HAND$3.exec(edit.name)?.[1] ?? 0) : 0);
+	return 1 + Math.max(0, ...numbers);
 }
 // www/block/state/under.ts
 var SAME = {
@@ -2530,7 +2679,7 @@ function crsOf({ epsg, described }, chosen) {
 var betweenSystems = remember((orthophoto, view) => {
 	const { origin } = view;
 	const crs = crsOf(orthophoto.info, view.crs);
-	const places = placesOf$2(view);
+	const places = placesOf$3(view);
 	if (origin === null || crs === null || places === null) return null;
 	const { from, height } = places;
 	try {
@@ -2593,7 +2742,7 @@ function span(places, axis) {
 	const own = places.map((place) => place[axis]);
 	return Math.max(...own) - Math.min(...own);
 }
-function placesOf$2({ images, points }) {
+function placesOf$3({ images, points }) {
 	const centres = images.flatMap(({ position }) => position === null ? [] : [position]);
 	const step = Math.ceil(points.taking / ENOUGH);
 	const coordinates = [
@@ -2626,9 +2775,12 @@ function blockOnOrthophoto(state) {
 	const { shown, placing } = state;
 	const { orthophoto } = placing;
 	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || shown.view.partial) return null;
-	if (shown.view.orthophoto?.kind !== "linked" || purposeOf(state) === "images") return null;
+	if (!isInSystemOf(shown.view) || purposeOf(state) === "images") return null;
 	const toOrthophoto = toSystemOf(orthophoto, shown.view);
 	return toOrthophoto !== null && hasPlaceOn(orthophoto, shown.view, toOrthophoto) ? shown : null;
+}
+function isInSystemOf({ orthophoto }) {
+	return orthophoto?.kind === "linked" || orthophoto?.kind === "by_hand";
 }
 function toSystemOf(orthophoto, view) {
 	if (view.orthophoto?.inCrs !== true) return SAME;
@@ -2646,8 +2798,14 @@ function chosenPlaced(state) {
 	const { image } = state.placing.chosen;
 	return image === null || blockOnOrthophoto(state) !== null ? null : placedFiles(state).find(({ file }) => file.id === image) ?? null;
 }
+// www/block/state/places.ts
+function takesPlaces(state) {
+	const { orthophoto } = state.placing;
+	if (orthophoto === null || orthophoto.ofBlock !== null || state.shown === null || state.shown.view.partial || state.shown.view.oriented === 0) return false;
+	return blockOnOrthophoto(state) !== null || purposeOf(state) === "block";
+}
 // www/block/state/joining.ts
-function placesOf$1({ observations }) {
+function placesOf$2({ observations }) {
 	return observations.filter(({ part }) => part !== "rejected_by_hand").map(({ image, x_px, y_px, by_hand }) => ({
 		image,
 		x_px,
@@ -2660,7 +2818,7 @@ function joined(points) {
 	if (first?.id == null || others.length === 0 || others.some(isSurveyed)) return null;
 	const rejected = (isSurveyed(first) ? others : [first, ...others]).flatMap(({ id }) => id ?? []);
 	const places = new Map();
-	for (const point of [first, ...others]) for (const place of placesOf$1(point)) if (!places.has(place.image)) places.set(place.image, place);
+	for (const point of [first, ...others]) for (const place of placesOf$2(point)) if (!places.has(place.image)) places.set(place.image, place);
 	const reject = {
 		kind: "reject_points",
 		points: rejected
@@ -2682,11 +2840,11 @@ function isSurveyed({ id }) {
 	return id !== null && "ground_control" in id;
 }
 function rank(point) {
-	return isSurveyed(point) ? Infinity : placesOf$1(point).length;
+	return isSurveyed(point) ? Infinity : placesOf$2(point).length;
 }
 function split(point, images) {
 	if (point.id === null || isSurveyed(point)) return null;
-	const places = placesOf$1(point);
+	const places = placesOf$2(point);
 	const [within, beside] = [true, false].map((is) => places.filter(({ image }) => images.includes(image) === is));
 	if (within === void 0 || beside === void 0 || within.length < 2 || beside.length < 2) return null;
 	return [
@@ -3014,8 +3172,19 @@ function nameOfTimed({ history, marks }, { of, at }, names) {
 	if (of === "edits") return edit === void 0 ? "" : nameOfStep(edit, names);
 	return mark === void 0 ? "" : nameOfMarks(mark);
 }
-function namesIn({ shown }) {
-	return shown === null ? NO_NAMES : namesOf$1(shown.found);
+function namesIn({ shown, history }) {
+	return shown === null ? NO_NAMES : namedIn(shown.found, history.edits);
+}
+var namedIn = remember((found, steps) => {
+	const names = namesOf$1(found);
+	const added = [...addedPoints(steps.flat(), found.givenControl).values()].map(({ edit, control }) => [control, edit.name]);
+	return added.length === 0 ? names : {
+		...names,
+		surveyed: new Map([...names.surveyed, ...added])
+	};
+});
+function addedIn({ shown, history }) {
+	return addedPoints(editsInForce(history), shown?.view.givenControl ?? 0);
 }
 function titleOf$1(edit, otherwise, names) {
 	return capital(edit === null ? otherwise : nameOfEdit(edit, names)).replace(/ 1 /u, " ");
@@ -3118,7 +3287,7 @@ function mountEditBar(store, facts, measures) {
 		apart.hidden = drafting || !inImages || splitOf(state, facts) === null;
 		match.hidden = !inImages || (measure.disabled || given) && !drafting;
 		accept.hidden = !drafting;
-		accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done) === null;
+		accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done, addedIn(state)) === null;
 		leave.hidden = !drafting;
 		const said = textOf(state);
 		if (text.textContent !== said) text.textContent = said;
@@ -3200,7 +3369,7 @@ function px(value) {
 	return value === null ? "–" : fixed(value, 3);
 }
 function mountBlockEditKeys(store, hosts) {
-	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null;
+	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null || takesPlaces(store.state);
 	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(), (by) => step(store, by));
 	const idle = () => store.state.draft === null && isBlockSeen();
 	const list = [{
@@ -3302,7 +3471,7 @@ function restoreButton(store, name, edit) {
 	made.setAttribute("aria-label", say("restore-2", { name }));
 	return made;
 }
-var LISTED$2 = 200;
+var LISTED$4 = 200;
 function rejectedRows(view, { images, pairs, points, unused, observations }) {
 	const imageName = (image) => view.images[image]?.name ?? "";
 	const pointName = (point) => {
@@ -3352,7 +3521,7 @@ function rejectedRows(view, { images, pairs, points, unused, observations }) {
 				observations: [one]
 			}
 		}))
-	].slice(0, LISTED$2);
+	].slice(0, LISTED$4);
 }
 function comparison(before, now) {
 	const line = (name, testid, text) => row(name, h("td", {
@@ -3740,9 +3909,105 @@ async function saveAs(store, engine, kind, near = EXPORT$1) {
 }
 // pkg/block/image-files.js
 var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
+// www/block/files/film.ts
+var LISTED$3 = 5;
+var FilmFiles = class {
+	store;
+	constructor(store) {
+		this.store = store;
+	}
+	async takeCamera(file) {
+		this.tell(await this.camera(file));
+	}
+	async takeMarks(files) {
+		this.tell(await this.marks(files));
+	}
+	async camera(file) {
+		const camera = await this.read(file, parse_camera);
+		if (typeof camera === "string") return {
+			kind: "problem",
+			text: camera
+		};
+		this.store.dispatch({
+			type: "film",
+			film: {
+				...this.store.state.placing.film,
+				camera
+			}
+		});
+		return {
+			kind: "info",
+			text: say("from", {
+				texts: say("film-camera"),
+				name: file.name
+			})
+		};
+	}
+	async marks(files) {
+		const marks = [];
+		for (const file of files) {
+			const read = await this.read(file, parse_fiducials);
+			if (typeof read === "string") return {
+				kind: "problem",
+				text: read
+			};
+			marks.push(read);
+		}
+		this.store.dispatch({
+			type: "film",
+			film: withMarks(this.store.state.placing.film, marks)
+		});
+		const name = files.slice(0, LISTED$3).map(({ name }) => name).join(", ") + (files.length > LISTED$3 ? " …" : "");
+		return {
+			kind: "info",
+			text: say("from", {
+				texts: say("marks-of-scans"),
+				name
+			})
+		};
+	}
+	clear() {
+		this.store.dispatch({
+			type: "film",
+			film: NO_FILM
+		});
+	}
+	async read(file, check) {
+		const text = await file.text();
+		try {
+			check(text);
+			return {
+				name: file.name,
+				text
+			};
+		} catch (error) {
+			return say("cannot-be-used-of-film", {
+				name: file.name,
+				problem: sentence(messageOf(error))
+			});
+		}
+	}
+	tell(notice) {
+		this.store.dispatch({
+			type: "notice",
+			notice
+		});
+	}
+};
 // www/block/files/tables.ts
 var OF_TIE_POINTS = ["confidence", "rmse_px"];
+var OF_FIDUCIALS = [
+	"col",
+	"row",
+	"x_mm",
+	"y_mm"
+];
+function columnsOf$1(text) {
+	return (text.split(/\r?\n/u).find((line) => line.trim() !== "" && !line.startsWith("#")) ?? "").split(/[,;\t]/u).map((column) => column.trim());
+}
 function kindOfTable(text, images) {
+	const columns = columnsOf$1(text);
+	if (OF_FIDUCIALS.every((column) => columns.includes(column))) return { kind: "fiducials" };
 	const areImages = (names) => names.length > 0 && names.every((name) => images.has(name) || IMAGE_FILE.test(name));
 	try {
 		if (areImages(parse_image_measurements(text).map(({ image }) => image))) return { kind: "marks" };
@@ -3757,8 +4022,6 @@ function kindOfTable(text, images) {
 			kind: "neither",
 			why: say("its-rows-are-images")
 		};
-		const [head = ""] = text.split("\n", 1);
-		const columns = head.split(/[,;\t]/u).map((column) => column.trim());
 		if (OF_TIE_POINTS.every((column) => columns.includes(column))) return {
 			kind: "neither",
 			why: say("its-rows-are-tie-points")
@@ -3777,6 +4040,7 @@ var TABLE = /\.(?:csv|txt)$/iu;
 var GEOID = /\.gtx$/iu;
 var CSV = /\.csv$/iu;
 var CAMERAS$1 = /\.json$/iu;
+var FOCAL_LENGTH = "focal_mm";
 var TEXTS = {
 	cameras: say("cameras"),
 	control: say("ground-control-points"),
@@ -3796,6 +4060,7 @@ var BlockFiles = class {
 	openProject;
 	putAside;
 	ground;
+	film;
 	waiting = keptChoice(WAITS) === "yes";
 	constructor(store, engine, placing, runs, openProject, putAside) {
 		this.store = store;
@@ -3805,6 +4070,7 @@ var BlockFiles = class {
 		this.openProject = openProject;
 		this.putAside = putAside;
 		this.ground = new GroundFiles(store, placing);
+		this.film = new FilmFiles(store);
 		let before = store.state;
 		store.watch(["marks", "shown"], ([marks, shown]) => {
 			const others = shown !== null && shown.found === before.shown?.found && removesOthers(before.marks, marks);
@@ -3821,29 +4087,44 @@ var BlockFiles = class {
 	}
 	async take(given, why = "") {
 		const before = this.store.state.notice;
-		const { others: found, taken, ...rasters } = asGiven(await sortRasters(given));
+		const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given));
+		const [unclear] = degrees;
+		if (unclear !== void 0) {
+			this.tell("problem", say("is-a-grid-at-longitudes", { name: unclear.file.name }));
+			return;
+		}
 		const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
 		const ground = await this.ground.take(rasters);
 		const several = taken === 0 ? "" : say("that-say-where-they-lie", { taken: images$1(taken) });
-		const said = ground === null ? null : [ground, several].filter((text) => text !== "").join(" ");
-		if (said === null) return;
+		if (ground === null) return;
 		const alone = found.filter(({ path }) => path === "");
 		const project = alone.find(({ file }) => PROJECT.test(file.name));
-		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name));
+		const film = await this.takeFilm(alone.map(({ file }) => file));
+		const said = [
+			ground,
+			several,
+			film.said
+		].filter((text) => text !== "").join(" ");
+		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name) && !film.files.has(file));
 		const geoid = alone.find(({ file }) => GEOID.test(file.name));
 		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
 		if (project !== void 0) await this.openProject(project.file);
 		if (geoid !== void 0) this.takeGeoid(geoid.file);
 		const notCameras = cameras === void 0 ? "" : await this.takeCameras(cameras.file, photos);
-		const tables = await this.takeTables(alone.map(({ file }) => file).filter(({ name }) => TABLE.test(name)));
-		const aside = found.length - photos.length - tables.count - [
+		const tables = await this.takeTables(alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)));
+		const aside = found.length - photos.length - film.files.size - tables.count - [
 			project,
 			cameras,
 			geoid
 		].filter((file) => file !== void 0).length + lone.length;
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
-		else await this.said(said);
-		const putAside = [notCameras, tables.aside].filter((text) => text !== "").join(" ");
+		else await this.said([said, film.said === "" ? "" : this.framesStep()].filter((text) => text !== "").join(" "));
+		const putAside = [
+			film.aside,
+			this.marksOfNone(film.marks),
+			notCameras,
+			tables.aside
+		].filter((text) => text !== "").join(" ");
 		if (putAside !== "") this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
 	}
 	async takeGround(given, asHeights = false) {
@@ -3857,11 +4138,11 @@ var BlockFiles = class {
 			projection: null
 		}));
 		const pictures = asHeights ? [] : [...sorted.orthophotos, ...sorted.orthophotos.length > 0 ? [] : unknown];
-		const heights = asHeights ? [
+		const heights = [
 			...sorted.heights,
-			...sorted.orthophotos,
-			...unknown
-		] : sorted.heights;
+			...sorted.degrees,
+			...asHeights ? [...sorted.orthophotos, ...unknown] : []
+		];
 		await this.said(await this.ground.take({
 			orthophotos: pictures,
 			heights,
@@ -3881,6 +4162,7 @@ var BlockFiles = class {
 	async start() {
 		const { state } = this.store;
 		if (purposeOf(state) === "images") await this.runs.placeImages();
+		else if (awaitsFrames(state.placing.film, state.files)) return;
 		else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run();
 	}
 	async give(files, masks) {
@@ -3980,6 +4262,25 @@ var BlockFiles = class {
 		if ("tiepoint_settings" in fields) return say("holds-settings", { name: file.name });
 		return say("cameras" in fields ? "cameras-are-put-aside" : "holds-no-cameras", { problem: sentence(problem) });
 	}
+	async takeFilm(given) {
+		const cameras = [];
+		const marks = [];
+		for (const file of given) if (CAMERAS$1.test(file.name) && FOCAL_LENGTH in fieldsOf(await file.text())) cameras.push(file);
+		else if (TABLE.test(file.name) && kindOfTable(await file.text(), new Set()).kind === "fiducials") marks.push(file);
+		const [camera] = cameras;
+		const said = [...camera === void 0 ? [] : [await this.film.camera(camera)], ...marks.length === 0 ? [] : [await this.film.marks(marks)]];
+		const texts = (kind) => said.flatMap((one) => one.kind === kind ? [one.text] : []).join(" ");
+		return {
+			files: new Set([...camera === void 0 ? [] : [camera], ...marks]),
+			marks: marks.map(({ name }) => name),
+			said: texts("info"),
+			aside: texts("problem")
+		};
+	}
+	marksOfNone(names) {
+		const { placing, files } = this.store.state;
+		return marksOfNone(placing.film, files).filter((name) => names.includes(name)).map((name) => say("marks-of-no-image", { name })).join(" ");
+	}
 	async takeTables(files) {
 		const names = new Set(this.store.state.files.map(({ name }) => name));
 		const aside = [];
@@ -3992,7 +4293,7 @@ var BlockFiles = class {
 				name: file.name,
 				why: sentence(found.why)
 			}));
-			else await this.takeText(found.kind, file);
+			else if (found.kind !== "fiducials") await this.takeText(found.kind, file);
 		}
 		return {
 			count,
@@ -4182,7 +4483,7 @@ var BlockFiles = class {
 			own ?? "",
 			twice > 0 ? say("skipped-their-names-are-in", { twice: images$1(twice) }) : "",
 			aside > 0 ? say("skipped-not-an-image-by", { aside }) : "",
-			runs || own !== null ? "" : purposeOf(this.store.state) === "images" ? say("press-place") : sorted.length >= 2 ? say("press-run") : NEEDS_MORE
+			runs || own !== null ? "" : this.nextStep(sorted.length)
 		].filter((note) => note !== "");
 		const { notice } = this.store.state;
 		if (notes.length === 0 || notice?.kind === "problem" && notice !== noticed) return;
@@ -4195,6 +4496,18 @@ var BlockFiles = class {
 				passing: notes.length === 1 && why !== ""
 			}
 		});
+	}
+	nextStep(count) {
+		if (purposeOf(this.store.state) === "images") return say("press-place");
+		const frames = this.framesStep();
+		if (frames !== "") return frames;
+		return count >= 2 ? say("press-run") : NEEDS_MORE;
+	}
+	framesStep() {
+		const { state } = this.store;
+		const { film } = state.placing;
+		if (purposeOf(state) === "images" || !awaitsFrames(film, state.files)) return "";
+		return film.camera === null ? say("marks-need-their-camera") : say("press-frames", { make: say("make-frames") });
 	}
 	tell(kind, text) {
 		this.store.dispatch({
@@ -4235,7 +4548,7 @@ function isBlank({ catalogue, files, shown, options, flight, placing }) {
 // www/block/state/in-common.ts
 function inSystemOfBlock(view, rows, { crs, geoid_m }) {
 	const { orthophoto, origin } = view;
-	if (orthophoto?.kind === "linked" && !orthophoto.inCrs) return rows.map(({ position }) => position);
+	if (orthophoto !== null && orthophoto.kind !== "not_linked" && !orthophoto.inCrs) return rows.map(({ position }) => position);
 	return (crs === null || origin === null ? null : byEarth(rows, crs, geoid_m, origin)) ?? byCommonPoints(view, rows);
 }
 function byEarth(rows, crs, geoid_m, { longitude_deg, latitude_deg, height_m }) {
@@ -4284,7 +4597,8 @@ var besideBlock = remember((view, control, crs, geoid_m) => {
 		name,
 		position,
 		place: places[i] ?? null,
-		role: role ?? null
+		role: role ?? null,
+		byHand: false
 	}]);
 });
 var measured = remember((points, file, history) => {
@@ -4296,8 +4610,41 @@ var measured = remember((points, file, history) => {
 		images: images.get(point.name) ?? 0
 	}));
 });
-function givenBeside(view, { options, marks }) {
-	if (view.partial || options.control === null) return NONE_GIVEN;
+var added = remember((view, points, unused) => {
+	if (points.size === 0) return NONE_GIVEN;
+	const known = new Set(view.surveyed.map(({ name }) => name));
+	const waiting = [...points.values()].filter(({ edit }) => !known.has(edit.name));
+	if (waiting.length === 0) return NONE_GIVEN;
+	const places = inSystemOfBlock(view, waiting.map(({ edit: { name, position } }) => ({
+		name,
+		position,
+		standard_errors: null,
+		role: "control",
+		sigma_px: null
+	})), {
+		crs: view.crs,
+		geoid_m: view.geoidM ?? 0
+	});
+	return waiting.map(({ edit, control, places: seen }, i) => {
+		const { name, position, use } = edit;
+		return {
+			name,
+			position,
+			place: places[i] ?? null,
+			role: unused.has(control) ? null : use ?? "control",
+			images: seen.size,
+			byHand: true
+		};
+	});
+});
+var together$1 = remember((given, byHand) => byHand.length === 0 ? given : given.length === 0 ? byHand : [...given, ...byHand]);
+function givenBeside(view, state) {
+	if (view.partial) return NONE_GIVEN;
+	const edits = editsInForce(state.history);
+	return together$1(ofFile(view, state), added(view, addedPoints(edits, view.givenControl), standingOf(edits).unused));
+}
+function ofFile(view, { options, marks }) {
+	if (options.control === null) return NONE_GIVEN;
 	const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
 	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), options.marks, marks);
 }
@@ -4370,6 +4717,7 @@ function editFrom(value, name) {
 			kind,
 			observations: listOf$1(edit.observations, `${name}.observations`, placeFrom)
 		};
+		case "add_control": return addedFrom(edit, name);
 		case "set_use": {
 			const use = edit.use;
 			return {
@@ -4381,6 +4729,24 @@ function editFrom(value, name) {
 		default: throw new Error(say("the-field-kind-is-damaged", { name }));
 	}
 }
+function addedFrom({ name: called, position, standard_errors: errors, sigma_px: sigmaPx, use, epsg }, name) {
+	const [x = NaN, y = NaN, z = NaN] = listOf$1(position, `${name}.position`, numberFrom);
+	const [across, up] = errors === void 0 ? [] : listOf$1(errors, `${name}.standard_errors`, numberFrom);
+	return {
+		kind: "add_control",
+		name: likeOf(called, "", `${name}.name`),
+		position: [
+			x,
+			y,
+			z
+		],
+		...across === void 0 || up === void 0 ? {} : { standard_errors: [across, up] },
+		...sigmaPx === void 0 ? {} : { sigma_px: likeOf(sigmaPx, 0, `${name}.sigma_px`) },
+		use: use === "check" ? "check" : "control",
+		...epsg === void 0 ? {} : { epsg: likeOf(epsg, 0, `${name}.epsg`) }
+	};
+}
+var numberFrom = (value, name) => likeOf(value, 0, name);
 function observationFrom(value, name) {
 	const { point, image } = objectOf(value, name);
 	return {
@@ -4707,12 +5073,13 @@ var KeptBlocks = class {
 	async make(shown) {
 		try {
 			const project = await this.engine.project();
-			const { key, files, steps, seconds, view, ground } = shown;
+			const { key, tiePoints, files, steps, seconds, view, ground } = shown;
 			if (this.store.state.shown?.found === shown.found) this.made = {
 				found: shown.found,
 				kept: {
 					project,
 					key,
+					tiePoints,
 					files: files.map(keptFile),
 					steps,
 					seconds,
@@ -4732,6 +5099,7 @@ var KeptBlocks = class {
 		const kept = {
 			project,
 			key: likeOf(value.key, "", "shown.key"),
+			tiePoints: likeOf(value.tiePoints ?? "", "", "shown.tiePoints"),
 			files: listOf$1(value.files, "shown.files", fileOf$2),
 			steps: objectOf(value.steps, "shown.steps"),
 			seconds: likeOf(value.seconds, 0, "shown.seconds"),
@@ -4740,7 +5108,7 @@ var KeptBlocks = class {
 		};
 		const files = kept.files.map((file) => fileFrom(parts, file));
 		const opened = await this.engine.read(new Uint8Array(await project.arrayBuffer()));
-		const { key, steps, seconds, score, ground } = kept;
+		const { key, tiePoints, steps, seconds, score, ground } = kept;
 		const view = {
 			...opened.view,
 			score
@@ -4754,7 +5122,7 @@ var KeptBlocks = class {
 				view,
 				given: NONE_GIVEN,
 				found: view,
-				tiePoints: "",
+				tiePoints,
 				edits: theSame(opened.edits, history.edits.flat()),
 				ground
 			},
@@ -5144,8 +5512,8 @@ function surveyedRows({ surveyed }, given) {
 	const beside = (row) => given[row - surveyed.length];
 	const useText = (row) => {
 		const own = beside(row);
-		if (own !== void 0) return givenUse(own);
-		return surveyed[row]?.isUsed === false ? say("not-used") : roleText(surveyed[row]?.role);
+		const use = own === void 0 ? surveyed[row]?.isUsed === false ? say("not-used") : roleText(surveyed[row]?.role) : givenUse(own);
+		return (own ?? surveyed[row])?.byHand === true ? say("use-by-hand", { use }) : use;
 	};
 	return {
 		count: surveyed.length + given.length,
@@ -5849,17 +6217,20 @@ function reduced(state, action) {
 		case "editRefused":
 		case "draft":
 		case "mark":
-		case "gotoMark": return reduceEdits(state, action);
+		case "gotoMark":
+		case "marks": return reduceEdits(state, action);
 		case "orthophoto":
 		case "heights":
 		case "film":
 		case "placingOptions":
 		case "purpose":
 		case "placing":
+		case "elsewhere":
 		case "placed":
 		case "choosePlaced":
 		case "pointPlaced":
 		case "picksPlace":
+		case "addsPlace":
 		case "linkDraft":
 		case "adjustsLinks":
 		case "showLinks": {
@@ -6063,12 +6434,12 @@ function withRun(state, action) {
 	}
 }
 // www/block/state/observed.ts
-var placesOf = new WeakMap();
+var placesOf$1 = new WeakMap();
 function placesByPoint(of) {
-	const known = placesOf.get(of);
+	const known = placesOf$1.get(of);
 	if (known !== void 0) return known;
 	const made = new Map([...of.points].map((point, i) => [point, [of.places[2 * i] ?? NaN, of.places[2 * i + 1] ?? NaN]]));
-	placesOf.set(of, made);
+	placesOf$1.set(of, made);
 	return made;
 }
 function placeOfPoint(of, point) {
@@ -6662,7 +7033,12 @@ var Measuring = class {
 	}
 	marks() {
 		const { shown, selection, options, marks } = this.store.state;
-		return shown === null || selection.chosen?.kind !== "given" ? NOWHERE : placesOfGiven(selection.chosen.name, shown.view, options.marks, marks);
+		if (shown === null || selection.chosen?.kind !== "given") return NOWHERE;
+		return this.added().get(selection.chosen.name)?.places ?? placesOfGiven(selection.chosen.name, shown.view, options.marks, marks);
+	}
+	added() {
+		const { shown, history } = this.store.state;
+		return addedPoints(editsInForce(history), shown?.view.givenControl ?? 0);
 	}
 	known() {
 		const { draft } = this;
@@ -6692,7 +7068,7 @@ var Measuring = class {
 	accept() {
 		const { draft, shown, history } = this.store.state;
 		const names = shown?.view.images.map(({ name }) => name) ?? [];
-		const step = draft === null ? null : stepOfDraft(draft, names, history.done);
+		const step = draft === null ? null : stepOfDraft(draft, names, history.done, this.added());
 		if (step !== null) this.store.dispatch(step);
 	}
 	leave() {
@@ -9595,7 +9971,7 @@ function showLegend(legend, bar, map, view) {
 }
 function systemText(view, map) {
 	const system = systemOf(view, map.ground());
-	return system === "surveyed" && view.orthophoto?.kind === "linked" ? say("system-of-the-orthophoto") : SYSTEMS[system];
+	return system === "surveyed" && isInSystemOf(view) ? say("system-of-the-orthophoto") : SYSTEMS[system];
 }
 function legendText(view, map) {
 	const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
@@ -9822,6 +10198,60 @@ var LinkHands = class {
 		}
 	}
 };
+// www/block/engine/place-hands.ts
+var PlaceHands = class {
+	store;
+	engine;
+	measure;
+	constructor(store, engine, measure) {
+		this.store = store;
+		this.engine = engine;
+		this.measure = measure;
+	}
+	get can() {
+		const { state } = this.store;
+		return takesPlaces(state) && isEditable(state) && !isBusy(state);
+	}
+	toggle() {
+		this.store.dispatch({
+			type: "addsPlace",
+			adds: !this.store.state.placing.adds && this.can
+		});
+	}
+	async take(place) {
+		if (!this.can) return;
+		const { shown, history } = this.store.state;
+		const number = nextPlace(history);
+		try {
+			const edit = await this.engine.controlByHand(place, number, shown?.view.crs ?? null);
+			if (!this.store.state.placing.adds || this.store.state.shown?.found !== shown?.found) return;
+			this.store.dispatch({
+				type: "addsPlace",
+				adds: false
+			});
+			this.store.dispatch({
+				type: "edit",
+				edits: [edit]
+			});
+			this.store.dispatch({
+				type: "choose",
+				choice: {
+					kind: "given",
+					name: edit.name
+				}
+			});
+			this.measure();
+		} catch (error) {
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "problem",
+					text: sentence(messageOf(error))
+				}
+			});
+		}
+	}
+};
 // www/block/view/orthophoto/links.ts
 var LINK_STYLES = {
 	used: {
@@ -9872,6 +10302,9 @@ function pointsOnGround(places, codes) {
 	};
 }
 var BY_HAND$1 = USES$1.length;
+function codeOfUse(use, byHand) {
+	return use === "used" && byHand ? BY_HAND$1 : USES$1.indexOf(use);
+}
 function codesOf(uses, byHand) {
 	return uses.map((use, i) => use === 0 && byHand[i] === 1 ? BY_HAND$1 : use);
 }
@@ -10214,6 +10647,29 @@ var PlacedImageView = class extends LinkPicture {
 	}
 };
 // www/block/view/orthophoto/keys.ts
+function placeKeys(store, hands, middle) {
+	const adds = () => store.state.placing.adds;
+	return [
+		{
+			keys: ["a"],
+			does: say("adds-a-place-or"),
+			can: () => adds() || hands.can && chosenPlaced(store.state) === null,
+			run: () => hands.toggle()
+		},
+		{
+			keys: ["Enter"],
+			does: say("takes-the-place-under-the-cross"),
+			can: adds,
+			run: middle
+		},
+		{
+			keys: ["Escape"],
+			does: say("adds-no-place"),
+			can: adds,
+			run: () => hands.toggle()
+		}
+	];
+}
 function blockKeys(store, { step, leave }) {
 	const can = () => blockOnOrthophoto(store.state) !== null && !store.state.placing.picks;
 	return [
@@ -10416,6 +10872,7 @@ function paintCentre(context, colours, t, of, chosen, hasName) {
 	context.restore();
 }
 // www/block/view/orthophoto/block.ts
+var isOnOrthophoto = (name) => isPlace(name) || isPlaceByHand(name);
 var inSystem = remember((view, ground, to) => {
 	if (to === SAME) return {
 		view,
@@ -10457,8 +10914,8 @@ var onOrthophoto = remember((view, ground, isStale, keepsImage, keepsPoint) => (
 		centre: [position[0], position[1]],
 		outline: outlineOf(ground, image)
 	}]),
-	places: pointsWhere(view, (row, name) => isPlace(name) && keepsPoint(row)),
-	surveyed: pointsWhere(view, (row, name) => !isPlace(name) && keepsPoint(row))
+	places: pointsWhere(view, (row, name) => isOnOrthophoto(name) && keepsPoint(row)),
+	surveyed: pointsWhere(view, (row, name) => !isOnOrthophoto(name) && keepsPoint(row))
 }));
 function outlineOf(ground, image) {
 	const corners = ground?.footprints.subarray(8 * image, 8 * image + 8) ?? [];
@@ -10474,7 +10931,7 @@ function pointsWhere({ surveyed }, keeps) {
 	const own = rows.flatMap((row) => surveyed[row] ?? []);
 	return {
 		rows,
-		drawn: pointsOnGround(own.flatMap(({ position }) => position), own.map((point) => USES$1.indexOf(useOf(point))))
+		drawn: pointsOnGround(own.flatMap(({ position }) => position), own.map((point) => codeOfUse(useOf(point), point.byHand)))
 	};
 }
 function useOf({ role, isUsed }) {
@@ -10598,6 +11055,7 @@ var VERDICTS$1 = {
 	not_placed: REJECTED.colour
 };
 var OrthophotoPlan = class extends LinkPicture {
+	places;
 	looking;
 	facts;
 	tiles;
@@ -10605,8 +11063,9 @@ var OrthophotoPlan = class extends LinkPicture {
 	lays = false;
 	followed = null;
 	drawn = remember(linksOnGround);
-	constructor(host, store, hands, keys, engine, looking, facts) {
+	constructor(host, store, hands, places, keys, engine, looking, facts) {
 		super(host, store, hands, keys);
+		this.places = places;
 		this.looking = looking;
 		this.facts = facts;
 		this.tiles = new OrthophotoTiles((level, column, row) => engine.tile(level, column, row), () => this.layers.redraw("picture"));
@@ -10615,7 +11074,8 @@ var OrthophotoPlan = class extends LinkPicture {
 			"placing",
 			"files",
 			"options",
-			"shown"
+			"shown",
+			"history"
 		], () => this.layers.redraw());
 		store.watch(["selection"], ([{ chosen }]) => this.follow(chosen));
 		facts.watch(() => this.layers.redraw("marks"));
@@ -10671,8 +11131,21 @@ var OrthophotoPlan = class extends LinkPicture {
 		this.hands.place("place", [east, -south]).then((at) => this.image?.expect(at));
 	}
 	image = null;
+	takeMiddle() {
+		this.take(this.layers.width / 2, this.layers.height / 2);
+	}
+	take(x, y) {
+		const box = this.whole();
+		if (box === null) return;
+		const [east, south] = toPosition(this.current(box), x, y);
+		this.places.take([east, -south]);
+	}
 	pressed(x, y) {
 		const box = this.whole();
+		if (this.store.state.placing.adds) {
+			this.take(x, y);
+			return;
+		}
 		if (!this.store.state.placing.picks || box === null) {
 			const block = this.block();
 			if (block === null || box === null) super.pressed(x, y);
@@ -10748,6 +11221,8 @@ var OrthophotoPlan = class extends LinkPicture {
 		const block = this.block();
 		if (block !== null) paintBlock(context, colours, t, clip, block, this.store.state.placing.uses, this.store.state.selection);
 		else this.paintPlaced(context, colours, t, clip);
+		this.paintWaiting(context, colours, t);
+		if (this.store.state.placing.adds) drawCross(context, [width / 2, height / 2], MEASURED.colour);
 		paintScale(context, colours, t, height, SYSTEM, null, unitOfOrthophoto(this.store.state.placing.orthophoto));
 		paintNorth(context, colours, width, SYSTEM);
 	}
@@ -10763,6 +11238,19 @@ var OrthophotoPlan = class extends LinkPicture {
 		}
 		this.paintEnd(context, t);
 		paintCentres(context, colours, t, all, ({ file }) => file === chosen.image);
+	}
+	paintWaiting(context, colours, t) {
+		const { shown, selection } = this.store.state;
+		if (shown === null || shown.view.crs !== null || !takesPlaces(this.store.state)) return;
+		context.save();
+		for (const { name, position } of shown.given.filter(({ byHand }) => byHand)) {
+			const at = toCanvas(t, position[0], -position[1]);
+			drawCross(context, at, selection.chosen?.kind === "given" && selection.chosen.name === name ? SELECTED : CANDIDATE);
+			context.font = "11px system-ui, sans-serif";
+			context.textAlign = "start";
+			haloed(context, colours, name, at[0] + 9, at[1] - 6);
+		}
+		context.restore();
 	}
 	paintNear(context, colours, t) {
 		const { options } = this.store.state.placing;
@@ -10915,7 +11403,7 @@ function verdictText({ result, problem }) {
 }
 // www/block/panel/orthophoto-view.ts
 var KEYS$1 = say("press-a-footprint-to-see");
-function orthophotoView(engine, facts, placing, { open, sample }) {
+function orthophotoView(engine, facts, placing, { open, sample, measure }) {
 	return {
 		name: "orthophoto",
 		title: say("orthophoto"),
@@ -10959,16 +11447,22 @@ function orthophotoView(engine, facts, placing, { open, sample }) {
 			})), beside), h("div", { class: "image-said" }, chosen, legendOf(store)));
 			element.addEventListener("focus", () => ground.focus());
 			const hands = new LinkHands(store, placing);
-			undoKeys(() => place.offsetParent !== null && blockOnOrthophoto(store.state) === null, (by) => hands.go(by));
+			const places = new PlaceHands(store, placing, measure);
+			undoKeys(() => place.offsetParent !== null && blockOnOrthophoto(store.state) === null && !takesPlaces(store.state), (by) => hands.go(by));
+			const steps = {
+				step: (of, by) => plan.step(of, by),
+				leave: () => looking.choose(null)
+			};
 			const keys = declare({
 				where: say("orthophoto"),
 				host: element,
-				list: [...blockKeys(store, {
-					step: (of, by) => plan.step(of, by),
-					leave: () => looking.choose(null)
-				}), ...linkKeys(store, hands)]
+				list: [
+					...placeKeys(store, places, () => plan.takeMiddle()),
+					...blockKeys(store, steps),
+					...linkKeys(store, hands)
+				]
 			});
-			const plan = new OrthophotoPlan(ground, store, hands, keys, placing, looking, facts);
+			const plan = new OrthophotoPlan(ground, store, hands, places, keys, placing, looking, facts);
 			const image = new PlacedImageView(picture, store, hands, keys, (file) => engine.grey(file));
 			plan.image = image;
 			image.ground = plan;
@@ -10982,12 +11476,13 @@ function orthophotoView(engine, facts, placing, { open, sample }) {
 				"placing",
 				"files",
 				"options",
-				"shown"
+				"shown",
+				"history"
 			], () => {
 				element.classList.toggle("has-block", blockOnOrthophoto(store.state) !== null);
 				const text = chosenText(store);
 				if (chosen.textContent !== text) chosen.textContent = text;
-				element.classList.toggle("picks", store.state.placing.picks);
+				element.classList.toggle("picks", store.state.placing.picks || store.state.placing.adds);
 			});
 			const [residuals, select] = vectorChoice("ortho-residuals", (factor) => {
 				image.factor = factor;
@@ -10995,7 +11490,11 @@ function orthophotoView(engine, facts, placing, { open, sample }) {
 			select.value = String(image.factor);
 			return {
 				element,
-				tools: [toolsOf(store, placing, plan, residuals), handsOf(store, hands)],
+				tools: [
+					toolsOf(store, placing, plan, residuals),
+					handsOf(store, hands),
+					placesOf(store, places, ground)
+				],
 				zoomable: plan,
 				keys: KEYS$1
 			};
@@ -11025,6 +11524,12 @@ function chosenText({ state }) {
 	const { placing } = state;
 	const placed = chosenPlaced(state);
 	if (placing.picks) return say("press-the-orthophoto-where-images");
+	if (placing.adds) return say("press-the-place-on-the-orthophoto");
+	const waiting = state.shown?.given.filter(({ byHand }) => byHand) ?? [];
+	if (takesPlaces(state) && blockOnOrthophoto(state) === null && waiting.length > 0) return say("places-by-hand-wait", {
+		places: waiting.length,
+		measured: waiting.filter(({ images }) => images >= 2).length
+	});
 	if (blockOnOrthophoto(state) !== null) return "";
 	if (placed === null && purposeOf(state) === "block") return say("a-block-that-is-placed");
 	if (placed === null) return placing.placed.size > 0 ? say("press-a-footprint-or-a") : "";
@@ -11202,6 +11707,25 @@ function handsOf(store, hands) {
 	});
 	return h("div", { class: "map-tools" }, reject, restore, add, accept, undo, redo);
 }
+function placesOf(store, hands, ground) {
+	const add = toggle(say("add-place"), "place-add", say("measures-a-place-by-hand"), () => {
+		hands.toggle();
+		if (store.state.placing.adds) ground.focus();
+	});
+	store.watch([
+		"placing",
+		"running",
+		"notice",
+		"files",
+		"options",
+		"shown"
+	], ([{ adds }]) => {
+		add.hidden = !takesPlaces(store.state);
+		add.disabled = !adds && !hands.can;
+		add.setAttribute("aria-pressed", String(adds));
+	});
+	return h("div", { class: "map-tools" }, add);
+}
 function invited$1(store, { open, sample }) {
 	const own = button(say("open-an-orthophoto"), "ortho-open-first", open);
 	own.className = "primary";
@@ -11221,78 +11745,10 @@ function invited$1(store, { open, sample }) {
 	});
 	return welcome;
 }
-// www/block/files/film.ts
-var FilmFiles = class {
-	store;
-	constructor(store) {
-		this.store = store;
-	}
-	async takeCamera(file) {
-		const camera = await this.read(file, parse_camera);
-		if (camera === null) return;
-		this.store.dispatch({
-			type: "film",
-			film: {
-				...this.store.state.placing.film,
-				camera
-			}
-		});
-		this.tell("info", say("from", {
-			texts: say("film-camera"),
-			name: file.name
-		}));
-	}
-	async takeMarks(files) {
-		const marks = [];
-		for (const file of files) {
-			const read = await this.read(file, parse_fiducials);
-			if (read === null) return;
-			marks.push(read);
-		}
-		this.store.dispatch({
-			type: "film",
-			film: withMarks(this.store.state.placing.film, marks)
-		});
-		this.tell("info", say("from", {
-			texts: say("marks-of-scans"),
-			name: files.map(({ name }) => name).join(", ")
-		}));
-	}
-	clear() {
-		this.store.dispatch({
-			type: "film",
-			film: NO_FILM
-		});
-	}
-	async read(file, check) {
-		const text = await file.text();
-		try {
-			check(text);
-			return {
-				name: file.name,
-				text
-			};
-		} catch (error) {
-			this.tell("problem", say("cannot-be-used-of-film", {
-				name: file.name,
-				problem: sentence(messageOf(error))
-			}));
-			return null;
-		}
-	}
-	tell(kind, text) {
-		this.store.dispatch({
-			type: "notice",
-			notice: {
-				kind,
-				text
-			}
-		});
-	}
-};
 // www/block/files/frames.ts
+var LISTED$2 = 3;
 async function takeFrames(store, engine) {
-	const { files, placing } = store.state;
+	const { files, placing, options } = store.state;
 	const scans = framesOf(placing.film, files);
 	const stems = scans.map(({ name }) => stemOf(name));
 	const twice = scans.find(({ name }, k) => stems.indexOf(stemOf(name)) !== k);
@@ -11307,11 +11763,13 @@ async function takeFrames(store, engine) {
 		return;
 	}
 	try {
-		const films = scans.flatMap((file) => {
+		const masks = masksOf(scans, options.masks);
+		const films = scans.flatMap((file, k) => {
 			const film = filmOf(placing.film, file.name);
 			return film === null ? [] : [{
 				file,
-				film
+				film,
+				mask: masks[k] ?? null
 			}];
 		});
 		const frames = await engine.frames(films);
@@ -11333,16 +11791,32 @@ async function takeFrames(store, engine) {
 		});
 	}
 }
+function masksOf(scans, masks) {
+	const names = (files) => files.map(({ name }) => name);
+	return [...masks_of_images(names(scans), names(masks))].map((index) => masks[index]);
+}
 function replace(store, frames) {
-	const { files, truth, options } = store.state;
+	const { files, truth, options, marks } = store.state;
 	const made = new Map(frames.map((frame) => [frame.of, frame]));
+	const scans = files.filter(({ id }) => made.has(id));
 	const cameras = camerasOf(frames, options.cameras);
 	const ownMasks = frames.map(({ of, mask }) => imageOf$1(files, of, mask));
-	const masks = [...options.masks.filter(({ name }) => !ownMasks.some((own) => own.name === name)), ...ownMasks];
+	const former = new Set([...masksOf(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
+	const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
 	const images = files.map((file) => {
 		const frame = made.get(file.id);
 		return frame === void 0 ? file : imageOf$1(files, file.id, frame.image);
 	});
+	const measured = new Carried(scans.flatMap(({ id, name }) => {
+		const frame = made.get(id);
+		return frame === void 0 ? [] : [{
+			scan: name,
+			image: frameName(name),
+			film: frame.scan
+		}];
+	}));
+	const ofFile = measured.table(options.marks);
+	const byHand = withMeasurements(marks, (rows) => measured.rows(rows));
 	store.dispatch({
 		type: "files",
 		files: images,
@@ -11352,8 +11826,13 @@ function replace(store, frames) {
 		type: "options",
 		options: {
 			masks,
-			cameras
+			cameras,
+			marks: ofFile
 		}
+	});
+	store.dispatch({
+		type: "marks",
+		marks: byHand
 	});
 	store.dispatch({
 		type: "film",
@@ -11368,10 +11847,49 @@ function replace(store, frames) {
 		type: "notice",
 		notice: {
 			kind: "info",
-			text
+			text: [text, ...measured.said()].join(" ")
 		}
 	});
 }
+var Carried = class {
+	frames;
+	moved = 0;
+	beside = new Set();
+	constructor(frames) {
+		this.frames = frames;
+	}
+	rows(rows) {
+		const { measurements, moved, beside } = film_measurements([...rows], this.frames);
+		this.moved += moved;
+		for (const { image, point } of beside) this.beside.add(say("in", {
+			point,
+			image
+		}));
+		return measurements;
+	}
+	table(file) {
+		if (file === null) return null;
+		let rows;
+		try {
+			rows = parse_image_measurements(file.text);
+		} catch {
+			return file;
+		}
+		const scans = new Set(this.frames.map(({ scan }) => scan));
+		return rows.some(({ image }) => scans.has(image)) ? {
+			name: file.name,
+			text: image_measurement_table(this.rows(rows))
+		} : file;
+	}
+	said() {
+		const names = [...this.beside];
+		const listed = names.slice(0, LISTED$2).join(", ") + (names.length > LISTED$2 ? " …" : "");
+		return [...this.moved > 0 ? [say("measurements-carried", { moved: this.moved })] : [], ...names.length > 0 ? [say("measurements-beside-frames", {
+			count: names.length,
+			listed
+		})] : []];
+	}
+};
 function imageOf$1(files, scan, png) {
 	const name = frameName(files.find(({ id }) => id === scan)?.name ?? "");
 	return {
@@ -11382,7 +11900,7 @@ function imageOf$1(files, scan, png) {
 }
 function camerasOf(frames, given) {
 	const others = given === null ? [] : parse_camera_rules(given.text);
-	const own = [...new Map(frames.map(({ camera }) => [JSON.stringify(camera), camera])).values()];
+	const own = film_cameras(FRAMES, frames.map(({ camera }) => camera));
 	return {
 		name: say("camera-of-frames"),
 		text: JSON.stringify({ cameras: [...own, ...others.filter(({ images }) => images !== FRAMES)] })
@@ -13075,11 +13593,13 @@ function heightsText({ placing: { heights, orthophoto } }) {
 	const [from, to] = orthophoto?.info.heights ?? [];
 	const share = orthophoto?.info.heights_share ?? 1;
 	const part = share < MOSTLY ? say("they-lie-under-of-the", { share: Math.round(100 * share) }) : "";
+	const from_what = orthophoto?.info.heights_from ?? null;
 	return say("heights-of-to", {
 		name: heights.model.name,
 		from,
 		to,
 		unit,
+		from_what,
 		part
 	});
 }
@@ -13182,7 +13702,7 @@ function mountBlockStatus(store, actions, details) {
 	}, line, buttons);
 	const show = answerCard(card, line, buttons, "block-");
 	store.watch((s) => [s], ([state]) => {
-		const answer = answerOf(state, actions);
+		const answer = doubted(state, answerOf(state, actions));
 		line.setAttribute("aria-live", answer.kind === "busy" ? "off" : "polite");
 		show({
 			...answer,
@@ -13194,6 +13714,15 @@ function mountBlockStatus(store, actions, details) {
 		cancel.disabled = !isBusy(state);
 	});
 	return card;
+}
+function doubted(state, answer) {
+	const { elsewhere } = state.placing;
+	const purpose = purposeOf(state);
+	const isUsed = purpose === "images" || purpose === "block" && state.options.gps === "use";
+	return elsewhere === "" || !isUsed ? answer : {
+		...answer,
+		more: `${answer.more ?? ""} ${elsewhere}`.trimStart()
+	};
 }
 function placed(state, actions) {
 	return placingAnswer(state, {
@@ -13362,7 +13891,7 @@ function answered(state, shown, actions) {
 			kind: sound ? "done" : "partial",
 			verdict: view.verdict?.kind ?? "weak",
 			text: view.verdict?.text ?? "",
-			more: view.orthophoto?.kind === "linked" ? view.orthophoto.text : countsOf(shown),
+			more: view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown),
 			figures: figuresOf(view),
 			next: sound ? next : why
 		};
@@ -13545,7 +14074,14 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 		plotsView(facts),
 		orthophotoView(engine, facts, placing, {
 			open: pickers.orthophoto,
-			sample: placedSample
+			sample: placedSample,
+			measure: () => {
+				store.dispatch({
+					type: "stage",
+					view: "images"
+				});
+				measures?.toggle(false);
+			}
 		})
 	], makeDock(store, looking, facts, placingTables(store)), {
 		sample,
@@ -13562,6 +14098,11 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	}));
 	main.append(near.element);
 	store.watch(["notice"], ([notice]) => near.show(notice));
+	store.watch(({ files: given, placing: { orthophoto, options } }) => [
+		given,
+		orthophoto?.raster ?? null,
+		options
+	], () => void placing.lookElsewhere());
 	new EditFollower(store, engine);
 	mountAddress(store, modes, beside);
 	store.watch(["running"], ([running]) => {

@@ -169,6 +169,22 @@ var EpipolarPair = class EpipolarPair {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
+	resample_files(left, right) {
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.epipolarpair_resample_files(this.__wbg_ptr, ptr0, len0, ptr1, len1);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
 };
 if (Symbol.dispose) EpipolarPair.prototype[Symbol.dispose] = EpipolarPair.prototype.free;
 var FinishedBlock = class FinishedBlock {
@@ -388,22 +404,19 @@ var OrthophotoReference = class OrthophotoReference {
 		const ptr = this.__destroy_into_raw();
 		wasm.__wbg_orthophotoreference_free(ptr, 0);
 	}
-	adjust(name, file, links, start, cameras, options, film) {
-		let ptr0, len0, ptr1, len1, ptr2, len2;
+	adjust(name, file, given) {
+		let ptr0, len0, ptr1, len1;
 		try {
 			ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 			len0 = WASM_VECTOR_LEN;
 			ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
 			len1 = WASM_VECTOR_LEN;
-			ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len2 = WASM_VECTOR_LEN;
 		} catch (e) {
-			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
 			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
 			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 			throw e;
 		}
-		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options, film);
+		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, given);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -413,6 +426,16 @@ var OrthophotoReference = class OrthophotoReference {
 		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v1;
+	}
+	control_by_hand(given) {
+		const ret = wasm.orthophotoreference_control_by_hand(this.__wbg_ptr, given);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	elsewhere(positions, options) {
+		const ret = wasm.orthophotoreference_elsewhere(this.__wbg_ptr, positions, options);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
 	}
 	ground_positions(placement, positions) {
 		const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
@@ -929,6 +952,18 @@ function draw_vectors(context, vectors, codes, widths, colours, factor, view) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return ret[0] >>> 0;
 }
+function film_cameras(pattern, rules) {
+	const ptr0 = passStringToWasm0(pattern, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.film_cameras(ptr0, len0, rules);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function film_measurements(measurements, frames) {
+	const ret = wasm.film_measurements(measurements, frames);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
 function flight_parameters() {
 	return wasm.flight_parameters();
 }
@@ -947,6 +982,25 @@ function geographic_positions(positions) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
+function image_measurement_table(measurements) {
+	let deferred2_0;
+	let deferred2_1;
+	try {
+		const ret = wasm.image_measurement_table(measurements);
+		var ptr1 = ret[0];
+		var len1 = ret[1];
+		if (ret[3]) {
+			ptr1 = 0;
+			len1 = 0;
+			throw takeFromExternrefTable0(ret[2]);
+		}
+		deferred2_0 = ptr1;
+		deferred2_1 = len1;
+		return getStringFromWasm0(ptr1, len1);
+	} finally {
+		wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+	}
+}
 function interior$1(camera, photo) {
 	const ret = wasm.interior(camera, photo);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -958,6 +1012,30 @@ function local_positions(geographic) {
 	const ret = wasm.local_positions(ptr0, len0);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
+}
+function masks_of_images(names, masks) {
+	let ptr0, len0, ptr1, len1;
+	try {
+		ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArrayJsValueToWasm0(masks, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr1) {
+			wasm.__externref_drop_slice(ptr1, len1);
+			wasm.__wbindgen_free(ptr1, len1 * 4, 4);
+		}
+		if (ptr0) {
+			wasm.__externref_drop_slice(ptr0, len0);
+			wasm.__wbindgen_free(ptr0, len0 * 4, 4);
+		}
+		throw e;
+	}
+	const ret = wasm.masks_of_images(ptr0, len0, ptr1, len1);
+	if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+	var v3 = getArrayI32FromWasm0(ret[0], ret[1]).slice();
+	wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+	return v3;
 }
 function message$1(family, message, attribute, language) {
 	let deferred5_0;
@@ -2744,6 +2822,7 @@ async function sortRasters(found) {
 	const sorted = {
 		orthophotos: [],
 		heights: [],
+		degrees: [],
 		worlds: [],
 		projections: [],
 		others: []
@@ -2761,7 +2840,7 @@ async function sortRasters(found) {
 			continue;
 		}
 		for (const beside of [world, projection]) if (beside !== null) used.add(beside);
-		sorted[kind === "heights" ? "heights" : "orthophotos"].push({
+		sorted[LISTS[kind]].push({
 			file,
 			world,
 			projection
@@ -2788,14 +2867,19 @@ function asGiven(sorted) {
 	};
 }
 async function hasGround(found) {
-	const { orthophotos, heights, others } = await sortRasters(found);
+	const { orthophotos, heights, degrees, others } = await sortRasters(found);
 	const [picture] = orthophotos;
 	const stands = orthophotos.length === 1 && (others.length > 0 || picture?.world !== null || picture.projection !== null);
-	return heights.length > 0 || stands;
+	return heights.length > 0 || degrees.length > 0 || stands;
 }
 function stemOf({ file, path }) {
 	return (path === "" ? file.name : path).replace(/\.[^./]*$/u, "").toLowerCase();
 }
+var LISTS = {
+	orthophoto: "orthophotos",
+	heights: "heights",
+	degrees: "degrees"
+};
 async function kindOf$1(file, hasWorld) {
 	if (GRID$1.test(file.name)) return /^\s*(?:ncols|nrows)\s/iu.test(await file.slice(0, 64).text()) ? "heights" : "photograph";
 	if (TIFF.test(file.name) || file.type === "image/tiff") return kindOfTiff(await tiffTags(file), hasWorld);
@@ -2811,9 +2895,11 @@ var [BITS, SAMPLES, FORMAT, SCALE, TIES, TRANSFORMATION, KEYS] = [
 	34735
 ];
 var UNSIGNED = 1;
+var MODEL_TYPE = 1024;
+var GEOGRAPHIC = 2;
 function kindOfTiff(tags, hasWorld) {
 	const isPlaced = hasWorld || tags.has(TRANSFORMATION) || tags.has(SCALE) && tags.has(TIES) || tags.has(KEYS);
-	if ((tags.get(SAMPLES) ?? 1) === 1 && isPlaced && ((tags.get(FORMAT) ?? UNSIGNED) !== UNSIGNED || (tags.get(BITS) ?? 1) > 16)) return "heights";
+	if ((tags.get(SAMPLES) ?? 1) === 1 && isPlaced && ((tags.get(FORMAT) ?? UNSIGNED) !== UNSIGNED || (tags.get(BITS) ?? 1) > 16)) return tags.get(MODEL_TYPE) === GEOGRAPHIC ? "degrees" : "heights";
 	return isPlaced ? "orthophoto" : "photograph";
 }
 var MOST_ENTRIES = 4096;
@@ -2833,7 +2919,13 @@ async function tiffTags(file) {
 			const from = entry * each;
 			const values = isBig ? Number(directory.getBigUint64(from + 4, little)) : directory.getUint32(from + 4, little);
 			const isShort = directory.getUint16(from + 2, little) === 3 && values <= (isBig ? 4 : 2);
+			if (directory.getUint16(from, little) === KEYS) await keys(from, values);
 			tags.set(directory.getUint16(from, little), isShort ? directory.getUint16(from + (isBig ? 12 : 8), little) : await first(from, values));
+		}
+		async function keys(from, values) {
+			const offset = isBig ? Number(directory.getBigUint64(from + 12, little)) : directory.getUint32(from + 8, little);
+			const all = await read(offset, 2 * Math.min(values, 4 * MOST_ENTRIES));
+			for (let at = 8; at + 8 <= all.byteLength; at += 8) if (all.getUint16(at, little) === MODEL_TYPE && all.getUint16(at + 2, little) === 0) tags.set(MODEL_TYPE, all.getUint16(at + 6, little));
 		}
 		async function first(from, values) {
 			if (!(directory.getUint16(from + 2, little) === 3 && values < 64)) return 0;
@@ -16294,4 +16386,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

@@ -169,6 +169,22 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
+		resample_files(left, right) {
+			let ptr0, len0, ptr1, len1;
+			try {
+				ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
+				len0 = WASM_VECTOR_LEN;
+				ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
+				len1 = WASM_VECTOR_LEN;
+			} catch (e) {
+				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+				throw e;
+			}
+			const ret = wasm.epipolarpair_resample_files(this.__wbg_ptr, ptr0, len0, ptr1, len1);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
 	};
 	if (Symbol.dispose) EpipolarPair.prototype[Symbol.dispose] = EpipolarPair.prototype.free;
 	var FinishedBlock = class FinishedBlock {
@@ -388,22 +404,19 @@
 			const ptr = this.__destroy_into_raw();
 			wasm.__wbg_orthophotoreference_free(ptr, 0);
 		}
-		adjust(name, file, links, start, cameras, options, film) {
-			let ptr0, len0, ptr1, len1, ptr2, len2;
+		adjust(name, file, given) {
+			let ptr0, len0, ptr1, len1;
 			try {
 				ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 				len0 = WASM_VECTOR_LEN;
 				ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
 				len1 = WASM_VECTOR_LEN;
-				ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-				len2 = WASM_VECTOR_LEN;
 			} catch (e) {
-				if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
 				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
 				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 				throw e;
 			}
-			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options, film);
+			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, given);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -413,6 +426,16 @@
 			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			return v1;
+		}
+		control_by_hand(given) {
+			const ret = wasm.orthophotoreference_control_by_hand(this.__wbg_ptr, given);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		elsewhere(positions, options) {
+			const ret = wasm.orthophotoreference_elsewhere(this.__wbg_ptr, positions, options);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
 		}
 		ground_positions(placement, positions) {
 			const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
@@ -766,20 +789,26 @@
 	function export_formats() {
 		return wasm.export_formats();
 	}
-	function film_frame(scan, film, images, pixel_mm) {
-		const val3 = +pixel_mm;
-		let ptr0, len0, ptr1, len1;
+	function film_frame(scan, film, image, pixel_mm, mask_name, mask) {
+		const val5 = +pixel_mm;
+		let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
 		try {
 			ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
 			len0 = WASM_VECTOR_LEN;
-			ptr1 = passStringToWasm0(images, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			ptr1 = passStringToWasm0(image, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 			len1 = WASM_VECTOR_LEN;
+			ptr2 = isLikeNone(mask_name) ? 0 : passStringToWasm0(mask_name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len2 = WASM_VECTOR_LEN;
+			ptr3 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+			len3 = WASM_VECTOR_LEN;
 		} catch (e) {
+			if (ptr3) wasm.__wbindgen_free(ptr3, len3 * 1, 1);
+			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
 			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
 			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 			throw e;
 		}
-		const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, val3);
+		const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, val5, ptr2, len2, ptr3, len3);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -818,6 +847,11 @@
 		var v4 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v4;
+	}
+	function image_position(file) {
+		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		return wasm.image_position(ptr0, len0);
 	}
 	function interior(camera, photo) {
 		const ret = wasm.interior(camera, photo);
@@ -1585,17 +1619,20 @@
 			marksMm: [...marks.values()]
 		};
 	}
-	async function filmFrame({ file, film, plan, images }) {
+	async function filmFrame({ file, film, plan, image, mask }) {
 		const known = {
 			...readFilm(film),
 			marks_mm: plan.marksMm
 		};
-		const made = film_frame(new Uint8Array(await file.arrayBuffer()), known, images, plan.pixelMm);
-		const png = (bytes) => new Blob([bytes], { type: "image/png" });
+		const bytes = async (of) => new Uint8Array(await of.arrayBuffer());
+		const hidden = mask === null ? void 0 : await bytes(mask.file);
+		const made = film_frame(await bytes(file), known, image, plan.pixelMm, mask?.name, hidden);
+		const png = (of) => new Blob([of], { type: "image/png" });
 		return {
 			image: png(made.image),
 			mask: png(made.mask),
-			camera: made.camera
+			camera: made.camera,
+			scan: made.scan
 		};
 	}
 	// www/block/state/links.ts
@@ -1644,7 +1681,7 @@
 		if (held$2.keys.heights !== keys.heights) {
 			const { reference } = held$2;
 			if (typeof heights === "number") reference.set_heights(heights);
-			else reference.set_heights(await bytesOf(heights.file), heights.sidecars);
+			else reference.set_heights(await bytesOf$1(heights.file), heights.sidecars);
 			held$2 = {
 				keys,
 				reference,
@@ -1661,7 +1698,7 @@
 			read: (at, length) => new Uint8Array(reader.readAsArrayBuffer(file.slice(at, at + length)))
 		};
 	}
-	async function bytesOf(file) {
+	async function bytesOf$1(file) {
 		return new Uint8Array(await file.arrayBuffer());
 	}
 	async function orthoInfo(ground) {
@@ -1679,6 +1716,23 @@
 		const colours = reference.colours(column, row, width, height, halvings);
 		return createImageBitmap(new ImageData(new Uint8ClampedArray(colours.buffer, colours.byteOffset, colours.length), width, height));
 	}
+	var HEAD_BYTES = 1 << 20;
+	async function orthoElsewhere({ ground, options, files }) {
+		const { reference } = await opened$2(ground);
+		const positions = [];
+		for (const file of files) {
+			const position = await positionOf(file);
+			if (position === null) continue;
+			if (reference.elsewhere([position], options) === null) return null;
+			positions.push(position);
+		}
+		return reference.elsewhere(positions, options);
+	}
+	async function positionOf(file) {
+		const head = await bytesOf$1(file.slice(0, HEAD_BYTES));
+		const isTiff = [18761, 19789].includes((head[0] ?? 0) << 8 | (head[1] ?? 0));
+		return image_position(head) ?? (isTiff && file.size > head.length ? image_position(await bytesOf$1(file)) : null);
+	}
 	async function orthoSearch({ ground, options }) {
 		const now = await opened$2(ground);
 		const points = now.reference.search(options);
@@ -1695,7 +1749,7 @@
 			ground,
 			options
 		});
-		const bytes = await bytesOf(file);
+		const bytes = await bytesOf$1(file);
 		const placed = reference.place(name, bytes, cameras, film && readFilm(film));
 		return inColumns(placed, sizeOf(placed, bytes));
 	}
@@ -1711,20 +1765,36 @@
 	}
 	async function orthoAdjust({ ground, options, name, file, cameras, film, links, start, size }) {
 		const { reference } = await opened$2(ground);
-		return inColumns(reference.adjust(name, await bytesOf(file), links, start, cameras, options, film && readFilm(film)), size);
+		const given = {
+			links,
+			placement: start,
+			cameras,
+			options,
+			film: film && readFilm(film)
+		};
+		return inColumns(reference.adjust(name, await bytesOf$1(file), given), size);
 	}
 	async function orthoPredict({ ground, placement, at, place }) {
 		const { reference } = await opened$2(ground);
 		const [x = NaN, y = NaN] = at === null ? reference.image_positions(placement, Float64Array.from(place ?? [])) : reference.ground_positions(placement, Float64Array.from(at));
 		return Number.isNaN(x) ? null : [x, y];
 	}
+	async function orthoControl({ ground, options, place, number, crs }) {
+		const { reference } = await opened$2(ground);
+		return reference.control_by_hand({
+			place,
+			number,
+			crs,
+			options
+		});
+	}
 	async function orthoRectified({ ground, file, placement }) {
 		const { reference } = await opened$2(ground);
-		return reference.rectified(await bytesOf(file), placement);
+		return reference.rectified(await bytesOf$1(file), placement);
 	}
 	async function orthoLaid({ ground, file, placement, side }) {
 		const { reference } = await opened$2(ground);
-		const laid = OrthophotoReference.open(reference.rectified(await bytesOf(file), placement));
+		const laid = OrthophotoReference.open(reference.rectified(await bytesOf$1(file), placement));
 		try {
 			const { width, height, georeference } = laid.info();
 			const halvings = Math.max(0, Math.ceil(Math.log2(Math.max(width, height) / side)));
@@ -1745,9 +1815,9 @@
 		mosaic?.free();
 		mosaic = null;
 		written = [];
-		const model = typeof heights === "object" && heights !== null ? await bytesOf(heights.file) : heights;
+		const model = typeof heights === "object" && heights !== null ? await bytesOf$1(heights.file) : heights;
 		const sidecars = typeof heights === "object" && heights !== null ? heights.sidecars : null;
-		const made = OrthoMosaic.open(await bytesOf(project), model, sidecars, gsd ?? void 0, inAdjustment);
+		const made = OrthoMosaic.open(await bytesOf$1(project), model, sidecars, gsd ?? void 0, inAdjustment);
 		mosaic = made;
 		const own = made.names;
 		const order = [...made.order()].map((index) => ({
@@ -1758,7 +1828,7 @@
 		return order.filter(({ name }) => names.includes(name));
 	}
 	async function mosaicAdd({ index, file }) {
-		if (mosaic !== null) write(mosaic.add(index, await bytesOf(file)));
+		if (mosaic !== null) write(mosaic.add(index, await bytesOf$1(file)));
 		return null;
 	}
 	function write(bytes) {
@@ -2334,6 +2404,7 @@
 				for (const { image } of edit.observations) measure(image, { manual: added });
 				added += 1;
 				break;
+			case "add_control": break;
 			case "set_use": if (edit.use == null) unused.add(edit.point);
 			else unused.delete(edit.point);
 		}
@@ -2349,9 +2420,10 @@
 	// www/block/engine/outcome.ts
 	function viewOf(block) {
 		const onOrthophoto = block.on_orthophoto();
-		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, origin, crs, geoid_m, points } = block.overview();
+		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, given_control: givenControl, origin, crs, geoid_m, points } = block.overview();
 		const connections = pairs.map(connectionOf);
 		const ids = block.point_ids();
+		const added = new Set(block.edits().flatMap((edit) => edit.kind === "add_control" ? [edit.name] : []));
 		const controls = ids.flatMap((id, point) => "ground_control" in id ? [{
 			control: id.ground_control,
 			point
@@ -2413,7 +2485,7 @@
 			},
 			orthophoto: onOrthophoto === null ? null : {
 				kind: onOrthophoto.kind,
-				inCrs: onOrthophoto.kind === "linked" && onOrthophoto.in_crs === true,
+				inCrs: onOrthophoto.kind !== "not_linked" && onOrthophoto.in_crs === true,
 				text: message("on_orthophoto", onOrthophoto)
 			},
 			origin,
@@ -2428,8 +2500,10 @@
 					control: -1,
 					point: -1
 				},
-				isUsed: known.refused?.is_used ?? true
+				isUsed: known.refused?.is_used ?? true,
+				byHand: added.has(known.name)
 			})),
+			givenControl,
 			score: null,
 			warnings: warnings.map((warning) => message("overview_warning", warning)),
 			formats: export_formats()
@@ -2504,6 +2578,7 @@
 			sigma0Px: null,
 			checks: null,
 			surveyed: [],
+			givenControl: 0,
 			score: null,
 			warnings: [],
 			formats: export_formats()
@@ -3619,15 +3694,32 @@
 			bytes: new Uint8Array(await archive.end().arrayBuffer())
 		};
 	}
+	// www/block/state/added.ts
+	var NONE = new Map();
+	var addedPoints = remember((edits, given) => {
+		if (!edits.some(({ kind }) => kind === "add_control")) return NONE;
+		const points = [];
+		const find = (point) => "ground_control" in point ? points[point.ground_control - given] : void 0;
+		for (const edit of edits) if (edit.kind === "add_control") points.push({
+			edit,
+			control: given + points.length,
+			places: new Map()
+		});
+		else if (edit.kind === "measure") find(edit.point)?.places.set(edit.image, [edit.x_px, edit.y_px]);
+		else if (edit.kind === "reject_observations") for (const { point, image } of edit.observations) find(point)?.places.delete(image);
+		return new Map(points.map((point) => [point.edit.name, point]));
+	});
 	// www/block/engine/rejected.ts
 	var BY_HAND = 2;
 	var Found = class {
 		block;
+		givenControl;
 		places;
 		columns;
 		surveyed;
-		constructor(block, surveyed) {
+		constructor(block, surveyed, givenControl) {
 			this.block = block;
+			this.givenControl = givenControl;
 			this.places = new Map(block.point_ids().map((id, point) => [codeOfSource(id), point]));
 			this.columns = block.overview().points;
 			this.surveyed = new Map(surveyed.map((known) => [known.control, known]));
@@ -3737,23 +3829,26 @@
 			const gone = this.gone[point - this.taking];
 			if (gone === void 0) return null;
 			const { source, index } = gone;
-			if (index < 0) return {
-				id: source,
-				name: null,
-				role: null,
-				position: null,
-				errors: null,
-				rmse_px: null,
-				confidence: 1,
-				observations: this.byHand(source).map(({ image, x_px, y_px }) => ({
+			if (index < 0) {
+				const observations = this.byHand(source).map(({ image, x_px, y_px }) => ({
 					...UNADJUSTED,
 					image,
 					x_px,
 					y_px,
 					by_hand: true
-				})),
-				elsewhere: []
-			};
+				}));
+				return {
+					id: source,
+					name: this.added(source)?.edit.name ?? null,
+					role: null,
+					position: null,
+					errors: null,
+					rmse_px: null,
+					confidence: 1,
+					observations,
+					elsewhere: []
+				};
+			}
 			const detail = this.found.block.point(index);
 			return {
 				...detail,
@@ -3772,7 +3867,7 @@
 		}
 		surveyed(taking) {
 			return this.gone.flatMap(({ source }, place) => {
-				const known = "ground_control" in source ? this.found.surveyedPoint(source.ground_control) : void 0;
+				const known = "ground_control" in source ? this.found.surveyedPoint(source.ground_control) ?? this.surveyedByHand(source) : void 0;
 				return known === void 0 ? [] : [{
 					...known,
 					rays: 0,
@@ -3791,10 +3886,44 @@
 				}];
 			});
 		}
+		added(source) {
+			if (!("ground_control" in source)) return void 0;
+			return [...addedPoints(this.edits, this.found.givenControl).values()].find(({ control }) => control === source.ground_control);
+		}
+		surveyedByHand(source) {
+			const added = this.added(source);
+			if (added === void 0) return void 0;
+			const { name, position, use } = added.edit;
+			return {
+				standard_errors_m: [
+					null,
+					null,
+					null
+				],
+				detectable_m: [
+					null,
+					null,
+					null
+				],
+				difference_m: [
+					NaN,
+					NaN,
+					NaN
+				],
+				name,
+				role: use ?? "control",
+				rays: 0,
+				position,
+				control: added.control,
+				point: -1,
+				isUsed: false,
+				byHand: true
+			};
+		}
 		byHand(source) {
-			if (!("manual" in source)) return [];
-			const places = new Map(this.edits.filter((edit) => edit.kind === "add_point")[source.manual]?.observations.map((one) => [one.image, one]));
-			for (const edit of this.edits) if (edit.kind === "measure" && "manual" in edit.point && edit.point.manual === source.manual) places.set(edit.image, edit);
+			const added = "manual" in source ? this.edits.filter((edit) => edit.kind === "add_point")[source.manual]?.observations : [];
+			const places = new Map(added?.map((one) => [one.image, one]));
+			for (const edit of this.edits) if (edit.kind === "measure" && codeOfSource(edit.point) === codeOfSource(source)) places.set(edit.image, edit);
 			return [...places.values()];
 		}
 	};
@@ -3885,7 +4014,8 @@
 	}
 	function foundOf(block) {
 		const before = block.edited([]);
-		return new Found(before, viewOf(before).surveyed);
+		const { surveyed, givenControl } = viewOf(before);
+		return new Found(before, surveyed, givenControl);
 	}
 	function imagePoints(image) {
 		const of = heldBlock().image_points(image);
@@ -4060,10 +4190,12 @@
 		blockExport,
 		orthoInfo,
 		orthoTile,
+		orthoElsewhere,
 		orthoSearch,
 		orthoPlace,
 		orthoRectified,
 		orthoAdjust,
+		orthoControl,
 		orthoPredict,
 		orthoLaid,
 		linksOpen,
@@ -4234,7 +4366,7 @@
 	}
 	async function decode(source) {
 		switch (source.kind) {
-			case "file": return Photo.decode(new Uint8Array(await source.file.arrayBuffer()));
+			case "file": return Photo.decode(await bytesOf(source.file));
 			case "grey": return Photo.from_grey(source.width, source.height, source.grey);
 			case "project": throw new Error("a project does not hold its images");
 		}
@@ -4343,9 +4475,8 @@
 		const encoder = new TextEncoder();
 		const pair = EpipolarPair.open(encoder.encode(project));
 		const [first, second] = pair.is_swapped ? [ofRight, ofLeft] : [ofLeft, ofRight];
-		const photos = [await decode(first), await decode(second)];
 		try {
-			const { left, right, anaglyph, parameters } = pair.resample(...photos);
+			const { left, right, anaglyph, parameters } = await resampled(pair, first, second);
 			return {
 				archive: zipSync({
 					"left.png": left,
@@ -4359,8 +4490,20 @@
 				geometry: pair.geometry
 			};
 		} finally {
-			for (const held of [...photos, pair]) held.free();
+			pair.free();
 		}
+	}
+	async function resampled(pair, left, right) {
+		if (left.kind === "file" && right.kind === "file") return pair.resample_files(await bytesOf(left.file), await bytesOf(right.file));
+		const photos = [await decode(left), await decode(right)];
+		try {
+			return pair.resample(...photos);
+		} finally {
+			for (const held of photos) held.free();
+		}
+	}
+	async function bytesOf(file) {
+		return new Uint8Array(await file.arrayBuffer());
 	}
 	function interiorOf({ width, height, camera, pairFocalMm, fiducials, model, origin }) {
 		return {

@@ -43,14 +43,16 @@ export interface PairTruth {
 
 /** A scan of film, resampled to the image of an ideal camera. */
 export interface FilmFiles {
-    /** PNG, grey or in colours. */
+    /** PNG, grey or in colours, with the position that the metadata of the scan record. */
     image: Uint8Array;
-    /** PNG: 0 where the image shows a fiducial mark, its surroundings, or nothing of the scan. */
+    /** PNG: 0 where the image shows a fiducial mark, its surroundings, nothing of the scan, or what the mask of the scan leaves out. */
     mask: Uint8Array;
-    /** As a file of cameras has it. */
+    /** As a file of cameras has it, of this image alone: `film_cameras` gives that of all images of a film. */
     camera: CameraRule;
-    /** How the scan lies to the film. */
-    marks: FiducialOrientation;
+    /** How the scan lies to the image, by which `film_positions` leads from one to the other, and how the marks give it. */
+    scan: FilmScan;
+    /** Root mean square length of the residuals of the marks in mm. */
+    rmse_mm: number;
 }
 
 
@@ -65,10 +67,37 @@ export interface OrthophotoInfo {
     /** What its system is called where it has one without a code. */
     described: string | null;
     heights: [number, number];
+    /** What they count from, by the name of a vertical system, where their file says it. */
+    heights_from: string | null;
     /** Share of the picture that has a height, 0 to 1. */
     heights_share: number;
     /** Whether its pixels are read where they are needed. */
     in_parts: boolean;
+}
+
+/** What an image is oriented by without matching. */
+export interface ByLinks {
+    links: readonly GivenLink[];
+    /** Where it was placed, which says whether it is a scan of film; absent: by resection of the links. */
+    placement?: Placement | null;
+    /** The text of a file of cameras, as of `place`. */
+    cameras?: string | null;
+    /** As of `search`; absent: those that it had. */
+    options?: Given<PlacingOptions> | null;
+    /** Of a scan of film that was not placed, as of `place`. */
+    film?: Given<FilmInput> | null;
+}
+
+/** A place of the ground that becomes a ground control point of a block. */
+export interface PlaceByHand {
+    /** X and Y in the system of the orthophoto. */
+    place: readonly [number, number];
+    /** Its number among the places by hand, from 1, which names it. */
+    number: number;
+    /** The coordinate reference system that the block has; absent: its control points are in the system of the orthophoto. */
+    crs?: string | null;
+    /** As of `search`; absent: those that it had. */
+    options?: Given<PlacingOptions> | null;
 }
 
 
@@ -641,7 +670,7 @@ export interface CameraRule {
 /**
  * A change of a finished block by hand. Images count as those of the block.
  */
-export type BlockEdit = { kind: "reject_observations"; observations: PointImage[] } | { kind: "restore_observations"; observations: PointImage[] } | { kind: "reject_points"; points: PointSource[] } | { kind: "restore_points"; points: PointSource[] } | { kind: "reject_images"; images: number[] } | { kind: "restore_images"; images: number[] } | { kind: "reject_pairs"; pairs: [number, number][] } | { kind: "restore_pairs"; pairs: [number, number][] } | { kind: "measure"; point: PointSource; image: number; x_px: number; y_px: number; by?: MeasuredBy } | { kind: "add_point"; observations: HandMeasurement[] } | { kind: "set_use"; point: number; use?: ControlRole | null };
+export type BlockEdit = { kind: "reject_observations"; observations: PointImage[] } | { kind: "restore_observations"; observations: PointImage[] } | { kind: "reject_points"; points: PointSource[] } | { kind: "restore_points"; points: PointSource[] } | { kind: "reject_images"; images: number[] } | { kind: "restore_images"; images: number[] } | { kind: "reject_pairs"; pairs: [number, number][] } | { kind: "restore_pairs"; pairs: [number, number][] } | { kind: "measure"; point: PointSource; image: number; x_px: number; y_px: number; by?: MeasuredBy } | { kind: "add_point"; observations: HandMeasurement[] } | { kind: "add_control"; name: string; position: [number, number, number]; standard_errors?: [number, number]; sigma_px?: number; use?: ControlRole; epsg?: number } | { kind: "set_use"; point: number; use?: ControlRole | null };
 
 /**
  * A change of the matches of a pair by hand.
@@ -717,6 +746,21 @@ export interface ExportOutcome {
      * Why the block cannot be written so; absent where it was.
      */
     refused: string | null;
+}
+
+/**
+ * A frame of a scan: what both are called, and how they lie to each other.
+ */
+export interface FrameOfScan {
+    /**
+     * The name of the scan, as image measurements have it.
+     */
+    scan: string;
+    /**
+     * The name of its frame.
+     */
+    image: string;
+    film: FilmScan;
 }
 
 /**
@@ -1788,6 +1832,11 @@ export type PointPosition = "quadratic" | "forstner";
 export type PlaceSearch = { kind: "gnss"; within_m: number; plan_m?: number } | { kind: "apart_from_gnss"; plan_m: number; usual_m: number } | { kind: "beyond_gnss"; within_m: number };
 
 /**
+ * How an orthophoto may have come to lie elsewhere than the images that are to be placed on it.
+ */
+export type OrthophotoSlip = { kind: "zone"; zone: number } | { kind: "exchanged" } | { kind: "other_half" } | { kind: "unit"; given_in: string } | { kind: "coordinate"; likely: string } | { kind: "unknown" };
+
+/**
  * How far a stage is.
  */
 export interface Step {
@@ -2025,6 +2074,24 @@ export interface EpipolarGeometry {
      * Parallaxes of the points that both show; absent where none is known.
      */
     parallaxes: Parallaxes | null;
+}
+
+/**
+ * Image measurements, those of scans in px of their frames.
+ */
+export interface FramedMeasurements {
+    /**
+     * In their order; those of other images are as they were given.
+     */
+    measurements: ImageMeasurementRow[];
+    /**
+     * So many of them were made in scans.
+     */
+    moved: number;
+    /**
+     * Those, as they were given, that lie beside the frame of their scan, and so have none there.
+     */
+    beside: ImageMeasurementRow[];
 }
 
 /**
@@ -3982,7 +4049,7 @@ export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: nu
 /**
  * What came of the orthophoto that a block was given.
  */
-export type OnOrthophoto = { kind: "linked"; linked: number; images: number; points: number; checks: number; rejected: number; in_crs?: boolean; epsg?: number } | { kind: "not_linked"; not_linked: NotLinked };
+export type OnOrthophoto = { kind: "linked"; linked: number; images: number; points: number; checks: number; rejected: number; in_crs?: boolean; epsg?: number } | { kind: "by_hand"; linked: number; images: number; points: number; in_crs?: boolean; epsg?: number } | { kind: "not_linked"; not_linked: NotLinked };
 
 /**
  * What check points say of a model: differences, adjusted minus surveyed, as `surveyed.csv` has them: in m on the ground along the axes of the coordinate
@@ -4265,6 +4332,10 @@ export interface BlockOverview {
      */
     surveyed: SurveyedPoint[];
     /**
+     * How many surveyed points the block was found with: edits count those that they add from there on.
+     */
+    given_control: number;
+    /**
      * Where its system touches the earth; absent where that is not known.
      */
     origin: GeographicOrigin | null;
@@ -4289,7 +4360,7 @@ export interface BlockOverview {
 /**
  * What is weak about a block at a glance.
  */
-export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | { kind: "few_oriented"; oriented: number; images: number } | { kind: "apart"; images: number } | { kind: "none_oriented" } | { kind: "not_on_orthophoto"; not_linked: NotLinked } | { kind: "failed"; failure: Failure };
+export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | { kind: "few_oriented"; oriented: number; images: number } | { kind: "apart"; images: number } | { kind: "none_oriented" } | { kind: "focal_apart"; label: string; estimated_px: number; prior_px: number; apart: number } | { kind: "not_on_orthophoto"; not_linked: NotLinked } | { kind: "failed"; failure: Failure };
 
 /**
  * What is weak about a model.
@@ -4340,7 +4411,7 @@ export type CameraCaution = { kind: "resized"; taken_width_px: number; taken_hei
 /**
  * What speaks against the orientation of an image on an orthophoto.
  */
-export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "rejected"; rejected: number; links: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "plan"; height_m: number; half_width_m: number } | { kind: "camera"; camera_parameter: CameraParameter; estimated_px: number; prior_px: number; apart: number } | { kind: "height_factor"; factor: number; standard_error: number } | { kind: "relief"; displaced: number } | { kind: "noise"; rmse_px: number; usual_px: number };
+export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "rejected"; rejected: number; links: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "plan"; height_m: number; half_width_m: number } | { kind: "camera"; camera_parameter: CameraParameter; estimated_px: number; prior_px: number; apart: number } | { kind: "height_factor"; factor: number; standard_error: number } | { kind: "relief"; displaced: number } | { kind: "gnss"; plan_m: number; usual_m: number } | { kind: "noise"; rmse_px: number; usual_px: number };
 
 /**
  * What the adjustment says of an observed position; 0 for a coordinate that was not observed.
@@ -4541,7 +4612,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; orthophoto_slip: OrthophotoSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -4774,9 +4845,13 @@ export class EpipolarPair {
      */
     static open(project: Uint8Array | number[], names?: string[] | null): EpipolarPair;
     /**
-     * Resamples both images, which are given in the order of `names`.
+     * Resamples the grey values of both images, which are given in the order of `names`.
      */
     resample(left: Photo, right: Photo): EpipolarFiles;
+    /**
+     * Resamples both images in the colours of their files, which are given in the order of `names`.
+     */
+    resample_files(left: Uint8Array | number[], right: Uint8Array | number[]): EpipolarFiles;
     /**
      * SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
      */
@@ -4923,14 +4998,23 @@ export class OrthophotoReference {
     free(): void;
     [Symbol.dispose](): void;
     /**
-     * Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
-     * links. The file tells its camera; `film` that of a scan of film; where it was placed, that says whether it is one. `options`: as of `search`; absent: those that it had.
+     * Orients an image by links that are given, in their order; nothing is matched.
      */
-    adjust(name: string, file: Uint8Array | number[], links: readonly GivenLink[], start: Placement | null, cameras: string | null | undefined, options?: Given<PlacingOptions>, film?: Given<FilmInput> | null): PlacedImage;
+    adjust(name: string, file: Uint8Array | number[], given: ByLinks): PlacedImage;
     /**
      * The same in colours: red, green, blue and alpha of each pixel, alpha 0 where it shows nothing.
      */
     colours(column: number, row: number, width: number, height: number, halvings: number): Uint8Array;
+    /**
+     * The edit that adds a place of the ground, measured by eye, as a ground control point to a block; edits after it measure it in images.
+     */
+    control_by_hand(given: PlaceByHand): Extract<BlockEdit, { kind: 'add_control' }>;
+    /**
+     * What is to be said of images that record these GNSS positions (`image_position`) before they are placed: that none lies near
+     * the orthophoto, and what would bring it to them; null where one does, or where nothing says where both are. `options`: as of `search`; absent: those
+     * that it had.
+     */
+    elsewhere(positions: readonly ExifPosition[], options?: Given<PlacingOptions>): Remark | null;
     /**
      * The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
      */
@@ -5263,16 +5347,32 @@ export function export_formats(): ExportFormat[];
 export function feature_defaults(): FeatureOptions;
 
 /**
- * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
- * is made. `images`: the pattern of their names, of which the camera is to be. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the
- * marks of the film: see `film_pixel_mm`.
+ * The cameras of frames as a file of cameras has them, from that of each: frames of one film have one, for all images whose names fit `pattern`.
  */
-export function film_frame(scan: Uint8Array | number[], film: Given<FilmInput>, images: string, pixel_mm: number): FilmFiles;
+export function film_cameras(pattern: string, rules: CameraRule[]): CameraRule[];
+
+/**
+ * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
+ * is made. `image`: what its image is called. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the marks of the film: see
+ * `film_pixel_mm`. `mask_name` and `mask`: the file of an image as large as the scan that is 0 where no features are wanted.
+ */
+export function film_frame(scan: Uint8Array | number[], film: Given<FilmInput>, image: string, pixel_mm: number, mask_name?: string | null, mask?: Uint8Array | number[] | null): FilmFiles;
+
+/**
+ * Takes image measurements that were made in scans into their frames.
+ */
+export function film_measurements(measurements: ImageMeasurementRow[], frames: FrameOfScan[]): FramedMeasurements;
 
 /**
  * The side of a pixel of a scan in mm, as its fiducial marks have it.
  */
 export function film_pixel_mm(film: Given<FilmInput>): number;
+
+/**
+ * Positions of a scan in its frame, or of a frame in its scan: x, y, x, y … in px, the centre of the top-left pixel at (0.5, 0.5). NaN where there is none,
+ * as beside the frame. `to`: `frame` or `scan`.
+ */
+export function film_positions(scan: FilmScan, positions: Float64Array | number[], to: 'frame' | 'scan'): Float64Array;
 
 /**
  * Every parameter of a flight.
@@ -5305,6 +5405,16 @@ export function gradient_candidates(index: number, left_gradients: Uint8Array | 
 export function grey_png(width: number, height: number, grey: Uint8Array | number[], exif?: ExifImage): Uint8Array;
 
 /**
+ * The table of image measurements, which reads back as they are.
+ */
+export function image_measurement_table(measurements: ImageMeasurementRow[]): string;
+
+/**
+ * The GNSS position that an image records, by the first bytes of its file or all of them; null where it records none.
+ */
+export function image_position(file: Uint8Array | number[]): ExifPosition | null;
+
+/**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  */
 export function interior(camera: CameraMm, photo: PhotoGeometry): Interior;
@@ -5318,6 +5428,11 @@ export function join_nearest(pieces: NearestPiece[], options: Given<NearestOptio
  * Positions in m east, north and up of the first known one: of longitude, latitude in degrees and height in m (stride 3), NaN where not known.
  */
 export function local_positions(geographic: Float64Array | number[]): Float64Array;
+
+/**
+ * The index of the mask of each image, by their names; -1 for an image without one. Refuses two masks of one image.
+ */
+export function masks_of_images(names: string[], masks: string[]): Int32Array;
 
 /**
  * Matches and orients two photos whose points are described: the rest of `match_pair`. For the strategy gradient the nearest descriptors may
@@ -5643,13 +5758,17 @@ export interface InitOutput {
     readonly epipolarpair_names: (a: number) => [number, number];
     readonly epipolarpair_open: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly epipolarpair_resample: (a: number, b: number, c: number) => [number, number, number];
+    readonly epipolarpair_resample_files: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
     readonly execute_job: (a: number, b: number, c: any) => [number, number, number, number];
     readonly export_block: (a: any, b: any, c: any) => [number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
-    readonly film_frame: (a: number, b: number, c: any, d: number, e: number, f: number) => [number, number, number];
+    readonly film_cameras: (a: number, b: number, c: any) => [number, number, number];
+    readonly film_frame: (a: number, b: number, c: any, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
+    readonly film_measurements: (a: any, b: any) => [number, number, number];
     readonly film_pixel_mm: (a: any) => [number, number, number];
+    readonly film_positions: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly finishedblock_accuracy: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
     readonly finishedblock_edited: (a: number, b: any) => [number, number, number];
@@ -5672,9 +5791,12 @@ export interface InitOutput {
     readonly geographic_positions: (a: number, b: number) => [number, number, number];
     readonly gradient_candidates: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly grey_png: (a: number, b: number, c: number, d: number, e: any) => [number, number, number, number];
+    readonly image_measurement_table: (a: any) => [number, number, number, number];
+    readonly image_position: (a: number, b: number) => any;
     readonly interior: (a: any, b: any) => [number, number, number];
     readonly join_nearest: (a: any, b: any) => [number, number, number];
     readonly local_positions: (a: number, b: number) => [number, number, number];
+    readonly masks_of_images: (a: number, b: number, c: number, d: number) => [number, number, number, number];
     readonly match_described_pair: (a: number, b: number, c: any, d: any, e: any, f: any, g: any) => [number, number, number];
     readonly match_descriptors: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
     readonly match_features: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any) => [number, number, number];
@@ -5701,8 +5823,10 @@ export interface InitOutput {
     readonly orthomosaic_open: (a: number, b: number, c: any, d: any, e: number, f: number, g: number) => [number, number, number];
     readonly orthomosaic_order: (a: number) => [number, number];
     readonly orthomosaic_size: (a: number) => [number, number];
-    readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: number, e: number, f: any, g: any, h: number, i: number, j: any, k: any) => [number, number, number];
+    readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: number, e: number, f: any) => [number, number, number];
     readonly orthophotoreference_colours: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
+    readonly orthophotoreference_control_by_hand: (a: number, b: any) => [number, number, number];
+    readonly orthophotoreference_elsewhere: (a: number, b: any, c: any) => [number, number, number];
     readonly orthophotoreference_ground_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
     readonly orthophotoreference_heights_at: (a: number, b: number, c: number) => [number, number, number, number];
     readonly orthophotoreference_image_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];

@@ -279,7 +279,7 @@ export class EpipolarPair {
         return EpipolarPair.__wrap(ret[0]);
     }
     /**
-     * Resamples both images, which are given in the order of `names`.
+     * Resamples the grey values of both images, which are given in the order of `names`.
      * @param {Photo} left
      * @param {Photo} right
      * @returns {EpipolarFiles}
@@ -288,6 +288,30 @@ export class EpipolarPair {
         _assertClass(left, Photo);
         _assertClass(right, Photo);
         const ret = wasm.epipolarpair_resample(this.__wbg_ptr, left.__wbg_ptr, right.__wbg_ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * Resamples both images in the colours of their files, which are given in the order of `names`.
+     * @param {Uint8Array | number[]} left
+     * @param {Uint8Array | number[]} right
+     * @returns {EpipolarFiles}
+     */
+    resample_files(left, right) {
+        let ptr0, len0, ptr1, len1;
+        try {
+            ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
+            len1 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+            throw e;
+        }
+        const ret = wasm.epipolarpair_resample_files(this.__wbg_ptr, ptr0, len0, ptr1, len1);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -682,33 +706,25 @@ export class OrthophotoReference {
         wasm.__wbg_orthophotoreference_free(ptr, 0);
     }
     /**
-     * Orients an image by links that are given, in their order; nothing is matched. `start`: where it was placed; null: by resection of the
-     * links. The file tells its camera; `film` that of a scan of film; where it was placed, that says whether it is one. `options`: as of `search`; absent: those that it had.
+     * Orients an image by links that are given, in their order; nothing is matched.
      * @param {string} name
      * @param {Uint8Array | number[]} file
-     * @param {readonly GivenLink[]} links
-     * @param {Placement | null} start
-     * @param {string | null | undefined} cameras
-     * @param {Given<PlacingOptions>} [options]
-     * @param {Given<FilmInput> | null} [film]
+     * @param {ByLinks} given
      * @returns {PlacedImage}
      */
-    adjust(name, file, links, start, cameras, options, film) {
-        let ptr0, len0, ptr1, len1, ptr2, len2;
+    adjust(name, file, given) {
+        let ptr0, len0, ptr1, len1;
         try {
             ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
             len0 = WASM_VECTOR_LEN;
             ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
             len1 = WASM_VECTOR_LEN;
-            ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len2 = WASM_VECTOR_LEN;
         } catch (e) {
-            if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
             if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
             if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
             throw e;
         }
-        const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, links, start, ptr2, len2, options, film);
+        const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, given);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -731,6 +747,33 @@ export class OrthophotoReference {
         var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
         return v1;
+    }
+    /**
+     * The edit that adds a place of the ground, measured by eye, as a ground control point to a block; edits after it measure it in images.
+     * @param {PlaceByHand} given
+     * @returns {Extract<BlockEdit, { kind: 'add_control' }>}
+     */
+    control_by_hand(given) {
+        const ret = wasm.orthophotoreference_control_by_hand(this.__wbg_ptr, given);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * What is to be said of images that record these GNSS positions (`image_position`) before they are placed: that none lies near
+     * the orthophoto, and what would bring it to them; null where one does, or where nothing says where both are. `options`: as of `search`; absent: those
+     * that it had.
+     * @param {readonly ExifPosition[]} positions
+     * @param {Given<PlacingOptions>} [options]
+     * @returns {Remark | null}
+     */
+    elsewhere(positions, options) {
+        const ret = wasm.orthophotoreference_elsewhere(this.__wbg_ptr, positions, options);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
     }
     /**
      * The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
@@ -1839,29 +1882,67 @@ export function feature_defaults() {
 }
 
 /**
+ * The cameras of frames as a file of cameras has them, from that of each: frames of one film have one, for all images whose names fit `pattern`.
+ * @param {string} pattern
+ * @param {CameraRule[]} rules
+ * @returns {CameraRule[]}
+ */
+export function film_cameras(pattern, rules) {
+    const ptr0 = passStringToWasm0(pattern, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.film_cameras(ptr0, len0, rules);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
- * is made. `images`: the pattern of their names, of which the camera is to be. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the
- * marks of the film: see `film_pixel_mm`.
+ * is made. `image`: what its image is called. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the marks of the film: see
+ * `film_pixel_mm`. `mask_name` and `mask`: the file of an image as large as the scan that is 0 where no features are wanted.
  * @param {Uint8Array | number[]} scan
  * @param {Given<FilmInput>} film
- * @param {string} images
+ * @param {string} image
  * @param {number} pixel_mm
+ * @param {string | null} [mask_name]
+ * @param {Uint8Array | number[] | null} [mask]
  * @returns {FilmFiles}
  */
-export function film_frame(scan, film, images, pixel_mm) {
-    const val3 = +pixel_mm;
-    let ptr0, len0, ptr1, len1;
+export function film_frame(scan, film, image, pixel_mm, mask_name, mask) {
+    const val5 = +pixel_mm;
+    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
     try {
         ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
         len0 = WASM_VECTOR_LEN;
-        ptr1 = passStringToWasm0(images, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        ptr1 = passStringToWasm0(image, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
         len1 = WASM_VECTOR_LEN;
+        ptr2 = isLikeNone(mask_name) ? 0 : passStringToWasm0(mask_name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len2 = WASM_VECTOR_LEN;
+        ptr3 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+        len3 = WASM_VECTOR_LEN;
     } catch (e) {
+        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 1, 1); }
+        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
         if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
         if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
         throw e;
     }
-    const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, val3);
+    const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, val5, ptr2, len2, ptr3, len3);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Takes image measurements that were made in scans into their frames.
+ * @param {ImageMeasurementRow[]} measurements
+ * @param {FrameOfScan[]} frames
+ * @returns {FramedMeasurements}
+ */
+export function film_measurements(measurements, frames) {
+    const ret = wasm.film_measurements(measurements, frames);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1879,6 +1960,33 @@ export function film_pixel_mm(film) {
         throw takeFromExternrefTable0(ret[1]);
     }
     return ret[0];
+}
+
+/**
+ * Positions of a scan in its frame, or of a frame in its scan: x, y, x, y … in px, the centre of the top-left pixel at (0.5, 0.5). NaN where there is none,
+ * as beside the frame. `to`: `frame` or `scan`.
+ * @param {FilmScan} scan
+ * @param {Float64Array | number[]} positions
+ * @param {'frame' | 'scan'} to
+ * @returns {Float64Array}
+ */
+export function film_positions(scan, positions, to) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passStringToWasm0(to, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        throw e;
+    }
+    const ret = wasm.film_positions(scan, ptr0, len0, ptr1, len1);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -1981,6 +2089,42 @@ export function grey_png(width, height, grey, exif) {
 }
 
 /**
+ * The table of image measurements, which reads back as they are.
+ * @param {ImageMeasurementRow[]} measurements
+ * @returns {string}
+ */
+export function image_measurement_table(measurements) {
+    let deferred2_0;
+    let deferred2_1;
+    try {
+        const ret = wasm.image_measurement_table(measurements);
+        var ptr1 = ret[0];
+        var len1 = ret[1];
+        if (ret[3]) {
+            ptr1 = 0; len1 = 0;
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        deferred2_0 = ptr1;
+        deferred2_1 = len1;
+        return getStringFromWasm0(ptr1, len1);
+    } finally {
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+    }
+}
+
+/**
+ * The GNSS position that an image records, by the first bytes of its file or all of them; null where it records none.
+ * @param {Uint8Array | number[]} file
+ * @returns {ExifPosition | null}
+ */
+export function image_position(file) {
+    const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.image_position(ptr0, len0);
+    return ret;
+}
+
+/**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  * @param {CameraMm} camera
  * @param {PhotoGeometry} photo
@@ -2021,6 +2165,33 @@ export function local_positions(geographic) {
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The index of the mask of each image, by their names; -1 for an image without one. Refuses two masks of one image.
+ * @param {string[]} names
+ * @param {string[]} masks
+ * @returns {Int32Array}
+ */
+export function masks_of_images(names, masks) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArrayJsValueToWasm0(masks, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
+        if (ptr0) { wasm.__externref_drop_slice(ptr0, len0); wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
+        throw e;
+    }
+    const ret = wasm.masks_of_images(ptr0, len0, ptr1, len1);
+    if (ret[3]) {
+        throw takeFromExternrefTable0(ret[2]);
+    }
+    var v3 = getArrayI32FromWasm0(ret[0], ret[1]).slice();
+    wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+    return v3;
 }
 
 /**
@@ -3292,7 +3463,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 15, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
             return ret;
         },
