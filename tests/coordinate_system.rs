@@ -94,7 +94,7 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
         let row = own[0];
         if name.starts_with('X') {
             // Positions to 0.1 mm, and no figure of the block.
-            assert_eq!((&row[2][..], row.len()), ("0", 22), "{row:?}");
+            assert_eq!((&row[2][..], row.len()), ("0", rows[0].len()), "{row:?}");
             assert!(row[6..21].iter().all(String::is_empty), "{row:?}");
         }
         (row[1].clone(), row[21].clone())
@@ -119,6 +119,8 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     let off = run.with_edits(&[BlockEdit::SetUse { point: 0, role: None }]).unwrap();
     let edited = rows(&off);
     assert_eq!((edited.len(), told(&edited, "G1")), (all.len(), pair("off", "off")));
+    // An edited block says of each whether it was added by hand.
+    assert!(all.iter().all(|row| row.len() == 22) && edited.iter().all(|row| row.len() == 23 && row[22] == "0"), "{edited:?}");
     // Two control points of a system of their own place nothing, and nothing is compared with check points.
     let given = (0..).zip(texts.points.lines().skip(1).filter(|line| !line.ends_with("off")));
     let control = given.filter(|(_, line)| line.ends_with("control"));
