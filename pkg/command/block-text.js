@@ -1,10 +1,7 @@
 // @ts-check
 /** What is printed of a block that was computed. */
 
-import { fixed, table } from './text.js';
-
-/** Images are named one by one up to so many. */
-const NAMED = 5;
+import { fixed, listed, table } from './text.js';
 
 /** @typedef {import('../node.js').Summary} Summary */
 
@@ -98,6 +95,3 @@ const reasons = (orientation) =>
 
 /** A value that nothing determines is 0 without a standard error. @param {number} value @param {number | null} error */
 const withError = (value, error) => (error === null ? (value === 0 ? '–' : fixed(value, 3)) : `${fixed(value, 3)} ± ${fixed(error, 3)}`);
-
-/** @param {string[]} names */
-const listed = (names) => names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ` and ${names.length - NAMED} more` : '');

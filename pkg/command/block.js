@@ -1,7 +1,6 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
-import { IMAGE_FILE } from '../block/image-files.js';
 import { runBlock } from '../block/index.js';
 import {
   block_parameters,
@@ -15,7 +14,7 @@ import {
 } from '../node.js';
 import { BlockFolder, formatsOf } from './block-folder.js';
 import { about, DataError, UsageError } from './errors.js';
-import { exists, filesIn, isFile, isFolder, readText, reasonOf } from './files.js';
+import { exists, imagesIn, isFile, isFolder, readText, reasonOf } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { noteElsewhere, onOrthophoto, ORTHOPHOTO_OPTIONS, orthophotoOf } from './on-orthophoto.js';
 import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, WORKERS } from './options.js';
@@ -192,10 +191,3 @@ const sourceOf = (file) => ({
     return readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error))));
   },
 });
-
-/** @param {string} folder @returns {string[]} */
-export function imagesIn(folder) {
-  const names = filesIn(folder).filter((name) => IMAGE_FILE.test(name));
-  if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
-  return names.map((name) => join(folder, name));
-}

@@ -31,16 +31,16 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   if (!isFolder(folder)) throw new DataError(`${folder}: it is no folder; name that of the images`);
   const bytes = readBytes(project);
   const pair = about(project, () => EpipolarPair.open(bytes, typeof left === 'string' && typeof right === 'string' ? [left, right] : undefined));
-  const photos = pair.names.map((name, k) => {
-    const file = join(folder, name);
+  const paths = pair.names.map((name) => join(folder, name));
+  const photos = paths.map((file, k) => {
     const photo = readBytes(file);
     const content = createHash('sha256').update(photo).digest('hex');
-    if (pair.contents[k] !== null && pair.contents[k] !== content) throw new DataError(`${file}: it is another file than the ${name} of the project`);
+    if (pair.contents[k] !== null && pair.contents[k] !== content) throw new DataError(`${file}: it is another file than the ${pair.names[k]} of the project`);
     return photo;
   });
   const [ofLeft, ofRight] = photos;
   if (!ofLeft || !ofRight) throw new Error('a pair has two images');
-  const files = about(folder, () => pair.resample_files(ofLeft, ofRight));
+  const files = about(paths.join(' and '), () => pair.resample_files(ofLeft, ofRight));
   makeFolder(out);
   /** @type {[string, string | Uint8Array][]} */
   const all = [

@@ -19,6 +19,7 @@ import {
 } from 'node:fs';
 import { rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
+import { IMAGE_FILE } from '../block/image-files.js';
 import { Photo } from '../node.js';
 import { about, DataError } from './errors.js';
 
@@ -114,6 +115,13 @@ export function filesIn(path) {
     .filter((entry) => !entry.isDirectory())
     .map(({ name }) => name)
     .sort(byNumbers);
+}
+
+/** The images of a folder, one at least.  @param {string} folder @returns {string[]} */
+export function imagesIn(folder) {
+  const names = filesIn(folder).filter((name) => IMAGE_FILE.test(name));
+  if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
+  return names.map((name) => join(folder, name));
 }
 
 /** `photo_9` comes before `photo_10`.  @param {string} a @param {string} b */

@@ -10,14 +10,13 @@ import {
   parse_camera,
   parse_image_measurements,
 } from '../node.js';
-import { imagesIn } from './block.js';
 import { about, DataError, UsageError } from './errors.js';
-import { exists, isFolder, makeFolder, readBytes, readText, writeInto } from './files.js';
+import { exists, imagesIn, isFolder, makeFolder, readBytes, readText, writeInto } from './files.js';
 import { JSON_FLAG, path } from './options.js';
 import { note, print, printJson } from './output.js';
 import { marksOf } from './pair.js';
 import { Progress } from './progress.js';
-import { fixed, table } from './text.js';
+import { fixed, listed, table } from './text.js';
 
 /** @typedef {import('../node.js').FilmScan} FilmScan @typedef {import('../node.js').CameraRule} CameraRule */
 
@@ -26,8 +25,6 @@ const END = '-film.png';
 const ALL = `*${END}`;
 const MARKS = 'marks.csv';
 const OUTPUTS = ['images', 'masks', 'cameras.json', 'film.csv', MARKS];
-/** So many names stand in a message. */
-const LISTED = 5;
 
 /** @type {import('./args.js').Command} */
 export const film = {
@@ -73,7 +70,8 @@ async function run({ positionals, values }) {
   const measured = typeof marksFile === 'string' ? measurementsOf(marksFile, scans) : null;
   const marks_mm = calibrated(scans.flatMap(({ marks }) => marks.fiducials));
   const pixel = Math.max(...scans.map(({ marks, table: file }) => about(file, () => film_pixel_mm({ camera, scan: marks, marks_mm }))));
-  refuseExisting(out);
+  const outputs = OUTPUTS.filter((name) => name !== MARKS || measured !== null);
+  refuseExisting(out, outputs);
   for (const name of ['images', 'masks']) makeFolder(join(out, name));
   const shown = new Progress({ steps: scans.length });
   /** @type {{ name: string, image: string, film: FilmScan, camera: CameraRule, rmse_mm: number }[]} */
@@ -114,9 +112,7 @@ async function run({ positionals, values }) {
           ...made.map(({ name, film: { marks }, rmse_mm }) => [name, marks.residuals_mm.length, fixed(marks.sigma0_mm, 4), fixed(rmse_mm, 4)]),
         ]),
         '',
-        `written: ${OUTPUTS.filter((name) => name !== MARKS || measured !== null)
-          .map((name) => join(out, name))
-          .join(', ')}`,
+        `written: ${outputs.map((name) => join(out, name)).join(', ')}`,
       );
   }
   if (failed.length > 0) throw new DataError(failed.join('; '));
@@ -140,9 +136,9 @@ function scansOf(files, folder) {
   });
 }
 
-/** Images of another call would be taken for some of this one.  @param {string} out */
-function refuseExisting(out) {
-  const there = OUTPUTS.map((name) => join(out, name)).find((place) => exists(place));
+/** Images of another call would be taken for some of this one.  @param {string} out @param {readonly string[]} outputs */
+function refuseExisting(out, outputs) {
+  const there = outputs.map((name) => join(out, name)).find((place) => exists(place));
   if (there !== undefined) throw new DataError(`${there} is there already; name another folder`);
 }
 
@@ -193,9 +189,6 @@ function writeMeasurements(out, measured, made, scans) {
   if (names.length > 0) note(`measurements that lie beside the image of their scan, which ends within the fiducial marks, are skipped: ${listed(names)}`);
   return { moved, beside };
 }
-
-/** @param {readonly string[]} names */
-const listed = (names) => names.slice(0, LISTED).join(', ') + (names.length > LISTED ? `, and ${names.length - LISTED} more` : '');
 
 /** @param {string | number} value */
 const cell = (value) => (typeof value === 'string' && /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : String(value));

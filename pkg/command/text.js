@@ -20,6 +20,12 @@ export function table(rows) {
     .join('\n');
 }
 
+/** Names are listed up to so many. */
+const NAMED = 5;
+
+/** The first names, and how many more there are.  @param {readonly string[]} names */
+export const listed = (names) => names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ` and ${names.length - NAMED} more` : '');
+
 /** A number for reading.  @param {number | null | undefined} value @param {number} digits after the point @returns {string} */
 export const fixed = (value, digits) => (value === null || value === undefined || Number.isNaN(value) ? '-' : value.toFixed(digits));
 

@@ -126,9 +126,3 @@ pub fn masks_of_images(names: Vec<String>, masks: Vec<String>) -> JsResult<Vec<i
     let (of, _) = masks_of(&names, &masks).map_err(thrown)?;
     Ok(of.into_iter().map(|mask| mask.map_or(-1, |index| index as i32)).collect())
 }
-
-/// Refuses two masks of one image.
-#[wasm_bindgen]
-pub fn check_masks(names: Vec<String>, masks: Vec<String>) -> JsResult<()> {
-    masks_of(&names, &masks).map(|_| ()).map_err(thrown)
-}

@@ -33,19 +33,59 @@ struct Planes {
 /// [`Error::UnreadableImage`] for a damaged scan.
 pub(super) fn colours(bytes: &[u8]) -> Result<Option<Vec<Vec<u8>>>, Error> {
     let Some(Planes { size, planes }) = Planes::read(bytes)? else { return Ok(None) };
-    let mut components = Vec::with_capacity(planes.len());
-    for Plane { stream, size: own, pixels } in planes {
-        let samples = decoded(stream, ColorSpace::Luma, own[0] * own[1])?;
-        components.push(enlarged(samples, own, size, pixels));
-    }
+    let components: Vec<Component> = planes.into_iter().map(|plane| Component::decoded(plane, size)).collect::<Result<_, _>>()?;
     let [luma, blue, red] = components.as_slice() else { return Ok(None) };
-    let mut bands: Vec<Vec<u8>> = (0..3).map(|_| Vec::with_capacity(luma.len())).collect();
-    for ((luma, blue), red) in luma.iter().zip(blue).zip(red) {
+    let [width, height] = size;
+    let mut bands: Vec<Vec<u8>> = (0..3).map(|_| Vec::with_capacity(width * height)).collect();
+    for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
+        let [luma, blue, red] = [luma, blue, red].map(|component| component.at(column, row));
         let (blue, red) = (blue - NEUTRAL, red - NEUTRAL);
         let rgb = [luma + 1.402 * red, luma - 0.344_136 * blue - 0.714_136 * red, luma + 1.772 * blue];
         bands.iter_mut().zip(rgb).for_each(|(band, value)| band.push((value + 0.5).clamp(0.0, 255.0) as u8));
     }
     Ok(Some(bands))
+}
+
+/// The samples of a component, which are enlarged as they are asked for: at the size of the picture they would take several times the memory of its bands.
+struct Component {
+    samples: Vec<u8>,
+    columns: usize,
+    /// Of the columns and of the rows of the picture.
+    between: [Vec<Between>; 2],
+}
+
+/// Two neighbouring samples, and how far from the first to the second.
+#[derive(Clone, Copy)]
+struct Between {
+    first: usize,
+    second: usize,
+    share: f64,
+}
+
+impl Component {
+    fn decoded(Plane { stream, size: own, pixels }: Plane, size: [usize; 2]) -> Result<Self, Error> {
+        let samples = decoded(stream, ColorSpace::Luma, own[0] * own[1])?;
+        let between = [0, 1].map(|axis| {
+            let place = |k: usize| {
+                let at = ((k as f64 + 0.5) / pixels[axis] as f64 - 0.5).clamp(0.0, own[axis] as f64 - 1.0);
+                let first = at as usize;
+                Between { first, second: (first + 1).min(own[axis] - 1), share: at - first as f64 }
+            };
+            (0..size[axis]).map(place).collect()
+        });
+        Ok(Self { samples, columns: own[0], between })
+    }
+
+    /// At a pixel of the picture, between the middles of its samples in both directions.
+    fn at(&self, column: usize, row: usize) -> f64 {
+        let [across, down] = [self.between[0][column], self.between[1][row]];
+        let of_row = |row: usize| {
+            let [first, second] = [across.first, across.second].map(|column| f64::from(self.samples[row * self.columns + column]));
+            first + across.share * (second - first)
+        };
+        let (above, below) = (of_row(down.first), of_row(down.second));
+        above + down.share * (below - above)
+    }
 }
 
 impl Planes {
@@ -97,32 +137,4 @@ impl Planes {
         let planes: Option<Vec<Plane>> = planes.into_iter().collect();
         Ok(size.zip(planes).map(|(size, planes)| Self { size, planes }))
     }
-}
-
-/// Samples of a component at the pixels of the picture, between the middles of its own in both directions.
-fn enlarged(samples: Vec<u8>, [columns, rows]: [usize; 2], [width, height]: [usize; 2], [wide, high]: [usize; 2]) -> Vec<f64> {
-    if [wide, high] == [1, 1] {
-        return samples.into_iter().map(f64::from).collect();
-    }
-    let along = |number: usize, own: usize, pixels: usize| -> Vec<(usize, usize, f64)> {
-        let places = (0..number).map(|k| {
-            let at = ((k as f64 + 0.5) / pixels as f64 - 0.5).clamp(0.0, own as f64 - 1.0);
-            let first = at as usize;
-            (first, (first + 1).min(own - 1), at - first as f64)
-        });
-        places.collect()
-    };
-    let across = along(width, columns, wide);
-    let mut values = Vec::with_capacity(width * height);
-    for (above, below, down) in along(height, rows, high) {
-        let of_row = |row: usize, (left, right, part): (usize, usize, f64)| {
-            let [left, right] = [left, right].map(|column| f64::from(samples[row * columns + column]));
-            left + part * (right - left)
-        };
-        values.extend(across.iter().map(|place| {
-            let (above, below) = (of_row(above, *place), of_row(below, *place));
-            above + down * (below - above)
-        }));
-    }
-    values
 }

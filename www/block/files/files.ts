@@ -13,6 +13,7 @@ import type { PlacingEngine } from '../engine/placing';
 import { asksPurpose, lacksPlaceAlone, purposeOf } from '../state/purpose';
 import { carriedOver } from '../state/carrying';
 import { awaitsFrames, marksOfNone, stemOf } from '../state/film';
+import { framesStep } from '../state/frames-step';
 import { namesOf, withoutPlaces } from '../state/naming';
 import type { Purpose } from '../state/placing';
 import { IMAGE_FILE } from '../../../pkg/block/image-files.js';
@@ -26,7 +27,7 @@ import { newId } from './ids';
 import { fieldsOf, OWN_SETTINGS } from '../../shared/files/json';
 import { asGiven, sortRasters } from './rasters';
 import type { BlockRuns } from './runs';
-import { kindOfTable } from './tables';
+import { hasFiducials, kindOfTable } from './tables';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
@@ -112,7 +113,7 @@ export class BlockFiles {
     const aside =
       found.length - photos.length - film.files.size - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length + lone.length;
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
-    else await this.said([said, film.said === '' ? '' : this.framesStep()].filter((text) => text !== '').join(' '));
+    else await this.said([said, film.said === '' ? '' : framesStep(this.store.state)].filter((text) => text !== '').join(' '));
     const putAside = [film.aside, this.marksOfNone(film.marks), notCameras, tables.aside].filter((text) => text !== '').join(' ');
     if (putAside !== '') this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
   }
@@ -236,7 +237,7 @@ export class BlockFiles {
     const marks: File[] = [];
     for (const file of given) {
       if (CAMERAS.test(file.name) && FOCAL_LENGTH in fieldsOf(await file.text())) cameras.push(file);
-      else if (TABLE.test(file.name) && kindOfTable(await file.text(), new Set()).kind === 'fiducials') marks.push(file);
+      else if (TABLE.test(file.name) && hasFiducials(await file.text())) marks.push(file);
     }
     const [camera] = cameras;
     const said = [...(camera === undefined ? [] : [await this.film.camera(camera)]), ...(marks.length === 0 ? [] : [await this.film.marks(marks)])];
@@ -411,17 +412,9 @@ export class BlockFiles {
   /** What the user does next with so many images. */
   private nextStep(count: number): string {
     if (purposeOf(this.store.state) === 'images') return say('press-place');
-    const frames = this.framesStep();
+    const frames = framesStep(this.store.state);
     if (frames !== '') return frames;
     return count >= 2 ? say('press-run') : NEEDS_MORE;
-  }
-
-  /** The same where scans are to become images of one camera first; nothing where there are none, or they are placed as they are. */
-  private framesStep(): string {
-    const { state } = this.store;
-    const { film } = state.placing;
-    if (purposeOf(state) === 'images' || !awaitsFrames(film, state.files)) return '';
-    return film.camera === null ? say('marks-need-their-camera') : say('press-frames', { make: say('make-frames') });
   }
 
   private tell(kind: 'info' | 'busy' | 'problem', text: string): void {

@@ -16,7 +16,7 @@ import type { MadeFrame } from '../engine/frames';
 import type { PlacingEngine } from '../engine/placing';
 import type { TextFile } from '../state/file';
 import { filmOf, FRAMES, frameName, framesOf, NO_FILM, stemOf } from '../state/film';
-import { withMeasurements } from '../state/marks';
+import { marksByHand, withMeasurements } from '../state/marks';
 import type { BlockFile, BlockOptions } from '../state/state';
 import { newId } from './ids';
 
@@ -75,6 +75,8 @@ function replace(store: BlockStore, frames: readonly MadeFrame[]): void {
   );
   const ofFile = measured.table(options.marks);
   const byHand = withMeasurements(marks, (rows) => measured.rows(rows));
+  // Steps that were undone or replaced go along, too; told is what holds.
+  measured.count(marksByHand(marks));
   store.dispatch({ type: 'files', files: images, truth });
   store.dispatch({ type: 'options', options: { masks, cameras, marks: ofFile } });
   store.dispatch({ type: 'marks', marks: byHand });
@@ -92,10 +94,14 @@ class Carried {
   constructor(private readonly frames: FrameOfScan[]) {}
 
   rows(rows: readonly ImageMeasurementRow[]): ImageMeasurementRow[] {
-    const { measurements, moved, beside } = film_measurements([...rows], this.frames);
+    return film_measurements([...rows], this.frames).measurements;
+  }
+
+  /** Counts what becomes of these. */
+  count(rows: readonly ImageMeasurementRow[]): void {
+    const { moved, beside } = film_measurements([...rows], this.frames);
     this.moved += moved;
     for (const { image, point } of beside) this.beside.add(say('in', { point, image }));
-    return measurements;
   }
 
   /** Those of a file; one that cannot be read, or has none of a scan, stays as it is. */
@@ -108,7 +114,9 @@ class Carried {
       return file;
     }
     const scans = new Set(this.frames.map(({ scan }) => scan));
-    return rows.some(({ image }) => scans.has(image)) ? { name: file.name, text: image_measurement_table(this.rows(rows)) } : file;
+    if (!rows.some(({ image }) => scans.has(image))) return file;
+    this.count(rows);
+    return { name: file.name, text: image_measurement_table(this.rows(rows)) };
   }
 
   /** What became of them; nothing where there were none. */

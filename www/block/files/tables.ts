@@ -19,11 +19,15 @@ function columnsOf(text: string): string[] {
   return head.split(/[,;\t]/u).map((column) => column.trim());
 }
 
+/** Whether it is one of fiducial marks; a slip in one of its lines is said of that. */
+export function hasFiducials(text: string): boolean {
+  const columns = columnsOf(text);
+  return OF_FIDUCIALS.every((column) => columns.includes(column));
+}
+
 /** `images`: the names of those of the block, which are told from points by them. */
 export function kindOfTable(text: string, images: ReadonlySet<string>): TableKind {
-  // A slip in one of its lines is said of a table of marks.
-  const columns = columnsOf(text);
-  if (OF_FIDUCIALS.every((column) => columns.includes(column))) return { kind: 'fiducials' };
+  if (hasFiducials(text)) return { kind: 'fiducials' };
   const areImages = (names: readonly string[]) => names.length > 0 && names.every((name) => images.has(name) || IMAGE_FILE.test(name));
   try {
     if (areImages(parse_image_measurements(text).map(({ image }) => image))) return { kind: 'marks' };
@@ -34,7 +38,7 @@ export function kindOfTable(text: string, images: ReadonlySet<string>): TableKin
     const names = parse_ground_control_points(text).map(({ name }) => name);
     if (names.length === 0) return { kind: 'neither', why: say('it-has-no-rows') };
     if (areImages(names)) return { kind: 'neither', why: say('its-rows-are-images') };
-    if (OF_TIE_POINTS.every((column) => columns.includes(column))) return { kind: 'neither', why: say('its-rows-are-tie-points') };
+    if (OF_TIE_POINTS.every((column) => columnsOf(text).includes(column))) return { kind: 'neither', why: say('its-rows-are-tie-points') };
     return { kind: 'control' };
   } catch (error) {
     return { kind: 'neither', why: messageOf(error) };

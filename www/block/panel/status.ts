@@ -12,6 +12,7 @@ import { collectedOf, waitsForMarks } from '../state/marks';
 import { controlText } from '../state/words';
 import { unplacedFiles } from '../state/placed';
 import type { Purpose } from '../state/placing';
+import { framesStep } from '../state/frames-step';
 import { asksPurpose, isOffGround, lacksPlaceAlone, purposeOf } from '../state/purpose';
 import { isInSystemOf } from '../state/showing';
 import { isBusy, isOutdated } from '../state/state';
@@ -179,7 +180,9 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
     return { ...line('idle', text), more: say('taking-the-control', { kept: state.history.done > 0 ? 'edits' : 'none' }), next: takeControl(actions) };
   }
   if (files.length >= 2) {
-    const why = shown === null || shown.view.partial ? say('press-run') : say('images-or-settings-have-changed');
+    const first = framesStep(state);
+    const run = shown === null || shown.view.partial ? say('press-run') : say('images-or-settings-have-changed');
+    const why = first === '' ? run : first;
     return line('idle', `${say('block-images', { images: files.length })} ${why}`);
   }
   return line('idle', say('open-the-images-of-a'));

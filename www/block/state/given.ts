@@ -1,5 +1,12 @@
 /** What is wrong with the files that a run is given beside its images: read as the run reads them, once they are there. */
-import { check_cameras, check_control, check_geoid, check_masks, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
+import {
+  check_cameras,
+  check_control,
+  check_geoid,
+  masks_of_images,
+  parse_image_measurements,
+  parse_ground_control_points,
+} from '../../../pkg/wasm/tiepoint.js';
 import type { GeoreferencingOptions } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import { collectedOf } from './marks';
@@ -62,7 +69,7 @@ const problems = remember(
     if (pointsRead && marksRead && run !== null) look('marks', marks?.name ?? '', () => check_control(run.points, run.marks, names, placing));
     if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
     look('masks', '', () =>
-      check_masks(
+      masks_of_images(
         names,
         masks.map(({ name }) => name),
       ),
