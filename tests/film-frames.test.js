@@ -114,7 +114,10 @@ test('masks and image measurements of scans become those of their frames, by fil
     y_px,
   });
   const hand = [row('b.png', 'P1', 90, 70), row('a.png', 'P3', 130, 90)];
-  store.dispatch({ type: 'marks', marks: { edits: [[row('a.png', 'P2', 1, 1)], hand].map((step) => ({ kind: 'measure', marks: step, after: 0 })), done: 2 } });
+  // The last one was undone: it goes along, and is not counted.
+  const undone = [row('b.png', 'P3', 110, 80)];
+  const given = [[row('a.png', 'P2', 1, 1)], hand, undone].map((step) => ({ kind: 'measure', marks: step, after: 0 }));
+  store.dispatch({ type: 'marks', marks: { edits: given, done: 2 } });
 
   await page.frames.takeFrames(store, engine);
   const { files, options, marks: steps, notice, placing } = store.state;
@@ -126,9 +129,10 @@ test('masks and image measurements of scans become those of their frames, by fil
   const moved = (/** @type {number} */ x, /** @type {number} */ y) => [...film_positions(film, Float64Array.of(x, y), 'frame')];
   const [x = NaN, y = NaN] = moved(100.5, 60.25);
   assert.deepEqual(parse_image_measurements(options.marks.text), [row('a-film.png', 'P1', x, y), row('IMG_7.jpg', 'P1', 7, 8)]);
-  const [[bx = NaN, by = NaN], [ax = NaN, ay = NaN]] = [moved(90, 70), moved(130, 90)];
+  const [[bx = NaN, by = NaN], [ax = NaN, ay = NaN], [ux = NaN, uy = NaN]] = [moved(90, 70), moved(130, 90), moved(110, 80)];
   // The step that measured beside the frame is gone.
-  assert.deepEqual(steps, { edits: [{ kind: 'measure', marks: [row('b-film.png', 'P1', bx, by), row('a-film.png', 'P3', ax, ay)], after: 0 }], done: 1 });
+  const left = [[row('b-film.png', 'P1', bx, by), row('a-film.png', 'P3', ax, ay)], [row('b-film.png', 'P3', ux, uy)]];
+  assert.deepEqual(steps, { edits: left.map((step) => ({ kind: 'measure', marks: step, after: 0 })), done: 1 });
   assert.match(
     notice.text,
     /^2 scans were resampled to images of one camera, which counts as calibrated\. Masks leave out the fiducial marks\. 3 image measurements were carried over\./,
