@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { BlockScene, geographic_positions, grey_png, OrthophotoReference, system_coordinates } from '../pkg/node.js';
+import { BlockScene, geographic_positions, grey_png, image_position, OrthophotoReference, system_coordinates } from '../pkg/node.js';
+import { inDegrees } from './page/georeferenced.js';
 import { pageModules } from './www.js';
 
 /** @type {Record<string, any>} */
@@ -33,17 +34,6 @@ const scene = () => {
   made.free();
   return { picture, heights };
 };
-
-/** The same GeoTIFF with keys that say longitudes and latitudes.  @param {Uint8Array} file */
-function inDegrees(file) {
-  const changed = Uint8Array.from(file);
-  // GTModelTypeGeoKey, which stands in the directory of keys, once: projected.
-  const key = [0, 4, 0, 0, 1, 0, 1, 0];
-  const at = changed.findIndex((_, from) => key.every((byte, k) => changed[from + k] === byte));
-  assert.ok(at > 0);
-  changed[at + 6] = 2;
-  return changed;
-}
 
 test('orthophotos, heights and photographs are told apart by what they hold', async () => {
   const { sortRasters, kindOfTiff } = page.rasters;
