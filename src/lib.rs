@@ -41,6 +41,7 @@ mod points;
 mod reconstruction;
 mod report;
 mod simulate;
+mod source;
 mod tables;
 mod text;
 mod tracks;
@@ -82,8 +83,8 @@ pub use formats::{
 };
 pub use georeferenced::{Georeference, Sidecars};
 pub use image::{
-    Bands, DecodeLimits, Decoded, DiskFile, FileSource, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header,
-    reduce_to, write_bands, write_png,
+    Bands, DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header, reduce_to, write_bands,
+    write_png,
 };
 pub use json::JsonFault;
 pub use matching::{
@@ -144,6 +145,7 @@ pub use simulate::{
     Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block, score_matches,
     simulate, simulate_block, simulate_network,
 };
+pub use source::{DiskFile, FileSource};
 pub use tables::{matches_csv, model_points_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 pub use tracks::{
     BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, FeatureObservation,

@@ -9,11 +9,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 32] = [
+const ORDER: [&str; 33] = [
     "message",
     "json",
     "error",
     "text",
+    "source",
     "catalogue",
     "math",
     "crs",

@@ -14,6 +14,7 @@ before(async () => {
       'block/state/state',
       'block/state/reducer',
       'block/state/purpose',
+      'block/state/doubt',
       'block/state/showing',
       'block/state/added',
       'block/state/places',
@@ -92,6 +93,29 @@ test('a block is off its ground until it is placed, and again after other height
   // Other images: all of it is run.
   const more = reduce(placed, { type: 'files', files: [...placed.files, file(3)], truth: null });
   assert.ok(!lacksPlaceAlone(more) && page.purpose.isStale(more));
+});
+
+test('that images record positions elsewhere is said until they, or their block, are on the orthophoto', () => {
+  const { doubtOf } = page.doubt;
+  const reduce = page.reducer.reduceBlock;
+  const said = { type: 'elsewhere', text: 'elsewhere' };
+  // Each image by itself: one without a place leaves the doubt.
+  const images = after(given[0], said);
+  const result = (/** @type {object | null} */ placement) => ({
+    type: 'placed',
+    image: 1,
+    placed: { key: '', result: { placement }, problem: '', steps: [], done: 0 },
+  });
+  assert.deepEqual([doubtOf(after(given[0])), doubtOf(images)], ['', 'elsewhere']);
+  assert.deepEqual([doubtOf(reduce(images, result(null))), doubtOf(reduce(images, result({})))], ['elsewhere', '']);
+  // A block: it is placed, not linked, and wanted on other heights.
+  const wanted = [...given, said, { type: 'purpose', purpose: 'block' }].reduce(reduce, after(...run(after())));
+  const ground = { key: page.purpose.groundKey(wanted), before: new Blob([]) };
+  const on = (/** @type {string} */ kind) => reduce(wanted, { type: 'onGround', view: view([], { orthophoto: { kind, text: '' } }), edits: [], ground });
+  assert.deepEqual([doubtOf(wanted), doubtOf(on('failed')), doubtOf(on('linked'))], ['elsewhere', 'elsewhere', '']);
+  assert.equal(doubtOf(reduce(on('linked'), model(10))), 'elsewhere');
+  assert.equal(doubtOf(reduce(wanted, { type: 'options', options: { gps: 'ignore' } })), '');
+  assert.equal(doubtOf(reduce(wanted, { type: 'purpose', purpose: 'map' })), '');
 });
 
 test('edits hold in the system of an orthophoto, but for those of places of another one', () => {

@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { BlockScene, geographic_positions, grey_png, OrthophotoReference, system_coordinates } from '../pkg/node.js';
+import { BlockScene, geographic_positions, grey_png, image_position, OrthophotoReference, system_coordinates } from '../pkg/node.js';
+import { inDegrees } from './page/georeferenced.js';
 import { pageModules } from './www.js';
 
 /** @type {Record<string, any>} */
@@ -12,6 +13,7 @@ before(async () => {
   Object.assign(
     page,
     await pageModules([
+      'block/engine/recorded',
       'block/files/rasters',
       'block/state/under',
       'block/state/placing',
@@ -33,17 +35,6 @@ const scene = () => {
   made.free();
   return { picture, heights };
 };
-
-/** The same GeoTIFF with keys that say longitudes and latitudes.  @param {Uint8Array} file */
-function inDegrees(file) {
-  const changed = Uint8Array.from(file);
-  // GTModelTypeGeoKey, which stands in the directory of keys, once: projected.
-  const key = [0, 4, 0, 0, 1, 0, 1, 0];
-  const at = changed.findIndex((_, from) => key.every((byte, k) => changed[from + k] === byte));
-  assert.ok(at > 0);
-  changed[at + 6] = 2;
-  return changed;
-}
 
 test('orthophotos, heights and photographs are told apart by what they hold', async () => {
   const { sortRasters, kindOfTiff } = page.rasters;
@@ -101,6 +92,74 @@ test('orthophotos, heights and photographs are told apart by what they hold', as
   assert.equal(kindOfTiff(new Map([[258, 32]]), true), 'heights');
 });
 
+test('the GNSS position of a TIFF is read from its directories, wherever they lie, and without it no more', () => {
+  // Behind 40 MB of pixels that nobody reads: a directory that points to one of GPS, with the values of that.
+  const [main, gps, values, size] = [40_000_000, 40_000_018, 40_000_072, 40_000_120];
+  const tail = Buffer.alloc(size - main);
+  tail.writeUInt16BE(1, 0);
+  const entry = (/** @type {number} */ at, /** @type {number} */ tag, /** @type {number} */ kind, /** @type {number} */ count, /** @type {number} */ value) => {
+    tail.writeUInt16BE(tag, at);
+    tail.writeUInt16BE(kind, at + 2);
+    tail.writeUInt32BE(count, at + 4);
+    tail.writeUInt32BE(value, at + 8);
+  };
+  entry(2, 0x8825, 4, 1, gps);
+  tail.writeUInt16BE(4, gps - main);
+  const letter = (/** @type {string} */ side) => side.charCodeAt(0) * 2 ** 24;
+  entry(gps - main + 2, 1, 2, 2, letter('N'));
+  entry(gps - main + 14, 2, 5, 3, values);
+  entry(gps - main + 26, 3, 2, 2, letter('W'));
+  entry(gps - main + 38, 4, 5, 3, values + 24);
+  for (const [k, value] of [30, 1, 15, 1, 0, 1, 98, 1, 30, 1, 0, 1].entries()) tail.writeUInt32BE(value, values - main + 4 * k);
+  const head = Buffer.from('MM\0*\0\0\0\0', 'latin1');
+  head.writeUInt32BE(main, 4);
+  let read = 0;
+  const part = (/** @type {number} */ at, /** @type {number} */ length) => {
+    read += length;
+    const bytes = new Uint8Array(length);
+    for (const [from, known] of /** @type {const} */ ([
+      [0, head],
+      [main, tail],
+    ]))
+      for (const [k, byte] of known.entries()) if (from + k >= at && from + k < at + length) bytes[from + k - at] = byte;
+    return bytes;
+  };
+  assert.deepEqual(image_position({ size, read: part }), { longitude_deg: -98.5, latitude_deg: 30.25, height_m: null, error_m: null });
+  assert.ok(read < 400_000, `${read} of ${size} bytes`);
+  // What is no file is refused; what cannot be read has none.
+  assert.throws(() => image_position(/** @type {any} */ (null)), /file/);
+  const broken = () => {
+    throw new Error('gone');
+  };
+  assert.equal(image_position({ size, read: broken }), null);
+});
+
+test('each image is read once for its GNSS position, and no more as soon as it is not wanted', async () => {
+  const at = { longitude_deg: 8, latitude_deg: 50, height_m: null, error_m: null };
+  /** @type {Blob[]} */
+  const asked = [];
+  let ended = 0;
+  const [one, other, lost] = [new Blob(['1']), new Blob(['2']), new Blob(['3'])];
+  const reader = {
+    call: (/** @type {string} */ _, /** @type {{ file: Blob }} */ { file }) => {
+      asked.push(file);
+      return file === lost ? Promise.reject(new Error('gone')) : Promise.resolve(file === one ? at : null);
+    },
+    cancel: () => {
+      ended += 1;
+    },
+  };
+  const recorded = new page.recorded.RecordedPositions(reader);
+  const files = [one, other, lost].map((file, id) => ({ id, name: String(id), file }));
+  assert.deepEqual(await recorded.of(files, () => true), [at]);
+  assert.deepEqual(await recorded.of([...files].reverse(), () => true), [at]);
+  assert.deepEqual([asked, ended], [[one, other, lost], 2]);
+  // An image that is gone is forgotten; after the first answer the others are not asked for.
+  assert.deepEqual(await recorded.of([], () => true), []);
+  assert.equal(await recorded.of(files, () => false), null);
+  assert.deepEqual([asked.length, ended], [4, 3]);
+});
+
 test('a large orthophoto is read in parts, by an object that gives bytes at once', () => {
   const [side, rows, head] = [6_500, 100, 8];
   const value = (/** @type {number} */ x, /** @type {number} */ y) => 20 + (((x >> 4) * 7 + (y >> 4) * 13) % 200);
@@ -146,8 +205,8 @@ test('a large orthophoto is read in parts, by an object that gives bytes at once
     },
   };
   const reference = OrthophotoReference.open(parts, { world_file: '0.5\n0\n0\n-0.5\n1000\n2000\n', projection: 'EPSG:25832' });
-  const { width, height, in_parts: isInParts, epsg } = reference.info();
-  assert.deepEqual([width, height, isInParts, epsg], [side, side, true, 25832]);
+  const { width, height, in_parts: isInParts, epsg, on_earth: isOnEarth } = reference.info();
+  assert.deepEqual([width, height, isInParts, epsg, isOnEarth], [side, side, true, 25832, true]);
   const part = reference.picture(3_000, 4_000, 40, 30, 0);
   assert.ok(part.every((grey, k) => grey === value(3_000 + (k % 40), 4_000 + Math.floor(k / 40))));
   assert.ok(read < file.length / 20, `${read} of ${file.length} bytes read`);

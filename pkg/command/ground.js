@@ -51,35 +51,20 @@ export function openReference(file, ground, placing) {
   }
 }
 
-/** EXIF stands at the beginning of a file; of a TIFF it may stand anywhere. */
-const HEAD_BYTES = 1 << 20;
-
 /**
  * What is to be said of images before anything is matched: that none records a GNSS position near the orthophoto. Null where one does, or where nothing says it.
  * @param {OrthophotoReference} reference @param {readonly string[]} images @returns {import('../node.js').Remark | null}
  */
 export function elsewhereOf(reference, images) {
-  const positions = [];
-  for (const image of images) {
-    const position = positionOf(image);
-    if (!position) continue;
-    // The others need not be read.
-    if (reference.elsewhere([position]) === null) return null;
-    positions.push(position);
-  }
-  return reference.elsewhere(positions);
+  if (!reference.info().on_earth) return null;
+  return reference.elsewhere(images.map(positionOf).filter((position) => position !== null));
 }
 
 /** What cannot be read is told when it is placed.  @param {string} image */
 function positionOf(image) {
   if (!isFile(image)) return null;
   try {
-    const file = inParts(image);
-    if (!('read' in file)) return null;
-    const { size } = file;
-    const head = file.read(0, Math.min(size, HEAD_BYTES));
-    const isTiff = [0x4949, 0x4d4d].includes(((head[0] ?? 0) << 8) | (head[1] ?? 0));
-    return image_position(head) ?? (isTiff && size > head.length ? image_position(readBytes(image)) : null);
+    return image_position(inParts(image));
   } catch (error) {
     if (error instanceof DataError) return null;
     throw error;

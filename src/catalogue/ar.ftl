@@ -698,7 +698,10 @@ remark-result-system =
        *[other] . والانتقال من WGS 84 هو { $operation }، بدقة { SIGNIFICANT($accuracy_m, digits: 1) } م
     }{ $gnss_above_m ->
         [none] {""}
-       *[other] . وارتفاعاته من سطح خاص به: لم تشارك ارتفاعات مواضع GNSS. وهي أعلى من ارتفاعات الكتلة بمقدار { FIXED($gnss_above_m, digits: 2) } م، أي نحو ارتفاع الجيوئيد (--geoid، --geoid-m) إذا كانت فوق الإهليلجي
+       *[other] . وارتفاعاته من سطح خاص به: لم تشارك ارتفاعات مواضع GNSS. وهي { SIGN($gnss_above_m) ->
+            [minus] أدنى
+           *[plus] أعلى
+        } من ارتفاعات الكتلة بمقدار { AMOUNT($gnss_above_m, digits: 2) } م، أي نحو ارتفاع الجيوئيد (--geoid، --geoid-m) إذا كانت فوق الإهليلجي
     }
 remark-geoid = تُحسب الارتفاعات من جيوئيد { $name }، الذي يعلو المجسم الإهليلجي بمقدار { FIXED($low_m, digits: 2) } إلى { FIXED($high_m, digits: 2) } م حيث الصور
 remark-no-result-system = النتائج ليست في { $crs }: ليس للكتلة موضع على الأرض تعطيه مواضع GNSS أو نقاط الضبط
@@ -722,7 +725,10 @@ remark-orthophoto-heights =
        *[false] الإهليلج
     }: موقع الكتلة { $above_m ->
         [none] مزاح في الارتفاع بمقدار ارتفاع الجيوئيد
-       *[other] أعلى مما يجب بمقدار { FIXED($above_m, digits: 1) } م
+       *[other] { SIGN($above_m) ->
+            [minus] أدنى
+           *[plus] أعلى
+        } مما يجب بمقدار { AMOUNT($above_m, digits: 1) } م
     }؛ حوّل الارتفاعات، أو بيّن بالخيار --geoid أو --geoid-m أو --crs أن صفرهما واحد
 remark-orthophoto-units = شرق الصورة المصححة وشمالها بوحدات طول كل منها { $unit_m } م؛ وتؤخذ ارتفاعات أرضها بوحدات طول كل منها { $height_unit_m } م
 remark-unsupported-edits = كُتب ملف المشروع قبل أن تُحفظ جميع النقاط المضبوطة: مع التعديلات تُضبط الكتلة بالنقاط المختارة وحدها، وهي أقل دقة

@@ -1111,7 +1111,10 @@ remark-result-system =
        *[other] . The shift from WGS 84 is that of { $operation }, accurate to { SIGNIFICANT($accuracy_m, digits: 1) } m
     }{ $gnss_above_m ->
         [none] {""}
-       *[other] . Its heights count from a level of their own: heights of GNSS positions took no part. They are { FIXED($gnss_above_m, digits: 2) } m higher than those of the block, about the height of the geoid (--geoid, --geoid-m) where they are above the ellipsoid
+       *[other] . Its heights count from a level of their own: heights of GNSS positions took no part. They are { AMOUNT($gnss_above_m, digits: 2) } m { SIGN($gnss_above_m) ->
+            [minus] lower
+           *[plus] higher
+        } than those of the block, about the height of the geoid (--geoid, --geoid-m) where they are above the ellipsoid
     }
 remark-geoid = heights count from the geoid of { $name }, which lies { FIXED($low_m, digits: 2) } to { FIXED($high_m, digits: 2) } m above the ellipsoid where the images are
 remark-no-result-system = the results are not in { $crs }: the block is not georeferenced, which GNSS positions or control points would do
@@ -1135,7 +1138,10 @@ remark-orthophoto-heights =
        *[false] the ellipsoid
     }: the block lies { $above_m ->
         [none] off in height by the height of the geoid
-       *[other] { FIXED($above_m, digits: 1) } m too high
+       *[other] { AMOUNT($above_m, digits: 1) } m too { SIGN($above_m) ->
+            [minus] low
+           *[plus] high
+        }
     }; convert the heights, or say with --geoid, --geoid-m or --crs that both count from one zero
 remark-orthophoto-units = the orthophoto has eastings and northings in units of { $unit_m } m; heights of its ground are taken in units of { $height_unit_m } m
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise

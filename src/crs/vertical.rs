@@ -7,11 +7,13 @@ use proj_core::{VerticalCrsKind, lookup_vertical_epsg};
 const ELLIPSOIDS: std::ops::RangeInclusive<u16> = 5001..=5033;
 
 /// A vertical system that a file names.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Vertical {
     pub name: String,
     /// Whether its heights are above the ellipsoid, as those of GNSS are; else they are above a geoid or a level of the sea.
     pub is_ellipsoidal: bool,
+    /// The unit of its heights in m; absent where it has none of its own.
+    pub unit_m: Option<f64>,
 }
 
 impl Vertical {
@@ -22,10 +24,10 @@ impl Vertical {
     pub fn of_code(code: u16) -> Option<Self> {
         if let Some(known) = lookup_vertical_epsg(u32::from(code)) {
             let is_ellipsoidal = matches!(known.kind(), VerticalCrsKind::EllipsoidalHeight { .. });
-            return Some(Self { name: named(known.name(), code), is_ellipsoidal });
+            return Some(Self { name: named(known.name(), code), is_ellipsoidal, unit_m: Some(known.linear_unit_to_meter()) });
         }
         if ELLIPSOIDS.contains(&code) {
-            return Some(Self { name: format!("EPSG:{code}"), is_ellipsoidal: true });
+            return Some(Self { name: format!("EPSG:{code}"), is_ellipsoidal: true, unit_m: None });
         }
         Definition::read(&format!("EPSG:{code}")).ok().as_ref().and_then(Self::of_system)
     }
@@ -34,7 +36,11 @@ impl Vertical {
     pub fn of_system(definition: &Definition) -> Option<Self> {
         match definition.heights() {
             HeightReference::Unsaid => None,
-            heights => Some(Self { name: definition.name(), is_ellipsoidal: heights == HeightReference::Ellipsoid }),
+            heights => Some(Self {
+                name: definition.name(),
+                is_ellipsoidal: heights == HeightReference::Ellipsoid,
+                unit_m: Some(definition.height_unit_m()),
+            }),
         }
     }
 }
@@ -55,6 +61,11 @@ mod tests {
         }
         for code in [4979, 4937, 5030, 5019] {
             assert!(Vertical::of_code(code).is_some_and(|found| found.is_ellipsoidal), "{code}: {:?}", Vertical::of_code(code));
+        }
+        // In metres, feet of the US survey and international ones.
+        for (code, unit_m) in [(5703, 1.0), (6360, 1200.0 / 3937.0), (8228, 0.3048), (4979, 1.0)] {
+            let found = Vertical::of_code(code).and_then(|found| found.unit_m).unwrap_or_else(|| panic!("{code}"));
+            assert!((found - unit_m).abs() < 1e-12, "{code}: {found}");
         }
         // Systems of the plane, and a code that is none.
         assert_eq!([25_832, 4326, 9999].map(Vertical::of_code), [None, None, None]);

@@ -226,7 +226,10 @@ impl Keys {
         let parameters = described.as_ref().and_then(|name| self.described(name, plane_m.unwrap_or(1.0)));
         let height_code = self.short(HEIGHT_SYSTEM).filter(|code| *code != 0 && *code != USER_DEFINED);
         let height_unit_m = unit_m(HEIGHT_UNIT)?;
-        Ok(SaidSystem { epsg, described, parameters, text: None, unit_m: plane_m, height_unit_m, height_code })
+        let said = SaidSystem { epsg, described, parameters, text: None, unit_m: plane_m, height_unit_m, height_code };
+        // A vertical system has its unit, which the key need not repeat.
+        let own_m = || said.vertical().and_then(|vertical| vertical.unit_m);
+        Ok(SaidSystem { height_unit_m: height_unit_m.or_else(own_m), ..said })
     }
 
     /// A system by its parameters; absent for other projections, and where one is missing.
@@ -310,6 +313,11 @@ mod tests {
         for nothing in [0, USER_DEFINED, 9999] {
             assert_eq!(heights(&[[PROJECTED_SYSTEM, 0, 1, 25832], [HEIGHT_SYSTEM, 0, 1, nothing]]), None);
         }
+        // Their unit is that of their system, unless a key has another.
+        let unit_m = |keys: &[[u16; 4]]| said(keys, &[1.0], "x|").height_unit_m;
+        let feet = [[PROJECTED_SYSTEM, 0, 1, 2227], [HEIGHT_SYSTEM, 0, 1, 6360], [HEIGHT_UNIT, 0, 1, 9001]];
+        assert_eq!([unit_m(&feet[..1]), unit_m(&feet), unit_m(&[compound])], [None, Some(1.0), Some(1.0)]);
+        assert!(unit_m(&feet[..2]).is_some_and(|found| (found - FOOT_US).abs() < 1e-12), "{:?}", unit_m(&feet[..2]));
         let rods = GeoTags::read(&tiff(&[[LINEAR_UNIT, 0, 1, 9042]], &[0.0], "")[..]).unwrap_err();
         assert!(rods.to_string().contains("9042"), "{rods}");
         // Keys that lead nowhere say nothing.

@@ -1,9 +1,9 @@
 //! What the first bytes of an image file declare, read without decoding.
 
 use super::layout::{FileLayout, Format, damaged, truncated};
-use super::source::FileSource;
 use super::tiff::TiffLayout;
 use super::{bmp, jpeg, png, pnm, webp};
+use crate::source::FileSource;
 use crate::{Damage, Error, ImageFault, Unsupported};
 
 /// What the first bytes of a file tell.

@@ -177,13 +177,16 @@ impl Texts {
 /// How a number is written, by its digits.
 type Format = fn(f64, usize) -> String;
 
-/// The functions of catalogues beside [`like`]: hexadecimal digits; digits after the point, significant digits, and powers of ten; a share in per cent.
-pub(super) const FORMATS: [(&str, Format); 5] = [
+/// The functions of catalogues beside [`like`]: hexadecimal digits; digits after the point, the same without a sign, significant digits, and powers of ten;
+/// a share in per cent; `minus` or `plus`, for texts that have a word for each.
+pub(super) const FORMATS: [(&str, Format); 7] = [
     ("HEX", |value, digits| format!("{:0digits$x}", value as u64)),
     ("FIXED", |value, digits| format!("{value:.digits$}")),
+    ("AMOUNT", |value, digits| format!("{:.digits$}", value.abs())),
     ("SIGNIFICANT", significant),
     ("POWER", |value, digits| format!("{value:.digits$e}")),
     ("PERCENT", |value, digits| format!("{:.digits$} %", 100.0 * value)),
+    ("SIGN", |value, _| if value < 0.0 { "minus".into() } else { "plus".into() }),
 ];
 
 fn significant(value: f64, digits: usize) -> String {

@@ -9,6 +9,11 @@ use crate::pipeline::orthophoto_slip;
 use crate::{ExifPosition, OrthophotoSlip, Remark, local_from_geographic};
 
 impl Orthophoto {
+    /// Whether it says a system that is known here, so that places on the earth are led into it.
+    pub fn is_on_earth(&self) -> bool {
+        self.units_m().is_some()
+    }
+
     /// What is to be said where the orthophoto says its system and none of these GNSS positions lies within `within_m` of it: how far off the nearest is, and
     /// what would bring the orthophoto to them. `None` where one lies there, where a place near the images is given by the options, and where nothing says
     /// where both are. It is a doubt: images are sought on all of the orthophoto in any case.
@@ -123,7 +128,9 @@ mod tests {
         assert!(said(&unknown).is_some());
         let near = PlacingOptions { near_x: Some(0.0), near_y: Some(0.0), ..PlacingOptions::default() };
         assert_eq!(unknown.elsewhere(&[position(AT)], &near), None);
+        assert!(unknown.is_on_earth());
         unknown.epsg = None;
+        assert!(!unknown.is_on_earth());
         assert_eq!((said(&unknown), orthophoto(25_832, [0.0; 2]).elsewhere(&[], &PlacingOptions::default())), (None, None));
         // One that is near is enough.
         let one = [position([AT[0] + 1.0, AT[1]]), position(AT)];

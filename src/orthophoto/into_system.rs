@@ -135,11 +135,9 @@ impl IntoSystem {
         let said = [self.is_assumed.then(assumed), conversion.map(converted), (!is_metric).then(units), heights];
         said.into_iter().flatten().collect()
     }
-}
 
-impl IntoSystem {
     /// What is to be said where heights of the ground count from elsewhere than those of the block: they are taken as they are.
-    fn other_heights(&self, Vertical { name, is_ellipsoidal }: Vertical, orthophoto: &Orthophoto) -> Option<Remark> {
+    fn other_heights(&self, Vertical { name, is_ellipsoidal, .. }: Vertical, orthophoto: &Orthophoto) -> Option<Remark> {
         let above_m = match &self.zero {
             HeightZero::Unknown => return None,
             HeightZero::Level(zero_m) if (*zero_m == 0.0) == is_ellipsoidal => return None,
@@ -230,8 +228,11 @@ mod tests {
         for (crs, zero, code) in same {
             assert_eq!(of(crs, zero, code), None, "{code}");
         }
-        let told =
-            Remark::OrthophotoHeights { heights: "a".into(), from_ellipsoid: true, crs: "b".into(), above_m: Some(46.83) }.to_string();
-        assert!(told.contains("46.8 m too high"), "{told}");
+        // The geoid lies below the ellipsoid, as in North America.
+        assert_eq!(of(UTM, HeightZero::Level(-30.0), 4979).unwrap().2, Some(-30.0));
+        for (above_m, expected) in [(46.83, "lies 46.8 m too high;"), (-30.04, "lies 30.0 m too low;")] {
+            let remark = Remark::OrthophotoHeights { heights: "a".into(), from_ellipsoid: true, crs: "b".into(), above_m: Some(above_m) };
+            assert!(remark.to_string().contains(expected), "{remark}");
+        }
     }
 }

@@ -9,7 +9,8 @@ use super::write::{write_geotiff, write_heights};
 use crate::Georeference;
 use crate::error::refuse;
 use crate::georeferenced::{GeoTags, SaidSystem, Sidecars, refuse_degrees};
-use crate::image::{TiffRaster, Wanted, is_tiff, read_all};
+use crate::image::{TiffRaster, Wanted, is_tiff};
+use crate::source::read_all;
 use crate::{
     Bands, DecodeLimits, Document, Error, Feature, FeatureOptions, FileFault, FileSource, GreyImage, Refusal, ScalePoint, decode,
     decode_bands, features,

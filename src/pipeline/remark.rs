@@ -45,7 +45,7 @@ messages! {
         /// Coordinates of the orthophoto, or heights of its ground, are not in m.
         OrthophotoUnits { unit_m: f64, height_unit_m: f64 },
         /// Heights of the orthophoto's ground count from elsewhere than those of the block's system, as their file says: from what it names, above the
-        /// ellipsoid or not; by so much the places are too high, where that is known.
+        /// ellipsoid or not; by so much the places are too high, below 0 too low, where that is known.
         OrthophotoHeights { heights: String, from_ellipsoid: bool, crs: String, above_m: Option<f64> },
         /// The block has no place on the earth that would be in the system that was chosen.
         NoResultSystem { crs: String },

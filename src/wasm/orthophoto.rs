@@ -28,6 +28,8 @@ export interface OrthophotoInfo {
     epsg: number | null;
     /** What its system is called where it has one without a code. */
     described: string | null;
+    /** Whether it says a system that is known here, so that GNSS positions are led into it. */
+    on_earth: boolean;
     heights: [number, number];
     /** What they count from, by the name of a vertical system, where their file says it. */
     heights_from: string | null;
@@ -144,6 +146,7 @@ impl OrthophotoReference {
             ("georeference", pack(georeference)),
             ("epsg", pack(epsg)),
             ("described", pack(&self.orthophoto.described())),
+            ("on_earth", self.orthophoto.is_on_earth().into()),
             ("heights", pack(&heights.range())),
             ("heights_from", pack(&heights.counts_from())),
             ("heights_share", self.orthophoto.heights_share().into()),
@@ -369,11 +372,11 @@ pub fn placed_tables(
     Ok(object([("placed", placed_table(&named).into()), ("links", links_table(&named).into())]))
 }
 
-/// The GNSS position that an image records, by the first bytes of its file or all of them; null where it records none.
+/// The GNSS position that an image records; null where it records none. Of a file in parts no more than its EXIF is read: of a TIFF its directories, wherever
+/// they lie, of other images what stands in their first 256 KiB.
 #[wasm_bindgen(unchecked_return_type = "ExifPosition | null")]
-pub fn image_position(file: &[u8]) -> JsValue {
-    // Positions depend on no size.
-    pack(&ExifImage::read(file, 1, 1).position)
+pub fn image_position(#[wasm_bindgen(unchecked_param_type = "Uint8Array | FileInParts")] file: &JsValue) -> JsResult<JsValue> {
+    Ok(pack(&ExifPosition::of_file(file_source(file)?)))
 }
 
 /// Every option of placing images.

@@ -1,5 +1,6 @@
 /** The orthophoto of a simulated block in a coordinate reference system, as other programs give it: for tests of the page. */
 
+import assert from 'node:assert/strict';
 import { geographic_positions, grey_png, OrthophotoReference, system_coordinates } from '../../pkg/node.js';
 
 /** @typedef {[number, number, number, number, number, number]} Affine columns and rows become (a c + b r + x, d c + e r + y): a, b, x, d, e, y */
@@ -82,4 +83,15 @@ function geotiff(width, height, colours, [a, b, x, d, e, y], epsg) {
     else view.setUint32(entry + 8, value, true);
   });
   return bytes;
+}
+
+/** The same GeoTIFF with keys that say longitudes and latitudes.  @param {Uint8Array} file */
+export function inDegrees(file) {
+  const changed = Uint8Array.from(file);
+  // GTModelTypeGeoKey, which stands in the directory of keys, once: projected.
+  const key = [0, 4, 0, 0, 1, 0, 1, 0];
+  const at = changed.findIndex((_, from) => key.every((byte, k) => changed[from + k] === byte));
+  assert.ok(at > 0);
+  changed[at + 6] = 2;
+  return changed;
 }

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { BlockScene, grey_png } from '../../pkg/node.js';
 import { block, FLIGHT, photos, status } from './blocks.js';
-import { georeferenced } from './georeferenced.js';
+import { georeferenced, inDegrees } from './georeferenced.js';
 import { hosted, part, saved, says, SHOTS, SKIP, upload } from './page.js';
 import { blockGround } from './rendered.js';
 
@@ -191,7 +191,7 @@ test('the sample is placed by one press; image, link and table go together, are 
 test('what is no orthophoto and what are no heights of it is said, and what is there stays', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
   const scene = new BlockScene({ strips: 1, exposures: 2, width_px: 240, height_px: 180, pixel_mm: 0.3 });
-  const { picture } = scene.orthophoto(2);
+  const { picture, heights } = scene.orthophoto(2);
   const photo = scene.photo_file(0);
   scene.free();
   const png = grey_png(40, 30, new Uint8Array(1200).fill(90));
@@ -214,8 +214,12 @@ test('what is no orthophoto and what are no heights of it is said, and what is t
   await status(page, /^grid\.asc holds heights: give their orthophoto first, or both together\.$/);
 
   // A TIFF that says where it lies is an orthophoto wherever it is given; photographs wait for Run.
-  await give('block-files', upload('town.tif', picture), upload('photo.png', photo, 'image/png'));
-  await status(page, /^Orthophoto town\.tif: \d+ × \d+ px of 2 m\. 1 image in the block\. Press Place\.$/);
+  // A grid that may be a geoid is put aside, and the rest is taken.
+  await give('block-files', upload('town.tif', picture), upload('degrees.tif', inDegrees(heights)), upload('photo.png', photo, 'image/png'));
+  await status(
+    page,
+    /^Orthophoto town\.tif: \d+ × \d+ px of 2 m\. 1 image in the block\. Press Place\. degrees\.tif is a grid of numbers [^*]*, and put aside\. [^*]* under Geoid in the settings;[^*]*$/,
+  );
   await give('block-heights', grid(4e6));
   const elsewhere = await status(page, /^(grid\.asc cannot be used as heights|Heights from grid\.asc)/);
   if (elsewhere.startsWith('Heights')) {

@@ -64,7 +64,7 @@ impl ExifCamera {
 
     /// What the file's EXIF and XMP say of its camera: a calibration by XMP goes before the focal plane or the 35 mm equivalent of EXIF, these
     /// before the table of sensors. Absent where no focal length is known.
-    pub(super) fn of(exif: Option<&Fields<'_>>, xmp: &Xmp, size: [u64; 2]) -> Option<Self> {
+    pub(super) fn of(exif: Option<&Fields<&[u8]>>, xmp: &Xmp, size: [u64; 2]) -> Option<Self> {
         let text = |tag| exif.and_then(|exif| exif.text(tag));
         let named = Self { make: text(MAKE), model: text(MODEL), ..Self::default() };
         if let Some((projection, circle_px)) = &xmp.panorama {
@@ -227,7 +227,7 @@ fn focal_plane_doubt(
 }
 
 /// The size in px that the photo was taken with.
-fn taken_size(exif: &Fields<'_>) -> Option<[f64; 2]> {
+fn taken_size(exif: &Fields<&[u8]>) -> Option<[f64; 2]> {
     Some([exif.positive(PIXEL_X_DIMENSION)?, exif.positive(PIXEL_Y_DIMENSION)?])
 }
 
@@ -251,7 +251,7 @@ fn size_caution(taken: [f64; 2], size: [u64; 2]) -> Option<CameraCaution> {
 }
 
 /// Pixel side from the focal-plane resolution, which counts pixels of the image as the camera took it.
-fn focal_plane_pixel_mm(exif: &Fields<'_>, taken: Option<[f64; 2]>, size: [u64; 2]) -> Option<f64> {
+fn focal_plane_pixel_mm(exif: &Fields<&[u8]>, taken: Option<[f64; 2]>, size: [u64; 2]) -> Option<f64> {
     let unit_mm = match exif.number(FOCAL_PLANE_RESOLUTION_UNIT).map_or(2, |unit| unit as u32) {
         2 => 25.4,
         3 => 10.0,
@@ -268,7 +268,7 @@ fn focal_plane_pixel_mm(exif: &Fields<'_>, taken: Option<[f64; 2]>, size: [u64; 
 const FRAME_DIAGONAL_MM: f64 = 43.266_615_305_567_87;
 
 /// Pixel side from the focal length that has the same angle of view on the 35 mm frame, diagonal to diagonal.
-fn equivalent_pixel_mm(exif: &Fields<'_>, focal_mm: f64, [width, height]: [u64; 2]) -> Option<f64> {
+fn equivalent_pixel_mm(exif: &Fields<&[u8]>, focal_mm: f64, [width, height]: [u64; 2]) -> Option<f64> {
     let equivalent_mm = exif.positive(FOCAL_LENGTH_IN_35_MM_FILM)?;
     let diagonal_px = (width as f64 * width as f64 + height as f64 * height as f64).sqrt();
     plausible(focal_mm / equivalent_mm * FRAME_DIAGONAL_MM / diagonal_px)

@@ -3,6 +3,7 @@
 mod blocks;
 mod camera;
 mod fields;
+mod in_parts;
 mod label;
 
 pub use camera::ExifCamera;
@@ -11,6 +12,7 @@ pub(crate) use label::camera_label;
 use self::blocks::xmp_packet;
 use self::fields::{Directory, Fields, Tag};
 use super::xmp::{DroneRecord, Xmp};
+use crate::FileSource;
 use serde::{Deserialize, Serialize};
 
 const MAKE: Tag = (Directory::Main, 0x010f);
@@ -77,7 +79,7 @@ impl ExifImage {
 }
 
 /// The EXIF of a file, and its XMP, which a TIFF file holds in a field.
-fn metadata(file: &[u8]) -> (Option<Fields<'_>>, Xmp) {
+fn metadata(file: &[u8]) -> (Option<Fields<&[u8]>>, Xmp) {
     let exif = Fields::of(file);
     let in_tiff = || exif.as_ref().filter(|_| file.starts_with(b"II") || file.starts_with(b"MM")).and_then(|exif| exif.bytes(XMP));
     let xmp = xmp_packet(file).or_else(in_tiff).map(Xmp::of).unwrap_or_default();
@@ -89,7 +91,7 @@ const MOST_HEIGHT_M: f64 = 1e5;
 
 /// The place, and what of it cannot be: an angle or a height out of range, or (0, 0), which receivers without a fix write. Absent where its
 /// hemisphere is not told.
-fn position(exif: &Fields<'_>) -> (Option<ExifPosition>, Option<String>) {
+fn position<S: FileSource>(exif: &Fields<S>) -> (Option<ExifPosition>, Option<String>) {
     let longitude = angle(exif, LONGITUDE, LONGITUDE_REF, ["E", "W"]);
     let latitude = angle(exif, LATITUDE, LATITUDE_REF, ["N", "S"]);
     let (Some(longitude_deg), Some(latitude_deg)) = (longitude, latitude) else { return (None, None) };
@@ -111,7 +113,7 @@ fn position(exif: &Fields<'_>) -> (Option<ExifPosition>, Option<String>) {
 }
 
 /// Degrees, minutes and seconds with the hemisphere: positive in the first one.
-fn angle(exif: &Fields<'_>, tag: Tag, hemisphere: Tag, [first, second]: [&str; 2]) -> Option<f64> {
+fn angle<S: FileSource>(exif: &Fields<S>, tag: Tag, hemisphere: Tag, [first, second]: [&str; 2]) -> Option<f64> {
     let [degrees, minutes, seconds] = exif.three_ratios(tag)?;
     let sign = match exif.text(hemisphere)?.to_ascii_uppercase() {
         side if side == first => 1.0,

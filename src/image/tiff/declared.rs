@@ -7,7 +7,7 @@ use tiff::decoder::{Decoder, Limits};
 
 use super::directory::Directory;
 use crate::image::layout::{DEFLATE_MOST, FileLayout, Format, damaged, truncated, undecodable};
-use crate::image::source::FileSource;
+use crate::source::FileSource;
 use crate::{Damage, Error, Unsupported};
 
 pub(super) mod tag {

@@ -1,6 +1,6 @@
 //! An image directory of a TIFF file: enough of it to know what the file declares.
 
-use crate::image::source::FileSource;
+use crate::source::FileSource;
 
 /// The types of values in the file.
 const ASCII: u64 = 2;

@@ -3,7 +3,7 @@
 use super::declared::{TiffLayout, tag};
 use super::directory::Directory;
 use crate::image::layout::{Format, damaged, truncated, undecodable};
-use crate::image::source::FileSource;
+use crate::source::FileSource;
 use crate::{Damage, Error};
 use std::ops::Range;
 

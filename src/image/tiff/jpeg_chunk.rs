@@ -6,7 +6,7 @@ use super::grid::Grid;
 use crate::image::jpeg;
 use crate::image::layout::{Format, damaged};
 use crate::image::luminance::Wanted;
-use crate::image::source::FileSource;
+use crate::source::FileSource;
 use crate::{Damage, Error};
 
 /// Rows of the largest block of a JPEG file.

@@ -12,7 +12,7 @@ use super::jpeg_chunk::JpegChunks;
 use super::transparency::Transparency;
 use crate::image::layout::{Format, damaged};
 use crate::image::luminance::{Depth, Sample, SampleLayout, Wanted, bands_of_u8, bands_up_to, luma};
-use crate::image::source::{FileSource, SourceReader};
+use crate::source::{FileSource, SourceReader};
 use crate::{Damage, Error};
 
 /// Image directories that are looked at.

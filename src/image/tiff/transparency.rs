@@ -5,7 +5,7 @@ use super::directory::Directory;
 use super::grid::Grid;
 use crate::Error;
 use crate::image::layout::{Format, truncated};
-use crate::image::source::FileSource;
+use crate::source::FileSource;
 use flate2::read::ZlibDecoder;
 use std::io::Read;
 

@@ -6,10 +6,10 @@ import type {
   BlockEdit,
   BlockFlight,
   BlockModel,
+  ExifPosition,
   ExportFormat,
   OrthophotoInfo,
   Placement,
-  PlacingOptions,
   PlacingVerdict,
   PointDetail,
   Remark,
@@ -17,7 +17,7 @@ import type {
 import type { Position } from '../../shared/state/pane';
 import type { LinksInput } from './block-links';
 import type { Turn, Window } from './match';
-import type { AdjustInput, ControlInput, Ground, LaidInput, LaidPicture, MosaicInput, PlaceInput, PredictInput, TileInput } from './orthophoto';
+import type { AdjustInput, ControlInput, ElsewhereInput, Ground, LaidInput, LaidPicture, MosaicInput, PlaceInput, PredictInput, TileInput } from './orthophoto';
 import type { AddedControl } from '../state/added';
 import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { LinkedImage } from '../state/links';
@@ -103,11 +103,13 @@ export interface BlockCalls {
   blockLine: { input: { from: number; x: number; y: number; to: number }; output: Float64Array };
   /** A message through `stop` breaks it off. */
   blockExport: { input: { kind: ExportKind; name: string; stop: MessagePort }; output: MadeFile };
+  // The worker that reads what images record.
+  imagePosition: { input: { file: Blob }; output: ExifPosition | null };
   // The worker that shows an orthophoto, and those that place images on it.
   orthoInfo: { input: Ground; output: OrthophotoInfo };
   orthoTile: { input: TileInput; output: ImageBitmap };
   /** What is to be said of images before they are placed. */
-  orthoElsewhere: { input: { ground: Ground; options: PlacingOptions; files: readonly Blob[] }; output: Remark | null };
+  orthoElsewhere: { input: ElsewhereInput; output: Remark | null };
   orthoSearch: { input: Pick<PlaceInput, 'ground' | 'options'>; output: number };
   orthoPlace: { input: PlaceInput; output: LinkedImage };
   orthoRectified: { input: { ground: Ground; file: Blob; placement: Placement }; output: Uint8Array };

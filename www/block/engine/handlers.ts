@@ -9,6 +9,7 @@ import { blockPhoto, blockPlan } from './photo';
 import { filmFrame, filmPlan } from './film';
 import { blockGrey } from './grey';
 import {
+  imagePosition,
   mosaicAdd,
   mosaicFinish,
   mosaicOpen,
@@ -53,6 +54,7 @@ export const BLOCK_HANDLERS: Handlers<BlockCalls> = {
   blockPoint,
   blockLine,
   blockExport,
+  imagePosition,
   orthoInfo,
   orthoTile,
   orthoElsewhere,

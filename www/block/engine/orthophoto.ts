@@ -82,6 +82,10 @@ export interface PredictInput {
   place: readonly [number, number] | null;
 }
 
+export interface ElsewhereInput extends Pick<PlaceInput, 'ground' | 'options'> {
+  positions: readonly ExifPosition[];
+}
+
 export interface ControlInput extends Pick<PlaceInput, 'ground' | 'options'> {
   /** X and Y in the system of the orthophoto. */
   place: readonly [number, number];
@@ -173,27 +177,14 @@ function bitmapOf(
   return createImageBitmap(new ImageData(new Uint8ClampedArray(colours.buffer as ArrayBuffer, colours.byteOffset, colours.length), width, height));
 }
 
-/** EXIF stands at the beginning of a file; of a TIFF it may stand anywhere. */
-const HEAD_BYTES = 1 << 20;
-
-/** What is to be said of images before they are placed: that none records a GNSS position near the orthophoto. Null where one does, or nothing says it. */
-export async function orthoElsewhere({ ground, options, files }: { ground: Ground; options: PlacingOptions; files: readonly Blob[] }): Promise<Remark | null> {
-  const { reference } = await opened(ground);
-  const positions: ExifPosition[] = [];
-  for (const file of files) {
-    const position = await positionOf(file);
-    if (position === null) continue;
-    // The others need not be read.
-    if (reference.elsewhere([position], options) === null) return null;
-    positions.push(position);
-  }
-  return reference.elsewhere(positions, options);
+/** What is to be said of images that record these positions, before they are placed. Null where nothing is. */
+export async function orthoElsewhere({ ground, options, positions }: ElsewhereInput): Promise<Remark | null> {
+  return (await opened(ground)).reference.elsewhere(positions, options);
 }
 
-async function positionOf(file: Blob): Promise<ExifPosition | null> {
-  const head = await bytesOf(file.slice(0, HEAD_BYTES));
-  const isTiff = [0x4949, 0x4d4d].includes(((head[0] ?? 0) << 8) | (head[1] ?? 0));
-  return image_position(head) ?? (isTiff && file.size > head.length ? image_position(await bytesOf(file)) : null);
+/** The GNSS position that an image records; null where it records none. */
+export function imagePosition({ file }: { file: Blob }): ExifPosition | null {
+  return image_position(inParts(file));
 }
 
 /** Finds the points among which images are sought; refuses options and heights with which none can be. */

@@ -9,9 +9,11 @@ import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import type { BlockFile } from '../state/state';
 import type { AddedControl } from '../state/added';
+import type { Remark } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockCalls } from './calls';
 import type { BlockStore } from './engine';
 import { makeFrames } from './frames';
+import { RecordedPositions } from './recorded';
 import type { MadeFrame, Scan, Tell } from './frames';
 import type { Ground, LaidPicture, MosaicKind } from './orthophoto';
 import { say } from '../../shared/text/words';
@@ -25,6 +27,7 @@ export class PlacingEngine {
   private readonly shower = new WorkerClient<BlockCalls>('orthophoto');
   private readonly placers = [1, 2].map((number) => new WorkerClient<BlockCalls>(`placing ${String(number)}`));
   private readonly maker = new WorkerClient<BlockCalls>('mosaic');
+  private readonly recorded = new RecordedPositions(new WorkerClient<BlockCalls>('positions'));
   /** Ends what the user cancelled, also between two images. */
   private stopped = false;
   private waits = 0;
@@ -73,17 +76,20 @@ export class PlacingEngine {
     const { files, placing } = this.store.state;
     const { orthophoto, options } = placing;
     const { ground } = this;
-    let text = '';
-    // One that was made of a block lies where that does.
-    if (orthophoto !== null && orthophoto.ofBlock === null && ground !== null && options !== null && files.length > 0) {
-      const asked = { ground, options, files: files.map(({ file }) => file) };
-      const doubt = await this.shower.call('orthoElsewhere', asked).catch(() => null);
-      text = doubt === null ? '' : sentence(message('remark', doubt));
-      const now = this.store.state;
-      // Something else was given meanwhile, which is looked at by itself.
-      if (now.files !== files || now.placing.orthophoto?.raster !== orthophoto.raster || now.placing.options !== options) return;
+    let doubt: Remark | null = null;
+    // One that was made of a block lies where that does, and of one in no known system nothing can be said.
+    if (orthophoto?.ofBlock === null && orthophoto.info.on_earth && ground !== null && options !== null) {
+      // What is given meanwhile is looked at by itself.
+      const areWanted = () => {
+        const now = this.store.state;
+        return now.files === files && now.placing.orthophoto?.raster === orthophoto.raster && now.placing.options === options;
+      };
+      const positions = await this.recorded.of(files, areWanted);
+      if (positions === null) return;
+      if (positions.length > 0) doubt = await this.shower.call('orthoElsewhere', { ground, options, positions }).catch(() => null);
+      if (!areWanted()) return;
     }
-    this.store.dispatch({ type: 'elsewhere', text });
+    this.store.dispatch({ type: 'elsewhere', text: doubt === null ? '' : sentence(message('remark', doubt)) });
   }
 
   /** Places images: those that are not placed yet, where none are named. Gives how many were tried; null where it was cancelled or refused as a whole. */

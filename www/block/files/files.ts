@@ -88,12 +88,6 @@ export class BlockFiles {
   async take(given: readonly FoundFile[], why = ''): Promise<void> {
     const before = this.store.state.notice;
     const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given));
-    const [unclear] = degrees;
-    if (unclear !== undefined) {
-      // A geoid, or heights that are refused: the user says which.
-      this.tell('problem', say('is-a-grid-at-longitudes', { name: unclear.file.name }));
-      return;
-    }
     const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
     const ground = await this.ground.take(rasters);
     const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
@@ -114,7 +108,9 @@ export class BlockFiles {
       found.length - photos.length - film.files.size - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length + lone.length;
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
     else await this.said([said, film.said === '' ? '' : framesStep(this.store.state)].filter((text) => text !== '').join(' '));
-    const putAside = [film.aside, this.marksOfNone(film.marks), notCameras, tables.aside].filter((text) => text !== '').join(' ');
+    // A geoid, or heights that would be refused: where the user gives it says which.
+    const grids = degrees.map(({ file }) => say('is-a-grid-at-longitudes', { name: file.name })).join(' ');
+    const putAside = [grids, film.aside, this.marksOfNone(film.marks), notCameras, tables.aside].filter((text) => text !== '').join(' ');
     if (putAside !== '') this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
   }
 

@@ -8,6 +8,7 @@ import type { BlockStore } from '../engine/engine';
 import { heightsText, placingAnswer, placingRuns } from './placing-answer';
 import { duration, progressBar, runText } from './progress';
 import { orthophotoText } from '../files/ground';
+import { doubtOf } from '../state/doubt';
 import { collectedOf, waitsForMarks } from '../state/marks';
 import { controlText } from '../state/words';
 import { unplacedFiles } from '../state/placed';
@@ -57,7 +58,7 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
   store.watch(
     (s) => [s] as const,
     ([state]) => {
-      const answer = doubted(state, answerOf(state, actions));
+      const answer = doubted(answerOf(state, actions), doubtOf(state));
       // Each image and pair would be read out.
       line.setAttribute('aria-live', answer.kind === 'busy' ? 'off' : 'polite');
       // Messages of the crate name parameters by their keys.
@@ -71,12 +72,8 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
   return card;
 }
 
-/** With what is said, before anything is matched, of images that record positions elsewhere than the orthophoto on which they are to be placed. */
-function doubted(state: BlockState, answer: Answer): Answer {
-  const { elsewhere } = state.placing;
-  const purpose = purposeOf(state);
-  const isUsed = purpose === 'images' || (purpose === 'block' && state.options.gps === 'use');
-  return elsewhere === '' || !isUsed ? answer : { ...answer, more: `${answer.more ?? ''} ${elsewhere}`.trimStart() };
+function doubted(answer: Answer, doubt: string): Answer {
+  return doubt === '' ? answer : { ...answer, more: `${answer.more ?? ''} ${doubt}`.trimStart() };
 }
 
 function placed(state: BlockState, actions: BlockAnswerActions): Answer {
