@@ -96,8 +96,8 @@ pub use matching::{
 pub use math::{geographic_from_local, local_from_geographic};
 pub use message::{Message, Texts};
 pub use model::{
-    BlockDescription, BlockModel, ControlRole, GeographicOrigin, GnssErrors, GroundControlPoint, ImageObservation, KnownCamera, KnownImage,
-    ModelImage, NamedCamera, ObjectPoint, ObservedPosition,
+    BlockDescription, BlockModel, ControlRole, GeographicOrigin, GnssErrors, GroundControlPoint, ImageObservation, ImpossiblePosition,
+    KnownCamera, KnownImage, ModelImage, NamedCamera, ObjectPoint, ObservedPosition, OrthophotoSlip, Remark,
 };
 pub use orientation::{
     ErrorEllipse, ErrorModel, EstimatedCamera, FiveParameters, GlobalTest, ModelPoint, Observation, OrientationMethod, OrientationOptions,
@@ -124,9 +124,9 @@ pub use pair::{
     photo_interior, photo_marks,
 };
 pub use pipeline::{
-    BlockRun, CameraRules, ControlTables, ControlTexts, EditedRun, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News,
-    NotLinked, OnOrthophoto, OrthophotoSlip, ReadImage, RefinedObservation, RefinementTable, Remark, Run, RunImage, RunInput, SkippedImage,
-    StageName, Step, Task, Work, digest, execute, masks_of,
+    BlockRun, CameraRules, ControlTables, ControlTexts, EditedRun, FileNeeded, InitialCamera, Job, JoinedPoints, News, NotLinked,
+    OnOrthophoto, ReadImage, RefinedObservation, RefinementTable, Run, RunImage, RunInput, SkippedImage, StageName, Step, Task, Work,
+    digest, execute, masks_of,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use pipeline::{images_in, replace_file, run_block};

@@ -163,17 +163,85 @@ test('places by hand keep their image measurements on another orthophoto, whatev
   const placed = reduce(before, { type: 'onGround', view: linkedView, edits: [], ground: { key: '', before: new Blob([]) } });
   const there = [[place(1)], [measure(4, 0), measure(4, 1)], [place(2)], [measure(5, 1)], [{ kind: 'set_use', point: 5, use: 'check' }]];
   assert.deepEqual(placed.history, { edits: there, done: 5 });
-  // Back in the system that it had.
-  const back = reduce(placed, { type: 'onGround', view: own, edits: [], ground: null });
-  assert.deepEqual(back.history, { edits: steps, done: 5 });
   // Steps that were undone too, and what is read of the browser's storage.
-  const undone = reduce(reduce(before, { type: 'goto', done: 2 }), { type: 'onGround', view: linkedView, edits: [], ground: null });
+  const elsewhere = { type: 'onGround', view: linkedView, edits: [], ground: { key: '', before: new Blob([]) } };
+  const undone = reduce(reduce(before, { type: 'goto', done: 2 }), elsewhere);
   assert.deepEqual(undone.history, { edits: there, done: 2 });
   assert.deepEqual(page.edit.stepFrom(structuredClone(steps[0]), 'step'), steps[0]);
+  const heights = { kind: 'orthophoto_heights', heights: 'EGM96', from_ellipsoid: false, crs: 'EPSG:4979', above_m: null };
+  assert.deepEqual(page.edit.stepFrom([{ ...place(1), remarks: [heights] }], 'step'), [{ ...place(1), remarks: [heights] }]);
   assert.throws(() => page.edit.stepFrom([{ ...place(1), name: 7 }], 'step'), /step\[0\]\.name is damaged/);
   assert.equal(page.naming.nameOfStep(steps[0]), 'add the place orthophoto_hand_1');
   assert.equal(page.added.nextPlace(undone.history), 3);
   assert.equal(page.added.nextPlace({ edits: [], done: 0 }), 1);
+});
+
+test('a block that is taken off the orthophoto leaves the places by hand that would bring it back, and redo makes them again', () => {
+  const reduce = page.reducer.reduceBlock;
+  const own = view(['G1'], { givenControl: 1 });
+  const onGround = { type: 'onGround', view: view(['G1', 'orthophoto_1'], { givenControl: 2 }), edits: [], ground: { key: '', before: new Blob([]) } };
+  const off = { type: 'onGround', view: own, edits: [], ground: null };
+  const rejects = (/** @type {object[]} */ ...points) => ({ kind: 'reject_points', points });
+  const added = { kind: 'add_point', observations: [0, 1].map((image) => ({ image, x_px: 9, y_px: 9, by: 'hand' })) };
+  const surveyed = { ...place(1), name: 'manhole' };
+  const edited = [
+    [place(1)],
+    [measure(2, 0), measure(2, 1)],
+    [rejects({ tie_point: 5 })],
+    [surveyed],
+    [measure(3, 0)],
+    // A place is split into points: these stay, so that later ones have their numbers.
+    [rejects({ ground_control: 2 }), added],
+    [rejects({ manual: 0 }, { ground_control: 3 })],
+    [{ kind: 'set_use', point: 2, use: 'check' }],
+    [place(2)],
+  ].reduce((state, edits) => reduce(state, { type: 'edit', edits }), reduce(after(...run(after(), own)), onGround));
+  const beside = reduce(reduce(edited, { type: 'mark', step: { kind: 'remove_images', files: [], after: 9 } }), { type: 'goto', done: 8 });
+  const back = reduce(beside, off);
+  const stay = [[rejects({ tie_point: 5 })], [surveyed], [measure(1, 0)], [added], [rejects({ manual: 0 }, { ground_control: 1 })]];
+  const again = [[place(1)], [measure(2, 0), measure(2, 1)], [rejects({ ground_control: 2 })], [{ kind: 'set_use', point: 2, use: 'check' }]];
+  assert.deepEqual(back.history, { edits: [...stay, ...again, [place(2)]], done: 5 });
+  assert.deepEqual([back.marks.edits[0].after, back.notice.kind, back.notice.beside], [10, 'info', true]);
+  assert.match(back.notice.text, /^5 edits by hand were kept\. 4 steps of places by hand were undone, .*: Redo makes them again\.$/);
+  assert.equal(back.placing.purpose, 'map');
+  // Nothing is left to bring it there, and nothing more is said where no place holds.
+  const places = page.added.addedPoints(page.editing.editsInForce(back.history), 1);
+  assert.deepEqual([...places.keys()], ['manhole']);
+  const none = reduce(reduce(after(...run(after(), own)), { type: 'edit', edits: [rejects({ tie_point: 5 })] }), off);
+  assert.deepEqual([none.history, none.notice], [{ edits: [[rejects({ tie_point: 5 })]], done: 1 }, null]);
+  // On it again, by redo or by a new place.
+  const redone = reduce(reduce(back, { type: 'goto', done: 10 }), onGround);
+  assert.deepEqual(redone.history.edits[6], [measure(3, 0), measure(3, 1)]);
+  assert.equal(redone.history.done, 10);
+});
+
+test('a place by hand has the measurements that hold, whatever was rejected and restored', () => {
+  const { addedPoints } = page.added;
+  const images = (/** @type {object[]} */ ...edits) => [
+    ...addedPoints([place(1), measure(1, 0), measure(1, 1), measure(1, 2), ...edits], 1)
+      .get('orthophoto_hand_1')
+      .places.keys(),
+  ];
+  const one = (/** @type {string} */ kind) => ({ kind: `${kind}_observations`, observations: [{ point: { ground_control: 1 }, image: 1 }] });
+  assert.deepEqual(images(one('reject')), [0, 2]);
+  assert.deepEqual(images(one('reject'), one('restore')), [0, 1, 2]);
+  assert.deepEqual(images(one('reject'), measure(1, 1)), [0, 1, 2]);
+  assert.deepEqual(images({ kind: 'reject_images', images: [0, 2] }), [1]);
+  assert.deepEqual(images({ kind: 'reject_images', images: [0, 2] }, { kind: 'restore_images', images: [2] }), [1, 2]);
+  // What was measured by hand does not hang on the matches of a pair.
+  assert.deepEqual(images({ kind: 'reject_pairs', pairs: [[0, 1]] }), [0, 1, 2]);
+});
+
+test('a block that places by hand hold lies on the orthophoto, and can be placed on it', () => {
+  const { isOffGround, isStale, lacksPlaceAlone, liesElsewhere, purposeOf, asksPurpose } = page.purpose;
+  const reduce = page.reducer.reduceBlock;
+  const held = view(['orthophoto_hand_1'], { orthophoto: { kind: 'by_hand', text: '', inCrs: false } });
+  const wanted = reduce(given.reduce(reduce, after(...run(after(), held))), { type: 'purpose', purpose: 'block' });
+  assert.deepEqual([isOffGround(wanted), lacksPlaceAlone(wanted), liesElsewhere(wanted), isStale(wanted)], [true, true, false, false]);
+  const opened = after({ type: 'openedFile', view: held, edits: [place(1)] }, ...given);
+  assert.ok(purposeOf(opened) === null && asksPurpose(opened));
+  const elsewhere = reduce(given.reduce(reduce, after(...run(after()))), { type: 'purpose', purpose: 'block' });
+  assert.deepEqual([isOffGround(elsewhere), liesElsewhere(elsewhere), isStale(elsewhere)], [true, true, true]);
 });
 
 test('a place by hand stands beside the block until it suffices, is measured by edits, and is chosen once it is in the block', () => {

@@ -8,8 +8,8 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
     Axis, BlockEdit, BlockFiles, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning,
     CameraUncertainty, ControlRole, ControlTexts, DecodeLimits, Heights, MeasuredBy, MultiscaleOptions, NotLinked, OnOrthophoto,
-    Orthophoto, OverviewWarning, PlacingOptions, PointSource, RunInput, SearchArea, control_by_hand, decode, parse_ground_control_points,
-    read_project, run_block, write_block_project,
+    Orthophoto, OverviewWarning, PlacingOptions, PointSource, Remark, RunInput, SearchArea, control_by_hand, decode,
+    parse_ground_control_points, read_project, run_block, write_block_project,
 };
 
 /// Of the map, from that of the scene.
@@ -173,6 +173,9 @@ fn a_focal_length_that_contradicts_what_was_known_is_said_of_a_block_on_an_ortho
         BlockVerdict::of(&run)
     };
     let on = || found.orthophoto.clone();
+    let by_hand = Some(OnOrthophoto::ByHand { linked: 8, images: 8, points: 4, in_crs: false, epsg: None });
+    let said = verdict(1.25, CameraUncertainty::EXIF, by_hand);
+    assert!(matches!(&said, BlockVerdict::Weak { overview_warning: OverviewWarning::FocalApart { .. }, .. }), "{said}");
     let said = verdict(1.25, CameraUncertainty::EXIF, on());
     let BlockVerdict::Weak { overview_warning: OverviewWarning::FocalApart { estimated_px, prior_px, apart, .. }, .. } = &said else {
         panic!("{said}")
@@ -432,12 +435,38 @@ fn places_by_hand_bring_a_block_that_could_not_be_linked_into_the_system_of_the_
             && !matches!(BlockVerdict::of(&edited), BlockVerdict::Weak { overview_warning: OverviewWarning::NotOnOrthophoto { .. }, .. })
     );
     holds(&edited, &found.with_edits(&by_hand(0, &corners(), 0.0)).unwrap());
+    // Places that are found once more and do not suffice are said of the block as it was found: these hold it where they brought it.
+    let again = BlockLinks::default().linked(&edited, reference, &options()).unwrap();
+    assert_eq!(again, edited);
+    let without = BlockRun { orthophoto: None, ..found.clone() }.with_edits(&places).unwrap();
+    assert_eq!(BlockLinks::default().linked(&without, reference, &options()).unwrap(), edited);
+    // Nor do edits of a block that lies nowhere else go.
+    let restored = found.with_edits(&[BlockEdit::RestorePoints { points: vec![tie_point] }]).unwrap();
+    assert_eq!(BlockLinks::default().linked(&restored, reference, &options()).unwrap(), restored);
     // Undone, it is what it was.
     assert_eq!(edited.found(), found);
     let tiepoint::Project::Block(again) = read_project(write_block_project(&edited).unwrap().as_bytes()).unwrap() else {
         panic!("a block")
     };
     assert_eq!(again.with_edits(&places[..third]).unwrap(), two);
+
+    // What is to be said of the orthophoto is said as long as a place of it is there, of each kind once.
+    let heights = Remark::OrthophotoHeights { heights: "EGM96".into(), from_ellipsoid: false, crs: "EPSG:4979".into(), above_m: None };
+    let of_another_kind = Remark::UnknownColumns { columns: vec!["x".into()] };
+    let mut noted = places.clone();
+    for edit in &mut noted {
+        if let BlockEdit::AddControl { remarks, .. } = edit {
+            *remarks = vec![heights.clone(), of_another_kind.clone()];
+        }
+    }
+    let said = found.with_edits(&noted).unwrap();
+    assert_eq!(said.remarks, [found.remarks.as_slice(), std::slice::from_ref(&heights)].concat());
+    assert_eq!(said.found(), found);
+    let known = BlockRun { remarks: vec![heights.clone()], ..found.clone() };
+    assert_eq!(known.with_edits(&noted).unwrap().remarks, std::slice::from_ref(&heights));
+    assert_eq!(known.with_edits(&noted).unwrap().found(), known);
+    let tiepoint::Project::Block(again) = read_project(write_block_project(&said).unwrap().as_bytes()).unwrap() else { panic!("a block") };
+    assert_eq!(*again, said);
 }
 
 #[test]
@@ -449,13 +478,28 @@ fn control_points_that_cannot_be_added_are_refused_by_their_edit() {
     let refused = |edits: &[BlockEdit]| found.with_edits(edits).unwrap_err().to_string();
     let told = refused(&[add.clone(), add.clone()]);
     assert!(told.contains("\"orthophoto_hand_1\", which is empty or that of another one") && told.contains("(edit 2)"), "{told}");
-    let BlockEdit::AddControl { position, role, epsg, .. } = add.clone() else { panic!("{add:?}") };
-    let named =
-        |name: &str, standard_errors| BlockEdit::AddControl { name: name.into(), position, standard_errors, sigma_px: None, role, epsg };
-    assert!(refused(&[named("orthophoto_1", None)]).contains("that of another one"));
-    assert!(refused(&[named("", None)]).contains("which is empty"));
-    let told = refused(&[named("P", Some([0.1, -1.0]))]);
+    let BlockEdit::AddControl { position, .. } = add.clone() else { panic!("{add:?}") };
+    let named = |name: &str, position: [f64; 3], standard_errors: Option<[f64; 2]>, sigma_px: Option<f64>| BlockEdit::AddControl {
+        name: name.into(),
+        position,
+        standard_errors,
+        sigma_px,
+        role: ControlRole::Control,
+        epsg: None,
+        remarks: Vec::new(),
+    };
+    assert!(refused(&[named("orthophoto_1", position, None, None)]).contains("that of another one"));
+    assert!(refused(&[named("", position, None, None)]).contains("which is empty"));
+    let told = refused(&[named("P", position, Some([0.1, -1.0]), None)]);
     assert!(told.contains("got [0.1, -1.0] for P; allowed: numbers above 0"), "{told}");
+    for sigma_px in [0.0, -1.0, f64::NAN] {
+        let told = refused(&[add.clone(), named("P", position, None, Some(sigma_px))]);
+        assert!(told.contains(&format!("got {sigma_px} in GCP P; allowed: 0.01 to 100")) && told.contains("(edit 2)"), "{told}");
+    }
+    for x in [f64::NAN, f64::INFINITY, 1e9] {
+        let told = refused(&[add.clone(), named("P", [x, position[1], position[2]], None, None)]);
+        assert!(told.contains("in GCP P; allowed: -1") && told.contains("(edit 2)"), "{told}");
+    }
     // What is not added yet is not measured.
     let given = parse_ground_control_points(&found.input.control.as_ref().unwrap().points).unwrap();
     let given = given.iter().filter(|row| row.role.is_some()).count();

@@ -92,8 +92,8 @@ fn in_system_of(as_found: &BlockDescription, now: &BlockDescription) -> BlockDes
     BlockDescription { control: as_found.control.iter().cloned().chain(added).collect(), ..as_found.clone() }
 }
 
-/// Says which edit of the list is refused.
-fn in_edit(error: Error, number: usize) -> Error {
+/// Says which edit of the list, from 1, is refused.
+pub(crate) fn in_edit(error: Error, number: usize) -> Error {
     match error {
         Error::InvalidInput { refusal } => Refusal::InEdit { edit: number, refusal: Box::new(refusal) }.into_error(),
         other => other,

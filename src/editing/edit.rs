@@ -1,6 +1,6 @@
 //! What may be changed by hand.
 
-use crate::{ControlRole, PointSource};
+use crate::{ControlRole, PointSource, Remark};
 use serde::{Deserialize, Serialize};
 
 /// A change of a finished block by hand. Images count as those of the block.
@@ -70,6 +70,9 @@ pub enum BlockEdit {
         /// The EPSG code of the system of its coordinates, of a place of an orthophoto whose code is known.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         epsg: Option<u16>,
+        /// What is to be said of the coordinates of a place of an orthophoto, whose heights may count from elsewhere than those of the block.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        remarks: Vec<Remark>,
     },
     /// Whether a surveyed point places the block, checks it, or takes no part (absent).
     SetUse {

@@ -77,3 +77,12 @@ pub struct GroundControlPoint {
     /// Inside their images, one in each.
     pub measurements: Vec<ImageObservation>,
 }
+
+impl GroundControlPoint {
+    /// Refuses coordinates and standard errors out of range.
+    pub(crate) fn check_values(&self) -> Result<(), Error> {
+        let own = || Location::Control { name: self.name.clone() };
+        self.position.check(own)?;
+        check_values(Input::MarkSigma, self.sigma_px.as_slice(), 0.01..=100.0, own)
+    }
+}

@@ -3,10 +3,9 @@
 use super::block::seen_twice;
 use super::{BlockModel, ControlRole, GroundControlPoint, ModelImage, ObservedPosition};
 use crate::camera::{Camera, CameraUncertainty, FreeParameters};
-use crate::catalogue::check_values;
 use crate::error::refuse;
 use crate::message::{Message, written};
-use crate::{Error, Few, Input, Location, Refusal};
+use crate::{Error, Few, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// A focal length that is not known is taken for this many times the longer side of the image, as those of most cameras nearly are.
@@ -61,9 +60,7 @@ impl BlockDescription {
 
     fn check_control(&self, point: &GroundControlPoint) -> Result<(), Error> {
         let own = || point.name.clone();
-        point.position.check(|| Location::Control { name: own() })?;
-        let sigma = point.sigma_px.as_slice();
-        check_values(Input::MarkSigma, sigma, 0.01..=100.0, || Location::Control { name: own() })?;
+        point.check_values()?;
         if matches!(point.position, ObservedPosition::Geographic { height_m: None, .. }) {
             return refuse(Refusal::NoHeight { point: own() });
         }

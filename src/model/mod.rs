@@ -1,12 +1,13 @@
 //! A block: its cameras, images, object points with their image observations, GNSS positions and ground control points.
 //!
-//! [`BlockDescription`] is what is known before the orientation, [`BlockModel`] what the orientation gives and files hold.
+//! [`BlockDescription`] is what is known before the orientation, [`BlockModel`] what the orientation gives and files hold, [`Remark`] what is to be said of what was given.
 
 mod block;
 mod check;
 mod control;
 mod description;
 mod gnss;
+mod remark;
 
 #[cfg(test)]
 pub(crate) use block::tiny_block;
@@ -14,3 +15,4 @@ pub use block::{BlockModel, GeographicOrigin, ImageObservation, ModelImage, Obje
 pub use control::{ControlRole, GroundControlPoint, ObservedPosition};
 pub use description::{BlockDescription, KnownCamera, KnownImage, NamedCamera};
 pub use gnss::GnssErrors;
+pub use remark::{ImpossiblePosition, OrthophotoSlip, Remark};

@@ -14,7 +14,7 @@ use super::reference::Orthophoto;
 use super::search_area::SearchArea;
 use crate::math::{NORMAL_MEDIAN, dot3, median, minus};
 use crate::pipeline::GroundPoint;
-use crate::{BlockRun, ControlRole, Error, ExifPosition, GreyView, NotLinked, Pose, Remark};
+use crate::{BlockRun, ControlRole, Error, ExifPosition, Failure, GreyView, NotLinked, Pose, Remark};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -114,7 +114,7 @@ impl BlockLinks {
     /// could not be linked.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for ground control points of names that the places have.
+    /// [`Error::InvalidInput`] for ground control points of names that the places have; as [`BlockRun::with_edits`] where it stays with its edits.
     pub fn linked(&self, run: &BlockRun, reference: &Orthophoto, options: &PlacingOptions) -> Result<BlockRun, Error> {
         let positions: Vec<ExifPosition> = run.gnss_positions().copied().collect();
         let elsewhere = reference.elsewhere(&positions, options);
@@ -127,21 +127,21 @@ impl BlockLinks {
     fn linked_by_places(&self, run: &BlockRun, reference: &Orthophoto, options: &PlacingOptions) -> Result<BlockRun, Error> {
         let oriented = run.model.images.iter().filter(|image| image.pose.is_some()).count();
         if oriented == 0 {
-            return Ok(run.not_linked(NotLinked::NotOriented));
+            return run.not_linked(NotLinked::NotOriented);
         }
         let into = match IntoSystem::of(run, reference) {
             Ok(into) => into,
-            Err(not_linked) => return Ok(run.not_linked(not_linked)),
+            Err(no_way) => return run.not_linked(no_way.into()),
         };
         let placed = self.sure().count();
         if placed < LEAST_IMAGES {
-            return Ok(run.not_linked(NotLinked::FewImages { placed, images: oriented, needed: LEAST_IMAGES }));
+            return run.not_linked(NotLinked::FewImages { placed, images: oriented, needed: LEAST_IMAGES });
         }
         let points = self.points(&in_metres(into.as_ref(), reference), options);
         match into.map(|into| into.taken(points.clone(), reference)).transpose() {
             Ok(None) => run.on_ground(&points, reference.epsg, &[]),
             Ok(Some((points, remarks))) => run.on_ground(&points, reference.epsg, &remarks),
-            Err(not_linked) => Ok(run.not_linked(not_linked)),
+            Err(error) => run.not_linked(NotLinked::Failed { failure: Failure::from(&error) }),
         }
     }
 

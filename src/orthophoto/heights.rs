@@ -127,6 +127,13 @@ const HIGHEST: f64 = 20_000.0;
 const NO_HEIGHT: f64 = -9999.0;
 
 impl HeightModel {
+    /// The same from a file that says by this code what they count from.
+    #[cfg(test)]
+    pub(super) fn counting_from(self, height_code: u16) -> Self {
+        let said = SaidSystem { height_code: Some(height_code), ..(*self.said).clone() };
+        Self { said: Arc::new(said), ..self }
+    }
+
     /// Takes heights row by row; what is not finite is a hole.
     ///
     /// # Errors

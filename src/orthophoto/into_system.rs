@@ -27,12 +27,26 @@ pub(super) struct IntoSystem {
     zero: HeightZero,
 }
 
+/// Nothing leads from the system of an orthophoto to this one.
+#[derive(Debug)]
+pub(super) struct NoWay {
+    pub orthophoto: Option<String>,
+    pub crs: String,
+    pub failure: Failure,
+}
+
+impl From<NoWay> for NotLinked {
+    fn from(NoWay { orthophoto, crs, failure }: NoWay) -> Self {
+        Self::OtherSystem { orthophoto, crs, failure }
+    }
+}
+
 impl IntoSystem {
     /// Absent where the block has no coordinate reference system: it is taken into that of the orthophoto.
     ///
     /// # Errors
-    /// [`NotLinked::OtherSystem`] where nothing leads from one to the other, in the middle of the orthophoto or towards its corners.
-    pub fn of(run: &BlockRun, orthophoto: &Orthophoto) -> Result<Option<Self>, NotLinked> {
+    /// [`NoWay`] where nothing leads from one to the other, in the middle of the orthophoto or towards its corners.
+    pub fn of(run: &BlockRun, orthophoto: &Orthophoto) -> Result<Option<Self>, NoWay> {
         let zero = || run.input.zero(run.geoid.as_ref());
         run.input.settings.placing.crs.as_ref().map(|crs| Self::into(crs, zero(), orthophoto)).transpose()
     }
@@ -41,17 +55,16 @@ impl IntoSystem {
     ///
     /// # Errors
     /// As [`of`](Self::of).
-    pub fn into(crs: &str, zero: HeightZero, orthophoto: &Orthophoto) -> Result<Self, NotLinked> {
+    pub fn into(crs: &str, zero: HeightZero, orthophoto: &Orthophoto) -> Result<Self, NoWay> {
         let said = orthophoto.said();
-        let not_linked =
-            |error: &Error| NotLinked::OtherSystem { orthophoto: said.name(), crs: shorten(crs), failure: Failure::from(error) };
-        let into = Self::between(&said, crs, zero).map_err(|error| not_linked(&error))?;
+        let no_way = |error: &Error| NoWay { orthophoto: said.name(), crs: shorten(crs), failure: Failure::from(error) };
+        let into = Self::between(&said, crs, zero).map_err(|error| no_way(&error))?;
         // The block is somewhere on it: one of these places will do.
         let [width, height] = orthophoto.size().map(|side| side as f64);
         let tried = TRIED.map(|[x, y]| into.conversion(orthophoto.georeference.ground([x * width, y * height]).map(|v| into.unit_m * v)));
         let is_left_to_try = tried.iter().any(Result::is_ok);
         match tried.into_iter().find_map(Result::err).filter(|_| !is_left_to_try) {
-            Some(error) => Err(not_linked(&error)),
+            Some(error) => Err(no_way(&error)),
             None => Ok(into),
         }
     }
@@ -72,6 +85,11 @@ impl IntoSystem {
         Ok(Self { orthophoto, block, is_assumed, unit_m, zero })
     }
 
+    /// The name of the coordinate reference system of the block.
+    pub fn crs(&self) -> String {
+        self.block.name()
+    }
+
     /// The unit of the orthophoto in m.
     pub fn unit_m(&self) -> f64 {
         self.unit_m
@@ -85,17 +103,24 @@ impl IntoSystem {
     /// Places of the orthophoto in m as those of the block's system, and what is to be said of that.
     ///
     /// # Errors
-    /// [`NotLinked::Failed`] for places that lie outside one of the systems.
-    pub fn taken(&self, points: Vec<GroundPoint>, orthophoto: &Orthophoto) -> Result<(Vec<GroundPoint>, Vec<Remark>), NotLinked> {
-        let failed = |error: Error| NotLinked::Failed { failure: Failure::from(&error) };
+    /// [`Error::InvalidInput`] for places that lie outside one of the systems.
+    pub fn taken(&self, points: Vec<GroundPoint>, orthophoto: &Orthophoto) -> Result<(Vec<GroundPoint>, Vec<Remark>), Error> {
         let middle = |k: usize| median(&mut points.iter().map(|point| point.place[k]).collect::<Vec<_>>());
-        let conversion = middle(0).zip(middle(1)).map(|(x, y)| self.conversion([x, y])).transpose().map_err(failed)?.flatten();
+        let conversion = middle(0).zip(middle(1)).map(|(x, y)| self.conversion([x, y])).transpose()?.flatten();
         let points = points.into_iter().map(|point| {
             let place = self.place(point.place, conversion.as_ref())?;
             Ok(GroundPoint { place, ..point })
         });
-        let points = points.collect::<Result<Vec<GroundPoint>, Error>>().map_err(failed)?;
-        Ok((points, self.remarks(orthophoto, conversion.as_ref())))
+        Ok((points.collect::<Result<Vec<GroundPoint>, Error>>()?, self.remarks(orthophoto, conversion.as_ref())))
+    }
+
+    /// The same of one place.
+    ///
+    /// # Errors
+    /// As [`taken`](Self::taken).
+    pub fn taken_place(&self, place: [f64; 3], orthophoto: &Orthophoto) -> Result<([f64; 3], Vec<Remark>), Error> {
+        let conversion = self.conversion([place[0], place[1]])?;
+        Ok((self.place(place, conversion.as_ref())?, self.remarks(orthophoto, conversion.as_ref())))
     }
 
     /// By WGS 84, about a place in m; absent where both have one plane.

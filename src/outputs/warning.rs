@@ -67,7 +67,7 @@ pub(super) fn overview_warnings(run: &BlockRun) -> Vec<OverviewWarning> {
 
 /// Cameras of a block on an orthophoto that contradict what was known of them: as single images placed on it do, for wrong heights, or another unit of them.
 fn focals_apart(run: &BlockRun) -> Vec<OverviewWarning> {
-    if !matches!(run.orthophoto, Some(OnOrthophoto::Linked { .. })) {
+    if !matches!(run.orthophoto, Some(OnOrthophoto::Linked { .. } | OnOrthophoto::ByHand { .. })) {
         return Vec::new();
     }
     let both = run.cameras.iter().zip(&run.model.cameras);

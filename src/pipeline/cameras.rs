@@ -1,9 +1,10 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
-use super::Remark;
 use crate::camera::{USUAL_FOCAL, camera_label, contradict, is_near};
 use crate::error::refuse;
-use crate::{Camera, CameraRule, CameraUncertainty, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, Refusal, parse_camera_rules};
+use crate::{
+    Camera, CameraRule, CameraUncertainty, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, Refusal, Remark, parse_camera_rules,
+};
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 

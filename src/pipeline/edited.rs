@@ -5,12 +5,13 @@ use super::ground::{is_place_of_orthophoto, own_control};
 use super::mistakes::explain_control;
 use super::points::reconstruction_options;
 use super::state::{describe, describe_with, known_images};
-use super::{BlockRun, EditedRun, OnOrthophoto, Remark};
+use super::{BlockRun, EditedRun, OnOrthophoto};
 use crate::editing::{BlockEdit, FoundBlock, edited_model};
 use crate::error::refuse;
 use crate::reconstruction::PLACING;
-use crate::{Error, GroundControlRow, ObservationVerdict, PointSource, ReconstructedModel, ReconstructionOptions, Refusal};
+use crate::{Error, GroundControlRow, ObservationVerdict, PointSource, ReconstructedModel, ReconstructionOptions, Refusal, Remark};
 use std::collections::BTreeSet;
+use std::mem::discriminant;
 
 impl BlockRun {
     /// The edits that were applied to the block as it was found.
@@ -23,7 +24,7 @@ impl BlockRun {
     pub fn found(&self) -> Self {
         let Some(found) = &self.edited else { return self.clone() };
         let mut remarks = self.remarks.clone();
-        remarks.retain(|remark| *remark != Remark::UnsupportedEdits);
+        remarks.retain(|remark| *remark != Remark::UnsupportedEdits && !found.remarks.contains(remark));
         let orthophoto = match &self.orthophoto {
             Some(OnOrthophoto::ByHand { .. }) => found.orthophoto.clone(),
             other => other.clone(),
@@ -92,12 +93,29 @@ impl BlockRun {
         assembly.unoriented.sort_by_key(|unoriented| unoriented.image);
         let written = assembly.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
         let kept = by_hand.is_some().then(|| found.orthophoto.clone()).flatten();
-        let record = EditedRun { edits: edits.to_vec(), reconstruction: before, model: found.model.clone(), orthophoto: kept };
-        let mut remarks = found.remarks.clone();
+        let said = remarks_of_places(edits, &found.remarks);
+        let mut remarks = [found.remarks.as_slice(), said.as_slice()].concat();
+        let record =
+            EditedRun { edits: edits.to_vec(), reconstruction: before, model: found.model.clone(), orthophoto: kept, remarks: said };
         remarks.extend(is_unsupported.then_some(Remark::UnsupportedEdits));
         let orthophoto = by_hand.or_else(|| found.orthophoto.clone());
         Ok(Self { reconstruction: Ok(assembly), model: written, edited: Some(Box::new(record)), remarks, orthophoto, ..found })
     }
+}
+
+/// What is to be said of the places of an orthophoto that edits add, of each kind once: not what was said of the orthophoto before.
+fn remarks_of_places(edits: &[BlockEdit], before: &[Remark]) -> Vec<Remark> {
+    let of_edit = |edit: &BlockEdit| match edit {
+        BlockEdit::AddControl { remarks, .. } => remarks.clone(),
+        _ => Vec::new(),
+    };
+    let mut said: Vec<Remark> = Vec::new();
+    for remark in edits.iter().flat_map(of_edit).filter(Remark::is_of_orthophoto) {
+        if !before.iter().chain(&said).any(|other| discriminant(other) == discriminant(&remark)) {
+            said.push(remark);
+        }
+    }
+    said
 }
 
 /// What places of an orthophoto that were measured by hand made of a block that was not linked to it; `None` where they are too few to place it.

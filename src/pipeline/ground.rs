@@ -6,7 +6,7 @@ use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
 use super::points::reconstruction_options;
 use super::state::describe;
 use super::system::system_of;
-use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, Remark, RunInput};
+use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, RunInput};
 use crate::crs::HeightZero;
 use crate::error::refuse;
 use crate::formats::{ground_control_table, image_measurement_table};
@@ -14,7 +14,7 @@ use crate::math::{NORMAL_MEDIAN, dot3, median};
 use crate::reconstruction::{origin_of, with_further_control};
 use crate::{
     BlockDescription, ControlPoint, ControlRole, Error, Failure, GroundControlRow, ImageMeasurementRow, ObservationVerdict, PointSource,
-    PriorStatistics, ReconstructedModel, ReconstructionOptions, Refusal, parse_ground_control_points, parse_image_measurements,
+    PriorStatistics, ReconstructedModel, ReconstructionOptions, Refusal, Remark, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -45,25 +45,28 @@ pub(crate) struct GroundPoint {
 
 impl BlockRun {
     /// The block as it was found, adjusted anew in the system of these points, beside ground control points that were given, and GNSS positions
-    /// where this is its coordinate reference system; edits by hand are not kept. `epsg`: the code of the orthophoto's system. `remarks`: what is to be said of it. Points that contradict the others are rejected and stay in its table of ground control points. Where most do, or where the
-    /// ground control points contradict them, the block is not changed.
+    /// where this is its coordinate reference system; edits by hand are not kept then. `epsg`: the code of the orthophoto's system. `remarks`: what is to be said of it. Points that contradict the others are rejected and stay in its table of ground control points. Where most do, or where the
+    /// ground control points contradict them, the block is not changed and keeps its edits.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for ground control points of the same names.
+    /// [`Error::InvalidInput`] for ground control points of the same names; as [`not_linked`](Self::not_linked).
     pub(crate) fn on_ground(&self, points: &[GroundPoint], epsg: Option<u16>, remarks: &[Remark]) -> Result<Self, Error> {
         let mut found = self.found();
         found.remarks.retain(|remark| !remark.is_of_orthophoto());
         found.remarks.extend_from_slice(remarks);
         match Ground::new(&found, points, epsg)?.adjusted()? {
             Ok(run) => Ok(run),
-            Err(not_linked) => Ok(found.not_linked(not_linked)),
+            Err(not_linked) => found.not_linked(not_linked)?.with_edits(self.edits()),
         }
     }
 
-    /// The block as it is, and why it is not in the system of the orthophoto.
-    #[must_use]
-    pub(crate) fn not_linked(&self, not_linked: NotLinked) -> Self {
-        Self { orthophoto: Some(OnOrthophoto::NotLinked { not_linked }), ..self.clone() }
+    /// The block with the edits that it has, and why places that are found on the orthophoto do not bring it into its system: where places by hand hold it
+    /// there, that is said of it as it was found.
+    ///
+    /// # Errors
+    /// As [`with_edits`](Self::with_edits).
+    pub(crate) fn not_linked(&self, not_linked: NotLinked) -> Result<Self, Error> {
+        Self { orthophoto: Some(OnOrthophoto::NotLinked { not_linked }), ..self.found() }.with_edits(self.edits())
     }
 }
 

@@ -1,11 +1,11 @@
 //! What the run of a block finds.
 
 use super::cameras::InitialCamera;
-use super::{OnOrthophoto, Remark, RunInput};
+use super::{OnOrthophoto, RunInput};
 use crate::crs::Geoid;
 use crate::{
-    BlockEdit, BlockModel, Connection, ExifImage, Failure, JoinCounts, PointSource, Reconstruction, RefinementOutcome, SharedPoints,
-    TwoView,
+    BlockEdit, BlockModel, Connection, ExifImage, Failure, JoinCounts, PointSource, Reconstruction, RefinementOutcome, Remark,
+    SharedPoints, TwoView,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -73,6 +73,9 @@ pub struct EditedRun {
     /// What had come of the orthophoto, where edits brought the block into the system of one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orthophoto: Option<OnOrthophoto>,
+    /// What is to be said of places of an orthophoto that edits added, beside what was said of the block before.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<Remark>,
 }
 
 /// An image that was read.

@@ -4,13 +4,13 @@ use super::cameras::{contradicted, doubtful};
 use super::control::{control_point, gnss_observation};
 use super::input::{Checked, RunInput};
 use super::system::{check_near, system_of, with_unit};
-use super::{BlockRun, ControlTables, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
+use super::{BlockRun, ControlTables, InitialCamera, JoinedPoints, RefinementTable, RunImage, SkippedImage};
 use crate::crs::{CoordinateSystem, Geoid, HeightZero};
 use crate::error::refuse;
 use crate::formats::UnreadColumns;
 use crate::{
     BlockDescription, BlockModel, CameraCaution, Connection, Error, ExifImage, ExifPosition, Failure, FeatureMatch, GroundControlRow,
-    ImageFeatures, KnownImage, Reconstruction, Refusal, TiePoints, TwoView, local_from_geographic,
+    ImageFeatures, ImpossiblePosition, KnownImage, Reconstruction, Refusal, Remark, TiePoints, TwoView, local_from_geographic,
 };
 
 /// Positions of an image's features in px.

@@ -1,11 +1,12 @@
 //! The coordinate reference system of a block's control points and results, and whether its control points can be in it.
 
-use super::remark::OrthophotoSlip;
 use crate::crs::{CoordinateSystem, Definition, HeightZero, beside_in_utm, middle};
 use crate::error::refuse;
 use crate::math::{dot3, median, turn};
 use crate::reconstruction::Doubted;
-use crate::{Axis, Error, GeoreferencingOptions, GroundControlPoint, Mistake, ObservedPosition, Refusal, local_from_geographic};
+use crate::{
+    Axis, Error, GeoreferencingOptions, GroundControlPoint, Mistake, ObservedPosition, OrthophotoSlip, Refusal, local_from_geographic,
+};
 
 /// No block has ground control points farther from its images.
 pub(super) const MOST_KM: f64 = 100.0;

@@ -60,6 +60,8 @@ export interface PlaceByHand {
     number: number;
     /** The coordinate reference system that the block has; absent: its control points are in the system of the orthophoto. */
     crs?: string | null;
+    /** How high the zero of its heights is above the ellipsoid, in m; absent where that is not known. */
+    geoid_m?: number | null;
     /** As of `search`; absent: those that it had. */
     options?: Given<PlacingOptions> | null;
 }
@@ -81,6 +83,7 @@ struct PlaceByHand {
     place: [f64; 2],
     number: usize,
     crs: Option<String>,
+    geoid_m: Option<f64>,
     options: Option<Value>,
 }
 
@@ -236,9 +239,11 @@ impl OrthophotoReference {
     /// The edit that adds a place of the ground, measured by eye, as a ground control point to a block; edits after it measure it in images.
     #[wasm_bindgen(unchecked_return_type = "Extract<BlockEdit, { kind: 'add_control' }>")]
     pub fn control_by_hand(&self, #[wasm_bindgen(unchecked_param_type = "PlaceByHand")] given: &JsValue) -> JsResult<JsValue> {
-        let PlaceByHand { place, number, crs, options } = read("place", given)?;
+        let PlaceByHand { place, number, crs, geoid_m, options } = read("place", given)?;
         let options = options_inside("placing", options)?.unwrap_or_else(|| self.options.clone());
-        control_by_hand(number, place, &self.orthophoto, crs.as_deref(), &options).map(|edit| pack(&edit)).map_err(thrown)
+        control_by_hand(number, place, &self.orthophoto, crs.as_deref().map(|crs| (crs, geoid_m)), &options)
+            .map(|edit| pack(&edit))
+            .map_err(thrown)
     }
 
     /// Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.

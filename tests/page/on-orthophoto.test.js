@@ -362,6 +362,10 @@ test('places measured by hand bring a block into the system of the orthophoto, b
   await page.reload();
   await status(page, /Restored from this browser/);
   await onGround(4);
+  // It lies there, and can be placed all the same.
+  const held = await status(page, /by 4 places that were measured by hand .* Places that are found on the orthophoto can hold it, too\./);
+  assert.doesNotMatch(held, /is not placed on the orthophoto/);
+  assert.doesNotMatch((await part(page, 'block-results').getAttribute('class')) ?? '', /is-stale/);
   await part(page, 'block-next').click();
   await status(page, PLACED);
   await part(page, 'tab-block-surveyed').click();
@@ -376,6 +380,13 @@ test('places measured by hand bring a block into the system of the orthophoto, b
   assert.ok(Math.max(better[0] ?? NaN, better[1] ?? NaN) < 3, `projection centres are off by ${JSON.stringify(better)} m`);
   await part(page, 'block-show-orthophoto').click();
   await page.screenshot({ path: join(SHOTS, 'place-beside-others.png') });
+
+  // Without the orthophoto the places by hand do not bring the block back; redo brings one after the other.
+  await part(page, 'block-off-ground').click();
+  await status(page, /10 steps of places by hand were undone, since they bring the block onto the orthophoto: Redo makes them again\./);
+  await part(page, 'block-on-orthophoto').waitFor({ state: 'detached' });
+  assert.equal(await part(page, 'block-undo').isDisabled(), true);
+  assert.match((await part(page, 'block-redo').getAttribute('title')) ?? '', /^Redo: add the place orthophoto_hand_1/);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -46,15 +46,14 @@ export class BlockPlacing {
     }
   }
 
-  /** The block as it was before it was placed; false where it was not placed here. */
-  async takeOff(): Promise<boolean> {
+  /** Gives the block as it was before it was placed, where it was placed here. */
+  async takeOff(): Promise<void> {
     const { shown } = this.store.state;
-    if (shown?.ground == null) return false;
+    if (shown?.ground == null) return;
     const read = await this.engine.read(new Uint8Array(await shown.ground.before.arrayBuffer()), this.store.state.truth);
-    if (this.store.state.shown?.found !== shown.found) return false;
+    if (this.store.state.shown?.found !== shown.found) return;
     read.hold();
     this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: null });
-    return true;
   }
 
   cancel(): void {

@@ -31,11 +31,12 @@ export class PlaceHands {
   async take(place: readonly [number, number]): Promise<void> {
     if (!this.can) return;
     const { shown, history } = this.store.state;
+    if (shown === null) return;
     const number = nextPlace(history);
     try {
-      const edit = await this.engine.controlByHand(place, number, shown?.view.crs ?? null);
+      const edit = await this.engine.controlByHand(place, number, shown.view);
       // The user went on to something else, or the block is another one.
-      if (!this.store.state.placing.adds || this.store.state.shown?.found !== shown?.found) return;
+      if (!this.store.state.placing.adds || this.store.state.shown?.found !== shown.found) return;
       this.store.dispatch({ type: 'addsPlace', adds: false });
       this.store.dispatch({ type: 'edit', edits: [edit] });
       this.store.dispatch({ type: 'choose', choice: { kind: 'given', name: edit.name } });

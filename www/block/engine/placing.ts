@@ -8,6 +8,7 @@ import { filmOf } from '../state/film';
 import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import type { BlockFile } from '../state/state';
+import type { BlockView } from '../state/view';
 import type { AddedControl } from '../state/added';
 import type { Remark } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockCalls } from './calls';
@@ -196,11 +197,11 @@ export class PlacingEngine {
   }
 
   /** The edit that adds a place X, Y of the orthophoto to a block. `crs`: the coordinate reference system of that; null: that of the orthophoto. */
-  controlByHand(place: readonly [number, number], number: number, crs: string | null): Promise<AddedControl> {
+  controlByHand(place: readonly [number, number], number: number, { crs, geoidM }: Pick<BlockView, 'crs' | 'geoidM'>): Promise<AddedControl> {
     const { ground } = this;
     const { options } = this.store.state.placing;
     if (ground === null || options === null) return Promise.reject(new Error('no orthophoto is given'));
-    return this.waited(() => this.shower.call('orthoControl', { ground, options, place, number, crs }));
+    return this.waited(() => this.shower.call('orthoControl', { ground, options, place, number, crs, geoidM }));
   }
 
   /** A placed image resampled to the ground, as GeoTIFF. */

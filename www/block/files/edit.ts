@@ -1,6 +1,6 @@
 /** An edit of a block as it is read from the browser's storage. */
 import { likeOf, listOf, objectOf } from '../../shared/files/keepable';
-import type { BlockEdit, HandMeasurement, PointImage, PointSource } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, HandMeasurement, PointImage, PointSource, Remark } from '../../../pkg/wasm/tiepoint.js';
 
 import type { AddedControl } from '../state/added';
 import type { EditStep } from '../state/edits';
@@ -78,7 +78,10 @@ function editFrom(value: unknown, name: string): BlockEdit {
   }
 }
 
-function addedFrom({ name: called, position, standard_errors: errors, sigma_px: sigmaPx, use, epsg }: Record<string, unknown>, name: string): AddedControl {
+function addedFrom(
+  { name: called, position, standard_errors: errors, sigma_px: sigmaPx, use, epsg, remarks }: Record<string, unknown>,
+  name: string,
+): AddedControl {
   const [x = NaN, y = NaN, z = NaN] = listOf(position, `${name}.position`, numberFrom);
   const [across, up] = errors === undefined ? [] : listOf(errors, `${name}.standard_errors`, numberFrom);
   return {
@@ -89,6 +92,8 @@ function addedFrom({ name: called, position, standard_errors: errors, sigma_px: 
     ...(sigmaPx === undefined ? {} : { sigma_px: likeOf(sigmaPx, 0, `${name}.sigma_px`) }),
     use: use === 'check' ? 'check' : 'control',
     ...(epsg === undefined ? {} : { epsg: likeOf(epsg, 0, `${name}.epsg`) }),
+    // The crate reads what they say.
+    ...(remarks === undefined ? {} : { remarks: listOf(remarks, `${name}.remarks`, (one, at) => objectOf(one, at) as unknown as Remark) }),
   };
 }
 

@@ -45,7 +45,7 @@ export class BlockRuns {
   async takeOff(): Promise<void> {
     this.tell('busy', say('taking-the-block-off-the'));
     try {
-      if (await this.block.takeOff()) this.store.dispatch({ type: 'purpose', purpose: 'map' });
+      await this.block.takeOff();
       if (this.store.state.notice?.kind === 'busy') this.store.dispatch({ type: 'notice', notice: null });
     } catch (error) {
       this.tell('problem', say('the-block-stays-as-it', { sentence: sentence(messageOf(error)) }));

@@ -14,7 +14,7 @@ import { controlText } from '../state/words';
 import { unplacedFiles } from '../state/placed';
 import type { Purpose } from '../state/placing';
 import { framesStep } from '../state/frames-step';
-import { asksPurpose, isOffGround, lacksPlaceAlone, purposeOf } from '../state/purpose';
+import { asksPurpose, isHeldByHand, isOffGround, lacksPlaceAlone, purposeOf } from '../state/purpose';
 import { isInSystemOf } from '../state/showing';
 import { isBusy, isOutdated } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
@@ -114,7 +114,7 @@ function offering(state: BlockState, actions: BlockAnswerActions, answer: Answer
 /** What can be done with an orthophoto under a finished block: one choice. */
 function offered(state: BlockState, { decide }: BlockAnswerActions): Pick<Answer, 'more' | 'next' | 'others'> {
   return {
-    more: [say('a-block-on-an-orthophoto'), state.placing.heights.kind === 'level' ? heightsText(state) : ''].join(' ').trim(),
+    more: [toBePlacedText(state, say('a-block-on-an-orthophoto')), state.placing.heights.kind === 'level' ? heightsText(state) : ''].join(' ').trim(),
     next: { text: say('place-the-block-on-the'), act: () => decide('block') },
     others: [
       { text: say('place-each-image'), act: () => decide('images') },
@@ -125,6 +125,11 @@ function offered(state: BlockState, { decide }: BlockAnswerActions): Pick<Answer
       },
     ],
   };
+}
+
+/** What is said of a block that can be placed on the orthophoto: one that places by hand hold lies there already. */
+function toBePlacedText(state: BlockState, text: string): string {
+  return isHeldByHand(state) ? `${state.shown?.view.orthophoto?.text ?? ''} ${say('places-found-hold-it-too')}` : text;
 }
 
 function placeBlock({ run }: BlockAnswerActions): Next {
@@ -168,7 +173,8 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
     );
   }
   if (shown !== null && !shown.view.partial && !isOutdated(state)) {
-    if (isOffGround(state)) return { ...besideVerdict(state, actions, `${say('the-block-is-not-on')} ${heightsText(state)}`), next: placeBlock(actions) };
+    if (isOffGround(state))
+      return { ...besideVerdict(state, actions, `${toBePlacedText(state, say('the-block-is-not-on'))} ${heightsText(state)}`), next: placeBlock(actions) };
     const answer = answered(state, shown, actions);
     return waitsForMarks(state) ? { ...answer, more: `${answer.more ?? ''} ${controlText(state)}`.trimStart() } : answer;
   }

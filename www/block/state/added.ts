@@ -3,6 +3,7 @@ import type { BlockEdit, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import { remember } from '../../shared/state/remember';
+import { standingOf } from './edits';
 import type { EditStep } from './edits';
 
 export type AddedControl = Extract<BlockEdit, { kind: 'add_control' }>;
@@ -12,7 +13,7 @@ export interface AddedPoint {
   edit: AddedControl;
   /** Its number among the surveyed points. */
   control: number;
-  /** Where images show it, by their indices. */
+  /** Where images show it, by their indices: what was rejected takes no part. */
   places: ReadonlyMap<number, Position>;
 }
 
@@ -26,8 +27,10 @@ export const addedPoints = remember((edits: readonly BlockEdit[], given: number)
   for (const edit of edits) {
     if (edit.kind === 'add_control') points.push({ edit, control: given + points.length, places: new Map() });
     else if (edit.kind === 'measure') find(edit.point)?.places.set(edit.image, [edit.x_px, edit.y_px]);
-    else if (edit.kind === 'reject_observations') for (const { point, image } of edit.observations) find(point)?.places.delete(image);
   }
+  const { observations, images } = standingOf(edits);
+  for (const { point, image } of observations.values()) find(point)?.places.delete(image);
+  for (const image of images) for (const { places } of points) places.delete(image);
   return new Map(points.map((point) => [point.edit.name, point]));
 });
 

@@ -2,6 +2,7 @@
 import { remember } from '../../shared/state/remember';
 import { NO_HISTORY, recorded, wentTo } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
+import { placesSetAside } from './aside';
 import { carriedOver } from './carrying';
 import type { CarriedOver } from './carrying';
 import { choiceAfterEdit, indexOfSource } from './edits';
@@ -200,15 +201,27 @@ function saidOfKept(history: History<EditStep>): string {
   return held === 0 ? '' : say('by-hand-kept', { edits: held });
 }
 
-/** The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. */
-export function carriedToGround({ history, marks, shown, former }: BlockState, view: BlockView): { edits: Carried; said: string } {
+/**
+ * The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. `isOff`: it was taken off the
+ * orthophoto, into whose system places by hand would bring it again.
+ */
+export function carriedToGround({ history, marks, shown, former }: BlockState, view: BlockView, isOff: boolean): { edits: Carried; said: string } {
   const names = shown === null ? NO_NAMES : namesOf(shown.found);
   // Points that were added have other numbers behind others.
-  const isNumberedAlike = names.givenControl === view.givenControl;
-  if (isNumberedAlike && withoutPlaces(names).surveyed.size === names.surveyed.size) return { edits: { ...UNEDITED, former, history, marks }, said: '' };
-  const found = carriedOver(history, names, withoutPlaces(namesOf(view)), true);
-  const { edits, said } = keptOf(found, marks, names);
-  return { edits: { ...edits, former: formerOf(former, history, found.history, found.left) }, said };
+  const isSame = names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size;
+  const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf(view)), true);
+  const { history: left, left: places, aside } = isOff ? placesSetAside(found.history, view.givenControl) : { ...allCarried(found.history), aside: 0 };
+  if (isSame && aside === 0) return { edits: { ...UNEDITED, former, history, marks }, said: '' };
+  const now = { ...found, history: left, left: found.left.map((count) => places[count] ?? left.edits.length) };
+  const { edits, said } = keptOf(now, marks, names);
+  return {
+    edits: { ...edits, former: formerOf(former, history, now.history, now.left) },
+    said: [said, aside === 0 ? '' : say('places-set-aside', { steps: aside })].filter((part) => part !== '').join(' '),
+  };
+}
+
+function allCarried(history: History<EditStep>): CarriedOver {
+  return { history, left: [...history.edits.keys(), history.edits.length], lost: 0, aside: [] };
 }
 
 /** So many steps are named. */

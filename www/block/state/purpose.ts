@@ -16,6 +16,11 @@ function cameOnGround({ view, ground }: Shown): boolean {
   return ground === null && view.orthophoto?.kind === 'linked';
 }
 
+/** Whether places that were measured by hand hold the block in the system of the orthophoto: it can be placed on it, too, and lies there already. */
+export function isHeldByHand({ shown }: Pick<BlockState, 'shown'>): boolean {
+  return shown?.view.orthophoto?.kind === 'by_hand';
+}
+
 /** What is done with the orthophoto; null where none is given, or the user is to say it. */
 export function purposeOf({ placing, shown, files }: Given): Purpose | null {
   const { orthophoto, purpose, placed, heights } = placing;
@@ -50,7 +55,12 @@ export function lacksPlaceAlone(state: BlockState): boolean {
   return isOffGround(state) && !isOutdated(state) && state.shown !== null && !cameOnGround(state.shown);
 }
 
+/** Whether the block lies elsewhere than it is to lie. */
+export function liesElsewhere(state: Given): boolean {
+  return isOffGround(state) && !isHeldByHand(state);
+}
+
 /** Whether other files, options or ground made the block on the screen. */
 export function isStale(state: BlockState): boolean {
-  return isOutdated(state) || isOffGround(state);
+  return isOutdated(state) || liesElsewhere(state);
 }

@@ -209,10 +209,12 @@ function inOther({ selection, panes, shown }: BlockState, view: BlockView): Pick
 }
 
 function onGround(state: BlockState, shown: Shown, { view, edits: own, ground }: Extract<BlockAction, { type: 'onGround' }>): BlockState {
-  const { edits, said } = carriedToGround(state, view);
+  const { edits, said } = carriedToGround(state, view, ground === null);
   const { orthophoto } = state.placing;
   // One that was made of the block in another system does not lie under it.
-  const placing = orthophoto?.ofBlock === shown.key ? { ...state.placing, orthophoto: { ...orthophoto, ofBlock: '' } } : state.placing;
+  const given = orthophoto?.ofBlock === shown.key ? { ...state.placing, orthophoto: { ...orthophoto, ofBlock: '' } } : state.placing;
+  // A block that was taken off it is not to lie there.
+  const placing = ground === null ? reducePlacing(given, { type: 'purpose', purpose: 'map' }) : given;
   return {
     ...state,
     ...blank(state),

@@ -17,7 +17,7 @@ import { blockOnOrthophoto, toSystemOf } from '../../state/showing';
 import { unitOfOrthophoto } from '../../state/orthophoto-unit';
 import { placedFiles } from '../../state/placed';
 import type { GivenOrthophoto, Looked } from '../../state/placing';
-import { isOffGround } from '../../state/purpose';
+import { liesElsewhere } from '../../state/purpose';
 import type { Choice } from '../../state/selection';
 import { affineOf, mapped, SAME } from '../../state/under';
 import type { Looking } from '../looking';
@@ -80,7 +80,7 @@ export class OrthophotoPlan extends LinkPicture {
     if (shown === null || orthophoto === null) return null;
     const drawn = inSystem(shown.view, this.facts.ground(), toSystemOf(orthophoto, shown.view) ?? SAME);
     const keeps = (subject: 'images' | 'surveyed') => keptBy(subject, shown.view, state.selection);
-    return onOrthophoto(drawn.view, drawn.ground, isOffGround(state), keeps('images'), keeps('surveyed'));
+    return onOrthophoto(drawn.view, drawn.ground, liesElsewhere(state), keeps('images'), keeps('surveyed'));
   }
 
   /** What is chosen of the block elsewhere is brought into sight. */

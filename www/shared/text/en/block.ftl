@@ -703,6 +703,7 @@ place-each-image = Place each image by itself
 only-under-the-map = Only under the map
 not-now = Not now
 the-block-is-not-on = The block is not placed on the orthophoto by these settings.
+places-found-hold-it-too = Places that are found on the orthophoto can hold it, too.
 
 oriented = oriented
 accepted = accepted
@@ -876,6 +877,13 @@ cannot-be-done-again = { $undone } undone { $undone ->
         [one] edit
        *[other] edits
     } of points of the former block cannot be redone in the new one: { $steps }.
+places-set-aside = { $steps } { $steps ->
+        [one] step
+       *[other] steps
+    } of places by hand { $steps ->
+        [one] was
+       *[other] were
+    } undone, since they bring the block onto the orthophoto: Redo makes them again.
 
 ## state/naming
 

@@ -1,7 +1,7 @@
 //! What of the input is not taken as it was given, or is hardly right.
 
+use crate::CameraCaution;
 use crate::message::messages;
-use crate::{CameraCaution, Error, Failure, Interruption};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -77,7 +77,7 @@ messages! {
 
 impl Remark {
     /// Whether it is of the orthophoto that a block was given.
-    pub(super) fn is_of_orthophoto(&self) -> bool {
+    pub(crate) fn is_of_orthophoto(&self) -> bool {
         matches!(
             self,
             Self::OrthophotoSystemAssumed { .. }
@@ -96,22 +96,4 @@ pub struct ImpossiblePosition {
     pub name: String,
     /// As the file has it.
     pub value: String,
-}
-
-impl Failure {
-    /// The fault of an image or a pair, which is left out with it.
-    ///
-    /// # Errors
-    /// [`Error::Interrupted`] for options out of range and kept records that were changed, which no image is to blame for.
-    pub(super) fn of_one(self) -> Result<Self, Error> {
-        match &self {
-            Self::Refused { code, usage, .. } if *usage || code == "unreadable-file" => Err(self.of_all()),
-            _ => Ok(self),
-        }
-    }
-
-    /// A failure that ends the run.
-    pub(super) fn of_all(&self) -> Error {
-        Error::Interrupted { interruption: Interruption::Job { failure: self.clone() } }
-    }
 }
