@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, check_masks, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -675,6 +675,9 @@ function orientedBlock({ shown }) {
 function cameOnGround({ view, ground }) {
 	return ground === null && view.orthophoto?.kind === "linked";
 }
+function isHeldByHand({ shown }) {
+	return shown?.view.orthophoto?.kind === "by_hand";
+}
 function purposeOf({ placing, shown, files }) {
 	const { orthophoto, purpose, placed, heights } = placing;
 	if (orthophoto === null || purpose !== null) return orthophoto === null ? null : purpose;
@@ -699,8 +702,11 @@ function isOffGround(state) {
 function lacksPlaceAlone(state) {
 	return isOffGround(state) && !isOutdated(state) && state.shown !== null && !cameOnGround(state.shown);
 }
+function liesElsewhere(state) {
+	return isOffGround(state) && !isHeldByHand(state);
+}
 function isStale(state) {
-	return isOutdated(state) || isOffGround(state);
+	return isOutdated(state) || liesElsewhere(state);
 }
 // www/block/state/links.ts
 var USES$1 = [
@@ -810,6 +816,28 @@ async function makeFrames(worker, scans, tell) {
 	}
 	return made;
 }
+// www/block/engine/recorded.ts
+var RecordedPositions = class {
+	reader;
+	known = new Map();
+	constructor(reader) {
+		this.reader = reader;
+	}
+	async of(files, areWanted) {
+		const given = new Set(files.map(({ id }) => id));
+		for (const id of [...this.known.keys()]) if (!given.has(id)) this.known.delete(id);
+		const positions = [];
+		for (const { id, file } of files) {
+			const asked = this.known.get(id) ?? this.reader.call("imagePosition", { file }).catch(() => null);
+			this.known.set(id, asked);
+			const position = await asked;
+			if (!areWanted()) return null;
+			if (position !== null) positions.push(position);
+		}
+		this.reader.cancel();
+		return positions;
+	}
+};
 // www/block/engine/placing.ts
 var MOST_SHARED = 4e7;
 var PlacingEngine = class {
@@ -817,6 +845,7 @@ var PlacingEngine = class {
 	shower = new WorkerClient("orthophoto");
 	placers = [1, 2].map((number) => new WorkerClient(`placing ${String(number)}`));
 	maker = new WorkerClient("mosaic");
+	recorded = new RecordedPositions(new WorkerClient("positions"));
 	stopped = false;
 	waits = 0;
 	constructor(store) {
@@ -866,21 +895,24 @@ var PlacingEngine = class {
 		const { files, placing } = this.store.state;
 		const { orthophoto, options } = placing;
 		const { ground } = this;
-		let text = "";
-		if (orthophoto !== null && orthophoto.ofBlock === null && ground !== null && options !== null && files.length > 0) {
-			const asked = {
+		let doubt = null;
+		if (orthophoto?.ofBlock === null && orthophoto.info.on_earth && ground !== null && options !== null) {
+			const areWanted = () => {
+				const now = this.store.state;
+				return now.files === files && now.placing.orthophoto?.raster === orthophoto.raster && now.placing.options === options;
+			};
+			const positions = await this.recorded.of(files, areWanted);
+			if (positions === null) return;
+			if (positions.length > 0) doubt = await this.shower.call("orthoElsewhere", {
 				ground,
 				options,
-				files: files.map(({ file }) => file)
-			};
-			const doubt = await this.shower.call("orthoElsewhere", asked).catch(() => null);
-			text = doubt === null ? "" : sentence(message("remark", doubt));
-			const now = this.store.state;
-			if (now.files !== files || now.placing.orthophoto?.raster !== orthophoto.raster || now.placing.options !== options) return;
+				positions
+			}).catch(() => null);
+			if (!areWanted()) return;
 		}
 		this.store.dispatch({
 			type: "elsewhere",
-			text
+			text: doubt === null ? "" : sentence(message("remark", doubt))
 		});
 	}
 	async place(files = unplacedFiles(this.store.state)) {
@@ -1016,7 +1048,7 @@ var PlacingEngine = class {
 			...given
 		});
 	}
-	controlByHand(place, number, crs) {
+	controlByHand(place, number, { crs, geoidM }) {
 		const { ground } = this;
 		const { options } = this.store.state.placing;
 		if (ground === null || options === null) return Promise.reject(new Error("no orthophoto is given"));
@@ -1025,7 +1057,8 @@ var PlacingEngine = class {
 			options,
 			place,
 			number,
-			crs
+			crs,
+			geoidM
 		}));
 	}
 	async rectified(file) {
@@ -1200,9 +1233,9 @@ var BlockPlacing = class {
 	}
 	async takeOff() {
 		const { shown } = this.store.state;
-		if (shown?.ground == null) return false;
+		if (shown?.ground == null) return;
 		const read = await this.engine.read(new Uint8Array(await shown.ground.before.arrayBuffer()), this.store.state.truth);
-		if (this.store.state.shown?.found !== shown.found) return false;
+		if (this.store.state.shown?.found !== shown.found) return;
 		read.hold();
 		this.store.dispatch({
 			type: "onGround",
@@ -1210,7 +1243,6 @@ var BlockPlacing = class {
 			edits: read.edits,
 			ground: null
 		});
-		return true;
 	}
 	cancel() {
 		this.stopped = true;
@@ -1306,7 +1338,7 @@ var problems = remember((files, placing, cameras, control, marks, masks, geoid, 
 	});
 	if (pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing));
 	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
-	look("masks", "", () => check_masks(names, masks.map(({ name }) => name)));
+	look("masks", "", () => masks_of_images(names, masks.map(({ name }) => name)));
 	if (geoid !== null) look("geoid", "", () => check_geoid(geoid.name, placing));
 	return found;
 });
@@ -1614,157 +1646,6 @@ function buffersOf({ inputs }) {
 function reasonOf(error) {
 	return breakdownOf(error) ?? messageOf(error);
 }
-// www/block/state/carrying.ts
-function carriedOver({ edits: steps, done }, before, after, sameTiePoints = false) {
-	const carrier = new Carrier(before, after, sameTiePoints);
-	const edits = [];
-	const left = [0];
-	const aside = [];
-	let lost = 0;
-	steps.forEach((step, place) => {
-		const own = carrier.step(step, place >= done);
-		if (own.length > 0) edits.push(own);
-		else if (place >= done) aside.push(step);
-		if (place < done) lost += step.length - own.length;
-		left.push(edits.length);
-	});
-	return {
-		history: {
-			edits,
-			done: left[done] ?? edits.length
-		},
-		left,
-		lost,
-		aside
-	};
-}
-var Carrier = class {
-	before;
-	after;
-	sameTiePoints;
-	places;
-	surveyed;
-	numbers = [];
-	added = 0;
-	controls = [];
-	placed = 0;
-	constructor(before, after, sameTiePoints) {
-		this.before = before;
-		this.after = after;
-		this.sameTiePoints = sameTiePoints;
-		this.places = new Map(after.images.map((name, image) => [name, image]));
-		this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
-	}
-	step(step, whole) {
-		const [first, added, firstControl, placed] = [
-			this.numbers.length,
-			this.added,
-			this.controls.length,
-			this.placed
-		];
-		const own = step.flatMap((edit) => this.carried(edit));
-		if (!whole || own.length === step.length) return own;
-		this.numbers.fill(-1, first);
-		this.added = added;
-		this.controls.fill(-1, firstControl);
-		this.placed = placed;
-		return [];
-	}
-	carried(edit) {
-		switch (edit.kind) {
-			case "reject_images":
-			case "restore_images": {
-				const images = edit.images.map((image) => this.image(image)).filter((image) => image >= 0);
-				return images.length === 0 ? [] : [{
-					...edit,
-					images
-				}];
-			}
-			case "reject_pairs":
-			case "restore_pairs": {
-				const pairs = edit.pairs.map(([a, b]) => [this.image(a), this.image(b)]).filter((pair) => this.after.connected.has(keyOfPair(pair)));
-				return pairs.length === 0 ? [] : [{
-					...edit,
-					pairs
-				}];
-			}
-			case "add_point": return this.add(edit.observations);
-			case "measure": {
-				const [[point], image] = [this.points([edit.point]), this.image(edit.image)];
-				return point === void 0 || image < 0 ? [] : [{
-					...edit,
-					point,
-					image
-				}];
-			}
-			case "reject_points":
-			case "restore_points": {
-				const points = this.points(edit.points);
-				return points.length === 0 ? [] : [{
-					...edit,
-					points
-				}];
-			}
-			case "reject_observations":
-			case "restore_observations": {
-				const observations = edit.observations.flatMap((one) => {
-					const [[point], image] = [this.points([one.point]), this.image(one.image)];
-					return point === void 0 || image < 0 ? [] : [{
-						point,
-						image
-					}];
-				});
-				return observations.length === 0 ? [] : [{
-					...edit,
-					observations
-				}];
-			}
-			case "add_control":
-				this.controls.push(this.after.givenControl + this.placed);
-				this.placed += 1;
-				return [edit];
-			case "set_use": {
-				const point = this.control(edit.point);
-				return point < 0 ? [] : [{
-					...edit,
-					point
-				}];
-			}
-		}
-	}
-	add(measurements) {
-		const observations = measurements.map((one) => ({
-			...one,
-			image: this.image(one.image)
-		})).filter(({ image }) => image >= 0);
-		const stays = observations.length >= 2;
-		this.numbers.push(stays ? this.added : -1);
-		if (!stays) return [];
-		this.added += 1;
-		return [{
-			kind: "add_point",
-			observations
-		}];
-	}
-	image(image) {
-		return this.places.get(this.before.images[image] ?? "") ?? -1;
-	}
-	control(control) {
-		if (control >= this.before.givenControl) return this.controls[control - this.before.givenControl] ?? -1;
-		return this.surveyed.get(this.before.surveyed.get(control) ?? "") ?? -1;
-	}
-	points(points) {
-		return points.flatMap((point) => {
-			if ("tie_point" in point) return this.sameTiePoints ? [point] : [];
-			if ("manual" in point) {
-				const number = this.numbers[point.manual] ?? -1;
-				return number < 0 ? [] : [{ manual: number }];
-			}
-			const control = this.control(point.ground_control);
-			return control < 0 ? [] : [{ ground_control: control }];
-		});
-	}
-};
 // www/block/state/edits.ts
 function keyOfPoint(point) {
 	const [[kind, number] = []] = Object.entries(point);
@@ -1932,6 +1813,257 @@ function editOfPoints(kind, all, standing) {
 		observations
 	};
 }
+// www/block/state/added.ts
+var NONE = new Map();
+var addedPoints = remember((edits, given) => {
+	if (!edits.some(({ kind }) => kind === "add_control")) return NONE;
+	const points = [];
+	const find = (point) => "ground_control" in point ? points[point.ground_control - given] : void 0;
+	for (const edit of edits) if (edit.kind === "add_control") points.push({
+		edit,
+		control: given + points.length,
+		places: new Map()
+	});
+	else if (edit.kind === "measure") find(edit.point)?.places.set(edit.image, [edit.x_px, edit.y_px]);
+	const { observations, images } = standingOf(edits);
+	for (const { point, image } of observations.values()) find(point)?.places.delete(image);
+	for (const image of images) for (const { places } of points) places.delete(image);
+	return new Map(points.map((point) => [point.edit.name, point]));
+});
+var BY_HAND$3 = /^orthophoto_hand_(\d+)$/u;
+var isPlaceByHand = (name) => BY_HAND$3.test(name);
+function nextPlace({ edits }) {
+	const numbers = edits.flat().map((edit) => edit.kind === "add_control" ? Number(BY_HAND$3.exec(edit.name)?.[1] ?? 0) : 0);
+	return 1 + Math.max(0, ...numbers);
+}
+// www/block/state/aside.ts
+function placesSetAside({ edits: steps, done }, given) {
+	const held = steps.slice(0, done);
+	const stays = held.flat().filter((edit) => edit.kind === "add_control").map(({ name }) => !isPlaceByHand(name));
+	const isPlace = (edit) => edit.kind === "add_control" ? isPlaceByHand(edit.name) : controlsOf(edit).some((one) => stays[one - given] === false);
+	const order = [...stays.keys()].sort((a, b) => Number(stays[b]) - Number(stays[a]));
+	const numberOf = (control) => {
+		const at = order.indexOf(control - given);
+		return at < 0 ? control : given + at;
+	};
+	const numbered = (step) => step.map((edit) => withControls(edit, numberOf));
+	const kept = [];
+	const aside = [];
+	const left = [0];
+	for (const step of held) {
+		const isAside = !step.some(({ kind }) => kind === "add_point") && step.some(isPlace) ? () => true : isPlace;
+		const [stay, go] = [step.filter((edit) => !isAside(edit)), step.filter((edit) => isAside(edit))];
+		if (stay.length > 0) kept.push(stay);
+		if (go.length > 0) aside.push(go);
+		left.push(kept.length);
+	}
+	if (aside.length === 0) return {
+		history: {
+			edits: steps,
+			done
+		},
+		left: [...steps.keys(), steps.length],
+		aside: 0
+	};
+	const undone = steps.slice(done);
+	return {
+		history: {
+			edits: [...[...kept, ...aside].map(numbered), ...undone],
+			done: kept.length
+		},
+		left: [...left, ...undone.map((_, i) => kept.length + aside.length + i + 1)],
+		aside: aside.length
+	};
+}
+function controlsOf(edit) {
+	const found = [];
+	withControls(edit, (control) => {
+		found.push(control);
+		return control;
+	});
+	return found;
+}
+function withControls(edit, number) {
+	const renumbered = (point) => "ground_control" in point ? {
+		...point,
+		ground_control: number(point.ground_control)
+	} : point;
+	switch (edit.kind) {
+		case "measure": return {
+			...edit,
+			point: renumbered(edit.point)
+		};
+		case "reject_points":
+		case "restore_points": return {
+			...edit,
+			points: edit.points.map(renumbered)
+		};
+		case "reject_observations":
+		case "restore_observations": return {
+			...edit,
+			observations: edit.observations.map((one) => ({
+				...one,
+				point: renumbered(one.point)
+			}))
+		};
+		case "set_use": return {
+			...edit,
+			point: number(edit.point)
+		};
+		default: return edit;
+	}
+}
+// www/block/state/carrying.ts
+function carriedOver({ edits: steps, done }, before, after, sameTiePoints = false) {
+	const carrier = new Carrier(before, after, sameTiePoints);
+	const edits = [];
+	const left = [0];
+	const aside = [];
+	let lost = 0;
+	steps.forEach((step, place) => {
+		const own = carrier.step(step, place >= done);
+		if (own.length > 0) edits.push(own);
+		else if (place >= done) aside.push(step);
+		if (place < done) lost += step.length - own.length;
+		left.push(edits.length);
+	});
+	return {
+		history: {
+			edits,
+			done: left[done] ?? edits.length
+		},
+		left,
+		lost,
+		aside
+	};
+}
+var Carrier = class {
+	before;
+	after;
+	sameTiePoints;
+	places;
+	surveyed;
+	numbers = [];
+	added = 0;
+	controls = [];
+	placed = 0;
+	constructor(before, after, sameTiePoints) {
+		this.before = before;
+		this.after = after;
+		this.sameTiePoints = sameTiePoints;
+		this.places = new Map(after.images.map((name, image) => [name, image]));
+		this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
+	}
+	step(step, whole) {
+		const [first, added, firstControl, placed] = [
+			this.numbers.length,
+			this.added,
+			this.controls.length,
+			this.placed
+		];
+		const own = step.flatMap((edit) => this.carried(edit));
+		if (!whole || own.length === step.length) return own;
+		this.numbers.fill(-1, first);
+		this.added = added;
+		this.controls.fill(-1, firstControl);
+		this.placed = placed;
+		return [];
+	}
+	carried(edit) {
+		switch (edit.kind) {
+			case "reject_images":
+			case "restore_images": {
+				const images = edit.images.map((image) => this.image(image)).filter((image) => image >= 0);
+				return images.length === 0 ? [] : [{
+					...edit,
+					images
+				}];
+			}
+			case "reject_pairs":
+			case "restore_pairs": {
+				const pairs = edit.pairs.map(([a, b]) => [this.image(a), this.image(b)]).filter((pair) => this.after.connected.has(keyOfPair(pair)));
+				return pairs.length === 0 ? [] : [{
+					...edit,
+					pairs
+				}];
+			}
+			case "add_point": return this.add(edit.observations);
+			case "measure": {
+				const [[point], image] = [this.points([edit.point]), this.image(edit.image)];
+				return point === void 0 || image < 0 ? [] : [{
+					...edit,
+					point,
+					image
+				}];
+			}
+			case "reject_points":
+			case "restore_points": {
+				const points = this.points(edit.points);
+				return points.length === 0 ? [] : [{
+					...edit,
+					points
+				}];
+			}
+			case "reject_observations":
+			case "restore_observations": {
+				const observations = edit.observations.flatMap((one) => {
+					const [[point], image] = [this.points([one.point]), this.image(one.image)];
+					return point === void 0 || image < 0 ? [] : [{
+						point,
+						image
+					}];
+				});
+				return observations.length === 0 ? [] : [{
+					...edit,
+					observations
+				}];
+			}
+			case "add_control":
+				this.controls.push(this.after.givenControl + this.placed);
+				this.placed += 1;
+				return [edit];
+			case "set_use": {
+				const point = this.control(edit.point);
+				return point < 0 ? [] : [{
+					...edit,
+					point
+				}];
+			}
+		}
+	}
+	add(measurements) {
+		const observations = measurements.map((one) => ({
+			...one,
+			image: this.image(one.image)
+		})).filter(({ image }) => image >= 0);
+		const stays = observations.length >= 2;
+		this.numbers.push(stays ? this.added : -1);
+		if (!stays) return [];
+		this.added += 1;
+		return [{
+			kind: "add_point",
+			observations
+		}];
+	}
+	image(image) {
+		return this.places.get(this.before.images[image] ?? "") ?? -1;
+	}
+	control(control) {
+		if (control >= this.before.givenControl) return this.controls[control - this.before.givenControl] ?? -1;
+		return this.surveyed.get(this.before.surveyed.get(control) ?? "") ?? -1;
+	}
+	points(points) {
+		return points.flatMap((point) => {
+			if ("tie_point" in point) return this.sameTiePoints ? [point] : [];
+			if ("manual" in point) {
+				const number = this.numbers[point.manual] ?? -1;
+				return number < 0 ? [] : [{ manual: number }];
+			}
+			const control = this.control(point.ground_control);
+			return control < 0 ? [] : [{ ground_control: control }];
+		});
+	}
+};
 // www/block/state/naming.ts
 var NO_NAMES = {
 	images: [],
@@ -2361,9 +2493,15 @@ function saidOfKept(history) {
 	const held = editsInForce(history).length;
 	return held === 0 ? "" : say("by-hand-kept", { edits: held });
 }
-function carriedToGround({ history, marks, shown, former }, view) {
+function carriedToGround({ history, marks, shown, former }, view, isOff) {
 	const names = shown === null ? NO_NAMES : namesOf$1(shown.found);
-	if (names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size) return {
+	const isSame = names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size;
+	const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf$1(view)), true);
+	const { history: left, left: places, aside } = isOff ? placesSetAside(found.history, view.givenControl) : {
+		...allCarried(found.history),
+		aside: 0
+	};
+	if (isSame && aside === 0) return {
 		edits: {
 			...UNEDITED,
 			former,
@@ -2372,14 +2510,26 @@ function carriedToGround({ history, marks, shown, former }, view) {
 		},
 		said: ""
 	};
-	const found = carriedOver(history, names, withoutPlaces(namesOf$1(view)), true);
-	const { edits, said } = keptOf(found, marks, names);
+	const now = {
+		...found,
+		history: left,
+		left: found.left.map((count) => places[count] ?? left.edits.length)
+	};
+	const { edits, said } = keptOf(now, marks, names);
 	return {
 		edits: {
 			...edits,
-			former: formerOf(former, history, found.history, found.left)
+			former: formerOf(former, history, now.history, now.left)
 		},
-		said
+		said: [said, aside === 0 ? "" : say("places-set-aside", { steps: aside })].filter((part) => part !== "").join(" ")
+	};
+}
+function allCarried(history) {
+	return {
+		history,
+		left: [...history.edits.keys(), history.edits.length],
+		lost: 0,
+		aside: []
 	};
 }
 var MOST_NAMED$1 = 3;
@@ -2544,27 +2694,6 @@ function editsOfDraft({ of, places }) {
 		kind: "add_point",
 		observations
 	}];
-}
-// www/block/state/added.ts
-var NONE = new Map();
-var addedPoints = remember((edits, given) => {
-	if (!edits.some(({ kind }) => kind === "add_control")) return NONE;
-	const points = [];
-	const find = (point) => "ground_control" in point ? points[point.ground_control - given] : void 0;
-	for (const edit of edits) if (edit.kind === "add_control") points.push({
-		edit,
-		control: given + points.length,
-		places: new Map()
-	});
-	else if (edit.kind === "measure") find(edit.point)?.places.set(edit.image, [edit.x_px, edit.y_px]);
-	else if (edit.kind === "reject_observations") for (const { point, image } of edit.observations) find(point)?.places.delete(image);
-	return new Map(points.map((point) => [point.edit.name, point]));
-});
-var BY_HAND$3 = /^orthophoto_hand_(\d+)$/u;
-var isPlaceByHand = (name) => BY_HAND$3.test(name);
-function nextPlace({ edits }) {
-	const numbers = edits.flat().map((edit) => edit.kind === "add_control" ? Number(BY_HAND$3.exec(edit.name)?.[1] ?? 0) : 0);
-	return 1 + Math.max(0, ...numbers);
 }
 // www/block/state/under.ts
 var SAME = {
@@ -3907,6 +4036,12 @@ async function saveAs(store, engine, kind, near = EXPORT$1) {
 		});
 	}
 }
+// www/block/state/frames-step.ts
+function framesStep(state) {
+	const { film } = state.placing;
+	if (purposeOf(state) === "images" || !awaitsFrames(film, state.files)) return "";
+	return film.camera === null ? say("marks-need-their-camera") : say("press-frames", { make: say("make-frames") });
+}
 // pkg/block/image-files.js
 var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
 // www/block/files/film.ts
@@ -4005,9 +4140,12 @@ var OF_FIDUCIALS = [
 function columnsOf$1(text) {
 	return (text.split(/\r?\n/u).find((line) => line.trim() !== "" && !line.startsWith("#")) ?? "").split(/[,;\t]/u).map((column) => column.trim());
 }
-function kindOfTable(text, images) {
+function hasFiducials(text) {
 	const columns = columnsOf$1(text);
-	if (OF_FIDUCIALS.every((column) => columns.includes(column))) return { kind: "fiducials" };
+	return OF_FIDUCIALS.every((column) => columns.includes(column));
+}
+function kindOfTable(text, images) {
+	if (hasFiducials(text)) return { kind: "fiducials" };
 	const areImages = (names) => names.length > 0 && names.every((name) => images.has(name) || IMAGE_FILE.test(name));
 	try {
 		if (areImages(parse_image_measurements(text).map(({ image }) => image))) return { kind: "marks" };
@@ -4022,7 +4160,7 @@ function kindOfTable(text, images) {
 			kind: "neither",
 			why: say("its-rows-are-images")
 		};
-		if (OF_TIE_POINTS.every((column) => columns.includes(column))) return {
+		if (OF_TIE_POINTS.every((column) => columnsOf$1(text).includes(column))) return {
 			kind: "neither",
 			why: say("its-rows-are-tie-points")
 		};
@@ -4088,11 +4226,6 @@ var BlockFiles = class {
 	async take(given, why = "") {
 		const before = this.store.state.notice;
 		const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given));
-		const [unclear] = degrees;
-		if (unclear !== void 0) {
-			this.tell("problem", say("is-a-grid-at-longitudes", { name: unclear.file.name }));
-			return;
-		}
 		const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
 		const ground = await this.ground.take(rasters);
 		const several = taken === 0 ? "" : say("that-say-where-they-lie", { taken: images$1(taken) });
@@ -4118,8 +4251,9 @@ var BlockFiles = class {
 			geoid
 		].filter((file) => file !== void 0).length + lone.length;
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
-		else await this.said([said, film.said === "" ? "" : this.framesStep()].filter((text) => text !== "").join(" "));
+		else await this.said([said, film.said === "" ? "" : framesStep(this.store.state)].filter((text) => text !== "").join(" "));
 		const putAside = [
+			degrees.map(({ file }) => say("is-a-grid-at-longitudes", { name: file.name })).join(" "),
 			film.aside,
 			this.marksOfNone(film.marks),
 			notCameras,
@@ -4266,7 +4400,7 @@ var BlockFiles = class {
 		const cameras = [];
 		const marks = [];
 		for (const file of given) if (CAMERAS$1.test(file.name) && FOCAL_LENGTH in fieldsOf(await file.text())) cameras.push(file);
-		else if (TABLE.test(file.name) && kindOfTable(await file.text(), new Set()).kind === "fiducials") marks.push(file);
+		else if (TABLE.test(file.name) && hasFiducials(await file.text())) marks.push(file);
 		const [camera] = cameras;
 		const said = [...camera === void 0 ? [] : [await this.film.camera(camera)], ...marks.length === 0 ? [] : [await this.film.marks(marks)]];
 		const texts = (kind) => said.flatMap((one) => one.kind === kind ? [one.text] : []).join(" ");
@@ -4499,15 +4633,9 @@ var BlockFiles = class {
 	}
 	nextStep(count) {
 		if (purposeOf(this.store.state) === "images") return say("press-place");
-		const frames = this.framesStep();
+		const frames = framesStep(this.store.state);
 		if (frames !== "") return frames;
 		return count >= 2 ? say("press-run") : NEEDS_MORE;
-	}
-	framesStep() {
-		const { state } = this.store;
-		const { film } = state.placing;
-		if (purposeOf(state) === "images" || !awaitsFrames(film, state.files)) return "";
-		return film.camera === null ? say("marks-need-their-camera") : say("press-frames", { make: say("make-frames") });
 	}
 	tell(kind, text) {
 		this.store.dispatch({
@@ -4729,7 +4857,7 @@ function editFrom(value, name) {
 		default: throw new Error(say("the-field-kind-is-damaged", { name }));
 	}
 }
-function addedFrom({ name: called, position, standard_errors: errors, sigma_px: sigmaPx, use, epsg }, name) {
+function addedFrom({ name: called, position, standard_errors: errors, sigma_px: sigmaPx, use, epsg, remarks }, name) {
 	const [x = NaN, y = NaN, z = NaN] = listOf$1(position, `${name}.position`, numberFrom);
 	const [across, up] = errors === void 0 ? [] : listOf$1(errors, `${name}.standard_errors`, numberFrom);
 	return {
@@ -4743,7 +4871,8 @@ function addedFrom({ name: called, position, standard_errors: errors, sigma_px: 
 		...across === void 0 || up === void 0 ? {} : { standard_errors: [across, up] },
 		...sigmaPx === void 0 ? {} : { sigma_px: likeOf(sigmaPx, 0, `${name}.sigma_px`) },
 		use: use === "check" ? "check" : "control",
-		...epsg === void 0 ? {} : { epsg: likeOf(epsg, 0, `${name}.epsg`) }
+		...epsg === void 0 ? {} : { epsg: likeOf(epsg, 0, `${name}.epsg`) },
+		...remarks === void 0 ? {} : { remarks: listOf$1(remarks, `${name}.remarks`, (one, at) => objectOf(one, at)) }
 	};
 }
 var numberFrom = (value, name) => likeOf(value, 0, name);
@@ -5265,10 +5394,7 @@ var BlockRuns = class {
 	async takeOff() {
 		this.tell("busy", say("taking-the-block-off-the"));
 		try {
-			if (await this.block.takeOff()) this.store.dispatch({
-				type: "purpose",
-				purpose: "map"
-			});
+			await this.block.takeOff();
 			if (this.store.state.notice?.kind === "busy") this.store.dispatch({
 				type: "notice",
 				notice: null
@@ -6322,15 +6448,19 @@ function inOther({ selection, panes, shown }, view) {
 	};
 }
 function onGround$1(state, shown, { view, edits: own, ground }) {
-	const { edits, said } = carriedToGround(state, view);
+	const { edits, said } = carriedToGround(state, view, ground === null);
 	const { orthophoto } = state.placing;
-	const placing = orthophoto?.ofBlock === shown.key ? {
+	const given = orthophoto?.ofBlock === shown.key ? {
 		...state.placing,
 		orthophoto: {
 			...orthophoto,
 			ofBlock: ""
 		}
 	} : state.placing;
+	const placing = ground === null ? reducePlacing(given, {
+		type: "purpose",
+		purpose: "map"
+	}) : given;
 	return {
 		...state,
 		...blank(state),
@@ -10221,10 +10351,11 @@ var PlaceHands = class {
 	async take(place) {
 		if (!this.can) return;
 		const { shown, history } = this.store.state;
+		if (shown === null) return;
 		const number = nextPlace(history);
 		try {
-			const edit = await this.engine.controlByHand(place, number, shown?.view.crs ?? null);
-			if (!this.store.state.placing.adds || this.store.state.shown?.found !== shown?.found) return;
+			const edit = await this.engine.controlByHand(place, number, shown.view);
+			if (!this.store.state.placing.adds || this.store.state.shown?.found !== shown.found) return;
 			this.store.dispatch({
 				type: "addsPlace",
 				adds: false
@@ -11087,7 +11218,7 @@ var OrthophotoPlan = class extends LinkPicture {
 		if (shown === null || orthophoto === null) return null;
 		const drawn = inSystem(shown.view, this.facts.ground(), toSystemOf(orthophoto, shown.view) ?? SAME);
 		const keeps = (subject) => keptBy(subject, shown.view, state.selection);
-		return onOrthophoto(drawn.view, drawn.ground, isOffGround(state), keeps("images"), keeps("surveyed"));
+		return onOrthophoto(drawn.view, drawn.ground, liesElsewhere(state), keeps("images"), keeps("surveyed"));
 	}
 	follow(chosen) {
 		this.layers.redraw("marks");
@@ -11817,6 +11948,7 @@ function replace(store, frames) {
 	}));
 	const ofFile = measured.table(options.marks);
 	const byHand = withMeasurements(marks, (rows) => measured.rows(rows));
+	measured.count(marksByHand(marks));
 	store.dispatch({
 		type: "files",
 		files: images,
@@ -11859,13 +11991,15 @@ var Carried = class {
 		this.frames = frames;
 	}
 	rows(rows) {
-		const { measurements, moved, beside } = film_measurements([...rows], this.frames);
+		return film_measurements([...rows], this.frames).measurements;
+	}
+	count(rows) {
+		const { moved, beside } = film_measurements([...rows], this.frames);
 		this.moved += moved;
 		for (const { image, point } of beside) this.beside.add(say("in", {
 			point,
 			image
 		}));
-		return measurements;
 	}
 	table(file) {
 		if (file === null) return null;
@@ -11876,10 +12010,12 @@ var Carried = class {
 			return file;
 		}
 		const scans = new Set(this.frames.map(({ scan }) => scan));
-		return rows.some(({ image }) => scans.has(image)) ? {
+		if (!rows.some(({ image }) => scans.has(image))) return file;
+		this.count(rows);
+		return {
 			name: file.name,
 			text: image_measurement_table(this.rows(rows))
-		} : file;
+		};
 	}
 	said() {
 		const names = [...this.beside];
@@ -13682,6 +13818,16 @@ function figuresOf$1(tried, unit) {
 function images(number) {
 	return say("so-many-images", { images: number });
 }
+// www/block/state/doubt.ts
+function doubtOf(state) {
+	const purpose = purposeOf(state);
+	return (purpose === "images" || purpose === "block" && state.options.gps === "use") && !hasPlace(state) ? state.placing.elsewhere : "";
+}
+function hasPlace(state) {
+	const { placing, shown } = state;
+	if (purposeOf(state) === "images") return [...placing.placed.values()].some(({ result }) => (result?.placement ?? null) !== null);
+	return shown !== null && isInSystemOf(shown.view) && !isOffGround(state);
+}
 // www/block/panel/status.ts
 function mountBlockStatus(store, actions, details) {
 	const line = h("p", {
@@ -13702,7 +13848,7 @@ function mountBlockStatus(store, actions, details) {
 	}, line, buttons);
 	const show = answerCard(card, line, buttons, "block-");
 	store.watch((s) => [s], ([state]) => {
-		const answer = doubted(state, answerOf(state, actions));
+		const answer = doubted(answerOf(state, actions), doubtOf(state));
 		line.setAttribute("aria-live", answer.kind === "busy" ? "off" : "polite");
 		show({
 			...answer,
@@ -13715,13 +13861,10 @@ function mountBlockStatus(store, actions, details) {
 	});
 	return card;
 }
-function doubted(state, answer) {
-	const { elsewhere } = state.placing;
-	const purpose = purposeOf(state);
-	const isUsed = purpose === "images" || purpose === "block" && state.options.gps === "use";
-	return elsewhere === "" || !isUsed ? answer : {
+function doubted(answer, doubt) {
+	return doubt === "" ? answer : {
 		...answer,
-		more: `${answer.more ?? ""} ${elsewhere}`.trimStart()
+		more: `${answer.more ?? ""} ${doubt}`.trimStart()
 	};
 }
 function placed(state, actions) {
@@ -13766,7 +13909,7 @@ function offering(state, actions, answer) {
 }
 function offered(state, { decide }) {
 	return {
-		more: [say("a-block-on-an-orthophoto"), state.placing.heights.kind === "level" ? heightsText(state) : ""].join(" ").trim(),
+		more: [toBePlacedText(state, say("a-block-on-an-orthophoto")), state.placing.heights.kind === "level" ? heightsText(state) : ""].join(" ").trim(),
 		next: {
 			text: say("place-the-block-on-the"),
 			act: () => decide("block")
@@ -13779,6 +13922,9 @@ function offered(state, { decide }) {
 			act: () => decide("map")
 		}]
 	};
+}
+function toBePlacedText(state, text) {
+	return isHeldByHand(state) ? `${state.shown?.view.orthophoto?.text ?? ""} ${say("places-found-hold-it-too")}` : text;
 }
 function placeBlock({ run }) {
 	return {
@@ -13842,7 +13988,7 @@ function answerOf(state, actions) {
 	}
 	if (shown !== null && !shown.view.partial && !isOutdated(state)) {
 		if (isOffGround(state)) return {
-			...besideVerdict(state, actions, `${say("the-block-is-not-on")} ${heightsText(state)}`),
+			...besideVerdict(state, actions, `${toBePlacedText(state, say("the-block-is-not-on"))} ${heightsText(state)}`),
 			next: placeBlock(actions)
 		};
 		const answer = answered(state, shown, actions);
@@ -13857,7 +14003,9 @@ function answerOf(state, actions) {
 		next: takeControl(actions)
 	};
 	if (files.length >= 2) {
-		const why = shown === null || shown.view.partial ? say("press-run") : say("images-or-settings-have-changed");
+		const first = framesStep(state);
+		const run = shown === null || shown.view.partial ? say("press-run") : say("images-or-settings-have-changed");
+		const why = first === "" ? run : first;
 		return line("idle", `${say("block-images", { images: files.length })} ${why}`);
 	}
 	return line("idle", say("open-the-images-of-a"));

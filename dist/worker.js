@@ -849,9 +849,9 @@
 		return v4;
 	}
 	function image_position(file) {
-		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		return wasm.image_position(ptr0, len0);
+		const ret = wasm.image_position(file);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
 	}
 	function interior(camera, photo) {
 		const ret = wasm.interior(camera, photo);
@@ -1716,22 +1716,11 @@
 		const colours = reference.colours(column, row, width, height, halvings);
 		return createImageBitmap(new ImageData(new Uint8ClampedArray(colours.buffer, colours.byteOffset, colours.length), width, height));
 	}
-	var HEAD_BYTES = 1 << 20;
-	async function orthoElsewhere({ ground, options, files }) {
-		const { reference } = await opened$2(ground);
-		const positions = [];
-		for (const file of files) {
-			const position = await positionOf(file);
-			if (position === null) continue;
-			if (reference.elsewhere([position], options) === null) return null;
-			positions.push(position);
-		}
-		return reference.elsewhere(positions, options);
+	async function orthoElsewhere({ ground, options, positions }) {
+		return (await opened$2(ground)).reference.elsewhere(positions, options);
 	}
-	async function positionOf(file) {
-		const head = await bytesOf$1(file.slice(0, HEAD_BYTES));
-		const isTiff = [18761, 19789].includes((head[0] ?? 0) << 8 | (head[1] ?? 0));
-		return image_position(head) ?? (isTiff && file.size > head.length ? image_position(await bytesOf$1(file)) : null);
+	function imagePosition({ file }) {
+		return image_position(inParts(file));
 	}
 	async function orthoSearch({ ground, options }) {
 		const now = await opened$2(ground);
@@ -1779,12 +1768,13 @@
 		const [x = NaN, y = NaN] = at === null ? reference.image_positions(placement, Float64Array.from(place ?? [])) : reference.ground_positions(placement, Float64Array.from(at));
 		return Number.isNaN(x) ? null : [x, y];
 	}
-	async function orthoControl({ ground, options, place, number, crs }) {
+	async function orthoControl({ ground, options, place, number, crs, geoidM }) {
 		const { reference } = await opened$2(ground);
 		return reference.control_by_hand({
 			place,
 			number,
 			crs,
+			geoid_m: geoidM,
 			options
 		});
 	}
@@ -3706,7 +3696,9 @@
 			places: new Map()
 		});
 		else if (edit.kind === "measure") find(edit.point)?.places.set(edit.image, [edit.x_px, edit.y_px]);
-		else if (edit.kind === "reject_observations") for (const { point, image } of edit.observations) find(point)?.places.delete(image);
+		const { observations, images } = standingOf(edits);
+		for (const { point, image } of observations.values()) find(point)?.places.delete(image);
+		for (const image of images) for (const { places } of points) places.delete(image);
 		return new Map(points.map((point) => [point.edit.name, point]));
 	});
 	// www/block/engine/rejected.ts
@@ -4188,6 +4180,7 @@
 		blockPoint,
 		blockLine,
 		blockExport,
+		imagePosition,
 		orthoInfo,
 		orthoTile,
 		orthoElsewhere,

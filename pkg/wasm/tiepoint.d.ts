@@ -66,6 +66,8 @@ export interface OrthophotoInfo {
     epsg: number | null;
     /** What its system is called where it has one without a code. */
     described: string | null;
+    /** Whether it says a system that is known here, so that GNSS positions are led into it. */
+    on_earth: boolean;
     heights: [number, number];
     /** What they count from, by the name of a vertical system, where their file says it. */
     heights_from: string | null;
@@ -96,6 +98,8 @@ export interface PlaceByHand {
     number: number;
     /** The coordinate reference system that the block has; absent: its control points are in the system of the orthophoto. */
     crs?: string | null;
+    /** How high the zero of its heights is above the ellipsoid, in m; absent where that is not known. */
+    geoid_m?: number | null;
     /** As of `search`; absent: those that it had. */
     options?: Given<PlacingOptions> | null;
 }
@@ -670,7 +674,7 @@ export interface CameraRule {
 /**
  * A change of a finished block by hand. Images count as those of the block.
  */
-export type BlockEdit = { kind: "reject_observations"; observations: PointImage[] } | { kind: "restore_observations"; observations: PointImage[] } | { kind: "reject_points"; points: PointSource[] } | { kind: "restore_points"; points: PointSource[] } | { kind: "reject_images"; images: number[] } | { kind: "restore_images"; images: number[] } | { kind: "reject_pairs"; pairs: [number, number][] } | { kind: "restore_pairs"; pairs: [number, number][] } | { kind: "measure"; point: PointSource; image: number; x_px: number; y_px: number; by?: MeasuredBy } | { kind: "add_point"; observations: HandMeasurement[] } | { kind: "add_control"; name: string; position: [number, number, number]; standard_errors?: [number, number]; sigma_px?: number; use?: ControlRole; epsg?: number } | { kind: "set_use"; point: number; use?: ControlRole | null };
+export type BlockEdit = { kind: "reject_observations"; observations: PointImage[] } | { kind: "restore_observations"; observations: PointImage[] } | { kind: "reject_points"; points: PointSource[] } | { kind: "restore_points"; points: PointSource[] } | { kind: "reject_images"; images: number[] } | { kind: "restore_images"; images: number[] } | { kind: "reject_pairs"; pairs: [number, number][] } | { kind: "restore_pairs"; pairs: [number, number][] } | { kind: "measure"; point: PointSource; image: number; x_px: number; y_px: number; by?: MeasuredBy } | { kind: "add_point"; observations: HandMeasurement[] } | { kind: "add_control"; name: string; position: [number, number, number]; standard_errors?: [number, number]; sigma_px?: number; use?: ControlRole; epsg?: number; remarks?: Remark[] } | { kind: "set_use"; point: number; use?: ControlRole | null };
 
 /**
  * A change of the matches of a pair by hand.
@@ -5269,11 +5273,6 @@ export function check_geoid(name: string, placing: GeoreferencingOptions): void;
 export function check_heights(heights: number | Uint8Array, sidecars?: Given<Sidecars>): void;
 
 /**
- * Refuses two masks of one image.
- */
-export function check_masks(names: string[], masks: string[]): void;
-
-/**
  * The groups of connected images of a block, the largest first.
  */
 export function connected_groups(images: number, connections: Connection[]): number[][];
@@ -5410,9 +5409,10 @@ export function grey_png(width: number, height: number, grey: Uint8Array | numbe
 export function image_measurement_table(measurements: ImageMeasurementRow[]): string;
 
 /**
- * The GNSS position that an image records, by the first bytes of its file or all of them; null where it records none.
+ * The GNSS position that an image records; null where it records none. Of a file in parts no more than its EXIF is read: of a TIFF its directories, wherever
+ * they lie, of other images what stands in their first 256 KiB.
  */
-export function image_position(file: Uint8Array | number[]): ExifPosition | null;
+export function image_position(file: Uint8Array | FileInParts): ExifPosition | null;
 
 /**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
@@ -5744,7 +5744,6 @@ export interface InitOutput {
     readonly check_flight: (a: any) => [number, number];
     readonly check_geoid: (a: number, b: number, c: any) => [number, number];
     readonly check_heights: (a: any, b: any) => [number, number];
-    readonly check_masks: (a: number, b: number, c: number, d: number) => [number, number];
     readonly connected_groups: (a: number, b: any) => [number, number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
     readonly defaults: () => any;
@@ -5792,7 +5791,7 @@ export interface InitOutput {
     readonly gradient_candidates: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly grey_png: (a: number, b: number, c: number, d: number, e: any) => [number, number, number, number];
     readonly image_measurement_table: (a: any) => [number, number, number, number];
-    readonly image_position: (a: number, b: number) => any;
+    readonly image_position: (a: any) => [number, number, number];
     readonly interior: (a: any, b: any) => [number, number, number];
     readonly join_nearest: (a: any, b: any) => [number, number, number];
     readonly local_positions: (a: number, b: number) => [number, number, number];

@@ -1603,29 +1603,6 @@ export function check_heights(heights, sidecars) {
 }
 
 /**
- * Refuses two masks of one image.
- * @param {string[]} names
- * @param {string[]} masks
- */
-export function check_masks(names, masks) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayJsValueToWasm0(masks, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
-        if (ptr0) { wasm.__externref_drop_slice(ptr0, len0); wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
-        throw e;
-    }
-    const ret = wasm.check_masks(ptr0, len0, ptr1, len1);
-    if (ret[1]) {
-        throw takeFromExternrefTable0(ret[0]);
-    }
-}
-
-/**
  * The groups of connected images of a block, the largest first.
  * @param {number} images
  * @param {Connection[]} connections
@@ -2113,15 +2090,17 @@ export function image_measurement_table(measurements) {
 }
 
 /**
- * The GNSS position that an image records, by the first bytes of its file or all of them; null where it records none.
- * @param {Uint8Array | number[]} file
+ * The GNSS position that an image records; null where it records none. Of a file in parts no more than its EXIF is read: of a TIFF its directories, wherever
+ * they lie, of other images what stands in their first 256 KiB.
+ * @param {Uint8Array | FileInParts} file
  * @returns {ExifPosition | null}
  */
 export function image_position(file) {
-    const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.image_position(ptr0, len0);
-    return ret;
+    const ret = wasm.image_position(file);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -3463,7 +3442,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 20, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
             return ret;
         },

@@ -39,7 +39,6 @@ export const check_control: (a: number, b: number, c: number, d: number, e: numb
 export const check_flight: (a: any) => [number, number];
 export const check_geoid: (a: number, b: number, c: any) => [number, number];
 export const check_heights: (a: any, b: any) => [number, number];
-export const check_masks: (a: number, b: number, c: number, d: number) => [number, number];
 export const connected_groups: (a: number, b: any) => [number, number, number];
 export const constant_offset: (a: number, b: number) => [number, number, number];
 export const defaults: () => any;
@@ -87,7 +86,7 @@ export const geographic_positions: (a: number, b: number) => [number, number, nu
 export const gradient_candidates: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
 export const grey_png: (a: number, b: number, c: number, d: number, e: any) => [number, number, number, number];
 export const image_measurement_table: (a: any) => [number, number, number, number];
-export const image_position: (a: number, b: number) => any;
+export const image_position: (a: any) => [number, number, number];
 export const interior: (a: any, b: any) => [number, number, number];
 export const join_nearest: (a: any, b: any) => [number, number, number];
 export const local_positions: (a: number, b: number) => [number, number, number];
