@@ -242,6 +242,15 @@ tangential-distortion = التشوه المماسي
 origin-in-the-scan-2 = المبدأ في المسح الضوئي
 this-value-is-not-allowed = { $label }: هذه القيمة غير مسموحة. تبقى آخر قيمة صالحة مستعملة.
 and-between = {" "}و
+files-cannot-be-opened =
+    { $files ->
+        [one] لا يمكن فتح { $names }: { $reason }
+        [two] لا يمكن فتح ملفين ({ $names }): { $reason }
+        [few] لا يمكن فتح { COUNT($files) } ملفات ({ $names }): { $reason }
+       *[other] لا يمكن فتح { COUNT($files) } ملفًا ({ $names }): { $reason }
+    }
+comma-between-names = ،{" "}
+names-and-more = { $first } و{ COUNT($more) } غيرها
 without-images = بلا صور
 two-names = { $first } و{ $second }
 and-more-images = { $first } و{ $images ->

@@ -283,6 +283,13 @@ this-value-is-not-allowed = { $label }: this value is not allowed. The last vali
 ## text/project
 
 and-between = {" "}and{" "}
+files-cannot-be-opened =
+    { $files ->
+        [one] { $names } cannot be opened: { $reason }
+       *[other] { COUNT($files) } files cannot be opened ({ $names }): { $reason }
+    }
+comma-between-names = ,{" "}
+names-and-more = { $first } and { COUNT($more) } more
 without-images = Without images
 two-names = { $first } and { $second }
 and-more-images = { $first } and { COUNT($images) } more images
