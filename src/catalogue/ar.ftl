@@ -292,7 +292,7 @@ side-right = اليمنى
 
 ## Why a pair has no geometry of the two views, or no orientation.
 
-no-geometry-too-few-matches = أُعطي { $matches } من المطابقات المختلفة؛ المطلوب { $needed } على الأقل
+no-geometry-too-few-matches = ليس هناك إلا { $matches } من المطابقات المرشحة المختلفة، والهندسة تحتاج إلى { $needed } على الأقل؛ فلم يُبقَ أي منها
 no-geometry-chance = لا يتفق على هندسة واحدة إلا { $agreeing } من { $matches } من المطابقات المرشحة، وليس هذا أكثر مما تأتي به المصادفة؛ فلم يُبقَ أي منها
 
 camera-origin-xmp-calibration = ‏XMP (معايَرة)

@@ -722,7 +722,7 @@ side-right = right
 
 ## Why a pair has no geometry of the two views, or no orientation. They follow `not oriented: `.
 
-no-geometry-too-few-matches = { $matches } different matches are given; at least { $needed } are needed
+no-geometry-too-few-matches = only { $matches } different candidate matches are there, and a geometry takes at least { $needed }; none is kept
 no-geometry-chance = only { $agreeing } of { $matches } candidate matches agree on one geometry, no more than would by chance; none is kept
 
 camera-origin-xmp-calibration = XMP (calibrated)
