@@ -254,6 +254,8 @@ export class Files {
   private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found', asks = false): Promise<Told[]> {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
+    const isCancelled = outcomes.some((outcome) => outcome.status === 'rejected' && outcome.reason instanceof Cancelled);
+    if (type === 'images' && isCancelled && entries.every(([side]) => this.store.state.images[side] === null)) return this.leaveToRun(entries, outcomes);
     const told = this.failedImages(
       outcomes.flatMap((outcome, i) =>
         outcome.status === 'rejected' ? [{ name: entries[i]?.[1].name ?? say('the-file'), error: outcome.reason as unknown }] : [],
@@ -272,6 +274,19 @@ export class Files {
     }
     const question = asks ? await this.askOfThird(images) : null;
     return question === null ? this.show(images) : [question];
+  }
+
+  /** Images that take no other's place stay where Cancel ended their reading: Run opens them. */
+  private leaveToRun(entries: readonly [Side, GivenImage][], outcomes: readonly PromiseSettledResult<unknown>[]): Told[] {
+    const refused = (i: number) => {
+      const outcome = outcomes[i];
+      return outcome?.status === 'rejected' && !(outcome.reason instanceof Cancelled)
+        ? [{ name: entries[i]?.[1].name ?? '', error: outcome.reason as unknown }]
+        : [];
+    };
+    const images = Object.fromEntries(entries.filter((_, i) => refused(i).length === 0));
+    this.store.dispatch({ type: 'images', images, waits: true });
+    return this.failedImages(entries.flatMap((_, i) => refused(i)));
   }
 
   /** Before a single photo takes the place of one of two: the three may be meant as a block. Null where it cannot be, or where the photo is the one that is there. */
