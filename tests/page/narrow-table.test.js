@@ -31,6 +31,11 @@ test('at 390 px the orthophoto is in sight over the table of its images, whereve
   const last = await rows.last().boundingBox();
   assert.ok(last !== null && last.y + last.height <= 844, JSON.stringify(last));
   await page.screenshot({ path: join(SHOTS, 'narrow-table.png') });
+  // Of the two that save here each says what.
+  await page.keyboard.press('Control+k');
+  await part(page, 'search-text').fill('save');
+  const saving = await part(page, 'search-list').locator('li:has(> span:first-child:text-is("Save")) > small').allTextContents();
+  assert.deepEqual([saving.length >= 2, new Set(saving).size, saving.includes('Export of the placed images')], [true, saving.length, true], saving.join('; '));
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -103,6 +103,7 @@ find-an-action = البحث عن أمر
 actions = الأوامر
 all-keys = جميع المفاتيح
 what-do-you-want-to = ماذا تريد أن تفعل؟
+tab = لسان تبويب
 no-action-has-these-words = لا أمر بهذه الكلمات.
 every-picture = كل عرض
 keys = المفاتيح

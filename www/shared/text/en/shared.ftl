@@ -106,6 +106,7 @@ find-an-action = Find an action
 actions = Actions
 all-keys = All keys
 what-do-you-want-to = What do you want to do?
+tab = tab
 no-action-has-these-words = No action has these words.
 every-picture = Every picture
 keys = Keys
