@@ -70,8 +70,8 @@ pub use descriptors::{
 pub use editing::{BlockEdit, EditedMatch, HandMeasurement, MeasuredBy, PairEdit, PointImage};
 pub use epipolar_images::{EpipolarGeometry, EpipolarImages, Parallaxes, StereoPair, StereoView, write_anaglyph};
 pub use error::{
-    Allowed, CameraParameter, Cause, Computation, Damage, DescribedBy, Document, Element, Error, Failure, Few, FileFault, FilePlace,
-    ImageFault, ImageOperation, Input, Interruption, Location, PointName, Refusal, Side, Unsettled, Unsupported,
+    Allowed, CameraParameter, Cause, Computation, Damage, DescribedBy, Document, Element, Error, Failure, Few, FileFault, FileKind,
+    FilePlace, ImageFault, ImageOperation, Input, Interruption, Location, PointName, Refusal, Side, Unsettled, Unsupported,
 };
 pub use film::{
     FilmFrame, FilmInput, FilmScan, FrameOfScan, FramedMeasurements, SCAN_LIMITS, decode_scan, film_cameras, film_frame, film_pixel_mm,
@@ -83,8 +83,8 @@ pub use formats::{
 };
 pub use georeferenced::{Georeference, Sidecars};
 pub use image::{
-    Bands, DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header, reduce_to, write_bands,
-    write_png,
+    Bands, DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header, reduce_to, refused_kind,
+    write_bands, write_png,
 };
 pub use json::JsonFault;
 pub use matching::{

@@ -22,6 +22,7 @@ before(async () => {
       'block/state/state',
       'block/state/timeline',
       'block/files/edit',
+      'block/files/keep-former',
       'shared/files/journal',
       'shared/state/history',
     ]),
@@ -35,6 +36,7 @@ const viewOf = (points, sigma0Px = 0.5) => ({
   connections: [],
   oriented: 4,
   surveyed: [],
+  givenControl: 0,
   sigma0Px,
   rmsePx: 0.3,
   checks: null,
@@ -283,6 +285,42 @@ test('a block that is found as it was keeps all its edits, and one that is so ag
   // What was edited meanwhile is not lost for it.
   const added = page.reducer.reduceBlock(without, { type: 'edit', edits: [{ kind: 'reject_images', images: [1] }] });
   assert.deepEqual(anew(added, viewOf([10, 11, 12])).history.edits, [[image], [{ kind: 'reject_images', images: [1] }]]);
+});
+
+test('edits that wait for their block to be found again wait for it after the page was loaded anew too', () => {
+  const { formerParts, formerFrom } = page.keep_former;
+  const image = { kind: 'reject_images', images: [0] };
+  const edited = after(...[reject, image].map((edit) => ({ type: 'edit', edits: [edit] })));
+  const without = anew(edited);
+  const two = anew(without, { ...viewOf([6]), images: ['a', 'b'].map((name) => ({ name, rays: 1 })) });
+  const emptied = anew(after({ type: 'edit', edits: [reject] }));
+  /** What the browser has of it, and the page makes of that.  @param {any} state */
+  const loadedAnew = (state) => {
+    const journal = () => new page.journal.Journal('block/edits', page.edit.stepFrom, page.edit.bytesOfStep);
+    const kept = new Map([...journal().parts(state.history), ...formerParts(state.former, state.history)]);
+    assert.ok((kept.get('block/former')?.bytes ?? 0) > 0);
+    // What has not changed is not written again.
+    assert.equal(formerParts(state.former, state.history).get('block/former').value, kept.get('block/former').value);
+    const parts = structuredClone(new Map([...kept].map(([name, { value }]) => [name, value])));
+    const history = journal().read(parts);
+    return { ...state, history, former: formerFrom(parts, history) };
+  };
+  for (const state of [without, two, emptied, loadedAnew(two)]) {
+    const loaded = loadedAnew(state);
+    assert.deepEqual(loaded.former, state.former);
+    const [back, wanted] = [loaded, state].map((one) => anew(one, viewOf([10, 11, 12])));
+    assert.ok(wanted.history.edits.length > state.history.edits.length);
+    assert.deepEqual([back.history, back.notice.text], [wanted.history, wanted.notice.text]);
+  }
+  // What was edited since is no way back, loaded anew or not.
+  const loaded = loadedAnew(without);
+  const added = page.reducer.reduceBlock(loaded, { type: 'edit', edits: [{ kind: 'reject_images', images: [1] }] });
+  for (const state of [added, loadedAnew(added)])
+    assert.deepEqual(anew(state, viewOf([10, 11, 12])).history.edits, [[image], [{ kind: 'reject_images', images: [1] }]]);
+  // Earlier releases kept none; what is damaged is named.
+  assert.deepEqual(formerFrom(new Map(), without.history), []);
+  const damaged = new Map([['block/former', { now: 'a', former: [{ tiePoints: 1 }] }]]);
+  assert.throws(() => formerFrom(damaged, without.history), /former\[0\]\.tiePoints/);
 });
 
 test('steps beside the edits keep their places among them through a new run, a refusal, and a new edit after others were undone', () => {

@@ -13,6 +13,8 @@ mod tiff_writer;
 
 #[path = "decode/exif.rs"]
 mod exif;
+#[path = "decode/foreign.rs"]
+mod foreign;
 #[path = "decode/formats.rs"]
 mod formats;
 #[path = "decode/hostile.rs"]

@@ -20,8 +20,10 @@ import {
 import { rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { IMAGE_FILE } from '../block/image-files.js';
-import { Photo } from '../node.js';
+import { message, Photo, refused_kind } from '../node.js';
 import { about, DataError } from './errors.js';
+import { note } from './output.js';
+import { byReason } from './skipped.js';
 
 /** @type {Record<string, string>} */
 const REASONS = {
@@ -117,11 +119,39 @@ export function filesIn(path) {
     .sort(byNumbers);
 }
 
-/** The images of a folder, one at least.  @param {string} folder @returns {string[]} */
+/** The images of a folder, one at least. Files of kinds that are not decoded, as HEIC, are noted.  @param {string} folder @returns {string[]} */
 export function imagesIn(folder) {
-  const names = filesIn(folder).filter((name) => IMAGE_FILE.test(name));
-  if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
+  const all = filesIn(folder);
+  const names = all.filter((name) => IMAGE_FILE.test(name));
+  const unread = byReason(
+    all
+      .filter((name) => !IMAGE_FILE.test(name))
+      .flatMap((name) => {
+        const refusal = refused_kind(name, startOf(join(folder, name)));
+        return refusal === null ? [] : [{ name, reason: message('error', refusal) }];
+      }),
+  );
+  if (names.length === 0) {
+    const others = unread.length > 0 ? `; ${unread.join('; ')}` : '';
+    throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)${others}`);
+  }
+  for (const text of unread) note(text);
   return names.map((name) => join(folder, name));
+}
+
+/** So many bytes tell what kind a file is of. */
+const START_BYTES = 1 << 16;
+
+/** The first bytes of a file; none of what is no file, or cannot be read.  @param {string} path @returns {Uint8Array} */
+function startOf(path) {
+  try {
+    // Reading a pipe would wait for whoever writes into it.
+    if (!isFile(path)) return new Uint8Array();
+    const file = inParts(path);
+    return Buffer.isBuffer(file) ? file : file.read(0, Math.min(file.size, START_BYTES));
+  } catch {
+    return new Uint8Array();
+  }
 }
 
 /** `photo_9` comes before `photo_10`.  @param {string} a @param {string} b */

@@ -156,8 +156,24 @@ damage-many-tags = في دليله { $tags } من الوسوم؛ يُقرأ حت
 damage-many-values = في الوسم { $tag } من القيم { $values }؛ يُقرأ حتى { $most }
 damage-colour-map = ليست في خريطة ألوانه 3 × 256 مدخلًا
 
+## Kinds of files that are not decoded, and what to make of them.
+
+file-kind-heic = صور HEIC لا تُقرأ: صدّرها بصيغة JPEG (وعلى iPhone للصور الجديدة: الإعدادات، الكاميرا، التنسيقات، الأكثر توافقًا)
+file-kind-avif = صور AVIF لا تُقرأ: احفظها بصيغة JPEG أو PNG
+file-kind-jpeg-xl = صور JPEG XL لا تُقرأ: احفظها بصيغة JPEG أو PNG
+file-kind-jpeg2000 = صور JPEG 2000 لا تُقرأ: احفظها بصيغة TIFF (ويُبقي gdal_translate in.jp2 out.tif على مواضعها)
+file-kind-ecw = صور ECW لا تُقرأ: احفظها بصيغة GeoTIFF (ويُبقي gdal_translate أو QGIS على مواضعها)
+file-kind-mr-sid = صور MrSID لا تُقرأ: احفظها بصيغة GeoTIFF (ويُبقي gdal_translate أو QGIS على مواضعها)
+file-kind-camera-raw = الصور الخام للكاميرات ({ $ending }) لا تُقرأ: حوّلها إلى JPEG أو TIFF، بحجمها الكامل ودون اقتصاص
+file-kind-photoshop = مستندات Photoshop لا تُقرأ: احفظها بصيغة TIFF أو PNG
+file-kind-gif = صور GIF لا تُقرأ: احفظها بصيغة PNG
+file-kind-pdf = مستندات PDF لا تُقرأ: صدّر صورها بصيغة TIFF أو PNG
+file-kind-video = الأفلام لا تُقرأ: احفظ صورًا مفردة منها بصيغة JPEG أو PNG
+file-kind-archive = الأرشيفات (ZIP و7z وRAR) لا تُقرأ: فُكّها وأعطِ الصور التي فيها
+
 ## What is not decoded.
 
+unsupported-kind = { $file_kind }؛ المسموح: { $formats }
 unsupported-file = هذا النوع من الملفات غير مدعوم؛ المسموح: { $formats }
 unsupported-decoder = ملف { $format } هذا ({ $words }) غير مدعوم؛ المسموح: { $formats }
 unsupported-tiff-decoder = ملف TIFF هذا ({ $words }) غير مدعوم؛ المسموح: رمادي وRGB من 8 أو 16 بت، في شرائط أو بلاطات
@@ -276,7 +292,7 @@ side-right = اليمنى
 
 ## Why a pair has no geometry of the two views, or no orientation.
 
-no-geometry-too-few-matches = أُعطي { $matches } من المطابقات المختلفة؛ المطلوب { $needed } على الأقل
+no-geometry-too-few-matches = ليس هناك إلا { $matches } من المطابقات المرشحة المختلفة، والهندسة تحتاج إلى { $needed } على الأقل؛ فلم يُبقَ أي منها
 no-geometry-chance = لا يتفق على هندسة واحدة إلا { $agreeing } من { $matches } من المطابقات المرشحة، وليس هذا أكثر مما تأتي به المصادفة؛ فلم يُبقَ أي منها
 
 camera-origin-xmp-calibration = ‏XMP (معايَرة)

@@ -161,8 +161,24 @@ damage-many-tags = its directory has { $tags } tags; up to { $most } are read
 damage-many-values = tag { $tag } has { $values } values; up to { $most } are read
 damage-colour-map = its colour map has not 3 x 256 entries
 
+## Kinds of files that are not decoded, and what to make of them.
+
+file-kind-heic = HEIC pictures are not read: export them as JPEG (on an iPhone, for new ones: Settings, Camera, Formats, Most Compatible)
+file-kind-avif = AVIF pictures are not read: save them as JPEG or PNG
+file-kind-jpeg-xl = JPEG XL pictures are not read: save them as JPEG or PNG
+file-kind-jpeg2000 = JPEG 2000 pictures are not read: save them as TIFF (gdal_translate in.jp2 out.tif keeps where they lie)
+file-kind-ecw = ECW pictures are not read: save them as GeoTIFF (gdal_translate or QGIS keeps where they lie)
+file-kind-mr-sid = MrSID pictures are not read: save them as GeoTIFF (gdal_translate or QGIS keeps where they lie)
+file-kind-camera-raw = raw pictures of cameras ({ $ending }) are not read: develop them as JPEG or TIFF, at full size and without cropping
+file-kind-photoshop = Photoshop documents are not read: save them as TIFF or PNG
+file-kind-gif = GIF pictures are not read: save them as PNG
+file-kind-pdf = PDF documents are not read: export their pictures as TIFF or PNG
+file-kind-video = films are not read: save single pictures of them as JPEG or PNG
+file-kind-archive = archives (ZIP, 7z, RAR) are not read: unpack them and give the pictures in them
+
 ## What is not decoded.
 
+unsupported-kind = { $file_kind }; allowed: { $formats }
 unsupported-file = this kind of file is not supported; allowed: { $formats }
 unsupported-decoder = this { $format } ({ $words }) is not supported; allowed: { $formats }
 unsupported-tiff-decoder = this TIFF ({ $words }) is not supported; allowed: grey and RGB of 8 or 16 bits, in strips or tiles
@@ -706,7 +722,7 @@ side-right = right
 
 ## Why a pair has no geometry of the two views, or no orientation. They follow `not oriented: `.
 
-no-geometry-too-few-matches = { $matches } different matches are given; at least { $needed } are needed
+no-geometry-too-few-matches = only { $matches } different candidate matches are there, and a geometry takes at least { $needed }; none is kept
 no-geometry-chance = only { $agreeing } of { $matches } candidate matches agree on one geometry, no more than would by chance; none is kept
 
 camera-origin-xmp-calibration = XMP (calibrated)

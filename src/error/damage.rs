@@ -1,5 +1,6 @@
 //! What contradicts the format of an image, and what a format may hold that is not decoded.
 
+use super::file_kind::FileKind;
 use crate::json::{Constant, constant};
 use crate::message::messages;
 use serde::{Deserialize, Serialize};
@@ -54,6 +55,8 @@ messages! {
     #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
     #[non_exhaustive]
     pub enum Unsupported as "unsupported" {
+        /// A kind of file that is known, and not decoded.
+        Kind { file_kind: FileKind, #[serde(deserialize_with = "constant")] formats: Constant },
         /// No format that is known.
         File { #[serde(deserialize_with = "constant")] formats: Constant },
         /// The library that decodes the format says what.

@@ -3,6 +3,7 @@
 mod allowed;
 mod damage;
 mod failure;
+mod file_kind;
 mod input;
 mod refusal;
 mod subject;
@@ -14,6 +15,7 @@ use serde::{Deserialize, Serialize};
 pub use allowed::Allowed;
 pub use damage::{Damage, Unsupported};
 pub use failure::Failure;
+pub use file_kind::FileKind;
 pub use input::{DescribedBy, Element, Input, Location, PointName, Side};
 pub use refusal::Refusal;
 pub use subject::{Document, Few, FilePlace, ImageOperation};

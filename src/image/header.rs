@@ -2,7 +2,7 @@
 
 use super::layout::{FileLayout, Format, damaged, truncated};
 use super::tiff::TiffLayout;
-use super::{bmp, jpeg, png, pnm, webp};
+use super::{bmp, foreign, jpeg, png, pnm, webp};
 use crate::source::FileSource;
 use crate::{Damage, Error, ImageFault, Unsupported};
 
@@ -25,6 +25,26 @@ pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
     Ok(Header { format: format.name(), width, height })
 }
 
+/// Why a file is refused whose first bytes, or the ending of whose name where these say nothing, are those of a kind that is not decoded; absent for all others.
+///
+/// `start`: the first bytes of the file. 64 tell every kind but raw files that are TIFFs: these are told where their first directory is among the bytes, and
+/// declares what is not decoded. One whose first image is decoded is none of these, whatever its name.
+pub fn refused_kind(name: &str, start: &[u8]) -> Option<Error> {
+    if start.is_empty() {
+        return None;
+    }
+    let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase()).unwrap_or_default();
+    let kind = match format_of(start) {
+        Ok(Format::Tiff) => {
+            let is_refused = matches!(TiffLayout::read(start), Err(Error::UnsupportedImage { .. }));
+            (is_refused.then(|| foreign::raw_tiff(start).or_else(|| foreign::raw_by_ending(&ending)))).flatten()
+        }
+        Ok(_) => None,
+        Err(_) => foreign::by_content(start).or_else(|| foreign::by_ending(&ending)),
+    };
+    kind.map(foreign::refused)
+}
+
 /// Whether the first bytes of a file are those of a TIFF.
 pub(crate) fn is_tiff(source: &dyn FileSource) -> bool {
     let mut start = [0; 4];
@@ -37,7 +57,7 @@ pub(super) fn read_layout(bytes: &[u8]) -> Result<FileLayout, Error> {
     let layout = match format {
         Format::Jpeg => jpeg::read_header(bytes)?,
         Format::Png => png::read_header(bytes).ok_or_else(|| truncated(format))?,
-        Format::Tiff => TiffLayout::read(bytes)?.file_layout(),
+        Format::Tiff => TiffLayout::read(bytes).map_err(|error| of_tiff(error, bytes))?.file_layout(),
         Format::Bmp => bmp::read_header(bytes).ok_or_else(|| truncated(format))?,
         Format::Pnm => pnm::read_header(bytes)?,
         Format::WebP => webp::read_header(bytes)?,
@@ -47,6 +67,14 @@ pub(super) fn read_layout(bytes: &[u8]) -> Result<FileLayout, Error> {
         return Err(damaged(format, Damage::NoPixels { width, height }));
     }
     Ok(layout)
+}
+
+/// Why a TIFF is refused: what a raw file of a camera declares says less than that it is one.
+fn of_tiff(error: Error, bytes: &[u8]) -> Error {
+    match error {
+        Error::UnsupportedImage { .. } => foreign::raw_tiff(bytes).map_or(error, foreign::refused),
+        damaged => damaged,
+    }
 }
 
 /// The format that the first bytes name.
@@ -59,6 +87,6 @@ fn format_of(bytes: &[u8]) -> Result<Format, Error> {
         [b'P', b'1'..=b'7', b' ' | b'\t' | b'\r' | b'\n' | b'#', ..] => Ok(Format::Pnm),
         [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => Ok(Format::WebP),
         [] => Err(Error::UnreadableImage { image_fault: ImageFault::Empty }),
-        _ => Err(Unsupported::File { formats: Format::ALL }.into_error()),
+        _ => Err(foreign::by_content(bytes).map_or_else(|| Unsupported::File { formats: Format::ALL }.into_error(), foreign::refused)),
     }
 }

@@ -5,7 +5,7 @@ use super::{Message, Texts};
 use crate::json::JsonFault;
 use crate::{
     Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Document,
-    Element, Error, Failure, Few, FileFault, FilePlace, ImageFault, ImageOperation, ImageReason, Input, Interruption, KnownWorst,
+    Element, Error, Failure, Few, FileFault, FileKind, FilePlace, ImageFault, ImageOperation, ImageReason, Input, Interruption, KnownWorst,
     LengthUnit, Location, Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OrthophotoSlip,
     OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlaceSearch, PlacingVerdict, PlacingWeakness, PointName, Refusal,
     Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
@@ -64,6 +64,7 @@ fn families() -> Vec<Family> {
         family::<Failure>(),
         family::<Few>(),
         family::<FileFault>(),
+        family::<FileKind>(),
         family::<FilePlace>(),
         family::<ImageFault>(),
         family::<ImageOperation>(),

@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 42] = [
+pub(super) const NESTED: [&str; 43] = [
     "allowed",
     "axis",
     "block_warning",
@@ -27,6 +27,7 @@ pub(super) const NESTED: [&str; 42] = [
     "failure",
     "few",
     "file_fault",
+    "file_kind",
     "file_place",
     "image_fault",
     "image_operation",

@@ -58,6 +58,13 @@ pub struct Photo {
     drone: Option<Box<DroneRecord>>,
 }
 
+/// Why a file is refused whose first bytes, or the ending of whose name where these say nothing, are those of a kind that is not decoded (HEIC, raw, film, …);
+/// null for all others. 64 bytes tell every kind but raw files that are TIFFs.
+#[wasm_bindgen(unchecked_return_type = "{ kind: string } | null")]
+pub fn refused_kind(name: &str, start: &[u8]) -> JsValue {
+    pack(&crate::refused_kind(name, start))
+}
+
 #[wasm_bindgen]
 impl Photo {
     /// Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.

@@ -162,6 +162,30 @@ test('an image that cannot be read is skipped and listed', () => {
   assert.match(alone.stderr, /images of the block: got 1 that could be read, of 2 \(a_text\.jpg: /);
 });
 
+test('files of kinds that are not decoded are named beside the images of a folder, each reason once', () => {
+  const mixed = folder();
+  const heic = Buffer.concat([Buffer.from([0, 0, 0, 24]), Buffer.from('ftypheic\0\0\0\0mif1heic'), Buffer.alloc(100)]);
+  for (let i = 1; i <= 7; i++) writeFileSync(join(mixed, `IMG_${i}.HEIC`), heic);
+  writeFileSync(join(mixed, 'map.ecw'), 'e');
+  writeFileSync(join(mixed, 'notes.txt'), 'heic');
+  const none = tiepoint('block', mixed, '--out', folder());
+  assert.equal(none.code, 1);
+  assert.match(
+    none.stderr,
+    /there is no image in this folder \(JPEG, .*\); 7 files are skipped \(IMG_1\.HEIC, .*IMG_5\.HEIC and 2 more\): HEIC pictures are not read: export them as JPEG .*; map\.ecw is skipped: ECW pictures/,
+  );
+  const alone = tiepoint('points', join(mixed, 'IMG_1.HEIC'));
+  assert.deepEqual([alone.code, /IMG_1\.HEIC: HEIC pictures are not read: export them as JPEG/.test(alone.stderr)], [1, true], alone.stderr);
+  for (const name of readdirSync(BLOCK.photos)) copyFileSync(join(BLOCK.photos, name), join(mixed, name));
+  const { code, stderr } = tiepoint(...BLOCK.call.with(1, mixed), '--out', folder());
+  assert.equal(code, 0, stderr);
+  const notes = stderr.split('\n').filter((line) => line.includes('skipped'));
+  assert.deepEqual(
+    notes.map((line) => line.slice(0, line.indexOf(' pictures'))),
+    ['tiepoint: 7 files are skipped (IMG_1.HEIC, IMG_2.HEIC, IMG_3.HEIC, IMG_4.HEIC, IMG_5.HEIC and 2 more): HEIC', 'tiepoint: map.ecw is skipped: ECW'],
+  );
+});
+
 test('copies of an image are left out of a block and named', () => {
   const twins = folder();
   const [name = '', other = ''] = readdirSync(BLOCK.photos);
@@ -171,10 +195,7 @@ test('copies of an image are left out of a block and named', () => {
   const { stdout, stderr } = tiepoint('block', twins, ...BLOCK.call.slice(2), '--out', out, '--json');
   const summary = JSON.parse(stdout);
   const copies = ['img_9.png', 'img_9b.png', 'img_10.png'];
-  assert.deepEqual(
-    stderr.trimEnd().split('\n'),
-    copies.map((copy) => `tiepoint: ${copy} is skipped: image of the block: got the same file as IMG.png; allowed: each image once`),
-  );
+  assert.equal(stderr, `tiepoint: 3 files are skipped (${copies.join(', ')}): image of the block: got the same file as IMG.png; allowed: each image once\n`);
   assert.equal(summary.images.read, 2);
   assert.deepEqual(
     summary.images.left_out.map((/** @type {{name: string}} */ image) => image.name),

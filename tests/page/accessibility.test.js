@@ -90,6 +90,14 @@ test('axe finds nothing in any state of a pair', { skip: SKIP }, async () => {
   );
   for (const name of ['Left image: Mask …', 'Right image: Mask …', 'Left image: Add mark', 'Replace the left image'])
     assert.equal(listed.filter((text) => text.startsWith(name)).length, 1, name);
+  // Those of one name say which is which.
+  const seen = new Set();
+  for (const row of await part(page, 'search-list').locator('li').all()) {
+    const [name = '', more = ''] = await row.locator('> span:first-child, > small').allTextContents();
+    if (listed.filter((text) => text.split('\n')[0] === name).length > 1) assert.ok(more !== '', name);
+    assert.ok(!seen.has(`${name} (${more})`), `${name} (${more})`);
+    seen.add(`${name} (${more})`);
+  }
   await part(page, 'search-text').fill('magnifier');
   await look('search for an action');
   await page.keyboard.press('Enter');

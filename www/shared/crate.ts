@@ -73,6 +73,7 @@ export {
   one_image,
   pair_cameras,
   project_kind,
+  refused_kind,
   resolved,
 } from '../../pkg/wasm/tiepoint.js';
 

@@ -1,5 +1,6 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import type { FoundFile } from '../../shared/files/drop';
+import { kindsText, refusedKinds } from '../../shared/files/refused';
 import { Cancelled } from '../../shared/engine/client';
 import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
 import { keepChoice, keptChoice } from '../../shared/choices';
@@ -87,7 +88,9 @@ export class BlockFiles {
   /** Adds images to the block; what a folder holds besides images is left aside. `why` is said first. */
   async take(given: readonly FoundFile[], why = ''): Promise<void> {
     const before = this.store.state.notice;
-    const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given));
+    const kinds = await refusedKinds(given.map(({ file }) => file));
+    const unread = kindsText(kinds);
+    const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given.filter(({ file }) => !kinds.has(file))));
     const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
     const ground = await this.ground.take(rasters);
     const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
@@ -110,13 +113,18 @@ export class BlockFiles {
     else await this.said([said, film.said === '' ? '' : framesStep(this.store.state)].filter((text) => text !== '').join(' '));
     // A geoid, or heights that would be refused: where the user gives it says which.
     const grids = degrees.map(({ file }) => say('is-a-grid-at-longitudes', { name: file.name })).join(' ');
-    const putAside = [grids, film.aside, this.marksOfNone(film.marks), notCameras, tables.aside].filter((text) => text !== '').join(' ');
-    if (putAside !== '') this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
+    const putAside = [unread, grids, film.aside, this.marksOfNone(film.marks), notCameras, tables.aside].filter((text) => text !== '').join(' ');
+    if (putAside === '') return;
+    const { notice } = this.store.state;
+    if (given.length > 0 && kinds.size === given.length) this.tell('problem', unread);
+    else this.tellBeside(notice === before ? null : notice, putAside);
   }
 
   /** Takes files that are given as an orthophoto with what belongs to it, or as its heights: what they hold decides where it can be told. */
   async takeGround(given: readonly File[], asHeights = false): Promise<void> {
-    const { others, ...sorted } = await sortRasters(given.map((file) => ({ file, path: '' })));
+    const kinds = await refusedKinds(given);
+    if (kinds.size > 0) this.tell('problem', kindsText(kinds));
+    const { others, ...sorted } = await sortRasters(given.filter((file) => !kinds.has(file)).map((file) => ({ file, path: '' })));
     // A picture that does not say where it lies is refused with the crate's reason.
     const unknown = others.map(({ file }) => ({ file, world: null, projection: null }));
     const pictures = asHeights ? [] : [...sorted.orthophotos, ...(sorted.orthophotos.length > 0 ? [] : unknown)];

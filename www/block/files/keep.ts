@@ -16,6 +16,7 @@ import type { EditStep } from '../state/edits';
 import type { OnGround } from '../state/placing';
 import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
 import { passIds } from './ids';
+import { formerFrom, formerParts } from './keep-former';
 import { keptPlacing, placingFrom, rastersOf, sizeOfPlaced } from './keep-placing';
 import { say } from '../../shared/text/words';
 
@@ -46,7 +47,7 @@ export class KeptBlocks implements Keepable {
   watch(changed: () => void): void {
     this.changed = changed;
     this.engine.watchRecords(changed);
-    this.store.watch(['files', 'options', 'flight', 'truth', 'shown', 'opened', 'running', 'history', 'marks', 'placing'], () => {
+    this.store.watch(['files', 'options', 'flight', 'truth', 'shown', 'opened', 'running', 'history', 'former', 'marks', 'placing'], () => {
       changed();
       void this.settled();
     });
@@ -87,6 +88,7 @@ export class KeptBlocks implements Keepable {
     const { made } = this;
     for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
     for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
+    for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
     if (made !== null && made.found === shown?.found)
       parts.set(SHOWN, { value: made.kept, bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0) });
     // Of images that were all removed nothing is left to go on with.
@@ -107,6 +109,7 @@ export class KeptBlocks implements Keepable {
     const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
     const history = this.journal.read(parts);
     const marks = this.marks.read(parts);
+    const former = formerFrom(parts, history);
     const finished = await this.finished(parts, history);
     const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
     const records = new Map(
@@ -123,7 +126,7 @@ export class KeptBlocks implements Keepable {
       this.engine.keepSpare(finished?.kept.project ?? null);
       this.store.dispatch({
         type: 'restored',
-        restored: { files, removed, options: { ...kept.options, masks, geoid }, flight: kept.flight, truth, shown, opened, history, marks, placing },
+        restored: { files, removed, options: { ...kept.options, masks, geoid }, flight: kept.flight, truth, shown, opened, history, former, marks, placing },
       });
       const names = this.images();
       if (names.length === 0) return;

@@ -39,7 +39,7 @@ export function placingExports(store: BlockStore, engine: PlacingEngine): HTMLEl
   };
   select.addEventListener('change', show);
   store.watch(['placing', 'files', 'running', 'notice'], show);
-  return h('span', { class: 'placed-exports' }, select, press);
+  return h('span', { class: 'placed-exports', role: 'group', aria: { label: say('export-of-the-placed-images') } }, select, press);
 }
 
 /** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. */

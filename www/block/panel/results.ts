@@ -1,4 +1,5 @@
 /** What came of a block: images oriented, points by rays, residuals, calibrated cameras, warnings, and what was skipped. */
+import { byReason, namesText } from '../../shared/files/refused';
 import { button, fill, h, row, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
@@ -221,11 +222,12 @@ function notOriented(view: BlockView): HTMLElement | null {
 }
 
 function reasons(list: readonly { name: string; reason: string }[]): HTMLElement {
-  const rest = list.length - LISTED;
+  const together = [...byReason(list)];
+  const rest = together.slice(LISTED).reduce((sum, [, names]) => sum + names.length, 0);
   return h(
     'ul',
     { class: 'reasons' },
-    ...list.slice(0, LISTED).map(({ name, reason }) => h('li', {}, h('b', {}, name), `: ${reason}`)),
+    ...together.slice(0, LISTED).map(([reason, names]) => h('li', {}, h('b', {}, namesText(names)), `: ${reason}`)),
     rest > 0 ? h('li', {}, say('and-more-in-the-table', { rest })) : null,
   );
 }

@@ -49,7 +49,10 @@ export interface KeptShown {
 }
 
 /** What was kept, ready to be shown. */
-export type RestoredBlock = Pick<BlockState, 'files' | 'removed' | 'options' | 'flight' | 'truth' | 'shown' | 'opened' | 'history' | 'marks' | 'placing'>;
+export type RestoredBlock = Pick<
+  BlockState,
+  'files' | 'removed' | 'options' | 'flight' | 'truth' | 'shown' | 'opened' | 'history' | 'former' | 'marks' | 'placing'
+>;
 
 /** Whether there is nothing yet that would have to be kept. */
 export function isBlank({ catalogue, files, shown, options, flight, placing }: BlockState): boolean {

@@ -13,6 +13,8 @@ import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
 import type { Taker } from '../../shared/files/drop';
 import type { Choice, Notice } from '../../shared/state/notice';
+import { kindsText, refusedKinds, refusedText } from '../../shared/files/refused';
+import type { Refused } from '../../shared/files/refused';
 import { contains } from '../../shared/view/transform';
 import { panesOf } from '../view/geometry';
 import type { View } from '../view/view';
@@ -84,7 +86,8 @@ export class Files {
   async take(files: readonly File[], side: Side | null, asks = side === null): Promise<void> {
     if (files.length === 0) return;
     this.store.dispatch({ type: 'notice', notice: null });
-    const { images, masks, tables, cameras, projects } = sortFiles(files);
+    const refused = await refusedKinds(files);
+    const { images, masks, tables, cameras, projects } = sortFiles(files.filter((file) => !refused.has(file)));
     const [project] = projects;
     if (project !== undefined) {
       await this.openProject(project);
@@ -93,6 +96,7 @@ export class Files {
       return;
     }
     if (images.length > 2) {
+      // The block says of those that it does not read why.
       this.toBlock(
         files.filter((file) => !masks.includes(file)),
         masks,
@@ -100,7 +104,7 @@ export class Files {
       return;
     }
     const before = this.store.state.images;
-    const told: Told[] = [];
+    const told: Told[] = refused.size === 0 ? [] : [problem(kindsText(refused))];
     const camera = cameras[0];
     if (camera !== undefined) told.push(await this.takeCamera(camera));
     // Marks of the image before it go with that.
@@ -250,8 +254,12 @@ export class Files {
   private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found', asks = false): Promise<Told[]> {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
-    const told: Told[] = outcomes.flatMap((outcome, i) =>
-      outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? say('the-file'), outcome.reason)] : [],
+    const isCancelled = outcomes.some((outcome) => outcome.status === 'rejected' && outcome.reason instanceof Cancelled);
+    if (type === 'images' && isCancelled && entries.every(([side]) => this.store.state.images[side] === null)) return this.leaveToRun(entries, outcomes);
+    const told = this.failedImages(
+      outcomes.flatMap((outcome, i) =>
+        outcome.status === 'rejected' ? [{ name: entries[i]?.[1].name ?? say('the-file'), error: outcome.reason as unknown }] : [],
+      ),
     );
     if (told.length > 0) {
       // Where nothing was open, what can be read is shown: the other one alone is missing.
@@ -266,6 +274,19 @@ export class Files {
     }
     const question = asks ? await this.askOfThird(images) : null;
     return question === null ? this.show(images) : [question];
+  }
+
+  /** Images that take no other's place stay where Cancel ended their reading: Run opens them. */
+  private leaveToRun(entries: readonly [Side, GivenImage][], outcomes: readonly PromiseSettledResult<unknown>[]): Told[] {
+    const refused = (i: number) => {
+      const outcome = outcomes[i];
+      return outcome?.status === 'rejected' && !(outcome.reason instanceof Cancelled)
+        ? [{ name: entries[i]?.[1].name ?? '', error: outcome.reason as unknown }]
+        : [];
+    };
+    const images = Object.fromEntries(entries.filter((_, i) => refused(i).length === 0));
+    this.store.dispatch({ type: 'images', images, waits: true });
+    return this.failedImages(entries.flatMap((_, i) => refused(i)));
   }
 
   /** Before a single photo takes the place of one of two: the three may be meant as a block. Null where it cannot be, or where the photo is the one that is there. */
@@ -318,10 +339,17 @@ export class Files {
     return (await this.putAside()) ? info(say('stay-under-projects', { title_of: titleOf({ name: null, images: names }) })) : null;
   }
 
-  private failedImage(name: string, error: unknown): Told {
-    const breakdown = breakdownOf(error);
-    if (breakdown !== null) return problem(say('could-not-be-opened-try', { name, breakdown }));
-    return this.failed(say('cannot-be-opened', { name }), error);
+  /** What is said of images that could not be opened: a reason that holds for several stands once. */
+  private failedImages(failed: readonly { name: string; error: unknown }[]): Told[] {
+    const refused: Refused[] = [];
+    const told: Told[] = [];
+    for (const { name, error } of failed) {
+      const breakdown = breakdownOf(error);
+      if (breakdown !== null) told.push(problem(say('could-not-be-opened-try', { name, breakdown })));
+      else if (!(error instanceof Cancelled)) refused.push({ name, reason: readable(this.store.state.catalogue, messageOf(error)) });
+    }
+    if (failed.some(({ error }) => error instanceof Cancelled)) told.push(info(say('cancelled-nothing-was-changed')));
+    return refused.length === 0 ? told : [...told, problem(refusedText(refused))];
   }
 
   /** Where a single image goes: an empty place, else the active one. */

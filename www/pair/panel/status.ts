@@ -76,7 +76,11 @@ function answerWith(state: State, notice: Notice | null, actions: AnswerActions)
   if (running.length > 0)
     return line('busy', say('step', { step: Math.min(done + 1, wanted), steps: wanted, stages: running.map((stage) => STAGES[stage].label).join('; ') }));
   if (notice?.kind === 'busy') return line('busy', notice.text);
-  if (state.paused) return line('idle', say('cancelled-results-on-the-screen'));
+  if (state.paused)
+    return line(
+      'idle',
+      state.results.openLeft === undefined && state.results.openRight === undefined ? say('cancelled-the-images-stay') : say('cancelled-results-on-the-screen'),
+    );
   if (failure !== null && !isOrientation(failure)) return line('problem', `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
   const [refused] = Object.values(state.refused);
   if (refused !== undefined) return line('problem', refusedText(refused));

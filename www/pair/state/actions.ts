@@ -28,7 +28,8 @@ export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; resul
 export type Action =
   | { type: 'ready'; catalogue: Catalogue }
   /** `same`: the sides whose new image has the same content as the one before it. */
-  | { type: 'images'; images: Partial<Record<Side, GivenImage>>; same?: readonly Side[] }
+  // `waits`: until Run is pressed.
+  | { type: 'images'; images: Partial<Record<Side, GivenImage>>; same?: readonly Side[]; waits?: boolean }
   | { type: 'simulated'; left: GivenImage; right: GivenImage; pair: SamplePair }
   | { type: 'opened'; opened: OpenedProject }
   /** What the browser kept. */

@@ -65,7 +65,7 @@ function changed(state: State, action: Action): State {
     case 'ready':
       return { ...state, catalogue: action.catalogue, settings: action.catalogue.defaults, flight: action.catalogue.flights[0]?.flight ?? null };
     case 'images':
-      return withImages(state, action.images, action.same);
+      return { ...withImages(state, action.images, action.same), paused: action.waits === true };
     case 'simulated':
       return withSimulated(state, action);
     case 'opened':

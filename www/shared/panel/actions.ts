@@ -51,7 +51,9 @@ function actions(): Action[] {
     );
   const buttons = once(made.filter(({ disabled }) => !disabled)).map((button) => ({
     name: nameOf(button),
-    more: [...new Set([groupOf(twinOf(button) ?? button), tabOf(button), button.title])].filter((text) => text !== '' && !saysName(button, text)).join(' · '),
+    more: [...new Set([groupOf(twinOf(button) ?? button), tabOf(button), kindOf(button), button.title])]
+      .filter((text) => text !== '' && !saysName(button, text))
+      .join(' · '),
     keys: keysOfButton(button),
     run: () => {
       reveal(button);
@@ -110,6 +112,9 @@ function tabOf(made: Element): string {
   const tab = made.closest('[role="tabpanel"]')?.getAttribute('aria-labelledby');
   return tab == null ? '' : (document.getElementById(tab)?.textContent ?? '');
 }
+
+/** A tab may be called as the drawer that it is in, which another button opens. */
+const kindOf = (made: Element) => (made.getAttribute('role') === 'tab' ? say('tab') : '');
 
 const sentenceOf = (does: string) => does.charAt(0).toUpperCase() + does.slice(1);
 

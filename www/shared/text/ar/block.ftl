@@ -110,6 +110,7 @@ cancelled-the-block-is-as = أُلغي: الكتلة كما كانت.
 
 images-of-the-block = صور الكتلة
 export-of-the-block = تصدير الكتلة
+export-of-the-placed-images = تصدير الصور الموضوعة
 orthophoto = الصورة المصححة
 edits = التعديلات
 views-of-the-block = عروض الكتلة

@@ -533,6 +533,7 @@ match-2 = رقم المطابقة
 number-of-the-match-in = رقم المطابقة بترتيب نقاطها اليسرى.
 whether-the-adjustment-used-the = هل استعمل الضبط المطابقة، وما عُمل بها يدويًا.
 whether-the-match-is-right = هل المطابقة صحيحة: ضمن 1.5 بكسل من الموضع الذي يُرى فيه السطح، هناك أو عند بكسل مجاور.
+cancelled-the-images-stay = أُلغي. الصور باقية: اضغط «تشغيل» لفتحها.
 cancelled-results-on-the-screen = أُلغي. النتائج على الشاشة باقية. اضغط «تشغيل» أو غيّر إعدادًا للمتابعة.
 not-oriented-4 = لم يُوجَّه: { $matches }.
 

@@ -103,6 +103,7 @@ find-an-action = البحث عن أمر
 actions = الأوامر
 all-keys = جميع المفاتيح
 what-do-you-want-to = ماذا تريد أن تفعل؟
+tab = لسان تبويب
 no-action-has-these-words = لا أمر بهذه الكلمات.
 every-picture = كل عرض
 keys = المفاتيح
@@ -242,6 +243,15 @@ tangential-distortion = التشوه المماسي
 origin-in-the-scan-2 = المبدأ في المسح الضوئي
 this-value-is-not-allowed = { $label }: هذه القيمة غير مسموحة. تبقى آخر قيمة صالحة مستعملة.
 and-between = {" "}و
+files-cannot-be-opened =
+    { $files ->
+        [one] لا يمكن فتح { $names }: { $reason }
+        [two] لا يمكن فتح ملفين ({ $names }): { $reason }
+        [few] لا يمكن فتح { COUNT($files) } ملفات ({ $names }): { $reason }
+       *[other] لا يمكن فتح { COUNT($files) } ملفًا ({ $names }): { $reason }
+    }
+comma-between-names = ،{" "}
+names-and-more = { $first } و{ COUNT($more) } غيرها
 without-images = بلا صور
 two-names = { $first } و{ $second }
 and-more-images = { $first } و{ $images ->

@@ -132,6 +132,7 @@ cancelled-the-block-is-as = Cancelled: the block is as it was.
 
 images-of-the-block = Images of the block
 export-of-the-block = Export of the block
+export-of-the-placed-images = Export of the placed images
 orthophoto = Orthophoto
 edits = Edits
 views-of-the-block = Views of the block

@@ -106,6 +106,7 @@ find-an-action = Find an action
 actions = Actions
 all-keys = All keys
 what-do-you-want-to = What do you want to do?
+tab = tab
 no-action-has-these-words = No action has these words.
 every-picture = Every picture
 keys = Keys
@@ -283,6 +284,13 @@ this-value-is-not-allowed = { $label }: this value is not allowed. The last vali
 ## text/project
 
 and-between = {" "}and{" "}
+files-cannot-be-opened =
+    { $files ->
+        [one] { $names } cannot be opened: { $reason }
+       *[other] { COUNT($files) } files cannot be opened ({ $names }): { $reason }
+    }
+comma-between-names = ,{" "}
+names-and-more = { $first } and { COUNT($more) } more
 without-images = Without images
 two-names = { $first } and { $second }
 and-more-images = { $first } and { COUNT($images) } more images

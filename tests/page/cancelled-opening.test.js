@@ -1,0 +1,45 @@
+/** Cancel while the images of a pair are read: their files stay, and Run takes them up. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { grey_png } from '../../pkg/node.js';
+import { done, hosted, open, part, pngs, says, SKIP, upload } from './page.js';
+
+hosted();
+
+/** An image that takes long to read. */
+function large() {
+  const [width, height] = [7000, 5000];
+  const grey = new Uint8Array(width * height);
+  for (let i = 0, seed = 1; i < grey.length; i++) {
+    seed = (Math.imul(seed, 1_664_525) + 1_013_904_223) >>> 0;
+    grey[i] = seed >>> 24;
+  }
+  return Buffer.from(grey_png(width, height, grey));
+}
+
+test('images whose reading was cancelled stay, and Run opens them', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  await says(page, 'status', /^Ready/);
+  const [small] = pngs();
+  assert.ok(small);
+  await part(page, 'file-input').setInputFiles([upload('a_large.png', large(), 'image/png'), { ...small, name: 'b_small.png' }]);
+  await says(page, 'status', /^Reading a_large\.png and b_small\.png/);
+  await part(page, 'cancel').click();
+  await says(page, 'status', /^Cancelled\. The images stay: press Run to open them\.$/);
+  assert.deepEqual(
+    await Promise.all(['left', 'right'].map(async (side) => /(?:a_large|b_small)/.exec((await part(page, `name-${side}`).textContent()) ?? '')?.[0])),
+    ['a_large', 'b_small'],
+  );
+  await part(page, 'run').click();
+  await done(page);
+  assert.match((await part(page, 'name-left').textContent()) ?? '', /7000 × 5000|7\s?000/);
+  // Images that would take the place of others change nothing.
+  await part(page, 'file-input').setInputFiles([upload('c_large.png', large(), 'image/png'), { ...small, name: 'd_small.png' }]);
+  await says(page, 'status', /^Reading c_large\.png/);
+  await part(page, 'cancel').click();
+  await says(page, 'status', /Cancelled\. Nothing was changed\./);
+  assert.match((await part(page, 'name-left').textContent()) ?? '', /a_large/);
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -1,0 +1,81 @@
+/** Edits of the blocks that were found before the present one, as the browser keeps them: which of them nothing was edited since is told by what their lists are. */
+import type { Kept } from '../../shared/files/database';
+import { doneFrom } from '../../shared/files/journal';
+import { likeOf, listOf, nameOf, objectOf } from '../../shared/files/keepable';
+import type { History } from '../../shared/state/history';
+import { remember } from '../../shared/state/remember';
+import { say } from '../../shared/text/words';
+import type { EditStep } from '../state/edits';
+import type { Former } from '../state/former';
+import type { Names } from '../state/naming';
+import { bytesOfStep, stepFrom } from './edit';
+
+const FORMER = 'block/former';
+
+type Edits = History<EditStep>['edits'];
+
+/** With the names of its lists: where two are one list, nothing was edited between. */
+interface KeptFormer extends Former {
+  historyName: string;
+  keptName: string;
+}
+
+interface KeptFormers {
+  /** The name of the present list. */
+  now: string;
+  former: readonly KeptFormer[];
+}
+
+/** What is kept of them; nothing where there are none. */
+export function formerParts(former: readonly Former[], { edits }: History<EditStep>): Map<string, Kept> {
+  if (former.length === 0) return new Map();
+  const bytes = former.flatMap(({ history, kept }) => [...history.edits, ...kept.edits]).reduce((sum, step) => sum + bytesOfStep(step), 0);
+  return new Map([[FORMER, { value: kept(former, edits), bytes }]]);
+}
+
+const kept = remember(
+  (former: readonly Former[], edits: Edits): KeptFormers => ({
+    now: nameOf(edits),
+    former: former.map((one) => ({ ...one, historyName: nameOf(one.history.edits), keptName: nameOf(one.kept.edits) })),
+  }),
+);
+
+/** `history`: the present one as it was read. Earlier releases kept none. @throws Error naming what is damaged */
+export function formerFrom(parts: ReadonlyMap<string, unknown>, history: History<EditStep>): readonly Former[] {
+  if (!parts.has(FORMER)) return [];
+  const value = objectOf(parts.get(FORMER), 'former');
+  const now = likeOf(value.now, '', 'former.now');
+  const lists = new Map<string, Edits>([[now, history.edits]]);
+  nameOf(history.edits, now);
+  /** One list for one name. */
+  const historyFrom = (own: unknown, called: unknown, name: string): History<EditStep> => {
+    const { edits, done } = objectOf(own, name);
+    const list = likeOf(called, '', `${name}.name`);
+    const read = lists.get(list) ?? listOf(edits, `${name}.edits`, stepFrom);
+    lists.set(list, read);
+    nameOf(read, list);
+    return { edits: read, done: doneFrom(done, read.length, `${name}.done`) };
+  };
+  return listOf(value.former, 'former', (one, name) => {
+    const { tiePoints, names, history: own, kept: left, left: counts, places, historyName, keptName } = objectOf(one, name);
+    return {
+      tiePoints: likeOf(tiePoints, '', `${name}.tiePoints`),
+      names: namesFrom(names, `${name}.names`),
+      history: historyFrom(own, historyName, `${name}.history`),
+      kept: historyFrom(left, keptName, `${name}.kept`),
+      left: listOf(counts, `${name}.left`, (count, at) => likeOf(count, 0, at)),
+      places: listOf(places, `${name}.places`, (place, at) => likeOf(place, 0, at)),
+    };
+  });
+}
+
+function namesFrom(value: unknown, name: string): Names {
+  const { images, surveyed, connected, givenControl } = objectOf(value, name);
+  if (!(surveyed instanceof Map && connected instanceof Set)) throw new Error(say('the-field-is-damaged', { name }));
+  return {
+    images: listOf(images, `${name}.images`, (image, at) => likeOf(image, '', at)),
+    surveyed: new Map([...surveyed].map(([point, called]) => [likeOf(point, 0, `${name}.surveyed`), likeOf(called, '', `${name}.surveyed`)])),
+    connected: new Set([...connected].map((pair) => likeOf(pair, '', `${name}.connected`))),
+    givenControl: likeOf(givenControl, 0, `${name}.givenControl`),
+  };
+}
