@@ -39,14 +39,28 @@ const HELD: f64 = 1e-3;
 const NO_LIMIT_PX: f64 = 1000.0;
 
 impl PlacingCamera {
+    /// Of the decentring and of k₂, too: one image over level ground gives its tilt by them.
     pub(super) fn prior(&self) -> CameraPrior {
-        CameraPrior::of(0, &self.camera, self.uncertainty.without_traces())
+        let uncertainty = self.uncertainty.without_traces();
+        let mut prior = CameraPrior::of(0, &self.camera, uncertainty);
+        let some = |sigma: f64| (sigma > 0.0).then_some(sigma);
+        let decentring = some(uncertainty.decentring());
+        // Lenses whose k₁ is unknown differ as much in k₂.
+        let [.., k1, k2, _, p1, p2] = &mut prior.sigma;
+        (*k2, *p1, *p2) = (*k1, decentring, decentring);
+        prior
     }
 
     /// What of it is estimated.
     fn free(&self) -> FreeParameters {
-        let CameraUncertainty { focal, principal_point, k1 } = self.uncertainty.without_traces();
-        FreeParameters { focal: focal > 0.0, principal_point: principal_point > 0.0, radial: usize::from(k1 > 0.0), tangential: false }
+        let uncertainty = self.uncertainty.without_traces();
+        let CameraUncertainty { focal, principal_point, k1 } = uncertainty;
+        FreeParameters {
+            focal: focal > 0.0,
+            principal_point: principal_point > 0.0,
+            radial: if k1 > 0.0 { 2 } else { 0 },
+            tangential: uncertainty.decentring() > 0.0,
+        }
     }
 }
 

@@ -175,3 +175,66 @@ fn clustered(result: &AdjustmentResult, known: &PlacingCamera) -> Option<TotalEr
     free.iter().enumerate().for_each(|(column, k)| camera[*k] = Some(covariance[(OF_IMAGE + column, OF_IMAGE + column)].max(0.0).sqrt()));
     Some(TotalErrors { angles_deg, position: Some(position), camera })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::adjusting::{PlaceErrors, adjusted};
+    use super::super::links::Found;
+    use super::super::rectify::Seen;
+    use super::*;
+    use crate::math::Random;
+    use crate::{CameraUncertainty, PlacingOptions, Pose};
+
+    const POSE: Pose = Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position: [0.0, 0.0, 500.0] };
+
+    /// Of X, Y, Z, ω, φ, κ, of a photo over such hills by a camera that differs from what is known of it as its kind does.
+    fn errors_by_standard_errors(seed: u32, hills_m: f64) -> [f64; 6] {
+        let uncertainty = CameraUncertainty::EXIF;
+        let nominal = Camera::without_distortion(1000, 750, 1000.0);
+        let mut random = Random::new(seed);
+        let mut unit = || random.below(1 << 20) as f64 / f64::from(1 << 20) - 0.5;
+        let mut normal = || (0..12).map(|_| unit()).sum::<f64>();
+        let f = nominal.focal_px;
+        let lens = Camera {
+            focal_px: f * (1.0 + uncertainty.focal * normal()),
+            principal_point_px: nominal.principal_point_px.map(|c| c + uncertainty.principal_point * f * normal()),
+            radial: [uncertainty.k1 * normal(), uncertainty.k1 * normal(), 0.0],
+            tangential: [0, 1].map(|_| uncertainty.decentring() * normal()),
+            ..nominal
+        };
+        let seen = Seen::new(&lens, &POSE);
+        let mut links = Vec::new();
+        while links.len() < 500 {
+            let [x, y] = [320.0 * normal() / 1.5, 240.0 * normal() / 1.5];
+            let z = 0.5 * hills_m * (libm::sin(x / 40.0) + libm::cos(y / 30.0));
+            let Some([column, row]) = seen.at(&[x, y, z]) else { continue };
+            let at = [column + 0.4 * normal(), row + 0.4 * normal()];
+            if lens.sees(at[0], at[1]) {
+                links.push(Found { at, place: [x, y, z], height_spread: 0.0, measured_px: 0.3 });
+            }
+        }
+        let known = PlacingCamera { camera: nominal, uncertainty };
+        let errors = PlaceErrors::new(&PlacingOptions::default(), 0.5, true);
+        let result = adjusted(&links, &known, (nominal, POSE), errors).unwrap();
+        let total = total_errors(&result, &known);
+        let pose = result.block.images[0].pose;
+        let (position, angles) = (total.position.unwrap(), total.angles_deg.unwrap());
+        let own = pose.angles();
+        std::array::from_fn(|k| match k {
+            0..3 => (pose.position[k] - POSE.position[k]) / position[k],
+            _ => own[k - 3].to_degrees() / angles[k - 3],
+        })
+    }
+
+    #[test]
+    fn standard_errors_hold_what_files_do_not_know_of_a_lens() {
+        let all: Vec<[f64; 6]> = (0..24).map(|seed| errors_by_standard_errors(seed, 20.0)).collect();
+        let [x, y, z, omega, phi, kappa]: [f64; 6] =
+            std::array::from_fn(|k| all.iter().map(|ratios| ratios[k] * ratios[k]).sum::<f64>() / all.len() as f64);
+        for square in [x, y, omega, phi] {
+            assert!((0.3..2.0).contains(&square), "{square}");
+        }
+        // They hold errors that these links have not: of what grows outwards and with the height.
+        assert!(z < 1.0 && kappa < 1.0, "{z} {kappa}");
+    }
+}
