@@ -124,9 +124,9 @@ pub use pair::{
     photo_interior, photo_marks,
 };
 pub use pipeline::{
-    BlockRun, CameraRules, ControlTables, ControlTexts, EditedRun, FileNeeded, InitialCamera, Job, JoinedPoints, News, NotLinked,
-    OnOrthophoto, ReadImage, RefinedObservation, RefinementTable, Run, RunImage, RunInput, SkippedImage, StageName, Step, Task, Work,
-    digest, execute, masks_of,
+    BlockPlaces, BlockRun, CameraRules, CarriedEdits, ControlTables, ControlTexts, EditedRun, FileNeeded, InitialCamera, Job, JoinedPoints,
+    News, NotLinked, OnOrthophoto, PlaceAgain, ReadImage, RefinedObservation, RefinementTable, Run, RunImage, RunInput, SeenIn, SeenPlace,
+    SkippedImage, StageName, Step, Task, Work, digest, execute, masks_of,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use pipeline::{images_in, replace_file, run_block};

@@ -340,6 +340,7 @@ refusal-unknown-point = point of an edit: got { $point_name }; allowed: points o
 refusal-image-not-oriented = image of an edit: got { $location }, which is not oriented; allowed: images of the block that are oriented
 refusal-pair-not-connected = pair of an edit: got { $first } and { $second }, which no matches connect; allowed: connected pairs of the block
 refusal-block-not-oriented = block of the edits: got one that is not oriented; allowed: an oriented one
+refusal-edits-of-other-block = block of the edits: got one of other images, tie points or ground control points; allowed: the same block, placed on an orthophoto or not
 refusal-added-control-name = name of a new ground control point: got { $name }, which is empty or that of another one; allowed: a name of its own
 refusal-added-control-errors = standard errors of a new ground control point: got { $errors } for { $name }; allowed: numbers above 0
 

@@ -6,6 +6,7 @@
 
 mod added_control;
 mod cameras;
+mod carried_edits;
 mod control;
 mod edited;
 mod execute;
@@ -28,6 +29,7 @@ mod on_orthophoto;
 mod pairs;
 mod place_factors;
 mod points;
+mod places;
 mod records;
 mod refinement;
 mod result;
@@ -41,6 +43,7 @@ mod windows;
 pub use cameras::{CameraRules, InitialCamera};
 pub use control::ControlTables;
 pub use execute::execute;
+pub use carried_edits::CarriedEdits;
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::replace_file;
 pub(crate) use ground::{GroundPoint, is_place_of_orthophoto, name_by_hand};
@@ -53,6 +56,7 @@ pub use masks::masks_of;
 pub use on_orthophoto::{NotLinked, OnOrthophoto};
 pub use records::digest;
 pub use result::{BlockRun, EditedRun, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
+pub use places::{BlockPlaces, PlaceAgain, SeenIn, SeenPlace};
 pub use run::Run;
 pub(crate) use system::orthophoto_slip;
 pub use task::Task;
