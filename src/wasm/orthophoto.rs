@@ -6,9 +6,9 @@ use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
 use crate::{
     BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FileFault, FilmInput, FilmScan, GivenLink, HeightModel, Heights,
-    Mosaic, Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SearchArea, Sidecars, control_by_hand, decode,
-    decode_bands, ground_positions, heights_of_block, image_positions, links_table, place_by_links, place_film, place_film_by_links,
-    place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    Mosaic, Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SCAN_LIMITS, SearchArea, Sidecars, control_by_hand,
+    decode, decode_bands, ground_positions, heights_of_block, image_positions, links_table, place_by_links, place_film,
+    place_film_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
 use serde::Deserialize;
@@ -227,13 +227,16 @@ impl OrthophotoReference {
             Some(placement) => placement.film.clone(),
             None => film.map(|film| FilmScan::new(&film, size.map(|side| side as usize))).transpose().map_err(thrown)?,
         };
+        let exif = ExifImage::read(file, u64::from(size[0]), u64::from(size[1]));
+        let position = exif.position.as_ref();
         if let Some(scan) = scan {
-            let placed = place_film_by_links(&scan, &self.orthophoto, placement.as_ref(), &links, &options);
+            let placed = place_film_by_links(&scan, position, &self.orthophoto, placement.as_ref(), &links, &options);
             return placed.map(|placed| pack(&placed)).map_err(thrown);
         }
-        let exif = ExifImage::read(file, u64::from(size[0]), u64::from(size[1]));
         let camera = PlacingCamera::of(&rules, name, size, &exif);
-        place_by_links(&camera, &self.orthophoto, placement.as_ref(), &links, &options).map(|placed| pack(&placed)).map_err(thrown)
+        place_by_links(&camera, position, &self.orthophoto, placement.as_ref(), &links, &options)
+            .map(|placed| pack(&placed))
+            .map_err(thrown)
     }
 
     /// The edit that adds a place of the ground, measured by eye, as a ground control point to a block; edits after it measure it in images.
