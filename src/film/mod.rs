@@ -7,7 +7,7 @@ mod measurements;
 mod scan;
 mod scan_file;
 
-pub use cameras::film_cameras;
+pub use cameras::{film_cameras, film_pattern};
 pub use frame::{FilmFrame, film_frame, film_pixel_mm};
 pub use measurements::{FrameOfScan, FramedMeasurements, measurements_in_frames};
 pub use scan::{FilmInput, FilmScan};
