@@ -171,7 +171,7 @@ impl OrthophotoReference {
     ) -> JsResult<JsValue> {
         let film = read_film(film)?;
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
-        let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
+        let image = decode(file, &limits_of(film.is_some())).map_err(thrown)?.grey;
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
         let camera = PlacingCamera::of(&rules, name, [image.width() as u32, image.height() as u32], &exif);
         let area = self.taken_area()?;
@@ -219,7 +219,7 @@ impl OrthophotoReference {
         let size = match &placement {
             Some(placement) => [placement.camera.width_px, placement.camera.height_px],
             None => {
-                let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
+                let image = decode(file, &limits_of(film.is_some())).map_err(thrown)?.grey;
                 [image.width() as u32, image.height() as u32]
             }
         };
@@ -279,10 +279,15 @@ impl OrthophotoReference {
     /// A placed image resampled to the ground, in its colours, as GeoTIFF.
     pub fn rectified(&self, file: &[u8], #[wasm_bindgen(unchecked_param_type = "Placement")] placement: &JsValue) -> JsResult<Vec<u8>> {
         let placement: Placement = read("placement", placement)?;
-        let image = decode_bands(file, &DecodeLimits::default()).map_err(thrown)?;
+        let image = decode_bands(file, &limits_of(placement.film.is_some())).map_err(thrown)?;
         let rectified = rectify_placed(&image, &placement, &self.orthophoto).map_err(thrown)?;
         write_geotiff(&rectified, self.orthophoto.epsg).map_err(thrown)
     }
+}
+
+/// What the file of an image may ask for: that of a scan of film is the same wherever it is read.
+fn limits_of(is_film: bool) -> DecodeLimits {
+    if is_film { SCAN_LIMITS } else { DecodeLimits::default() }
 }
 
 /// The images of an oriented block while they are placed on an orthophoto, one after the other, in wasm memory. Call `free` when it is no longer
