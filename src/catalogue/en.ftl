@@ -1144,6 +1144,20 @@ remark-orthophoto-heights =
            *[plus] high
         }
     }; convert the heights, or say with --geoid, --geoid-m or --crs that both count from one zero
+remark-mosaic-heights =
+    heights of the mosaic's ground count from { $from_ellipsoid ->
+        [true] the ellipsoid
+       *[false] a geoid or level of the sea
+    }, as their file says ({ $heights }), those of { $crs } from { $from_ellipsoid ->
+        [true] a geoid
+       *[false] the ellipsoid
+    }: the ground lies { $above_m ->
+        [none] off in height by the height of the geoid
+       *[other] { AMOUNT($above_m, digits: 1) } m too { SIGN($above_m) ->
+            [minus] low
+           *[plus] high
+        }
+    }, and what images show of it is off in plan; convert the heights
 remark-orthophoto-units = the orthophoto has eastings and northings in units of { $unit_m } m; heights of its ground are taken in units of { $height_unit_m } m
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unmeasured-points =
