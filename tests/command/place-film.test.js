@@ -64,7 +64,7 @@ test('a scan may have as many pixels for a place as for a block', () => {
       return tiepoint(name, scan, ...more).stderr;
     });
   };
-  for (const stderr of declared(16_500)) assert.ok(/scan\.png/.test(stderr) && !/megapixels|MP/i.test(stderr), stderr);
+  for (const stderr of declared(16_500)) assert.match(stderr, /scan\.png: .*truncated/);
   for (const stderr of declared(17_500)) assert.match(stderr, /300/);
 });
 

@@ -148,7 +148,10 @@ fn a_mosaic_on_heights_that_count_from_elsewhere_than_those_of_its_block_says_so
     // Above the ellipsoid, where the block counts from a geoid: so much too high.
     match said(&true_block(), 4979) {
         Some(Remark::MosaicHeights { heights, from_ellipsoid: true, crs, above_m: Some(above_m) }) => {
-            assert!((above_m - GEOID_M).abs() < 1e-9 && heights.contains("WGS 84") && crs.contains("UTM zone 32N"), "{heights} {crs} {above_m}");
+            assert!(
+                (above_m - GEOID_M).abs() < 1e-9 && heights.contains("WGS 84") && crs.contains("UTM zone 32N"),
+                "{heights} {crs} {above_m}"
+            );
         }
         other => panic!("{other:?}"),
     }
