@@ -74,8 +74,8 @@ pub use error::{
     FilePlace, ImageFault, ImageOperation, Input, Interruption, Location, PointName, Refusal, Side, Unsettled, Unsupported,
 };
 pub use film::{
-    FilmFrame, FilmInput, FilmScan, FrameOfScan, FramedMeasurements, SCAN_LIMITS, decode_scan, film_cameras, film_frame, film_pixel_mm,
-    measurements_in_frames,
+    FilmFrame, FilmInput, FilmScan, FrameOfScan, FramedMeasurements, SCAN_LIMITS, decode_scan, film_cameras, film_frame, film_pattern,
+    film_pixel_mm, measurements_in_frames,
 };
 pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
@@ -124,9 +124,9 @@ pub use pair::{
     photo_interior, photo_marks,
 };
 pub use pipeline::{
-    BlockRun, CameraRules, ControlTables, ControlTexts, EditedRun, FileNeeded, InitialCamera, Job, JoinedPoints, News, NotLinked,
-    OnOrthophoto, ReadImage, RefinedObservation, RefinementTable, Run, RunImage, RunInput, SkippedImage, StageName, Step, Task, Work,
-    digest, execute, masks_of,
+    BlockPlaces, BlockRun, CameraRules, CarriedEdits, ControlTables, ControlTexts, EditedRun, FileNeeded, InitialCamera, Job, JoinedPoints,
+    News, NotLinked, OnOrthophoto, PlaceAgain, ReadImage, RefinedObservation, RefinementTable, Run, RunImage, RunInput, SeenIn, SeenPlace,
+    SkippedImage, StageName, Step, Task, Work, digest, execute, masks_of,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use pipeline::{images_in, replace_file, run_block};

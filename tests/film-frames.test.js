@@ -88,7 +88,11 @@ const engine = {
       scans.map(async ({ file, film, mask }) => {
         const bytes = async (/** @type {Blob} */ of) => new Uint8Array(await of.arrayBuffer());
         const known = { camera: parse_camera(film.camera), scan: { fiducials: parse_fiducials(film.marks) } };
-        const made = film_frame(await bytes(file.file), known, `${file.name}-frame`, 0.5, mask?.name, mask && (await bytes(mask.file)));
+        const made = film_frame(await bytes(file.file), known, {
+          image: `${file.name}-frame`,
+          pixel_mm: 0.5,
+          mask: mask && { name: mask.name, file: await bytes(mask.file) },
+        });
         const png = (/** @type {Uint8Array} */ of) => new Blob([/** @type {BlobPart} */ (of)], { type: 'image/png' });
         return { ...made, image: png(made.image), mask: png(made.mask), of: file.id };
       }),
@@ -125,7 +129,7 @@ test('masks and image measurements of scans become those of their frames, by fil
   assert.deepEqual(names(files), ['IMG_7.jpg', 'a-film.png', 'b-film.png']);
   assert.deepEqual(names(options.masks), ['IMG_7.png', 'a-film.png', 'b-film.png']);
   assert.deepEqual([placing.film.camera, placing.film.marks.length], [null, 0]);
-  const film = film_frame(SCAN, { camera: parse_camera(CAMERA), scan: { fiducials: parse_fiducials(FIDUCIALS) } }, 'a', 0.5).scan;
+  const film = film_frame(SCAN, { camera: parse_camera(CAMERA), scan: { fiducials: parse_fiducials(FIDUCIALS) } }, { image: 'a', pixel_mm: 0.5 }).scan;
   const moved = (/** @type {number} */ x, /** @type {number} */ y) => [...film_positions(film, Float64Array.of(x, y), 'frame')];
   const [x = NaN, y = NaN] = moved(100.5, 60.25);
   assert.deepEqual(parse_image_measurements(options.marks.text), [row('a-film.png', 'P1', x, y), row('IMG_7.jpg', 'P1', 7, 8)]);
@@ -160,4 +164,39 @@ test('masks and image measurements of scans become those of their frames, by fil
   await page.frames.takeFrames(again.store, engine);
   assert.match(again.store.state.notice.text, /^No images were made of the scans: .*a_mask\.png and a\.png/);
   assert.deepEqual(names(again.store.state.files), ['a.png']);
+});
+
+test('frames of a second film have their own camera beside that of the first, which keeps its rule', async () => {
+  const { store, take } = taking();
+  await take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
+  await page.frames.takeFrames(store, engine);
+  const other = '{"focal_mm": 304, "uncertainty": {"focal": 0.001, "principal_point": 0, "k1": 0}}';
+  await take({ 'c.png': SCAN, 'film.json': other, 'c.csv': FIDUCIALS });
+  await page.frames.takeFrames(store, engine);
+  const names = () => store.state.files.map((/** @type {{ name: string }} */ { name }) => name);
+  assert.deepEqual(names(), ['a-film.png', 'c-film2.png']);
+  const rules = () => JSON.parse(store.state.options.cameras.text).cameras;
+  const said = rules().map((/** @type {any} */ { images, focal_px, fixed, uncertainty }) => [images, focal_px, fixed, uncertainty?.focal ?? 0]);
+  assert.deepEqual(said, [
+    ['*-film2.png', 608, false, 0.001],
+    ['*-film.png', 304, true, 0],
+  ]);
+  assert.deepEqual(
+    store.state.options.masks.map((/** @type {{ name: string }} */ { name }) => name),
+    ['a-film.png', 'c-film2.png'],
+  );
+  // More scans of the first film have its camera; of a film of which no image is left the rule is gone.
+  await take({ 'b.png': SCAN, 'film.json': CAMERA, 'b.csv': FIDUCIALS });
+  await page.frames.takeFrames(store, engine);
+  assert.deepEqual([names(), rules().length], [['a-film.png', 'b-film.png', 'c-film2.png'], 2]);
+  store.dispatch({ type: 'files', files: store.state.files.slice(0, 1), truth: null });
+  await take({ 'd.png': SCAN, 'film.json': '{"focal_mm": 88}', 'd.csv': FIDUCIALS });
+  await page.frames.takeFrames(store, engine);
+  assert.deepEqual(
+    rules().map((/** @type {any} */ { images, focal_px }) => [images, focal_px]),
+    [
+      ['*-film2.png', 176],
+      ['*-film.png', 304],
+    ],
+  );
 });

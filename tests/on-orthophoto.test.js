@@ -135,6 +135,70 @@ test('edits hold in the system of an orthophoto, but for those of places of anot
   assert.equal(reduce(other, { type: 'onGround', view: view(['G1']), edits: [], ground: null }).history.edits.length, 2);
 });
 
+test('edits of places hold of those that lie where they lay, whatever their names, and what does not hold is said', () => {
+  const reduce = page.reducer.reduceBlock;
+  const ground = { key: '', before: new Blob([]) };
+  const names = ['G1', 'orthophoto_1', 'orthophoto_2', 'orthophoto_3'];
+  const placed = reduce(after(...run(after(), view(['G1'], { givenControl: 1 }))), {
+    type: 'onGround',
+    view: view(names, { givenControl: 4 }),
+    edits: [],
+    ground,
+  });
+  const point = (/** @type {number} */ control) => ({ ground_control: control });
+  const out = (/** @type {number} */ control, /** @type {number} */ image) => ({
+    kind: 'reject_observations',
+    observations: [{ point: point(control), image }],
+  });
+  const steps = [
+    [{ kind: 'reject_points', points: [point(0), point(1), point(3)] }],
+    [out(1, 0)],
+    [out(1, 1)],
+    // What is measured of the same spot holds, with what is done to it; of another spot it does not.
+    [measure(2, 1), out(2, 1)],
+    [measure(1, 1)],
+    [{ kind: 'set_use', point: 2, use: 'check' }],
+    [place(1)],
+    [measure(4, 0)],
+  ];
+  const edited = steps.reduce((state, edits) => reduce(state, { type: 'edit', edits }), placed);
+  const again = [
+    { before: 1, now: 2, is_same_spot: false, images: [0] },
+    { before: 2, now: 1, is_same_spot: true, images: [0] },
+  ];
+  const now = reduce(reduce(edited, { type: 'goto', done: 7 }), {
+    type: 'onGround',
+    view: view(['G1', 'orthophoto_1', 'orthophoto_2'], { givenControl: 3 }),
+    edits: [],
+    ground,
+    again,
+  });
+  assert.deepEqual(now.history, {
+    edits: [
+      [{ kind: 'reject_points', points: [point(0), point(2)] }],
+      [out(2, 0)],
+      [measure(1, 1), out(1, 1)],
+      [{ kind: 'set_use', point: 1, use: 'check' }],
+      [place(1)],
+      [measure(3, 0)],
+    ],
+    done: 5,
+  });
+  assert.match(now.notice.text, /holds for 5 that lie there again, and not for 3: nothing was found there/);
+  // Off the orthophoto nothing can lie again.
+  const off = reduce(edited, { type: 'onGround', view: view(['G1'], { givenControl: 1 }), edits: [], ground: null });
+  assert.ok(/not apply to the new one/.test(off.notice.text) && !/lie there again/.test(off.notice.text), off.notice.text);
+  // Where all hold nothing else is said.
+  const all = reduce(reduce(placed, { type: 'edit', edits: [out(2, 0)] }), {
+    type: 'onGround',
+    view: view(names.slice(0, 3), { givenControl: 3 }),
+    edits: [],
+    ground,
+    again,
+  });
+  assert.equal(all.notice.text, '1 edit by hand was kept. What was done to 1 place of the orthophoto holds where it lies again.');
+});
+
 /** A place that was measured by hand.  @param {number} number */
 const place = (number, position = [530, 880, 12]) => ({
   kind: 'add_control',

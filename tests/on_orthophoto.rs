@@ -393,6 +393,72 @@ fn four_places_by_hand_hold_a_block_whose_automatic_places_are_all_rejected() {
 }
 
 #[test]
+fn edits_of_places_hold_once_the_block_is_placed_anew() {
+    let (before, (reference, links)) = (linked(block()), own());
+    // Other check points and standard errors, and every image but one: places have other names.
+    let other = PlacingOptions { check_share: 0.35, place_sigma_px: 0.8, ..options() };
+    let mut fewer = BlockLinks::default();
+    let area = SearchArea::new(reference, &other).unwrap();
+    for (index, path) in flown().photos.iter().enumerate().skip(1) {
+        let grey = decode(&fs::read(path).unwrap(), &DecodeLimits::default()).unwrap().grey;
+        fewer.place(block(), index, grey.view(), reference, &area, &other).unwrap();
+    }
+    let same = links.linked(block(), reference, &PlacingOptions { check_share: 0.35, ..options() }).unwrap();
+    let now = fewer.linked(block(), reference, &other).unwrap();
+    let (places, there) = (before.places().unwrap(), now.places().unwrap());
+    let again = there.again(&places);
+    println!("{} places before, {} now, {} again", places.places.len(), there.places.len(), again.len());
+    assert!(again.len() > there.places.len() / 2 && again.len() < places.places.len(), "{}", again.len());
+    assert!(again.iter().any(|one| one.before != one.now), "names are others");
+    // Placed by the same links all of them lie where they lay.
+    let all = same.places().unwrap().again(&places);
+    assert!(all.len() >= places.places.len() - 5 && all.iter().all(|one| one.is_same_spot), "{} of {}", all.len(), places.places.len());
+
+    let lie = |run: &BlockRun, number: usize| {
+        let rows = parse_ground_control_points(&run.input.control.as_ref().unwrap().points).unwrap();
+        rows.into_iter().filter(|row| row.role.is_some()).nth(number).unwrap().position
+    };
+    for one in &again {
+        let (a, b) = (lie(&before, one.before), lie(&now, one.now));
+        // Half a square is 24 px of some 0.8 m.
+        assert!((a[0] - b[0]).hypot(a[1] - b[1]) < 30.0, "{one:?}: {a:?} and {b:?}");
+    }
+    // One that is there again is rejected, one that is gone is lost; a measurement holds of the same spot, and that of a place by hand.
+    let held = again.iter().find(|one| one.is_same_spot && one.before != one.now).unwrap();
+    let gone = (0..places.places.len()).find(|k| again.iter().all(|one| one.before != *k) && !places.places[*k].seen.is_empty()).unwrap();
+    let point = |number: usize| PointSource::GroundControl(number);
+    let [image, ..] = held.images[..] else { panic!() };
+    let measure = |number: usize| BlockEdit::Measure { point: point(number), image, x_px: 100.0, y_px: 50.0, by: MeasuredBy::Hand };
+    let given = places.places.len();
+    let edits = [
+        vec![measure(held.before), BlockEdit::RejectPoints { points: vec![point(gone), point(held.before)] }],
+        vec![BlockEdit::SetUse { point: gone, role: Some(ControlRole::Check) }, BlockEdit::RejectImages { images: vec![7] }],
+        by_hand(given, &corners(), 1.0),
+    ]
+    .concat();
+    let carried = now.carried_edits(&places, &edits).unwrap();
+    let wanted = [
+        vec![measure(held.now), BlockEdit::RejectPoints { points: vec![point(held.now)] }, BlockEdit::RejectImages { images: vec![7] }],
+        by_hand(there.places.len(), &corners(), 1.0),
+    ]
+    .concat();
+    assert_eq!((carried.edits.clone(), carried.held, carried.lost), (wanted, 2, 2));
+    // They are edits of the block: the place does not take part.
+    let name = |run: &BlockRun, number: usize| {
+        let rows = parse_ground_control_points(&run.input.control.as_ref().unwrap().points).unwrap();
+        rows.into_iter().filter(|row| row.role.is_some()).nth(number).unwrap().name
+    };
+    let edited = now.with_edits(&carried.edits).unwrap();
+    assert!(used(&now).contains(&name(&now, held.now)) && !used(&edited).contains(&name(&now, held.now)));
+    // Off the orthophoto, and of another block.
+    let off = block().carried_edits(&places, &edits).unwrap();
+    assert_eq!((off.held, off.lost), (0, 4));
+    let others = tiepoint::BlockPlaces { images: vec!["other.png".into()], ..places.clone() };
+    let refused = now.carried_edits(&others, &edits).unwrap_err().to_string();
+    assert!(refused.contains("other images, tie points or ground control points"), "{refused}");
+}
+
+#[test]
 fn places_by_hand_bring_a_block_that_could_not_be_linked_into_the_system_of_the_orthophoto() {
     let (reference, _) = own();
     let found = BlockLinks::default().linked(block(), reference, &options()).unwrap();

@@ -4,6 +4,7 @@ import { BlockFolder, formatsOf } from './block-folder.js';
 import { about, DataError, UsageError } from './errors.js';
 import { readBytes, readText } from './files.js';
 import { JSON_FLAG, list, path } from './options.js';
+import { note } from './output.js';
 
 /** @type {import('./args.js').Command} */
 export const edit = {
@@ -14,8 +15,8 @@ export const edit = {
     path('out', 'DIR', 'Folder that receives the files; required.'),
     path(
       'edits',
-      'edits.json',
-      'Edits in their order, in place of those of the project: [{"kind": "reject_observations", "observations": [{"point": {"tie_point": 7}, "image": 0}]}, …]; [] undoes all.',
+      'FILE',
+      'Edits in their order, in place of those of the project: [{"kind": "reject_observations", "observations": [{"point": {"tie_point": 7}, "image": 0}]}, …]; [] undoes all. Or the project of the same block as it was placed on an orthophoto before, whose edits are carried over.',
     ),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
     JSON_FLAG,
@@ -32,7 +33,7 @@ async function run({ positionals: [project = ''], values }) {
   const [out, file] = [values.get('out'), values.get('edits')];
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
   const opened = about(project, () => FinishedBlock.open(readBytes(project)));
-  const block = typeof file === 'string' ? about(file, () => opened.edited(editsOf(file))) : opened;
+  const block = typeof file === 'string' ? about(file, () => opened.edited(editsOf(file, opened))) : opened;
   const folder = new BlockFolder(
     out,
     block.model().images.map(({ name }) => name),
@@ -45,14 +46,37 @@ async function run({ positionals: [project = ''], values }) {
   }
 }
 
-/** @param {string} file @returns {import('../node.js').BlockEdit[]} */
-function editsOf(file) {
+/**
+ * A list of edits, or those of another project of the block, as they hold of this one.
+ * @param {string} file @param {import('../node.js').FinishedBlock} block @returns {import('../node.js').BlockEdit[]}
+ */
+function editsOf(file, block) {
+  const text = readText(file);
   try {
-    const edits = JSON.parse(readText(file));
+    const edits = JSON.parse(text);
     if (Array.isArray(edits)) return edits;
   } catch (error) {
     if (!(error instanceof SyntaxError)) throw error;
+    // A project begins with an object, and is more than that.
+    if (text.startsWith('{')) return carriedOver(FinishedBlock.open(readBytes(file)), block);
     throw new DataError(`${file}: it is no JSON (${error.message})`);
   }
   throw new DataError(`${file}: it holds no list of edits`);
+}
+
+/**
+ * @param {import('../node.js').FinishedBlock} before which is freed @param {import('../node.js').FinishedBlock} block
+ * @returns {import('../node.js').BlockEdit[]}
+ */
+function carriedOver(before, block) {
+  try {
+    const { edits, held, lost } = block.carried_edits(before);
+    if (held + lost > 0)
+      note(
+        `what was done to places of the orthophoto holds for ${held} that lie there again, and not for ${lost}: nothing was found there, or what was measured is of another spot`,
+      );
+    return edits;
+  } finally {
+    before.free();
+  }
 }

@@ -4,10 +4,12 @@ import {
   film_cameras,
   film_frame,
   film_measurements,
+  film_pattern,
   film_pixel_mm,
   image_measurement_table,
   masks_of_images,
   parse_camera,
+  parse_camera_rules,
   parse_image_measurements,
 } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
@@ -20,11 +22,9 @@ import { fixed, listed, table } from './text.js';
 
 /** @typedef {import('../node.js').FilmScan} FilmScan @typedef {import('../node.js').CameraRule} CameraRule */
 
-/** What its images are called beside their scans, and the pattern of these names. */
-const END = '-film.png';
-const ALL = `*${END}`;
-const MARKS = 'marks.csv';
-const OUTPUTS = ['images', 'masks', 'cameras.json', 'film.csv', MARKS];
+const [CAMERAS, TABLE, MARKS] = ['cameras.json', 'film.csv', 'marks.csv'];
+const OUTPUTS = ['images', 'masks', CAMERAS, TABLE, MARKS];
+const COLUMNS = ['scan', 'image', 'marks', 'sigma0_mm', 'rmse_mm'];
 
 /** @type {import('./args.js').Command} */
 export const film = {
@@ -45,12 +45,16 @@ export const film = {
       'marks.csv',
       'Image measurements of control and check points that were made in the scans: image,point,x,y in px, the image named as the file of its scan. marks.csv in the folder of --out has them in px of the images.',
     ),
-    path('out', 'DIR', 'Folder that receives images/, masks/, cameras.json and film.csv, with --marks also marks.csv, none of which is there; required.'),
+    path(
+      'out',
+      'DIR',
+      'Folder that receives images/, masks/, cameras.json and film.csv, with --marks also marks.csv; those of another film that a call before wrote there stay, and others are not there; required.',
+    ),
     JSON_FLAG,
   ],
   details:
     'All images have one pixel size, the largest of the scans, no distortion, and the principal point in one place, however the film lay in the scanner: they are images of one camera. They end within the outermost marks of all tables; masks/ leave out what fiducial marks hide. cameras.json has the camera with what the errors of the fiducial marks and "uncertainty" of camera.json leave open; without either it is "fixed". A GNSS position in the metadata of a scan is that of its image. ' +
-    `Then: tiepoint block DIR/images --cameras DIR/cameras.json --masks DIR/masks --out block. The image of a.tif is a${END}. film.csv: scan, image, number of marks, sigma0_mm, rmse_mm. JSON: scans [{name, image, marks, rmse_mm}, …], cameras, with --marks measurements {moved, beside}.`,
+    `Then: tiepoint block DIR/images --cameras DIR/cameras.json --masks DIR/masks --out block. The image of a.tif is a-film.png, of a second film in the same folder, whose camera is another one, a-film2.png: each has its camera. film.csv: scan, image, number of marks, sigma0_mm, rmse_mm. JSON: scans [{name, image, marks, rmse_mm}, …], cameras, with --marks measurements {moved, beside}.`,
   run,
 };
 
@@ -71,37 +75,52 @@ async function run({ positionals, values }) {
   const marks_mm = calibrated(scans.flatMap(({ marks }) => marks.fiducials));
   const pixel = Math.max(...scans.map(({ marks, table: file }) => about(file, () => film_pixel_mm({ camera, scan: marks, marks_mm }))));
   const outputs = OUTPUTS.filter((name) => name !== MARKS || measured !== null);
-  refuseExisting(out, outputs);
+  const there = earlier(out, outputs);
   for (const name of ['images', 'masks']) makeFolder(join(out, name));
   const shown = new Progress({ steps: scans.length });
   /** @type {{ name: string, image: string, film: FilmScan, camera: CameraRule, rmse_mm: number }[]} */
   const made = [];
   /** @type {string[]} */
   const failed = [];
-  for (const { file, mask, marks, image } of scans) {
+  let pattern = '';
+  for (const { file, mask, marks, stem } of scans) {
+    /** @type {import('../node.js').FilmFiles} */
+    let frame;
     try {
       const known = { camera, scan: marks, marks_mm };
-      const maskBytes = mask === null ? undefined : readBytes(mask);
-      const frame = shown.step(basename(file), () => about(file, () => film_frame(readBytes(file), known, image, pixel, mask ?? undefined, maskBytes)));
-      writeInto(join(out, 'images'), image, frame.image);
-      writeInto(join(out, 'masks'), image, frame.mask);
-      made.push({ name: basename(file), image, film: frame.scan, camera: frame.camera, rmse_mm: frame.rmse_mm });
+      const hidden = mask === null ? null : { name: mask, file: readBytes(mask) };
+      frame = shown.step(basename(file), () => about(file, () => film_frame(readBytes(file), known, { image: stem, pixel_mm: pixel, mask: hidden })));
     } catch (error) {
       // What is wrong with one scan is told at the end: the others have their images.
       if (!(error instanceof DataError)) throw error;
       failed.push(error.message);
+      continue;
     }
+    if (pattern === '') {
+      // The first one says of which film they are.
+      const own = film_pattern(frame.camera, there.cameras);
+      pattern = own;
+      refuseExisting(
+        out,
+        scans.flatMap((scan) => ['images', 'masks'].map((name) => join(name, imageName(own, scan.stem)))),
+      );
+    }
+    const image = imageName(pattern, stem);
+    writeInto(join(out, 'images'), image, frame.image);
+    writeInto(join(out, 'masks'), image, frame.mask);
+    made.push({ name: basename(file), image, film: frame.scan, camera: { ...frame.camera, images: image }, rmse_mm: frame.rmse_mm });
   }
   shown.end();
   if (made.length > 0) {
     const cameras = film_cameras(
-      ALL,
+      pattern,
       made.map((frame) => frame.camera),
+      there.cameras,
     );
-    writeInto(out, 'cameras.json', `${JSON.stringify({ cameras }, null, 1)}\n`);
+    writeInto(out, CAMERAS, `${JSON.stringify({ cameras }, null, 1)}\n`);
     const rows = made.map(({ name, image, film: { marks }, rmse_mm }) => [name, image, marks.residuals_mm.length, marks.sigma0_mm ?? '', rmse_mm]);
-    writeInto(out, 'film.csv', [['scan', 'image', 'marks', 'sigma0_mm', 'rmse_mm'], ...rows].map((row) => `${row.map(cell).join(',')}\n`).join(''));
-    const measurements = measured && writeMeasurements(out, measured, made, scans);
+    writeInto(out, TABLE, `${there.table}${rows.map((row) => `${row.map(cell).join(',')}\n`).join('')}`);
+    const measurements = measured && writeMeasurements(out, measured, made, scans, there.measured);
     if (values.has('json')) {
       const own = made.map(({ name, image, film: { marks }, rmse_mm }) => ({ name, image, marks, rmse_mm }));
       printJson({ scans: own, cameras, ...(measurements && { measurements }) });
@@ -132,8 +151,32 @@ function scansOf(files, folder) {
     const other = seen.get(stem.toLowerCase());
     if (other !== undefined) throw new UsageError(`${other} and ${file} give images of the same name; allowed: each name once`);
     seen.set(stem.toLowerCase(), file);
-    return { file, table, image: `${stem}${END}` };
+    return { file, table, stem };
   });
+}
+
+/** What the image of a scan is called.  @param {string} pattern of the film @param {string} stem */
+const imageName = (pattern, stem) => pattern.replace('*', () => stem);
+
+/**
+ * What a call before wrote in the folder, of another film or of other scans of this one; what else is there is refused.
+ * @param {string} out @param {readonly string[]} outputs
+ * @returns {{ cameras: CameraRule[], table: string, measured: import('../node.js').ImageMeasurementRow[] }}
+ */
+function earlier(out, outputs) {
+  const head = `${COLUMNS.join(',')}\n`;
+  const file = join(out, TABLE);
+  const table = exists(file) ? readText(file) : '';
+  if (!table.startsWith(head) || !exists(join(out, CAMERAS))) {
+    refuseExisting(out, outputs);
+    return { cameras: [], table: head, measured: [] };
+  }
+  /** @template T @param {string} name @param {(text: string) => T} parse */
+  const read = (name, parse) => {
+    const [place, text] = [join(out, name), readText(join(out, name))];
+    return about(place, () => parse(text));
+  };
+  return { cameras: read(CAMERAS, parse_camera_rules), table, measured: exists(join(out, MARKS)) ? read(MARKS, parse_image_measurements) : [] };
 }
 
 /** Images of another call would be taken for some of this one.  @param {string} out @param {readonly string[]} outputs */
@@ -176,15 +219,18 @@ function measurementsOf(file, scans) {
  * Writes measurements in px of the images, and says which have none there. Those of scans that became no image are left out.
  * @param {string} out @param {import('../node.js').ImageMeasurementRow[]} measured
  * @param {readonly { name: string, image: string, film: FilmScan }[]} made @param {readonly { file: string }[]} scans
+ * @param {readonly import('../node.js').ImageMeasurementRow[]} there of films before: they stay, but for those of the scans of this one
  */
-function writeMeasurements(out, measured, made, scans) {
+function writeMeasurements(out, measured, made, scans, there) {
   const lost = new Set(scans.map(({ file }) => basename(file)).filter((name) => !made.some((frame) => frame.name === name)));
   const frames = made.map(({ name, image, film: own }) => ({ scan: name, image, film: own }));
   const { measurements, moved, beside } = film_measurements(
     measured.filter(({ image }) => !lost.has(image)),
     frames,
   );
-  writeInto(out, MARKS, image_measurement_table(measurements));
+  const own = new Set([...made.map(({ name }) => name), ...measurements.map(({ image, point }) => JSON.stringify([image, point]))]);
+  const others = there.filter(({ image, point }) => !own.has(image) && !own.has(JSON.stringify([image, point])));
+  writeInto(out, MARKS, image_measurement_table([...others, ...measurements]));
   const names = beside.map(({ image, point }) => `${point} in ${image}`);
   if (names.length > 0) note(`measurements that lie beside the image of their scan, which ends within the fiducial marks, are skipped: ${listed(names)}`);
   return { moved, beside };

@@ -1,6 +1,6 @@
 // @ts-check
 import { dirname, join } from 'node:path';
-import { check_heights, OrthoMosaic } from '../node.js';
+import { check_heights, message, OrthoMosaic } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
 import { filesIn, isFolder, makeFolder, readBytes, writeInParts } from './files.js';
 import { GROUND_OPTIONS, groundOf } from './ground.js';
@@ -30,7 +30,8 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   const bytes = readBytes(project);
   if (ground) about(ground.file ?? '--level', () => check_heights(ground.heights, ground.sidecars));
   const made = about(project, () => OrthoMosaic.open(bytes, ground?.heights ?? null, ground?.sidecars, typeof gsd === 'number' ? gsd : undefined));
-  const { names } = made;
+  const [{ names }, remark] = [made, made.remark()];
+  if (remark) note(message('remark', remark));
   const files = new Set(filesIn(folder));
   const missing = names.filter((name) => !files.has(name));
   if (missing.length === names.length) throw new DataError(`${folder}: it has none of the images of the project, ${names.slice(0, 3).join(', ')} …`);

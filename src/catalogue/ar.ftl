@@ -185,7 +185,7 @@ unsupported-jpeg-bits = ‏JPEG من { $bits } بت غير مدعوم؛ المس
 unsupported-jpeg-components = ‏JPEG من { $components } مركبات (4: CMYK) غير مدعوم؛ المسموح: JPEG رمادي أو ملون بثلاث مركبات
 unsupported-jpeg-sampling = ‏JPEG بعوامل التعيين [{ $sampling }] غير مدعوم؛ المسموح: تعيين المركبة الأولى 1 أو 2 أو 4 مرات، وسائرها مرة واحدة
 unsupported-jpeg-scans = ‏JPEG بأكثر من { $most } من المسوح غير مدعوم؛ المسموح: حتى { $most }
-unsupported-jpeg-rgb-apart = ‏JPEG أساسي بمسوح منفصلة لـRGB غير مدعوم؛ المسموح: مسح واحد لجميع المركبات، أو مسح للإضاءة وحدها
+unsupported-jpeg-rgb-apart = ‏JPEG أساسي لـRGB بمسوح من مركبتين غير مدعوم؛ المسموح: مسح واحد لجميع المركبات، أو مسح لكل مركبة
 unsupported-jpeg-luma-apart = ‏JPEG أساسي بمسحين منفصلين للإضاءة ولمركبة لون غير مدعوم؛ المسموح: مسح واحد لجميع المركبات، أو مسح للإضاءة وحدها
 unsupported-tiff-floats = ‏TIFF بعينات الفاصلة العائمة غير مدعوم؛ المسموح: أعداد صحيحة بلا إشارة من 8 أو 16 بت
 unsupported-tiff-signed = ‏TIFF بعينات ذات إشارة أو غير معرَّفة غير مدعوم؛ المسموح: أعداد صحيحة بلا إشارة من 8 أو 16 بت
@@ -746,6 +746,20 @@ remark-orthophoto-heights =
            *[plus] أعلى
         } مما يجب بمقدار { AMOUNT($above_m, digits: 1) } م
     }؛ حوّل الارتفاعات، أو بيّن بالخيار --geoid أو --geoid-m أو --crs أن صفرهما واحد
+remark-mosaic-heights =
+    ارتفاعات أرض الموزاييك تُعدّ من { $from_ellipsoid ->
+        [true] الإهليلج
+       *[false] جيوئيد أو مستوى بحر
+    } كما يقول ملفها ({ $heights })، وارتفاعات { $crs } من { $from_ellipsoid ->
+        [true] جيوئيد
+       *[false] الإهليلج
+    }: موقع الأرض { $above_m ->
+        [none] مزاح في الارتفاع بمقدار ارتفاع الجيوئيد
+       *[other] { SIGN($above_m) ->
+            [minus] أدنى
+           *[plus] أعلى
+        } مما يجب بمقدار { AMOUNT($above_m, digits: 1) } م
+    }، فيُزاح أفقيًا ما تظهره الصور منها؛ حوّل الارتفاعات
 remark-orthophoto-units = شرق الصورة المصححة وشمالها بوحدات طول كل منها { $unit_m } م؛ وتؤخذ ارتفاعات أرضها بوحدات طول كل منها { $height_unit_m } م
 remark-unsupported-edits = كُتب ملف المشروع قبل أن تُحفظ جميع النقاط المضبوطة: مع التعديلات تُضبط الكتلة بالنقاط المختارة وحدها، وهي أقل دقة
 remark-unmeasured-points =
@@ -1006,6 +1020,7 @@ refusal-unknown-point = نقطة تعديل: أُعطيت { $point_name }؛ ال
 refusal-image-not-oriented = صورة تعديل: أُعطيت { $location }، وهي غير موجَّهة؛ المسموح: صور موجَّهة من الكتلة
 refusal-pair-not-connected = زوج تعديل: أُعطيت { $first } و{ $second }، ولا تصل بينهما مطابقات؛ المسموح: أزواج متصلة من الكتلة
 refusal-block-not-oriented = كتلة التعديلات: أُعطيت كتلة غير موجَّهة؛ المسموح: كتلة موجَّهة
+refusal-edits-of-other-block = كتلة التعديلات: أُعطيت كتلة بصور أو نقاط ربط أو نقاط ضبط أرضية أخرى؛ المسموح: الكتلة نفسها، موضوعة على صورة مصححة أو غير موضوعة
 refusal-added-control-name = اسم نقطة ضبط أرضية جديدة: أُعطي { $name }، وهو فارغ أو اسم نقطة أخرى؛ المسموح: اسم خاص بها
 refusal-added-control-errors = الأخطاء المعيارية لنقطة ضبط أرضية جديدة: أُعطي { $errors } للنقطة { $name }؛ المسموح: أعداد أكبر من 0
 

@@ -190,7 +190,7 @@ unsupported-jpeg-bits = JPEG of { $bits } bits is not supported; allowed: JPEG o
 unsupported-jpeg-components = JPEG of { $components } components (4: CMYK) is not supported; allowed: grey and three-component colour JPEG
 unsupported-jpeg-sampling = JPEG with the sampling factors [{ $sampling }] is not supported; allowed: the first component sampled 1, 2 or 4 times, the others once
 unsupported-jpeg-scans = JPEG of more than { $most } scans is not supported; allowed: up to { $most } scans
-unsupported-jpeg-rgb-apart = baseline JPEG with scans of RGB apart is not supported; allowed: one scan of all components, or one of luma alone
+unsupported-jpeg-rgb-apart = baseline JPEG of RGB with scans of two components is not supported; allowed: one scan of all components, or one of each
 unsupported-jpeg-luma-apart = baseline JPEG with scans of luma and one chroma apart is not supported; allowed: one scan of all components, or one of luma alone
 unsupported-tiff-floats = TIFF with floating-point samples is not supported; allowed: unsigned integers of 8 or 16 bits
 unsupported-tiff-signed = TIFF with signed or undefined samples is not supported; allowed: unsigned integers of 8 or 16 bits
@@ -356,6 +356,7 @@ refusal-unknown-point = point of an edit: got { $point_name }; allowed: points o
 refusal-image-not-oriented = image of an edit: got { $location }, which is not oriented; allowed: images of the block that are oriented
 refusal-pair-not-connected = pair of an edit: got { $first } and { $second }, which no matches connect; allowed: connected pairs of the block
 refusal-block-not-oriented = block of the edits: got one that is not oriented; allowed: an oriented one
+refusal-edits-of-other-block = block of the edits: got one of other images, tie points or ground control points; allowed: the same block, placed on an orthophoto or not
 refusal-added-control-name = name of a new ground control point: got { $name }, which is empty or that of another one; allowed: a name of its own
 refusal-added-control-errors = standard errors of a new ground control point: got { $errors } for { $name }; allowed: numbers above 0
 
@@ -1159,6 +1160,20 @@ remark-orthophoto-heights =
            *[plus] high
         }
     }; convert the heights, or say with --geoid, --geoid-m or --crs that both count from one zero
+remark-mosaic-heights =
+    heights of the mosaic's ground count from { $from_ellipsoid ->
+        [true] the ellipsoid
+       *[false] a geoid or level of the sea
+    }, as their file says ({ $heights }), those of { $crs } from { $from_ellipsoid ->
+        [true] a geoid
+       *[false] the ellipsoid
+    }: the ground lies { $above_m ->
+        [none] off in height by the height of the geoid
+       *[other] { AMOUNT($above_m, digits: 1) } m too { SIGN($above_m) ->
+            [minus] low
+           *[plus] high
+        }
+    }, and what images show of it is off in plan; convert the heights
 remark-orthophoto-units = the orthophoto has eastings and northings in units of { $unit_m } m; heights of its ground are taken in units of { $height_unit_m } m
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unmeasured-points =

@@ -132,6 +132,7 @@ messages! {
         ImageNotOriented { location: Location },
         PairNotConnected { first: String, second: String },
         BlockNotOriented,
+        EditsOfOtherBlock,
         AddedControlName { name: String },
         AddedControlErrors { errors: String, name: String },
 

@@ -1,12 +1,10 @@
 //! Scans of film as a block takes them.
 
+use super::scan_file::SCAN_LIMITS;
 use super::{FilmInput, FilmScan};
 use crate::error::refuse;
 use crate::pipeline::decode_mask;
-use crate::{
-    Bands, CameraRule, CameraUncertainty, DecodeLimits, Error, ExifImage, GreyImage, Interior, Refusal, decode_bands, orient_fiducials,
-    write_bands,
-};
+use crate::{Bands, CameraRule, CameraUncertainty, Error, ExifImage, GreyImage, Interior, Refusal, orient_fiducials, write_bands};
 
 /// The scan of a photo on film, resampled to the image of an ideal camera.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,17 +38,6 @@ pub fn film_pixel_mm(film: &FilmInput) -> Result<f64, Error> {
 }
 
 const STEPS_PER_MM: f64 = 1e5;
-
-/// What the file of a scan may ask for: a film of 230 mm with its border, 240 mm, has 294 MP at 14 µm. Its frame, which ends within the marks, has 218 MP.
-pub const SCAN_LIMITS: DecodeLimits = DecodeLimits { max_pixels: 300_000_000, max_memory_bytes: 3 << 30 };
-
-/// Decodes the file of a scan.
-///
-/// # Errors
-/// As [`decode_bands`], within [`SCAN_LIMITS`].
-pub fn decode_scan(file: &[u8]) -> Result<Bands, Error> {
-    decode_bands(file, &SCAN_LIMITS)
-}
 
 impl FilmFrame {
     /// Leaves out of its mask what a mask of the scan leaves out, where that is 0. `name` and `file` are those of an image as large as the scan.
@@ -96,6 +83,7 @@ const ROUNDING: f64 = 1e6;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::film::decode_scan;
     use crate::formats::parse_camera_rules;
     use crate::{CameraMm, Fiducial, PhotoInput, write_png};
 
@@ -201,18 +189,6 @@ mod tests {
         // Grey files have it as well.
         let grey = film_frame(&Bands::from(scan.to_grey()), &film, 0.25).unwrap();
         assert_eq!(read(&grey.image_file(&of_scan)), wanted);
-    }
-
-    #[test]
-    fn scans_of_240_mm_at_14_um_are_decoded_and_larger_ones_refused_by_what_they_declare() {
-        // A PNG of grey values that ends behind its header.
-        let declared = |side: u32| {
-            let sides = [side.to_be_bytes(), side.to_be_bytes()].concat();
-            let head: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR";
-            decode_scan(&[head, &sides, &[8, 0, 0, 0, 0, 0, 0, 0, 0]].concat()).unwrap_err()
-        };
-        assert!(matches!(declared(17_321), Error::TooManyPixels { max_megapixels: 300.0, .. }), "{:?}", declared(17_321));
-        assert!(matches!(declared(17_143), Error::UnreadableImage { .. }), "{:?}", declared(17_143));
     }
 
     #[test]

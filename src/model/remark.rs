@@ -47,6 +47,8 @@ messages! {
         /// Heights of the orthophoto's ground count from elsewhere than those of the block's system, as their file says: from what it names, above the
         /// ellipsoid or not; by so much the places are too high, below 0 too low, where that is known.
         OrthophotoHeights { heights: String, from_ellipsoid: bool, crs: String, above_m: Option<f64> },
+        /// The same of the heights on which an orthomosaic is made: by so much its ground is too high, below 0 too low.
+        MosaicHeights { heights: String, from_ellipsoid: bool, crs: String, above_m: Option<f64> },
         /// The block has no place on the earth that would be in the system that was chosen.
         NoResultSystem { crs: String },
         /// The block comes from a project file that holds less than is known of a block.

@@ -3,8 +3,9 @@
 use super::footprint::Footprint;
 use super::ground::Ground;
 use super::heights::{HeightModel, Heights};
+use super::other_zero::zero_of;
 use crate::Georeference;
-use crate::crs::CoordinateSystem;
+use crate::crs::{CoordinateSystem, HeightZero};
 use crate::error::refuse;
 use crate::math::median;
 use crate::{BlockModel, BlockRun, Error, OnOrthophoto, Refusal, geographic_from_local, local_from_geographic};
@@ -52,6 +53,16 @@ impl BlockMap {
     /// A height of 1 in m.
     pub(super) fn height_unit_m(&self) -> f64 {
         self.system.definition().height_unit_m()
+    }
+
+    /// Where its heights count from, of a block whose heights count from `zero` where the system does not say.
+    pub(super) fn zero_of(&self, zero: HeightZero) -> HeightZero {
+        zero_of(self.system.definition(), zero)
+    }
+
+    /// Longitude and latitude of the block.
+    pub(super) fn place(&self) -> [f64; 2] {
+        [self.origin[0], self.origin[1]]
     }
 
     /// The name of the system.

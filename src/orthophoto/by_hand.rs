@@ -9,12 +9,13 @@ use super::outcome::{NotPlaced, PlacedImage, Placement, PlacingVerdict};
 use super::place::first_orientation;
 use super::placement::{Part, moved, placement};
 use super::precision::total_errors;
+use super::recorded_place::judged;
 use super::rectify::Seen;
 use super::reference::Orthophoto;
 use super::relief::{Relief, height_factor};
 use super::verdict::verdict;
 use crate::error::refuse;
-use crate::{Camera, Error, Failure, Few, Location, Refusal};
+use crate::{Camera, Error, ExifPosition, Failure, Few, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// What a given link is for.
@@ -54,12 +55,13 @@ pub(super) const BY_EYE_PX: f64 = 1.0;
 const BY_HAND_PX: f64 = std::f64::consts::SQRT_2 * BY_EYE_PX;
 
 /// Orients an image by given links: from where it was placed before, or by resection where it was not. The links of the result are the given
-/// ones in their order.
+/// ones in their order. `position`: the GNSS position that it records, which doubts where the links have it as [`place_recorded`](crate::place_recorded) does.
 ///
 /// # Errors
 /// [`Error::TooFew`] for fewer than 4 links that take part; [`Error::InvalidInput`] for one beside the image or the heights.
 pub fn place_by_links(
     known: &PlacingCamera,
+    position: Option<&ExifPosition>,
     reference: &Orthophoto,
     start: Option<&Placement>,
     links: &[GivenLink],
@@ -136,9 +138,9 @@ pub fn place_by_links(
     placement.links.iter_mut().zip(links).for_each(|(link, given)| link.by_hand = given.by_hand);
     let placement = moved(placement, first);
     // What somebody rejected contradicts nothing.
-    let judged = placement.links.iter().zip(&parts).filter(|(_, part)| **part != Part::Rejected).map(|(link, _)| *link).collect();
-    let verdict = verdict(&Placement { links: judged, ..placement.clone() }, known);
-    Ok(PlacedImage { verdict, placement: Some(placement), search: None })
+    let standing = placement.links.iter().zip(&parts).filter(|(_, part)| **part != Part::Rejected).map(|(link, _)| *link).collect();
+    let verdict = verdict(&Placement { links: standing, ..placement.clone() }, known);
+    Ok(judged(PlacedImage { verdict, placement: Some(placement), search: None }, position, reference, options))
 }
 
 fn not_placed(not_placed: NotPlaced) -> PlacedImage {
@@ -167,6 +169,8 @@ pub fn ground_positions(placement: &Placement, heights: &Heights, positions: &[[
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::orthophoto::into_system::recorded_place;
+    use crate::orthophoto::outcome::{PlaceSearch, PlacingWeakness};
     use crate::{Camera, CameraUncertainty, Georeference, GreyImage, Pose, rotation_from_angles};
 
     const ORIGIN: [f64; 2] = [500_000.0, 5_400_000.0];
@@ -197,7 +201,7 @@ mod tests {
     }
 
     fn placed(links: &[GivenLink]) -> Placement {
-        place_by_links(&known(), &reference(), None, links, &PlacingOptions::default()).unwrap().placement.unwrap()
+        place_by_links(&known(), None, &reference(), None, links, &PlacingOptions::default()).unwrap().placement.unwrap()
     }
 
     #[test]
@@ -209,7 +213,7 @@ mod tests {
         assert!(found.links[0].by_hand && !found.links[11].by_hand);
         // From there the next adjustment starts, and comes to the same.
         let again =
-            place_by_links(&known(), &reference(), Some(&found), &links(12), &PlacingOptions::default()).unwrap().placement.unwrap();
+            place_by_links(&known(), None, &reference(), Some(&found), &links(12), &PlacingOptions::default()).unwrap().placement.unwrap();
         // Weights follow from where an adjustment starts.
         let moved = (0..3).map(|k| (again.pose.position[k] - found.pose.position[k]).abs()).fold(0.0, f64::max);
         assert!(moved < 0.05, "{moved} m");
@@ -237,6 +241,40 @@ mod tests {
     }
 
     #[test]
+    fn links_far_from_the_gnss_position_are_doubted_as_a_place_that_was_found_is() {
+        let mut reference = reference();
+        reference.epsg = Some(32632);
+        // 9° east is the central meridian: 500 km; the latitude is that of the pose, to some metres.
+        let position =
+            |off_deg: f64| ExifPosition { longitude_deg: 9.000_163, latitude_deg: 48.752_2 + off_deg, height_m: None, error_m: None };
+        let at = recorded_place(&position(0.0), &reference).unwrap().place;
+        let north_m = pose().position[1] - at[1];
+        let deg = |m: f64| (north_m + m) / 111_200.0;
+        let by = |links: &[GivenLink], position: Option<&ExifPosition>, options: &PlacingOptions| {
+            place_by_links(&known(), position, &reference, None, links, options).unwrap()
+        };
+        let (all, options) = (links(60), PlacingOptions::default());
+        for (off_m, is_doubted) in [(0.0, false), (27.0, false), (33.0, true), (-400.0, true)] {
+            let placed = by(&all, Some(&position(deg(off_m))), &options);
+            match placed.verdict {
+                PlacingVerdict::Placed { .. } => assert!(!is_doubted, "{off_m} m"),
+                PlacingVerdict::Weak { placing_weakness: PlacingWeakness::Gnss { plan_m, .. }, .. } => {
+                    assert!(is_doubted && (plan_m - f64::abs(off_m)).abs() < 2.0, "{off_m} m: {plan_m} m");
+                }
+                other => panic!("{other}"),
+            }
+        }
+        // Another doubt stays, with the distance beside it; and a rough place goes before the position.
+        let few = by(&all[..12], Some(&position(deg(-400.0))), &options);
+        assert!(matches!(few.verdict, PlacingVerdict::Weak { placing_weakness: PlacingWeakness::FewLinks { .. }, .. }), "{}", few.verdict);
+        assert!(matches!(few.search, Some(PlaceSearch::ApartFromGnss { .. })), "{:?}", few.search);
+        let near = PlacingOptions { near_x: Some(ORIGIN[0]), near_y: Some(ORIGIN[1]), ..options.clone() };
+        for placed in [by(&all, Some(&position(deg(-400.0))), &near), by(&all, None, &options)] {
+            assert!(matches!(placed.verdict, PlacingVerdict::Placed { .. }) && placed.search.is_none(), "{}", placed.verdict);
+        }
+    }
+
+    #[test]
     fn places_and_positions_lead_to_each_other() {
         let (found, heights) = (placed(&links(12)), Heights::Level(50.0));
         let at = [[200.0, 150.0], [640.0, 420.0]];
@@ -250,7 +288,8 @@ mod tests {
 
     #[test]
     fn links_that_cannot_be_are_refused_by_their_number() {
-        let place = |links: &[GivenLink]| place_by_links(&known(), &reference(), None, links, &PlacingOptions::default()).unwrap_err();
+        let place =
+            |links: &[GivenLink]| place_by_links(&known(), None, &reference(), None, links, &PlacingOptions::default()).unwrap_err();
         assert!(matches!(place(&links(3)), Error::TooFew { got: 3, needed: 4, .. }));
         let mut beside = links(6);
         beside[4].at = [900.0, 10.0];

@@ -1,7 +1,8 @@
 //! The way from an orthophoto into the coordinate reference system of a block.
 
+use super::other_zero::{OtherZero, other_zero, zero_of};
 use super::reference::Orthophoto;
-use crate::crs::{CoordinateSystem, Definition, HeightReference, HeightZero, Vertical};
+use crate::crs::{CoordinateSystem, Definition, HeightZero, Vertical};
 use crate::error::refuse;
 use crate::georeferenced::{SaidSystem, name_of};
 use crate::math::median;
@@ -81,7 +82,7 @@ impl IntoSystem {
             },
         };
         let unit_m = said.unit_m.or(orthophoto.unit_m()).unwrap_or(1.0);
-        let zero = if block.heights() == HeightReference::Ellipsoid { HeightZero::Level(0.0) } else { zero };
+        let zero = zero_of(&block, zero);
         Ok(Self { orthophoto, block, is_assumed, unit_m, zero })
     }
 
@@ -162,16 +163,9 @@ impl IntoSystem {
     }
 
     /// What is to be said where heights of the ground count from elsewhere than those of the block: they are taken as they are.
-    fn other_heights(&self, Vertical { name, is_ellipsoidal, .. }: Vertical, orthophoto: &Orthophoto) -> Option<Remark> {
-        let above_m = match &self.zero {
-            HeightZero::Unknown => return None,
-            HeightZero::Level(zero_m) if (*zero_m == 0.0) == is_ellipsoidal => return None,
-            HeightZero::Geoid(_) if !is_ellipsoidal => return None,
-            // Above the ellipsoid, where those of the block are above a geoid.
-            zero if is_ellipsoidal => self.on_earth(orthophoto).and_then(|place| zero.above_m(place)),
-            _ => None,
-        };
-        Some(Remark::OrthophotoHeights { heights: name, from_ellipsoid: is_ellipsoidal, crs: self.block.name(), above_m })
+    fn other_heights(&self, vertical: Vertical, orthophoto: &Orthophoto) -> Option<Remark> {
+        let OtherZero { name, from_ellipsoid, above_m } = other_zero(vertical, &self.zero, || self.on_earth(orthophoto))?;
+        Some(Remark::OrthophotoHeights { heights: name, from_ellipsoid, crs: self.block.name(), above_m })
     }
 
     /// The middle of the orthophoto.

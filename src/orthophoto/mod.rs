@@ -30,6 +30,7 @@ mod map_nodes;
 mod mosaic;
 mod mosaic_tiles;
 mod options;
+mod other_zero;
 mod outcome;
 mod own;
 mod parts;

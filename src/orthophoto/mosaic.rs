@@ -7,6 +7,7 @@ use super::heights::Heights;
 use super::links::reduced;
 use super::map_nodes::MapNodes;
 use super::mosaic_tiles::{MosaicTiles, Reach, most_waiting, order};
+use super::other_zero::{OtherZero, other_zero};
 use super::point_heights::{heights_of_points, heights_on_map};
 use super::rectify::Seen;
 use super::tiled_file::{Samples, TiledFile};
@@ -15,7 +16,7 @@ use crate::camera::Camera;
 use crate::error::refuse;
 use crate::image::Neighbours;
 use crate::math::median;
-use crate::{Bands, BlockModel, BlockRun, Error, ModelImage, Pose, Refusal, halve};
+use crate::{Bands, BlockModel, BlockRun, Error, ModelImage, Pose, Refusal, Remark, halve};
 use std::io::{Seek, Write};
 
 /// Larger mosaics are made of larger pixels.
@@ -37,6 +38,8 @@ pub struct Mosaic {
     /// The way into the system in which images are oriented, where the map is another one.
     nodes: Option<MapNodes>,
     epsg: Option<u16>,
+    /// What is to be said of the heights.
+    remark: Option<Remark>,
     georeference: Georeference,
     size: [usize; 2],
     /// From the first image on, which says whether it has colours.
@@ -89,6 +92,13 @@ impl Laid {
     }
 }
 
+/// What is to be said of heights that count from elsewhere than those of the system of a block.
+fn other_heights(run: &BlockRun, heights: &Heights, map: &BlockMap) -> Option<Remark> {
+    let zero = map.zero_of(run.input.zero(run.geoid.as_ref()));
+    let OtherZero { name, from_ellipsoid, above_m } = other_zero(heights.vertical()?, &zero, || Some(map.place()))?;
+    Some(Remark::MosaicHeights { heights: name, from_ellipsoid, crs: map.name(), above_m })
+}
+
 impl Mosaic {
     /// Lays out the picture of all ground that the oriented images show, in the system of the model. `gsd`: the side of a pixel; absent: that of the
     /// images, or the least that is allowed.
@@ -110,6 +120,7 @@ impl Mosaic {
     pub fn of_block(run: &BlockRun, heights: Option<Heights>, gsd: Option<f64>) -> Result<Self, Error> {
         let map = BlockMap::of(run)?;
         let epsg = epsg_of(run, map.as_ref());
+        let remark = heights.as_ref().zip(map.as_ref()).and_then(|(heights, map)| other_heights(run, heights, map));
         let heights = match heights {
             Some(heights) => heights.for_ground(&map.as_ref().map_or_else(|| Ground::of_plane(epsg), BlockMap::ground))?,
             None => Heights::Model(heights_on_map(&run.model, map.as_ref())?),
@@ -120,7 +131,7 @@ impl Mosaic {
         // Borders are taken on coarse ground.
         let mosaic = Self::of(images, heights, gsd, MOST_PIXELS, MARGIN_PX)?;
         let nodes = MapNodes::new(&map, mosaic.georeference, mosaic.size, mosaic.heights.range());
-        Ok(Self { nodes: Some(nodes), epsg, ..mosaic })
+        Ok(Self { nodes: Some(nodes), epsg, remark, ..mosaic })
     }
 
     /// The same of a block in the system of its adjustment, as it is laid under its map: of 100 MP at most.
@@ -173,13 +184,18 @@ impl Mosaic {
             .iter_mut()
             .zip(reaches)
             .for_each(|(image, reach)| image.iter_mut().zip(reach).for_each(|(image, reach)| image.reach = reach));
-        Ok(Self { images, heights, nodes: None, epsg: None, georeference, size, tiles: None })
+        Ok(Self { images, heights, nodes: None, epsg: None, remark: None, georeference, size, tiles: None })
     }
 
     /// The indices of the oriented images, in an order in which few tiles wait: along the longer side of the mosaic.
     pub fn order(&self) -> Vec<usize> {
         let reaches: Vec<Option<Reach>> = self.images.iter().map(|image| image.as_ref().map(|image| image.reach.clone())).collect();
         order(&reaches, self.size)
+    }
+
+    /// What is to be said of the heights that were given: that they count from elsewhere than those of the block's coordinate reference system.
+    pub fn remark(&self) -> Option<&Remark> {
+        self.remark.as_ref()
     }
 
     /// Width and height in px.

@@ -45,6 +45,7 @@ pub fn place_film(
 /// As [`place_by_links`]; [`Error::InvalidInput`] for a link that takes part beside the frame.
 pub fn place_film_by_links(
     scan: &FilmScan,
+    position: Option<&ExifPosition>,
     reference: &Orthophoto,
     start: Option<&Placement>,
     links: &[GivenLink],
@@ -59,7 +60,7 @@ pub fn place_film_by_links(
         Ok(GivenLink { at, ..*link })
     });
     let in_frame = in_frame.collect::<Result<Vec<GivenLink>, Error>>()?;
-    place_by_links(&known, reference, start, &in_frame, options).map(|placed| in_scan(scan, placed, Some(links)))
+    place_by_links(&known, position, reference, start, &in_frame, options).map(|placed| in_scan(scan, placed, Some(links)))
 }
 
 fn camera_of(scan: &FilmScan) -> PlacingCamera {
@@ -238,7 +239,7 @@ mod tests {
         let mut links: Vec<GivenLink> = (placement.links.iter())
             .map(|link| GivenLink { at: link.at, place: [link.place[0], link.place[1]], part: GivenUse::Used, by_hand: false })
             .collect();
-        let by_links = |links: &[GivenLink]| place_film_by_links(&film_scan, reference, Some(&placement), links, &options());
+        let by_links = |links: &[GivenLink]| place_film_by_links(&film_scan, None, reference, Some(&placement), links, &options());
         let again = by_links(&links).unwrap().placement.unwrap();
         let apart = [0, 1, 2].map(|k| again.pose.position[k] - placement.pose.position[k]);
         assert!(apart.iter().all(|off| off.abs() < 0.5), "{apart:?}");

@@ -33,10 +33,7 @@ pub(super) fn sought(
     options: &PlacingOptions,
     mut place: impl FnMut(&SearchArea) -> Result<PlacedImage, Error>,
 ) -> Result<PlacedImage, Error> {
-    let is_free = options.near_x.is_none() && options.near_y.is_none();
-    let Some(on_map) = position.filter(|_| is_free).and_then(|position| recorded_place(position, reference)) else {
-        return place(area);
-    };
+    let Some(on_map) = on_map(position, reference, options) else { return place(area) };
     let RecordedPlace { place: at, unit_m, .. } = on_map;
     let within_m = options.within_m;
     let within = within_m / unit_m;
@@ -49,6 +46,25 @@ pub(super) fn sought(
     };
     let placed = areas.searched(within_m, place)?;
     Ok(beside_position(placed, &on_map))
+}
+
+/// Where an orthophoto has the position of an image, unless another place is given by the options, which goes before it.
+fn on_map(position: Option<&ExifPosition>, reference: &Orthophoto, options: &PlacingOptions) -> Option<RecordedPlace> {
+    let is_free = options.near_x.is_none() && options.near_y.is_none();
+    position.filter(|_| is_free).and_then(|position| recorded_place(position, reference))
+}
+
+/// An image that was placed without a search, judged beside its position as one that was sought.
+pub(super) fn judged(
+    placed: PlacedImage,
+    position: Option<&ExifPosition>,
+    reference: &Orthophoto,
+    options: &PlacingOptions,
+) -> PlacedImage {
+    match on_map(position, reference, options) {
+        Some(on_map) => beside_position(placed, &on_map),
+        None => placed,
+    }
 }
 
 /// Receivers of cameras are right to some 10 m: three times that, or what they state themselves, are no usual error.

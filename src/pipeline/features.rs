@@ -1,6 +1,6 @@
 //! Features of an image, where its mask lets them be, as they are kept.
 
-use super::masks::decode_mask;
+use super::mask_file::decode_mask;
 use super::records::{column, is_whole, kept, read_record, rows_of, write_record};
 use super::task::FeatureTask;
 use crate::{DESCRIPTOR_BYTES, DecodeLimits, Decoded, Error, ExifImage, GreyImage, decode, features as find};

@@ -1,7 +1,7 @@
-//! Masks of images: which belongs to which, by their names, and what they hold.
+//! Which mask belongs to which image, by their names.
 
 use crate::error::refuse;
-use crate::{DecodeLimits, Error, GreyImage, ImageFault, Refusal, decode};
+use crate::{Error, Refusal};
 use std::collections::BTreeMap;
 
 /// The mask of each image, and the names of masks that belong to none.
@@ -29,21 +29,6 @@ pub fn masks_of(images: &[String], masks: &[String]) -> Result<(Vec<Option<usize
     let unused = (0..masks.len()).filter(|mask| !found.contains(&Some(*mask))).map(|mask| masks[mask].clone());
     let unused = unused.collect();
     Ok((found, unused))
-}
-
-/// The mask of an image, where features are wanted that is not 0. `size`: width and height of the image.
-///
-/// # Errors
-/// [`Error::UnreadableImage`], with its name; [`Error::InvalidInput`] for one of another size.
-pub(crate) fn decode_mask(name: &str, bytes: &[u8], size: [usize; 2], limits: &DecodeLimits) -> Result<GreyImage, Error> {
-    let mask = decode(bytes, limits)
-        .map_err(|error| Error::UnreadableImage { image_fault: ImageFault::Mask { name: name.to_string(), error: Box::new(error) } })?
-        .grey;
-    let ([width, height], [image_width, image_height]) = ([mask.width(), mask.height()], size);
-    if [width, height] == size {
-        return Ok(mask);
-    }
-    refuse(Refusal::MaskOfImage { name: name.into(), width, height, image_width, image_height })
 }
 
 fn without_ending(name: &str) -> &str {

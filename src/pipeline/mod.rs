@@ -6,6 +6,7 @@
 
 mod added_control;
 mod cameras;
+mod carried_edits;
 mod control;
 mod edited;
 mod execute;
@@ -22,11 +23,13 @@ mod images;
 mod input;
 mod job;
 mod likeness;
+mod mask_file;
 mod masks;
 mod mistakes;
 mod on_orthophoto;
 mod pairs;
 mod place_factors;
+mod places;
 mod points;
 mod records;
 mod refinement;
@@ -39,6 +42,7 @@ mod task;
 mod windows;
 
 pub use cameras::{CameraRules, InitialCamera};
+pub use carried_edits::CarriedEdits;
 pub use control::ControlTables;
 pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]
@@ -48,9 +52,10 @@ pub(crate) use ground::{GroundPoint, is_place_of_orthophoto, name_by_hand};
 pub use host::{images_in, run_block};
 pub use input::{ControlTexts, RunInput};
 pub use job::{FileNeeded, Job, News, ReadImage, StageName, Step, Work};
-pub(crate) use masks::decode_mask;
+pub(crate) use mask_file::decode_mask;
 pub use masks::masks_of;
 pub use on_orthophoto::{NotLinked, OnOrthophoto};
+pub use places::{BlockPlaces, PlaceAgain, SeenIn, SeenPlace};
 pub use records::digest;
 pub use result::{BlockRun, EditedRun, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
 pub use run::Run;

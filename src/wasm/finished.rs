@@ -2,9 +2,9 @@
 
 use super::convert::{JsResult, emitting, numbers, object, pack, read, set, thrown, wrong_project};
 use crate::{
-    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, ExportFormat, FileFault, ImagePoint, ObservationPart,
-    PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, check_truth, covariance_table, export_block, image_points,
-    planned_files as plan, point_detail, point_ids, read_project, score_block, write_block_project,
+    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, ExportFormat, FileFault, ImagePoint,
+    ObservationPart, PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, check_truth, covariance_table,
+    export_block, image_points, planned_files as plan, point_detail, point_ids, read_project, score_block, write_block_project,
 };
 use js_sys::{Function, Uint8Array, Uint16Array, Uint32Array};
 use std::rc::Rc;
@@ -132,6 +132,26 @@ impl FinishedBlock {
     #[wasm_bindgen(unchecked_return_type = "BlockEdit[]")]
     pub fn edits(&self) -> JsValue {
         pack(&self.run.edits())
+    }
+
+    /// Its places of an orthophoto, by which edits of them are carried to the same block once it is placed anew.
+    #[wasm_bindgen(unchecked_return_type = "BlockPlaces")]
+    pub fn places(&self) -> JsResult<JsValue> {
+        self.run.places().map(|places| pack(&places)).map_err(thrown)
+    }
+
+    /// Which of its places lie where those of the same block lay when it was placed before.
+    #[wasm_bindgen(unchecked_return_type = "PlaceAgain[]")]
+    pub fn places_again(&self, #[wasm_bindgen(unchecked_param_type = "BlockPlaces")] before: &JsValue) -> JsResult<JsValue> {
+        let before: BlockPlaces = read("before", before)?;
+        self.run.places().map(|places| pack(&places.again(&before))).map_err(thrown)
+    }
+
+    /// The edits of the same block as it was placed before, for this one, to which `edited` applies them; those of places hold where the places lie again.
+    #[wasm_bindgen(unchecked_return_type = "CarriedEdits")]
+    pub fn carried_edits(&self, before: &FinishedBlock) -> JsResult<JsValue> {
+        let places = before.run.places().map_err(thrown)?;
+        self.run.carried_edits(&places, before.run.edits()).map(|carried| pack(&carried)).map_err(thrown)
     }
 
     /// The points of the model that is written by what they are, whatever their indices; empty for a block that is not oriented.

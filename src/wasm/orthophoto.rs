@@ -6,9 +6,9 @@ use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
 use crate::{
     BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FileFault, FilmInput, FilmScan, GivenLink, HeightModel, Heights,
-    Mosaic, Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SearchArea, Sidecars, control_by_hand, decode,
-    decode_bands, ground_positions, heights_of_block, image_positions, links_table, place_by_links, place_film, place_film_by_links,
-    place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    Mosaic, Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SCAN_LIMITS, SearchArea, Sidecars, control_by_hand,
+    decode, decode_bands, ground_positions, heights_of_block, image_positions, links_table, place_by_links, place_film,
+    place_film_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
 use serde::Deserialize;
@@ -171,7 +171,7 @@ impl OrthophotoReference {
     ) -> JsResult<JsValue> {
         let film = read_film(film)?;
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
-        let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
+        let image = decode(file, &limits_of(film.is_some())).map_err(thrown)?.grey;
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
         let camera = PlacingCamera::of(&rules, name, [image.width() as u32, image.height() as u32], &exif);
         let area = self.taken_area()?;
@@ -219,7 +219,7 @@ impl OrthophotoReference {
         let size = match &placement {
             Some(placement) => [placement.camera.width_px, placement.camera.height_px],
             None => {
-                let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
+                let image = decode(file, &limits_of(film.is_some())).map_err(thrown)?.grey;
                 [image.width() as u32, image.height() as u32]
             }
         };
@@ -227,13 +227,16 @@ impl OrthophotoReference {
             Some(placement) => placement.film.clone(),
             None => film.map(|film| FilmScan::new(&film, size.map(|side| side as usize))).transpose().map_err(thrown)?,
         };
+        let exif = ExifImage::read(file, u64::from(size[0]), u64::from(size[1]));
+        let position = exif.position.as_ref();
         if let Some(scan) = scan {
-            let placed = place_film_by_links(&scan, &self.orthophoto, placement.as_ref(), &links, &options);
+            let placed = place_film_by_links(&scan, position, &self.orthophoto, placement.as_ref(), &links, &options);
             return placed.map(|placed| pack(&placed)).map_err(thrown);
         }
-        let exif = ExifImage::read(file, u64::from(size[0]), u64::from(size[1]));
         let camera = PlacingCamera::of(&rules, name, size, &exif);
-        place_by_links(&camera, &self.orthophoto, placement.as_ref(), &links, &options).map(|placed| pack(&placed)).map_err(thrown)
+        place_by_links(&camera, position, &self.orthophoto, placement.as_ref(), &links, &options)
+            .map(|placed| pack(&placed))
+            .map_err(thrown)
     }
 
     /// The edit that adds a place of the ground, measured by eye, as a ground control point to a block; edits after it measure it in images.
@@ -276,10 +279,15 @@ impl OrthophotoReference {
     /// A placed image resampled to the ground, in its colours, as GeoTIFF.
     pub fn rectified(&self, file: &[u8], #[wasm_bindgen(unchecked_param_type = "Placement")] placement: &JsValue) -> JsResult<Vec<u8>> {
         let placement: Placement = read("placement", placement)?;
-        let image = decode_bands(file, &DecodeLimits::default()).map_err(thrown)?;
+        let image = decode_bands(file, &limits_of(placement.film.is_some())).map_err(thrown)?;
         let rectified = rectify_placed(&image, &placement, &self.orthophoto).map_err(thrown)?;
         write_geotiff(&rectified, self.orthophoto.epsg).map_err(thrown)
     }
+}
+
+/// What the file of an image may ask for: that of a scan of film is the same wherever it is read.
+fn limits_of(is_film: bool) -> DecodeLimits {
+    if is_film { SCAN_LIMITS } else { DecodeLimits::default() }
 }
 
 /// The images of an oriented block while they are placed on an orthophoto, one after the other, in wasm memory. Call `free` when it is no longer
@@ -454,6 +462,12 @@ impl OrthoMosaic {
         let lay_out = if in_adjustment.unwrap_or(false) { Mosaic::in_adjustment } else { Mosaic::of_block };
         let mosaic = lay_out(&run, heights, gsd).map_err(thrown)?;
         Ok(Self { mosaic, names: run.model.images.iter().map(|image| image.name.clone()).collect(), file: Outbox::default() })
+    }
+
+    /// What is to be said of the heights that were given; null where there is nothing.
+    #[wasm_bindgen(unchecked_return_type = "Remark | null")]
+    pub fn remark(&self) -> JsValue {
+        pack(&self.mosaic.remark())
     }
 
     /// The names of the block's images.

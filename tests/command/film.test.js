@@ -146,7 +146,7 @@ test('a block of scans has the geometry of the flight, as its photos have it', (
   assert.equal(new Set(sizes).size, 1, sizes.join(', '));
   assert.match(readFileSync(join(out, 'film.csv'), 'utf8'), /^scan,image,marks,sigma0_mm,rmse_mm\nfilm_0\.png,film_0-film\.png,6,0\.00\d+,0\.00\d+\n/);
   const again = tiepoint('film', ...FILM.scans, '--camera', FILM.camera, '--out', out);
-  assert.ok(again.code === 1 && /images is there already; name another folder/.test(again.stderr), again.stderr);
+  assert.ok(again.code === 1 && /images[\\/]film_0-film\.png is there already; name another folder/.test(again.stderr), again.stderr);
 
   const block = join(out, 'block');
   const given = ['--cameras', join(out, 'cameras.json'), '--masks', join(out, 'masks'), '--control', measured.points, '--marks', join(out, 'marks.csv')];
@@ -208,7 +208,7 @@ test('a position of a scan lies in its frame where the truth has it, and the fra
   }));
   const pixel = Math.max(...films.map((/** @type {any} */ film) => film_pixel_mm(film)));
   FILM.scans.forEach((/** @type {string} */ scan, /** @type {number} */ k) => {
-    const { image: png, camera, scan: own } = film_frame(readFileSync(scan), films[k], 'frame.png', pixel);
+    const { image: png, camera, scan: own } = film_frame(readFileSync(scan), films[k], { image: 'frame.png', pixel_mm: pixel });
     const [x0, y0] = camera.principal_point_px ?? [NaN, NaN];
     const inFrame = (/** @type {readonly number[]} */ [x = NaN, y = NaN]) => [
       x0 + ((x - PHOTO[0] / 2) * PIXEL_MM) / pixel,
@@ -306,6 +306,54 @@ test('masks of scans and measurements beside a frame', () => {
   const small = folder();
   file(small, 'film_0.png', grey_png(4, 4, new Uint8Array(16)));
   assert.match(wrong('--masks', small), /film_0\.png: .*film_0\.png with 4 x 4 px; allowed: the image's 570 x 470 px/);
+});
+
+/** A folder of marks in which all scans have those of the first one, and so its pixel.  @param {string} first @param {string[]} others */
+function alike(first, ...others) {
+  const [at, marks] = [folder(), readFileSync(first.replace(/png$/, 'csv'))];
+  for (const scan of [first, ...others]) file(at, basename(scan).replace(/png$/, 'csv'), marks);
+  return at;
+}
+
+test('two films in one folder keep their cameras, with what is not known of each', () => {
+  const out = folder();
+  const [a, b, c, d] = FILM.scans;
+  const camera = (/** @type {number} */ share) =>
+    file(
+      folder(),
+      'film.json',
+      JSON.stringify({ ...FILM.known, focal_mm: FILM.known.focal_mm * share, uncertainty: { focal: 0.001 * share, principal_point: 0, k1: 0 } }),
+    );
+  const [first, second] = [camera(1), camera(2)];
+  const marks = (/** @type {string[]} */ ...rows) => file(folder(), 'measured.csv', ['image,point,x,y', ...rows, ''].join('\n'));
+  json('film', a, b, '--camera', first, '--marks', marks('film_0.png,P1,284.5,236.5', 'IMG_7.jpg,P1,10.25,20.5'), '--out', out);
+  const { cameras } = json('film', c, '--camera', second, '--marks', marks('film_2.png,P1,284.5,236.5'), '--out', out);
+  const read = () => JSON.parse(readFileSync(join(out, 'cameras.json'), 'utf8')).cameras;
+  assert.deepEqual(read(), cameras);
+  const of = (/** @type {string} */ images) => cameras.find((/** @type {any} */ rule) => rule.images === images);
+  const [own, other] = [of('*-film.png'), of('*-film2.png')];
+  assert.equal(cameras.length, 2, JSON.stringify(cameras));
+  assert.ok(Math.abs((other.focal_px * other.pixel_mm) / (own.focal_px * own.pixel_mm) - 2) < 1e-9, JSON.stringify(cameras));
+  assert.ok(Math.abs(own.uncertainty.focal - 0.001) < 1e-5 && Math.abs(other.uncertainty.focal - 0.002) < 1e-5, JSON.stringify(cameras));
+  const images = ['film_0-film.png', 'film_1-film.png', 'film_2-film2.png'];
+  assert.deepEqual([readdirSync(join(out, 'images')), readdirSync(join(out, 'masks'))], [images, images]);
+  assert.deepEqual(
+    rowsOf(join(out, 'film.csv')).map((row) => row.get('image')),
+    images,
+  );
+  assert.match(
+    readFileSync(join(out, 'marks.csv'), 'utf8'),
+    /^image,point,x_px,y_px\nfilm_0-film\.png,P1,.*\nIMG_7\.jpg,P1,10\.25,20\.5\nfilm_2-film2\.png,P1,.*\n$/,
+  );
+  // The block has both.
+  const block = join(out, 'block');
+  json('block', join(out, 'images'), '--cameras', join(out, 'cameras.json'), '--gps', 'ignore', '--out', block);
+  assert.equal(JSON.parse(readFileSync(join(block, 'summary.json'), 'utf8')).cameras.length, 2);
+  // A scan whose image is there is refused, with what comes with it.
+  const taken = tiepoint('film', c, d, '--camera', camera(2), '--fiducials', alike(c, d), '--out', out);
+  assert.ok(taken.code === 1 && /film_2-film2\.png is there already/.test(taken.stderr), taken.stderr);
+  assert.deepEqual([read(), readdirSync(join(out, 'images'))], [cameras, images]);
+  rmSync(out, { recursive: true });
 });
 
 test('a mark that one scan lacks, and a scan that cannot be read, cost the others nothing', () => {

@@ -40,6 +40,32 @@ test('a block lies in the system of its orthophoto, with check points; its proje
     assert.equal(readFileSync(join(again, name), 'utf8'), readFileSync(join(out, name), 'utf8'), name);
 });
 
+test('edits of places hold in the block that is placed by other options, and what does not hold is said', () => {
+  const [out, edited, anew, again] = [folder(), folder(), folder(), folder()];
+  const project = (/** @type {string} */ at) => join(at, 'project.tiepoint');
+  const surveyed = (/** @type {string} */ at) =>
+    readFileSync(join(at, 'surveyed.csv'), 'utf8')
+      .trim()
+      .split('\n')
+      .map((row) => row.split(','));
+  json(...CALL, ...OWN.ground, '--out', out);
+  // More of the places check: others of them take part, and places have the numbers that they had.
+  json(...CALL, ...OWN.ground, '--check-share', '0.4', '--out', anew);
+  const [, first] = surveyed(out).map(([name]) => name);
+  const list = [{ kind: 'reject_points', points: [{ ground_control: 0 }] }];
+  writeFileSync(join(edited, 'edits.json'), JSON.stringify(list));
+  json('edit', project(out), '--edits', join(edited, 'edits.json'), '--out', join(edited, 'block'));
+  const { code, stderr } = tiepoint('edit', project(anew), '--edits', project(join(edited, 'block')), '--out', again);
+  assert.ok(code === 0 || code === 3, stderr);
+  assert.match(stderr, /what was done to places of the orthophoto holds for 1 that lie there again, and not for 0/);
+  const use = (/** @type {string} */ at) => surveyed(at).find(([name]) => name === first) ?? [];
+  assert.ok(!use(anew).includes('off') && use(again).includes('off'), `${use(anew)} ${use(again)}`);
+  // The project of another block is refused, and a file that is no project is named.
+  json('block', OWN.photos, '--features', '1500', '--out', join(anew, 'other'));
+  const other = tiepoint('edit', project(join(anew, 'other')), '--edits', project(join(edited, 'block')), '--out', join(anew, 'none'));
+  assert.ok(other.code !== 0 && /other images, tie points or ground control points/.test(other.stderr), other.stderr);
+});
+
 test('an orthophoto of elsewhere leaves the block as it was, and the exit code says so', () => {
   const [out, plain] = [folder(), folder()];
   const { code, stdout, stderr } = tiepoint(...CALL, ...flown('4').ground, '--out', out);

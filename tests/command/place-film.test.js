@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { basename, join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { Photo } from '../../pkg/node.js';
 import { file, folder, json, tiepoint } from './command.js';
@@ -49,6 +49,23 @@ test('a scanned photo on film is placed by its fiducial marks, and what they say
   assert.ok(Photo.decode(readFileSync(join(out, 'scan-rectified.tif'))).width > 300);
   const { stdout } = tiepoint('place', FILM.scan, ...FILM.ground, ...MARKED);
   assert.match(stdout, /scan\.png: interior orientation by 6 fiducial marks, sigma0 0\.00\d\d mm, largest residual 0\.0\d+ mm/);
+});
+
+test('a scan may have as many pixels for a place as for a block', () => {
+  // A PNG of grey values that ends behind its header: 272 MP, and 306 MP.
+  const declared = (/** @type {number} */ side) => {
+    const head = Buffer.from('89504e470d0a1a0a0000000d49484452', 'hex');
+    const sides = Buffer.alloc(8);
+    for (const at of [0, 4]) sides.writeUInt32BE(side, at);
+    const scan = file(folder(), 'scan.png', Buffer.concat([head, sides, Buffer.from([8, 0, 0, 0, 0, 0, 0, 0, 0])]));
+    return ['place', 'film'].map((name) => {
+      const more =
+        name === 'place' ? [...FILM.ground, ...MARKED] : ['--camera', FILM.camera, '--fiducials', dirname(FILM.fiducials), '--out', join(folder(), 'out')];
+      return tiepoint(name, scan, ...more).stderr;
+    });
+  };
+  for (const stderr of declared(16_500)) assert.match(stderr, /scan\.png: .*truncated/);
+  for (const stderr of declared(17_500)) assert.match(stderr, /300/);
 });
 
 test('marks and cameras of film that cannot be are refused with what to give', () => {

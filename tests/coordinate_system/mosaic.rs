@@ -6,7 +6,8 @@ use super::orthophoto::{in_system, with_code};
 use std::fs;
 use std::io::Cursor;
 use tiepoint::{
-    BlockRun, DecodeLimits, GreyImage, HeightModel, Heights, Mosaic, Orthophoto, accuracy_map, decode, heights_of_block, write_heights,
+    BlockRun, DecodeLimits, GreyImage, HeightModel, Heights, Mosaic, Orthophoto, Remark, accuracy_map, decode, heights_of_block,
+    write_heights,
 };
 
 /// The block in UTM with the true orientations of its photos, whose heights are those above the geoid.
@@ -125,11 +126,44 @@ fn heights_of_another_system_and_systems_in_degrees_are_refused_for_a_mosaic() {
 
 /// Heights whose file says that they are feet of the US survey.
 fn in_feet(model: &HeightModel, epsg: u16) -> Heights {
+    with_key(model, epsg, [4099, 9003])
+}
+
+/// Heights whose file has one more key of a GeoTIFF, with its value.
+fn with_key(model: &HeightModel, epsg: u16, [key, value]: [u16; 2]) -> Heights {
     let mut file = write_heights(model, Some(epsg)).unwrap();
-    let [raster_type, height_unit] = [[1025_u16, 0, 1, 1], [4099, 0, 1, 9003]].map(|key| key.map(u16::to_le_bytes).concat());
+    let [raster_type, own] = [[1025_u16, 0, 1, 1], [key, 0, 1, value]].map(|key| key.map(u16::to_le_bytes).concat());
     let at = file.windows(8).position(|window| window == raster_type).unwrap();
-    file[at..at + 8].copy_from_slice(&height_unit);
+    file[at..at + 8].copy_from_slice(&own);
     Heights::Model(HeightModel::read(&file, None).unwrap())
+}
+
+#[test]
+fn a_mosaic_on_heights_that_count_from_elsewhere_than_those_of_its_block_says_so() {
+    let Heights::Model(model) = in_system().heights.clone() else { panic!("the scene has heights") };
+    let said = |run: &BlockRun, code: u16| {
+        let mosaic = Mosaic::of_block(run, Some(with_key(&model, 25_832, [4096, code])), Some(5.0)).unwrap();
+        mosaic.remark().cloned()
+    };
+    // Above the ellipsoid, where the block counts from a geoid: so much too high.
+    match said(&true_block(), 4979) {
+        Some(Remark::MosaicHeights { heights, from_ellipsoid: true, crs, above_m: Some(above_m) }) => {
+            assert!(
+                (above_m - GEOID_M).abs() < 1e-9 && heights.contains("WGS 84") && crs.contains("UTM zone 32N"),
+                "{heights} {crs} {above_m}"
+            );
+        }
+        other => panic!("{other:?}"),
+    }
+    let mut ellipsoidal = true_block();
+    ellipsoidal.input.settings.placing.geoid_m = Some(0.0);
+    let above_sea = said(&ellipsoidal, 7837).unwrap();
+    assert!(matches!(above_sea, Remark::MosaicHeights { from_ellipsoid: false, above_m: None, .. }), "{above_sea:?}");
+    assert!(above_sea.to_string().contains("the ground lies off in height by the height of the geoid"), "{above_sea}");
+    // From the same zero, where nobody says what they count from, and of the block's own tie points.
+    assert_eq!([said(&true_block(), 7837), said(&ellipsoidal, 4979)], [None, None]);
+    assert!(Mosaic::of_block(&true_block(), Some(Heights::Level(50.0)), Some(5.0)).unwrap().remark().is_none());
+    assert!(Mosaic::of_block(&true_block(), None, Some(5.0)).unwrap().remark().is_none());
 }
 
 #[test]

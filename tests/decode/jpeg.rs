@@ -104,6 +104,36 @@ fn jpeg_grey_ignores_its_sampling_factors() {
 }
 
 #[test]
+fn jpeg_of_stored_rgb_with_a_scan_for_each_component_has_its_colours_and_its_luma() {
+    let value = |c: usize, column: usize, row: usize| (30 + 60 * c + 7 * column + 3 * row) as u8;
+    let ids = [(b'R', 1, 1), (b'G', 1, 1), (b'B', 1, 1)];
+    // Behind the first marker: Adobe, version 100, no transform.
+    let adobe = |file: Vec<u8>| [&file[..2], b"\xff\xee\0\x0eAdobe\0\x64\0\0\0\0\0", &file[2..]].concat();
+    for restart_interval in [0, 3] {
+        let named = Jpeg { interleaved: false, restart_interval, ..Jpeg::baseline(30, 20, &ids) }.write(value);
+        let said =
+            adobe(Jpeg { interleaved: false, restart_interval, ..Jpeg::baseline(30, 20, &[(1, 1, 1), (2, 1, 1), (3, 1, 1)]) }.write(value));
+        for file in [named, said] {
+            let bands = decode_bands(&file, &DecodeLimits::default()).unwrap();
+            let grey = decode(&file).unwrap().grey;
+            assert!(bands.are_colours());
+            for (x, y) in (0..20).flat_map(|y| (0..30).map(move |x| (x, y))) {
+                let expected: [u8; 3] = std::array::from_fn(|c| value(c, x / 8, y / 8));
+                let own: Vec<u8> = bands.images().iter().map(|band| band.view().at(x, y)).collect();
+                assert_eq!((own.as_slice(), grey.view().at(x, y)), (expected.as_slice(), luma(&expected)), "{x} {y}");
+            }
+        }
+    }
+    // One that lacks a component, or whose scan is cut off, is refused.
+    let file = Jpeg { interleaved: false, ..Jpeg::baseline(64, 64, &ids) }.write(value);
+    let scans: Vec<usize> = (0..file.len() - 1).filter(|at| file[*at..*at + 2] == [0xff, 0xda]).collect();
+    let lacking = decode(&[&file[..scans[2]], &[0xff, 0xd9]].concat()).unwrap_err();
+    assert!(lacking.to_string().contains("RGB"), "{lacking}");
+    let cut = [&file[..scans[2] + 10], &[0xff, 0xd9]].concat();
+    assert!(decode(&cut).is_err() && decode_bands(&cut, &DecodeLimits::default()).is_err());
+}
+
+#[test]
 fn jpeg_of_stored_rgb_comes_out_as_its_luma() {
     let value = |c, column, row| (30 + 60 * c + 7 * column + 3 * row) as u8;
     let expected: Vec<u8> = (0..20)

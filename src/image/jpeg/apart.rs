@@ -27,21 +27,35 @@ struct Planes {
     planes: Vec<Plane>,
 }
 
-/// Red, green and blue of a file that was checked; absent where it has other scans, or no three components.
+/// Red, green and blue of a file of luma and chroma that was checked; absent where it has other scans, or no three components.
 ///
 /// # Errors
 /// [`Error::UnreadableImage`] for a damaged scan.
 pub(super) fn colours(bytes: &[u8]) -> Result<Option<Vec<Vec<u8>>>, Error> {
+    bands(bytes, |[luma, blue, red]| {
+        let (blue, red) = (blue - NEUTRAL, red - NEUTRAL);
+        [luma + 1.402 * red, luma - 0.344_136 * blue - 0.714_136 * red, luma + 1.772 * blue]
+    })
+}
+
+/// The three components as they are stored.
+///
+/// # Errors
+/// As [`colours`].
+pub(super) fn stored(bytes: &[u8]) -> Result<Option<Vec<Vec<u8>>>, Error> {
+    bands(bytes, |components| components)
+}
+
+/// Three bands, of what the components have at each pixel.
+fn bands(bytes: &[u8], of: impl Fn([f64; 3]) -> [f64; 3]) -> Result<Option<Vec<Vec<u8>>>, Error> {
     let Some(Planes { size, planes }) = Planes::read(bytes)? else { return Ok(None) };
     let components: Vec<Component> = planes.into_iter().map(|plane| Component::decoded(plane, size)).collect::<Result<_, _>>()?;
-    let [luma, blue, red] = components.as_slice() else { return Ok(None) };
+    let [first, second, third] = components.as_slice() else { return Ok(None) };
     let [width, height] = size;
     let mut bands: Vec<Vec<u8>> = (0..3).map(|_| Vec::with_capacity(width * height)).collect();
     for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
-        let [luma, blue, red] = [luma, blue, red].map(|component| component.at(column, row));
-        let (blue, red) = (blue - NEUTRAL, red - NEUTRAL);
-        let rgb = [luma + 1.402 * red, luma - 0.344_136 * blue - 0.714_136 * red, luma + 1.772 * blue];
-        bands.iter_mut().zip(rgb).for_each(|(band, value)| band.push((value + 0.5).clamp(0.0, 255.0) as u8));
+        let values = of([first, second, third].map(|component| component.at(column, row)));
+        bands.iter_mut().zip(values).for_each(|(band, value)| band.push((value + 0.5).clamp(0.0, 255.0) as u8));
     }
     Ok(Some(bands))
 }

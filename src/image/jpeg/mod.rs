@@ -18,7 +18,7 @@ use self::segments::{Segments, marker};
 use self::stream::{CheckedStream, Output};
 use super::layout::{FileLayout, Format, damaged};
 use super::luminance::{SampleLayout, Wanted, bands_of_u8};
-use crate::{Damage, Error};
+use crate::{Damage, Error, Unsupported};
 
 /// Reads the layout from the frame header.
 pub(super) fn read_header(bytes: &[u8]) -> Result<FileLayout, Error> {
@@ -37,6 +37,11 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<FileLayout, Error> {
 /// Decodes to grey, the stored luma or the luma of stored colour, or to colours.
 pub(super) fn decode(bytes: &[u8], pixels: usize, wanted: Wanted) -> Result<Vec<Vec<u8>>, Error> {
     let file = CheckedStream::read(bytes)?;
+    if file.output == Output::RgbApart {
+        let Some(planes) = apart::stored(bytes)? else { return Err(Unsupported::JpegRgbApart.into_error()) };
+        let layout = SampleLayout { channels: 3, colour: true, plane_stride: Some(pixels) };
+        return Ok(bands_of_u8(planes.concat(), pixels, layout, wanted));
+    }
     // Of scans of single components the checked stream has that of luma.
     if wanted == Wanted::Colours
         && !file.has_colours
@@ -46,7 +51,7 @@ pub(super) fn decode(bytes: &[u8], pixels: usize, wanted: Wanted) -> Result<Vec<
     }
     let in_colours = wanted == Wanted::Colours && file.has_colours;
     let (colours, channels) = match file.output {
-        Output::Rgb => (ColorSpace::RGB, 3),
+        Output::Rgb | Output::RgbApart => (ColorSpace::RGB, 3),
         _ if in_colours => (ColorSpace::RGB, 3),
         Output::Luma => (ColorSpace::Luma, 1),
         Output::LumaAndChroma => (ColorSpace::YCbCr, 3),

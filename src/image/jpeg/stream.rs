@@ -16,6 +16,8 @@ pub enum Output {
     /// Where luma is sampled twice as often down, but not across, as chroma, the decoder loses count of rows if asked for luma alone.
     LumaAndChroma,
     Rgb,
+    /// Of RGB with scans that have not all components: no scan is in the stream.
+    RgbApart,
 }
 
 /// A checked file: whole, in one frame, with nothing in it but what decoding needs.
@@ -57,6 +59,8 @@ struct Writer {
     adobe_transform: Option<u8>,
     restart_interval: usize,
     scans: usize,
+    /// RGB of a sequential file with scans that have not all components.
+    rgb_apart: bool,
 }
 
 impl Writer {
@@ -105,7 +109,11 @@ impl Writer {
             let first = frame.components[0].id;
             if scanned.len() < frame.components.len() {
                 match scanned {
-                    _ if stores_rgb => return Err(Unsupported::JpegRgbApart.into_error()),
+                    // None of them is the luma.
+                    _ if stores_rgb => {
+                        (self.rgb_apart, self.complete) = (true, true);
+                        return Ok(());
+                    }
                     [only] if *only == first => frame.keep_first(),
                     some if some.contains(&first) => return Err(Unsupported::JpegLumaApart.into_error()),
                     _ => return Ok(()),
@@ -139,6 +147,7 @@ impl Writer {
         self.stream.extend([0xff, marker::EOI]);
         let stores_rgb = self.stores_rgb();
         match self.frame {
+            Some(_) if self.rgb_apart => Ok(CheckedStream { bytes: Vec::new(), output: Output::RgbApart, has_colours: true }),
             Some(frame) if self.begun => {
                 let output = match frame.components[0].sampling {
                     _ if stores_rgb => Output::Rgb,

@@ -31,10 +31,11 @@ export class BlockPlacing {
       const before = shown.ground?.before ?? (await this.engine.project());
       const linked = await this.linked({ project: before, ground, options: placing.options });
       const read = await this.engine.read(linked, this.store.state.truth);
+      const again = await read.placesAgain();
       // Another block came meanwhile.
       if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
       read.hold();
-      this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: { key, before } });
+      this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: { key, before }, again });
       return true;
     } catch (error) {
       if (this.stopped || error instanceof Cancelled) return false;

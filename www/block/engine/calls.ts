@@ -6,9 +6,11 @@ import type {
   BlockEdit,
   BlockFlight,
   BlockModel,
+  BlockPlaces,
   ExifPosition,
   ExportFormat,
   OrthophotoInfo,
+  PlaceAgain,
   Placement,
   PlacingVerdict,
   PointDetail,
@@ -94,6 +96,9 @@ export interface BlockCalls {
   // The worker of the block: it holds the block that was run or opened last.
   blockRun: { input: RunInput; output: BlockView };
   blockOpen: { input: { bytes: Uint8Array; truth: BlockModel | null }; output: OpenedBlock };
+  blockPlaces: { input: null; output: BlockPlaces };
+  /** Which places of an orthophoto lie where these lay. */
+  blockPlacesAgain: { input: { before: BlockPlaces }; output: PlaceAgain[] };
   /** The block as it was found with these edits, adjusted anew. */
   blockEdited: { input: { edits: readonly BlockEdit[]; truth: BlockModel | null }; output: BlockView };
   blockImagePoints: { input: { image: number }; output: ImagePoints };

@@ -1,6 +1,6 @@
 /** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
 import type { BlockJob } from '../../../pkg/block/index.js';
-import type { BlockEdit, BlockFlight, BlockModel, BlockSettings, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockFlight, BlockModel, BlockSettings, PlaceAgain, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import { breakdownOf, Cancelled, WorkerClient } from '../../shared/engine/client';
 import { WorkerPool } from '../../shared/engine/pool';
 import { sentence } from '../../shared/text/format';
@@ -25,6 +25,8 @@ import { messageOf } from '../../shared/text/messages';
 export interface ReadBlock extends OpenedBlock {
   /** Puts it in the place of the one on the screen; not called where it is not wanted. */
   hold: () => void;
+  /** Which of its places of an orthophoto lie where those of the block on the screen lie, of the same block placed before. */
+  placesAgain: () => Promise<PlaceAgain[]>;
 }
 
 export type BlockStore = Holder<BlockState, BlockAction>;
@@ -152,7 +154,11 @@ export class BlockEngine {
       this.heldIn = worker.generation;
       this.spare = null;
     };
-    return { ...opened, hold };
+    const placesAgain = async () => {
+      await this.regained();
+      return worker.call('blockPlacesAgain', { before: await this.block.call('blockPlaces', null) });
+    };
+    return { ...opened, hold, placesAgain };
   }
 
   /** The block that is held with these edits, in place of those that it has; it stays as it is where they are refused. */

@@ -15,7 +15,7 @@ export interface FrameInput {
   file: Blob;
   film: FilmTexts;
   plan: FramePlan;
-  /** What the frame is called. */
+  /** What the camera of the frame is named by. */
   image: string;
   /** What of the scan is left out. */
   mask: { name: string; file: Blob } | null;
@@ -46,8 +46,8 @@ export function filmPlan(films: readonly FilmTexts[]): FramePlan {
 export async function filmFrame({ file, film, plan, image, mask }: FrameInput): Promise<Frame> {
   const known = { ...readFilm(film), marks_mm: plan.marksMm };
   const bytes = async (of: Blob) => new Uint8Array(await of.arrayBuffer());
-  const hidden = mask === null ? undefined : await bytes(mask.file);
-  const made = film_frame(await bytes(file), known, image, plan.pixelMm, mask?.name, hidden);
+  const hidden = mask === null ? null : { name: mask.name, file: await bytes(mask.file) };
+  const made = film_frame(await bytes(file), known, { image, pixel_mm: plan.pixelMm, mask: hidden });
   const png = (of: Uint8Array) => new Blob([of as Uint8Array<ArrayBuffer>], { type: 'image/png' });
   return { image: png(made.image), mask: png(made.mask), camera: made.camera, scan: made.scan };
 }

@@ -1,7 +1,6 @@
 /** Frames of scans of film, which a worker makes one after the other. */
 import type { WorkerClient } from '../../shared/engine/client';
 import { say } from '../../shared/text/words';
-import { frameName } from '../state/film';
 import type { FilmTexts } from '../state/film';
 import type { BlockFile } from '../state/state';
 import type { BlockCalls } from './calls';
@@ -33,7 +32,7 @@ export async function makeFrames(worker: WorkerClient<BlockCalls>, scans: readon
   );
   for (const { file, film, mask } of scans) {
     at(file.name);
-    made.push({ ...(await worker.call('filmFrame', { file: file.file, film, plan, image: frameName(file.name), mask })), of: file.id });
+    made.push({ ...(await worker.call('filmFrame', { file: file.file, film, plan, image: file.name, mask })), of: file.id });
   }
   return made;
 }

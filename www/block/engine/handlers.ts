@@ -25,7 +25,19 @@ import {
   orthoTile,
   sceneOrthophoto,
 } from './orthophoto';
-import { blockEdited, blockExport, blockGround, blockImagePoints, blockLine, blockObservations, blockOpen, blockPoint, blockRun } from './session';
+import {
+  blockEdited,
+  blockExport,
+  blockGround,
+  blockImagePoints,
+  blockLine,
+  blockObservations,
+  blockOpen,
+  blockPlaces,
+  blockPlacesAgain,
+  blockPoint,
+  blockRun,
+} from './session';
 
 /** The crate's refusal of an image is an answer; what else goes wrong ends the call, and perhaps the worker. */
 async function blockJob(job: BlockJob): Promise<JobAnswer> {
@@ -47,6 +59,8 @@ export const BLOCK_HANDLERS: Handlers<BlockCalls> = {
   blockFit,
   blockRun,
   blockOpen,
+  blockPlaces,
+  blockPlacesAgain,
   blockEdited,
   blockImagePoints,
   blockObservations,

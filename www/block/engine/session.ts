@@ -2,7 +2,7 @@
 import { runBlock } from '../../../pkg/block/index.js';
 import type { BlockJob, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
 import { FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
-import type { BlockEdit, BlockModel, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockModel, BlockPlaces, PlaceAgain, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { ViewGround } from '../state/ground';
 import type { ExportKind, FromRun, JobAnswer, MadeFile, OpenedBlock, Refusal, RunInput, ToRun } from './calls';
@@ -121,6 +121,14 @@ export function blockObservations({ images }: { images: number }): ViewObservati
 
 export function blockGround(): ViewGround {
   return groundOf(heldBlock());
+}
+
+export function blockPlaces(): BlockPlaces {
+  return heldBlock().places();
+}
+
+export function blockPlacesAgain({ before }: { before: BlockPlaces }): PlaceAgain[] {
+  return heldBlock().places_again(before);
 }
 
 export function blockPoint({ point }: { point: number }): PointDetail {

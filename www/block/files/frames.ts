@@ -2,6 +2,7 @@
 import {
   film_cameras,
   film_measurements,
+  film_pattern,
   image_measurement_table,
   masks_of_images,
   parse_camera_rules,
@@ -15,7 +16,7 @@ import type { BlockStore } from '../engine/engine';
 import type { MadeFrame } from '../engine/frames';
 import type { PlacingEngine } from '../engine/placing';
 import type { TextFile } from '../state/file';
-import { filmOf, FRAMES, frameName, framesOf, NO_FILM, stemOf } from '../state/film';
+import { filmOf, frameName, framesOf, isOfFrames, NO_FILM, stemOf } from '../state/film';
 import { marksByHand, withMeasurements } from '../state/marks';
 import type { BlockFile, BlockOptions } from '../state/state';
 import { newId } from './ids';
@@ -58,19 +59,19 @@ function replace(store: BlockStore, frames: readonly MadeFrame[]): void {
   const { files, truth, options, marks } = store.state;
   const made = new Map(frames.map((frame) => [frame.of, frame]));
   const scans = files.filter(({ id }) => made.has(id));
-  const cameras = camerasOf(frames, options.cameras);
-  const ownMasks = frames.map(({ of, mask }) => imageOf(files, of, mask));
+  const { pattern, file: cameras } = camerasOf(frames, files, options.cameras);
+  const ownMasks = frames.map(({ of, mask }) => imageOf(files, of, mask, pattern));
   // Those of the scans are in the masks of their frames.
   const former = new Set([...masksOf(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
   const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
   const images = files.map((file) => {
     const frame = made.get(file.id);
-    return frame === undefined ? file : imageOf(files, file.id, frame.image);
+    return frame === undefined ? file : imageOf(files, file.id, frame.image, pattern);
   });
   const measured = new Carried(
     scans.flatMap(({ id, name }) => {
       const frame = made.get(id);
-      return frame === undefined ? [] : [{ scan: name, image: frameName(name), film: frame.scan }];
+      return frame === undefined ? [] : [{ scan: name, image: frameName(name, pattern), film: frame.scan }];
     }),
   );
   const ofFile = measured.table(options.marks);
@@ -130,17 +131,26 @@ class Carried {
   }
 }
 
-function imageOf(files: readonly BlockFile[], scan: number, png: Blob): BlockFile {
-  const name = frameName(files.find(({ id }) => id === scan)?.name ?? '');
+function imageOf(files: readonly BlockFile[], scan: number, png: Blob, pattern: string): BlockFile {
+  const name = frameName(nameOf(files, scan), pattern);
   return { id: newId(), name, file: new File([png], name, { type: png.type }) };
 }
 
-/** The camera of the frames, before those that were given for other images. Frames of one film have one. */
-function camerasOf(frames: readonly MadeFrame[], given: BlockOptions['cameras']): { name: string; text: string } {
-  const others: readonly CameraRule[] = given === null ? [] : parse_camera_rules(given.text);
-  const own = film_cameras(
-    FRAMES,
-    frames.map(({ camera }) => camera),
-  );
-  return { name: say('camera-of-frames'), text: JSON.stringify({ cameras: [...own, ...others.filter(({ images }) => images !== FRAMES)] }) };
+function nameOf(files: readonly BlockFile[], scan: number): string {
+  return files.find(({ id }) => id === scan)?.name ?? '';
+}
+
+/** The camera of the frames beside those that were given, and the pattern of their names. Frames of one film have one; those of a film of which no image is left have none. */
+function camerasOf(
+  frames: readonly MadeFrame[],
+  files: readonly BlockFile[],
+  given: BlockOptions['cameras'],
+): { pattern: string; file: { name: string; text: string } } {
+  const rules: readonly CameraRule[] = given === null ? [] : parse_camera_rules(given.text);
+  const others = rules.filter(({ images = '*' }) => !isOfFrames(images) || files.some(({ name }) => name.endsWith(images.slice(1))));
+  const [first] = frames;
+  // Without a frame nothing has a name by it.
+  const pattern = first === undefined ? '' : film_pattern(first.camera, others);
+  const own = frames.map(({ camera, of }) => ({ ...camera, images: frameName(nameOf(files, of), pattern) }));
+  return { pattern, file: { name: say('camera-of-frames'), text: JSON.stringify({ cameras: film_cameras(pattern, own, others) }) } };
 }

@@ -1,7 +1,8 @@
 /** Edits by hand carried to a block that was found anew: what they name must be there, by the names of images and surveyed points. */
-import type { BlockEdit, HandMeasurement, PointSource } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, HandMeasurement, PlaceAgain, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import type { History } from '../../shared/state/history';
 import type { EditStep } from './edits';
+import { isPlace } from './naming';
 import type { Names } from './naming';
 import { keyOfPair } from './selection';
 
@@ -13,25 +14,37 @@ export interface CarriedOver {
   left: readonly number[];
   /** So many edits held and do not there. */
   lost: number;
+  /** What edits in force do to so many places of an orthophoto, or to observations of them, holds of the places that lie where they lay; of so many it does not. */
+  places: { held: number; lost: number };
   /** Former steps that were undone and cannot be done again there. */
   aside: readonly EditStep[];
 }
 
-/** The edits that hold there: those of images and their pairs, of surveyed points, and of points that were measured by hand; those of tie points where these are the same. A step that was undone stays where all of its edits do. */
-export function carriedOver({ edits: steps, done }: History<EditStep>, before: Names, after: Names, sameTiePoints = false): CarriedOver {
-  const carrier = new Carrier(before, after, sameTiePoints);
+export const NO_PLACES_AGAIN = { held: 0, lost: 0 };
+
+/** The edits that hold there, places of the orthophoto by `again`: those of images and their pairs, of surveyed points, and of points that were measured by hand; those of tie points where these are the same. A step that was undone stays where all of its edits do. */
+export function carriedOver(
+  { edits: steps, done }: History<EditStep>,
+  before: Names,
+  after: Names,
+  sameTiePoints = false,
+  again: readonly PlaceAgain[] = [],
+): CarriedOver {
+  const carrier = new Carrier(before, after, sameTiePoints, again);
   const edits: EditStep[] = [];
   const left = [0];
   const aside: EditStep[] = [];
   let lost = 0;
+  let places: CarriedOver['places'] | null = null;
   steps.forEach((step, place) => {
+    if (place === done) places = { ...carrier.ofPlaces };
     const own = carrier.step(step, place >= done);
     if (own.length > 0) edits.push(own);
     else if (place >= done) aside.push(step);
     if (place < done) lost += step.length - own.length;
     left.push(edits.length);
   });
-  return { history: { edits, done: left[done] ?? edits.length }, left, lost, aside };
+  return { history: { edits, done: left[done] ?? edits.length }, left, lost, places: places ?? carrier.ofPlaces, aside };
 }
 
 class Carrier {
@@ -43,12 +56,19 @@ class Carrier {
   /** The new numbers of the surveyed points that were added; -1 of those that are gone. */
   private readonly controls: number[] = [];
   private placed = 0;
+  /** Places of the orthophoto by their former numbers. */
+  private readonly again: ReadonlyMap<number, PlaceAgain>;
+  /** Observations of them that edits added, by their former numbers and images. */
+  private readonly measured = new Set<string>();
+  readonly ofPlaces = { ...NO_PLACES_AGAIN };
 
   constructor(
     private readonly before: Names,
     private readonly after: Names,
     private readonly sameTiePoints: boolean,
+    again: readonly PlaceAgain[],
   ) {
+    this.again = new Map(again.map((one) => [one.before, one]));
     this.places = new Map(after.images.map((name, image) => [name, image]));
     this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
   }
@@ -81,8 +101,10 @@ class Carrier {
       case 'add_point':
         return this.add(edit.observations);
       case 'measure': {
-        const [[point], image] = [this.points([edit.point]), this.image(edit.image)];
-        return point === undefined || image < 0 ? [] : [{ ...edit, point, image }];
+        const [[point], image] = [this.points([edit.point], (place) => place.is_same_spot), this.image(edit.image)];
+        if (point === undefined || image < 0) return [];
+        if ('ground_control' in edit.point) this.measured.add(keyOf(edit.point.ground_control, image));
+        return [{ ...edit, point, image }];
       }
       case 'reject_points':
       case 'restore_points': {
@@ -92,7 +114,8 @@ class Carrier {
       case 'reject_observations':
       case 'restore_observations': {
         const observations = edit.observations.flatMap((one) => {
-          const [[point], image] = [this.points([one.point]), this.image(one.image)];
+          const image = this.image(one.image);
+          const [point] = this.points([one.point], (place) => place.images.includes(image) || this.measured.has(keyOf(place.before, image)));
           return point === undefined || image < 0 ? [] : [{ point, image }];
         });
         return observations.length === 0 ? [] : [{ ...edit, observations }];
@@ -102,8 +125,8 @@ class Carrier {
         this.placed += 1;
         return [edit];
       case 'set_use': {
-        const point = this.control(edit.point);
-        return point < 0 ? [] : [{ ...edit, point }];
+        const [point] = this.points([{ ground_control: edit.point }]);
+        return point !== undefined && 'ground_control' in point ? [{ ...edit, point: point.ground_control }] : [];
       }
     }
   }
@@ -126,15 +149,26 @@ class Carrier {
     return this.surveyed.get(this.before.surveyed.get(control) ?? '') ?? -1;
   }
 
-  private points(points: readonly PointSource[]): PointSource[] {
+  /** `holds`: whether what is done to a place of the orthophoto that lies there again holds. */
+  private points(points: readonly PointSource[], holds: (place: PlaceAgain) => boolean = () => true): PointSource[] {
     return points.flatMap((point): PointSource[] => {
       if ('tie_point' in point) return this.sameTiePoints ? [point] : [];
       if ('manual' in point) {
         const number = this.numbers[point.manual] ?? -1;
         return number < 0 ? [] : [{ manual: number }];
       }
+      if (isPlace(this.before.surveyed.get(point.ground_control) ?? '')) return this.place(point.ground_control, holds);
       const control = this.control(point.ground_control);
       return control < 0 ? [] : [{ ground_control: control }];
     });
   }
+
+  private place(control: number, holds: (place: PlaceAgain) => boolean): PointSource[] {
+    const place = this.again.get(control);
+    const isHeld = place !== undefined && holds(place);
+    this.ofPlaces[isHeld ? 'held' : 'lost'] += 1;
+    return isHeld ? [{ ground_control: place.now }] : [];
+  }
 }
+
+const keyOf = (control: number, image: number) => `${String(control)} ${String(image)}`;

@@ -3,7 +3,7 @@ import { remember } from '../../shared/state/remember';
 import { NO_HISTORY, recorded, wentTo } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
 import { placesSetAside } from './aside';
-import { carriedOver } from './carrying';
+import { carriedOver, NO_PLACES_AGAIN } from './carrying';
 import type { CarriedOver } from './carrying';
 import { choiceAfterEdit, indexOfSource } from './edits';
 import type { EditStep } from './edits';
@@ -14,7 +14,7 @@ import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
 import { formerOf, nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
 import type { Draft, Edits } from './edited';
-import type { BlockEdit } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, PlaceAgain } from '../../../pkg/wasm/tiepoint.js';
 import { besideEdits } from './marks';
 import type { MarkStep } from './marks';
 import type { BlockState, Shown } from './state';
@@ -158,7 +158,7 @@ function takenIn(chosen: Choice | null, { surveyed }: BlockView): Choice | null 
   return point < 0 ? null : { kind: 'point', point };
 }
 
-const NOTHING_CARRIED: CarriedOver = { history: NO_HISTORY, left: [0], lost: 0, aside: [] };
+const NOTHING_CARRIED: CarriedOver = { history: NO_HISTORY, left: [0], lost: 0, places: NO_PLACES_AGAIN, aside: [] };
 
 type Carried = Pick<BlockState, keyof Edits | 'marks'>;
 
@@ -203,16 +203,23 @@ function saidOfKept(history: History<EditStep>): string {
 
 /**
  * The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. `isOff`: it was taken off the
- * orthophoto, into whose system places by hand would bring it again.
+ * orthophoto, into whose system places by hand would bring it again. `again`: which places lie where they lay.
  */
-export function carriedToGround({ history, marks, shown, former }: BlockState, view: BlockView, isOff: boolean): { edits: Carried; said: string } {
+export function carriedToGround(
+  { history, marks, shown, former }: BlockState,
+  view: BlockView,
+  isOff: boolean,
+  again: readonly PlaceAgain[],
+): { edits: Carried; said: string } {
   const names = shown === null ? NO_NAMES : namesOf(shown.found);
   // Points that were added have other numbers behind others.
   const isSame = names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size;
-  const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf(view)), true);
+  const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf(view)), true, again);
   const { history: left, left: places, aside } = isOff ? placesSetAside(found.history, view.givenControl) : { ...allCarried(found.history), aside: 0 };
   if (isSame && aside === 0) return { edits: { ...UNEDITED, former, history, marks }, said: '' };
-  const now = { ...found, history: left, left: found.left.map((count) => places[count] ?? left.edits.length) };
+  // Off it nothing can lie again.
+  const ofPlaces = isOff ? NO_PLACES_AGAIN : found.places;
+  const now = { ...found, places: ofPlaces, history: left, left: found.left.map((count) => places[count] ?? left.edits.length) };
   const { edits, said } = keptOf(now, marks, names);
   return {
     edits: { ...edits, former: formerOf(former, history, now.history, now.left) },
@@ -221,18 +228,19 @@ export function carriedToGround({ history, marks, shown, former }: BlockState, v
 }
 
 function allCarried(history: History<EditStep>): CarriedOver {
-  return { history, left: [...history.edits.keys(), history.edits.length], lost: 0, aside: [] };
+  return { history, left: [...history.edits.keys(), history.edits.length], lost: 0, places: NO_PLACES_AGAIN, aside: [] };
 }
 
 /** So many steps are named. */
 const MOST_NAMED = 3;
 
-function keptOf({ history, left, lost, aside }: CarriedOver, marks: BlockState['marks'], names: Names): { edits: Carried; said: string } {
+function keptOf({ history, left, lost, places, aside }: CarriedOver, marks: BlockState['marks'], names: Names): { edits: Carried; said: string } {
   const named = aside.slice(0, MOST_NAMED).map((step) => nameOfStep(step, names));
   const steps = [...named, ...(aside.length > MOST_NAMED ? ['…'] : [])].join(', ');
   const said = [
     saidOfKept(history),
     lost === 0 ? '' : say('of-points-of-the-former', { lost }),
+    places.held + places.lost === 0 ? '' : say('edits-of-places', { held: places.held, lost: places.lost }),
     aside.length === 0 ? '' : say('cannot-be-done-again', { undone: aside.length, steps }),
   ];
   const moved = besideEdits(marks, (after) => left[after] ?? history.edits.length);

@@ -22,12 +22,12 @@ export function filmOf({ camera, marks }: GivenFilm, image: string): FilmTexts |
   return own === undefined ? null : { camera: camera?.text ?? null, marks: own.text };
 }
 
-/** The pattern of the names of frames: no image that is none fits it by chance. */
-export const FRAMES = '*-film.png';
+/** Whether a pattern is that of the names of frames of a film, as the crate gives it: no image that is none fits it by chance. */
+export const isOfFrames = (pattern: string): boolean => /^\*-film\d*\.png$/u.test(pattern);
 
-/** What the frame of a scan is called. */
-export function frameName(scan: string): string {
-  return FRAMES.replace('*', scan.replace(/\.[^.]*$/u, ''));
+/** What the frame of a scan is called by the pattern of its film. */
+export function frameName(scan: string, pattern: string): string {
+  return pattern.replace('*', scan.replace(/\.[^.]*$/u, ''));
 }
 
 /** The images that are scans of film. */

@@ -1,6 +1,6 @@
 /** How the state of the block changes. Pure: the same state and action give the same state. */
 import type { Step } from '../../../pkg/block/index.js';
-import type { BlockEdit, BlockFlight, BlockModel } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockFlight, BlockModel, PlaceAgain } from '../../../pkg/wasm/tiepoint.js';
 import { NO_HISTORY } from '../../shared/state/history';
 import type { Notice } from '../../shared/state/notice';
 import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Shown, ViewName } from './state';
@@ -35,7 +35,7 @@ export type BlockAction =
   /** `failure`: null where the user ended it. */
   | { type: 'ended'; failure: string | null }
   /** The block on the screen in the system of an orthophoto, or as it was before; `edits`: those that it has there. */
-  | { type: 'onGround'; view: BlockView; edits: readonly BlockEdit[]; ground: OnGround | null }
+  | { type: 'onGround'; view: BlockView; edits: readonly BlockEdit[]; ground: OnGround | null; again?: readonly PlaceAgain[] }
   /** `edits`: those that it was saved with. */
   | { type: 'openedFile'; view: BlockView; edits: readonly BlockEdit[] }
   /** What the browser kept. */
@@ -208,8 +208,8 @@ function inOther({ selection, panes, shown }: BlockState, view: BlockView): Pick
   return { selection: inOtherView(selection, before, view), panes: panesInOtherView(panes, before, view) };
 }
 
-function onGround(state: BlockState, shown: Shown, { view, edits: own, ground }: Extract<BlockAction, { type: 'onGround' }>): BlockState {
-  const { edits, said } = carriedToGround(state, view, ground === null);
+function onGround(state: BlockState, shown: Shown, { view, edits: own, ground, again = [] }: Extract<BlockAction, { type: 'onGround' }>): BlockState {
+  const { edits, said } = carriedToGround(state, view, ground === null, again);
   const { orthophoto } = state.placing;
   // One that was made of the block in another system does not lie under it.
   const given = orthophoto?.ofBlock === shown.key ? { ...state.placing, orthophoto: { ...orthophoto, ofBlock: '' } } : state.placing;

@@ -867,6 +867,16 @@ by-hand-kept = { $edits } { $edits ->
         [one] was
        *[other] were
     } kept.
+edits-of-places = { $lost ->
+        [0] What was done to { $held } { $held ->
+            [one] place
+           *[other] places
+        } of the orthophoto holds where { $held ->
+            [one] it lies
+           *[other] they lie
+        } again.
+       *[other] What was done to places of the orthophoto holds for { $held } that lie there again, and not for { $lost }: nothing was found there, or what was measured is of another spot.
+    }
 of-points-of-the-former = { $lost } { $lost ->
         [one] edit
        *[other] edits
