@@ -75,6 +75,12 @@ impl CameraUncertainty {
         (self.k1 / 3.0).min(0.001)
     }
 
+    /// The same of a camera that states its terms, if they are not 0: of which a tenth is left unknown.
+    pub(crate) fn decentring_beside(&self, stated: [f64; 2]) -> f64 {
+        const STATED: f64 = 0.1;
+        if stated == [0.0; 2] { self.decentring() } else { STATED * self.decentring() }
+    }
+
     /// Of a camera that a file names, by where it is known from.
     ///
     /// Designed and calibrated focal lengths of single cameras, of which users publish the XMP, differ by 0.3 % (Phantom 4 RTK, 3666.67 and

@@ -4,7 +4,7 @@ use super::layout::{FileLayout, Format, damaged, truncated};
 use super::tiff::TiffLayout;
 use super::{bmp, foreign, jpeg, png, pnm, webp};
 use crate::source::FileSource;
-use crate::{Damage, Error, ImageFault, Unsupported};
+use crate::{Damage, Error, FileKind, ImageFault, Unsupported};
 
 /// What the first bytes of a file tell.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,7 +28,7 @@ pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
 /// Why a file is refused whose first bytes, or the ending of whose name where these say nothing, are those of a kind that is not decoded; absent for all others.
 ///
 /// `start`: the first bytes of the file. 64 tell every kind but raw files that are TIFFs: these are told where their first directory is among the bytes, and
-/// declares what is not decoded. One whose first image is decoded is none of these, whatever its name.
+/// declares what is not decoded, or a preview. One whose first image is a picture that is decoded is none of these, whatever its name.
 pub fn refused_kind(name: &str, start: &[u8]) -> Option<Error> {
     if start.is_empty() {
         return None;
@@ -37,10 +37,14 @@ pub fn refused_kind(name: &str, start: &[u8]) -> Option<Error> {
     let kind = match format_of(start) {
         Ok(Format::Tiff) => {
             let is_refused = matches!(TiffLayout::read(start), Err(Error::UnsupportedImage { .. }));
-            (is_refused.then(|| foreign::raw_tiff(start).or_else(|| foreign::raw_by_ending(&ending)))).flatten()
+            let of_samples = || is_refused.then(|| foreign::raw_tiff(start).or_else(|| foreign::raw_by_ending(&ending))).flatten();
+            foreign::raw_with_preview(start).or_else(of_samples)
         }
         Ok(_) => None,
-        Err(_) => foreign::by_content(start).or_else(|| foreign::by_ending(&ending)),
+        Err(_) => {
+            let is_meant = |kind: &FileKind| *kind != FileKind::Archive || !foreign::is_zipped_document(&ending);
+            foreign::by_content(start).filter(is_meant).or_else(|| foreign::by_ending(&ending))
+        }
     };
     kind.map(foreign::refused)
 }
@@ -57,7 +61,10 @@ pub(super) fn read_layout(bytes: &[u8]) -> Result<FileLayout, Error> {
     let layout = match format {
         Format::Jpeg => jpeg::read_header(bytes)?,
         Format::Png => png::read_header(bytes).ok_or_else(|| truncated(format))?,
-        Format::Tiff => TiffLayout::read(bytes).map_err(|error| of_tiff(error, bytes))?.file_layout(),
+        Format::Tiff => match foreign::raw_with_preview(bytes) {
+            Some(raw) => return Err(foreign::refused(raw)),
+            None => TiffLayout::read(bytes).map_err(|error| of_tiff(error, bytes))?.file_layout(),
+        },
         Format::Bmp => bmp::read_header(bytes).ok_or_else(|| truncated(format))?,
         Format::Pnm => pnm::read_header(bytes)?,
         Format::WebP => webp::read_header(bytes)?,

@@ -39,28 +39,23 @@ const HELD: f64 = 1e-3;
 const NO_LIMIT_PX: f64 = 1000.0;
 
 impl PlacingCamera {
-    /// Of the decentring and of k₂, too: one image over level ground gives its tilt by them.
+    /// Of the decentring and of k₂, too: an image over level ground gives its tilt by them.
     pub(super) fn prior(&self) -> CameraPrior {
         let uncertainty = self.uncertainty.without_traces();
         let mut prior = CameraPrior::of(0, &self.camera, uncertainty);
         let some = |sigma: f64| (sigma > 0.0).then_some(sigma);
-        let decentring = some(uncertainty.decentring());
-        // Lenses whose k₁ is unknown differ as much in k₂.
+        let decentring = some(uncertainty.decentring_beside(self.camera.tangential));
         let [.., k1, k2, _, p1, p2] = &mut prior.sigma;
-        (*k2, *p1, *p2) = (*k1, decentring, decentring);
+        // Lenses whose k₁ is unknown differ as much in k₂. Of one that states k₂ both are known together, as well as k₁ alone.
+        *k2 = k1.filter(|_| self.camera.radial[1] == 0.0);
+        (*p1, *p2) = (decentring, decentring);
         prior
     }
 
-    /// What of it is estimated.
+    /// What of it is estimated: what has a standard deviation.
     fn free(&self) -> FreeParameters {
-        let uncertainty = self.uncertainty.without_traces();
-        let CameraUncertainty { focal, principal_point, k1 } = uncertainty;
-        FreeParameters {
-            focal: focal > 0.0,
-            principal_point: principal_point > 0.0,
-            radial: if k1 > 0.0 { 2 } else { 0 },
-            tangential: uncertainty.decentring() > 0.0,
-        }
+        let [focal, principal_point, _, k1, k2, _, p1, _] = self.prior().sigma.map(|sigma| sigma.is_some());
+        FreeParameters { focal, principal_point, radial: usize::from(k1) + usize::from(k2), tangential: p1 }
     }
 }
 
@@ -104,4 +99,24 @@ pub(super) fn adjusted(
         camera_priors: vec![known.prior()],
     };
     adjust_block(&block, &AdjustmentOptions { datum: Datum::Control, calibration_limit_px: NO_LIMIT_PX, ..AdjustmentOptions::default() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_camera_states_of_its_lens_is_known_better_than_what_it_does_not() {
+        let of = |radial, tangential, uncertainty| {
+            let camera = Camera { radial, tangential, ..Camera::without_distortion(1000, 750, 900.0) };
+            let known = PlacingCamera { camera, uncertainty };
+            let [.., k1, k2, k3, p1, p2] = known.prior().sigma;
+            ([k1, k2, k3, p1, p2], known.free())
+        };
+        let usual = of([0.0; 3], [0.0; 2], CameraUncertainty::EXIF);
+        assert_eq!(usual, ([Some(0.05), Some(0.05), None, Some(0.001), Some(0.001)], FreeParameters { radial: 2, ..FreeParameters::ALL }));
+        let stated = of([-0.1, 0.02, 0.0], [1e-4, 0.0], CameraUncertainty::GIVEN);
+        assert_eq!(stated, ([Some(0.003), None, None, Some(1e-4), Some(1e-4)], FreeParameters { radial: 1, ..FreeParameters::ALL }));
+        assert_eq!(of([0.0; 3], [0.0; 2], CameraUncertainty::NONE), ([None; 5], FreeParameters::default()));
+    }
 }

@@ -1,7 +1,7 @@
 //! Edits of a block on an orthophoto, carried to the same block once it is placed anew: those of places hold where the places lie again.
 
 use super::BlockRun;
-use super::places::{BlockPlaces, PlaceAgain};
+use super::places::{BlockPlaces, PlaceAgain, epsg_system};
 use crate::error::refuse;
 use crate::{BlockEdit, Error, PointImage, PointSource, Refusal};
 use serde::Serialize;
@@ -14,13 +14,15 @@ pub struct CarriedEdits {
     pub edits: Vec<BlockEdit>,
     /// What was done to so many places of the orthophoto, or to observations of them, holds.
     pub held: usize,
-    /// Of so many it does not: nothing lies there now, the image does not show it, or what was measured by hand is of another spot.
+    /// Of so many something does not: nothing lies there now, the image does not show it, what was measured by hand is of another spot, or it is a place
+    /// by hand whose coordinates are of another system.
     pub lost: usize,
 }
 
 impl BlockRun {
     /// The edits of the same block as it was placed before, for the block as it is placed now: images, pairs, tie points and given points are the same ones, surveyed points that edits add are numbered behind those of this
-    /// block, and a place of the orthophoto is the one that lies where it lay ([`BlockPlaces::again`]). What was measured by hand holds of the same spot alone. They are not applied.
+    /// block, and a place of the orthophoto is the one that lies where it lay ([`BlockPlaces::again`]). What was measured by hand holds of the same spot alone, and coordinates that edits
+    /// add in the same system. They are not applied.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for a block of other images, tie points or given points; as [`places`](Self::places).
@@ -29,11 +31,16 @@ impl BlockRun {
         if !now.is_of_block(before) {
             return refuse(Refusal::EditsOfOtherBlock);
         }
-        let again = now.again(before).into_iter().map(|one| (one.before, one)).collect();
-        let mut carrier = Carrier { before, now: &now, again, measured: BTreeSet::new(), held: 0, lost: 0 };
-        let edits = edits.iter().filter_map(|edit| carrier.carried(edit)).collect();
-        Ok(CarriedEdits { edits, held: carrier.held, lost: carrier.lost })
+        Ok(carried(before, &now, edits))
     }
+}
+
+fn carried(before: &BlockPlaces, now: &BlockPlaces, edits: &[BlockEdit]) -> CarriedEdits {
+    let again = now.again(before).into_iter().map(|one| (one.before, one)).collect();
+    let (measured, held, lost) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+    let mut carrier = Carrier { before, now, again, measured, added: Vec::new(), held, lost };
+    let edits = edits.iter().filter_map(|edit| carrier.carried(edit)).collect();
+    CarriedEdits { edits, held: carrier.held.len(), lost: carrier.lost.len() }
 }
 
 struct Carrier<'a> {
@@ -43,8 +50,11 @@ struct Carrier<'a> {
     again: BTreeMap<usize, PlaceAgain>,
     /// Observations of places that edits add: of which number before, and in which image.
     measured: BTreeSet<(usize, usize)>,
-    held: usize,
-    lost: usize,
+    /// Of the surveyed points that edits add, their numbers now; absent for those that do not hold.
+    added: Vec<Option<usize>>,
+    /// Numbers of places before.
+    held: BTreeSet<usize>,
+    lost: BTreeSet<usize>,
 }
 
 impl Carrier<'_> {
@@ -73,9 +83,23 @@ impl Carrier<'_> {
             | BlockEdit::RestoreImages { .. }
             | BlockEdit::RejectPairs { .. }
             | BlockEdit::RestorePairs { .. }
-            | BlockEdit::AddPoint { .. }
-            | BlockEdit::AddControl { .. } => Some(edit.clone()),
+            | BlockEdit::AddPoint { .. } => Some(edit.clone()),
+            BlockEdit::AddControl { epsg, .. } => {
+                let number = self.before.surveyed() + self.added.len();
+                let holds = self.is_in_system_now(*epsg);
+                self.added.push(holds.then(|| self.now.surveyed() + self.added.iter().flatten().count()));
+                if !holds {
+                    self.lost.insert(number);
+                }
+                holds.then(|| edit.clone())
+            }
         }
+    }
+
+    /// Whether coordinates are of the system that the block has now, as far as both are known.
+    fn is_in_system_now(&self, epsg: Option<u16>) -> bool {
+        let own = self.before.system.clone().or(epsg.map(epsg_system));
+        own.as_ref().zip(self.now.system.as_ref()).is_none_or(|(own, now)| own == now)
     }
 
     fn points(&mut self, points: &[PointSource]) -> Option<Vec<PointSource>> {
@@ -101,17 +125,54 @@ impl Carrier<'_> {
             return Some(point);
         }
         if let Some(added) = number.checked_sub(self.before.surveyed()) {
-            return Some(PointSource::GroundControl(self.now.surveyed() + added));
+            return self.added.get(added).copied().flatten().map(PointSource::GroundControl);
         }
         match self.again.get(&number).filter(|again| holds(again, &self.measured)) {
             Some(again) => {
-                self.held += 1;
+                self.held.insert(number);
                 Some(PointSource::GroundControl(again.now))
             }
             None => {
-                self.lost += 1;
+                self.lost.insert(number);
                 None
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ControlRole;
+
+    #[test]
+    fn coordinates_of_another_system_are_lost_and_those_behind_them_move_up() {
+        let block = |system: Option<&str>, given| BlockPlaces {
+            images: vec!["a".into(), "b".into()],
+            tie_points: None,
+            given,
+            system: system.map(String::from),
+            places: Vec::new(),
+        };
+        let add = |name: &str, epsg| BlockEdit::AddControl {
+            name: name.into(),
+            position: [3.0e5, 5.8e6, 40.0],
+            standard_errors: None,
+            sigma_px: None,
+            role: ControlRole::Control,
+            epsg,
+            remarks: Vec::new(),
+        };
+        let set_use = |point| BlockEdit::SetUse { point, role: None };
+        let edits = [add("old", Some(25_832)), add("new", Some(25_833)), set_use(2), set_use(3)];
+        let now = block(Some("EPSG:25833"), 4);
+        // Where nothing is known of the block, the code of the place says what its coordinates are.
+        let of_places = carried(&block(None, 2), &now, &edits);
+        assert_eq!(of_places, CarriedEdits { edits: vec![add("new", Some(25_833)), set_use(4)], held: 0, lost: 1 });
+        assert_eq!(carried(&block(Some("EPSG:25832"), 2), &now, &edits), CarriedEdits { edits: Vec::new(), held: 0, lost: 2 });
+        let alike = [vec![add("old", Some(25_832)), add("new", Some(25_833))], vec![set_use(4), set_use(5)]].concat();
+        for (own, now) in [(Some("EPSG:25833"), now), (None, block(None, 4))] {
+            assert_eq!(carried(&block(own, 2), &now, &edits), CarriedEdits { edits: alike.clone(), held: 0, lost: 0 });
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The places of an orthophoto that a block has, and which of them is which once the block is placed anew: their names are others then.
 
 use super::BlockRun;
+use super::OnOrthophoto;
 use super::ground::is_place_of_orthophoto;
 use crate::{Error, PointSource, ReconstructedModel, parse_ground_control_points};
 use serde::{Deserialize, Serialize};
@@ -22,6 +23,9 @@ pub struct BlockPlaces {
     pub tie_points: Option<[usize; 2]>,
     /// How many surveyed points were given: the first ones.
     pub given: usize,
+    /// The system of their coordinates: that which was chosen for the block, else `EPSG:` and the code of the orthophoto; absent where none is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub system: Option<String>,
     /// Those that were found on the orthophoto, behind them; one that is not in the block is seen nowhere.
     pub places: Vec<SeenPlace>,
 }
@@ -85,8 +89,24 @@ impl BlockRun {
             images: self.images.iter().map(|image| image.name.clone()).collect(),
             tie_points: self.points.as_ref().map(|points| [points.count, points.rays]),
             given: given.len(),
+            system: self.system_of_places(),
             places: known,
         })
+    }
+}
+
+/// The system with an EPSG code.
+pub(super) fn epsg_system(code: u16) -> String {
+    format!("EPSG:{code}")
+}
+
+impl BlockRun {
+    fn system_of_places(&self) -> Option<String> {
+        let code = match &self.orthophoto {
+            Some(OnOrthophoto::Linked { epsg, .. } | OnOrthophoto::ByHand { epsg, .. }) => *epsg,
+            Some(OnOrthophoto::NotLinked { .. }) | None => None,
+        };
+        self.input.settings.placing.crs.clone().or(code.map(epsg_system))
     }
 }
 
@@ -98,7 +118,8 @@ impl BlockPlaces {
 
     /// Whether images, tie points and given points are those of the other block, so that edits number them alike.
     pub(super) fn is_of_block(&self, other: &Self) -> bool {
-        self.images == other.images && self.tie_points == other.tie_points && self.given == other.given
+        let joined_alike = self.tie_points.zip(other.tie_points).is_none_or(|(own, other)| own == other);
+        self.images == other.images && joined_alike && self.given == other.given
     }
 
     /// Of each place that the block had before and that has one where it lay, which that is: the nearest to it within half a square, to which it is the nearest one, in images that show both. They are in the order in which they were
@@ -157,7 +178,7 @@ mod tests {
     fn places(given: usize, places: &[&[(usize, f64)]]) -> BlockPlaces {
         let seen = |(image, x): &(usize, f64)| SeenIn { image: *image, at_px: [*x, 7.0], side_px: 1000 };
         let places = places.iter().map(|place| SeenPlace { seen: place.iter().map(seen).collect() }).collect();
-        BlockPlaces { images: vec!["a".into(), "b".into(), "c".into()], tie_points: None, given, places }
+        BlockPlaces { images: vec!["a".into(), "b".into(), "c".into()], tie_points: None, given, system: None, places }
     }
 
     #[test]

@@ -107,7 +107,11 @@ impl FrameWanted {
         let Named { image, pixel_mm, mask } = read("wanted", &plain)?;
         let bytes = |Mask { name, .. }: Mask| match file.dyn_ref::<Uint8Array>() {
             Some(file) => Ok((name, file.to_vec())),
-            None => Err(thrown(Error::InvalidArgument { what: "wanted.mask.file", got: "none".into(), wanted: "a Uint8Array".into() })),
+            None => {
+                let got =
+                    if file.is_undefined() || file.is_null() { "none".into() } else { file.js_typeof().as_string().unwrap_or_default() };
+                Err(thrown(Error::InvalidArgument { what: "wanted.mask.file", got, wanted: "a Uint8Array".into() }))
+            }
         };
         Ok(Self { image, pixel_mm, mask: mask.map(bytes).transpose()? })
     }

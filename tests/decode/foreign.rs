@@ -73,6 +73,13 @@ fn a_picture_of_another_kind_is_named_by_its_content_with_what_to_do() {
 
 #[test]
 fn what_its_content_does_not_tell_its_name_does() {
+    let archives = [("points.xlsx", None), ("a.zip", Some(FileKind::Archive)), ("a", Some(FileKind::Archive))]
+        .map(|(name, kind)| (name, &b"PK\x03\x04"[..], kind));
+    let texts =
+        [("marks.csv", &b"msid,col,row"[..], None), ("marks.csv", b"MMOR_0001.JPG,1,2", None), ("list.txt", b"all_mdat of a flight", None)];
+    for (name, start, kind) in archives.into_iter().chain(texts) {
+        assert_eq!(kind_of(refused_kind(name, start)), kind, "{name}");
+    }
     for (name, kind) in
         [("a.ECW", Some(FileKind::Ecw)), ("b.heic", Some(FileKind::Heic)), ("c.NEF", raw("NEF")), ("d.txt", None), ("heic", None)]
     {
@@ -98,6 +105,17 @@ fn a_raw_tiff_is_named_and_one_whose_first_image_is_read_is_read() {
     assert_eq!(kind_of(refused_kind("photo.NEF", &plain)), raw("NEF"));
     assert_eq!(refused_kind("photo.tif", &plain), None);
     assert!(matches!(decode(&plain), Err(Error::UnsupportedImage { unsupported: Unsupported::TiffColours { .. } })));
+
+    // The preview of a raw file is read by no name: it is not the photograph.
+    let preview = |more: Tag| {
+        let tags = one_strip(8, 8, 8, 1, 1, 64).into_iter().chain([Tag::Long(254, vec![1]), more]).collect();
+        write(false, &[0; 64], tags)
+    };
+    let with_preview = preview(Tag::Short(50_706, vec![1, 4]));
+    assert_eq!(kind_of(decode(&with_preview).err()), raw("DNG"));
+    assert_eq!(kind_of(refused_kind("photo.tif", &with_preview)), raw("DNG"));
+    // A smaller copy of a picture is one.
+    assert!(decode(&preview(Tag::Short(274, vec![1]))).is_ok());
 
     let readable = tiff(&noise(1, (WIDTH * HEIGHT) as usize), ExtendedColorType::L8);
     assert_eq!(refused_kind("preview.dng", &readable), None);

@@ -7,9 +7,6 @@ use crate::camera::CameraUncertainty;
 use crate::pair::geometry::PairInterior;
 use crate::{Interior, SharedErrors};
 
-/// Share of the decentring of a lens that a camera leaves unknown which states its terms.
-const STATED: f64 = 0.1;
-
 /// What errors of the terms p1 and p2 of the lenses do to the observations: one lens where `cameras` is 1, else one to a side. Nothing of lenses that
 /// are known without error.
 pub fn decentring_errors(given: &PairInterior, positions: &[[f64; 4]], cameras: usize) -> Vec<SharedErrors> {
@@ -26,8 +23,7 @@ pub fn decentring_errors(given: &PairInterior, positions: &[[f64; 4]], cameras: 
 fn decentred(given: &PairInterior, on: [bool; 2], term: usize, step: f64) -> PairInterior {
     let changed = |side: &Interior, is_on: bool| {
         let mut own = *side;
-        let known = side.uncertainty.unwrap_or(CameraUncertainty::NONE).decentring();
-        let prior = if side.tangential_distortion == [0.0; 2] { known } else { STATED * known };
+        let prior = side.uncertainty.unwrap_or(CameraUncertainty::NONE).decentring_beside(side.tangential_distortion);
         own.tangential_distortion[term] += if is_on { step * prior / given.focal_mm } else { 0.0 };
         own
     };
@@ -77,6 +73,6 @@ mod tests {
             decentring_errors(&pair, &at, 1)[0].effects[0][0][0]
         };
         let share = by_p1([1e-6, -1e-6]) / by_p1([0.0; 2]);
-        assert!((share - STATED).abs() < 1e-6, "{share}");
+        assert!((share - 0.1).abs() < 1e-6, "{share}");
     }
 }
