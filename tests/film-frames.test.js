@@ -9,7 +9,10 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/files/files', 'block/files/frames', 'block/state/reducer', 'block/state/state', 'shared/state/store']));
+  Object.assign(
+    page,
+    await pageModules(['block/engine/film', 'block/files/files', 'block/files/frames', 'block/state/reducer', 'block/state/state', 'shared/state/store']),
+  );
 });
 
 const CAMERA = '{"focal_mm": 152}';
@@ -199,4 +202,42 @@ test('frames of a second film have their own camera beside that of the first, wh
       ['*-film.png', 304],
     ],
   );
+});
+
+test('a scan whose image is there is refused before anything is changed', async () => {
+  const { store, take } = taking();
+  await take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
+  await page.frames.takeFrames(store, engine);
+  await take({ 'A.png': SCAN, 'b.png': SCAN, 'film.json': CAMERA, 'A.csv': FIDUCIALS, 'b.csv': FIDUCIALS });
+  const { files, options, placing } = store.state;
+  await page.frames.takeFrames(store, engine);
+  assert.match(store.state.notice.text, /^A-film\.png, the image of a scan, is there already\. Nothing was changed/);
+  assert.deepEqual([store.state.files, store.state.options, store.state.placing.film], [files, options, placing.film]);
+});
+
+test('scans that are added to their film have the pixel of its camera, by which they have that camera', async () => {
+  const { store, take } = taking();
+  await take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
+  await page.frames.takeFrames(store, engine);
+  /** @type {any[]} */
+  const given = [];
+  await take({ 'b.png': SCAN, 'film.json': CAMERA, 'b.csv': FIDUCIALS });
+  await page.frames.takeFrames(store, {
+    frames: async (/** @type {any} */ _scans, /** @type {any[]} */ rules) => {
+      given.push(...rules);
+      return null;
+    },
+  });
+  assert.deepEqual(
+    given.map(({ images, pixel_mm }) => [images, pixel_mm]),
+    [['*-film.png', 0.5]],
+  );
+  // Columns 0.6 px longer make a pixel smaller by 0.15 %, and 6 px longer by 1.5 %.
+  const plan = (/** @type {string} */ col, /** @type {any[]} */ rules, camera = CAMERA) =>
+    page.film.filmPlan({ films: [{ camera, marks: FIDUCIALS.replaceAll('220,', `${col},`) }], given: rules }).pixelMm;
+  const own = plan('220.6', []);
+  assert.ok(Math.abs(own / 0.5 - 1) > 1e-3, `${own}`);
+  assert.equal(plan('220.6', given), 0.5);
+  assert.ok(plan('226', given) < 0.495, `${plan('226', given)}`);
+  assert.equal(plan('220.6', given, '{"focal_mm": 153}'), own);
 });

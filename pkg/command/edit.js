@@ -1,10 +1,13 @@
 // @ts-check
-import { export_formats, FinishedBlock } from '../node.js';
+import { export_formats, FinishedBlock, project_kind } from '../node.js';
 import { BlockFolder, formatsOf } from './block-folder.js';
 import { about, DataError, UsageError } from './errors.js';
-import { readBytes, readText } from './files.js';
+import { readBytes, textOf } from './files.js';
 import { JSON_FLAG, list, path } from './options.js';
 import { note } from './output.js';
+
+/** So much of a project says what it holds; all of a large one would be too long for a text. */
+const START_BYTES = 1024;
 
 /** @type {import('./args.js').Command} */
 export const edit = {
@@ -51,17 +54,21 @@ async function run({ positionals: [project = ''], values }) {
  * @param {string} file @param {import('../node.js').FinishedBlock} block @returns {import('../node.js').BlockEdit[]}
  */
 function editsOf(file, block) {
-  const text = readText(file);
+  const bytes = readBytes(file);
+  if (project_kind(bytes.subarray(0, START_BYTES)) !== null) return carriedOver(FinishedBlock.open(bytes), block);
+  const edits = parsed(file, textOf(bytes));
+  if (Array.isArray(edits)) return edits;
+  throw new DataError(`${file}: it holds no list of edits`);
+}
+
+/** @param {string} file @param {string} text @returns {unknown} */
+function parsed(file, text) {
   try {
-    const edits = JSON.parse(text);
-    if (Array.isArray(edits)) return edits;
+    return JSON.parse(text);
   } catch (error) {
     if (!(error instanceof SyntaxError)) throw error;
-    // A project begins with an object, and is more than that.
-    if (text.startsWith('{')) return carriedOver(FinishedBlock.open(readBytes(file)), block);
     throw new DataError(`${file}: it is no JSON (${error.message})`);
   }
-  throw new DataError(`${file}: it holds no list of edits`);
 }
 
 /**

@@ -1,5 +1,6 @@
 // @ts-check
 import { basename, dirname, extname, join } from 'node:path';
+import { pixelOfFilm } from '../block/film.js';
 import {
   film_cameras,
   film_frame,
@@ -13,7 +14,7 @@ import {
   parse_image_measurements,
 } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
-import { exists, imagesIn, isFolder, makeFolder, readBytes, readText, writeInto } from './files.js';
+import { exists, imagesIn, isFolder, makeFolder, readBytes, readText, replaceInto, writeInto } from './files.js';
 import { JSON_FLAG, path } from './options.js';
 import { note, print, printJson } from './output.js';
 import { marksOf } from './pair.js';
@@ -53,8 +54,8 @@ export const film = {
     JSON_FLAG,
   ],
   details:
-    'All images have one pixel size, the largest of the scans, no distortion, and the principal point in one place, however the film lay in the scanner: they are images of one camera. They end within the outermost marks of all tables; masks/ leave out what fiducial marks hide. cameras.json has the camera with what the errors of the fiducial marks and "uncertainty" of camera.json leave open; without either it is "fixed". A GNSS position in the metadata of a scan is that of its image. ' +
-    `Then: tiepoint block DIR/images --cameras DIR/cameras.json --masks DIR/masks --out block. The image of a.tif is a-film.png, of a second film in the same folder, whose camera is another one, a-film2.png: each has its camera. film.csv: scan, image, number of marks, sigma0_mm, rmse_mm. JSON: scans [{name, image, marks, rmse_mm}, …], cameras, with --marks measurements {moved, beside}.`,
+    'All images have one pixel size, the largest of the scans or that of images of the same film that are there, no distortion, and the principal point in one place, however the film lay in the scanner: they are images of one camera. They end within the outermost marks of all tables; masks/ leave out what fiducial marks hide. cameras.json has the camera with what the errors of the fiducial marks and "uncertainty" of camera.json leave open; without either it is "fixed". A GNSS position in the metadata of a scan is that of its image. ' +
+    `Then: tiepoint block DIR/images --cameras DIR/cameras.json --masks DIR/masks --out block. The image of a.tif is a-film.png, of a second film in the same folder, whose camera is another one, a-film2.png: each has its camera. film.csv: scan, image, number of marks, sigma0_mm, rmse_mm. JSON: scans [{name, image, marks, rmse_mm}, …], camera (the pattern of the names of their images), cameras, with --marks measurements {moved, beside}.`,
   run,
 };
 
@@ -73,10 +74,10 @@ async function run({ positionals, values }) {
   }));
   const measured = typeof marksFile === 'string' ? measurementsOf(marksFile, scans) : null;
   const marks_mm = calibrated(scans.flatMap(({ marks }) => marks.fiducials));
-  const pixel = Math.max(...scans.map(({ marks, table: file }) => about(file, () => film_pixel_mm({ camera, scan: marks, marks_mm }))));
   const outputs = OUTPUTS.filter((name) => name !== MARKS || measured !== null);
   const there = earlier(out, outputs);
-  for (const name of ['images', 'masks']) makeFolder(join(out, name));
+  const largest = Math.max(...scans.map(({ marks, table: file }) => about(file, () => film_pixel_mm({ camera, scan: marks, marks_mm }))));
+  const pixel = pixelOfFilm(camera.focal_mm, largest, there.cameras);
   const shown = new Progress({ steps: scans.length });
   /** @type {{ name: string, image: string, film: FilmScan, camera: CameraRule, rmse_mm: number }[]} */
   const made = [];
@@ -98,12 +99,12 @@ async function run({ positionals, values }) {
     }
     if (pattern === '') {
       // The first one says of which film they are.
-      const own = film_pattern(frame.camera, there.cameras);
-      pattern = own;
-      refuseExisting(
-        out,
-        scans.flatMap((scan) => ['images', 'masks'].map((name) => join(name, imageName(own, scan.stem)))),
-      );
+      pattern = film_pattern(frame.camera, there.cameras);
+      refuseFinished(out, there.rows, pattern, scans);
+      // What breaks off leaves no image without a camera, and can be done again.
+      replaceInto(out, TABLE, there.table);
+      writeCameras(out, film_cameras(pattern, [{ ...frame.camera, images: imageName(pattern, stem) }], there.cameras));
+      for (const name of ['images', 'masks']) makeFolder(join(out, name));
     }
     const image = imageName(pattern, stem);
     writeInto(join(out, 'images'), image, frame.image);
@@ -117,13 +118,14 @@ async function run({ positionals, values }) {
       made.map((frame) => frame.camera),
       there.cameras,
     );
-    writeInto(out, CAMERAS, `${JSON.stringify({ cameras }, null, 1)}\n`);
+    writeCameras(out, cameras);
+    const measurements = measured && writeMeasurements(out, measured, made, scans, there);
+    // Last: by their rows images are finished.
     const rows = made.map(({ name, image, film: { marks }, rmse_mm }) => [name, image, marks.residuals_mm.length, marks.sigma0_mm ?? '', rmse_mm]);
-    writeInto(out, TABLE, `${there.table}${rows.map((row) => `${row.map(cell).join(',')}\n`).join('')}`);
-    const measurements = measured && writeMeasurements(out, measured, made, scans, there.measured);
+    replaceInto(out, TABLE, `${there.table}${rows.map((row) => `${row.map(cell).join(',')}\n`).join('')}`);
     if (values.has('json')) {
       const own = made.map(({ name, image, film: { marks }, rmse_mm }) => ({ name, image, marks, rmse_mm }));
-      printJson({ scans: own, cameras, ...(measurements && { measurements }) });
+      printJson({ scans: own, camera: pattern, cameras, ...(measurements && { measurements }) });
     } else
       print(
         table([
@@ -131,6 +133,7 @@ async function run({ positionals, values }) {
           ...made.map(({ name, film: { marks }, rmse_mm }) => [name, marks.residuals_mm.length, fixed(marks.sigma0_mm, 4), fixed(rmse_mm, 4)]),
         ]),
         '',
+        `camera: ${pattern} in ${join(out, CAMERAS)}${there.cameras.some(({ images }) => images === pattern) ? ', that of images that were there' : ''}`,
         `written: ${outputs.map((name) => join(out, name)).join(', ')}`,
       );
   }
@@ -160,23 +163,42 @@ const imageName = (pattern, stem) => pattern.replace('*', () => stem);
 
 /**
  * What a call before wrote in the folder, of another film or of other scans of this one; what else is there is refused.
- * @param {string} out @param {readonly string[]} outputs
- * @returns {{ cameras: CameraRule[], table: string, measured: import('../node.js').ImageMeasurementRow[] }}
+ * @typedef {{ cameras: CameraRule[], table: string, rows: Finished[], measured: import('../node.js').ImageMeasurementRow[] }} Earlier
+ * @typedef {{ scan: string, image: string }} Finished
+ * @param {string} out @param {readonly string[]} outputs @returns {Earlier}
  */
 function earlier(out, outputs) {
   const head = `${COLUMNS.join(',')}\n`;
   const file = join(out, TABLE);
-  const table = exists(file) ? readText(file) : '';
-  if (!table.startsWith(head) || !exists(join(out, CAMERAS))) {
+  if (!exists(file)) {
     refuseExisting(out, outputs);
-    return { cameras: [], table: head, measured: [] };
+    return { cameras: [], table: head, rows: [], measured: [] };
   }
-  /** @template T @param {string} name @param {(text: string) => T} parse */
-  const read = (name, parse) => {
-    const [place, text] = [join(out, name), readText(join(out, name))];
+  // Spreadsheets end lines in their own way, and the last one not at all.
+  const table = `${readText(file).replaceAll(/\r\n?/g, '\n').trimEnd()}\n`;
+  if (!table.startsWith(head)) {
+    const [line = ''] = table.split('\n');
+    throw new DataError(`${file}: its first line is "${line}"; allowed: "${head.trimEnd()}", as tiepoint film writes it, or another folder`);
+  }
+  /** @template T @param {string} name @param {(text: string) => T} parse @param {T} without the file */
+  const read = (name, parse, without) => {
+    const place = join(out, name);
+    if (!exists(place)) return without;
+    const text = readText(place);
     return about(place, () => parse(text));
   };
-  return { cameras: read(CAMERAS, parse_camera_rules), table, measured: exists(join(out, MARKS)) ? read(MARKS, parse_image_measurements) : [] };
+  const rows = rowsOf(table.slice(head.length));
+  const cameras = read(CAMERAS, parse_camera_rules, []);
+  if (rows.length > 0 && cameras.length === 0)
+    throw new DataError(`${join(out, CAMERAS)} is missing, with the cameras of the images that are there; name another folder`);
+  return { cameras, table, rows, measured: read(MARKS, parse_image_measurements, []) };
+}
+
+/** The rows of film.csv.  @param {string} text without its head @returns {Finished[]} */
+function rowsOf(text) {
+  const value = (/** @type {string | undefined} */ own = '') => (own.startsWith('"') ? own.slice(1, -1).replaceAll('""', '"') : own);
+  const rows = text.matchAll(/^("(?:[^"]|"")*"|[^",\n]*),("(?:[^"]|"")*"|[^",\n]*)(?:,|$).*$/gm);
+  return [...rows].map(([, scan, image]) => ({ scan: value(scan), image: value(image) }));
 }
 
 /** Images of another call would be taken for some of this one.  @param {string} out @param {readonly string[]} outputs */
@@ -184,6 +206,22 @@ function refuseExisting(out, outputs) {
   const there = outputs.map((name) => join(out, name)).find((place) => exists(place));
   if (there !== undefined) throw new DataError(`${there} is there already; name another folder`);
 }
+
+/**
+ * Images that a call before finished stay; what one that broke off left is written again.
+ * @param {string} out @param {readonly Finished[]} rows @param {string} pattern @param {readonly { stem: string }[]} scans
+ */
+function refuseFinished(out, rows, pattern, scans) {
+  const finished = new Set(rows.map(({ image }) => image));
+  const own = scans.map(({ stem }) => imageName(pattern, stem)).filter((image) => finished.has(image));
+  refuseExisting(
+    out,
+    own.flatMap((image) => ['images', 'masks'].map((name) => join(name, image))),
+  );
+}
+
+/** @param {string} out @param {readonly CameraRule[]} cameras */
+const writeCameras = (out, cameras) => replaceInto(out, CAMERAS, `${JSON.stringify({ cameras }, null, 1)}\n`);
 
 /** The marks of a film by their calibrated places, each once.  @param {import('../node.js').Fiducial[]} marks @returns {[number, number][]} */
 function calibrated(marks) {
@@ -219,17 +257,22 @@ function measurementsOf(file, scans) {
  * Writes measurements in px of the images, and says which have none there. Those of scans that became no image are left out.
  * @param {string} out @param {import('../node.js').ImageMeasurementRow[]} measured
  * @param {readonly { name: string, image: string, film: FilmScan }[]} made @param {readonly { file: string }[]} scans
- * @param {readonly import('../node.js').ImageMeasurementRow[]} there of films before: they stay, but for those of the scans of this one
+ * @param {Earlier} there of films before: their measurements stay, but for those of the scans of this one
  */
 function writeMeasurements(out, measured, made, scans, there) {
   const lost = new Set(scans.map(({ file }) => basename(file)).filter((name) => !made.some((frame) => frame.name === name)));
   const frames = made.map(({ name, image, film: own }) => ({ scan: name, image, film: own }));
+  // One table of all scans, given with each film: scans before have become images, in px of which it is not.
+  const before = new Set(there.rows.map(({ scan }) => scan).filter((scan) => !frames.some((frame) => frame.scan === scan)));
+  const given = new Set(measured.map(({ image }) => image));
+  const late = there.rows.filter(({ scan, image }) => before.has(scan) && given.has(scan) && !there.measured.some((row) => row.image === image));
+  if (late.length > 0) note(`measurements in scans of calls before, whose images have none in ${MARKS}, are skipped: ${listed(late.map(({ scan }) => scan))}`);
   const { measurements, moved, beside } = film_measurements(
-    measured.filter(({ image }) => !lost.has(image)),
+    measured.filter(({ image }) => !lost.has(image) && !before.has(image)),
     frames,
   );
   const own = new Set([...made.map(({ name }) => name), ...measurements.map(({ image, point }) => JSON.stringify([image, point]))]);
-  const others = there.filter(({ image, point }) => !own.has(image) && !own.has(JSON.stringify([image, point])));
+  const others = there.measured.filter(({ image, point }) => !own.has(image) && !before.has(image) && !own.has(JSON.stringify([image, point])));
   writeInto(out, MARKS, image_measurement_table([...others, ...measurements]));
   const names = beside.map(({ image, point }) => `${point} in ${image}`);
   if (names.length > 0) note(`measurements that lie beside the image of their scan, which ends within the fiducial marks, are skipped: ${listed(names)}`);

@@ -557,5 +557,7 @@ test('edits that cannot be are refused by name', () => {
   assert.match(refused('[{"kind": "paint"}]'), /paint/);
   assert.match(refused('{"kind": "reject_images"}'), /no list of edits/);
   assert.match(refused('[{'), /no JSON/);
+  // A list without its brackets is no project either.
+  assert.match(refused('{"kind": "reject_images"}, {"kind": "reject_points"}'), /edits\.json: it is no JSON \(.*position 25/);
   assert.match(tiepoint('edit', project).stderr, /--out is missing/);
 });

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { test } from 'node:test';
 import { film_frame, film_pixel_mm, film_positions, grey_png, parse_fiducials, Photo } from '../../pkg/node.js';
@@ -354,6 +354,62 @@ test('two films in one folder keep their cameras, with what is not known of each
   assert.ok(taken.code === 1 && /film_2-film2\.png is there already/.test(taken.stderr), taken.stderr);
   assert.deepEqual([read(), readdirSync(join(out, 'images'))], [cameras, images]);
   rmSync(out, { recursive: true });
+});
+
+test('scans that are added to their film have its camera, and one table of measurements in all scans serves each call', () => {
+  const out = folder();
+  const [a, b, , d] = FILM.scans;
+  const all = file(folder(), 'all.csv', 'image,point,x,y\nfilm_0.png,P1,284.5,236.5\nfilm_3.png,P1,284.5,236.5\nIMG_7.jpg,P1,10.25,20.5\n');
+  const first = json('film', a, b, '--camera', FILM.camera, '--marks', all, '--out', out);
+  // Its own pixel is another one, by a tenth of a per cent.
+  const own = film_pixel_mm({ camera: /** @type {any} */ (FILM.known), scan: { fiducials: parse_fiducials(readFileSync(d.replace(/png$/, 'csv'), 'utf8')) } });
+  const off = Math.abs(own / first.cameras[0].pixel_mm - 1);
+  assert.ok(off > 2e-4 && off < 0.01, `${off}`);
+  const added = json('film', d, '--camera', FILM.camera, '--marks', all, '--out', out);
+  assert.deepEqual([first.camera, added.camera, added.cameras.length], ['*-film.png', '*-film.png', 1]);
+  assert.equal(added.cameras[0].pixel_mm, first.cameras[0].pixel_mm);
+  assert.deepEqual(
+    readFileSync(join(out, 'marks.csv'), 'utf8')
+      .trim()
+      .split('\n')
+      .map((row) => row.split(',').slice(0, 2).join()),
+    ['image,point', 'film_0-film.png,P1', 'film_3-film.png,P1', 'IMG_7.jpg,P1'],
+  );
+  const { stdout } = tiepoint('film', FILM.scans[2], '--camera', FILM.camera, '--out', out);
+  assert.match(stdout, /camera: \*-film\.png in .*cameras\.json, that of images that were there/);
+  // What was measured in a scan of a call that had no table is said to be missing.
+  const late = file(folder(), 'late.csv', 'image,point,x,y\nfilm_2.png,P1,284.5,236.5\nfilm_4.png,P1,284.5,236.5\n');
+  const { code, stderr } = tiepoint('film', FILM.scans[4], '--camera', FILM.camera, '--marks', late, '--out', out);
+  assert.ok(code === 0 && /scans of calls before, whose images have none in marks\.csv, are skipped: film_2\.png/.test(stderr), stderr);
+  assert.ok(!/,film_2|^film_2/m.test(readFileSync(join(out, 'marks.csv'), 'utf8')));
+});
+
+test('a call that broke off is repeated, and a table that a spreadsheet saved is read', () => {
+  const out = folder();
+  const [a, b, c] = FILM.scans;
+  const [table, cameras] = ['film.csv', 'cameras.json'].map((name) => join(out, name));
+  // It breaks off at the second image, for which a folder stands in the way.
+  mkdirSync(join(out, 'images', 'film_1-film.png'), { recursive: true });
+  writeFileSync(table ?? '', 'scan,image,marks,sigma0_mm,rmse_mm\n');
+  assert.equal(tiepoint('film', a, b, '--camera', FILM.camera, '--out', out).code, 1);
+  assert.ok(existsSync(join(out, 'images', 'film_0-film.png')));
+  assert.equal(JSON.parse(readFileSync(cameras ?? '', 'utf8')).cameras[0].images, '*-film.png');
+  assert.equal(rowsOf(table ?? '').length, 0);
+  rmSync(join(out, 'images', 'film_1-film.png'), { recursive: true });
+  json('film', a, b, '--camera', FILM.camera, '--out', out);
+  const images = () => rowsOf(table ?? '').map((row) => row.get('image'));
+  assert.deepEqual(images(), ['film_0-film.png', 'film_1-film.png']);
+  writeFileSync(
+    table ?? '',
+    readFileSync(table ?? '', 'utf8')
+      .trim()
+      .replaceAll('\n', '\r\n'),
+  );
+  json('film', c, '--camera', FILM.camera, '--out', out);
+  assert.deepEqual(images(), ['film_0-film.png', 'film_1-film.png', 'film_2-film.png']);
+  writeFileSync(table ?? '', readFileSync(table ?? '', 'utf8').replaceAll(',', ';'));
+  const { code, stderr } = tiepoint('film', FILM.scans[3], '--camera', FILM.camera, '--out', out);
+  assert.ok(code === 1 && /film\.csv: its first line is "scan;image;/.test(stderr), stderr);
 });
 
 test('a mark that one scan lacks, and a scan that cannot be read, cost the others nothing', () => {

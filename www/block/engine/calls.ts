@@ -1,6 +1,5 @@
 /** The calls of a block that workers answer, and what passes between a run and the page while it goes on. */
-import type { FilmTexts } from '../state/film';
-import type { Frame, FrameInput, FramePlan } from './film';
+import type { Frame, FrameInput, FramePlan, PlanInput } from './film';
 import type { BlockJob, RunOptions, Step } from '../../../pkg/block/index.js';
 import type {
   BlockEdit,
@@ -126,7 +125,7 @@ export interface BlockCalls {
   linksOpen: { input: LinksInput; output: (string | null)[] };
   linksPlace: { input: { index: number; file: Blob }; output: PlacingVerdict | null };
   linksFinish: { input: null; output: Uint8Array };
-  filmPlan: { input: readonly FilmTexts[]; output: FramePlan };
+  filmPlan: { input: PlanInput; output: FramePlan };
   filmFrame: { input: FrameInput; output: Frame };
   mosaicOpen: { input: MosaicInput; output: { name: string; index: number }[] };
   mosaicAdd: { input: { index: number; file: Blob }; output: null };

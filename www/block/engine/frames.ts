@@ -1,4 +1,5 @@
 /** Frames of scans of film, which a worker makes one after the other. */
+import type { CameraRule } from '../../../pkg/wasm/tiepoint.js';
 import type { WorkerClient } from '../../shared/engine/client';
 import { say } from '../../shared/text/words';
 import type { FilmTexts } from '../state/film';
@@ -21,15 +22,12 @@ export interface MadeFrame extends Frame {
 /** Says how much is done. */
 export type Tell = (done: number, total: number, text: string) => void;
 
-/** All frames have one camera: what they have in common is found first. */
-export async function makeFrames(worker: WorkerClient<BlockCalls>, scans: readonly Scan[], tell: Tell): Promise<MadeFrame[]> {
+/** All frames have one camera: what they have in common is found first. `given`: the cameras of frames that were made before. */
+export async function makeFrames(worker: WorkerClient<BlockCalls>, scans: readonly Scan[], given: readonly CameraRule[], tell: Tell): Promise<MadeFrame[]> {
   const made: MadeFrame[] = [];
   const at = (name: string) => tell(made.length, scans.length, say('resampling-scan', { name }));
   at(scans[0]?.file.name ?? '');
-  const plan = await worker.call(
-    'filmPlan',
-    scans.map(({ film }) => film),
-  );
+  const plan = await worker.call('filmPlan', { films: scans.map(({ film }) => film), given });
   for (const { file, film, mask } of scans) {
     at(file.name);
     made.push({ ...(await worker.call('filmFrame', { file: file.file, film, plan, image: file.name, mask })), of: file.id });

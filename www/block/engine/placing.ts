@@ -10,7 +10,7 @@ import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing
 import type { BlockFile } from '../state/state';
 import type { BlockView } from '../state/view';
 import type { AddedControl } from '../state/added';
-import type { Remark } from '../../../pkg/wasm/tiepoint.js';
+import type { CameraRule, Remark } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockCalls } from './calls';
 import type { BlockStore } from './engine';
 import { makeFrames } from './frames';
@@ -241,9 +241,9 @@ export class PlacingEngine {
     });
   }
 
-  /** The frames of scans of film; null where it was cancelled. */
-  frames(scans: readonly Scan[]): Promise<MadeFrame[] | null> {
-    return this.made((tell) => makeFrames(this.maker, scans, tell));
+  /** The frames of scans of film; null where it was cancelled. `given`: the cameras of frames that were made before. */
+  frames(scans: readonly Scan[], given: readonly CameraRule[]): Promise<MadeFrame[] | null> {
+    return this.made((tell) => makeFrames(this.maker, scans, given, tell));
   }
 
   /** What is made of images one after the other; null where it was cancelled. */

@@ -40,7 +40,7 @@ export async function takeFrames(store: BlockStore, engine: PlacingEngine): Prom
       const film = filmOf(placing.film, file.name);
       return film === null ? [] : [{ file, film, mask: masks[k] ?? null }];
     });
-    const frames = await engine.frames(films);
+    const frames = await engine.frames(films, camerasThere(files, options.cameras));
     if (frames === null) store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('cancelled-nothing-was-changed') } });
     else replace(store, frames);
   } catch (error) {
@@ -60,6 +60,12 @@ function replace(store: BlockStore, frames: readonly MadeFrame[]): void {
   const made = new Map(frames.map((frame) => [frame.of, frame]));
   const scans = files.filter(({ id }) => made.has(id));
   const { pattern, file: cameras } = camerasOf(frames, files, options.cameras);
+  const names = new Set(files.filter(({ id }) => !made.has(id)).map(({ name }) => name.toLowerCase()));
+  const taken = scans.map(({ name }) => frameName(name, pattern)).find((name) => names.has(name.toLowerCase()));
+  if (taken !== undefined) {
+    store.dispatch({ type: 'notice', notice: { kind: 'problem', text: say('frame-is-there', { name: taken }) } });
+    return;
+  }
   const ownMasks = frames.map(({ of, mask }) => imageOf(files, of, mask, pattern));
   // Those of the scans are in the masks of their frames.
   const former = new Set([...masksOf(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
@@ -140,14 +146,19 @@ function nameOf(files: readonly BlockFile[], scan: number): string {
   return files.find(({ id }) => id === scan)?.name ?? '';
 }
 
-/** The camera of the frames beside those that were given, and the pattern of their names. Frames of one film have one; those of a film of which no image is left have none. */
+/** The cameras that were given; those of frames of a film of which no image is left are gone. */
+function camerasThere(files: readonly BlockFile[], given: BlockOptions['cameras']): CameraRule[] {
+  const rules: readonly CameraRule[] = given === null ? [] : parse_camera_rules(given.text);
+  return rules.filter(({ images = '*' }) => !isOfFrames(images) || files.some(({ name }) => name.endsWith(images.slice(1))));
+}
+
+/** The camera of the frames beside those that were given, and the pattern of their names. Frames of one film have one. */
 function camerasOf(
   frames: readonly MadeFrame[],
   files: readonly BlockFile[],
   given: BlockOptions['cameras'],
 ): { pattern: string; file: { name: string; text: string } } {
-  const rules: readonly CameraRule[] = given === null ? [] : parse_camera_rules(given.text);
-  const others = rules.filter(({ images = '*' }) => !isOfFrames(images) || files.some(({ name }) => name.endsWith(images.slice(1))));
+  const others = camerasThere(files, given);
   const [first] = frames;
   // Without a frame nothing has a name by it.
   const pattern = first === undefined ? '' : film_pattern(first.camera, others);

@@ -489,6 +489,7 @@ make-frames = Make images of one camera
 make-frames-help = For a block: resamples each scan by its fiducial marks to the image of an ideal camera, one for all of them, without distortion. These images take the place of the scans, with masks of the marks and the file of their camera. Masks of the scans, image measurements that were made in them, and their GNSS positions go along.
 resampling-scan = Resampling { $name }
 two-scans-of-one-name = { $name } and another scan would become images of one name: rename one of them.
+frame-is-there = { $name }, the image of a scan, is there already. Nothing was changed: remove the scan, or that image.
 scans-became-frames =
     { $frames ->
         [one] 1 scan was resampled to an image
