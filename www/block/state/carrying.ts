@@ -14,7 +14,7 @@ export interface CarriedOver {
   left: readonly number[];
   /** So many edits held and do not there. */
   lost: number;
-  /** All that edits in force do to so many places of an orthophoto, or to observations of them, holds; of so many others it does not, and so many of the lost edits are lost for these. */
+  /** Something that edits in force do to so many places of an orthophoto, or to observations of them, holds; something done to so many does not. `edits`: of the lost ones those that are lost for these. */
   places: { held: number; lost: number; edits: number };
   /** Former steps that were undone and cannot be done again there. */
   aside: readonly EditStep[];
@@ -60,8 +60,8 @@ class Carrier {
   private readonly again: ReadonlyMap<number, PlaceAgain>;
   /** Observations of them that edits added, by their former numbers and images. */
   private readonly measured = new Set<string>();
-  /** Places of the orthophoto that edits are about, by their former numbers: those of which something does not hold too. */
-  private readonly named = new Set<number>();
+  /** Places of the orthophoto of which something holds, and of which something does not, by their former numbers. */
+  private readonly held = new Set<number>();
   private readonly notHeld = new Set<number>();
   /** So many edits were lost for these. */
   private lostForPlaces = 0;
@@ -80,7 +80,7 @@ class Carrier {
   }
 
   ofPlaces(): CarriedOver['places'] {
-    return { held: this.named.size - this.notHeld.size, lost: this.notHeld.size, edits: this.lostForPlaces };
+    return { held: this.held.size, lost: this.notHeld.size, edits: this.lostForPlaces };
   }
 
   /** `whole`: nothing of it where an edit is lost. */
@@ -181,11 +181,8 @@ class Carrier {
   private place(control: number, holds: (place: PlaceAgain) => boolean): PointSource[] {
     const place = this.again.get(control);
     const isHeld = place !== undefined && holds(place);
-    this.named.add(control);
-    if (!isHeld) {
-      this.notHeld.add(control);
-      this.isPlaceLost = true;
-    }
+    (isHeld ? this.held : this.notHeld).add(control);
+    if (!isHeld) this.isPlaceLost = true;
     return isHeld ? [{ ground_control: place.now }] : [];
   }
 }
