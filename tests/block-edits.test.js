@@ -317,6 +317,11 @@ test('edits that wait for their block to be found again wait for it after the pa
   const added = page.reducer.reduceBlock(loaded, { type: 'edit', edits: [{ kind: 'reject_images', images: [1] }] });
   for (const state of [added, loadedAnew(added)])
     assert.deepEqual(anew(state, viewOf([10, 11, 12])).history.edits, [[image], [{ kind: 'reject_images', images: [1] }]]);
+  // Edits since are written without what waits.
+  const later = page.reducer.reduceBlock(added, { type: 'edit', edits: [{ kind: 'reject_images', images: [2] }] });
+  const [one, other] = [added, later].map((state) => formerParts(state.former, state.history).get('block/former'));
+  assert.ok(one.bytes > 0 && one.value.now === '');
+  assert.equal(other.value, formerParts(added.former, added.history).get('block/former').value);
   // Earlier releases kept none; what is damaged is named.
   assert.deepEqual(formerFrom(new Map(), without.history), []);
   const damaged = new Map([['block/former', { now: 'a', former: [{ tiePoints: 1 }] }]]);
@@ -461,6 +466,24 @@ test('a new run keeps points by hand as they stand, rejected or not', () => {
     { kind: 'set_use', point: 4, use: 'check' },
     { kind: 'measure', point: { ground_control: 4 }, ...place(0) },
   ]);
+});
+
+test('places of the orthophoto are counted once, and edits that are lost for them apart', () => {
+  const before = { images: ['a', 'b'], surveyed: new Map([0, 1, 2].map((i) => [i, `orthophoto_${i}`])), connected: new Set(), givenControl: 3 };
+  const rejected = (/** @type {number[]} */ places) => ({ kind: 'reject_points', points: places.map((place) => ({ ground_control: place })) });
+  const measured = { kind: 'measure', point: { ground_control: 0 }, image: 1, x_px: 1, y_px: 2, by: 'hand' };
+  const edits = [
+    rejected([0]),
+    { ...rejected([0, 2]), kind: 'restore_points' },
+    measured,
+    rejected([1]),
+    rejected([1]),
+    { kind: 'reject_points', points: [{ tie_point: 1 }] },
+  ];
+  const again = [0, 2].map((place) => ({ before: place, now: place + 5, is_same_spot: false, images: [] }));
+  const { lost, places } = page.carrying.carriedOver({ edits: edits.map((edit) => [edit]), done: edits.length }, before, before, false, again);
+  // Of place 0 all but the measurement holds, of place 2 all, of place 1 nothing.
+  assert.deepEqual([lost, places], [4, { held: 2, lost: 2, edits: 3 }]);
 });
 
 test('a surveyed point that was left out comes back with its use', () => {

@@ -184,7 +184,7 @@ test('edits of places hold of those that lie where they lay, whatever their name
     ],
     done: 5,
   });
-  assert.match(now.notice.text, /holds for 5 that lie there again, and not for 3: nothing was found there/);
+  assert.match(now.notice.text, /holds for 2 that lie there again, and not for 2: nothing was found there/);
   // Off the orthophoto nothing can lie again.
   const off = reduce(edited, { type: 'onGround', view: view(['G1'], { givenControl: 1 }), edits: [], ground: null });
   assert.ok(/not apply to the new one/.test(off.notice.text) && !/lie there again/.test(off.notice.text), off.notice.text);

@@ -7,7 +7,7 @@ import { DataError, VERDICT_CODES } from './errors.js';
 import { removeUnfinished } from './files.js';
 import { lockFolder } from './lock.js';
 import { note, print, printJson } from './output.js';
-import { byReason } from './skipped.js';
+import { skippedTexts } from './skipped.js';
 import { Written } from './written.js';
 
 /** @typedef {import('../node.js').ExportFormat} ExportFormat @typedef {import('../node.js').Summary} Summary */
@@ -51,7 +51,7 @@ export class BlockFolder {
   /** Prints what came of the block.  @param {Summary} summary @param {boolean} json @returns {import('./errors.js').ExitCode} */
   tell(summary, json) {
     const { images, remarks } = summary;
-    for (const text of byReason(images.left_out.map(({ name, reason }) => ({ name, reason: reason.text })))) note(text);
+    for (const text of skippedTexts(images.left_out.map(({ name, reason }) => ({ name, reason: reason.text })))) note(text);
     for (const name of images.stray_masks) note(`the mask ${name} belongs to none of the images`);
     for (const name of images.stray_marks) note(`the image measurements name ${name}, which is none of the images`);
     for (const { text } of remarks) note(text);

@@ -20,10 +20,11 @@ import {
 import { rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { IMAGE_FILE } from '../block/image-files.js';
+import { bytesOfKind, START_BYTES } from '../block/refused-files.js';
 import { message, Photo, refused_kind } from '../node.js';
 import { about, DataError } from './errors.js';
 import { note } from './output.js';
-import { byReason } from './skipped.js';
+import { skippedTexts } from './skipped.js';
 
 /** @type {Record<string, string>} */
 const REASONS = {
@@ -123,7 +124,7 @@ export function filesIn(path) {
 export function imagesIn(folder) {
   const all = filesIn(folder);
   const names = all.filter((name) => IMAGE_FILE.test(name));
-  const unread = byReason(
+  const unread = skippedTexts(
     all
       .filter((name) => !IMAGE_FILE.test(name))
       .flatMap((name) => {
@@ -139,16 +140,16 @@ export function imagesIn(folder) {
   return names.map((name) => join(folder, name));
 }
 
-/** So many bytes tell what kind a file is of. */
-const START_BYTES = 1 << 16;
-
-/** The first bytes of a file; none of what is no file, or cannot be read.  @param {string} path @returns {Uint8Array} */
+/** The first bytes of a file, as many as tell its kind; none of what is no file, or cannot be read.  @param {string} path @returns {Uint8Array} */
 function startOf(path) {
   try {
     // Reading a pipe would wait for whoever writes into it.
     if (!isFile(path)) return new Uint8Array();
     const file = inParts(path);
-    return Buffer.isBuffer(file) ? file : file.read(0, Math.min(file.size, START_BYTES));
+    if (Buffer.isBuffer(file)) return file;
+    const start = file.read(0, START_BYTES);
+    const bytes = bytesOfKind(start);
+    return bytes > START_BYTES ? file.read(0, bytes) : start;
   } catch {
     return new Uint8Array();
   }

@@ -1,17 +1,11 @@
 // @ts-check
 /** What is said of files that are skipped. */
 
-/** So many files of one reason are named. */
-const NAMED = 5;
+import { byReason } from '../block/refused-files.js';
+import { listed } from './text.js';
 
 /** Files that are skipped, each reason once with the first names that it holds for.  @param {readonly { name: string, reason: string }[]} skipped @returns {string[]} */
-export function byReason(skipped) {
-  /** @type {Map<string, string[]>} */
-  const of = new Map();
-  for (const { name, reason } of skipped) of.set(reason, [...(of.get(reason) ?? []), name]);
-  return [...of].map(([reason, names]) => {
-    const more = names.length > NAMED ? ` and ${names.length - NAMED} more` : '';
-    const files = `${names.slice(0, NAMED).join(', ')}${more}`;
-    return names.length === 1 ? `${files} is skipped: ${reason}` : `${names.length} files are skipped (${files}): ${reason}`;
-  });
-}
+export const skippedTexts = (skipped) =>
+  [...byReason(skipped)].map(([reason, names]) =>
+    names.length === 1 ? `${listed(names)} is skipped: ${reason}` : `${names.length} files are skipped (${listed(names)}): ${reason}`,
+  );

@@ -7,6 +7,8 @@ import { done, hosted, open, part, pngs, says, SKIP, upload } from './page.js';
 
 hosted();
 
+const HEIC = Buffer.concat([Buffer.from([0, 0, 0, 24]), Buffer.from('ftypheic\0\0\0\0mif1heic'), Buffer.alloc(100)]);
+
 /** An image that takes long to read. */
 function large() {
   const [width, height] = [7000, 5000];
@@ -40,6 +42,26 @@ test('images whose reading was cancelled stay, and Run opens them', { skip: SKIP
   await part(page, 'cancel').click();
   await says(page, 'status', /Cancelled\. Nothing was changed\./);
   assert.match((await part(page, 'name-left').textContent()) ?? '', /a_large/);
+  // Images that took the place of others are not said to be kept.
+  const marks = upload(
+    'left_fiducials.csv',
+    Buffer.from('col,row,x_mm,y_mm\n20,30,-29.2,43.2\n250,30,29.2,43.2\n250,370,29.2,-43.2\n20,370,-29.2,-43.2\n'),
+    'text/csv',
+  );
+  await part(page, 'file-input').setInputFiles([...pngs(), upload('e.heic', HEIC)]);
+  const refused = await says(page, 'status', /e\.heic cannot be opened/);
+  assert.doesNotMatch(refused, /are kept/);
+  await done(page);
   assert.deepEqual(complaints, []);
   await close();
+  const another = await open({ fresh: true });
+  await says(another.page, 'status', /^Ready/);
+  await part(another.page, 'file-input').setInputFiles([upload('a_large.png', large(), 'image/png'), { ...small, name: 'b_small.png' }, marks]);
+  await says(another.page, 'status', /^Reading a_large\.png and b_small\.png/);
+  await part(another.page, 'cancel').click();
+  await says(another.page, 'status', /^Cancelled\. The images stay: press Run to open them\..*left_fiducials\.csv was not read: give it again\./);
+  await another.page.waitForTimeout(500);
+  assert.ok(await part(another.page, 'run').isVisible());
+  assert.match((await part(another.page, 'status').textContent()) ?? '', /^Cancelled/);
+  await another.close();
 });

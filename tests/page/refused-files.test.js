@@ -49,6 +49,11 @@ test('pictures of kinds that are not read are named for a block, the first of th
   assert.equal(await part(page, 'block-status').getAttribute('data-kind'), 'problem');
   await drop(page, [...pngs(), ...many, upload('notes.md', Buffer.from('notes'))]);
   assert.match(await status(page, /in the block/), /^2 images in the block\. 1 file skipped: not an image by name\. .*7 files cannot be opened/);
+  // Beside an orthophoto that is given, and where that is refused.
+  await part(page, 'block-orthophoto-input').setInputFiles([heic('ground.heic')]);
+  await status(page, /^ground\.heic cannot be opened: HEIC/);
+  await part(page, 'block-orthophoto-input').setInputFiles([heic('ground.heic'), upload('plain.png', Buffer.from('no image'))]);
+  await status(page, /plain\.png.*ground\.heic cannot be opened: HEIC/);
   assert.deepEqual(complaints, []);
   await close();
 });

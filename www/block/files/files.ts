@@ -95,7 +95,10 @@ export class BlockFiles {
     const ground = await this.ground.take(rasters);
     const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
     // Nothing else is taken with what is wrong: it can be given again.
-    if (ground === null) return;
+    if (ground === null) {
+      if (unread !== '') this.tellBeside(this.store.state.notice, unread);
+      return;
+    }
     const alone = found.filter(({ path }) => path === '');
     const project = alone.find(({ file }) => PROJECT.test(file.name));
     const film = await this.takeFilm(alone.map(({ file }) => file));
@@ -116,20 +119,20 @@ export class BlockFiles {
     const putAside = [unread, grids, film.aside, this.marksOfNone(film.marks), notCameras, tables.aside].filter((text) => text !== '').join(' ');
     if (putAside === '') return;
     const { notice } = this.store.state;
-    if (given.length > 0 && kinds.size === given.length) this.tell('problem', unread);
+    if (given.length > 0 && kinds.size === given.length) this.tellUnread(unread);
     else this.tellBeside(notice === before ? null : notice, putAside);
   }
 
   /** Takes files that are given as an orthophoto with what belongs to it, or as its heights: what they hold decides where it can be told. */
   async takeGround(given: readonly File[], asHeights = false): Promise<void> {
     const kinds = await refusedKinds(given);
-    if (kinds.size > 0) this.tell('problem', kindsText(kinds));
     const { others, ...sorted } = await sortRasters(given.filter((file) => !kinds.has(file)).map((file) => ({ file, path: '' })));
     // A picture that does not say where it lies is refused with the crate's reason.
     const unknown = others.map(({ file }) => ({ file, world: null, projection: null }));
     const pictures = asHeights ? [] : [...sorted.orthophotos, ...(sorted.orthophotos.length > 0 ? [] : unknown)];
     const heights = [...sorted.heights, ...sorted.degrees, ...(asHeights ? [...sorted.orthophotos, ...unknown] : [])];
-    await this.said(await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds, projections: sorted.projections }));
+    const text = await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds, projections: sorted.projections });
+    await this.said(text, kindsText(kinds));
   }
 
   /** Takes one height for all of the ground. */
@@ -137,10 +140,12 @@ export class BlockFiles {
     await this.said(await this.ground.takeLevel(height));
   }
 
-  /** Says what was taken; images that wait for nothing else are placed. */
-  private async said(text: string | null): Promise<void> {
+  /** Says what was taken, null where that was refused, and what of it is not read; images that wait for nothing else are placed. */
+  private async said(text: string | null, unread = ''): Promise<void> {
+    if (text !== null && text !== '') this.tell('info', text);
+    if (unread !== '' && text === '') this.tellUnread(unread);
+    else if (unread !== '') this.tellBeside(this.store.state.notice, unread);
     if (text === null || text === '') return;
-    this.tell('info', text);
     // A finished block is placed when the user asks, one that is run when it is finished.
     const { shown, placing, files, running } = this.store.state;
     if (shown === null && running.kind !== 'yes' && !this.waits && files.length > 0 && placing.placed.size === 0) await this.start();
@@ -398,7 +403,7 @@ export class BlockFiles {
       // What is given is run; what was given before goes on.
       if (!this.waits && own === null) void this.start();
     }
-    const runs = this.store.state.running.kind === 'yes' || this.store.state.placing.running !== null;
+    const runs = this.runsNow();
     const notes = [
       why,
       runs || own !== null ? '' : say('in-the-block', { sorted: images(sorted.length) }),
@@ -423,6 +428,16 @@ export class BlockFiles {
 
   private tell(kind: 'info' | 'busy' | 'problem', text: string): void {
     this.store.dispatch({ type: 'notice', notice: { kind, text } });
+  }
+
+  /** Says that nothing that was given is read; while something runs, beside that. */
+  private tellUnread(text: string): void {
+    this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text, beside: this.runsNow() } });
+  }
+
+  private runsNow(): boolean {
+    const { running, placing } = this.store.state;
+    return running.kind === 'yes' || placing.running !== null;
   }
 
   private failed(what: string, error: unknown): void {

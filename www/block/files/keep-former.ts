@@ -21,7 +21,7 @@ interface KeptFormer extends Former {
 }
 
 interface KeptFormers {
-  /** The name of the present list. */
+  /** The name of the present list; none where it is none of theirs. */
   now: string;
   former: readonly KeptFormer[];
 }
@@ -29,24 +29,27 @@ interface KeptFormers {
 /** What is kept of them; nothing where there are none. */
 export function formerParts(former: readonly Former[], { edits }: History<EditStep>): Map<string, Kept> {
   if (former.length === 0) return new Map();
-  const bytes = former.flatMap(({ history, kept }) => [...history.edits, ...kept.edits]).reduce((sum, step) => sum + bytesOfStep(step), 0);
-  return new Map([[FORMER, { value: kept(former, edits), bytes }]]);
+  // Once something was edited since they are written no more.
+  const isOfThem = former.some(({ history, kept }) => history.edits === edits || kept.edits === edits);
+  return new Map([[FORMER, keptFormers(former, isOfThem ? edits : null)]]);
 }
 
-const kept = remember(
-  (former: readonly Former[], edits: Edits): KeptFormers => ({
-    now: nameOf(edits),
+/** `now`: the present list where it is one of theirs. */
+const keptFormers = remember((former: readonly Former[], now: Edits | null): Kept & { value: KeptFormers } => ({
+  value: {
+    now: now === null ? '' : nameOf(now),
     former: former.map((one) => ({ ...one, historyName: nameOf(one.history.edits), keptName: nameOf(one.kept.edits) })),
-  }),
-);
+  },
+  bytes: former.flatMap(({ history, kept }) => [...history.edits, ...kept.edits]).reduce((sum, step) => sum + bytesOfStep(step), 0),
+}));
 
 /** `history`: the present one as it was read. Earlier releases kept none. @throws Error naming what is damaged */
 export function formerFrom(parts: ReadonlyMap<string, unknown>, history: History<EditStep>): readonly Former[] {
   if (!parts.has(FORMER)) return [];
   const value = objectOf(parts.get(FORMER), 'former');
   const now = likeOf(value.now, '', 'former.now');
-  const lists = new Map<string, Edits>([[now, history.edits]]);
-  nameOf(history.edits, now);
+  const lists = new Map<string, Edits>(now === '' ? [] : [[now, history.edits]]);
+  if (now !== '') nameOf(history.edits, now);
   /** One list for one name. */
   const historyFrom = (own: unknown, called: unknown, name: string): History<EditStep> => {
     const { edits, done } = objectOf(own, name);

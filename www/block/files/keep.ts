@@ -13,11 +13,13 @@ import type { KeptBlock, KeptFile, KeptShown } from '../state/kept';
 import { NONE_GIVEN } from '../state/given-points';
 import type { BlockCatalogue, BlockFile, BlockState, Shown, TextFile } from '../state/state';
 import type { EditStep } from '../state/edits';
+import type { Former } from '../state/former';
 import type { OnGround } from '../state/placing';
 import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
 import { passIds } from './ids';
 import { formerFrom, formerParts } from './keep-former';
 import { keptPlacing, placingFrom, rastersOf, sizeOfPlaced } from './keep-placing';
+import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 
 const GIVEN = 'block';
@@ -109,7 +111,7 @@ export class KeptBlocks implements Keepable {
     const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
     const history = this.journal.read(parts);
     const marks = this.marks.read(parts);
-    const former = formerFrom(parts, history);
+    const { former, damage } = formerOrNone(parts, history);
     const finished = await this.finished(parts, history);
     const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
     const records = new Map(
@@ -131,7 +133,8 @@ export class KeptBlocks implements Keepable {
       const names = this.images();
       if (names.length === 0) return;
       const goesOn = records.size > 0 && shown === null ? say('the-work-that-was-done') : '';
-      const text = say('restored-from-this-browser', { title_of: titleOf({ name: null, images: names }), goes_on: goesOn });
+      const restored = say('restored-from-this-browser', { title_of: titleOf({ name: null, images: names }), goes_on: goesOn });
+      const text = damage === '' ? restored : `${restored} ${damage}`;
       this.store.dispatch({ type: 'notice', notice: { kind: 'info', text, beside: true } });
     };
   }
@@ -184,6 +187,15 @@ export class KeptBlocks implements Keepable {
       kept: value as unknown as KeptShown,
       hold: opened.hold,
     };
+  }
+}
+
+/** Edits of former blocks, of which only a way back is made: where they are damaged there is none. */
+function formerOrNone(parts: ReadonlyMap<string, unknown>, history: History<EditStep>): { former: readonly Former[]; damage: string } {
+  try {
+    return { former: formerFrom(parts, history), damage: '' };
+  } catch (error) {
+    return { former: [], damage: say('edits-of-former-blocks-are-left-out', { error: messageOf(error) }) };
   }
 }
 

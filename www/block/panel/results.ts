@@ -1,5 +1,6 @@
 /** What came of a block: images oriented, points by rays, residuals, calibrated cameras, warnings, and what was skipped. */
-import { byReason, namesText } from '../../shared/files/refused';
+import { byReason } from '../../../pkg/block/refused-files.js';
+import { namesText } from '../../shared/files/refused';
 import { button, fill, h, row, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';

@@ -141,8 +141,9 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   const passed = state.notice?.passing === true && running.kind !== 'yes' && placing.running === null;
   const notice = passed ? null : ofLine(state.notice);
   const line = (kind: Answer['kind'], text: string): Answer => ({ kind, text, verdict: null });
-  if (running.kind === 'yes') return { ...line('busy', runText(running.steps)), more: notice?.beside === true ? notice.text : '' };
-  if (state.placing.running !== null) return placingRuns(state.placing.running);
+  const beside = notice?.beside === true ? notice.text : '';
+  if (running.kind === 'yes') return { ...line('busy', runText(running.steps)), more: beside };
+  if (state.placing.running !== null) return { ...placingRuns(state.placing.running), more: beside };
   if (notice?.beside === true) {
     return { ...answerOf({ ...state, notice: null }, actions), said: notice.text };
   }

@@ -14,13 +14,13 @@ export interface CarriedOver {
   left: readonly number[];
   /** So many edits held and do not there. */
   lost: number;
-  /** What edits in force do to so many places of an orthophoto, or to observations of them, holds of the places that lie where they lay; of so many it does not. */
-  places: { held: number; lost: number };
+  /** Something that edits in force do to so many places of an orthophoto, or to observations of them, holds; something done to so many does not. `edits`: of the lost ones those that are lost for these. */
+  places: { held: number; lost: number; edits: number };
   /** Former steps that were undone and cannot be done again there. */
   aside: readonly EditStep[];
 }
 
-export const NO_PLACES_AGAIN = { held: 0, lost: 0 };
+export const NO_PLACES_AGAIN = { held: 0, lost: 0, edits: 0 };
 
 /** The edits that hold there, places of the orthophoto by `again`: those of images and their pairs, of surveyed points, and of points that were measured by hand; those of tie points where these are the same. A step that was undone stays where all of its edits do. */
 export function carriedOver(
@@ -37,14 +37,14 @@ export function carriedOver(
   let lost = 0;
   let places: CarriedOver['places'] | null = null;
   steps.forEach((step, place) => {
-    if (place === done) places = { ...carrier.ofPlaces };
+    if (place === done) places = carrier.ofPlaces();
     const own = carrier.step(step, place >= done);
     if (own.length > 0) edits.push(own);
     else if (place >= done) aside.push(step);
     if (place < done) lost += step.length - own.length;
     left.push(edits.length);
   });
-  return { history: { edits, done: left[done] ?? edits.length }, left, lost, places: places ?? carrier.ofPlaces, aside };
+  return { history: { edits, done: left[done] ?? edits.length }, left, lost, places: places ?? carrier.ofPlaces(), aside };
 }
 
 class Carrier {
@@ -60,7 +60,13 @@ class Carrier {
   private readonly again: ReadonlyMap<number, PlaceAgain>;
   /** Observations of them that edits added, by their former numbers and images. */
   private readonly measured = new Set<string>();
-  readonly ofPlaces = { ...NO_PLACES_AGAIN };
+  /** Places of the orthophoto of which something holds, and of which something does not, by their former numbers. */
+  private readonly held = new Set<number>();
+  private readonly notHeld = new Set<number>();
+  /** So many edits were lost for these. */
+  private lostForPlaces = 0;
+  /** Whether something of the edit at hand was. */
+  private isPlaceLost = false;
 
   constructor(
     private readonly before: Names,
@@ -73,10 +79,19 @@ class Carrier {
     this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
   }
 
+  ofPlaces(): CarriedOver['places'] {
+    return { held: this.held.size, lost: this.notHeld.size, edits: this.lostForPlaces };
+  }
+
   /** `whole`: nothing of it where an edit is lost. */
   step(step: EditStep, whole: boolean): EditStep {
     const [first, added, firstControl, placed] = [this.numbers.length, this.added, this.controls.length, this.placed];
-    const own = step.flatMap((edit) => this.carried(edit));
+    const own = step.flatMap((edit) => {
+      this.isPlaceLost = false;
+      const there = this.carried(edit);
+      if (there.length === 0 && this.isPlaceLost) this.lostForPlaces += 1;
+      return there;
+    });
     if (!whole || own.length === step.length) return own;
     // Later steps find none of its points.
     this.numbers.fill(-1, first);
@@ -166,7 +181,8 @@ class Carrier {
   private place(control: number, holds: (place: PlaceAgain) => boolean): PointSource[] {
     const place = this.again.get(control);
     const isHeld = place !== undefined && holds(place);
-    this.ofPlaces[isHeld ? 'held' : 'lost'] += 1;
+    (isHeld ? this.held : this.notHeld).add(control);
+    if (!isHeld) this.isPlaceLost = true;
     return isHeld ? [{ ground_control: place.now }] : [];
   }
 }

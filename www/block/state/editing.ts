@@ -179,14 +179,15 @@ export function carried({ history, marks, shown, former }: BlockState, view: Blo
       return besideEdits(steps, (place, at) => places[at] ?? place);
     }, marks);
     // Places of an orthophoto that it lay on are no points of the block that was found.
-    const regained = carriedOver(last.history, last.names, namesOf(view), true);
+    const regained = { ...carriedOver(last.history, last.names, namesOf(view), true), places: NO_PLACES_AGAIN };
     if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
       const { edits, said } = keptOf(regained, back, last.names);
       return { edits: { ...edits, former }, said };
     }
     return { edits: { ...UNEDITED, former, history: last.history, marks: back }, said: saidOfKept(last.history) };
   }
-  const found = carriedOver(history, names, namesOf(view), isSame);
+  // Whether places lie again is known once it lies on the orthophoto.
+  const found = { ...carriedOver(history, names, namesOf(view), isSame), places: NO_PLACES_AGAIN };
   if (isSame && found.lost + found.aside.length === 0 && names.givenControl === view.givenControl)
     return { edits: { ...UNEDITED, former, history, marks }, said: saidOfKept(history) };
   const { edits, said } = keptOf(found, marks, names);
@@ -234,9 +235,11 @@ function allCarried(history: History<EditStep>): CarriedOver {
 /** So many steps are named. */
 const MOST_NAMED = 3;
 
-function keptOf({ history, left, lost, places, aside }: CarriedOver, marks: BlockState['marks'], names: Names): { edits: Carried; said: string } {
+function keptOf({ history, left, lost: ofAll, places, aside }: CarriedOver, marks: BlockState['marks'], names: Names): { edits: Carried; said: string } {
   const named = aside.slice(0, MOST_NAMED).map((step) => nameOfStep(step, names));
   const steps = [...named, ...(aside.length > MOST_NAMED ? ['…'] : [])].join(', ');
+  // Of places it is said how many.
+  const lost = ofAll - places.edits;
   const said = [
     saidOfKept(history),
     lost === 0 ? '' : say('of-points-of-the-former', { lost }),

@@ -13,7 +13,7 @@ import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
 import type { Taker } from '../../shared/files/drop';
 import type { Choice, Notice } from '../../shared/state/notice';
-import { kindsText, refusedKinds, refusedText } from '../../shared/files/refused';
+import { kindsText, namesText, refusedKinds, refusedText } from '../../shared/files/refused';
 import type { Refused } from '../../shared/files/refused';
 import { contains } from '../../shared/view/transform';
 import { panesOf } from '../view/geometry';
@@ -48,6 +48,14 @@ type Told = { kind: 'info' | 'problem'; text: string; choices?: readonly Choice[
 
 const problem = (text: string): Told => ({ kind: 'problem', text });
 const info = (text: string): Told => ({ kind: 'info', text });
+
+/** What came of images; `isCancelled`: Cancel ended their reading. */
+interface Opened {
+  told: readonly Told[];
+  isCancelled: boolean;
+}
+
+const done = (told: readonly Told[]): Opened => ({ told, isCancelled: false });
 
 /** A file of a former version holds the matches as the edits left them, and not the edits. */
 function editsToldOf({ project }: OpenedProject): Told {
@@ -108,7 +116,16 @@ export class Files {
     const camera = cameras[0];
     if (camera !== undefined) told.push(await this.takeCamera(camera));
     // Marks of the image before it go with that.
-    const ofImages = images.length > 0 ? await this.takeImages(images, side, asks) : [];
+    const { told: ofImages, isCancelled } = images.length > 0 ? await this.takeImages(images, side, asks) : { told: [], isCancelled: false };
+    // What belongs to images whose reading was cancelled would start the run that they wait for.
+    if (isCancelled) {
+      const names = [...tables, ...masks].map(({ name }) => name);
+      this.tell(
+        [...told, ...ofImages, names.length === 0 ? null : info(say('cancelled-before-they-were-read', { files: names.length, names: namesText(names) }))],
+        before,
+      );
+      return;
+    }
     for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
     told.push(...ofImages);
     for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
@@ -173,11 +190,13 @@ export class Files {
   }
 
   /** Says together what came of files that were given together; `before`: the images that were open then. */
-  private tell(told: readonly Told[], { left, right } = this.store.state.images): void {
+  private tell(told: readonly Told[], before = this.store.state.images): void {
     const said = [...this.saidMeanwhile(), ...told.filter((one) => one !== null)];
     const bad = said.some(({ kind }) => kind === 'problem');
+    const { images } = this.store.state;
     // Where nothing was open there is nothing to be afraid for.
-    const kept = bad && (left !== null || right !== null) ? say('the-open-images-are-kept') : '';
+    const areKept = SIDES.every((side) => images[side] === before[side]) && SIDES.some((side) => before[side] !== null);
+    const kept = bad && areKept ? say('the-open-images-are-kept') : '';
     const text = `${said.map((one) => one.text).join(' ')}${kept}`;
     const choices = said.flatMap((one) => one.choices ?? []);
     const notice: Notice = { kind: bad ? 'problem' : 'info', text, ...(choices.length > 0 && { choices }) };
@@ -223,9 +242,9 @@ export class Files {
   }
 
   /** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
-  private async takeImages(files: readonly File[], side: Side | null, asks: boolean): Promise<Told[]> {
+  private async takeImages(files: readonly File[], side: Side | null, asks: boolean): Promise<Opened> {
     const tooLarge = files.find((file) => file.size > MOST_BYTES);
-    if (tooLarge !== undefined) return [problem(say('has-mb-up-to-1', { name: tooLarge.name, size: Math.round(tooLarge.size / 2 ** 20) }))];
+    if (tooLarge !== undefined) return done([problem(say('has-mb-up-to-1', { name: tooLarge.name, size: Math.round(tooLarge.size / 2 ** 20) }))]);
     const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
     if (known.every((place) => place !== null)) return this.takeFound(files, known);
     const sides = files.length === 2 ? (['left', 'right'] as const) : [side ?? this.freeSide()];
@@ -242,7 +261,7 @@ export class Files {
   }
 
   /** The files of images that a project names take their places: nothing of the project changes. */
-  private async takeFound(files: readonly File[], sides: readonly Side[]): Promise<Told[]> {
+  private async takeFound(files: readonly File[], sides: readonly Side[]): Promise<Opened> {
     const images: Partial<Record<Side, GivenImage>> = {};
     for (const [i, side] of sides.entries()) {
       const [image, file] = [this.store.state.images[side], files[i]];
@@ -251,11 +270,12 @@ export class Files {
     return this.check(images, 'found');
   }
 
-  private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found', asks = false): Promise<Told[]> {
+  private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found', asks = false): Promise<Opened> {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
     const isCancelled = outcomes.some((outcome) => outcome.status === 'rejected' && outcome.reason instanceof Cancelled);
-    if (type === 'images' && isCancelled && entries.every(([side]) => this.store.state.images[side] === null)) return this.leaveToRun(entries, outcomes);
+    if (type === 'images' && isCancelled && entries.every(([side]) => this.store.state.images[side] === null))
+      return { told: this.leaveToRun(entries, outcomes), isCancelled };
     const told = this.failedImages(
       outcomes.flatMap((outcome, i) =>
         outcome.status === 'rejected' ? [{ name: entries[i]?.[1].name ?? say('the-file'), error: outcome.reason as unknown }] : [],
@@ -266,14 +286,14 @@ export class Files {
       const { left, right } = this.store.state.images;
       const opened = entries.filter((_, i) => outcomes[i]?.status === 'fulfilled');
       if (left === null && right === null && opened.length > 0) this.store.dispatch({ type, images: Object.fromEntries(opened) });
-      return told;
+      return { told, isCancelled };
     }
     if (type === 'found') {
       this.store.dispatch({ type, images });
-      return [];
+      return done([]);
     }
     const question = asks ? await this.askOfThird(images) : null;
-    return question === null ? this.show(images) : [question];
+    return done(question === null ? await this.show(images) : [question]);
   }
 
   /** Images that take no other's place stay where Cancel ended their reading: Run opens them. */

@@ -37,7 +37,7 @@ export function mountStatus(store: Store, actions: StatusActions): void {
       bar.max = Math.max(1, wanted);
       bar.value = done;
       cancel.disabled = !busy;
-      run.hidden = !(state.paused && state.images.left !== null) && currentFailure(state)?.ended !== true;
+      run.hidden = !(state.paused && (state.images.left !== null || state.images.right !== null)) && currentFailure(state)?.ended !== true;
       show(answerOf(state, actions));
       document.body.classList.toggle('is-pending', anyStale(state));
       if (!busy) {
@@ -76,11 +76,11 @@ function answerWith(state: State, notice: Notice | null, actions: AnswerActions)
   if (running.length > 0)
     return line('busy', say('step', { step: Math.min(done + 1, wanted), steps: wanted, stages: running.map((stage) => STAGES[stage].label).join('; ') }));
   if (notice?.kind === 'busy') return line('busy', notice.text);
-  if (state.paused)
-    return line(
-      'idle',
-      state.results.openLeft === undefined && state.results.openRight === undefined ? say('cancelled-the-images-stay') : say('cancelled-results-on-the-screen'),
-    );
+  if (state.paused) {
+    const { openLeft, openRight } = state.results;
+    const text = say(openLeft === undefined && openRight === undefined ? 'cancelled-the-images-stay' : 'cancelled-results-on-the-screen');
+    return { ...line('idle', text), more: notice?.text ?? '' };
+  }
   if (failure !== null && !isOrientation(failure)) return line('problem', `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
   const [refused] = Object.values(state.refused);
   if (refused !== undefined) return line('problem', refusedText(refused));

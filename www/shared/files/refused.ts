@@ -1,5 +1,6 @@
 /** Files that cannot be used, told before anything is done with them, and said together where the reason is one. */
 import { IMAGE_FILE } from '../../../pkg/block/image-files.js';
+import { byReason, bytesOfKind, START_BYTES } from '../../../pkg/block/refused-files.js';
 import { refused_kind } from '../crate';
 import { sentence } from '../text/format';
 import { message } from '../text/messages';
@@ -11,34 +12,33 @@ export interface Refused {
   reason: string;
 }
 
-/** So many bytes tell every kind but raw files, whose first directory of a TIFF stands within more of them. */
-const [FEW_BYTES, MORE_BYTES] = [64, 1 << 16];
+/** So many files are read at once: a folder may hold thousands. */
+const AT_ONCE = 32;
 
 /** So many files of one reason are named. */
 const NAMED = 5;
 
 /** Of these files those of kinds that are not decoded (HEIC, raw, films, …), each with why. */
 export async function refusedKinds(files: readonly File[]): Promise<ReadonlyMap<File, string>> {
-  const told = await Promise.all(files.map(async (file) => [file, await refusedKind(file)] as const));
-  return new Map(told.flatMap(([file, reason]) => (reason === null ? [] : [[file, reason]])));
+  const refused = new Map<File, string>();
+  for (let first = 0; first < files.length; first += AT_ONCE) {
+    const told = await Promise.all(files.slice(first, first + AT_ONCE).map(async (file) => [file, await refusedKind(file)] as const));
+    for (const [file, reason] of told) if (reason !== null) refused.set(file, reason);
+  }
+  return refused;
 }
 
 async function refusedKind(file: File): Promise<string | null> {
-  const length = IMAGE_FILE.test(file.name) ? FEW_BYTES : MORE_BYTES;
-  // What cannot be read says why where it is used.
-  const start = await file
-    .slice(0, length)
-    .arrayBuffer()
-    .catch(() => new ArrayBuffer(0));
-  const refusal = refused_kind(file.name, new Uint8Array(start));
+  const start = await startOf(file, START_BYTES);
+  const bytes = IMAGE_FILE.test(file.name) ? START_BYTES : bytesOfKind(start);
+  const refusal = refused_kind(file.name, bytes > START_BYTES ? await startOf(file, bytes) : start);
   return refusal === null ? null : message('error', refusal);
 }
 
-/** Files by their reasons, in the order in which these come first. */
-export function byReason(refused: readonly Refused[]): Map<string, string[]> {
-  const names = new Map<string, string[]>();
-  for (const { name, reason } of refused) names.set(reason, [...(names.get(reason) ?? []), name]);
-  return names;
+/** The first bytes of a file; none of what cannot be read, which says why where it is used. */
+async function startOf(file: File, length: number): Promise<Uint8Array> {
+  const start = file.slice(0, length).arrayBuffer();
+  return new Uint8Array(await start.catch(() => new ArrayBuffer(0)));
 }
 
 /** What is said of files of such kinds; nothing where there are none. */

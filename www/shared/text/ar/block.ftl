@@ -100,6 +100,7 @@ orthophoto-px-of = الصورة المصححة { $name }: { COUNT($width) } × {
 the-work-that-was-done = {" "}ما أُنجز من العمل محفوظ: «تشغيل» يتابع من هناك.
 restored-from-this-browser = استُرجع من هذا المتصفح: { $title_of }.{ $goes_on }
 the-finished-block-is-damaged = الكتلة المنجزة تالفة
+edits-of-former-blocks-are-left-out = تُركت تعديلات الكتل السابقة لهذه: { $error }.
 the-image-is-damaged = الصورة { $name } تالفة
 taking-the-block-off-the = تُفتح الكتلة كما كانت دون الصورة المصححة …
 the-block-stays-as-it = تبقى الكتلة كما كانت: { $sentence }

@@ -37,6 +37,11 @@ masks-of-the-image = يحجب { $name } ما نسبته { FIXED($left_out, digit
        *[right] اليمنى
     }.
 cannot-be-used-as-a = لا يمكن استعمال { $name } قناعًا
+cancelled-before-they-were-read = { $files ->
+        [one] لم يُقرأ { $names }: أعطه من جديد.
+        [two] لم يُقرأ الملفان { $names }: أعطهما من جديد.
+       *[other] لم تُقرأ الملفات { $names }: أعطها من جديد.
+    }
 rendering-the-pair-a-simulated = يُولَّد الزوج: طيران محاكى فوق مشهد اصطناعي …
 the-pair-could-not-be = تعذر توليد الزوج
 the-open-images-are-kept = {" "}الصور المفتوحة باقية.

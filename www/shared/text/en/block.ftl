@@ -119,6 +119,7 @@ orthophoto-px-of = Orthophoto { $name }: { COUNT($width) } × { COUNT($height) }
 the-work-that-was-done = {" "}The work that was done is kept: Run goes on from there.
 restored-from-this-browser = Restored from this browser: { $title_of }.{ $goes_on }
 the-finished-block-is-damaged = the finished block is damaged
+edits-of-former-blocks-are-left-out = Edits of blocks before this one are left out: { $error }.
 the-image-is-damaged = the image { $name } is damaged
 
 ## files/runs

@@ -49,6 +49,13 @@ masks-of-the-image = { $name } masks { FIXED($left_out, digits: 1) } % of the { 
        *[right] right
     } image.
 cannot-be-used-as-a = { $name } cannot be used as a mask
+cancelled-before-they-were-read = { $names } { $files ->
+        [one] was
+       *[other] were
+    } not read: give { $files ->
+        [one] it
+       *[other] them
+    } again.
 rendering-the-pair-a-simulated = Rendering the pair: a simulated flight over a synthetic scene …
 the-pair-could-not-be = The pair could not be rendered
 the-open-images-are-kept = {" "}The open images are kept.
