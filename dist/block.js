@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$1, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -104,9 +104,9 @@ function filmOf({ camera, marks }, image) {
 		marks: own.text
 	};
 }
-var FRAMES = "*-film.png";
-function frameName(scan) {
-	return FRAMES.replace("*", scan.replace(/\.[^.]*$/u, ""));
+var isOfFrames = (pattern) => /^\*-film\d*\.png$/u.test(pattern);
+function frameName(scan, pattern) {
+	return pattern.replace("*", scan.replace(/\.[^.]*$/u, ""));
 }
 function framesOf(film, images) {
 	return images.filter(({ name }) => filmOf(film, name) !== null);
@@ -379,21 +379,21 @@ function readOr(file, read) {
 		return [];
 	}
 }
-var keyOf = ({ image, point }) => JSON.stringify([image, point]);
+var keyOf$1 = ({ image, point }) => JSON.stringify([image, point]);
 var marksByHand = remember(({ edits, done }) => {
 	const held = new Map();
 	for (const step of edits.slice(0, done)) {
 		if (step.kind === "remove_images") continue;
 		for (const mark of step.marks) {
-			held.delete(keyOf(mark));
-			if (step.kind === "measure") held.set(keyOf(mark), mark);
+			held.delete(keyOf$1(mark));
+			if (step.kind === "measure") held.set(keyOf$1(mark), mark);
 		}
 	}
 	return [...held.values()];
 });
 var allMarks = remember((file, history) => {
 	const all = [...marksOfFile(file), ...marksByHand(history)];
-	return [...new Map(all.map((mark) => [keyOf(mark), mark])).values()];
+	return [...new Map(all.map((mark) => [keyOf$1(mark), mark])).values()];
 });
 var collected = remember((control, file, history, files) => {
 	const byHand = marksByHand(history);
@@ -796,11 +796,14 @@ function stepName(step) {
 	});
 }
 // www/block/engine/frames.ts
-async function makeFrames(worker, scans, tell) {
+async function makeFrames(worker, scans, given, tell) {
 	const made = [];
 	const at = (name) => tell(made.length, scans.length, say("resampling-scan", { name }));
 	at(scans[0]?.file.name ?? "");
-	const plan = await worker.call("filmPlan", scans.map(({ film }) => film));
+	const plan = await worker.call("filmPlan", {
+		films: scans.map(({ film }) => film),
+		given
+	});
 	for (const { file, film, mask } of scans) {
 		at(file.name);
 		made.push({
@@ -808,7 +811,7 @@ async function makeFrames(worker, scans, tell) {
 				file: file.file,
 				film,
 				plan,
-				image: frameName(file.name),
+				image: file.name,
 				mask
 			}),
 			of: file.id
@@ -1110,8 +1113,8 @@ var PlacingEngine = class {
 			return this.maker.call("mosaicFinish", null);
 		});
 	}
-	frames(scans) {
-		return this.made((tell) => makeFrames(this.maker, scans, tell));
+	frames(scans, given) {
+		return this.made((tell) => makeFrames(this.maker, scans, given, tell));
 	}
 	async made(make) {
 		this.stopped = false;
@@ -1208,6 +1211,7 @@ var BlockPlacing = class {
 				options: placing.options
 			});
 			const read = await this.engine.read(linked, this.store.state.truth);
+			const again = await read.placesAgain();
 			if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
 			read.hold();
 			this.store.dispatch({
@@ -1217,7 +1221,8 @@ var BlockPlacing = class {
 				ground: {
 					key,
 					before
-				}
+				},
+				again
 			});
 			return true;
 		} catch (error) {
@@ -1472,9 +1477,14 @@ var BlockEngine = class {
 			this.heldIn = worker.generation;
 			this.spare = null;
 		};
+		const placesAgain = async () => {
+			await this.regained();
+			return worker.call("blockPlacesAgain", { before: await this.block.call("blockPlaces", null) });
+		};
 		return {
 			...opened,
-			hold
+			hold,
+			placesAgain
 		};
 	}
 	async edited(edits) {
@@ -1913,157 +1923,6 @@ function withControls(edit, number) {
 		default: return edit;
 	}
 }
-// www/block/state/carrying.ts
-function carriedOver({ edits: steps, done }, before, after, sameTiePoints = false) {
-	const carrier = new Carrier(before, after, sameTiePoints);
-	const edits = [];
-	const left = [0];
-	const aside = [];
-	let lost = 0;
-	steps.forEach((step, place) => {
-		const own = carrier.step(step, place >= done);
-		if (own.length > 0) edits.push(own);
-		else if (place >= done) aside.push(step);
-		if (place < done) lost += step.length - own.length;
-		left.push(edits.length);
-	});
-	return {
-		history: {
-			edits,
-			done: left[done] ?? edits.length
-		},
-		left,
-		lost,
-		aside
-	};
-}
-var Carrier = class {
-	before;
-	after;
-	sameTiePoints;
-	places;
-	surveyed;
-	numbers = [];
-	added = 0;
-	controls = [];
-	placed = 0;
-	constructor(before, after, sameTiePoints) {
-		this.before = before;
-		this.after = after;
-		this.sameTiePoints = sameTiePoints;
-		this.places = new Map(after.images.map((name, image) => [name, image]));
-		this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
-	}
-	step(step, whole) {
-		const [first, added, firstControl, placed] = [
-			this.numbers.length,
-			this.added,
-			this.controls.length,
-			this.placed
-		];
-		const own = step.flatMap((edit) => this.carried(edit));
-		if (!whole || own.length === step.length) return own;
-		this.numbers.fill(-1, first);
-		this.added = added;
-		this.controls.fill(-1, firstControl);
-		this.placed = placed;
-		return [];
-	}
-	carried(edit) {
-		switch (edit.kind) {
-			case "reject_images":
-			case "restore_images": {
-				const images = edit.images.map((image) => this.image(image)).filter((image) => image >= 0);
-				return images.length === 0 ? [] : [{
-					...edit,
-					images
-				}];
-			}
-			case "reject_pairs":
-			case "restore_pairs": {
-				const pairs = edit.pairs.map(([a, b]) => [this.image(a), this.image(b)]).filter((pair) => this.after.connected.has(keyOfPair(pair)));
-				return pairs.length === 0 ? [] : [{
-					...edit,
-					pairs
-				}];
-			}
-			case "add_point": return this.add(edit.observations);
-			case "measure": {
-				const [[point], image] = [this.points([edit.point]), this.image(edit.image)];
-				return point === void 0 || image < 0 ? [] : [{
-					...edit,
-					point,
-					image
-				}];
-			}
-			case "reject_points":
-			case "restore_points": {
-				const points = this.points(edit.points);
-				return points.length === 0 ? [] : [{
-					...edit,
-					points
-				}];
-			}
-			case "reject_observations":
-			case "restore_observations": {
-				const observations = edit.observations.flatMap((one) => {
-					const [[point], image] = [this.points([one.point]), this.image(one.image)];
-					return point === void 0 || image < 0 ? [] : [{
-						point,
-						image
-					}];
-				});
-				return observations.length === 0 ? [] : [{
-					...edit,
-					observations
-				}];
-			}
-			case "add_control":
-				this.controls.push(this.after.givenControl + this.placed);
-				this.placed += 1;
-				return [edit];
-			case "set_use": {
-				const point = this.control(edit.point);
-				return point < 0 ? [] : [{
-					...edit,
-					point
-				}];
-			}
-		}
-	}
-	add(measurements) {
-		const observations = measurements.map((one) => ({
-			...one,
-			image: this.image(one.image)
-		})).filter(({ image }) => image >= 0);
-		const stays = observations.length >= 2;
-		this.numbers.push(stays ? this.added : -1);
-		if (!stays) return [];
-		this.added += 1;
-		return [{
-			kind: "add_point",
-			observations
-		}];
-	}
-	image(image) {
-		return this.places.get(this.before.images[image] ?? "") ?? -1;
-	}
-	control(control) {
-		if (control >= this.before.givenControl) return this.controls[control - this.before.givenControl] ?? -1;
-		return this.surveyed.get(this.before.surveyed.get(control) ?? "") ?? -1;
-	}
-	points(points) {
-		return points.flatMap((point) => {
-			if ("tie_point" in point) return this.sameTiePoints ? [point] : [];
-			if ("manual" in point) {
-				const number = this.numbers[point.manual] ?? -1;
-				return number < 0 ? [] : [{ manual: number }];
-			}
-			const control = this.control(point.ground_control);
-			return control < 0 ? [] : [{ ground_control: control }];
-		});
-	}
-};
 // www/block/state/naming.ts
 var NO_NAMES = {
 	images: [],
@@ -2192,6 +2051,196 @@ function inImage(image, { images }) {
 	const name = images[image];
 	return name === void 0 ? "" : say("in-image", { name });
 }
+// www/block/state/carrying.ts
+var NO_PLACES_AGAIN = {
+	held: 0,
+	lost: 0,
+	edits: 0
+};
+function carriedOver({ edits: steps, done }, before, after, sameTiePoints = false, again = []) {
+	const carrier = new Carrier(before, after, sameTiePoints, again);
+	const edits = [];
+	const left = [0];
+	const aside = [];
+	let lost = 0;
+	let places = null;
+	steps.forEach((step, place) => {
+		if (place === done) places = carrier.ofPlaces();
+		const own = carrier.step(step, place >= done);
+		if (own.length > 0) edits.push(own);
+		else if (place >= done) aside.push(step);
+		if (place < done) lost += step.length - own.length;
+		left.push(edits.length);
+	});
+	return {
+		history: {
+			edits,
+			done: left[done] ?? edits.length
+		},
+		left,
+		lost,
+		places: places ?? carrier.ofPlaces(),
+		aside
+	};
+}
+var Carrier = class {
+	before;
+	after;
+	sameTiePoints;
+	places;
+	surveyed;
+	numbers = [];
+	added = 0;
+	controls = [];
+	placed = 0;
+	again;
+	measured = new Set();
+	held = new Set();
+	notHeld = new Set();
+	lostForPlaces = 0;
+	isPlaceLost = false;
+	constructor(before, after, sameTiePoints, again) {
+		this.before = before;
+		this.after = after;
+		this.sameTiePoints = sameTiePoints;
+		this.again = new Map(again.map((one) => [one.before, one]));
+		this.places = new Map(after.images.map((name, image) => [name, image]));
+		this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
+	}
+	ofPlaces() {
+		return {
+			held: this.held.size,
+			lost: this.notHeld.size,
+			edits: this.lostForPlaces
+		};
+	}
+	step(step, whole) {
+		const [first, added, firstControl, placed] = [
+			this.numbers.length,
+			this.added,
+			this.controls.length,
+			this.placed
+		];
+		const own = step.flatMap((edit) => {
+			this.isPlaceLost = false;
+			const there = this.carried(edit);
+			if (there.length === 0 && this.isPlaceLost) this.lostForPlaces += 1;
+			return there;
+		});
+		if (!whole || own.length === step.length) return own;
+		this.numbers.fill(-1, first);
+		this.added = added;
+		this.controls.fill(-1, firstControl);
+		this.placed = placed;
+		return [];
+	}
+	carried(edit) {
+		switch (edit.kind) {
+			case "reject_images":
+			case "restore_images": {
+				const images = edit.images.map((image) => this.image(image)).filter((image) => image >= 0);
+				return images.length === 0 ? [] : [{
+					...edit,
+					images
+				}];
+			}
+			case "reject_pairs":
+			case "restore_pairs": {
+				const pairs = edit.pairs.map(([a, b]) => [this.image(a), this.image(b)]).filter((pair) => this.after.connected.has(keyOfPair(pair)));
+				return pairs.length === 0 ? [] : [{
+					...edit,
+					pairs
+				}];
+			}
+			case "add_point": return this.add(edit.observations);
+			case "measure": {
+				const [[point], image] = [this.points([edit.point], (place) => place.is_same_spot), this.image(edit.image)];
+				if (point === void 0 || image < 0) return [];
+				if ("ground_control" in edit.point) this.measured.add(keyOf(edit.point.ground_control, image));
+				return [{
+					...edit,
+					point,
+					image
+				}];
+			}
+			case "reject_points":
+			case "restore_points": {
+				const points = this.points(edit.points);
+				return points.length === 0 ? [] : [{
+					...edit,
+					points
+				}];
+			}
+			case "reject_observations":
+			case "restore_observations": {
+				const observations = edit.observations.flatMap((one) => {
+					const image = this.image(one.image);
+					const [point] = this.points([one.point], (place) => place.images.includes(image) || this.measured.has(keyOf(place.before, image)));
+					return point === void 0 || image < 0 ? [] : [{
+						point,
+						image
+					}];
+				});
+				return observations.length === 0 ? [] : [{
+					...edit,
+					observations
+				}];
+			}
+			case "add_control":
+				this.controls.push(this.after.givenControl + this.placed);
+				this.placed += 1;
+				return [edit];
+			case "set_use": {
+				const [point] = this.points([{ ground_control: edit.point }]);
+				return point !== void 0 && "ground_control" in point ? [{
+					...edit,
+					point: point.ground_control
+				}] : [];
+			}
+		}
+	}
+	add(measurements) {
+		const observations = measurements.map((one) => ({
+			...one,
+			image: this.image(one.image)
+		})).filter(({ image }) => image >= 0);
+		const stays = observations.length >= 2;
+		this.numbers.push(stays ? this.added : -1);
+		if (!stays) return [];
+		this.added += 1;
+		return [{
+			kind: "add_point",
+			observations
+		}];
+	}
+	image(image) {
+		return this.places.get(this.before.images[image] ?? "") ?? -1;
+	}
+	control(control) {
+		if (control >= this.before.givenControl) return this.controls[control - this.before.givenControl] ?? -1;
+		return this.surveyed.get(this.before.surveyed.get(control) ?? "") ?? -1;
+	}
+	points(points, holds = () => true) {
+		return points.flatMap((point) => {
+			if ("tie_point" in point) return this.sameTiePoints ? [point] : [];
+			if ("manual" in point) {
+				const number = this.numbers[point.manual] ?? -1;
+				return number < 0 ? [] : [{ manual: number }];
+			}
+			if (isPlace(this.before.surveyed.get(point.ground_control) ?? "")) return this.place(point.ground_control, holds);
+			const control = this.control(point.ground_control);
+			return control < 0 ? [] : [{ ground_control: control }];
+		});
+	}
+	place(control, holds) {
+		const place = this.again.get(control);
+		const isHeld = place !== void 0 && holds(place);
+		(isHeld ? this.held : this.notHeld).add(control);
+		if (!isHeld) this.isPlaceLost = true;
+		return isHeld ? [{ ground_control: place.now }] : [];
+	}
+};
+var keyOf = (control, image) => `${String(control)} ${String(image)}`;
 // www/block/state/removing.ts
 var LEAST_IMAGES = 2;
 var idsRemoved = remember(({ edits, done }) => new Set(edits.slice(0, done).flatMap((step) => step.kind === "remove_images" ? step.files : [])));
@@ -2422,6 +2471,7 @@ var NOTHING_CARRIED = {
 	history: NO_HISTORY,
 	left: [0],
 	lost: 0,
+	places: NO_PLACES_AGAIN,
 	aside: []
 };
 function carried({ history, marks, shown, former }, view) {
@@ -2436,7 +2486,10 @@ function carried({ history, marks, shown, former }, view) {
 			const places = placesBefore(one, steps.edits);
 			return besideEdits(steps, (place, at) => places[at] ?? place);
 		}, marks);
-		const regained = carriedOver(last.history, last.names, namesOf$1(view), true);
+		const regained = {
+			...carriedOver(last.history, last.names, namesOf$1(view), true),
+			places: NO_PLACES_AGAIN
+		};
 		if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
 			const { edits, said } = keptOf(regained, back, last.names);
 			return {
@@ -2457,7 +2510,10 @@ function carried({ history, marks, shown, former }, view) {
 			said: saidOfKept(last.history)
 		};
 	}
-	const found = carriedOver(history, names, namesOf$1(view), isSame);
+	const found = {
+		...carriedOver(history, names, namesOf$1(view), isSame),
+		places: NO_PLACES_AGAIN
+	};
 	if (isSame && found.lost + found.aside.length === 0 && names.givenControl === view.givenControl) return {
 		edits: {
 			...UNEDITED,
@@ -2493,10 +2549,10 @@ function saidOfKept(history) {
 	const held = editsInForce(history).length;
 	return held === 0 ? "" : say("by-hand-kept", { edits: held });
 }
-function carriedToGround({ history, marks, shown, former }, view, isOff) {
+function carriedToGround({ history, marks, shown, former }, view, isOff, again) {
 	const names = shown === null ? NO_NAMES : namesOf$1(shown.found);
 	const isSame = names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size;
-	const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf$1(view)), true);
+	const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf$1(view)), true, again);
 	const { history: left, left: places, aside } = isOff ? placesSetAside(found.history, view.givenControl) : {
 		...allCarried(found.history),
 		aside: 0
@@ -2510,8 +2566,10 @@ function carriedToGround({ history, marks, shown, former }, view, isOff) {
 		},
 		said: ""
 	};
+	const ofPlaces = isOff ? NO_PLACES_AGAIN : found.places;
 	const now = {
 		...found,
+		places: ofPlaces,
 		history: left,
 		left: found.left.map((count) => places[count] ?? left.edits.length)
 	};
@@ -2529,15 +2587,21 @@ function allCarried(history) {
 		history,
 		left: [...history.edits.keys(), history.edits.length],
 		lost: 0,
+		places: NO_PLACES_AGAIN,
 		aside: []
 	};
 }
 var MOST_NAMED$1 = 3;
-function keptOf({ history, left, lost, aside }, marks, names) {
+function keptOf({ history, left, lost: ofAll, places, aside }, marks, names) {
 	const steps = [...aside.slice(0, MOST_NAMED$1).map((step) => nameOfStep(step, names)), ...aside.length > MOST_NAMED$1 ? ["…"] : []].join(", ");
+	const lost = ofAll - places.edits;
 	const said = [
 		saidOfKept(history),
 		lost === 0 ? "" : say("of-points-of-the-former", { lost }),
+		places.held + places.lost === 0 ? "" : say("edits-of-places", {
+			held: places.held,
+			lost: places.lost
+		}),
 		aside.length === 0 ? "" : say("cannot-be-done-again", {
 			undone: aside.length,
 			steps
@@ -4042,8 +4106,6 @@ function framesStep(state) {
 	if (purposeOf(state) === "images" || !awaitsFrames(film, state.files)) return "";
 	return film.camera === null ? say("marks-need-their-camera") : say("press-frames", { make: say("make-frames") });
 }
-// pkg/block/image-files.js
-var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
 // www/block/files/film.ts
 var LISTED$3 = 5;
 var FilmFiles = class {
@@ -4225,11 +4287,16 @@ var BlockFiles = class {
 	}
 	async take(given, why = "") {
 		const before = this.store.state.notice;
-		const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given));
+		const kinds = await refusedKinds(given.map(({ file }) => file));
+		const unread = kindsText(kinds);
+		const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given.filter(({ file }) => !kinds.has(file))));
 		const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
 		const ground = await this.ground.take(rasters);
 		const several = taken === 0 ? "" : say("that-say-where-they-lie", { taken: images$1(taken) });
-		if (ground === null) return;
+		if (ground === null) {
+			if (unread !== "") this.tellBeside(this.store.state.notice, unread);
+			return;
+		}
 		const alone = found.filter(({ path }) => path === "");
 		const project = alone.find(({ file }) => PROJECT.test(file.name));
 		const film = await this.takeFilm(alone.map(({ file }) => file));
@@ -4253,16 +4320,21 @@ var BlockFiles = class {
 		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
 		else await this.said([said, film.said === "" ? "" : framesStep(this.store.state)].filter((text) => text !== "").join(" "));
 		const putAside = [
+			unread,
 			degrees.map(({ file }) => say("is-a-grid-at-longitudes", { name: file.name })).join(" "),
 			film.aside,
 			this.marksOfNone(film.marks),
 			notCameras,
 			tables.aside
 		].filter((text) => text !== "").join(" ");
-		if (putAside !== "") this.tellBeside(this.store.state.notice === before ? null : this.store.state.notice, putAside);
+		if (putAside === "") return;
+		const { notice } = this.store.state;
+		if (given.length > 0 && kinds.size === given.length) this.tellUnread(unread);
+		else this.tellBeside(notice === before ? null : notice, putAside);
 	}
 	async takeGround(given, asHeights = false) {
-		const { others, ...sorted } = await sortRasters(given.map((file) => ({
+		const kinds = await refusedKinds(given);
+		const { others, ...sorted } = await sortRasters(given.filter((file) => !kinds.has(file)).map((file) => ({
 			file,
 			path: ""
 		})));
@@ -4277,19 +4349,22 @@ var BlockFiles = class {
 			...sorted.degrees,
 			...asHeights ? [...sorted.orthophotos, ...unknown] : []
 		];
-		await this.said(await this.ground.take({
+		const text = await this.ground.take({
 			orthophotos: pictures,
 			heights,
 			worlds: sorted.worlds,
 			projections: sorted.projections
-		}));
+		});
+		await this.said(text, kindsText(kinds));
 	}
 	async takeLevel(height) {
 		await this.said(await this.ground.takeLevel(height));
 	}
-	async said(text) {
+	async said(text, unread = "") {
+		if (text !== null && text !== "") this.tell("info", text);
+		if (unread !== "" && text === "") this.tellUnread(unread);
+		else if (unread !== "") this.tellBeside(this.store.state.notice, unread);
 		if (text === null || text === "") return;
-		this.tell("info", text);
 		const { shown, placing, files, running } = this.store.state;
 		if (shown === null && running.kind !== "yes" && !this.waits && files.length > 0 && placing.placed.size === 0) await this.start();
 	}
@@ -4610,7 +4685,7 @@ var BlockFiles = class {
 			});
 			if (!this.waits && own === null) this.start();
 		}
-		const runs = this.store.state.running.kind === "yes" || this.store.state.placing.running !== null;
+		const runs = this.runsNow();
 		const notes = [
 			why,
 			runs || own !== null ? "" : say("in-the-block", { sorted: images$1(sorted.length) }),
@@ -4645,6 +4720,20 @@ var BlockFiles = class {
 				text
 			}
 		});
+	}
+	tellUnread(text) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "problem",
+				text,
+				beside: this.runsNow()
+			}
+		});
+	}
+	runsNow() {
+		const { running, placing } = this.store.state;
+		return running.kind === "yes" || placing.running !== null;
 	}
 	failed(what, error) {
 		if (error instanceof Cancelled) this.tell("info", say("cancelled-nothing-was-changed"));
@@ -4906,6 +4995,63 @@ function placeFrom(value, name) {
 		by: by === "least_squares" ? by : "hand"
 	};
 }
+// www/block/files/keep-former.ts
+var FORMER = "block/former";
+function formerParts(former, { edits }) {
+	if (former.length === 0) return new Map();
+	const isOfThem = former.some(({ history, kept }) => history.edits === edits || kept.edits === edits);
+	return new Map([[FORMER, keptFormers(former, isOfThem ? edits : null)]]);
+}
+var keptFormers = remember((former, now) => ({
+	value: {
+		now: now === null ? "" : nameOf$2(now),
+		former: former.map((one) => ({
+			...one,
+			historyName: nameOf$2(one.history.edits),
+			keptName: nameOf$2(one.kept.edits)
+		}))
+	},
+	bytes: former.flatMap(({ history, kept }) => [...history.edits, ...kept.edits]).reduce((sum, step) => sum + bytesOfStep(step), 0)
+}));
+function formerFrom(parts, history) {
+	if (!parts.has(FORMER)) return [];
+	const value = objectOf(parts.get(FORMER), "former");
+	const now = likeOf(value.now, "", "former.now");
+	const lists = new Map(now === "" ? [] : [[now, history.edits]]);
+	if (now !== "") nameOf$2(history.edits, now);
+	const historyFrom = (own, called, name) => {
+		const { edits, done } = objectOf(own, name);
+		const list = likeOf(called, "", `${name}.name`);
+		const read = lists.get(list) ?? listOf$1(edits, `${name}.edits`, stepFrom);
+		lists.set(list, read);
+		nameOf$2(read, list);
+		return {
+			edits: read,
+			done: doneFrom(done, read.length, `${name}.done`)
+		};
+	};
+	return listOf$1(value.former, "former", (one, name) => {
+		const { tiePoints, names, history: own, kept: left, left: counts, places, historyName, keptName } = objectOf(one, name);
+		return {
+			tiePoints: likeOf(tiePoints, "", `${name}.tiePoints`),
+			names: namesFrom(names, `${name}.names`),
+			history: historyFrom(own, historyName, `${name}.history`),
+			kept: historyFrom(left, keptName, `${name}.kept`),
+			left: listOf$1(counts, `${name}.left`, (count, at) => likeOf(count, 0, at)),
+			places: listOf$1(places, `${name}.places`, (place, at) => likeOf(place, 0, at))
+		};
+	});
+}
+function namesFrom(value, name) {
+	const { images, surveyed, connected, givenControl } = objectOf(value, name);
+	if (!(surveyed instanceof Map && connected instanceof Set)) throw new Error(say("the-field-is-damaged", { name }));
+	return {
+		images: listOf$1(images, `${name}.images`, (image, at) => likeOf(image, "", at)),
+		surveyed: new Map([...surveyed].map(([point, called]) => [likeOf(point, 0, `${name}.surveyed`), likeOf(called, "", `${name}.surveyed`)])),
+		connected: new Set([...connected].map((pair) => likeOf(pair, "", `${name}.connected`))),
+		givenControl: likeOf(givenControl, 0, `${name}.givenControl`)
+	};
+}
 // www/block/files/keep-placing.ts
 var PURPOSES$1 = [
 	"block",
@@ -4937,7 +5083,7 @@ function keptRaster({ id, name, file, world, projection }) {
 	return {
 		id,
 		name,
-		file: nameOf$1(file),
+		file: nameOf$2(file),
 		world,
 		projection
 	};
@@ -5053,6 +5199,7 @@ var KeptBlocks = class {
 			"opened",
 			"running",
 			"history",
+			"former",
 			"marks",
 			"placing"
 		], () => {
@@ -5088,7 +5235,7 @@ var KeptBlocks = class {
 			value: placed,
 			bytes: sizeOfPlaced(placed)
 		});
-		if (truth !== null) parts.set(FILE + nameOf$1(truth), {
+		if (truth !== null) parts.set(FILE + nameOf$2(truth), {
 			value: truth,
 			bytes: SMALL,
 			alone: true
@@ -5099,7 +5246,7 @@ var KeptBlocks = class {
 			...besidesOf(options),
 			...shown?.files ?? [],
 			...rastersOf(placing)
-		]) parts.set(FILE + nameOf$1(file), {
+		]) parts.set(FILE + nameOf$2(file), {
 			value: file,
 			bytes: file.size,
 			alone: true
@@ -5107,6 +5254,7 @@ var KeptBlocks = class {
 		const { made } = this;
 		for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
 		for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
+		for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
 		if (made !== null && made.found === shown?.found) parts.set(SHOWN, {
 			value: made.kept,
 			bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0)
@@ -5129,6 +5277,7 @@ var KeptBlocks = class {
 		const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file));
 		const history = this.journal.read(parts);
 		const marks = this.marks.read(parts);
+		const { former, damage } = formerOrNone(parts, history);
 		const finished = await this.finished(parts, history);
 		const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
 		const records = new Map([...parts].flatMap(([part, record]) => part.startsWith(RECORD) && record instanceof Blob ? [[part.slice(13), record]] : []));
@@ -5168,6 +5317,7 @@ var KeptBlocks = class {
 					shown,
 					opened,
 					history,
+					former,
 					marks,
 					placing
 				}
@@ -5175,13 +5325,14 @@ var KeptBlocks = class {
 			const names = this.images();
 			if (names.length === 0) return;
 			const goesOn = records.size > 0 && shown === null ? say("the-work-that-was-done") : "";
-			const text = say("restored-from-this-browser", {
+			const restored = say("restored-from-this-browser", {
 				title_of: titleOf$2({
 					name: null,
 					images: names
 				}),
 				goes_on: goesOn
 			});
+			const text = damage === "" ? restored : `${restored} ${damage}`;
 			this.store.dispatch({
 				type: "notice",
 				notice: {
@@ -5260,6 +5411,19 @@ var KeptBlocks = class {
 		};
 	}
 };
+function formerOrNone(parts, history) {
+	try {
+		return {
+			former: formerFrom(parts, history),
+			damage: ""
+		};
+	} catch (error) {
+		return {
+			former: [],
+			damage: say("edits-of-former-blocks-are-left-out", { error: messageOf(error) })
+		};
+	}
+}
 function theSame(edits, history) {
 	return edits.map((edit, i) => {
 		const known = history[i];
@@ -5281,7 +5445,7 @@ function keptFile({ id, name, file }) {
 	return {
 		id,
 		name,
-		file: nameOf$1(file)
+		file: nameOf$2(file)
 	};
 }
 var given$1 = remember((files, removed, { masks, geoid, ...options }, flight, truth, opened, orthophoto, heights, film, placing, purpose) => ({
@@ -5291,7 +5455,7 @@ var given$1 = remember((files, removed, { masks, geoid, ...options }, flight, tr
 	masks: masks.map(keptFile),
 	geoid: orNull(geoid, keptFile),
 	flight,
-	truth: orNull(truth, (known) => nameOf$1(known)),
+	truth: orNull(truth, (known) => nameOf$2(known)),
 	opened,
 	placing: keptPlacing(orthophoto, heights, film, placing, purpose)
 }));
@@ -5335,7 +5499,7 @@ function givenFrom(value, catalogue) {
 function fileFrom(parts, { id, name, file: at }) {
 	const file = parts.get(FILE + at);
 	if (!(file instanceof Blob)) throw new Error(say("the-image-is-damaged", { name }));
-	nameOf$1(file, at);
+	nameOf$2(file, at);
 	return {
 		id,
 		name,
@@ -5344,7 +5508,7 @@ function fileFrom(parts, { id, name, file: at }) {
 }
 function truthFrom(parts, name) {
 	const truth = objectOf(parts.get(FILE + name), "truth");
-	nameOf$1(truth, name);
+	nameOf$2(truth, name);
 	return truth;
 }
 // www/block/files/runs.ts
@@ -6447,8 +6611,8 @@ function inOther({ selection, panes, shown }, view) {
 		panes: panesInOtherView(panes, before, view)
 	};
 }
-function onGround$1(state, shown, { view, edits: own, ground }) {
-	const { edits, said } = carriedToGround(state, view, ground === null);
+function onGround$1(state, shown, { view, edits: own, ground, again = [] }) {
+	const { edits, said } = carriedToGround(state, view, ground === null, again);
 	const { orthophoto } = state.placing;
 	const given = orthophoto?.ofBlock === shown.key ? {
 		...state.placing,
@@ -9119,9 +9283,9 @@ var OrthophotoTiles = class {
 		context.save();
 		context.transform(toCanvas.a, toCanvas.b, toCanvas.c, toCanvas.d, toCanvas.e, toCanvas.f);
 		context.imageSmoothingEnabled = scaleOf(toCanvas) * ratio < 2 || level > 0;
-		const missing = tilesOf(coarsest, seen, info).filter((tile) => !this.made.has(nameOf(tile)));
+		const missing = tilesOf(coarsest, seen, info).filter((tile) => !this.made.has(nameOf$1(tile)));
 		for (const tile of tilesOf(level, seen, info)) {
-			if (level < coarsest && !this.made.has(nameOf(tile))) missing.push(tile);
+			if (level < coarsest && !this.made.has(nameOf$1(tile))) missing.push(tile);
 			this.paintTile(context, tile, coarsest, info);
 		}
 		context.restore();
@@ -9131,7 +9295,7 @@ var OrthophotoTiles = class {
 		const side = 256 * 2 ** level;
 		const [x, y] = [column * side, row * side];
 		for (let up = 0; level + up <= coarsest; up++) {
-			const name = nameOf({
+			const name = nameOf$1({
 				level: level + up,
 				column: column >> up,
 				row: row >> up
@@ -9159,14 +9323,14 @@ var OrthophotoTiles = class {
 	}
 	next() {
 		while (this.asked.size < AT_ONCE) {
-			const tile = this.wanted.find((candidate) => !this.asked.has(nameOf(candidate)));
+			const tile = this.wanted.find((candidate) => !this.asked.has(nameOf$1(candidate)));
 			if (tile === void 0) return;
 			this.wanted = this.wanted.filter((other) => other !== tile);
 			this.fetch(tile, this.of);
 		}
 	}
 	async fetch(tile, of) {
-		const name = nameOf(tile);
+		const name = nameOf$1(tile);
 		this.asked.add(name);
 		try {
 			const bitmap = await this.make(tile.level, tile.column, tile.row);
@@ -9222,7 +9386,7 @@ function tilesOf(level, [left, top, right, bottom], { width, height }) {
 	});
 	return tiles;
 }
-function nameOf({ level, column, row }) {
+function nameOf$1({ level, column, row }) {
 	return `${String(level)} ${String(column)} ${String(row)}`;
 }
 // www/block/view/map/plan.ts
@@ -11458,7 +11622,11 @@ function placingExports(store, engine) {
 		"running",
 		"notice"
 	], show);
-	return h("span", { class: "placed-exports" }, select, press);
+	return h("span", {
+		class: "placed-exports",
+		role: "group",
+		aria: { label: say("export-of-the-placed-images") }
+	}, select, press);
 }
 async function savePlaced(store, engine, kind, near = EXPORT) {
 	const tell = (sort, text, where = {}) => store.dispatch({
@@ -11903,7 +12071,7 @@ async function takeFrames(store, engine) {
 				mask: masks[k] ?? null
 			}];
 		});
-		const frames = await engine.frames(films);
+		const frames = await engine.frames(films, camerasThere(files, options.cameras));
 		if (frames === null) store.dispatch({
 			type: "notice",
 			notice: {
@@ -11930,19 +12098,31 @@ function replace(store, frames) {
 	const { files, truth, options, marks } = store.state;
 	const made = new Map(frames.map((frame) => [frame.of, frame]));
 	const scans = files.filter(({ id }) => made.has(id));
-	const cameras = camerasOf(frames, options.cameras);
-	const ownMasks = frames.map(({ of, mask }) => imageOf$1(files, of, mask));
+	const { pattern, file: cameras } = camerasOf(frames, files, options.cameras);
+	const names = new Set(files.filter(({ id }) => !made.has(id)).map(({ name }) => name.toLowerCase()));
+	const taken = scans.map(({ name }) => frameName(name, pattern)).find((name) => names.has(name.toLowerCase()));
+	if (taken !== void 0) {
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "problem",
+				text: say("frame-is-there", { name: taken })
+			}
+		});
+		return;
+	}
+	const ownMasks = frames.map(({ of, mask }) => imageOf$1(files, of, mask, pattern));
 	const former = new Set([...masksOf(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
 	const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
 	const images = files.map((file) => {
 		const frame = made.get(file.id);
-		return frame === void 0 ? file : imageOf$1(files, file.id, frame.image);
+		return frame === void 0 ? file : imageOf$1(files, file.id, frame.image, pattern);
 	});
 	const measured = new Carried(scans.flatMap(({ id, name }) => {
 		const frame = made.get(id);
 		return frame === void 0 ? [] : [{
 			scan: name,
-			image: frameName(name),
+			image: frameName(name, pattern),
 			film: frame.scan
 		}];
 	}));
@@ -12026,20 +12206,34 @@ var Carried = class {
 		})] : []];
 	}
 };
-function imageOf$1(files, scan, png) {
-	const name = frameName(files.find(({ id }) => id === scan)?.name ?? "");
+function imageOf$1(files, scan, png, pattern) {
+	const name = frameName(nameOf(files, scan), pattern);
 	return {
 		id: newId(),
 		name,
 		file: new File([png], name, { type: png.type })
 	};
 }
-function camerasOf(frames, given) {
-	const others = given === null ? [] : parse_camera_rules(given.text);
-	const own = film_cameras(FRAMES, frames.map(({ camera }) => camera));
+function nameOf(files, scan) {
+	return files.find(({ id }) => id === scan)?.name ?? "";
+}
+function camerasThere(files, given) {
+	return (given === null ? [] : parse_camera_rules(given.text)).filter(({ images = "*" }) => !isOfFrames(images) || files.some(({ name }) => name.endsWith(images.slice(1))));
+}
+function camerasOf(frames, files, given) {
+	const others = camerasThere(files, given);
+	const [first] = frames;
+	const pattern = first === void 0 ? "" : film_pattern(first.camera, others);
+	const own = frames.map(({ camera, of }) => ({
+		...camera,
+		images: frameName(nameOf(files, of), pattern)
+	}));
 	return {
-		name: say("camera-of-frames"),
-		text: JSON.stringify({ cameras: [...own, ...others.filter(({ images }) => images !== FRAMES)] })
+		pattern,
+		file: {
+			name: say("camera-of-frames"),
+			text: JSON.stringify({ cameras: film_cameras(pattern, own, others) })
+		}
 	};
 }
 // www/block/panel/film-settings.ts
@@ -13354,8 +13548,9 @@ function notOriented(view) {
 	}))));
 }
 function reasons(list) {
-	const rest = list.length - LISTED;
-	return h("ul", { class: "reasons" }, ...list.slice(0, LISTED).map(({ name, reason }) => h("li", {}, h("b", {}, name), `: ${reason}`)), rest > 0 ? h("li", {}, say("and-more-in-the-table", { rest })) : null);
+	const together = [...byReason(list)];
+	const rest = together.slice(LISTED).reduce((sum, [, names]) => sum + names.length, 0);
+	return h("ul", { class: "reasons" }, ...together.slice(0, LISTED).map(([reason, names]) => h("li", {}, h("b", {}, namesText(names)), `: ${reason}`)), rest > 0 ? h("li", {}, say("and-more-in-the-table", { rest })) : null);
 }
 function rayTable({ byRays }) {
 	const head = h("thead", {}, h("tr", {}, ...[
@@ -13940,11 +14135,15 @@ function answerOf(state, actions) {
 		text,
 		verdict: null
 	});
+	const beside = notice?.beside === true ? notice.text : "";
 	if (running.kind === "yes") return {
 		...line("busy", runText(running.steps)),
-		more: notice?.beside === true ? notice.text : ""
+		more: beside
 	};
-	if (state.placing.running !== null) return placingRuns(state.placing.running);
+	if (state.placing.running !== null) return {
+		...placingRuns(state.placing.running),
+		more: beside
+	};
 	if (notice?.beside === true) return {
 		...answerOf({
 			...state,

@@ -1,4 +1,4 @@
-import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus } from "./page.js";
+import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText as refusedText$1, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus } from "./page.js";
 // pkg/wasm/tiepoint.js
 var BlockOnOrthophoto = class {
 	__destroy_into_raw() {
@@ -209,6 +209,12 @@ var FinishedBlock = class FinishedBlock {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
+	carried_edits(before) {
+		_assertClass(before, FinishedBlock);
+		const ret = wasm.finishedblock_carried_edits(this.__wbg_ptr, before.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
 	covariances(names) {
 		let deferred2_0;
 		let deferred2_1;
@@ -272,6 +278,16 @@ var FinishedBlock = class FinishedBlock {
 	}
 	overview() {
 		const ret = wasm.finishedblock_overview(this.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	places() {
+		const ret = wasm.finishedblock_places(this.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	places_again(before) {
+		const ret = wasm.finishedblock_places_again(this.__wbg_ptr, before);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -378,6 +394,9 @@ var OrthoMosaic = class OrthoMosaic {
 		var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 		return v1;
+	}
+	remark() {
+		return wasm.orthomosaic_remark(this.__wbg_ptr);
 	}
 	size() {
 		const ret = wasm.orthomosaic_size(this.__wbg_ptr);
@@ -931,10 +950,10 @@ function draw_vectors(context, vectors, codes, widths, colours, factor, view) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return ret[0] >>> 0;
 }
-function film_cameras(pattern, rules) {
+function film_cameras(pattern, rules, given) {
 	const ptr0 = passStringToWasm0(pattern, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.film_cameras(ptr0, len0, rules);
+	const ret = wasm.film_cameras(ptr0, len0, rules, given);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -942,6 +961,25 @@ function film_measurements(measurements, frames) {
 	const ret = wasm.film_measurements(measurements, frames);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
+}
+function film_pattern(rule, given) {
+	let deferred2_0;
+	let deferred2_1;
+	try {
+		const ret = wasm.film_pattern(rule, given);
+		var ptr1 = ret[0];
+		var len1 = ret[1];
+		if (ret[3]) {
+			ptr1 = 0;
+			len1 = 0;
+			throw takeFromExternrefTable0(ret[2]);
+		}
+		deferred2_0 = ptr1;
+		deferred2_1 = len1;
+		return getStringFromWasm0(ptr1, len1);
+	} finally {
+		wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+	}
 }
 function flight_parameters() {
 	return wasm.flight_parameters();
@@ -1142,6 +1180,20 @@ function project_kind(start) {
 	const len0 = WASM_VECTOR_LEN;
 	return wasm.project_kind(ptr0, len0);
 }
+function refused_kind(name, start) {
+	let ptr0, len0, ptr1, len1;
+	try {
+		ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+		throw e;
+	}
+	return wasm.refused_kind(ptr0, len0, ptr1, len1);
+}
 function resolved(settings) {
 	const ret = wasm.resolved(settings);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -1234,6 +1286,9 @@ function __wbg_get_imports() {
 			},
 			__wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
 				throw new Error(getStringFromWasm0(arg0, arg1));
+			},
+			__wbg___wbindgen_typeof_ee4990276e02f607: function(arg0) {
+				return typeof arg0;
 			},
 			__wbg__wbg_cb_unref_09736879a3f67559: function(arg0) {
 				arg0._wbg_cb_unref();
@@ -2780,6 +2835,63 @@ function save(blob, name) {
 	link.click();
 	window.setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
 }
+// pkg/block/image-files.js
+var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
+var DIRECTORY_BYTES = 65536;
+function bytesOfKind([a, b, c, d]) {
+	return a === 73 && b === 73 && c === 42 && d === 0 || a === 77 && b === 77 && c === 0 && d === 42 ? DIRECTORY_BYTES : 64;
+}
+function byReason(files) {
+	const names = new Map();
+	for (const { name, reason } of files) {
+		const of = names.get(reason);
+		if (of === void 0) names.set(reason, [name]);
+		else of.push(name);
+	}
+	return names;
+}
+// www/shared/files/refused.ts
+var AT_ONCE = 32;
+var NAMED = 5;
+async function refusedKinds(files) {
+	const refused = new Map();
+	for (let first = 0; first < files.length; first += AT_ONCE) {
+		const told = await Promise.all(files.slice(first, first + AT_ONCE).map(async (file) => [file, await refusedKind(file)]));
+		for (const [file, reason] of told) if (reason !== null) refused.set(file, reason);
+	}
+	return refused;
+}
+async function refusedKind(file) {
+	const start = await startOf(file, 64);
+	const bytes = IMAGE_FILE.test(file.name) ? 64 : bytesOfKind(start);
+	const refusal = refused_kind(file.name, bytes > 64 ? await startOf(file, bytes) : start);
+	return refusal === null ? null : message("error", refusal);
+}
+async function startOf(file, length) {
+	const start = file.slice(0, length).arrayBuffer();
+	return new Uint8Array(await start.catch(() => new ArrayBuffer(0)));
+}
+function kindsText(kinds) {
+	return refusedText([...kinds].map(([{ name }, reason]) => ({
+		name,
+		reason
+	})));
+}
+function refusedText(refused) {
+	return [...byReason(refused)].map(([reason, names]) => say("files-cannot-be-opened", {
+		files: names.length,
+		names: namesText(names),
+		reason: sentence(reason)
+	})).join(" ");
+}
+function namesText(names) {
+	const first = names.slice(0, NAMED).join(say("comma-between-names"));
+	const more = names.length - NAMED;
+	return more > 0 ? say("names-and-more", {
+		first,
+		more
+	}) : first;
+}
 // www/shared/files/json.ts
 var OWN_SETTINGS = "tiepoint_settings";
 function fieldsOf(text) {
@@ -2813,7 +2925,7 @@ async function sortRasters(found) {
 		const { file } = one;
 		if (WORLD.test(file.name) || PROJECTION.test(file.name)) continue;
 		const [world = null, projection = null] = [worlds, projections].map((beside) => beside.find((other) => stemOf(other) === stemOf(one))?.file ?? null);
-		const kind = await kindOf$1(file, world !== null);
+		const kind = await kindOf$2(file, world !== null);
 		if (kind === "photograph") {
 			sorted.others.push(one);
 			continue;
@@ -2859,7 +2971,7 @@ var LISTS = {
 	heights: "heights",
 	degrees: "degrees"
 };
-async function kindOf$1(file, hasWorld) {
+async function kindOf$2(file, hasWorld) {
 	if (GRID$1.test(file.name)) return /^\s*(?:ncols|nrows)\s/iu.test(await file.slice(0, 64).text()) ? "heights" : "photograph";
 	if (TIFF.test(file.name) || file.type === "image/tiff") return kindOfTiff(await tiffTags(file), hasWorld);
 	return hasWorld && (file.type.startsWith("image/") || PICTURE.test(file.name)) ? "orthophoto" : "photograph";
@@ -8067,6 +8179,10 @@ var info = (text) => ({
 	kind: "info",
 	text
 });
+var done = (told) => ({
+	told,
+	isCancelled: false
+});
 function editsToldOf({ project }) {
 	const { rejected, manual } = editsOfFile(project);
 	const of = (number, what) => number === 0 ? [] : [say("matches-by-hand", {
@@ -8104,7 +8220,8 @@ var Files = class {
 			type: "notice",
 			notice: null
 		});
-		const { images, masks, tables, cameras, projects } = sortFiles(files);
+		const refused = await refusedKinds(files);
+		const { images, masks, tables, cameras, projects } = sortFiles(files.filter((file) => !refused.has(file)));
 		const [project] = projects;
 		if (project !== void 0) {
 			await this.openProject(project);
@@ -8117,10 +8234,25 @@ var Files = class {
 			return;
 		}
 		const before = this.store.state.images;
-		const told = [];
+		const told = refused.size === 0 ? [] : [problem(kindsText(refused))];
 		const camera = cameras[0];
 		if (camera !== void 0) told.push(await this.takeCamera(camera));
-		const ofImages = images.length > 0 ? await this.takeImages(images, side, asks) : [];
+		const { told: ofImages, isCancelled } = images.length > 0 ? await this.takeImages(images, side, asks) : {
+			told: [],
+			isCancelled: false
+		};
+		if (isCancelled) {
+			const names = [...tables, ...masks].map(({ name }) => name);
+			this.tell([
+				...told,
+				...ofImages,
+				names.length === 0 ? null : info(say("cancelled-before-they-were-read", {
+					files: names.length,
+					names: namesText(names)
+				}))
+			], before);
+			return;
+		}
 		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
 		told.push(...ofImages);
 		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
@@ -8233,10 +8365,12 @@ var Files = class {
 		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
 		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
 	}
-	tell(told, { left, right } = this.store.state.images) {
+	tell(told, before = this.store.state.images) {
 		const said = [...this.saidMeanwhile(), ...told.filter((one) => one !== null)];
 		const bad = said.some(({ kind }) => kind === "problem");
-		const kept = bad && (left !== null || right !== null) ? say("the-open-images-are-kept") : "";
+		const { images } = this.store.state;
+		const areKept = SIDES.every((side) => images[side] === before[side]) && SIDES.some((side) => before[side] !== null);
+		const kept = bad && areKept ? say("the-open-images-are-kept") : "";
 		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
 		const choices = said.flatMap((one) => one.choices ?? []);
 		const notice = {
@@ -8296,10 +8430,10 @@ var Files = class {
 	}
 	async takeImages(files, side, asks) {
 		const tooLarge = files.find((file) => file.size > MOST_BYTES);
-		if (tooLarge !== void 0) return [problem(say("has-mb-up-to-1", {
+		if (tooLarge !== void 0) return done([problem(say("has-mb-up-to-1", {
 			name: tooLarge.name,
 			size: Math.round(tooLarge.size / 2 ** 20)
-		}))];
+		}))]);
 		const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
 		if (known.every((place) => place !== null)) return this.takeFound(files, known);
 		const sides = files.length === 2 ? ["left", "right"] : [side ?? this.freeSide()];
@@ -8341,7 +8475,15 @@ var Files = class {
 	async check(images, type, asks = false) {
 		const entries = Object.entries(images);
 		const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
-		const told = outcomes.flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? say("the-file"), outcome.reason)] : []);
+		const isCancelled = outcomes.some((outcome) => outcome.status === "rejected" && outcome.reason instanceof Cancelled);
+		if (type === "images" && isCancelled && entries.every(([side]) => this.store.state.images[side] === null)) return {
+			told: this.leaveToRun(entries, outcomes),
+			isCancelled
+		};
+		const told = this.failedImages(outcomes.flatMap((outcome, i) => outcome.status === "rejected" ? [{
+			name: entries[i]?.[1].name ?? say("the-file"),
+			error: outcome.reason
+		}] : []));
 		if (told.length > 0) {
 			const { left, right } = this.store.state.images;
 			const opened = entries.filter((_, i) => outcomes[i]?.status === "fulfilled");
@@ -8349,17 +8491,36 @@ var Files = class {
 				type,
 				images: Object.fromEntries(opened)
 			});
-			return told;
+			return {
+				told,
+				isCancelled
+			};
 		}
 		if (type === "found") {
 			this.store.dispatch({
 				type,
 				images
 			});
-			return [];
+			return done([]);
 		}
 		const question = asks ? await this.askOfThird(images) : null;
-		return question === null ? this.show(images) : [question];
+		return done(question === null ? await this.show(images) : [question]);
+	}
+	leaveToRun(entries, outcomes) {
+		const refused = (i) => {
+			const outcome = outcomes[i];
+			return outcome?.status === "rejected" && !(outcome.reason instanceof Cancelled) ? [{
+				name: entries[i]?.[1].name ?? "",
+				error: outcome.reason
+			}] : [];
+		};
+		const images = Object.fromEntries(entries.filter((_, i) => refused(i).length === 0));
+		this.store.dispatch({
+			type: "images",
+			images,
+			waits: true
+		});
+		return this.failedImages(entries.flatMap((_, i) => refused(i)));
 	}
 	async askOfThird(images) {
 		const { left, right } = this.store.state.images;
@@ -8434,13 +8595,22 @@ var Files = class {
 			images: names
 		}) })) : null;
 	}
-	failedImage(name, error) {
-		const breakdown = breakdownOf(error);
-		if (breakdown !== null) return problem(say("could-not-be-opened-try", {
-			name,
-			breakdown
-		}));
-		return this.failed(say("cannot-be-opened", { name }), error);
+	failedImages(failed) {
+		const refused = [];
+		const told = [];
+		for (const { name, error } of failed) {
+			const breakdown = breakdownOf(error);
+			if (breakdown !== null) told.push(problem(say("could-not-be-opened-try", {
+				name,
+				breakdown
+			})));
+			else if (!(error instanceof Cancelled)) refused.push({
+				name,
+				reason: readable(this.store.state.catalogue, messageOf(error))
+			});
+		}
+		if (failed.some(({ error }) => error instanceof Cancelled)) told.push(info(say("cancelled-nothing-was-changed")));
+		return refused.length === 0 ? told : [...told, problem(refusedText(refused))];
 	}
 	freeSide() {
 		const { images, activeSide } = this.store.state;
@@ -11138,7 +11308,7 @@ function mountStatus(store, actions) {
 		bar.max = Math.max(1, wanted);
 		bar.value = done;
 		cancel.disabled = !busy;
-		run.hidden = !(state.paused && state.images.left !== null) && currentFailure(state)?.ended !== true;
+		run.hidden = !(state.paused && (state.images.left !== null || state.images.right !== null)) && currentFailure(state)?.ended !== true;
 		show(answerOf(state, actions));
 		document.body.classList.toggle("is-pending", anyStale(state));
 		if (!busy) {
@@ -11189,10 +11359,16 @@ function answerWith(state, notice, actions) {
 		stages: running.map((stage) => STAGES[stage].label).join("; ")
 	}));
 	if (notice?.kind === "busy") return line("busy", notice.text);
-	if (state.paused) return line("idle", say("cancelled-results-on-the-screen"));
+	if (state.paused) {
+		const { openLeft, openRight } = state.results;
+		return {
+			...line("idle", say(openLeft === void 0 && openRight === void 0 ? "cancelled-the-images-stay" : "cancelled-results-on-the-screen")),
+			more: notice?.text ?? ""
+		};
+	}
 	if (failure !== null && !isOrientation(failure)) return line("problem", `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
 	const [refused] = Object.values(state.refused);
-	if (refused !== void 0) return line("problem", refusedText(refused));
+	if (refused !== void 0) return line("problem", refusedText$1(refused));
 	const answer = resting(state, done < wanted, actions);
 	if (notice === null) return answer;
 	if (answer.verdict === null) return line("idle", notice.text);
@@ -12195,7 +12371,7 @@ var columnsOf = remember(({ columns, codes, rightness }) => [
 	words("state", say("state-2"), (match) => STATES[codes[match] ?? 0] ?? say("used"), say("whether-the-adjustment-used-the")),
 	...rightness === null ? [] : [words("truth", say("truth"), (match) => RIGHTNESS[rightness[match] ?? 0] ?? "", say("whether-the-match-is-right"))]
 ]);
-function kindOf(statistics, { kind }) {
+function kindOf$1(statistics, { kind }) {
 	return kind === "wrong" && statistics?.rightness == null ? "all" : kind;
 }
 function isOf({ codes, rightness }, kind, match) {
@@ -12208,7 +12384,7 @@ function isOf({ codes, rightness }, kind, match) {
 	}
 }
 var leftOutOf = remember((statistics, filter, match, rights) => {
-	const kind = kindOf(statistics, filter);
+	const kind = kindOf$1(statistics, filter);
 	const meets = maskOf(statistics.count, columnsOf(statistics), filter.conditions);
 	if (kind === "all" && meets === null) return null;
 	const matches = Uint8Array.from({ length: statistics.count }, (_, row) => Number(!isOf(statistics, kind, row) || meets?.[row] === 0));
@@ -12306,7 +12482,7 @@ function mountStatistics(host, store, editing, select) {
 		[statistics, filter] = [now, wanted];
 		const offered = KINDS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
 		if (kinds.options.length !== offered.length) fill(kinds, ...offered.map(([kind, text]) => new Option(text, kind)));
-		const kind = kindOf(now, wanted);
+		const kind = kindOf$1(now, wanted);
 		kinds.value = kind;
 		const keeps = (match) => now !== null && isOf(now, kind, match);
 		const shown = table.show(now?.count ?? 0, now === null ? [] : columnsOf(now), keeps, wanted.conditions);
@@ -13158,7 +13334,10 @@ function changed(state, action) {
 			settings: action.catalogue.defaults,
 			flight: action.catalogue.flights[0]?.flight ?? null
 		};
-		case "images": return withImages(state, action.images, action.same);
+		case "images": return {
+			...withImages(state, action.images, action.same),
+			paused: action.waits === true
+		};
 		case "simulated": return withSimulated(state, action);
 		case "opened": return withProject(state, action.opened);
 		case "restored": return withKept(state, action.restored);
@@ -15728,6 +15907,7 @@ function actions() {
 		more: [...new Set([
 			groupOf(twinOf(button) ?? button),
 			tabOf(button),
+			kindOf(button),
 			button.title
 		])].filter((text) => text !== "" && !saysName(button, text)).join(" · "),
 		keys: keysOfButton(button),
@@ -15779,6 +15959,7 @@ function tabOf(made) {
 	const tab = made.closest("[role=\"tabpanel\"]")?.getAttribute("aria-labelledby");
 	return tab == null ? "" : document.getElementById(tab)?.textContent ?? "";
 }
+var kindOf = (made) => made.getAttribute("role") === "tab" ? say("tab") : "";
 var sentenceOf = (does) => does.charAt(0).toUpperCase() + does.slice(1);
 var groupOf = (made) => made.parentElement?.closest("[aria-label]")?.getAttribute("aria-label") ?? "";
 var Search = class {
@@ -16365,4 +16546,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

@@ -209,6 +209,12 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
+		carried_edits(before) {
+			_assertClass(before, FinishedBlock);
+			const ret = wasm.finishedblock_carried_edits(this.__wbg_ptr, before.__wbg_ptr);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
 		covariances(names) {
 			let deferred2_0;
 			let deferred2_1;
@@ -272,6 +278,16 @@
 		}
 		overview() {
 			const ret = wasm.finishedblock_overview(this.__wbg_ptr);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		places() {
+			const ret = wasm.finishedblock_places(this.__wbg_ptr);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		places_again(before) {
+			const ret = wasm.finishedblock_places_again(this.__wbg_ptr, before);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -378,6 +394,9 @@
 			var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 			return v1;
+		}
+		remark() {
+			return wasm.orthomosaic_remark(this.__wbg_ptr);
 		}
 		size() {
 			const ret = wasm.orthomosaic_size(this.__wbg_ptr);
@@ -789,26 +808,10 @@
 	function export_formats() {
 		return wasm.export_formats();
 	}
-	function film_frame(scan, film, image, pixel_mm, mask_name, mask) {
-		const val5 = +pixel_mm;
-		let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
-		try {
-			ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = passStringToWasm0(image, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len1 = WASM_VECTOR_LEN;
-			ptr2 = isLikeNone(mask_name) ? 0 : passStringToWasm0(mask_name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len2 = WASM_VECTOR_LEN;
-			ptr3 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-			len3 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr3) wasm.__wbindgen_free(ptr3, len3 * 1, 1);
-			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, val5, ptr2, len2, ptr3, len3);
+	function film_frame(scan, film, wanted) {
+		const ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.film_frame(ptr0, len0, film, wanted);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -1086,6 +1089,9 @@
 				},
 				__wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
 					throw new Error(getStringFromWasm0(arg0, arg1));
+				},
+				__wbg___wbindgen_typeof_ee4990276e02f607: function(arg0) {
+					return typeof arg0;
 				},
 				__wbg__wbg_cb_unref_09736879a3f67559: function(arg0) {
 					arg0._wbg_cb_unref();
@@ -1603,6 +1609,13 @@
 	}
 	// pkg/block/jobs.js
 	var jobs = { block: async ({ task, inputs }) => execute_job(task, inputs) };
+	// pkg/block/film.js
+	var SAME_FILM = .01;
+	var ROUNDING = 1e-9;
+	function pixelOfFilm(focal_mm, pixel_mm, given) {
+		const share = (own, wanted) => Math.abs(own / wanted - 1);
+		return given.flatMap(({ focal_px, pixel_mm: own }) => typeof own === "number" && share(focal_px * own, focal_mm) <= ROUNDING && share(own, pixel_mm) <= SAME_FILM ? [own] : []).sort((a, b) => share(a, pixel_mm) - share(b, pixel_mm))[0] ?? pixel_mm;
+	}
 	// www/block/engine/film.ts
 	function readFilm({ camera, marks }) {
 		const scan = { fiducials: parse_fiducials(marks) };
@@ -1611,11 +1624,13 @@
 			scan
 		};
 	}
-	function filmPlan(films) {
+	function filmPlan({ films, given }) {
 		const marks = new Map();
 		for (const { x_mm: x, y_mm: y } of films.flatMap((film) => parse_fiducials(film.marks))) marks.set(`${String(x)},${String(y)}`, [x, y]);
+		const largest = Math.max(...films.map((film) => film_pixel_mm(readFilm(film))));
+		const focalMm = films.flatMap(({ camera }) => camera === null ? [] : [parse_camera(camera).focal_mm])[0];
 		return {
-			pixelMm: Math.max(...films.map((film) => film_pixel_mm(readFilm(film)))),
+			pixelMm: focalMm === void 0 ? largest : pixelOfFilm(focalMm, largest, given),
 			marksMm: [...marks.values()]
 		};
 	}
@@ -1625,8 +1640,15 @@
 			marks_mm: plan.marksMm
 		};
 		const bytes = async (of) => new Uint8Array(await of.arrayBuffer());
-		const hidden = mask === null ? void 0 : await bytes(mask.file);
-		const made = film_frame(await bytes(file), known, image, plan.pixelMm, mask?.name, hidden);
+		const hidden = mask === null ? null : {
+			name: mask.name,
+			file: await bytes(mask.file)
+		};
+		const made = film_frame(await bytes(file), known, {
+			image,
+			pixel_mm: plan.pixelMm,
+			mask: hidden
+		});
 		const png = (of) => new Blob([of], { type: "image/png" });
 		return {
 			image: png(made.image),
@@ -4049,6 +4071,12 @@
 	function blockGround() {
 		return groundOf(heldBlock());
 	}
+	function blockPlaces() {
+		return heldBlock().places();
+	}
+	function blockPlacesAgain({ before }) {
+		return heldBlock().places_again(before);
+	}
 	function blockPoint({ point }) {
 		return rejected?.detail(point) ?? heldBlock().point(point);
 	}
@@ -4173,6 +4201,8 @@
 		blockFit,
 		blockRun,
 		blockOpen,
+		blockPlaces,
+		blockPlacesAgain,
 		blockEdited,
 		blockImagePoints,
 		blockObservations,

@@ -55,6 +55,16 @@ export interface FilmFiles {
     rmse_mm: number;
 }
 
+/** What the image of a scan is to be. */
+export interface FrameWanted {
+    /** What it is called. */
+    image: string;
+    /** The side of a pixel, which is to be the same for all scans of a film, as are its marks: see `film_pixel_mm`. */
+    pixel_mm: number;
+    /** The file of an image as large as the scan that is 0 where no features are wanted. */
+    mask?: { name: string; file: Uint8Array } | null;
+}
+
 
 
 /** An orthophoto that was read: `gsd` is the side of a pixel, `heights` the lowest and the highest of its ground. */
@@ -972,6 +982,13 @@ export interface ImagePlace {
 }
 
 /**
+ * A place of an orthophoto in the images that show it.
+ */
+export interface SeenPlace {
+    seen: SeenIn[];
+}
+
+/**
  * A place on the earth as a receiver had it.
  */
 export interface ExifPosition {
@@ -991,6 +1008,25 @@ export interface ExifPosition {
      * Horizontal positioning error that the receiver states.
      */
     error_m: number | null;
+}
+
+/**
+ * A place that lies where one lay when the block was placed before.
+ */
+export interface PlaceAgain {
+    /**
+     * Its number among the surveyed points before, and now.
+     */
+    before: number;
+    now: number;
+    /**
+     * Whether it is the same spot, so that what was measured of it by hand holds.
+     */
+    is_same_spot: boolean;
+    /**
+     * Indices of the images that it was found in, ascending.
+     */
+    images: number[];
 }
 
 /**
@@ -1740,6 +1776,22 @@ export interface Factors95 {
 export interface HeightFactor {
     factor: number;
     standard_error: number;
+}
+
+/**
+ * Edits that hold of a block that was placed anew.
+ */
+export interface CarriedEdits {
+    edits: BlockEdit[];
+    /**
+     * What was done to so many places of the orthophoto, or to observations of them, holds.
+     */
+    held: number;
+    /**
+     * Of so many something does not: nothing lies there now, the image does not show it, what was measured by hand is of another spot, or it is a place
+     * by hand whose coordinates are of another system.
+     */
+    lost: number;
 }
 
 /**
@@ -3726,6 +3778,32 @@ export interface ErrorEllipse {
 }
 
 /**
+ * The surveyed points of a block as far as edits of places of an orthophoto name them.
+ */
+export interface BlockPlaces {
+    /**
+     * The names of the images, by their indices.
+     */
+    images: string[];
+    /**
+     * How many tie points were joined, and their observations; absent where an older project file does not say.
+     */
+    tie_points: [number, number] | null;
+    /**
+     * How many surveyed points were given: the first ones.
+     */
+    given: number;
+    /**
+     * The system of their coordinates: that which was chosen for the block, else `EPSG:` and the code of the orthophoto; absent where none is known.
+     */
+    system?: string;
+    /**
+     * Those that were found on the orthophoto, behind them; one that is not in the block is seen nowhere.
+     */
+    places: SeenPlace[];
+}
+
+/**
  * The systematic errors of GNSS positions that were to be estimated.
  */
 export interface SystematicResult {
@@ -4616,7 +4694,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; orthophoto_slip: OrthophotoSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; orthophoto_slip: OrthophotoSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -4637,6 +4715,24 @@ export type Observed = "positions" | "points" | "both";
  * What would do where the strategy of a pair did not.
  */
 export type PairHint = { kind: "other_strategy" };
+
+/**
+ * Where an image shows a place.
+ */
+export interface SeenIn {
+    /**
+     * Index of the image.
+     */
+    image: number;
+    /**
+     * Column and row in px.
+     */
+    at_px: [number, number];
+    /**
+     * The longer side of the image in px.
+     */
+    side_px: number;
+}
 
 /**
  * Where the focal length in px of a file's camera comes from, the most certain first.
@@ -4887,6 +4983,10 @@ export class FinishedBlock {
      */
     accuracy(cell?: number | null, sigma_px?: number | null): AccuracyFiles;
     /**
+     * The edits of the same block as it was placed before, for this one, to which `edited` applies them; those of places hold where the places lie again.
+     */
+    carried_edits(before: FinishedBlock): CarriedEdits;
+    /**
      * The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
      * error, then its covariances with all of them. `all` names the whole block.
      */
@@ -4931,6 +5031,14 @@ export class FinishedBlock {
      * What is shown of it.
      */
     overview(): BlockOverview & { points: PointColumns };
+    /**
+     * Its places of an orthophoto, by which edits of them are carried to the same block once it is placed anew.
+     */
+    places(): BlockPlaces;
+    /**
+     * Which of its places lie where those of the same block lay when it was placed before.
+     */
+    places_again(before: BlockPlaces): PlaceAgain[];
     /**
      * All that is known of a point of the model that is written.
      */
@@ -4984,6 +5092,10 @@ export class OrthoMosaic {
      * The indices of its oriented images in an order in which little waits in memory for images to come.
      */
     order(): Uint32Array;
+    /**
+     * What is to be said of the heights that were given; null where there is nothing.
+     */
+    remark(): Remark | null;
     /**
      * Width and height in px.
      */
@@ -5346,21 +5458,26 @@ export function export_formats(): ExportFormat[];
 export function feature_defaults(): FeatureOptions;
 
 /**
- * The cameras of frames as a file of cameras has them, from that of each: frames of one film have one, for all images whose names fit `pattern`.
+ * The cameras of frames as a file of cameras has them, from that of each, before those that it has (`given`): frames of one film have one, for all images
+ * whose names fit `pattern`, as `film_pattern` gives it.
  */
-export function film_cameras(pattern: string, rules: CameraRule[]): CameraRule[];
+export function film_cameras(pattern: string, rules: CameraRule[], given: CameraRule[]): CameraRule[];
 
 /**
  * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
- * is made. `image`: what its image is called. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the marks of the film: see
- * `film_pixel_mm`. `mask_name` and `mask`: the file of an image as large as the scan that is 0 where no features are wanted.
+ * is made.
  */
-export function film_frame(scan: Uint8Array | number[], film: Given<FilmInput>, image: string, pixel_mm: number, mask_name?: string | null, mask?: Uint8Array | number[] | null): FilmFiles;
+export function film_frame(scan: Uint8Array | number[], film: Given<FilmInput>, wanted: FrameWanted): FilmFiles;
 
 /**
  * Takes image measurements that were made in scans into their frames.
  */
 export function film_measurements(measurements: ImageMeasurementRow[], frames: FrameOfScan[]): FramedMeasurements;
+
+/**
+ * The pattern of the names of frames of one film, whose first one has the camera `rule`, beside those of other films, whose cameras are `given`.
+ */
+export function film_pattern(rule: CameraRule, given: CameraRule[]): string;
 
 /**
  * The side of a pixel of a scan in mm, as its fiducial marks have it.
@@ -5637,6 +5754,12 @@ export function project_kind(start: Uint8Array | number[]): ProjectKind | null;
 export function read_exif(file: Uint8Array | number[], width: number, height: number): ExifImage;
 
 /**
+ * Why a file is refused whose first bytes, or the ending of whose name where these say nothing, are those of a kind that is not decoded (HEIC, raw, film, …);
+ * null for all others. 64 bytes tell every kind but raw files that are TIFFs.
+ */
+export function refused_kind(name: string, start: Uint8Array | number[]): { kind: string } | null;
+
+/**
  * Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
  */
 export function resolved(settings: Given<PairSettings>): PairSettings;
@@ -5763,12 +5886,14 @@ export interface InitOutput {
     readonly export_block: (a: any, b: any, c: any) => [number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
-    readonly film_cameras: (a: number, b: number, c: any) => [number, number, number];
-    readonly film_frame: (a: number, b: number, c: any, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
+    readonly film_cameras: (a: number, b: number, c: any, d: any) => [number, number, number];
+    readonly film_frame: (a: number, b: number, c: any, d: any) => [number, number, number];
     readonly film_measurements: (a: any, b: any) => [number, number, number];
+    readonly film_pattern: (a: any, b: any) => [number, number, number, number];
     readonly film_pixel_mm: (a: any) => [number, number, number];
     readonly film_positions: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly finishedblock_accuracy: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
+    readonly finishedblock_carried_edits: (a: number, b: number) => [number, number, number];
     readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
     readonly finishedblock_edited: (a: number, b: any) => [number, number, number];
     readonly finishedblock_edits: (a: number) => any;
@@ -5780,6 +5905,8 @@ export interface InitOutput {
     readonly finishedblock_on_orthophoto: (a: number) => any;
     readonly finishedblock_open: (a: number, b: number) => [number, number, number];
     readonly finishedblock_overview: (a: number) => [number, number, number];
+    readonly finishedblock_places: (a: number) => [number, number, number];
+    readonly finishedblock_places_again: (a: number, b: any) => [number, number, number];
     readonly finishedblock_point: (a: number, b: number) => [number, number, number];
     readonly finishedblock_point_ids: (a: number) => any;
     readonly finishedblock_project: (a: number) => [number, number, number, number];
@@ -5821,6 +5948,7 @@ export interface InitOutput {
     readonly orthomosaic_names: (a: number) => [number, number];
     readonly orthomosaic_open: (a: number, b: number, c: any, d: any, e: number, f: number, g: number) => [number, number, number];
     readonly orthomosaic_order: (a: number) => [number, number];
+    readonly orthomosaic_remark: (a: number) => any;
     readonly orthomosaic_size: (a: number) => [number, number];
     readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: number, e: number, f: any) => [number, number, number];
     readonly orthophotoreference_colours: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
@@ -5868,6 +5996,7 @@ export interface InitOutput {
     readonly points_csv: (a: number, b: number) => [number, number, number, number];
     readonly project_kind: (a: number, b: number) => any;
     readonly read_exif: (a: number, b: number, c: number, d: number) => any;
+    readonly refused_kind: (a: number, b: number, c: number, d: number) => any;
     readonly report_html: (a: number) => [number, number, number, number];
     readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number, i: number, j: number) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];

@@ -355,6 +355,19 @@ export class FinishedBlock {
         return takeFromExternrefTable0(ret[0]);
     }
     /**
+     * The edits of the same block as it was placed before, for this one, to which `edited` applies them; those of places hold where the places lie again.
+     * @param {FinishedBlock} before
+     * @returns {CarriedEdits}
+     */
+    carried_edits(before) {
+        _assertClass(before, FinishedBlock);
+        const ret = wasm.finishedblock_carried_edits(this.__wbg_ptr, before.__wbg_ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
      * The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
      * error, then its covariances with all of them. `all` names the whole block.
      * @param {readonly string[]} names
@@ -487,6 +500,29 @@ export class FinishedBlock {
      */
     overview() {
         const ret = wasm.finishedblock_overview(this.__wbg_ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * Its places of an orthophoto, by which edits of them are carried to the same block once it is placed anew.
+     * @returns {BlockPlaces}
+     */
+    places() {
+        const ret = wasm.finishedblock_places(this.__wbg_ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * Which of its places lie where those of the same block lay when it was placed before.
+     * @param {BlockPlaces} before
+     * @returns {PlaceAgain[]}
+     */
+    places_again(before) {
+        const ret = wasm.finishedblock_places_again(this.__wbg_ptr, before);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -671,6 +707,14 @@ export class OrthoMosaic {
         var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
         return v1;
+    }
+    /**
+     * What is to be said of the heights that were given; null where there is nothing.
+     * @returns {Remark | null}
+     */
+    remark() {
+        const ret = wasm.orthomosaic_remark(this.__wbg_ptr);
+        return ret;
     }
     /**
      * Width and height in px.
@@ -1859,15 +1903,17 @@ export function feature_defaults() {
 }
 
 /**
- * The cameras of frames as a file of cameras has them, from that of each: frames of one film have one, for all images whose names fit `pattern`.
+ * The cameras of frames as a file of cameras has them, from that of each, before those that it has (`given`): frames of one film have one, for all images
+ * whose names fit `pattern`, as `film_pattern` gives it.
  * @param {string} pattern
  * @param {CameraRule[]} rules
+ * @param {CameraRule[]} given
  * @returns {CameraRule[]}
  */
-export function film_cameras(pattern, rules) {
+export function film_cameras(pattern, rules, given) {
     const ptr0 = passStringToWasm0(pattern, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
     const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.film_cameras(ptr0, len0, rules);
+    const ret = wasm.film_cameras(ptr0, len0, rules, given);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1876,36 +1922,16 @@ export function film_cameras(pattern, rules) {
 
 /**
  * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
- * is made. `image`: what its image is called. `pixel_mm`: the side of a pixel, which is to be the same for all, as are the marks of the film: see
- * `film_pixel_mm`. `mask_name` and `mask`: the file of an image as large as the scan that is 0 where no features are wanted.
+ * is made.
  * @param {Uint8Array | number[]} scan
  * @param {Given<FilmInput>} film
- * @param {string} image
- * @param {number} pixel_mm
- * @param {string | null} [mask_name]
- * @param {Uint8Array | number[] | null} [mask]
+ * @param {FrameWanted} wanted
  * @returns {FilmFiles}
  */
-export function film_frame(scan, film, image, pixel_mm, mask_name, mask) {
-    const val5 = +pixel_mm;
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
-    try {
-        ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passStringToWasm0(image, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = isLikeNone(mask_name) ? 0 : passStringToWasm0(mask_name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 1, 1); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
-    }
-    const ret = wasm.film_frame(ptr0, len0, film, ptr1, len1, val5, ptr2, len2, ptr3, len3);
+export function film_frame(scan, film, wanted) {
+    const ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.film_frame(ptr0, len0, film, wanted);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1924,6 +1950,31 @@ export function film_measurements(measurements, frames) {
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The pattern of the names of frames of one film, whose first one has the camera `rule`, beside those of other films, whose cameras are `given`.
+ * @param {CameraRule} rule
+ * @param {CameraRule[]} given
+ * @returns {string}
+ */
+export function film_pattern(rule, given) {
+    let deferred2_0;
+    let deferred2_1;
+    try {
+        const ret = wasm.film_pattern(rule, given);
+        var ptr1 = ret[0];
+        var len1 = ret[1];
+        if (ret[3]) {
+            ptr1 = 0; len1 = 0;
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        deferred2_0 = ptr1;
+        deferred2_1 = len1;
+        return getStringFromWasm0(ptr1, len1);
+    } finally {
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+    }
 }
 
 /**
@@ -2949,6 +3000,29 @@ export function read_exif(file, width, height) {
 }
 
 /**
+ * Why a file is refused whose first bytes, or the ending of whose name where these say nothing, are those of a kind that is not decoded (HEIC, raw, film, …);
+ * null for all others. 64 bytes tell every kind but raw files that are TIFFs.
+ * @param {string} name
+ * @param {Uint8Array | number[]} start
+ * @returns {{ kind: string } | null}
+ */
+export function refused_kind(name, start) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.refused_kind(ptr0, len0, ptr1, len1);
+    return ret;
+}
+
+/**
  * Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
  * @param {Given<PairSettings>} settings
  * @returns {PairSettings}
@@ -3219,6 +3293,10 @@ function __wbg_get_imports() {
         __wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
             throw new Error(getStringFromWasm0(arg0, arg1));
         },
+        __wbg___wbindgen_typeof_ee4990276e02f607: function(arg0) {
+            const ret = typeof arg0;
+            return ret;
+        },
         __wbg__wbg_cb_unref_09736879a3f67559: function(arg0) {
             arg0._wbg_cb_unref();
         },
@@ -3442,7 +3520,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 20, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
             return ret;
         },
