@@ -15,6 +15,8 @@ const COMMAND = join(ROOT, 'pkg', 'bin', 'tiepoint.js');
 /** Folders of the same place, whose photographs may be placed. */
 const SAME_PLACE = 'caliterra';
 const AXES = 3;
+/** Exit status of a block with doubt. */
+const WEAK = 3;
 
 /** `position`, `errors`: in m; `verdict` in words.  @typedef {{ name: string, position: number[], errors: number[], verdict: string }} Found */
 /** @typedef {{ gsd_m: number, size_px: number[], half: string[], share_of_matched_heights: number, code: number, camera: { focal_px: number, principal_point_px: number[], k1: number }, others: Record<string, { position: number[] }> }} Truth */
@@ -80,7 +82,12 @@ async function asBlock(folder, names, more) {
   const out = join(photos, 'block');
   mkdirSync(out);
   const { code, output } = await run(process.execPath, [COMMAND, 'block', photos, '--out', out, '--workers', '2', ...more], { quiet: true });
-  if (code !== 0) throw new Error(`the block ended with ${code}\n${output.slice(-2000)}`);
+  if (![0, WEAK].includes(code)) throw new Error(`the block ended with ${code}\n${output.slice(-2000)}`);
+  const { verdict, orthophoto } = readJson(join(out, 'summary.json'));
+  console.log(
+    `  block ${verdict.kind}; ${orthophoto.kind === 'linked' ? `${orthophoto.linked} of ${orthophoto.images} images linked` : 'not linked to the orthophoto'}`,
+  );
+  if (orthophoto.kind !== 'linked') return [];
   const [head = '', ...rows] = readFileSync(join(out, 'images.csv'), 'utf8').trim().split('\n');
   const columns = head.split(',');
   return rows.flatMap((row) => {
