@@ -12,16 +12,17 @@ use super::placement::Part;
 use super::rectify::Seen;
 use super::reference::Orthophoto;
 use super::search_area::SearchArea;
+use super::verdict::contradiction;
 use crate::math::{NORMAL_MEDIAN, dot3, median, minus};
 use crate::pipeline::GroundPoint;
 use crate::{BlockRun, ControlRole, Error, ExifPosition, Failure, GreyView, NotLinked, Pose, Remark};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Images that are placed, at least.
 const LEAST_IMAGES: usize = 2;
 /// The camera of a block is one for all of its images: where chance has it two standard errors off, all of them contradict it. Farther off than so many,
-/// something else is wrong.
+/// something else is wrong, unless the camera is what was known of it before the block: that of a block over flat ground may be off by more than its standard errors say.
 const MOST_APART: f64 = 4.0;
 /// Neighbouring places share errors, as those of one roof do: each square of so many on the longer side of an image gives one.
 const CELLS: f64 = 10.0;
@@ -38,6 +39,8 @@ const LEVEL: f64 = 2.0;
 #[derive(Debug, Clone, Default)]
 pub struct BlockLinks {
     placed: BTreeMap<usize, PlacedImage>,
+    /// Of these the images whose camera is what was known of it before the block, whatever the block makes of it.
+    as_known: BTreeSet<usize>,
 }
 
 /// A link of an image that takes part.
@@ -75,13 +78,22 @@ impl BlockLinks {
             Some(found) => found,
             None => place_image(grey, &known, &reference, area, &all)?,
         };
+        let is_as_known = found.placement.as_ref().zip(PlacingCamera::before_block(run, image)).is_some_and(|(placement, before)| {
+            // A guess is no knowledge.
+            !before.uncertainty.is_guess() && contradiction(placement, &before).is_none()
+        });
+        if is_as_known {
+            self.as_known.insert(image);
+        } else {
+            self.as_known.remove(&image);
+        }
         self.placed.insert(image, found);
         Ok(self.placed.get(&image))
     }
 
     /// Images that were placed without doubt of anything but the camera of the block, which is adjusted once more with what they show of the ground.
     fn sure(&self) -> impl Iterator<Item = (usize, &Placement)> {
-        let sure = self.placed.iter().filter(|(_, placed)| is_sure(&placed.verdict));
+        let sure = self.placed.iter().filter(|(image, placed)| is_sure(&placed.verdict, self.as_known.contains(image)));
         sure.filter_map(|(image, placed)| Some((*image, placed.placement.as_ref()?)))
     }
 
@@ -231,10 +243,10 @@ fn most_seen(links: &[Seeing], within: f64) -> Option<(&Found, Vec<&Seeing>)> {
     best.filter(|(_, seen)| seen.len() >= LEAST_IMAGES)
 }
 
-fn is_sure(verdict: &PlacingVerdict) -> bool {
+fn is_sure(verdict: &PlacingVerdict, is_as_known: bool) -> bool {
     match verdict {
         PlacingVerdict::Placed { .. } => true,
-        PlacingVerdict::Weak { placing_weakness: PlacingWeakness::Camera { apart, .. }, .. } => *apart <= MOST_APART,
+        PlacingVerdict::Weak { placing_weakness: PlacingWeakness::Camera { apart, .. }, .. } => is_as_known || *apart <= MOST_APART,
         _ => false,
     }
 }
@@ -246,11 +258,17 @@ mod tests {
 
     #[test]
     fn a_camera_of_the_block_that_is_somewhat_off_keeps_no_image_from_it() {
-        let weak = |placing_weakness: PlacingWeakness| is_sure(&PlacingVerdict::Weak { links: 3_000, placing_weakness });
+        let weak = |placing_weakness: PlacingWeakness| is_sure(&PlacingVerdict::Weak { links: 3_000, placing_weakness }, false);
         let off = |apart: f64| {
             weak(PlacingWeakness::Camera { camera_parameter: CameraParameter::Focal, estimated_px: 1884.3, prior_px: 1970.8, apart })
         };
         assert_eq!([2.3, 3.9, 4.1, 20.0].map(off), [true, true, false, false]);
+        // A flat block may have a focal length far from its own: what was known of it before decides.
+        let camera =
+            PlacingWeakness::Camera { camera_parameter: CameraParameter::Focal, estimated_px: 1884.3, prior_px: 1970.8, apart: 7.0 };
+        assert!(is_sure(&PlacingVerdict::Weak { links: 3_000, placing_weakness: camera }, true));
+        let of_ground = PlacingWeakness::Relief { displaced: 0.2 };
+        assert!(!is_sure(&PlacingVerdict::Weak { links: 3_000, placing_weakness: of_ground }, true));
         assert!(
             !weak(PlacingWeakness::HeightFactor { factor: 3.3, standard_error: 0.1 }) && !weak(PlacingWeakness::Relief { displaced: 0.2 })
         );

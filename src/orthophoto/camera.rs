@@ -15,6 +15,12 @@ impl PlacingCamera {
         Self { camera: with_focal.held(), uncertainty }
     }
 
+    /// That of an image of a block as it was known before the block; `None` where nobody knew its focal length.
+    pub(super) fn before_block(run: &BlockRun, image: usize) -> Option<Self> {
+        let initial = run.cameras.get(run.model.images.get(image)?.camera)?;
+        Some(Self { camera: initial.known()?, uncertainty: initial.to_be_calibrated().known_within() })
+    }
+
     /// That of an image of a block as the block adjusted it, with its standard errors; `None` where the image is not oriented.
     pub(super) fn of_block(run: &BlockRun, image: usize) -> Option<Self> {
         let oriented = run.model.images.get(image).filter(|image| image.pose.is_some())?;

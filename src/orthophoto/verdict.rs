@@ -90,7 +90,7 @@ fn of_heights(placement: &Placement) -> Option<PlacingWeakness> {
 }
 
 /// What of the focal length and the principal point contradicts most what was known. What nobody knew contradicts nothing.
-fn contradiction(placement: &Placement, known: &PlacingCamera) -> Option<PlacingWeakness> {
+pub(super) fn contradiction(placement: &Placement, known: &PlacingCamera) -> Option<PlacingWeakness> {
     if known.uncertainty.is_guess() {
         return None;
     }
