@@ -106,7 +106,7 @@ function filmOf({ camera, marks }, image) {
 }
 var isOfFrames = (pattern) => /^\*-film\d*\.png$/u.test(pattern);
 function frameName(scan, pattern) {
-	return pattern.replace("*", scan.replace(/\.[^.]*$/u, ""));
+	return pattern.replace("*", () => scan.replace(/\.[^.]*$/u, ""));
 }
 function framesOf(film, images) {
 	return images.filter(({ name }) => filmOf(film, name) !== null);

@@ -169,6 +169,11 @@ test('masks and image measurements of scans become those of their frames, by fil
   assert.deepEqual(names(again.store.state.files), ['a.png']);
 });
 
+test('a frame is called by its scan, whatever signs its name has', async () => {
+  const { film } = await pageModules(['block/state/film']);
+  assert.equal(film.frameName('a$&b$1.tif', '*-film2.png'), 'a$&b$1-film2.png');
+});
+
 test('frames of a second film have their own camera beside that of the first, which keeps its rule', async () => {
   const { store, take } = taking();
   await take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });

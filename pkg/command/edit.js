@@ -80,7 +80,7 @@ function carriedOver(before, block) {
     const { edits, held, lost } = block.carried_edits(before);
     if (held + lost > 0)
       note(
-        `what was done to places of the orthophoto holds for ${held} that lie there again, and not for ${lost}: nothing was found there, or what was measured is of another spot`,
+        `what was done to places of the orthophoto holds for ${held} that lie there again, and not for ${lost}: nothing was found there, what was measured is of another spot, or coordinates are of another system`,
       );
     return edits;
   } finally {

@@ -27,7 +27,8 @@ export const isOfFrames = (pattern: string): boolean => /^\*-film\d*\.png$/u.tes
 
 /** What the frame of a scan is called by the pattern of its film. */
 export function frameName(scan: string, pattern: string): string {
-  return pattern.replace('*', scan.replace(/\.[^.]*$/u, ''));
+  // A function: signs of dollar in names are no references.
+  return pattern.replace('*', () => scan.replace(/\.[^.]*$/u, ''));
 }
 
 /** The images that are scans of film. */
