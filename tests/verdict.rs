@@ -2,8 +2,8 @@
 
 use super::known::input;
 use tiepoint::{
-    CameraMm, Error, GreyImage, KnownWorst, Match, PairImage, PairInput, PairInterior, PairResult, PairSettings, PairVerdict, Refusal,
-    SAMPLE_SEED, Side, Warning, judged, match_pair, sample_pair,
+    CameraMm, Error, GreyImage, KnownWorst, Match, NoOrientation, PairImage, PairInput, PairInterior, PairResult, PairSettings,
+    PairVerdict, Refusal, SAMPLE_SEED, Side, Warning, judged, match_pair, sample_pair,
 };
 
 fn matched(left: &GreyImage, right: &GreyImage, mask: Option<&GreyImage>, input: &PairInput) -> PairResult {
@@ -167,6 +167,18 @@ fn marks_that_were_exchanged_are_refused_with_their_sigma0() {
     let refused = match_pair(left, right, &exchanged, &PairSettings::default()).unwrap_err();
     let Error::InvalidInput { refusal: Refusal::MarksSigma0 { sigma0_mm, most_mm } } = refused else { panic!("{refused}") };
     assert!(sigma0_mm > 10.0 && most_mm == 1.0, "{refused}");
+}
+
+#[test]
+fn no_camera_is_assumed_in_place_of_one_that_is_given() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let given = |focal_mm| PairInput { camera: Some(CameraMm::without_distortion(focal_mm, None)), ..PairInput::default() };
+    let result = matched(&sample.left, &sample.right, None, &given(30.0));
+    assert!(matches!(result.geometry, Some(Ok(_))) && result.interior.is_none());
+    assert_eq!(result.orientation.unwrap_err(), NoOrientation::NoPixelSize { side: Side::Left });
+    let [left, right] = [&sample.left, &sample.right].map(|grey| PairImage { grey: grey.view(), exif: None, mask: None });
+    let refused = match_pair(left, right, &given(-1.0), &PairSettings::default()).unwrap_err();
+    assert!(matches!(refused, Error::InvalidOption { .. }), "{refused}");
 }
 
 #[test]

@@ -80,7 +80,7 @@ impl<'a> Description<'a> {
     fn new(given: &'a Block, options: &'a AdjustmentOptions, settled: Settled) -> Self {
         let variance_left = variance_left(&settled.verdicts, settled.redundancy, options.alpha0);
         let cut = variance_left.sqrt();
-        let estimated = (settled.redundancy > 0).then_some(settled.adjusted.sigma / cut);
+        let estimated = (settled.redundancy > 0).then_some(settled.sigma / cut);
         let sigma = options.sigma0_px.or(estimated).unwrap_or(0.0);
         let shift = options.detectable_shift(settled.redundancy);
         let state = &settled.adjusted.state;

@@ -102,8 +102,8 @@ impl CameraPrior {
         let CameraUncertainty { focal, principal_point, k1 } = uncertainty;
         let f = known.focal_px;
         let sigma = |sigma: f64| (sigma > 0.0).then_some(sigma);
-        let point = sigma(principal_point * f);
-        Self { camera, values: known.values(), sigma: [sigma(focal * f), point, point, sigma(k1), None, None, None, None] }
+        let (point, decentring) = (sigma(principal_point * f), sigma(uncertainty.decentring_beside(known.tangential)));
+        Self { camera, values: known.values(), sigma: [sigma(focal * f), point, point, sigma(k1), None, None, decentring, decentring] }
     }
 }
 

@@ -53,8 +53,9 @@ pub struct FreeParameters {
 impl FreeParameters {
     /// All eight.
     pub const ALL: Self = Self { focal: true, principal_point: true, radial: 3, tangential: true };
-    /// Focal length, principal point, k1 and k2: what most blocks determine.
-    pub const USUAL: Self = Self { focal: true, principal_point: true, radial: 2, tangential: false };
+    /// Focal length, principal point, k1, k2 and decentring: what most blocks determine. Of a lens with decentring that is left out the errors are in
+    /// its focal length and in the heights.
+    pub const USUAL: Self = Self { focal: true, principal_point: true, radial: 2, tangential: true };
 
     /// Of f, c_x, c_y, k₁, k₂, k₃, p₁, p₂ each.
     pub(crate) fn flags(self) -> [bool; CAMERA_PARAMETERS] {

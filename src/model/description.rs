@@ -183,7 +183,7 @@ impl KnownCamera {
             focal: (self.free.focal || self.focal_px.is_none()) && known.focal > 0.0,
             principal_point: self.free.principal_point && known.principal_point > 0.0,
             radial: if known.k1 > 0.0 { self.free.radial } else { 0 },
-            ..self.free
+            tangential: self.free.tangential && known.decentring() > 0.0,
         };
         Camera { principal_point_px, radial, tangential, pixel_mm, free, ..plain }
     }

@@ -39,16 +39,13 @@ const HELD: f64 = 1e-3;
 const NO_LIMIT_PX: f64 = 1000.0;
 
 impl PlacingCamera {
-    /// Of the decentring and of k₂, too: an image over level ground gives its tilt by them.
+    /// Of k₂, too: an image over level ground gives its tilt by it.
     pub(super) fn prior(&self) -> CameraPrior {
         let uncertainty = self.uncertainty.without_traces();
         let mut prior = CameraPrior::of(0, &self.camera, uncertainty);
-        let some = |sigma: f64| (sigma > 0.0).then_some(sigma);
-        let decentring = some(uncertainty.decentring_beside(self.camera.tangential));
-        let [.., k1, k2, _, p1, p2] = &mut prior.sigma;
+        let [.., k1, k2, _, _, _] = &mut prior.sigma;
         // Lenses whose k₁ is unknown differ as much in k₂. Of one that states k₂ both are known together, as well as k₁ alone.
         *k2 = k1.filter(|_| self.camera.radial[1] == 0.0);
-        (*p1, *p2) = (decentring, decentring);
         prior
     }
 

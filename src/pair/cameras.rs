@@ -74,7 +74,10 @@ fn camera_of(
     photo: KnownPhoto<'_>,
 ) -> Result<Result<(CameraMm, Option<Warning>), NoOrientation>, Error> {
     let camera = match (given, photo.exif) {
-        (Some(camera), _) => *camera,
+        (Some(camera), _) => {
+            camera.check()?;
+            *camera
+        }
         (None, Some(exif)) if exif.is_panorama() => return Ok(Err(NoOrientation::Panorama { side })),
         (None, Some(exif)) => CameraMm::from_exif(exif)?,
         (None, None) if photo.has_marks => return Ok(Err(NoOrientation::NoFocalLength)),

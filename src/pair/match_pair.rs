@@ -71,8 +71,9 @@ pub fn match_described_pair(
     let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
     let known = known_photos(left, right, input);
     let interior = match (interior, found) {
-        // No camera that may be assumed sees a panorama.
+        // No camera that may be assumed sees a panorama, and none takes the place of the one that was given.
         (Err(reason @ NoOrientation::Panorama { .. }), _) => Err(reason),
+        (Err(reason), _) if input.camera.is_some() => Err(reason),
         (Err(reason), Some(found)) => PairInterior::assumed(found, known).ok_or(reason),
         (interior, _) => interior,
     };

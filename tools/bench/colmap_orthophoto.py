@@ -58,6 +58,8 @@ def oriented(database, photos, folder, names=(), start=None):
         chosen.ba_refine_focal_length = chosen.ba_refine_extra_params = False
         chosen.mapper.abs_pose_refine_focal_length = chosen.mapper.abs_pose_refine_extra_params = False
         chosen.fix_existing_frames = start is not None
+    else:
+        chosen.ba_refine_principal_point = True
     folder.mkdir(exist_ok=True)
     models = pycolmap.incremental_mapping(database, photos, folder, options=chosen, input_path=start or "")
     if not models:
@@ -65,9 +67,22 @@ def oriented(database, photos, folder, names=(), start=None):
     return max(models.values(), key=lambda model: model.num_reg_images())
 
 
+def with_lens(database):
+    """Gives the camera of the database Brown's terms, decentring too, and square pixels: without it focal lengths over level ground are off by percents."""
+    with pycolmap.Database.open(str(database)) as opened:
+        (known,) = opened.read_all_cameras()
+        focal = known.mean_focal_length()
+        params = [focal, focal, known.width / 2, known.height / 2, 0, 0, 0, 0]
+        camera = pycolmap.Camera(camera_id=known.camera_id, model="OPENCV", width=known.width, height=known.height, params=params)
+        camera.has_prior_focal_length = known.has_prior_focal_length
+        opened.update_camera(camera)
+
+
 def calibrated(database, photos, folder):
     """Keeps the camera of the database as all photographs calibrate it: that of half of them, over level ground, leaves its focal length uncertain by percents."""
+    with_lens(database)
     (camera,) = oriented(database, photos, folder).cameras.values()
+    camera.params = [camera.mean_focal_length()] * 2 + list(camera.params[2:])
     camera.has_prior_focal_length = True
     with pycolmap.Database.open(str(database)) as opened:
         opened.update_camera(camera)
@@ -124,11 +139,14 @@ class View:
 
     def pixels(self, x, y, z):
         """Where the photograph shows places of the ground; the middle of the first pixel is (0.5, 0.5), as COLMAP has it."""
-        focal, cx, cy, k1 = self.camera.params
+        focal, _, cx, cy, k1, k2, p1, p2 = self.camera.params
         u, v, w = (row[0] * x + row[1] * y + row[2] * z + shift for row, shift in zip(self.turn, self.shift))
         u, v = u / w, v / w
-        bent = focal * (1 + k1 * (u * u + v * v))
-        return bent * u + cx, bent * v + cy
+        r2, across = u * u + v * v, 2 * u * v
+        radial = 1 + r2 * (k1 + k2 * r2)
+        x = u * radial + p1 * across + p2 * (r2 + 2 * u * u)
+        y = v * radial + p1 * (r2 + 2 * v * v) + p2 * across
+        return focal * x + cx, focal * y + cy
 
     def on_ground(self, x, y, z):
         """Grey values there; 0 where it shows nothing."""
@@ -249,7 +267,7 @@ def main(photos, out):
     moved = [
         numpy.linalg.norm(whole.images[image.image_id].projection_center() - image.projection_center()) for image in half.images.values() if image.has_pose
     ]
-    focal, cx, cy, k1 = camera.params
+    focal, _, cx, cy, k1, k2, p1, p2 = camera.params
     truth = {
         "gsd_m": gsd,
         "size_px": picture.shape[::-1],
@@ -257,7 +275,7 @@ def main(photos, out):
         "share_of_matched_heights": sure,
         "code": code,
         "half_moved_m": max(moved),
-        "camera": {"width_px": camera.width, "height_px": camera.height, "focal_px": focal, "principal_point_px": [cx, cy], "k1": k1},
+        "camera": {"focal_px": focal, "principal_point_px": [cx, cy], "radial": [k1, k2, 0], "tangential": [p1, p2]},
         "others": {
             image.name: {"position": list(image.projection_center() + origin), "rotation": image.cam_from_world().rotation.matrix().tolist()}
             for image in whole.images.values()

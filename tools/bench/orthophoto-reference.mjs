@@ -19,7 +19,7 @@ const AXES = 3;
 const WEAK = 3;
 
 /** `position`, `errors`: in m; `verdict` in words.  @typedef {{ name: string, position: number[], errors: number[], verdict: string }} Found */
-/** @typedef {{ gsd_m: number, size_px: number[], half: string[], share_of_matched_heights: number, code: number, camera: { focal_px: number, principal_point_px: number[], k1: number }, others: Record<string, { position: number[] }> }} Truth */
+/** @typedef {{ gsd_m: number, size_px: number[], half: string[], share_of_matched_heights: number, code: number, camera: Record<string, number | number[]>, others: Record<string, { position: number[] }> }} Truth */
 
 export async function orthophotoReference() {
   const lacks = pythonLacks(PACKAGES);
@@ -38,8 +38,7 @@ export async function orthophotoReference() {
     );
     const ground = ['--orthophoto', join(folder, 'orthophoto.tif'), '--heights', join(folder, 'heights.tif')];
     const cameras = join(folder, 'cameras.json');
-    const { focal_px, principal_point_px, k1 } = truth.camera;
-    writeFileSync(cameras, JSON.stringify({ cameras: [{ focal_px, principal_point_px, radial: [k1, 0, 0], fixed: true }] }));
+    writeFileSync(cameras, JSON.stringify({ cameras: [{ ...truth.camera, fixed: true }] }));
     for (const [what, more] of /** @type {[string, string[]][]} */ ([
       ['camera calibrated by COLMAP', ['--cameras', cameras]],
       ['camera of EXIF', []],

@@ -40,8 +40,9 @@ pub(super) struct Course<'a> {
     /// Whether rejected rays were taken back after the first rounds.
     pub is_reconsidered: bool,
     pub start: State,
-    /// How many rays were accepted at the start.
+    /// How many rays were accepted at the start, and how many of which no standard error is stated.
     pub rays_at_start: usize,
+    pub unstated_at_start: usize,
     pub state: State,
     /// Standard error of a coordinate as the last round saw it; 0 at first.
     pub sigma: f64,
@@ -79,6 +80,7 @@ impl<'a> Course<'a> {
             state: start.clone(),
             start,
             rays_at_start: 0,
+            unstated_at_start: 0,
             sigma: 0.0,
             iterations: 0,
             pattern: None,
@@ -88,6 +90,8 @@ impl<'a> Course<'a> {
         course.verdicts = (0..block.rays.len()).map(|ray| course.in_front(ray)).collect();
         course.lose_points();
         course.rays_at_start = course.accepted();
+        let accepted = block.rays.iter().zip(&course.verdicts).filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted);
+        course.unstated_at_start = accepted.filter(|(ray, _)| ray.sigma_px.is_none()).count();
         // A single image has no shape of its own that could be moved: it starts in the system of its control.
         if options.datum != Datum::Free && block.images.len() > 1 {
             let network = course.network()?;

@@ -81,11 +81,41 @@ impl Course<'_> {
         self.snoop(&judged.rays, loss, calm_rounds) || is_robust
     }
 
-    /// The standard error of a ray by which rays are judged.
+    /// The standard error of a ray by which rays are judged: that of rays of which none is stated, where these are enough.
+    ///
+    /// Rays of a stated standard error have the weight that it gives them beside the others. Where it is stated too large their residuals are the smaller,
+    /// the smaller the σ is that they are compared with: it would fall from round to round, and the others be rejected one after the other.
     pub fn scale(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted, redundancy: i64) -> f64 {
-        let by_median = sigma_by_median(rays, &self.verdicts, self.rays_at_start, self.options.limit());
+        let limit = self.options.limit();
+        if let Some((own, verdicts)) = self.unstated(rays) {
+            return sigma_by_median(&own, &verdicts, self.unstated_at_start, limit);
+        }
+        let by_median = sigma_by_median(rays, &self.verdicts, self.rays_at_start, limit);
         // A median of a few residuals may be far too small by chance, more easily than their σ.
         if redundancy < FEW { by_median.max(adjusted.sigma) } else { by_median }
+    }
+
+    /// σ₀ by least squares of all observations, or of the rays of which none is stated, as [`scale`](Self::scale) has it.
+    pub fn unit_error(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted) -> f64 {
+        self.unstated(rays).map_or(adjusted.sigma, |(own, verdicts)| {
+            let accepted = own.iter().zip(&verdicts).filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted);
+            let judged = || accepted.clone().filter_map(|(judged, _)| judged.as_ref()).flatten();
+            let squares: f64 = judged().map(|j| j.standardised * j.standardised * j.redundancy).sum();
+            (squares / judged().map(|j| j.redundancy).sum::<f64>()).sqrt()
+        })
+    }
+
+    /// The rays of which no standard error is stated, where there are others and these carry a σ of their own.
+    fn unstated(&self, rays: &[Option<[Judged; 2]>]) -> Option<(Vec<Option<[Judged; 2]>>, Vec<ObservationVerdict>)> {
+        if !self.weights.has_known_rays {
+            return None;
+        }
+        let of_block = self.block.rays.iter().zip(rays.iter().zip(&self.verdicts));
+        let own = of_block.filter(|(ray, _)| ray.sigma_px.is_none()).map(|(_, (judged, verdict))| (*judged, *verdict));
+        let (own, verdicts): (Vec<_>, Vec<_>) = own.unzip();
+        let accepted = own.iter().zip(&verdicts).filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted);
+        let freedom: f64 = accepted.filter_map(|(judged, _)| judged.as_ref()).flatten().map(|j| j.redundancy).sum();
+        (freedom >= FEW as f64).then_some((own, verdicts))
     }
 
     /// Rays of a known standard error are judged by how they scatter, where that is more: it may be stated too small, as that of positions.

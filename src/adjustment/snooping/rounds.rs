@@ -51,6 +51,8 @@ pub(in crate::adjustment) struct Settled {
     pub placed: Vec<bool>,
     /// Standard error of a coordinate of weight 1 that the observed positions were weighted by.
     pub weighted_by: f64,
+    /// The same as the residuals have it.
+    pub sigma: f64,
     /// Those before groups of observations were weighted anew.
     pub iterations: usize,
     pub rounds: usize,
@@ -188,8 +190,10 @@ impl<'a> Course<'a> {
         if last.unsettled.is_none() {
             round.adjusted = last;
         }
+        let sigma = self.round_error(&round);
         Ok(Outcome::Settled(Box::new(Settled {
             shared,
+            sigma,
             block: self.block.clone(),
             components: self.weights.components(),
             redundancy: round.problem.redundancy() as usize,
@@ -205,6 +209,11 @@ impl<'a> Course<'a> {
             rounds: 0,
             weighting: None,
         })))
+    }
+
+    /// σ₀ of a round.
+    fn round_error(&self, round: &Round<'_>) -> f64 {
+        round.statistics.as_ref().map_or(round.adjusted.sigma, |found| self.unit_error(&found.rays, &round.adjusted))
     }
 
     /// What the shared errors of a settled round add.
@@ -323,7 +332,7 @@ impl<'a> Course<'a> {
             return Ok(None);
         }
         let shared = self.shared(round)?;
-        Ok(self.fix_insignificant(&round.problem, &round.adjusted, shared.as_ref())?.then_some(Outcome::Fixed))
+        Ok(self.fix_insignificant(&round.problem, self.round_error(round), shared.as_ref())?.then_some(Outcome::Fixed))
     }
 
     fn changed(&self, round: &Round<'_>, what: Unsettled) -> Outcome {

@@ -4,7 +4,6 @@
 use super::course::Course;
 use crate::Error;
 use crate::adjustment::datum_part::{DatumConstraint, datum_constraints};
-use crate::adjustment::gauss_newton::Adjusted;
 use crate::adjustment::network::{Columns, Network};
 use crate::adjustment::reduced::Problem;
 use crate::adjustment::scale::variance_left;
@@ -82,13 +81,9 @@ impl Course<'_> {
         Ok(worst.filter(|(_, size)| !(*size <= MOST_ERRORS)).map(|(k, _)| columns.systematic[k]))
     }
 
-    /// Tests the systematic errors, each with its three values, and fixes those at zero that are not significant; whether there were any.
-    pub fn fix_insignificant(
-        &mut self,
-        problem: &Problem<'_>,
-        adjusted: &Adjusted,
-        shared: Option<&SharedCofactors>,
-    ) -> Result<bool, Error> {
+    /// Tests the systematic errors, each with its three values, and fixes those at zero that are not significant; whether there were any. `unit_error`
+    /// is σ₀.
+    pub fn fix_insignificant(&mut self, problem: &Problem<'_>, unit_error: f64, shared: Option<&SharedCofactors>) -> Result<bool, Error> {
         let (columns, first) = (problem.columns, problem.columns.parameter.len());
         if columns.systematic.is_empty() {
             return Ok(false);
@@ -100,7 +95,7 @@ impl Course<'_> {
         let redundancy = problem.redundancy().max(1) as usize;
         // As of all standard errors.
         let left = variance_left(&self.verdicts, redundancy, self.options.alpha0).sqrt();
-        let (sigma, sigmas) = (self.options.sigma0_px.unwrap_or(adjusted.sigma / left) / left, self.options.shared_errors);
+        let (sigma, sigmas) = (self.options.sigma0_px.unwrap_or(unit_error / left) / left, self.options.shared_errors);
         let variance = |k: usize| inverse[at(k)] + shared.map_or(0.0, |shared| sigmas * sigmas * shared.cameras[at(k)]);
         let mut estimates = Estimates {
             values: columns.systematic.iter().map(|(error, axis)| self.state.systematic[*error][*axis]).collect(),

@@ -28,11 +28,14 @@ const assumed = remember((geometry: StageValues['match']['geometry'], facts: [Ph
   geometry === null ? null : assumed_interior(geometry, ...facts),
 );
 
-/** Those that the matches tell where a camera is missing; null where they tell none. No camera that may be assumed sees a panorama. */
+/**
+ * Those that the matches tell where a camera is missing; null where they tell none. No camera that may be assumed sees a panorama, and none takes the
+ * place of the one that was given.
+ */
 export function assumedInterior(state: State): PairInterior | null {
   const cameras = pairCameras(state);
   const { match } = state.results;
-  if (!('missing' in cameras) || cameras.missing.kind === 'panorama' || match === undefined) return null;
+  if (!('missing' in cameras) || cameras.missing.kind === 'panorama' || state.camera !== null || match === undefined) return null;
   return assumed(match.value.geometry, photoFacts(state));
 }
 
