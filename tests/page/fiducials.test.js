@@ -66,6 +66,18 @@ test('a mark that is cleared is expected where the others have it, measured agai
   await says(page, 'mark-text', new RegExp(`lies at ${(column + 1.1).toFixed(2).replace('.', '\\.')},`));
   await part(page, 'mark-end').click();
   assert.ok(await part(page, 'marking').isHidden());
+  // What is typed while the result of what was typed before arrives is not overwritten.
+  const fields = page.locator('[data-testid="fiducials-left"] tbody tr').nth(3).locator('input');
+  const before = await part(page, 'interior-left').textContent();
+  await fields.first().selectText();
+  await page.keyboard.type('20');
+  await page.keyboard.press('Tab');
+  await page.keyboard.type('37');
+  await page.waitForFunction((text) => document.querySelector('[data-testid="interior-left"]')?.textContent !== text, before);
+  await page.keyboard.type('0');
+  assert.equal(await fields.nth(1).inputValue(), '370');
+  await page.keyboard.press('Tab');
+  await says(page, 'interior-left', /^4 marks, σ₀ 0\.0 µm/);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -77,12 +77,14 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
       const held = table.contains(document.activeElement) || clear === document.activeElement ? document.activeElement : null;
       const whole = fiducials.filter(isWhole).length;
       const residuals = interior?.value.fiducials?.residuals_mm ?? [];
+      // A result that comes leaves the fields alone: one may hold what is being typed.
       if (shown !== fiducials) {
         // Typing a number changes one mark: the table is built anew only when marks come or go, so that the focus stays.
         if (shown?.length !== fiducials.length) fill(table, marksTable(side, marking, fiducials.length));
         shown = fiducials;
+        showMarks(table, fiducials);
       }
-      showMarks(table, fiducials, residuals.length === whole ? residuals : []);
+      showResiduals(table, fiducials, residuals.length === whole ? residuals : []);
       clear.disabled = fiducials.length === 0;
       // Keys take back what was pressed.
       passFocus(held, [undo, add]);
@@ -153,9 +155,7 @@ function removeButton(side: Side, marking: Marking, index: number): HTMLButtonEl
   return remove;
 }
 
-/** `residuals`: of the marks that take part, in their order. */
-function showMarks(table: HTMLElement, fiducials: readonly Fiducial[], residuals: readonly [number, number][]): void {
-  const parts = fiducials.map((mark, i) => (isWhole(mark) ? residuals[fiducials.slice(0, i).filter(isWhole).length] : undefined));
+function showMarks(table: HTMLElement, fiducials: readonly Fiducial[]): void {
   table.querySelectorAll('tbody tr').forEach((line, i) => {
     line.querySelectorAll('input').forEach((input, f) => {
       const field = FIELDS[f];
@@ -163,6 +163,13 @@ function showMarks(table: HTMLElement, fiducials: readonly Fiducial[], residuals
       if (value === undefined || Object.is(input.valueAsNumber, value)) return;
       input.value = Number.isFinite(value) ? String(value) : '';
     });
+  });
+}
+
+/** `residuals`: of the marks that take part, in their order. */
+function showResiduals(table: HTMLElement, fiducials: readonly Fiducial[], residuals: readonly [number, number][]): void {
+  const parts = fiducials.map((mark, i) => (isWhole(mark) ? residuals[fiducials.slice(0, i).filter(isWhole).length] : undefined));
+  table.querySelectorAll('tbody tr').forEach((line, i) => {
     const cell = line.querySelector('.residual');
     const [vx, vy] = parts[i] ?? [];
     if (cell !== null) cell.textContent = vx === undefined ? '' : `${fixed(1000 * vx, 0)}, ${fixed(1000 * (vy ?? NaN), 0)}`;
