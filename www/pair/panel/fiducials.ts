@@ -3,8 +3,8 @@ import { scrolledByKeys } from '../../shared/panel/scrolled';
 import { allowedOfOrigin } from '../engine/checks';
 import type { Fiducial } from '../../shared/crate';
 import type { Marking } from '../state/marking';
-import { isWhole } from '../state/marks';
-import type { Side } from '../state/state';
+import { isWhole, wholeMarks } from '../state/marks';
+import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
@@ -72,8 +72,8 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
     },
   );
   store.watch(
-    (s) => [s.photos[side].fiducials, s.results[stage]] as const,
-    ([fiducials, interior]) => {
+    (s) => [s.photos[side].fiducials, s.results[stage], isPixelMissing(s, side)] as const,
+    ([fiducials, interior, isWithoutPixel]) => {
       const held = table.contains(document.activeElement) || clear === document.activeElement ? document.activeElement : null;
       const whole = fiducials.filter(isWhole).length;
       const residuals = interior?.value.fiducials?.residuals_mm ?? [];
@@ -89,7 +89,8 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
       // Keys take back what was pressed.
       passFocus(held, [undo, add]);
       const incomplete = fiducials.length - whole;
-      const told = interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, whole);
+      const { sigma0_mm, degrees_of_freedom } = interior?.value.fiducials ?? {};
+      const told = isWithoutPixel ? say('no-fiducial-marks-and-no-pixel') : interiorText(sigma0_mm, degrees_of_freedom, whole);
       fill(result, incomplete === 0 ? told : `${told} ${say('incomplete-marks', { incomplete })}`);
     },
   );
@@ -102,6 +103,12 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
     h('div', { class: 'buttons' }, inPicture, add, load, clear, undo, redo),
     originFields(side, store),
   );
+}
+
+/** Whether neither marks nor a pixel size lead from px of a photo to mm. */
+function isPixelMissing({ camera, photos, results }: State, side: Side): boolean {
+  const ofFile = results[side === 'left' ? 'openLeft' : 'openRight']?.value.info.camera;
+  return wholeMarks(photos[side]).length === 0 && (camera ?? ofFile)?.pixel_mm == null;
 }
 
 function interiorText(sigma: number | null | undefined, freedom: number | undefined, marks: number): string {

@@ -142,6 +142,7 @@ f-mm = { $message }، { $name ->
     }: { $what }، البعد البؤري { $focal_mm } مم، { $pixel }.{ $cautions }
 they-came-with-the-sample = {" "}(جاءت مع النموذج)
 in-use-the-values-below = المستعمل: القيم أدناه{ $what }{ $told }. { $exif }
+the-focal-length-is-not-used-yet = البعد البؤري غير مستعمل بعد: أعطِ حجم البكسل، أو العلامات الإطارية للصورتين. { $exif }
 in-use-the-photos-own = المستعمل: كاميرا الصور نفسها{ $told }. تحل القيم أدناه محلها. { $exif }
 no-camera-is-known-that = لا كاميرا معروفة: تُفترض كاميرا معظم الصور{ $told }. تحل القيم أدناه محلها. { $exif }
 orientation-needs-a-focal-length = يحتاج التوجيه إلى بعد بؤري، وإلى حجم بكسل أو علامات إطارية. ومع مطابقات التدرجات يستغني عنها. { $exif }
@@ -247,6 +248,7 @@ transformation = التحويل
 add-mark = إضافة علامة
 load-csv = تحميل CSV …
 image-4 = الصورة { $name }
+no-fiducial-marks-and-no-pixel = لا علامات إطارية، وحجم البكسل غير معروف.
 no-fiducial-marks-the-pixel = لا علامات إطارية. يُستعمل حجم البكسل.
 measure-in-the-image = قياس في الصورة
 press-each-mark-in-the-image = اضغط كل علامة في الصورة؛ وحين تُعرف علامتان أو أكثر تُتوقَّع التالية عند حلقة متقطعة
