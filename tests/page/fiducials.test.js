@@ -66,6 +66,19 @@ test('a mark that is cleared is expected where the others have it, measured agai
   await says(page, 'mark-text', new RegExp(`lies at ${(column + 1.1).toFixed(2).replace('.', '\\.')},`));
   await part(page, 'mark-end').click();
   assert.ok(await part(page, 'marking').isHidden());
+  // The table is whole in its drawer: no number is cut, and residuals and buttons are in sight.
+  const room = await part(page, 'fiducials-left').evaluate((table) => {
+    const { left, right } = /** @type {HTMLElement} */ (table.parentElement).getBoundingClientRect();
+    const inside = [...table.querySelectorAll('input, button, td.residual span')].map((one) => {
+      const box = one.getBoundingClientRect();
+      return (
+        box.left >= left - 1 && box.right <= right + 1 && (!(one instanceof HTMLInputElement) || one.value.length > 7 || one.scrollWidth <= one.clientWidth)
+      );
+    });
+    return { inside, residual: table.querySelector('tbody .residual')?.textContent };
+  });
+  assert.deepEqual(room.inside, Array(24).fill(true));
+  assert.match(room.residual ?? '', /^−?\d+, −?\d+$/u);
   // What is typed while the result of what was typed before arrives is not overwritten.
   const fields = page.locator('[data-testid="fiducials-left"] tbody tr').nth(3).locator('input');
   const before = await part(page, 'interior-left').textContent();
@@ -208,7 +221,7 @@ test('marks go with the image that they were measured in, which is said; they st
   // The pair with its marks stays in the list of projects.
   await part(page, 'file-input').setInputFiles([upload('other.png', right.buffer, 'image/png')]);
   await part(page, 'other-1').click();
-  await says(page, 'status', /stay under Projects\. The 4 fiducial marks of the left image went with it\./);
+  await says(page, 'status', /stay under Projects\. The 4 fiducial marks of the left image went with it\. The camera that was given stays in use\.$/);
   assert.equal(await marks.count(), 0);
   assert.deepEqual(complaints, []);
   await close();

@@ -40,7 +40,7 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
 }
 
 function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking: Marking, measure: (side: Side) => void): HTMLElement {
-  const table = scrolledByKeys(h('div', { class: 'scroll' }));
+  const table = scrolledByKeys(h('div', { class: 'scroll fiducials-table' }));
   const result = h('p', { class: 'note', testid: `interior-${side}` });
   const name = say('image-4', { name: side === 'left' ? say('left') : say('right') });
   const add = button(say('add-mark'), `add-fiducial-${side}`, () => marking.add(side));
@@ -125,7 +125,7 @@ function marksTable(side: Side, marking: Marking, rows: number): HTMLElement | s
       {},
       h('th', { scope: 'row' }, String(i + 1)),
       ...FIELDS.map((field) => h('td', {}, markInput(side, marking, i, field))),
-      h('td', { class: 'number residual' }, ''),
+      h('td', { class: 'number residual' }, h('span', {})),
       h('td', {}, removeButton(side, marking, i)),
     ),
   );
@@ -140,7 +140,7 @@ function marksTable(side: Side, marking: Marking, rows: number): HTMLElement | s
         {},
         h('td', {}, ''),
         ...FIELDS.map((field) => h('th', { scope: 'col' }, HEADS[field])),
-        h('th', { scope: 'col', title: say('residuals-vx-vy') }, `v ${unitText('µm')}`),
+        h('th', { scope: 'col', class: 'residual', title: say('residuals-vx-vy') }, h('span', {}, `v ${unitText('µm')}`)),
         h('td', {}, ''),
       ),
     ),
@@ -177,7 +177,7 @@ function showMarks(table: HTMLElement, fiducials: readonly Fiducial[]): void {
 function showResiduals(table: HTMLElement, fiducials: readonly Fiducial[], residuals: readonly [number, number][]): void {
   const parts = fiducials.map((mark, i) => (isWhole(mark) ? residuals[fiducials.slice(0, i).filter(isWhole).length] : undefined));
   table.querySelectorAll('tbody tr').forEach((line, i) => {
-    const cell = line.querySelector('.residual');
+    const cell = line.querySelector('.residual span');
     const [vx, vy] = parts[i] ?? [];
     if (cell !== null) cell.textContent = vx === undefined ? '' : `${fixed(1000 * vx, 0)}, ${fixed(1000 * (vy ?? NaN), 0)}`;
   });

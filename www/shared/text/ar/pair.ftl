@@ -125,6 +125,7 @@ principal-pt-x = النقطة الأساسية x
 principal-pt-y = النقطة الأساسية y
 forget-this-calibration = انس هذه المعايرة
 the-calibration-is-forgotten = نُسيت المعايرة.
+the-camera-that-was-given-stays = تبقى الكاميرا المعطاة مستعملة.
 the-calibrated-camera-is-not = الكاميرا المعايرة ليست كاميرا هاتين الصورتين: تُستعمل كاميرتهما.
 a-block-calibrated-such-a-camera = عايرتها في { $day } كتلةٌ صورها { COUNT($images) } بكاميرا من هذا الصانع والطراز: البعد البؤري { FIXED($focal, digits: 1) } ± { FIXED($error, digits: 1) } بكسل.
 load-camera-json = تحميل camera.json …

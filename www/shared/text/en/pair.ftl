@@ -151,6 +151,7 @@ principal-pt-x = Principal pt x
 principal-pt-y = Principal pt y
 forget-this-calibration = Forget this calibration
 the-calibration-is-forgotten = The calibration is forgotten.
+the-camera-that-was-given-stays = The camera that was given stays in use.
 the-calibrated-camera-is-not = The calibrated camera is not that of these photographs: their own is in use.
 a-block-calibrated-such-a-camera = A block with { COUNT($images) } images by a camera of this make and model calibrated it on { $day }: focal length { FIXED($focal, digits: 1) } ± { FIXED($error, digits: 1) } px.
 load-camera-json = Load camera.json …
