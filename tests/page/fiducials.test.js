@@ -153,10 +153,23 @@ test('marks that are removed in the table come back where they were removed, and
   await close();
 });
 
-test('on a phone the pictures are uncovered for it', { skip: SKIP }, async () => {
+test('on a phone the pictures are uncovered for it, and all that is said of the files by a press', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width: 360, height: 740 } } });
   await part(page, 'file-input').setInputFiles([...pngs(), CAMERA, MARKS]);
   await done(page);
+  /** How high the answer is, and whether all of it is in sight. */
+  const answer = () =>
+    part(page, 'answer').evaluate((card) => {
+      const parts = [card, ...card.querySelectorAll('[data-testid="status"] span')];
+      return { height: card.clientHeight, isWhole: parts.every(({ clientHeight, scrollHeight }) => scrollHeight <= clientHeight + 1) };
+    });
+  const closed = await answer();
+  assert.equal(closed.isWhole, false);
+  await part(page, 'more').click();
+  assert.deepEqual([await part(page, 'more').textContent(), (await answer()).isWhole], ['Less', true]);
+  await page.screenshot({ path: join(SHOTS, 'answer-whole-phone.png') });
+  await part(page, 'more').click();
+  assert.deepEqual(await answer(), closed);
   await part(page, 'settings').click();
   await part(page, 'tab-camera').click();
   await part(page, 'measure-fiducials-left').click();
