@@ -66,6 +66,17 @@ test('a mark that is cleared is expected where the others have it, measured agai
   await says(page, 'mark-text', new RegExp(`lies at ${(column + 1.1).toFixed(2).replace('.', '\\.')},`));
   await part(page, 'mark-end').click();
   assert.ok(await part(page, 'marking').isHidden());
+  // The other image has marks of the same camera: their photo coordinates need not be typed again.
+  assert.ok(await part(page, 'coordinates-fiducials-left').isHidden());
+  await part(page, 'coordinates-fiducials-right').click();
+  await part(page, 'coordinates-fiducials-right').waitFor({ state: 'hidden' });
+  const typed = (/** @type {string} */ side) =>
+    page
+      .locator(`[data-testid="fiducials-${side}"] tbody tr`)
+      .evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll('input')].slice(2).map(({ value }) => value)));
+  assert.deepEqual(await typed('right'), await typed('left'));
+  await part(page, 'undo-fiducials-right').click();
+  await part(page, 'coordinates-fiducials-right').waitFor();
   // The table is whole in its drawer: no number is cut, and residuals and buttons are in sight.
   const room = await part(page, 'fiducials-left').evaluate((table) => {
     const { left, right } = /** @type {HTMLElement} */ (table.parentElement).getBoundingClientRect();

@@ -3,7 +3,8 @@ import { scrolledByKeys } from '../../shared/panel/scrolled';
 import { allowedOfOrigin } from '../engine/checks';
 import type { Fiducial } from '../../shared/crate';
 import type { Marking } from '../state/marking';
-import { isWhole, wholeMarks } from '../state/marks';
+import { isWhole, wholeMarks, withCoordinatesOf } from '../state/marks';
+import { otherSide } from '../state/state';
 import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
@@ -53,6 +54,22 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
       inPicture.setAttribute('aria-pressed', String(tool === 'fiducials' && mark?.side === side));
     },
   );
+  const other = otherSide(side);
+  const asOther = button(
+    say('as-in-the-other-image', { side: other }),
+    `coordinates-fiducials-${side}`,
+    () => marking.takeCoordinates(side),
+    say('takes-the-photo-coordinates', { side: other }),
+  );
+  store.watch(
+    (s) => [s.photos.left.fiducials, s.photos.right.fiducials] as const,
+    ([left, right]) => {
+      const [own, others] = side === 'left' ? [left, right] : [right, left];
+      const held = asOther === document.activeElement ? asOther : null;
+      asOther.hidden = withCoordinatesOf(own, others) === null;
+      passFocus(held, [asOther, inPicture]);
+    },
+  );
   const clear = button(say('clear'), `clear-fiducials-${side}`, () => marking.removeAll(side));
   const undo = button(say('undo-sign'), `undo-fiducials-${side}`, () => marking.step(-1));
   const redo = button(say('redo-sign'), `redo-fiducials-${side}`, () => marking.step(1));
@@ -100,7 +117,7 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
     h('h3', {}, name),
     result,
     table,
-    h('div', { class: 'buttons' }, inPicture, add, load, clear, undo, redo),
+    h('div', { class: 'buttons' }, inPicture, add, asOther, load, clear, undo, redo),
     originFields(side, store),
   );
 }

@@ -327,6 +327,7 @@ step-of-mark = { $deed ->
         [nudged] نقل العلامة { $number }
         [cleared] محو قياس العلامة { $number }
         [typed] تغيير العلامة { $number }
+        [coordinates] أخذ الإحداثيات الصورية
         [added] إضافة العلامة { $number }
         [removed] إزالة العلامة { $number }
        *[all_removed] إزالة كل العلامات
@@ -335,6 +336,14 @@ step-of-mask = { $masked ->
         [yes] تقنيع مساحة
        *[no] رفع القناع عن مساحة
     }
+as-in-the-other-image = x وy كما في الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    }
+takes-the-photo-coordinates = يأخذ الإحداثيات الصورية x وy الناقصة هنا من علامات الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    } بترتيبها: فهي واحدة للكاميرا الواحدة
 fiducial-marks-measured = علامات إطارية تقاس في الصورة
 mark-at-mm = { " " }({ $x }، { $y } مم)
 mark-is-at = العلامة { $number }{ $photo } عند { $column }، { $row } بكسل من الصورة. الأسهم تحركها؛ وEnter يتابع.

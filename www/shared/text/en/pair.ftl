@@ -357,6 +357,7 @@ step-of-mark = { $deed ->
         [nudged] move mark { $number }
         [cleared] clear mark { $number }
         [typed] change mark { $number }
+        [coordinates] take photo coordinates
         [added] add mark { $number }
         [removed] remove mark { $number }
        *[all_removed] remove all marks
@@ -365,6 +366,14 @@ step-of-mask = { $masked ->
         [yes] mask an area
        *[no] unmask an area
     }
+as-in-the-other-image = x, y as in the { $side ->
+        [left] left
+       *[right] right
+    } image
+takes-the-photo-coordinates = Takes the photo coordinates x, y that are missing here from the marks of the { $side ->
+        [left] left
+       *[right] right
+    } image, in their order: those of one camera are the same
 fiducial-marks-measured = Fiducial marks, measured in the image
 mark-at-mm = { " " }({ $x }, { $y } mm)
 mark-is-at = Mark { $number }{ $photo } lies at { $column }, { $row } px of the image. Arrows move it; Enter goes on.
