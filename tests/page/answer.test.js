@@ -183,7 +183,11 @@ test('ready-made settings are chosen at once, and named as long as they are what
   await part(page, 'pair-all-settings').click();
   // The threshold is in the unit of its operator: another one has its own.
   await page.locator('#panel-settings [data-key="points.operator"]').selectOption('forstner');
-  assert.equal(await page.locator('#panel-settings [data-key="points.threshold"]').inputValue(), '');
+  const threshold = page.locator('#panel-settings [data-key="points.threshold"]');
+  assert.equal(await threshold.inputValue(), '');
+  await threshold.fill('1.5');
+  await page.locator('#panel-settings [data-key="points.operator"]').selectOption('');
+  assert.equal(await threshold.inputValue(), '');
   await page.locator('#panel-settings [data-key="matching.search"]').fill('31');
   assert.equal(await preset.inputValue(), 'own');
   await preset.selectOption('defaults');

@@ -51,7 +51,7 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
     more.setAttribute('aria-expanded', String(open));
   };
   const scrolled = new ResizeObserver((entries) => {
-    for (const { target } of entries) byKeys(target);
+    for (const { target } of entries) if (target !== line) byKeys(target);
     const isCut = [host, ...line.children].some(({ clientHeight, scrollHeight }) => clientHeight > 0 && scrollHeight > clientHeight + 1);
     more.hidden = !host.classList.contains('is-open') && !isCut;
   });
@@ -79,7 +79,7 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
       fill(line, h('strong', {}, text), ...rest.flatMap((part) => [' ', part]));
       scrolled.disconnect();
       uncover(false);
-      for (const part of rest) scrolled.observe(part);
+      for (const part of [line, ...rest]) scrolled.observe(part);
     }
     fill(figures, ...found.map(({ value, label }) => h('div', {}, h('dt', {}, label), h('dd', {}, value))));
     figures.hidden = found.length === 0;
