@@ -33,6 +33,16 @@ test('a table is what its rows are', () => {
     ['name,x,y,z\nA,1,two,3\n', /'two' for y in line 2/],
     ['name,x,y,z\n', /no rows/],
     ['', /no rows/],
+    // Image measurements with what is wrong with them, not with control points.
+    ['Bild;Punkt;x;y\nDSC_0001;P1;100.5;200\n', /first column has to name images .*, and \u2068?DSC_0001\u2069? is none/],
+    ['DSC_0001,P1,100.5,200\n', /first column has to name images/],
+    ['Label,Image,x_px,y_px\nP1,DSC_0001.JPG,100,200\n', /, and \u2068?P1\u2069? is none\. The columns .* are image, point, x and y/],
+    ['image,point,x,y\none.jpg,P1,1,2\none.jpg,P2,1O0,2\n', /line 3/],
+    // Control points with a slip stay control points.
+    ['Punkt;Rechtswert;Hochwert;Höhe\nP1;4500000.5;5300000.5;300\n', /control points/],
+    ['P1,4500000.5,two,300\n', /control points/],
+    // As OpenDroneMap has them.
+    ['EPSG:32632\n449000.1 5300000.2 300.5 100 200 DSC_0001.JPG P1\n449100.1 5300000.2 300.5 300 200 DSC_0001.JPG P2\n', /values stand between spaces/],
   ])) {
     const found = kind(text);
     assert.equal(found.kind, 'neither', text);
@@ -86,4 +96,9 @@ test('what is taken beside a table that is put aside is said first; notes are no
   assert.equal(store.state.options, former);
   assert.equal(store.state.notice.text.includes('put aside'), false);
   assert.match(store.state.notice.text, /1 file skipped/);
+  // A table is one whatever its ending.
+  await take({ 'gcp_list.txt': 'EPSG:32632\n449000.1 5300000.2 300.5 100 200 one.jpg P1\n449100.1 5300000.2 300.5 300 200 one.jpg P2\n' });
+  assert.equal(store.state.options, former);
+  assert.match(store.state.notice.text, /gcp_list\.txt is put aside, .*: its values stand between spaces/);
+  assert.equal(store.state.notice.text.includes('skipped'), false);
 });

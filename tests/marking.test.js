@@ -216,3 +216,27 @@ test('without an image there is nothing to measure in', () => {
   marking.toggle('right');
   assert.deepEqual([store.state.tool, store.state.mark], ['look', null]);
 });
+
+test('photo coordinates are taken from the other image where they are missing, and it is undone', () => {
+  const { store, marking, marks } = begun();
+  store.dispatch({ type: 'images', images: { right: { id: 2, name: 'right.png', source: { kind: 'file', file: new Blob() } } } });
+  const right = () => store.state.photos.right.fiducials;
+  // One is measured already, and one has coordinates of its own.
+  const own = [
+    { col: 12, row: 34, x_mm: NaN, y_mm: NaN },
+    { col: 900, row: 30, x_mm: 9, y_mm: 8 },
+  ];
+  store.dispatch({ type: 'photo', side: 'right', photo: { fiducials: own } });
+  marking.takeCoordinates('right');
+  assert.deepEqual(right(), [{ ...own[0], ...photo(PLACES[0] ?? [0, 0]) }, own[1], ...marks().slice(2)]);
+  assert.deepEqual(wholeMarks(store.state.photos.right), right().slice(0, 2));
+  const taken = right();
+  // Nothing is missing any more.
+  marking.takeCoordinates('right');
+  assert.equal(right(), taken);
+  marking.takeCoordinates('left');
+  assert.deepEqual(marks().length, 4);
+  assert.equal(marking.history.edits[marking.history.done - 1].name, 'take photo coordinates');
+  marking.step(-1);
+  assert.equal(right(), own);
+});

@@ -1,9 +1,11 @@
-/** The page's server: what it sends is compressed as a browser takes it, and is not sent twice. */
+/** The page's server: what it sends is compressed as a browser takes it, and is not sent twice; and what `npm start` takes. */
 
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { request } from 'node:http';
 import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { brotliDecompressSync, gunzipSync } from 'node:zlib';
 import { pathOf } from '../tools/lib/compose.mjs';
 import { servePage } from '../tools/lib/page-server.mjs';
@@ -46,4 +48,16 @@ test('files are compressed, have a tag by which a browser asks again, and names 
   } finally {
     await close();
   }
+});
+
+test('what it takes is printed, and said of an option that it does not know', () => {
+  const serve = (/** @type {string} */ option) =>
+    spawnSync(process.execPath, [fileURLToPath(new URL('../tools/serve.mjs', import.meta.url)), option], { encoding: 'utf8' });
+  const help = serve('--help');
+  assert.deepEqual([help.status, help.stderr], [0, '']);
+  assert.match(help.stdout, /^ {2}--port PORT {2}0 to 65535/m);
+  const slip = serve('--prot');
+  assert.deepEqual([slip.status, slip.stdout], [2, '']);
+  assert.match(slip.stderr, /--prot[\s\S]*--port PORT/);
+  assert.doesNotMatch(slip.stderr, /^ +at /m);
 });

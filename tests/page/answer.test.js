@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { block, status } from './blocks.js';
 import { coloured, shareOfOrange } from './colours.js';
-import { choose, done, enabled, hosted, number, open, pair, part, pngs, sample, SKIP, upload } from './page.js';
+import { choose, done, enabled, hosted, number, open, pair, part, pngs, sample, says, SKIP, upload } from './page.js';
 
 hosted('/answer/');
 
@@ -181,6 +181,13 @@ test('ready-made settings are chosen at once, and named as long as they are what
   assert.equal(await page.locator('#panel-settings [data-key="points.threshold"]').inputValue(), '40');
   assert.match((await part(page, 'preset-help').textContent()) ?? '', /^The paper's method/);
   await part(page, 'pair-all-settings').click();
+  // The threshold is in the unit of its operator: another one has its own.
+  await page.locator('#panel-settings [data-key="points.operator"]').selectOption('forstner');
+  const threshold = page.locator('#panel-settings [data-key="points.threshold"]');
+  assert.equal(await threshold.inputValue(), '');
+  await threshold.fill('1.5');
+  await page.locator('#panel-settings [data-key="points.operator"]').selectOption('');
+  assert.equal(await threshold.inputValue(), '');
   await page.locator('#panel-settings [data-key="matching.search"]').fill('31');
   assert.equal(await preset.inputValue(), 'own');
   await preset.selectOption('defaults');
@@ -197,6 +204,16 @@ test('a pair without a camera asks for it, and the next step leads there', { ski
   assert.equal(await part(page, 'next').textContent(), 'Give the camera');
   await part(page, 'next').click();
   assert.ok(await part(page, 'camera-focal').isVisible());
+  // A focal length alone, in mm, says nothing of the image: the page does not say that it is used.
+  await says(page, 'interior-left', /no pixel size is known/);
+  await part(page, 'camera-focal').fill('153.38');
+  await part(page, 'camera-focal').press('Enter');
+  await says(page, 'camera-source', /^The focal length is not used yet: give the pixel size/);
+  await says(page, 'interior-left', /no pixel size is known/);
+  await part(page, 'camera-pixel').fill('0.2542');
+  await part(page, 'camera-pixel').press('Enter');
+  await says(page, 'camera-source', /^In use: the values below/);
+  await says(page, 'interior-left', /The pixel size is used/);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -74,6 +74,19 @@ test('a pair is matched and oriented in Arabic, and files stay English', { skip:
   assert.ok((first?.x ?? 0) < (second?.x ?? 0));
   const settings = await page.locator('.side.of-settings').first().boundingBox();
   assert.ok((settings?.x ?? 0) > (second?.x ?? 0));
+  // Charts run from left to right: the least value stands below the left end of the bars, and signs before their numbers.
+  await part(page, 'histogram-residuals').waitFor();
+  for (const figure of await page.locator('.histograms figure').all()) {
+    const [least, median, most] = await figure.locator('.scale span').evaluateAll((all) => all.map((one) => one.getBoundingClientRect().x));
+    assert.ok(least !== undefined && median !== undefined && most !== undefined && least < median && median < most, `${least}, ${median}, ${most}`);
+  }
+  const signs = await page.locator('[data-testid="correlations"] .matrix-value').evaluateAll((all) =>
+    all.flatMap((one) => {
+      const text = /** @type {SVGTextElement} */ (/** @type {unknown} */ (one));
+      return text.textContent?.startsWith('−') === true ? [text.getStartPositionOfChar(0).x < text.getStartPositionOfChar(1).x] : [];
+    }),
+  );
+  assert.ok(signs.length > 2 && !signs.includes(false), signs.join());
   await part(page, 'tab-matches').click();
   await read('matches');
   await part(page, 'tab-point').click();

@@ -66,6 +66,42 @@ test('a mark that is cleared is expected where the others have it, measured agai
   await says(page, 'mark-text', new RegExp(`lies at ${(column + 1.1).toFixed(2).replace('.', '\\.')},`));
   await part(page, 'mark-end').click();
   assert.ok(await part(page, 'marking').isHidden());
+  // The other image has marks of the same camera: their photo coordinates need not be typed again.
+  assert.ok(await part(page, 'coordinates-fiducials-left').isHidden());
+  await part(page, 'coordinates-fiducials-right').click();
+  await part(page, 'coordinates-fiducials-right').waitFor({ state: 'hidden' });
+  const typed = (/** @type {string} */ side) =>
+    page
+      .locator(`[data-testid="fiducials-${side}"] tbody tr`)
+      .evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll('input')].slice(2).map(({ value }) => value)));
+  assert.deepEqual(await typed('right'), await typed('left'));
+  await part(page, 'undo-fiducials-right').click();
+  await part(page, 'coordinates-fiducials-right').waitFor();
+  // The table is whole in its drawer: no number is cut, and residuals and buttons are in sight.
+  const room = await part(page, 'fiducials-left').evaluate((table) => {
+    const { left, right } = /** @type {HTMLElement} */ (table.parentElement).getBoundingClientRect();
+    const inside = [...table.querySelectorAll('input, button, td.residual span')].map((one) => {
+      const box = one.getBoundingClientRect();
+      return (
+        box.left >= left - 1 && box.right <= right + 1 && (!(one instanceof HTMLInputElement) || one.value.length > 7 || one.scrollWidth <= one.clientWidth)
+      );
+    });
+    return { inside, residual: table.querySelector('tbody .residual')?.textContent };
+  });
+  assert.deepEqual(room.inside, Array(24).fill(true));
+  assert.match(room.residual ?? '', /^−?\d+, −?\d+$/u);
+  // What is typed while the result of what was typed before arrives is not overwritten.
+  const fields = page.locator('[data-testid="fiducials-left"] tbody tr').nth(3).locator('input');
+  const before = await part(page, 'interior-left').textContent();
+  await fields.first().selectText();
+  await page.keyboard.type('20');
+  await page.keyboard.press('Tab');
+  await page.keyboard.type('37');
+  await page.waitForFunction((text) => document.querySelector('[data-testid="interior-left"]')?.textContent !== text, before);
+  await page.keyboard.type('0');
+  assert.equal(await fields.nth(1).inputValue(), '370');
+  await page.keyboard.press('Tab');
+  await says(page, 'interior-left', /^4 marks, σ₀ 0\.0 µm/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -128,10 +164,23 @@ test('marks that are removed in the table come back where they were removed, and
   await close();
 });
 
-test('on a phone the pictures are uncovered for it', { skip: SKIP }, async () => {
+test('on a phone the pictures are uncovered for it, and all that is said of the files by a press', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width: 360, height: 740 } } });
   await part(page, 'file-input').setInputFiles([...pngs(), CAMERA, MARKS]);
   await done(page);
+  /** How high the answer is, and whether all of it is in sight. */
+  const answer = () =>
+    part(page, 'answer').evaluate((card) => {
+      const parts = [card, ...card.querySelectorAll('[data-testid="status"] span')];
+      return { height: card.clientHeight, isWhole: parts.every(({ clientHeight, scrollHeight }) => scrollHeight <= clientHeight + 1) };
+    });
+  const closed = await answer();
+  assert.equal(closed.isWhole, false);
+  await part(page, 'more').click();
+  assert.deepEqual([await part(page, 'more').textContent(), (await answer()).isWhole], ['Less', true]);
+  await page.screenshot({ path: join(SHOTS, 'answer-whole-phone.png') });
+  await part(page, 'more').click();
+  assert.deepEqual(await answer(), closed);
   await part(page, 'settings').click();
   await part(page, 'tab-camera').click();
   await part(page, 'measure-fiducials-left').click();
@@ -196,7 +245,7 @@ test('marks go with the image that they were measured in, which is said; they st
   // The pair with its marks stays in the list of projects.
   await part(page, 'file-input').setInputFiles([upload('other.png', right.buffer, 'image/png')]);
   await part(page, 'other-1').click();
-  await says(page, 'status', /stay under Projects\. The 4 fiducial marks of the left image went with it\./);
+  await says(page, 'status', /stay under Projects\. The 4 fiducial marks of the left image went with it\. The camera that was given stays in use\.$/);
   assert.equal(await marks.count(), 0);
   assert.deepEqual(complaints, []);
   await close();

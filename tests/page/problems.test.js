@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { CAMERA, choose, done, hosted, number, open, pair, part, pngs, sample, SKIP } from './page.js';
+import { CAMERA, choose, done, hosted, number, open, pair, part, pngs, sample, saved, SKIP } from './page.js';
 
 hosted();
 
@@ -127,12 +127,27 @@ test('an interior orientation that fails is the status, and figures of the earli
   }
   await says(page, 'status', /Not oriented: 1\u202f\d+ matches/);
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'problem');
+  // The reason is that of the settings that are there.
+  await part(page, 'orientation-reason').waitFor();
+  assert.equal(await page.locator('.is-stale:has([data-testid="orientation-reason"])').count(), 0);
   assert.equal(await part(page, 'count-gross-errors').textContent(), '–');
   await part(page, 'histogram-measure').waitFor();
   await page.waitForFunction(() => document.querySelector('[data-testid="histogram-residuals"]') === null);
   await part(page, 'remove-fiducial-left-8').click();
   await done(page);
-  assert.ok((await number(page, 'count-gross-errors')) > 0);
+  const gross = await number(page, 'count-gross-errors');
+  assert.ok(gross > 0);
+  // A setting that leaves nothing to match is taken back: the matches are found anew, and the orientation is of them.
+  await part(page, 'tab-settings').click();
+  const threshold = page.locator('#panel-settings input[type="number"][data-key="points.threshold"]');
+  await threshold.fill('1000000000');
+  await says(page, 'status', /^Not oriented/);
+  await threshold.fill('');
+  await says(page, 'status', /^Oriented/);
+  assert.equal(await number(page, 'count-gross-errors'), gross);
+  await part(page, 'histogram-residuals').waitFor();
+  const json = JSON.parse((await saved(page, 'export-json')).toString());
+  assert.equal(json.orientation?.rejected.length, gross);
   assert.deepEqual(complaints, []);
   await close();
 });

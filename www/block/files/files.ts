@@ -28,7 +28,7 @@ import { newId } from './ids';
 import { fieldsOf, OWN_SETTINGS } from '../../shared/files/json';
 import { asGiven, sortRasters } from './rasters';
 import type { BlockRuns } from './runs';
-import { hasFiducials, kindOfTable } from './tables';
+import { hasFiducials, hasNumbers, kindOfTable } from './tables';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
@@ -272,9 +272,10 @@ export class BlockFiles {
     const aside: string[] = [];
     let count = 0;
     for (const file of files) {
-      const found = kindOfTable(await file.text(), names);
+      const text = await file.text();
+      const found = kindOfTable(text, names);
       // Any other text, such as notes, is no table.
-      if (found.kind === 'neither' && !CSV.test(file.name)) continue;
+      if (found.kind === 'neither' && !CSV.test(file.name) && !hasNumbers(text)) continue;
       count += 1;
       if (found.kind === 'neither') aside.push(say('is-no-table-of', { name: file.name, why: sentence(found.why) }));
       else if (found.kind !== 'fiducials') await this.takeText(found.kind, file);

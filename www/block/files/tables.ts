@@ -13,10 +13,32 @@ const OF_TIE_POINTS = ['confidence', 'rmse_px'];
 /** The columns of a table of fiducial marks. */
 const OF_FIDUCIALS = ['col', 'row', 'x_mm', 'y_mm'];
 
+/** A column that tables of control points do not have, and image measurements of many programs do. */
+const OF_IMAGES = /^(?:image|img|photo|picture|frame|bild|foto)/iu;
+
+/** The column of heights, which image measurements do not have. */
+const OF_HEIGHTS = /^(?:z|h|up|height|alt|elev|hoehe|höhe)/iu;
+
+/** A coordinate, as no point is named. */
+const COORDINATE = /^[+-]?\d+\.\d/u;
+
+/** Numbers in a line of a table. */
+const LEAST_NUMBERS = 3;
+
+function linesOf(text: string): string[] {
+  return text.split(/\r?\n/u).filter((line) => line.trim() !== '' && !line.startsWith('#'));
+}
+
 /** The names of its columns, where its first line has them. */
 function columnsOf(text: string): string[] {
-  const head = text.split(/\r?\n/u).find((line) => line.trim() !== '' && !line.startsWith('#')) ?? '';
-  return head.split(/[,;\t]/u).map((column) => column.trim());
+  return (linesOf(text)[0] ?? '').split(/[,;\t]/u).map((column) => column.trim());
+}
+
+/** Whether most of its lines are rows of numbers, whatever stands between these: notes are no table. */
+export function hasNumbers(text: string): boolean {
+  const lines = linesOf(text);
+  const rows = lines.filter((line) => line.split(/[\s,;]+/u).filter((cell) => cell !== '' && Number.isFinite(Number(cell))).length >= LEAST_NUMBERS);
+  return 2 * rows.length > lines.length;
 }
 
 /** Whether it is one of fiducial marks; a slip in one of its lines is said of that. */
@@ -28,12 +50,10 @@ export function hasFiducials(text: string): boolean {
 /** `images`: the names of those of the block, which are told from points by them. */
 export function kindOfTable(text: string, images: ReadonlySet<string>): TableKind {
   if (hasFiducials(text)) return { kind: 'fiducials' };
+  if (hasNumbers(text) && !/[,;\t]/u.test(text)) return { kind: 'neither', why: say('its-values-stand-between-spaces') };
   const areImages = (names: readonly string[]) => names.length > 0 && names.every((name) => images.has(name) || IMAGE_FILE.test(name));
-  try {
-    if (areImages(parse_image_measurements(text).map(({ image }) => image))) return { kind: 'marks' };
-  } catch {
-    // It says no image measurements: see below what else.
-  }
+  const marks = measurementsOf(text);
+  if ('rows' in marks && areImages(marks.rows.map(({ image }) => image))) return { kind: 'marks' };
   try {
     const names = parse_ground_control_points(text).map(({ name }) => name);
     if (names.length === 0) return { kind: 'neither', why: say('it-has-no-rows') };
@@ -41,6 +61,29 @@ export function kindOfTable(text: string, images: ReadonlySet<string>): TableKin
     if (OF_TIE_POINTS.every((column) => columnsOf(text).includes(column))) return { kind: 'neither', why: say('its-rows-are-tie-points') };
     return { kind: 'control' };
   } catch (error) {
-    return { kind: 'neither', why: messageOf(error) };
+    return { kind: 'neither', why: isOfImages(text, marks) ? whyNoMarks(marks) : messageOf(error) };
   }
+}
+
+type Measurements = { rows: ReturnType<typeof parse_image_measurements> } | { why: string };
+
+function measurementsOf(text: string): Measurements {
+  try {
+    return { rows: parse_image_measurements(text) };
+  } catch (error) {
+    return { why: messageOf(error) };
+  }
+}
+
+/** Whether a table that holds no control points is meant to hold image measurements: by its columns, or by its rows where no column is of heights. */
+function isOfImages(text: string, marks: Measurements): boolean {
+  const columns = columnsOf(text);
+  if (columns.some((column) => OF_IMAGES.test(column))) return true;
+  const haveNames = 'rows' in marks && marks.rows.length > 0 && marks.rows.every(({ point }) => !COORDINATE.test(point));
+  return haveNames && !columns.some((column) => OF_HEIGHTS.test(column));
+}
+
+/** What is wrong with image measurements that were read, or not. */
+function whyNoMarks(marks: Measurements): string {
+  return 'why' in marks ? marks.why : say('its-first-column-names-no-images', { name: marks.rows.find(({ image }) => !IMAGE_FILE.test(image))?.image ?? '' });
 }

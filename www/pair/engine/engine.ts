@@ -1,6 +1,7 @@
 /** Starts what is wanted and not there, one call a stage at a time, and reports to the store. */
 import { editedPair } from '../state/edited';
 import { wantedKeys } from '../state/keys';
+import type { MatchesOf } from '../state/data';
 import type { StageDone } from '../state/actions';
 import type { GivenImage, Side, StageName, State } from '../state/state';
 import type { Store } from '../state/store';
@@ -132,7 +133,7 @@ export class Engine implements Workers {
     try {
       const value = await RUNS[stage](state, this);
       // The table of runs gives each stage its own type of value.
-      const of = stage === 'orientation' ? editedPair(state) : null;
+      const of = stage === 'orientation' ? matchesOf(state) : null;
       const result = { key, value, milliseconds: performance.now() - started, ...(of === null ? {} : { of }) };
       this.store.dispatch({ type: 'stageDone', stage, result } as StageDone);
     } catch (error) {
@@ -154,6 +155,12 @@ export class Engine implements Workers {
       failure: { key, ended, error: refused, message: plainMessage(stage, error, this.store.state.catalogue) },
     });
   }
+}
+
+/** The matches that are oriented in this state. */
+function matchesOf(state: State): MatchesOf | null {
+  const pair = editedPair(state);
+  return pair === null ? null : { ...pair, key: state.results.match?.key ?? '' };
 }
 
 /** Names what a worker holds in one of its lives. */

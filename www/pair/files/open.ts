@@ -7,9 +7,10 @@ import { readable } from '../../shared/text/names';
 import { hasData, isWorthKeeping } from '../state/kept';
 import { editsOfFile } from '../state/project';
 import type { OpenedProject } from '../state/project';
+import { calibrationBehind } from '../../shared/state/calibrations';
 import { titleOf } from '../../shared/text/project';
 import { SIDES } from '../state/state';
-import type { GivenImage, Side } from '../state/state';
+import type { GivenImage, Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import type { Taker } from '../../shared/files/drop';
 import type { Choice, Notice } from '../../shared/state/notice';
@@ -128,6 +129,7 @@ export class Files {
     }
     for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
     told.push(...ofImages);
+    if (camera === undefined) told.push(this.cameraStays(before));
     for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
     this.tell(told, before);
   }
@@ -324,10 +326,23 @@ export class Files {
           this.toBlock(files, []);
         },
       },
-      { text: say('replace-the-image', { side }), act: () => void this.show(images).then((told) => this.tell(told)) },
+      { text: say('replace-the-image', { side }), act: () => void this.replace(images) },
       { text: say('keep-the-pair'), act: dismiss },
     ];
     return { kind: 'info', text: say('is-a-third-image', { name: third.name, side }), choices };
+  }
+
+  private async replace(images: Partial<Record<Side, GivenImage>>): Promise<void> {
+    const before = this.store.state.images;
+    const told = await this.show(images);
+    this.tell([...told, this.cameraStays(before)]);
+  }
+
+  /** A camera that was given for the images before these is in use for them too; of one that a block calibrated is said elsewhere whether it is theirs. */
+  private cameraStays(before: State['images']): Told {
+    const { images, camera } = this.store.state;
+    const areOthers = SIDES.some((side) => before[side] !== null && images[side]?.id !== before[side].id);
+    return areOthers && camera !== null && calibrationBehind(camera) === null ? info(say('the-camera-that-was-given-stays')) : null;
   }
 
   /** Shows images that were decoded. */

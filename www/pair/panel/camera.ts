@@ -122,6 +122,7 @@ function sourceText(state: State): string {
     .join(' ');
   const used = pairCameras(state);
   const told = estimatedText(state);
+  if (state.camera !== null && 'missing' in used) return say('the-focal-length-is-not-used-yet', { exif });
   if (state.camera !== null) return say('in-use-the-values-below', { what: state.truth === null ? '' : say('they-came-with-the-sample'), told, exif });
   if (!('missing' in used)) return say('in-use-the-photos-own', { told, exif });
   if (interiorInUse(state) !== null) {

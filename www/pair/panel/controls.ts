@@ -46,10 +46,13 @@ export function mountControls(host: HTMLElement, store: Store, opener: HTMLEleme
 /** A threshold and a fraction of candidates exclude each other: setting one clears the other. */
 const EXCLUSIVE: Readonly<Record<string, string>> = { 'points.threshold': 'points.fraction', 'points.fraction': 'points.threshold' };
 
+/** A threshold is in the unit of its operator: that of another one, the default too, means nothing to it. */
+const OF_ANOTHER: Readonly<Record<string, string>> = { 'points.operator': 'points.threshold' };
+
 function change(store: Store, key: string, value: Value): void {
   const { settings } = store.state;
   if (settings === null) return;
-  const other = value === null ? undefined : EXCLUSIVE[key];
+  const other = OF_ANOTHER[key] ?? (value === null ? undefined : EXCLUSIVE[key]);
   const free = other === undefined ? settings : withSetting(settings, other, null);
   store.dispatch({ type: 'settings', settings: withSetting(free, key, value) });
 }

@@ -3,8 +3,9 @@ import { scrolledByKeys } from '../../shared/panel/scrolled';
 import { allowedOfOrigin } from '../engine/checks';
 import type { Fiducial } from '../../shared/crate';
 import type { Marking } from '../state/marking';
-import { isWhole } from '../state/marks';
-import type { Side } from '../state/state';
+import { isWhole, wholeMarks, withCoordinatesOf } from '../state/marks';
+import { otherSide } from '../state/state';
+import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
@@ -40,7 +41,7 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
 }
 
 function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking: Marking, measure: (side: Side) => void): HTMLElement {
-  const table = scrolledByKeys(h('div', { class: 'scroll' }));
+  const table = scrolledByKeys(h('div', { class: 'scroll fiducials-table' }));
   const result = h('p', { class: 'note', testid: `interior-${side}` });
   const name = say('image-4', { name: side === 'left' ? say('left') : say('right') });
   const add = button(say('add-mark'), `add-fiducial-${side}`, () => marking.add(side));
@@ -51,6 +52,22 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
     ([image, tool, mark]) => {
       inPicture.disabled = image === null;
       inPicture.setAttribute('aria-pressed', String(tool === 'fiducials' && mark?.side === side));
+    },
+  );
+  const other = otherSide(side);
+  const asOther = button(
+    say('as-in-the-other-image', { side: other }),
+    `coordinates-fiducials-${side}`,
+    () => marking.takeCoordinates(side),
+    say('takes-the-photo-coordinates', { side: other }),
+  );
+  store.watch(
+    (s) => [s.photos.left.fiducials, s.photos.right.fiducials] as const,
+    ([left, right]) => {
+      const [own, others] = side === 'left' ? [left, right] : [right, left];
+      const held = asOther === document.activeElement ? asOther : null;
+      asOther.hidden = withCoordinatesOf(own, others) === null;
+      passFocus(held, [asOther, inPicture]);
     },
   );
   const clear = button(say('clear'), `clear-fiducials-${side}`, () => marking.removeAll(side));
@@ -72,22 +89,25 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
     },
   );
   store.watch(
-    (s) => [s.photos[side].fiducials, s.results[stage]] as const,
-    ([fiducials, interior]) => {
+    (s) => [s.photos[side].fiducials, s.results[stage], isPixelMissing(s, side)] as const,
+    ([fiducials, interior, isWithoutPixel]) => {
       const held = table.contains(document.activeElement) || clear === document.activeElement ? document.activeElement : null;
       const whole = fiducials.filter(isWhole).length;
       const residuals = interior?.value.fiducials?.residuals_mm ?? [];
+      // A result that comes leaves the fields alone: one may hold what is being typed.
       if (shown !== fiducials) {
         // Typing a number changes one mark: the table is built anew only when marks come or go, so that the focus stays.
         if (shown?.length !== fiducials.length) fill(table, marksTable(side, marking, fiducials.length));
         shown = fiducials;
+        showMarks(table, fiducials);
       }
-      showMarks(table, fiducials, residuals.length === whole ? residuals : []);
+      showResiduals(table, fiducials, residuals.length === whole ? residuals : []);
       clear.disabled = fiducials.length === 0;
       // Keys take back what was pressed.
       passFocus(held, [undo, add]);
       const incomplete = fiducials.length - whole;
-      const told = interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, whole);
+      const { sigma0_mm, degrees_of_freedom } = interior?.value.fiducials ?? {};
+      const told = isWithoutPixel ? say('no-fiducial-marks-and-no-pixel') : interiorText(sigma0_mm, degrees_of_freedom, whole);
       fill(result, incomplete === 0 ? told : `${told} ${say('incomplete-marks', { incomplete })}`);
     },
   );
@@ -97,9 +117,15 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
     h('h3', {}, name),
     result,
     table,
-    h('div', { class: 'buttons' }, inPicture, add, load, clear, undo, redo),
+    h('div', { class: 'buttons' }, inPicture, add, asOther, load, clear, undo, redo),
     originFields(side, store),
   );
+}
+
+/** Whether neither marks nor a pixel size lead from px of a photo to mm. */
+function isPixelMissing({ camera, photos, results }: State, side: Side): boolean {
+  const ofFile = results[side === 'left' ? 'openLeft' : 'openRight']?.value.info.camera;
+  return wholeMarks(photos[side]).length === 0 && (camera ?? ofFile)?.pixel_mm == null;
 }
 
 function interiorText(sigma: number | null | undefined, freedom: number | undefined, marks: number): string {
@@ -116,7 +142,7 @@ function marksTable(side: Side, marking: Marking, rows: number): HTMLElement | s
       {},
       h('th', { scope: 'row' }, String(i + 1)),
       ...FIELDS.map((field) => h('td', {}, markInput(side, marking, i, field))),
-      h('td', { class: 'number residual' }, ''),
+      h('td', { class: 'number residual' }, h('span', {})),
       h('td', {}, removeButton(side, marking, i)),
     ),
   );
@@ -131,7 +157,7 @@ function marksTable(side: Side, marking: Marking, rows: number): HTMLElement | s
         {},
         h('td', {}, ''),
         ...FIELDS.map((field) => h('th', { scope: 'col' }, HEADS[field])),
-        h('th', { scope: 'col', title: say('residuals-vx-vy') }, `v ${unitText('µm')}`),
+        h('th', { scope: 'col', class: 'residual', title: say('residuals-vx-vy') }, h('span', {}, `v ${unitText('µm')}`)),
         h('td', {}, ''),
       ),
     ),
@@ -153,9 +179,7 @@ function removeButton(side: Side, marking: Marking, index: number): HTMLButtonEl
   return remove;
 }
 
-/** `residuals`: of the marks that take part, in their order. */
-function showMarks(table: HTMLElement, fiducials: readonly Fiducial[], residuals: readonly [number, number][]): void {
-  const parts = fiducials.map((mark, i) => (isWhole(mark) ? residuals[fiducials.slice(0, i).filter(isWhole).length] : undefined));
+function showMarks(table: HTMLElement, fiducials: readonly Fiducial[]): void {
   table.querySelectorAll('tbody tr').forEach((line, i) => {
     line.querySelectorAll('input').forEach((input, f) => {
       const field = FIELDS[f];
@@ -163,7 +187,14 @@ function showMarks(table: HTMLElement, fiducials: readonly Fiducial[], residuals
       if (value === undefined || Object.is(input.valueAsNumber, value)) return;
       input.value = Number.isFinite(value) ? String(value) : '';
     });
-    const cell = line.querySelector('.residual');
+  });
+}
+
+/** `residuals`: of the marks that take part, in their order. */
+function showResiduals(table: HTMLElement, fiducials: readonly Fiducial[], residuals: readonly [number, number][]): void {
+  const parts = fiducials.map((mark, i) => (isWhole(mark) ? residuals[fiducials.slice(0, i).filter(isWhole).length] : undefined));
+  table.querySelectorAll('tbody tr').forEach((line, i) => {
+    const cell = line.querySelector('.residual span');
     const [vx, vy] = parts[i] ?? [];
     if (cell !== null) cell.textContent = vx === undefined ? '' : `${fixed(1000 * vx, 0)}, ${fixed(1000 * (vy ?? NaN), 0)}`;
   });

@@ -32,7 +32,8 @@ export function mountOrientation(host: HTMLElement, store: Store): void {
     ['results', 'settings', 'images', 'failures', 'camera', 'photos', 'offset', 'fiducialModel'],
     whenInSight(host, () => {
       const { state } = store;
-      panel.classList.toggle('is-stale', isStale(state, 'orientation'));
+      // Why there is none is said of the settings that are there.
+      panel.classList.toggle('is-stale', whyNotOriented(state) === null && isStale(state, 'orientation'));
       fill(body, ...content(state));
     }),
   );

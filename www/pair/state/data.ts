@@ -19,6 +19,11 @@ export interface MatchesInUse {
   found: MatchResult;
 }
 
+/** Matches that something was made of. A matching of the same key finds the same ones, in objects of its own. */
+export interface MatchesOf extends MatchesInUse {
+  key: string;
+}
+
 /** A grey image of the size of another: where it is 0, no points are wanted. */
 export interface MaskImage {
   width: number;

@@ -4,7 +4,8 @@ import type { History } from '../../shared/state/history';
 import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
 import { say } from '../../shared/text/words';
-import { isMeasured, markInHand, placeOfMark, UNMEASURED, wholeMarks } from './marks';
+import { isMeasured, markInHand, placeOfMark, UNMEASURED, wholeMarks, withCoordinatesOf } from './marks';
+import { otherSide } from './state';
 import type { PhotoData, Side } from './state';
 import type { Store } from './store';
 import { Undoing } from './undoing';
@@ -23,7 +24,7 @@ const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
 const MOST_UNDONE = 1000;
 
 /** What was done to a mark. */
-type Deed = 'measured' | 'moved' | 'nudged' | 'cleared' | 'typed' | 'added' | 'removed' | 'all_removed';
+type Deed = 'measured' | 'moved' | 'nudged' | 'cleared' | 'typed' | 'coordinates' | 'added' | 'removed' | 'all_removed';
 
 interface MarkStep extends Step<Fiducial[]> {
   deed: Deed;
@@ -119,6 +120,15 @@ export class Marking {
       'typed',
       index,
     );
+  }
+
+  /** Takes the photo coordinates that are missing from the other photo, which the same camera took. */
+  takeCoordinates(side: Side): void {
+    const { photos } = this.store.state;
+    const marks = photos[side].fiducials;
+    const all = withCoordinatesOf(marks, photos[otherSide(side)].fiducials);
+    const first = marks.findIndex((mark, i) => mark !== all?.[i]);
+    if (all !== null) this.set(side, all, 'coordinates', first < 0 ? marks.length : first);
   }
 
   /** A new mark, whose numbers are to be typed. */

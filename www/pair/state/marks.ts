@@ -11,6 +11,22 @@ export const isMeasured = ({ col, row }: Fiducial): boolean => Number.isFinite(c
 /** Whether a mark is measured and its photo coordinates are known: only then it takes part. */
 export const isWhole = (mark: Fiducial): boolean => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
 
+/**
+ * The marks of a photo with the photo coordinates of another one of the same camera, mark for mark: where its own are missing, and as marks that are still
+ * to be measured beyond those that it has. Null where nothing is missing.
+ */
+export function withCoordinatesOf(marks: readonly Fiducial[], others: readonly Fiducial[]): Fiducial[] | null {
+  const known = ({ x_mm, y_mm }: Fiducial) => Number.isFinite(x_mm) && Number.isFinite(y_mm);
+  let isSame = true;
+  const all = Array.from({ length: Math.max(marks.length, others.length) }, (_, i) => {
+    const [own, other] = [marks[i] ?? UNMEASURED, others[i]];
+    if (other === undefined || !known(other) || known(own)) return own;
+    isSame = false;
+    return { ...own, x_mm: other.x_mm, y_mm: other.y_mm };
+  });
+  return isSame ? null : all;
+}
+
 export const wholeMarks = ({ fiducials }: PhotoData): Fiducial[] => fiducials.filter(isWhole);
 
 /** A photo as far as it is measured. */

@@ -10,7 +10,7 @@ import { whyNone } from './no-orientation';
 import { exchangedPair } from './shelf';
 import { SIDES, UNEDITED } from './state';
 import type { GivenImage, GivenMask, Results, Side, StageName, StageValues, State } from './state';
-import type { MatchesInUse, Overview } from './data';
+import type { MatchesOf, Overview } from './data';
 import { truthOf } from './truth';
 
 /** A project, and what of it the page makes for itself. */
@@ -176,7 +176,7 @@ export type Times = Partial<Record<StageName, number>>;
 export function withResults(state: State, project: PairProject, beside: Beside, times: Times): State {
   const { output, truth, edited } = project;
   let next: State = { ...state, results: {} };
-  const put = <S extends StageName>(stage: S, value: StageValues[S] | null | undefined, of?: MatchesInUse) => {
+  const put = <S extends StageName>(stage: S, value: StageValues[S] | null | undefined, of?: MatchesOf) => {
     const key = wantedKeys(next)[stage];
     if (value != null && key !== null)
       next = { ...next, results: { ...next.results, [stage]: { key, value, milliseconds: times[stage] ?? 0, ...(of === undefined ? {} : { of }) } } };
@@ -196,7 +196,7 @@ export function withResults(state: State, project: PairProject, beside: Beside, 
   const used = editedPair(next) ?? { match, found: match };
   // What another version of the page makes of the edits is oriented anew.
   if (used.match.matches.length === output.match.matches.length) {
-    put('orientation', output.orientation, used);
+    put('orientation', output.orientation, { ...used, key: next.results.match?.key ?? '' });
     put('score', truth?.score);
   }
   return next;

@@ -1,6 +1,6 @@
 /** What the panels and views read from the state. Pure; the costly ones are remembered for the last input. */
 import type { MatchResult, RelativeOrientation } from '../../shared/crate';
-import type { MatchesInUse } from './data';
+import type { MatchesOf } from './data';
 import type { Side, StageName, State } from './state';
 import { STAGES } from './stages';
 import { BY_HAND, GROSS_ERROR, MANUAL, MATCHED, UNDECIDED } from './codes';
@@ -35,15 +35,17 @@ export function shownPair(state: State): ShownPair {
   const edited = fits ? editedPair(state) : null;
   const comes = wantedKeys(state).orientation !== null && !isBarred(state, 'orientation');
   const result = comes ? state.results.orientation : undefined;
-  const orientation = edited === null || result === undefined ? null : orientationOf(result.value, result.of ?? null, edited);
+  const key = state.results.match?.key ?? '';
+  const orientation = edited === null || result === undefined ? null : orientationOf(result.value, result.of ?? null, edited, key);
   return { left: edited?.left ?? found, right, match: edited?.match ?? null, orientation, edited };
 }
 
 /** The orientation of the matches as they are now. One that was made before the latest edit is shown of the matches that it knows. */
-const orientationOf = remember((orientation: RelativeOrientation, of: MatchesInUse | null, { match, found }: Edited): RelativeOrientation | null => {
+const orientationOf = remember((orientation: RelativeOrientation, of: MatchesOf | null, { match }: Edited, key: string): RelativeOrientation | null => {
   const count = match.matches.length / 5;
   if (of === null || of.match === match) return countsOf(orientation).all === count ? orientation : null;
-  if (of.found !== found) return null;
+  // By the key of the matching: settings that are taken back find the same matches again, and the orientation is not computed again.
+  if (of.key !== key) return null;
   const then = rowsThen(of.match, match);
   const wasRejected = new Set(orientation.rejected);
   const points = new Float64Array(POINT_STRIDE * count).fill(NaN);

@@ -1,6 +1,6 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
 import type { PaneView } from '../../shared/state/pane';
-import type { ImageSource, InteriorOutput, MaskImage, MatchesInUse, Overview } from './data';
+import type { ImageSource, InteriorOutput, MaskImage, MatchesOf, Overview } from './data';
 import type {
   CameraMm,
   Catalogue,
@@ -136,7 +136,7 @@ export interface StageResult<S extends StageName> {
   value: StageValues[S];
   milliseconds: number;
   /** Of an orientation the matches that it was made from. */
-  of?: MatchesInUse;
+  of?: MatchesOf;
 }
 
 export type Results = { [S in StageName]?: StageResult<S> };

@@ -1,6 +1,7 @@
 /** The answer: what came of a run in one sentence, the figures that decided, and what to do next. It stands beside the picture, where nothing has to be scrolled. */
 import { button, fill, h } from './dom';
 import { byKeys } from './scrolled';
+import { say } from '../text/words';
 
 export interface Figure {
   value: string;
@@ -40,17 +41,30 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
   press.className = 'primary';
   const others = h('span', { class: 'answer-others' });
   let offered = '';
+  // What does not fit on a phone is uncovered by a press.
+  const more = button('', `${prefix}more`, () => uncover(!host.classList.contains('is-open')));
+  more.className = 'link uncover';
   line.after(figures);
+  const uncover = (open: boolean) => {
+    host.classList.toggle('is-open', open);
+    more.textContent = say(open ? 'less-of-the-answer' : 'more-of-the-answer');
+    more.setAttribute('aria-expanded', String(open));
+  };
   const scrolled = new ResizeObserver((entries) => {
-    for (const { target } of entries) byKeys(target);
+    for (const { target } of entries) if (target !== line) byKeys(target);
+    const isCut = [host, ...line.children].some(({ clientHeight, scrollHeight }) => clientHeight > 0 && scrollHeight > clientHeight + 1);
+    more.hidden = !host.classList.contains('is-open') && !isCut;
   });
+  more.hidden = true;
+  uncover(false);
   buttons.prepend(press, others);
+  buttons.append(more);
   /** How high it is while nothing runs, as the browser has laid it out. */
   let height = 0;
   new ResizeObserver(() => {
-    if (host.dataset.kind !== 'busy') ({ height } = host.getBoundingClientRect());
+    if (host.dataset.kind !== 'busy' && !host.classList.contains('is-open')) ({ height } = host.getBoundingClientRect());
   }).observe(host);
-  return ({ kind, verdict, text, more = '', said = '', problem = '', figures: found = [], next = null, others: now = [] }) => {
+  return ({ kind, verdict, text, more: after = '', said = '', problem = '', figures: found = [], next = null, others: now = [] }) => {
     instead = now;
     host.dataset.kind = kind;
     // While something runs it says less: what is beside it stays where it is.
@@ -58,13 +72,14 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
     host.dataset.verdict = verdict ?? '';
     line.dataset.kind = kind;
     // What is said already would be read out again.
-    if (line.textContent !== [text, more, said, problem].filter((part) => part !== '').join(' ')) {
-      const rest = [h('span', {}, more), h('span', { class: 'done-since' }, said), h('span', { class: 'wrong' }, problem)].filter(
+    if (line.textContent !== [text, after, said, problem].filter((part) => part !== '').join(' ')) {
+      const rest = [h('span', {}, after), h('span', { class: 'done-since' }, said), h('span', { class: 'wrong' }, problem)].filter(
         (part) => part.textContent !== '',
       );
       fill(line, h('strong', {}, text), ...rest.flatMap((part) => [' ', part]));
       scrolled.disconnect();
-      for (const part of rest) scrolled.observe(part);
+      uncover(false);
+      for (const part of [line, ...rest]) scrolled.observe(part);
     }
     fill(figures, ...found.map(({ value, label }) => h('div', {}, h('dt', {}, label), h('dd', {}, value))));
     figures.hidden = found.length === 0;

@@ -125,6 +125,7 @@ principal-pt-x = النقطة الأساسية x
 principal-pt-y = النقطة الأساسية y
 forget-this-calibration = انس هذه المعايرة
 the-calibration-is-forgotten = نُسيت المعايرة.
+the-camera-that-was-given-stays = تبقى الكاميرا المعطاة مستعملة.
 the-calibrated-camera-is-not = الكاميرا المعايرة ليست كاميرا هاتين الصورتين: تُستعمل كاميرتهما.
 a-block-calibrated-such-a-camera = عايرتها في { $day } كتلةٌ صورها { COUNT($images) } بكاميرا من هذا الصانع والطراز: البعد البؤري { FIXED($focal, digits: 1) } ± { FIXED($error, digits: 1) } بكسل.
 load-camera-json = تحميل camera.json …
@@ -142,6 +143,7 @@ f-mm = { $message }، { $name ->
     }: { $what }، البعد البؤري { $focal_mm } مم، { $pixel }.{ $cautions }
 they-came-with-the-sample = {" "}(جاءت مع النموذج)
 in-use-the-values-below = المستعمل: القيم أدناه{ $what }{ $told }. { $exif }
+the-focal-length-is-not-used-yet = البعد البؤري غير مستعمل بعد: أعطِ حجم البكسل، أو العلامات الإطارية للصورتين. { $exif }
 in-use-the-photos-own = المستعمل: كاميرا الصور نفسها{ $told }. تحل القيم أدناه محلها. { $exif }
 no-camera-is-known-that = لا كاميرا معروفة: تُفترض كاميرا معظم الصور{ $told }. تحل القيم أدناه محلها. { $exif }
 orientation-needs-a-focal-length = يحتاج التوجيه إلى بعد بؤري، وإلى حجم بكسل أو علامات إطارية. ومع مطابقات التدرجات يستغني عنها. { $exif }
@@ -247,6 +249,7 @@ transformation = التحويل
 add-mark = إضافة علامة
 load-csv = تحميل CSV …
 image-4 = الصورة { $name }
+no-fiducial-marks-and-no-pixel = لا علامات إطارية، وحجم البكسل غير معروف.
 no-fiducial-marks-the-pixel = لا علامات إطارية. يُستعمل حجم البكسل.
 measure-in-the-image = قياس في الصورة
 press-each-mark-in-the-image = اضغط كل علامة في الصورة؛ وحين تُعرف علامتان أو أكثر تُتوقَّع التالية عند حلقة متقطعة
@@ -324,6 +327,7 @@ step-of-mark = { $deed ->
         [nudged] نقل العلامة { $number }
         [cleared] محو قياس العلامة { $number }
         [typed] تغيير العلامة { $number }
+        [coordinates] أخذ الإحداثيات الصورية
         [added] إضافة العلامة { $number }
         [removed] إزالة العلامة { $number }
        *[all_removed] إزالة كل العلامات
@@ -332,6 +336,14 @@ step-of-mask = { $masked ->
         [yes] تقنيع مساحة
        *[no] رفع القناع عن مساحة
     }
+as-in-the-other-image = x وy كما في الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    }
+takes-the-photo-coordinates = يأخذ الإحداثيات الصورية x وy الناقصة هنا من علامات الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    } بترتيبها: فهي واحدة للكاميرا الواحدة
 fiducial-marks-measured = علامات إطارية تقاس في الصورة
 mark-at-mm = { " " }({ $x }، { $y } مم)
 mark-is-at = العلامة { $number }{ $photo } عند { $column }، { $row } بكسل من الصورة. الأسهم تحركها؛ وEnter يتابع.

@@ -151,6 +151,7 @@ principal-pt-x = Principal pt x
 principal-pt-y = Principal pt y
 forget-this-calibration = Forget this calibration
 the-calibration-is-forgotten = The calibration is forgotten.
+the-camera-that-was-given-stays = The camera that was given stays in use.
 the-calibrated-camera-is-not = The calibrated camera is not that of these photographs: their own is in use.
 a-block-calibrated-such-a-camera = A block with { COUNT($images) } images by a camera of this make and model calibrated it on { $day }: focal length { FIXED($focal, digits: 1) } ± { FIXED($error, digits: 1) } px.
 load-camera-json = Load camera.json …
@@ -168,6 +169,7 @@ f-mm = { $message }, { $name ->
     }: { $what }, f = { $focal_mm } mm, { $pixel }.{ $cautions }
 they-came-with-the-sample = {" "}(they came with the sample)
 in-use-the-values-below = In use: the values below{ $what }{ $told }. { $exif }
+the-focal-length-is-not-used-yet = The focal length is not used yet: give the pixel size, or the fiducial marks of both images. { $exif }
 in-use-the-photos-own = In use: the photos' own camera{ $told }. Values below replace it. { $exif }
 no-camera-is-known-that = No camera is known: that of most photographs is assumed{ $told }. Values below replace it. { $exif }
 orientation-needs-a-focal-length = Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. { $exif }
@@ -275,6 +277,7 @@ transformation = Transformation
 add-mark = Add mark
 load-csv = Load CSV …
 image-4 = { $name } image
+no-fiducial-marks-and-no-pixel = No fiducial marks, and no pixel size is known.
 no-fiducial-marks-the-pixel = No fiducial marks. The pixel size is used.
 measure-in-the-image = Measure in the image
 press-each-mark-in-the-image = Press each mark in the image; where two or more are known, the next one is expected at a dashed ring
@@ -354,6 +357,7 @@ step-of-mark = { $deed ->
         [nudged] move mark { $number }
         [cleared] clear mark { $number }
         [typed] change mark { $number }
+        [coordinates] take photo coordinates
         [added] add mark { $number }
         [removed] remove mark { $number }
        *[all_removed] remove all marks
@@ -362,6 +366,14 @@ step-of-mask = { $masked ->
         [yes] mask an area
        *[no] unmask an area
     }
+as-in-the-other-image = x, y as in the { $side ->
+        [left] left
+       *[right] right
+    } image
+takes-the-photo-coordinates = Takes the photo coordinates x, y that are missing here from the marks of the { $side ->
+        [left] left
+       *[right] right
+    } image, in their order: those of one camera are the same
 fiducial-marks-measured = Fiducial marks, measured in the image
 mark-at-mm = { " " }({ $x }, { $y } mm)
 mark-is-at = Mark { $number }{ $photo } lies at { $column }, { $row } px of the image. Arrows move it; Enter goes on.
