@@ -357,7 +357,10 @@ test('matched photographs stay in the list of projects when another one takes th
   await files.take([file('third')], 'right');
   assert.deepEqual(aside, [{ ...before, notice: aside[0]?.notice }]);
   assert.deepEqual([store.state.images.left.name, store.state.images.right.name], ['left', 'third']);
-  assert.match(store.state.notice.text, /^left and right stay under Projects\. The 8 fiducial marks of the right image went with it\. The camera that was given stays in use\.$/);
+  assert.match(
+    store.state.notice.text,
+    /^left and right stay under Projects\. The 8 fiducial marks of the right image went with it\. The camera that was given stays in use\.$/,
+  );
   // Nothing is matched yet: nothing is kept twice.
   await files.take([file('fourth')], 'right');
   assert.equal(aside.length, 1);

@@ -4,7 +4,7 @@ use super::no_orientation::NoOrientation;
 use super::settings::PairSettings;
 use super::verdict::PairVerdict;
 use crate::message::messages;
-use crate::{Strategy, Warning};
+use crate::{Error, Strategy, Warning};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -42,6 +42,7 @@ fn is_by_any_strategy(no_orientation: &NoOrientation) -> bool {
             | NoOrientation::Panorama { .. }
             | NoOrientation::OnePhoto
             | NoOrientation::PartsOfOneImage
+            | NoOrientation::Refused { error: Error::InvalidOption { .. } }
     )
 }
 
@@ -75,7 +76,9 @@ mod tests {
             assert_eq!(PairHint::of(&verdict, &with(Strategy::Gradient)), None, "{verdict:?}");
         }
         assert_eq!(PairHint::of(&oriented, &moments), None);
-        for helpless in [NoOrientation::NoFocalLength, NoOrientation::OnePhoto, NoOrientation::PartsOfOneImage] {
+        let error = crate::catalogue::refuse("orientation.base_mm", 0.0, crate::Allowed::AboveUpTo { above: 0.0, max: 1e6 });
+        let of_an_option = NoOrientation::Refused { error };
+        for helpless in [NoOrientation::NoFocalLength, NoOrientation::OnePhoto, NoOrientation::PartsOfOneImage, of_an_option] {
             assert_eq!(PairHint::of(&not_oriented(helpless), &moments), None);
         }
         let other_pixels = Warning::OtherPixels { side: Side::Left, pixel_um: 2.0, expected_um: 4.0 };

@@ -15,7 +15,7 @@ struct Seen {
     point: usize,
     at: [f64; 2],
     weight: f64,
-    /// Whether it shares errors with the others of its image.
+    /// Whether no standard error of its own is stated: then it shares errors with the others of its image, and tells σ₀.
     shares: bool,
 }
 
@@ -315,6 +315,26 @@ impl Exported {
         panic!("the repeated adjustment does not converge");
     }
 
+    /// v'Pv by its redundancy: of the observations of which none is stated, where there are others and these have a redundancy of 20, else of all.
+    fn variance(&self, values: &[f64], square: f64, factor: &Factor) -> f64 {
+        let of_all = square / self.freedom as f64;
+        if self.seen.iter().all(|seen| seen.shares) {
+            return of_all;
+        }
+        let (mut own, mut redundancy) = (0.0, 0.0);
+        for seen in self.seen.iter().filter(|seen| seen.shares) {
+            let (at, rows) = (self.project(values, seen), self.derivatives(values, seen));
+            for (row, derivatives) in rows.iter().enumerate() {
+                let mut by = vec![0.0; values.len()];
+                derivatives.iter().for_each(|(unknown, derivative)| by[*unknown] = *derivative);
+                let cofactor: f64 = factor.solve(&by).iter().zip(&by).map(|(solved, derivative)| solved * derivative).sum();
+                own += seen.weight * (seen.at[row] - at[row]).powi(2);
+                redundancy += 1.0 - seen.weight * cofactor;
+            }
+        }
+        if redundancy < 20.0 { of_all } else { own / redundancy }
+    }
+
     /// Variances that shared errors of the standard deviation 1 add, for observations of the standard error 1.
     fn shared(&self, values: &[f64], factor: &Factor) -> Vec<f64> {
         let mut added = vec![0.0; values.len()];
@@ -341,7 +361,7 @@ fn repeat(what: &str, run: &BlockRun) -> Exported {
     let exported = Exported::read(&files(run)["orientation.json"]);
     let (values, square, factor) = exported.adjusted();
     assert_eq!(exported.redundancy(), exported.freedom, "{what}");
-    let sigma0 = (square / exported.freedom as f64 / exported.variance_left).sqrt();
+    let sigma0 = (exported.variance(&values, square, &factor) / exported.variance_left).sqrt();
     let unit_error = sigma0 / exported.variance_left.sqrt();
     let shared = exported.shared(&values, &factor);
     let variance = |(cofactor, shared): (f64, f64)| cofactor + exported.shared_errors.powi(2) * shared;

@@ -72,7 +72,13 @@ function answered(state: State, actions: AnswerActions): Answer {
 function hintFor(state: State, verdict: PairVerdict | undefined): PairHint | null {
   const none = whyNone(state);
   const judged = verdict ?? (none === null ? null : ({ kind: 'not_oriented', no_orientation: none } as const));
-  return state.settings === null || judged === null ? null : pair_hint(judged, state.settings);
+  return state.settings === null || judged === null || isWithoutPoints(state) ? null : pair_hint(judged, state.settings);
+}
+
+/** Whether an image has no points: then none were compared. */
+function isWithoutPoints(state: State): boolean {
+  const { left, right } = shownPair(state);
+  return left?.length === 0 || right?.length === 0;
 }
 
 function figuresOf(state: State, result: OrientedPair): Figure[] {
