@@ -1,9 +1,10 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
-use super::system::{system_of, with_unit};
+use super::named_images::NamedImages;
+use super::system::{check_stated_units, system_of, with_unit};
 use crate::crs::{CoordinateSystem, HeightZero};
 use crate::error::refuse;
-use crate::formats::{UnreadColumns, unread_columns};
+use crate::formats::{StatedUnit, UnreadColumns, stated_units, unread_columns};
 use crate::{
     BlockDescription, ControlRole, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
     ImageObservation, KnownCamera, KnownImage, ObservedPosition, Refusal, RtkSolution, parse_ground_control_points,
@@ -24,6 +25,8 @@ pub struct ControlTables {
     marks: Vec<ImageMeasurementRow>,
     /// Columns of the points that are not read.
     pub(super) unread_columns: UnreadColumns,
+    /// Units that columns of coordinates have in their names.
+    stated_units: Vec<StatedUnit>,
 }
 
 impl ControlTables {
@@ -32,8 +35,8 @@ impl ControlTables {
     /// # Errors
     /// As [`parse_ground_control_points`] and [`parse_image_measurements`].
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
-        let unread_columns = unread_columns(points)?;
-        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)?, unread_columns })
+        let (unread_columns, stated_units) = (unread_columns(points)?, stated_units(points)?);
+        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)?, unread_columns, stated_units })
     }
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
@@ -70,6 +73,7 @@ impl ControlTables {
         placing: &GeoreferencingOptions,
         zero: &HeightZero,
     ) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
+        check_stated_units(&self.stated_units, placing)?;
         self.check_metres(placing)?;
         let system = system_of(placing, zero, &self.plane(), &[])?;
         let used = || self.used();
@@ -77,15 +81,15 @@ impl ControlTables {
         let mut joined = joined.collect::<Result<Vec<GroundControlPoint>, Error>>()?;
         let index_of: BTreeMap<&str, usize> = used().enumerate().map(|(index, (point, _))| (point.name.as_str(), index)).collect();
         let off: BTreeSet<&str> = self.points.iter().filter(|point| point.role.is_none()).map(|point| point.name.as_str()).collect();
-        let image_of: BTreeMap<&str, usize> = images.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
+        let named = NamedImages::new(images);
         let mut unknown = BTreeSet::new();
         for mark in self.marks.iter().filter(|mark| !off.contains(mark.point.as_str())) {
             let Some(point) = index_of.get(mark.point.as_str()) else {
                 return refuse(Refusal::MeasuredUnknown { point: mark.point.clone() });
             };
-            match image_of.get(mark.image.as_str()) {
+            match named.find(&mark.image) {
                 Some(image) => {
-                    joined[*point].measurements.push(ImageObservation { image: *image, x_px: mark.x_px, y_px: mark.y_px, confidence: 1.0 })
+                    joined[*point].measurements.push(ImageObservation { image, x_px: mark.x_px, y_px: mark.y_px, confidence: 1.0 })
                 }
                 // An image that was skipped, or is of another block.
                 None => drop(unknown.insert(mark.image.clone())),

@@ -28,7 +28,10 @@ export function hasFiducials(text: string): boolean {
 /** `images`: the names of those of the block, which are told from points by them. */
 export function kindOfTable(text: string, images: ReadonlySet<string>): TableKind {
   if (hasFiducials(text)) return { kind: 'fiducials' };
-  const areImages = (names: readonly string[]) => names.length > 0 && names.every((name) => images.has(name) || IMAGE_FILE.test(name));
+  // A run knows images by their names without the ending, too.
+  const stems = new Set([...images].map((name) => name.replace(/\.[^.]*$/u, '').toLowerCase()));
+  const isImage = (name: string) => images.has(name) || IMAGE_FILE.test(name) || stems.has(name.toLowerCase());
+  const areImages = (names: readonly string[]) => names.length > 0 && names.every(isImage);
   try {
     if (areImages(parse_image_measurements(text).map(({ image }) => image))) return { kind: 'marks' };
   } catch {
