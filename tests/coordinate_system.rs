@@ -13,7 +13,8 @@ pub use flown::{GEOID_M, UTM, control, files, flown};
 use flown::{both, by_gnss, in_utm, numbers, run, run_of};
 use proj_core::Transform;
 use tiepoint::{
-    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, Remark, RunInput,
+    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, ControlTexts, Datum, Mistake, OverviewWarning,
+    Remark, RunInput,
 };
 
 #[test]
@@ -153,6 +154,38 @@ fn a_block_without_its_control_points_lies_where_its_gnss_positions_have_it() {
     // Two of them and positions without heights place nothing.
     let (floating, _) = with(off(&control[..control.len() - 2]));
     assert!(!floating.in_system && floating.warnings.iter().any(|warning| matches!(warning, BlockWarning::Free { .. })));
+}
+
+#[test]
+fn check_points_alone_and_one_control_point_are_taken_beside_gnss_positions_of_their_system() {
+    let with = |controls: usize| {
+        let texts = control(|place| place);
+        let mut left = controls;
+        let row = |line: &str| {
+            let is_kept = line.ends_with(",control") && left > 0;
+            left -= usize::from(is_kept);
+            if is_kept { format!("{line}\n") } else { format!("{}\n", line.replace(",control", ",check")) }
+        };
+        ControlTexts { points: texts.points.lines().map(row).collect(), ..texts }
+    };
+    // Of heights that count from elsewhere nothing is known.
+    let refused = run(UTM, None, Some(with(0))).unwrap_err().to_string();
+    assert!(refused.contains("check points alone") && refused.contains("(--geoid, --geoid-m)"), "{refused}");
+    assert!(run(None, None, Some(with(0))).unwrap_err().to_string().contains("check points alone"));
+    for (controls, datum) in [(0, Datum::Gnss), (1, Datum::GnssAndControl)] {
+        let run = run(UTM, Some(GEOID_M), Some(with(controls))).unwrap();
+        let model = &run.reconstruction.as_ref().unwrap().models[0];
+        assert!(model.in_system && model.adjusted.datum == datum, "{:?}", model.adjusted.datum);
+        let checks: Vec<_> = model.surveyed.iter().filter(|point| point.role == ControlRole::Check).collect();
+        assert_eq!(checks.len() + controls, control(|place| place).points.lines().count() - 1);
+        for point in checks {
+            println!("{controls}: {} {:.3?} {:.3?}", point.name, point.difference_m, point.standard_errors_m);
+            assert!((0..3).all(|k| point.difference_m[k].abs() < 4.0 * point.standard_errors_m[k].unwrap()), "{point:?}");
+        }
+        let table = files(&run)["surveyed.csv"].clone();
+        assert_eq!(table.lines().filter(|line| line.contains(",check,")).count(), table.lines().count() - 1 - controls);
+        assert!(!table.contains("not placed"), "{table}");
+    }
 }
 
 #[test]

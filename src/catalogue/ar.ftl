@@ -591,6 +591,12 @@ block-warning-control-unadjusted =
            *[other] {" "}و{ $names_more } أخرى
         }
     } لبُعدها عن موضعها وفق سائر النقاط: لا تدخل في التعديل، وعُدّلت الكتلة دون إسناد جغرافي. تحقق من الإحداثيات والقياسات الصورية.
+block-warning-control-lost =
+    لا تشارك { $lost } من نقاط الضبط الأرضي المقيسة، وعددها { $points }، إذ لا تلتقي قياساتها الصورية: { $from_bottom ->
+        [true] تلتقي لو عُدّت الصفوف من أسفل الصور. هنا y صفر في الأعلى: استعمل ارتفاع الصورة ناقص y.
+       *[other] تحقق من الصور والنقاط التي تسميها، ومن أنها ببكسلات هذه الصور، وأن x إلى اليمين وy من الأعلى إلى الأسفل.
+    }
+block-warning-control-without-place = لا تضع نقاط الضبط الأرضي، وعددها { $given }، الكتلة: قيس منها في صورتين من صورها أو أكثر { $measured }، وتلتقي قياسات { $taken }. المطلوب ثلاث، أو مواضع GNSS معها.
 block-warning-control-shape =
     نقاط الضبط الأرضي { $names }{ $names_more ->
         [0] {""}
@@ -626,8 +632,11 @@ block-warning-scale =
     }
 block-warning-degrees = تبدو x وy لنقاط الضبط الأرضي خط طول وعرض: المطلوب إحداثيات بالأمتار لا بالدرجات.
 block-warning-point-rejected =
-    رُفضت نقطة الضبط الأرضي { $point }: { $measurements ->
-        [one] لها قياس صوري واحد في صور موجَّهة.
+    { $check ->
+        [true] لم تُحدَّد نقطة التحقق { $point }
+       *[false] لا تشارك نقطة الضبط { $point }
+    }: { $measurements ->
+        [one] قيست في صورة موجَّهة واحدة.
         [two] قياساها الصوريان في صور موجَّهة لا يلتقيان.
        *[other] قياساتها الصورية في صور موجَّهة، وعددها { $measurements }، لا تلتقي.
     }
@@ -636,7 +645,10 @@ block-warning-measurements-rejected =
         [one] قياس صوري واحد
         [two] قياسين صوريين
        *[other] { $measurements } من القياسات الصورية
-    } لنقطة الضبط الأرضي { $point } { $images_count ->
+    } { $check ->
+        [true] لنقطة التحقق
+       *[false] لنقطة الضبط
+    } { $point } { $images_count ->
         [one] لا يوافق
        *[other] لا توافق
     }: { $images }{ $images_more ->
@@ -1131,7 +1143,7 @@ refusal-few-control-points =
     }، أو { $checks ->
         [true] لا نقاط ضبط ولا نقاط تحقق
        *[false] لا شيء منها
-    }
+    }؛ وأي عدد مع مواضع GNSS لثلاث صور أو أكثر في نظام الإحداثيات نفسه (--crs) إن عُرف صفر الارتفاعات (--geoid، --geoid-m)
 refusal-job-inputs = مدخلات مهمة: أُعطي { $inputs }؛ المسموح: المدخلات التي تسميها
 refusal-mask-of-image = قناعها: أُعطي { $name } ذو { $width } × { $height } بكسل؛ المسموح: أبعاد الصورة { $image_width } × { $image_height } بكسل
 refusal-file-name-again = صور الكتلة: أُعطيت صورتان بالاسم { $name }؛ المسموح: كل اسم مرة واحدة

@@ -459,7 +459,7 @@ refusal-few-control-points =
     }, or { $checks ->
         [true] neither ground control points nor check points
        *[false] none at all
-    }
+    }; any number beside GNSS positions of three images or more in the same coordinate system (--crs), where heights count from a known zero (--geoid, --geoid-m)
 refusal-job-inputs = inputs of a job: got { $inputs }; allowed: those that it names
 refusal-mask-of-image = its mask: got { $name } with { $width } x { $height } px; allowed: the image's { $image_width } x { $image_height } px
 refusal-file-name-again = images of the block: got two with the name { $name }; allowed: each name once
@@ -967,8 +967,8 @@ block-warning-position-errors-undetermined =
 block-warning-position-errors-relative = Offsets and drifts of GNSS positions are relative to each other: there are too few ground control points to determine { $motions } of the 7 parameters that position, rotate and scale the whole block.
 block-warning-control-refused =
     { $used ->
-        [true] The { $axis } of the GCP { $point } does not fit
-       *[false] The { $axis } of the GCP { $point } is rejected
+        [true] The { $axis } of control point { $point } does not fit
+       *[false] The { $axis } of control point { $point } is rejected
     }: the other observations differ from it by { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m{ $detectable_m ->
         [none] {""}
        *[other] {" "}(minimal detectable bias { FIXED($detectable_m, digits: 3) } m)
@@ -983,12 +983,12 @@ block-warning-control-refused =
        *[other] {" "}{ $mistake }
     }
 block-warning-control-untested =
-    The GCP { $point } takes no part: { $measurements ->
+    Control point { $point } takes no part: { $measurements ->
         [one] it has one image measurement only
        *[other] fewer than two of its { $measurements } image measurements fit the other observations
     }, so that nothing tests its coordinates. Check both.
 block-warning-control-unplaced =
-    The GCP { $point } is rejected and takes no part: with it the GCPs do not place the block, though its coordinates fit the other observations. Check its { $measurements ->
+    Control point { $point } is rejected and takes no part: with it the GCPs do not place the block, though its coordinates fit the other observations. Check its { $measurements ->
         [one] image measurement
        *[other] { $measurements } image measurements
     }.
@@ -1004,8 +1004,8 @@ block-warning-control-tests-stopped =
     } the block cannot be adjusted. All GCPs stay used, wrong ones too. Check their coordinates and image measurements.
 block-warning-control-unadjusted =
     The block cannot be adjusted with { $names_count ->
-        [one] the GCP { $names }, which lies
-       *[other] { $names_count } GCPs, which lie
+        [one] control point { $names }, which lies
+       *[other] { $names_count } control points, which lie
     } far from where the others have { $names_count ->
         [one] it. It takes
        *[other] them: { $names }{ $names_more ->
@@ -1013,8 +1013,21 @@ block-warning-control-unadjusted =
            *[other] {" "}and { $names_more } more.
         } They take
     } no part, and the block is adjusted without being georeferenced. Check coordinates and image measurements.
+block-warning-control-lost =
+    { $lost } of { $points } measured GCPs take no part, since their image measurements do not meet: { $from_bottom ->
+        [true] they would with rows counted from the bottom of the images. Here y is 0 at the top: use the height of the image minus y.
+       *[other] check which images and points they name, and that they are in px of these images, x to the right, y from the top down.
+    }
+block-warning-control-without-place =
+    { $given ->
+        [one] The GCP does
+       *[other] The { $given } GCPs do
+    } not place the block: { $measured } of them { $measured ->
+        [one] is
+       *[other] are
+    } measured in two of its images or more, and the measurements of { $taken } meet. Three are needed, or GNSS positions beside them.
 block-warning-control-shape =
-    The GCPs { $names }{ $names_more ->
+    Control points { $names }{ $names_more ->
         [0] {""}
        *[other] {" "}and { $names_more } more
     } do not fit together, so that they do not place the block: by their coordinates the block is { SIGNIFICANT($ratio, digits: 3) } times as large between { $longest } as between { $shortest }. { $point ->
@@ -1046,15 +1059,21 @@ block-warning-scale =
     }
 block-warning-degrees = The x and y of the GCPs look like longitude and latitude: coordinates in metres are needed, not degrees.
 block-warning-point-rejected =
-    The GCP { $point } is rejected: { $measurements ->
-        [one] it has one image measurement in oriented images.
+    { $check ->
+        [true] Check point { $point } is not determined
+       *[false] Control point { $point } takes no part
+    }: { $measurements ->
+        [one] it is measured in one oriented image.
        *[other] its { $measurements } image measurements in oriented images do not meet.
     }
 block-warning-measurements-rejected =
     { $images_count } of the { $measurements ->
         [one] 1 image measurement
        *[other] { $measurements } image measurements
-    } of the GCP { $point } { $images_count ->
+    } of { $check ->
+        [true] check
+       *[false] control
+    } point { $point } { $images_count ->
         [one] does
        *[other] do
     } not fit: { $images }{ $images_more ->
