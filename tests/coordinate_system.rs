@@ -96,14 +96,22 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
         if name.starts_with('X') {
             // Positions to 0.1 mm, and no figure of the block.
             assert_eq!((&row[2][..], row.len()), ("0", rows[0].len()), "{row:?}");
-            assert!(row[6..21].iter().all(String::is_empty), "{row:?}");
+            assert!(row[6..22].iter().all(String::is_empty), "{row:?}");
         }
-        (row[1].clone(), row[21].clone())
+        (row[1].clone(), row[22].clone())
     };
     let pair = |a: &str, b: &str| (a.to_string(), b.to_string());
     let all = rows(&run);
     assert_eq!(all.len(), texts.points.lines().count() - 1);
     assert_eq!(told(&all, "G1"), pair("control", "used"));
+    // By the number and the position it is known in points.csv, by its name in markers.xml.
+    let number: usize = all.iter().find(|row| row[0] == "G4").unwrap()[21].parse().unwrap();
+    assert_eq!(run.model.points[number].name.as_deref(), Some("G4"));
+    let written = files(&run);
+    let given: Vec<f64> = numbers(&written["points.csv"], &["x", "y", "z"])[number].clone();
+    let surveyed = written["surveyed.csv"].lines().find(|line| line.starts_with("G4,")).unwrap().split(',').map(String::from);
+    let surveyed: Vec<f64> = surveyed.skip(3).take(3).map(|cell| cell.parse().unwrap()).collect();
+    assert!((0..3).all(|k| (given[k] - surveyed[k]).abs() < 0.5), "{given:?} {surveyed:?}");
     assert_eq!(told(&all, "X1"), pair("control", "not measured"));
     let is_listed = |remark: &Remark| matches!(remark, Remark::UnmeasuredPoints { points } if *points == ["X1"]);
     assert!(run.remarks.iter().any(is_listed), "{:?}", run.remarks);
@@ -121,7 +129,7 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     let edited = rows(&off);
     assert_eq!((edited.len(), told(&edited, "G1")), (all.len(), pair("off", "off")));
     // An edited block says of each whether it was added by hand.
-    assert!(all.iter().all(|row| row.len() == 22) && edited.iter().all(|row| row.len() == 23 && row[22] == "0"), "{edited:?}");
+    assert!(all.iter().all(|row| row.len() == 23) && edited.iter().all(|row| row.len() == 24 && row[23] == "0"), "{edited:?}");
     // Two control points of a system of their own place nothing, and nothing is compared with check points.
     let given = (0..).zip(texts.points.lines().skip(1).filter(|line| !line.ends_with("off")));
     let control = given.filter(|(_, line)| line.ends_with("control"));
