@@ -2,14 +2,14 @@
 
 use crate::error::refuse;
 use crate::json;
-use crate::text::{Row, records, shorten, table};
+use crate::text::{Records, Row, records, shorten, table};
 use crate::{CameraMm, Document, Error, Fiducial, Input, ModelPoint, Observation, Refusal};
 use csv::StringRecord;
 
 /// Reads fiducial marks: columns `col`, `row` (px, the centre of the top-left pixel at (0.5, 0.5)), `x_mm`, `y_mm`.
 ///
 /// The first line names the columns, in any order; further columns are ignored. Separated by semicolons, commas or tabs, as the first line
-/// has them. Blank lines and lines that begin with `#` are skipped.
+/// has them; between semicolons or tabs a number may have a decimal comma. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line and the column.
@@ -64,19 +64,24 @@ fn write_table<const N: usize>(columns: &[&str; N], rows: &[[f64; N]]) -> String
 }
 
 fn read_table<const N: usize>(input: Input, text: &str, columns: [&'static str; N]) -> Result<Vec<[f64; N]>, Error> {
-    let mut records = records(input, text)?.into_iter();
-    let header = records.next().map(|(_, names)| names).unwrap_or_default();
-    let places = find_columns(input, &header, columns)?;
-    records.map(|(line, record)| read_row(input, &record, columns, places, line)).collect()
+    let records = records(input, text)?;
+    let empty = StringRecord::new();
+    let header = records.rows.first().map_or(&empty, |(_, names)| names);
+    let places = find_columns(input, &records, header, columns)?;
+    records.rows.iter().skip(1).map(|(line, record)| read_row(input, &records, record, columns, places, *line)).collect()
 }
 
-fn find_columns<const N: usize>(input: Input, header: &StringRecord, columns: [&'static str; N]) -> Result<[usize; N], Error> {
+fn find_columns<const N: usize>(
+    input: Input,
+    records: &Records,
+    header: &StringRecord,
+    columns: [&'static str; N],
+) -> Result<[usize; N], Error> {
     let mut places = [0; N];
     for (place, column) in places.iter_mut().zip(columns) {
         let mut found = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(index, _)| index);
         *place = found.next().ok_or_else(|| {
-            let names = shorten(&header.iter().collect::<Vec<_>>().join(","));
-            Refusal::NoColumn { input, column: column.into(), names, columns: columns.join(",") }.into_error()
+            Refusal::NoColumn { input, column: column.into(), names: records.shown(header), columns: columns.join(",") }.into_error()
         })?;
         if found.next().is_some() {
             return refuse(Refusal::ColumnAgain { input, column: column.into(), columns: columns.join(",") });
@@ -87,6 +92,7 @@ fn find_columns<const N: usize>(input: Input, header: &StringRecord, columns: [&
 
 fn read_row<const N: usize>(
     input: Input,
+    records: &Records,
     record: &StringRecord,
     columns: [&'static str; N],
     places: [usize; N],
@@ -96,8 +102,8 @@ fn read_row<const N: usize>(
     for ((value, column), place) in row.iter_mut().zip(columns).zip(places) {
         let own = || column.to_string();
         let field = record.get(place).ok_or_else(|| Refusal::NoValue { input, column: own(), line }.into_error())?;
-        let number = field.parse().ok().filter(|number: &f64| number.is_finite());
-        *value = number.ok_or_else(|| Refusal::NoNumber { input, word: shorten(field), column: own(), line }.into_error())?;
+        *value =
+            records.number(field).ok_or_else(|| Refusal::NoNumber { input, word: shorten(field), column: own(), line }.into_error())?;
     }
     Ok(row)
 }
@@ -122,8 +128,8 @@ mod tests {
 
     #[test]
     fn semicolons_separate_where_the_first_line_has_them() {
-        let read = parse_observations("x_left_mm;y_left_mm;x_right_mm;y_right_mm\n1;2;-3;4e-1\n;;;\n").unwrap();
-        assert_eq!(read, [Observation::new([1.0, 2.0], [-3.0, 0.4])]);
+        let read = parse_observations("x_left_mm;y_left_mm;x_right_mm;y_right_mm\n1;2;-3;4e-1\n;;;\n1,5;2;3;4\n").unwrap();
+        assert_eq!(read, [Observation::new([1.0, 2.0], [-3.0, 0.4]), Observation::new([1.5, 2.0], [3.0, 4.0])]);
     }
 
     #[test]
@@ -136,7 +142,7 @@ mod tests {
         assert!(message("col,row,x_mm,y_mm\n1,2,3\n").contains("no value for y_mm in line 2"));
         assert!(message("col,row,x_mm,y_mm\n1,NaN,3,4\n").contains("'NaN' for row in line 2"));
         assert!(message("col,row,x_mm,y_mm\n1,inf,3,4\n").contains("'inf' for row"));
-        assert!(message("col;row;x_mm;y_mm\n1,5;2;3;4\n").contains("'1,5' for col in line 2"));
+        assert!(message("col,row,x_mm,y_mm\n\"1,5\",2,3,4\n").contains("'1,5' for col in line 2"));
         assert!(!message(&"\u{1}x".repeat(1000)).contains('\u{1}'));
     }
 

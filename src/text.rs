@@ -6,33 +6,69 @@ use csv::{ReaderBuilder, StringRecord, Trim, WriterBuilder};
 use std::cmp::Ordering;
 use std::fmt::Display;
 
-/// The records of a text and the line of each, counted from 1: fields between semicolons, commas or tabs, whichever of them the first record
-/// has, in this order. Blank lines, lines of separators alone as spreadsheets leave them, and lines that begin with `#` are skipped. Text that
+/// The records of a text, and how its numbers are written.
+#[derive(Debug)]
+pub(crate) struct Records {
+    /// Each with its line, counted from 1.
+    pub rows: Vec<(usize, StringRecord)>,
+    separator: u8,
+}
+
+impl Records {
+    /// A finite number. Where commas do not separate, a lone one is the decimal point, as spreadsheets of many languages write it; one that also has a point
+    /// may be thousands, and is none.
+    pub(crate) fn number(&self, field: &str) -> Option<f64> {
+        let has_decimal_comma = self.separator != b',' && !field.contains('.') && field.matches(',').count() == 1;
+        let number = if has_decimal_comma { field.replace(',', ".").parse() } else { field.parse() };
+        number.ok().filter(|number: &f64| number.is_finite())
+    }
+
+    /// A record as its line has it, for a message.
+    pub(crate) fn shown(&self, record: &StringRecord) -> String {
+        let separator = if self.separator == b'\t' { " ".into() } else { char::from(self.separator).to_string() };
+        shorten(&record.iter().collect::<Vec<_>>().join(&separator))
+    }
+}
+
+/// The records of a text: fields between semicolons, tabs or commas, whichever of them the first record has, in this order. Tabs beside commas only
+/// align what these separate. Blank lines, lines of separators alone as spreadsheets leave them, and lines that begin with `#` are skipped. Text that
 /// [`Row::text`] has guarded reads back as it was.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] of `input`, where no records can be told.
-pub(crate) fn records(input: Input, text: &str) -> Result<Vec<(usize, StringRecord)>, Error> {
+pub(crate) fn records(input: Input, text: &str) -> Result<Records, Error> {
     let text = text.trim_start_matches('\u{feff}');
-    let first = text.lines().find(|line| is_data(line)).unwrap_or("");
-    let delimiter = *[b';', b',', b'\t'].iter().find(|byte| first.as_bytes().contains(byte)).unwrap_or(&b',');
+    let separator = separator_of(text.lines().find(|line| is_data(line)).unwrap_or(""));
     let mut reader = ReaderBuilder::new()
-        .delimiter(delimiter)
+        .delimiter(separator)
         .comment(Some(b'#'))
         .trim(Trim::All)
         .flexible(true)
         .has_headers(false)
         .from_reader(text.as_bytes());
-    let mut records = Vec::new();
+    let mut rows = Vec::new();
     let mut lines = Lines { text, place: 0, line: 1 };
     for record in reader.records() {
         let record = record.map_err(|error| Refusal::NoRecords { input, words: error.to_string() }.into_error())?;
         let line = lines.of(&record);
         if record.iter().any(|field| !field.is_empty()) {
-            records.push((line, record.iter().map(unguarded).collect()));
+            rows.push((line, record.iter().map(unguarded).collect()));
         }
     }
-    Ok(records)
+    Ok(Records { rows, separator })
+}
+
+fn separator_of(first: &str) -> u8 {
+    let mut parts = first.split('\t').map(str::trim).peekable();
+    let mut is_aligned = false;
+    while let (Some(part), Some(next)) = (parts.next(), parts.peek()) {
+        is_aligned |= part.ends_with(',') || next.starts_with(',');
+    }
+    match () {
+        () if first.contains(';') => b';',
+        () if first.contains('\t') && !is_aligned => b'\t',
+        () => b',',
+    }
 }
 
 /// The cells of one row of a table.
@@ -160,7 +196,7 @@ mod tests {
 
     fn lines(text: &str) -> Vec<(usize, Vec<String>)> {
         let records = records(Input::Text, text).unwrap();
-        records.iter().map(|(line, record)| (*line, record.iter().map(String::from).collect())).collect()
+        records.rows.iter().map(|(line, record)| (*line, record.iter().map(String::from).collect())).collect()
     }
 
     #[test]
@@ -184,10 +220,34 @@ mod tests {
 
     #[test]
     fn the_first_record_tells_what_separates() {
-        for text in ["# a,b\nx;1,5", "x\t1,5"] {
-            let fields = &lines(text)[0].1;
-            assert_eq!(fields.len(), 2, "{text}: {fields:?}");
+        for (text, wanted) in [
+            ("# a,b\nx;1,5", &["x", "1,5"][..]),
+            ("x\t1,5\t2,5", &["x", "1,5", "2,5"]),
+            ("x,\t1.5,\t2.5", &["x", "1.5", "2.5"]),
+            ("x\t,1.5", &["x", "1.5"]),
+            ("x,1.5", &["x", "1.5"]),
+        ] {
+            assert_eq!(lines(text)[0].1, wanted, "{text}");
         }
+    }
+
+    #[test]
+    fn a_lone_comma_is_a_decimal_point_where_commas_do_not_separate() {
+        let number = |separates: &str, field: &str| records(Input::Text, separates).unwrap().number(field);
+        for separates in ["a;b", "a\tb"] {
+            assert_eq!(number(separates, "-5539031,141"), Some(-5_539_031.141));
+            assert_eq!(number(separates, "1,5e2"), Some(150.0));
+            assert_eq!(number(separates, "1.5"), Some(1.5));
+            for none in ["1,000,000", "1.234,5", "1,234.5", "a,b", "", "inf"] {
+                assert_eq!(number(separates, none), None, "{none}");
+            }
+        }
+        assert_eq!(number("a,b", "1,5"), None);
+        let shown = |text: &str| {
+            let records = records(Input::Text, text).unwrap();
+            records.shown(&records.rows[0].1)
+        };
+        assert_eq!(["P 1;1,5", "P 1\t1,5", "P 1, 1.5"].map(shown), ["P 1;1,5", "P 1 1,5", "P 1,1.5"]);
     }
 
     #[test]

@@ -4,7 +4,8 @@ use super::normal::Normal;
 use super::scene::{Scene, scene, selected};
 use super::surveyed::{MARK_PX, surveyed};
 use tiepoint::{
-    Axis, BlockFlight, BlockWarning, ControlRole, GroundControlPoint, Mistake, ObservedPosition, ReconstructedModel, ReconstructionOptions,
+    Axis, BlockFlight, BlockWarning, ControlRole, Datum, GroundControlPoint, Mistake, ObservedPosition, ReconstructedModel,
+    ReconstructionOptions,
 };
 
 /// Of GNSS positions in m.
@@ -98,7 +99,7 @@ fn a_mistyped_digit_is_refused_named_and_explained_and_moves_nothing() {
     assert!((written.parse::<f64>().unwrap() - typed[0]).abs() < 1e-9 && (likely.parse::<f64>().unwrap() - given[0]).abs() < 1e-9);
     let text = model.warnings.iter().map(ToString::to_string).find(|text| text.contains("is rejected")).unwrap();
     assert!(
-        text.contains(&format!("The x of the GCP {name} is rejected")) && text.contains(likely) && text.contains("takes no part"),
+        text.contains(&format!("The x of control point {name} is rejected")) && text.contains(likely) && text.contains("takes no part"),
         "{text}"
     );
     // It is where a check point would be, and the block lies as if it were one.
@@ -220,6 +221,74 @@ fn a_point_whose_measurements_show_no_common_place_takes_no_part_and_is_named_wi
         }
     }
     assert!(!told.is_empty());
+}
+
+#[test]
+fn control_points_that_most_lose_by_their_measurements_are_said_with_rows_that_count_from_the_bottom() {
+    let lost = |model: &ReconstructedModel| {
+        let of = |warning: &BlockWarning| match *warning {
+            BlockWarning::ControlLost { lost, points, from_bottom } => Some((lost, points, from_bottom)),
+            _ => None,
+        };
+        model.warnings.iter().find_map(of)
+    };
+    let is_unplaced = |model: &ReconstructedModel| model.warnings.iter().any(|is| matches!(is, BlockWarning::ControlWithoutPlace { .. }));
+    for has_gnss in [false, true] {
+        let clean = flown(7, has_gnss, 5);
+        let model = adjusted(&clean);
+        assert!(lost(&model).is_none() && !is_unplaced(&model), "{:?}", model.warnings);
+        let [mut from_bottom, mut scattered] = [(); 2].map(|()| flown(7, has_gnss, 5));
+        for point in control(&scattered) {
+            for (k, mark) in from_bottom.description.control[point].measurements.iter_mut().enumerate() {
+                let camera = from_bottom.description.images[mark.image].camera;
+                mark.y_px = f64::from(from_bottom.description.cameras[camera].height_px) - mark.y_px;
+                let other = &mut scattered.description.control[point].measurements[k];
+                (other.x_px, other.y_px) = (other.x_px * [0.2, 0.9][k % 2], other.y_px * [0.9, 0.1, 0.5][k % 3]);
+            }
+        }
+        for (scene, is_flipped) in [(from_bottom, true), (scattered, false)] {
+            let model = adjusted(&scene);
+            let (lost, points, from_bottom) = lost(&model).unwrap();
+            assert!(lost >= 4 && points == 7 && from_bottom == is_flipped, "{:?}", model.warnings);
+            // GNSS positions place the block all the same.
+            assert_eq!(is_unplaced(&model), !has_gnss, "{:?}", model.warnings);
+        }
+    }
+}
+
+#[test]
+fn a_point_that_is_measured_in_one_image_is_named_by_what_it_is_for() {
+    let mut scene = flown(5, true, 5);
+    let first = |scene: &Scene, role| scene.description.control.iter().position(|point| point.role == role).unwrap();
+    for role in [ControlRole::Control, ControlRole::Check] {
+        let point = first(&scene, role);
+        scene.description.control[point].name = "GCP 1".into();
+        scene.description.control[point].measurements.truncate(1);
+    }
+    let texts: Vec<String> = adjusted(&scene).warnings.iter().map(ToString::to_string).collect();
+    let has = |text: &str| texts.iter().any(|told| told == text);
+    assert!(has("Control point GCP 1 takes no part: it is measured in one oriented image."), "{texts:?}");
+    assert!(has("Check point GCP 1 is not determined: it is measured in one oriented image."), "{texts:?}");
+}
+
+#[test]
+fn check_points_beside_positions_err_as_predicted_with_one_or_two_control_points_or_none() {
+    for control_points in 0..=2 {
+        let mut squares: Vec<f64> = Vec::new();
+        for seed in 20..26 {
+            let model = adjusted(&flown(control_points, true, seed));
+            let datum = if control_points == 0 { Datum::Gnss } else { Datum::GnssAndControl };
+            assert!(model.in_system && model.adjusted.datum == datum, "{:?}", model.adjusted.datum);
+            let checks: Vec<_> = model.surveyed.iter().filter(|point| point.role == ControlRole::Check).collect();
+            assert_eq!((checks.len(), model.surveyed.len()), (4, 4 + control_points));
+            for point in checks {
+                squares.extend((0..3).map(|k| (point.difference_m[k] / point.standard_errors_m[k].unwrap()).powi(2)));
+            }
+        }
+        let rms = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+        println!("{control_points} control points: {rms} of {}", squares.len());
+        assert!((0.7..1.4).contains(&rms), "{control_points} control points: {rms}");
+    }
 }
 
 #[test]

@@ -13,7 +13,8 @@ pub use flown::{GEOID_M, UTM, control, files, flown};
 use flown::{both, by_gnss, in_utm, numbers, run, run_of};
 use proj_core::Transform;
 use tiepoint::{
-    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, Datum, Mistake, OverviewWarning, Remark, RunInput,
+    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, ControlTexts, Datum, Mistake, OverviewWarning,
+    Remark, RunInput,
 };
 
 #[test]
@@ -95,14 +96,22 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
         if name.starts_with('X') {
             // Positions to 0.1 mm, and no figure of the block.
             assert_eq!((&row[2][..], row.len()), ("0", rows[0].len()), "{row:?}");
-            assert!(row[6..21].iter().all(String::is_empty), "{row:?}");
+            assert!(row[6..22].iter().all(String::is_empty), "{row:?}");
         }
-        (row[1].clone(), row[21].clone())
+        (row[1].clone(), row[22].clone())
     };
     let pair = |a: &str, b: &str| (a.to_string(), b.to_string());
     let all = rows(&run);
     assert_eq!(all.len(), texts.points.lines().count() - 1);
     assert_eq!(told(&all, "G1"), pair("control", "used"));
+    // By the number and the position it is known in points.csv, by its name in markers.xml.
+    let number: usize = all.iter().find(|row| row[0] == "G4").unwrap()[21].parse().unwrap();
+    assert_eq!(run.model.points[number].name.as_deref(), Some("G4"));
+    let written = files(&run);
+    let given: Vec<f64> = numbers(&written["points.csv"], &["x", "y", "z"])[number].clone();
+    let surveyed = written["surveyed.csv"].lines().find(|line| line.starts_with("G4,")).unwrap().split(',').map(String::from);
+    let surveyed: Vec<f64> = surveyed.skip(3).take(3).map(|cell| cell.parse().unwrap()).collect();
+    assert!((0..3).all(|k| (given[k] - surveyed[k]).abs() < 0.5), "{given:?} {surveyed:?}");
     assert_eq!(told(&all, "X1"), pair("control", "not measured"));
     let is_listed = |remark: &Remark| matches!(remark, Remark::UnmeasuredPoints { points } if *points == ["X1"]);
     assert!(run.remarks.iter().any(is_listed), "{:?}", run.remarks);
@@ -120,7 +129,7 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     let edited = rows(&off);
     assert_eq!((edited.len(), told(&edited, "G1")), (all.len(), pair("off", "off")));
     // An edited block says of each whether it was added by hand.
-    assert!(all.iter().all(|row| row.len() == 22) && edited.iter().all(|row| row.len() == 23 && row[22] == "0"), "{edited:?}");
+    assert!(all.iter().all(|row| row.len() == 23) && edited.iter().all(|row| row.len() == 24 && row[23] == "0"), "{edited:?}");
     // Two control points of a system of their own place nothing, and nothing is compared with check points.
     let given = (0..).zip(texts.points.lines().skip(1).filter(|line| !line.ends_with("off")));
     let control = given.filter(|(_, line)| line.ends_with("control"));
@@ -153,6 +162,38 @@ fn a_block_without_its_control_points_lies_where_its_gnss_positions_have_it() {
     // Two of them and positions without heights place nothing.
     let (floating, _) = with(off(&control[..control.len() - 2]));
     assert!(!floating.in_system && floating.warnings.iter().any(|warning| matches!(warning, BlockWarning::Free { .. })));
+}
+
+#[test]
+fn check_points_alone_and_one_control_point_are_taken_beside_gnss_positions_of_their_system() {
+    let with = |controls: usize| {
+        let texts = control(|place| place);
+        let mut left = controls;
+        let row = |line: &str| {
+            let is_kept = line.ends_with(",control") && left > 0;
+            left -= usize::from(is_kept);
+            if is_kept { format!("{line}\n") } else { format!("{}\n", line.replace(",control", ",check")) }
+        };
+        ControlTexts { points: texts.points.lines().map(row).collect(), ..texts }
+    };
+    // Of heights that count from elsewhere nothing is known.
+    let refused = run(UTM, None, Some(with(0))).unwrap_err().to_string();
+    assert!(refused.contains("check points alone") && refused.contains("(--geoid, --geoid-m)"), "{refused}");
+    assert!(run(None, None, Some(with(0))).unwrap_err().to_string().contains("check points alone"));
+    for (controls, datum) in [(0, Datum::Gnss), (1, Datum::GnssAndControl)] {
+        let run = run(UTM, Some(GEOID_M), Some(with(controls))).unwrap();
+        let model = &run.reconstruction.as_ref().unwrap().models[0];
+        assert!(model.in_system && model.adjusted.datum == datum, "{:?}", model.adjusted.datum);
+        let checks: Vec<_> = model.surveyed.iter().filter(|point| point.role == ControlRole::Check).collect();
+        assert_eq!(checks.len() + controls, control(|place| place).points.lines().count() - 1);
+        for point in checks {
+            println!("{controls}: {} {:.3?} {:.3?}", point.name, point.difference_m, point.standard_errors_m);
+            assert!((0..3).all(|k| point.difference_m[k].abs() < 4.0 * point.standard_errors_m[k].unwrap()), "{point:?}");
+        }
+        let table = files(&run)["surveyed.csv"].clone();
+        assert_eq!(table.lines().filter(|line| line.contains(",check,")).count(), table.lines().count() - 1 - controls);
+        assert!(!table.contains("not placed"), "{table}");
+    }
 }
 
 #[test]

@@ -26,10 +26,12 @@ test('a table is what its rows are', () => {
   assert.deepEqual(kind('# of a scan\ny_mm;x_mm;row;col;name\n1;2;3;4;a\n'), { kind: 'fiducials' });
   // Names without an ending are those of the block.
   assert.equal(kind('A1,a,1,2\n', 'A1').kind, 'marks');
+  assert.equal(kind('photo_1,7,1,2\n', 'Photo_1.JPG').kind, 'marks');
+  assert.equal(kind('photo_2,7,1,2\n', 'Photo_1.JPG').kind, 'control');
   for (const [text, why] of /** @type {[string, RegExp][]} */ ([
     [IMAGES, /rows are images/],
     [TIE_POINTS, /rows are tie points/],
-    [PAIRS, /neither a column 'name' nor a point/],
+    [PAIRS, /neither a column 'name' .*nor a point/],
     ['name,x,y,z\nA,1,two,3\n', /'two' for y in line 2/],
     ['name,x,y,z\n', /no rows/],
     ['', /no rows/],

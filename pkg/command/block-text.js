@@ -65,10 +65,10 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
       ...(score
         ? [
             ['right points by the truth', `${score.right_points} of ${score.points}`],
-            ['angles, RMS error [deg]', fixed(score.angle_rmse_deg, 4)],
+            ['angles after a similarity, RMS error [deg]', fixed(score.angle_rmse_deg, 4)],
           ]
         : []),
-      ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((v) => fixed(v, 3)).join(' ')]] : []),
+      ...(score?.position_rmse_m ? [['positions after a similarity, RMS error [m]', score.position_rmse_m.map((v) => fixed(v, 3)).join(' ')]] : []),
     ]),
     ...(orthophoto ? ['', orthophoto.text] : []),
     ...(models.length > 1 ? ['', ...models.flatMap(describeModel)] : (first?.warnings ?? []).map(warning)),

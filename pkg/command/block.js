@@ -58,7 +58,11 @@ export const block = {
       'DIR',
       'Masks: images in which no features are wanted where they are 0 (black), as large as the images whose names they have: IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png for IMG_1.jpg.',
     ),
-    path('truth', 'truth.json', 'Scores the block by the truth of a simulated flight.'),
+    path(
+      'truth',
+      'truth.json',
+      'Scores the block by the truth of a simulated flight, after a similarity of the whole block onto it: where and how large it is as a whole does not count.',
+    ),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
     WORKERS,
     JSON_FLAG,

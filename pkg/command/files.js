@@ -80,8 +80,17 @@ export function inParts(path) {
   };
 }
 
+/** What marks a text as one of UTF-16, as spreadsheets save "Unicode text". */
+const UTF_16 = /** @type {const} */ ([
+  ['utf-16le', 0xff, 0xfe],
+  ['utf-16be', 0xfe, 0xff],
+]);
+
 /** @param {Buffer} bytes */
-export const textOf = (bytes) => bytes.toString('utf8').replace(/^\ufeff/, '');
+export function textOf(bytes) {
+  const marked = UTF_16.find(([, first, second]) => bytes[0] === first && bytes[1] === second);
+  return marked === undefined ? bytes.toString('utf8').replace(/^\ufeff/, '') : new TextDecoder(marked[0]).decode(bytes);
+}
 
 /** @param {string} path @returns {string} */
 export const readText = (path) => textOf(readBytes(path));

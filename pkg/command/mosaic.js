@@ -25,6 +25,7 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   const [out, gsd] = [values.get('out'), values.get('gsd')];
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the GeoTIFF that is written');
   if (isFolder(out)) throw new UsageError(`--out ${out}: it is a folder; name the GeoTIFF that is written`);
+  if (!/\.tiff?$/iu.test(out)) throw new UsageError(`--out ${out}: it is no name of a GeoTIFF, which is written; allowed: names that end in .tif or .tiff`);
   if (!isFolder(folder)) throw new DataError(`${folder}: it is no folder; name that of the images`);
   const ground = groundOf(values);
   const bytes = readBytes(project);

@@ -372,13 +372,15 @@ refusal-no-column = { $input }: got no column { $column } in the first line '{ $
 refusal-column-again = { $input }: got column { $column } twice; allowed: a first line that names the columns { $columns }
 refusal-no-value = { $input }: got no value for { $column } in line { $line }; allowed: finite numbers with a decimal point
 refusal-no-number = { $input }: got '{ $word }' for { $column } in line { $line }; allowed: finite numbers with a decimal point
-refusal-control-column = the table of control points: got neither a column '{ $column }' nor a point in the first line '{ $names }'; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-control-column = the table of control points: got neither a column '{ $column }' (or { $known }) nor a point in the first line '{ $names }'; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-control-head-unit = the table of control points: got the column '{ $column }' in { $given_in }; allowed: coordinates in { $own }, or in a coordinate system of that unit (--crs)
 refusal-control-error-column = the table of control points: got the column '{ $column }' without the other standard errors; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-number = the table of control points: got '{ $word }' for { $column } in line { $line }; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-name = the table of control points: got the name '{ $name }' in line { $line }, which is empty or comes twice; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-errors = the table of control points: got standard errors { $errors } in line { $line }, which are not above 0; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-reserved-name = name of a ground control point: got { $name }; allowed: names that do not begin with { $begins }, as those of places of an orthophoto do
 refusal-control-use = the table of control points: got '{ $word }' as use in line { $line }; it is control, check or off; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-measured-column = the table of image measurements: got no column '{ $column }' (or { $known }) in the first line '{ $names }', which names others elsewhere than in the order of image, point, x, y; allowed: a first line that names all four, or lines of image, point, x, y
 refusal-measured-numbers = the table of image measurements: got '{ $x }', '{ $y }' as place in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
 refusal-measured-names = the table of image measurements: got no name of image or point in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
 refusal-measured-again = the table of image measurements: got point '{ $point }' in image '{ $image }' again in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
@@ -457,7 +459,7 @@ refusal-few-control-points =
     }, or { $checks ->
         [true] neither ground control points nor check points
        *[false] none at all
-    }
+    }; any number beside GNSS positions of three images or more in the same coordinate system (--crs), where heights count from a known zero (--geoid, --geoid-m)
 refusal-job-inputs = inputs of a job: got { $inputs }; allowed: those that it names
 refusal-mask-of-image = its mask: got { $name } with { $width } x { $height } px; allowed: the image's { $image_width } x { $image_height } px
 refusal-file-name-again = images of the block: got two with the name { $name }; allowed: each name once
@@ -965,8 +967,8 @@ block-warning-position-errors-undetermined =
 block-warning-position-errors-relative = Offsets and drifts of GNSS positions are relative to each other: there are too few ground control points to determine { $motions } of the 7 parameters that position, rotate and scale the whole block.
 block-warning-control-refused =
     { $used ->
-        [true] The { $axis } of the GCP { $point } does not fit
-       *[false] The { $axis } of the GCP { $point } is rejected
+        [true] The { $axis } of control point { $point } does not fit
+       *[false] The { $axis } of control point { $point } is rejected
     }: the other observations differ from it by { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m{ $detectable_m ->
         [none] {""}
        *[other] {" "}(minimal detectable bias { FIXED($detectable_m, digits: 3) } m)
@@ -981,12 +983,12 @@ block-warning-control-refused =
        *[other] {" "}{ $mistake }
     }
 block-warning-control-untested =
-    The GCP { $point } takes no part: { $measurements ->
+    Control point { $point } takes no part: { $measurements ->
         [one] it has one image measurement only
        *[other] fewer than two of its { $measurements } image measurements fit the other observations
     }, so that nothing tests its coordinates. Check both.
 block-warning-control-unplaced =
-    The GCP { $point } is rejected and takes no part: with it the GCPs do not place the block, though its coordinates fit the other observations. Check its { $measurements ->
+    Control point { $point } is rejected and takes no part: with it the GCPs do not place the block, though its coordinates fit the other observations. Check its { $measurements ->
         [one] image measurement
        *[other] { $measurements } image measurements
     }.
@@ -1002,8 +1004,8 @@ block-warning-control-tests-stopped =
     } the block cannot be adjusted. All GCPs stay used, wrong ones too. Check their coordinates and image measurements.
 block-warning-control-unadjusted =
     The block cannot be adjusted with { $names_count ->
-        [one] the GCP { $names }, which lies
-       *[other] { $names_count } GCPs, which lie
+        [one] control point { $names }, which lies
+       *[other] { $names_count } control points, which lie
     } far from where the others have { $names_count ->
         [one] it. It takes
        *[other] them: { $names }{ $names_more ->
@@ -1011,8 +1013,21 @@ block-warning-control-unadjusted =
            *[other] {" "}and { $names_more } more.
         } They take
     } no part, and the block is adjusted without being georeferenced. Check coordinates and image measurements.
+block-warning-control-lost =
+    { $lost } of { $points } measured GCPs take no part, since their image measurements do not meet: { $from_bottom ->
+        [true] they would with rows counted from the bottom of the images. Here y is 0 at the top: use the height of the image minus y.
+       *[other] check which images and points they name, and that they are in px of these images, x to the right, y from the top down.
+    }
+block-warning-control-without-place =
+    { $given ->
+        [one] The GCP does
+       *[other] The { $given } GCPs do
+    } not place the block: { $measured } of them { $measured ->
+        [one] is
+       *[other] are
+    } measured in two of its images or more, and the measurements of { $taken } meet. Three are needed, or GNSS positions beside them.
 block-warning-control-shape =
-    The GCPs { $names }{ $names_more ->
+    Control points { $names }{ $names_more ->
         [0] {""}
        *[other] {" "}and { $names_more } more
     } do not fit together, so that they do not place the block: by their coordinates the block is { SIGNIFICANT($ratio, digits: 3) } times as large between { $longest } as between { $shortest }. { $point ->
@@ -1044,15 +1059,21 @@ block-warning-scale =
     }
 block-warning-degrees = The x and y of the GCPs look like longitude and latitude: coordinates in metres are needed, not degrees.
 block-warning-point-rejected =
-    The GCP { $point } is rejected: { $measurements ->
-        [one] it has one image measurement in oriented images.
+    { $check ->
+        [true] Check point { $point } is not determined
+       *[false] Control point { $point } takes no part
+    }: { $measurements ->
+        [one] it is measured in one oriented image.
        *[other] its { $measurements } image measurements in oriented images do not meet.
     }
 block-warning-measurements-rejected =
     { $images_count } of the { $measurements ->
         [one] 1 image measurement
        *[other] { $measurements } image measurements
-    } of the GCP { $point } { $images_count ->
+    } of { $check ->
+        [true] check
+       *[false] control
+    } point { $point } { $images_count ->
         [one] does
        *[other] do
     } not fit: { $images }{ $images_more ->

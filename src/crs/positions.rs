@@ -8,6 +8,9 @@ use crate::{Error, Refusal};
 /// Longitudes are no larger, counted either way from Greenwich.
 const TURN_DEG: f64 = 360.0;
 
+/// Latitudes of the poles.
+const POLE_DEG: f64 = 90.0;
+
 /// Coordinates in a system of places on the earth.
 ///
 /// `crs`: an EPSG code, PROJ text or WKT. `places`: longitude and latitude on WGS 84 in degrees, height above its ellipsoid in m. Coordinates are
@@ -20,8 +23,11 @@ const TURN_DEG: f64 = 360.0;
 pub fn coordinates_in_system(crs: &str, places: &[[f64; 3]]) -> Result<Vec<Option<[f64; 3]>>, Error> {
     let definition = Definition::read(crs)?;
     let Some(about) = middle(known(places), true) else { return Ok(vec![None; places.len()]) };
-    let system = CoordinateSystem::new(definition, None, about)?;
     let [longitude_deg, latitude_deg] = about;
+    if latitude_deg.abs() > POLE_DEG {
+        return refuse(Refusal::OutsideCrs { longitude_deg, latitude_deg, crs: definition.name() });
+    }
+    let system = CoordinateSystem::new(definition, None, about)?;
     if system.coordinates([longitude_deg, latitude_deg, 0.0]).is_none() {
         return refuse(Refusal::OutsideCrs { longitude_deg, latitude_deg, crs: system.definition().name() });
     }
@@ -93,6 +99,11 @@ mod tests {
         let refused = coordinates_in_system("EPSG:32632", &[[-171.0, 10.0, 0.0]]).unwrap_err();
         assert!(matches!(&refused, Error::InvalidInput { refusal } if matches!(refusal, Refusal::OutsideCrs { .. })), "{refused}");
         assert!(refused.to_string().contains("-171") && refused.to_string().contains("UTM zone 32N"), "{refused}");
+        // Beyond the pole there is no place, nor a shift of datum.
+        for latitude in [95.0, -90.1] {
+            let beyond = coordinates_in_system("EPSG:32633", &[[15.0, latitude, 0.0]]).unwrap_err();
+            assert!(matches!(&beyond, Error::InvalidInput { refusal } if matches!(refusal, Refusal::OutsideCrs { .. })), "{beyond}");
+        }
         let few =
             |crs: &str, places: &[[f64; 3]]| coordinates_in_system(crs, places).unwrap().iter().map(Option::is_some).collect::<Vec<_>>();
         // A single one of many; just within, and beyond; on the other side of the date line.

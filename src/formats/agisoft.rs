@@ -4,7 +4,8 @@ use super::text::not_written;
 use crate::{BlockModel, Error};
 use std::fmt::{self, Write};
 
-/// Sensors, cameras, markers with their positions where these are known, and the projections; pixel positions as here.
+/// Sensors, cameras, markers with their positions where these are known, and the projections; pixel positions as here. Ground control and check points
+/// have their names.
 ///
 /// # Source
 /// Metashape's own export of markers (document version 1.2.0).
@@ -27,12 +28,13 @@ fn write(model: &BlockModel, out: &mut String) -> fmt::Result {
     }
     writeln!(out, "    </cameras>\n    <markers>")?;
     for (index, point) in model.points.iter().enumerate() {
+        let label = point.name.as_ref().map_or_else(|| format!("point {}", index + 1), |name| escape(name));
         match point.position {
             Some([x, y, z]) => {
-                writeln!(out, "      <marker id=\"{index}\" label=\"point {}\">", index + 1)?;
+                writeln!(out, "      <marker id=\"{index}\" label=\"{label}\">")?;
                 writeln!(out, "        <reference x=\"{x}\" y=\"{y}\" z=\"{z}\" enabled=\"0\"/>\n      </marker>")?;
             }
-            None => writeln!(out, "      <marker id=\"{index}\" label=\"point {}\"/>", index + 1)?,
+            None => writeln!(out, "      <marker id=\"{index}\" label=\"{label}\"/>")?,
         }
     }
     writeln!(out, "    </markers>\n    <frames next_id=\"1\">\n      <frame id=\"0\">\n        <markers>")?;

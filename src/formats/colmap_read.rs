@@ -123,7 +123,7 @@ fn read_points(text: &str, images: &Numbers, features: &Features) -> Result<Vec<
                 rays.push(ImageObservation { image, x_px: place[0], y_px: place[1], confidence: 1.0 });
             }
         }
-        if points.insert(number, ObjectPoint { position, colour, rmse_px, confidence: 1.0, rays }).is_some() {
+        if points.insert(number, ObjectPoint { position, colour, rmse_px, confidence: 1.0, name: None, rays }).is_some() {
             return Err(line.refused(FileFault::PointAgain { point: number }));
         }
     }

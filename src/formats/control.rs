@@ -1,7 +1,8 @@
 //! Reading surveyed points: control and check points of a block.
 
+use super::control_columns::{Columns, Unit, meanings, named};
 use crate::error::refuse;
-use crate::text::{Row, records, shorten, table};
+use crate::text::{Records, Row, records, shorten, table};
 use crate::{ControlRole, Error, Input, Refusal};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
@@ -31,27 +32,19 @@ fn control() -> Option<ControlRole> {
 
 /// Reads lines of `name, x, y, z` with or without the standard errors of place and height behind them, between commas, semicolons or tabs.
 ///
-/// A first line that names columns may come before them, in any order, in capitals or not: name, x, y, z, standard errors of place and height,
-/// of image measurements in px, and use (`control`, `check` or `off`), each by one of many names, with `(m)` behind it or not; a run reports those that it
-/// does not read. Of standard errors of x and y the larger one counts; one without an axis, as `accuracy`, is that of all three. `up` is the height, or its
-/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files. Blank lines and lines that begin with `#` are skipped.
+/// Between semicolons or tabs numbers may have a decimal comma. A first line that names columns may come before them, in any order, in capitals or not: name, x, y, z, standard errors of place and height,
+/// of image measurements in px, and use (`control`, `check` or `off`), each by one of many names, English or German, with `(m)` behind it or not; a run reports those that it
+/// does not read, and refuses coordinates whose name has another unit than their system. Of standard errors of x and y the larger one counts; one without an axis, as `accuracy`, is that of all three. `up` is the height, or its
+/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files; a fifth one without any number is no standard error. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, and a name that comes twice.
 pub fn parse_ground_control_points(text: &str) -> Result<Vec<GroundControlRow>, Error> {
-    let (mut points, mut names, mut columns) = (Vec::new(), BTreeSet::new(), None);
-    for (line, record) in records(Input::ControlTable, text)? {
-        let Some(columns) = &columns else {
-            let found = Columns::of(&record)?;
-            columns = Some(found.unwrap_or_default());
-            if found.is_none() {
-                points.push(read_point(&record, &Columns::default(), line, &mut names)?);
-            }
-            continue;
-        };
-        points.push(read_point(&record, columns, line, &mut names)?);
-    }
-    Ok(points)
+    let records = records(Input::ControlTable, text)?;
+    let (columns, is_named) = Columns::of(&records)?;
+    let mut names = BTreeSet::new();
+    let rows = records.rows.iter().skip(usize::from(is_named));
+    rows.map(|(line, record)| read_point(&records, record, &columns, *line, &mut names)).collect()
 }
 
 /// The columns of a table of control points that are not read.
@@ -69,17 +62,15 @@ pub(crate) struct UnreadColumns {
 /// As [`parse_ground_control_points`].
 pub(crate) fn unread_columns(text: &str) -> Result<UnreadColumns, Error> {
     let records = records(Input::ControlTable, text)?;
-    let Some((_, first)) = records.first() else { return Ok(UnreadColumns::default()) };
-    let found = Columns::of(first)?;
-    let is_named = found.is_some();
+    let Some((_, first)) = records.rows.first() else { return Ok(UnreadColumns::default()) };
+    let (columns, is_named) = Columns::of(&records)?;
     let meanings = if is_named { meanings(first) } else { Vec::new() };
-    let columns = found.unwrap_or_default();
     let read = columns.read();
-    let width = records.iter().map(|(_, record)| record.len()).max().unwrap_or(0);
+    let width = records.rows.iter().map(|(_, record)| record.len()).max().unwrap_or(0);
     let mut unread = UnreadColumns::default();
     for column in (0..width).filter(|column| !read.contains(column)) {
         let name = first.get(column).filter(|name| is_named && !name.is_empty());
-        let is_empty = || records.iter().all(|(_, record)| record.get(column).unwrap_or("").is_empty());
+        let is_empty = || records.rows.iter().all(|(_, record)| record.get(column).unwrap_or("").is_empty());
         let twin = meanings.get(column).copied().flatten().and_then(|meaning| columns.instead_of(meaning));
         match (name, twin.and_then(|twin| first.get(twin))) {
             (Some(name), Some(twin)) => unread.doubled.push(format!("{} ({})", shorten(name), shorten(twin))),
@@ -91,168 +82,45 @@ pub(crate) fn unread_columns(text: &str) -> Result<UnreadColumns, Error> {
     Ok(unread)
 }
 
-/// What a column may hold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Column {
-    Name,
-    X,
-    Y,
-    Z,
-    ErrorAcross,
-    ErrorX,
-    ErrorY,
-    ErrorUp,
-    /// Of all three coordinates.
-    ErrorAll,
-    ErrorPx,
-    Use,
+/// A unit of length that the name of a column of coordinates has.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct StatedUnit {
+    /// The name.
+    pub column: String,
+    /// `m`, `ft`, `us-ft`, `mm`, `cm` or `km`.
+    pub unit: &'static str,
+    /// Whether it is that of the height.
+    pub is_height: bool,
 }
 
-/// The names of columns in tables of control points, here and in other programs, as [`plain`] writes them. The first of them that a table has is read.
-const NAMES: [(Column, &[&str]); 7] = [
-    (Column::Name, &["name", "label", "point", "pointname", "id", "pointid", "gcp", "gcpname", "gcpid", "number", "pointnumber", "nr"]),
-    (Column::X, &["x", "e", "east", "easting", "xeasting", "longitude", "lon", "long", "xlongitude"]),
-    (Column::Y, &["y", "n", "north", "northing", "ynorthing", "latitude", "lat", "ylatitude"]),
-    (Column::Z, &["z", "h", "height", "elevation", "altitude", "alt", "zaltitude", "up"]),
-    (Column::ErrorAcross, &["across", "acch"]),
-    (Column::ErrorUp, &["accv", "uperror"]),
-    (Column::Use, &["use", "role"]),
-];
-
-/// The words for a standard error, bare or with an axis before or behind them. `error` is none: other programs call residuals that.
-const ERRORS: [&str; 12] =
-    ["sigma", "accuracy", "acc", "std", "stddev", "stdev", "sd", "rms", "rmse", "precision", "standarderror", "standarddeviation"];
-
-/// The axes of standard errors. `h` is none: it is height in one program, horizontal in the next.
-const AXES: [(Column, &[&str]); 5] = [
-    (Column::ErrorAcross, &["xy", "horizontal", "across", "en"]),
-    (Column::ErrorX, &["x", "e", "east", "easting"]),
-    (Column::ErrorY, &["y", "n", "north", "northing"]),
-    (Column::ErrorUp, &["z", "vertical", "up", "height", "altitude", "elevation"]),
-    (Column::ErrorPx, &["px", "image"]),
-];
-
-/// A name in small letters, without a unit of metres behind it.
-fn without_unit(name: &str) -> String {
-    let small = name.trim().to_lowercase();
-    let short = ["(m)", "[m]", "_m", " m"].iter().find_map(|unit| small.strip_suffix(unit));
-    short.map_or(small.clone(), |short| short.trim_end().to_string())
-}
-
-/// A name of letters alone: programs join its words in many ways.
-fn plain(name: &str) -> String {
-    without_unit(name).chars().filter(|letter| !matches!(letter, '_' | '-' | ' ' | '.' | '/')).collect()
-}
-
-/// What a name says, and how early it stands among the names for that; `None` where it says nothing here.
-fn meaning_of(name: &str) -> Option<(Column, usize)> {
-    let (joined, plain) = (without_unit(name), plain(name));
-    // `rmse` is bare, `rms_e` is of the east.
-    let bare = ERRORS.iter().position(|word| *word == joined).map(|rank| (Column::ErrorAll, rank));
-    let listed = NAMES.iter().find_map(|(column, names)| Some((*column, names.iter().position(|known| *known == plain)?)));
-    let short = [("sx", Column::ErrorX), ("sy", Column::ErrorY), ("sz", Column::ErrorUp)].into_iter();
-    let short = short.filter(|(name, _)| *name == plain).map(|(_, column)| (column, ERRORS.len())).next();
-    listed.or(short).or(bare).or_else(|| {
-        ERRORS.iter().enumerate().find_map(|(rank, word)| {
-            let axis = plain.strip_prefix(word).or_else(|| plain.strip_suffix(word))?;
-            let axes = AXES.iter().find(|(_, axes)| axes.contains(&axis)).map(|(column, _)| *column);
-            let column = if axis.is_empty() { Some(Column::ErrorAll) } else { axes };
-            column.map(|column| (column, rank))
-        })
-    })
-}
-
-/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error.
-fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
-    let mut found: Vec<Option<Column>> = record.iter().map(|name| meaning_of(name).map(|(column, _)| column)).collect();
-    let is_up = |column: &usize| record.get(*column).is_some_and(|name| plain(name) == "up");
-    let has_height = (0..found.len()).any(|column| found[column] == Some(Column::Z) && !is_up(&column));
-    let lacks_error = found.contains(&Some(Column::ErrorAcross)) && !found.contains(&Some(Column::ErrorUp));
-    if has_height && lacks_error {
-        (0..found.len()).filter(is_up).for_each(|column| found[column] = Some(Column::ErrorUp));
-    }
-    found
-}
-
-/// The columns of a table: of the name, of x, y, z, of the standard errors of the place (of which the larger one counts) and of the height.
-#[derive(Debug, Clone, Copy)]
-struct Columns {
-    name: usize,
-    position: [usize; 3],
-    standard_errors: Option<([usize; 2], usize)>,
-    role: Option<usize>,
-    sigma_px: Option<usize>,
-}
-
-impl Default for Columns {
-    fn default() -> Self {
-        Self { name: 0, position: [1, 2, 3], standard_errors: Some(([4, 4], 5)), role: None, sigma_px: None }
-    }
-}
-
-/// Whether a line holds a point, and no names of columns.
-fn is_point(record: &StringRecord) -> bool {
-    (1..4).all(|column| record.get(column).is_some_and(|field| field.parse::<f64>().is_ok()))
-}
-
-impl Columns {
-    /// The columns that a line names; none where it has a point.
-    fn of(record: &StringRecord) -> Result<Option<Self>, Error> {
-        if is_point(record) {
-            return Ok(None);
+/// The units of length that columns of coordinates name: the numbers are in them as [`parse_ground_control_points`] reads them.
+///
+/// # Errors
+/// As [`parse_ground_control_points`].
+pub(crate) fn stated_units(text: &str) -> Result<Vec<StatedUnit>, Error> {
+    let records = records(Input::ControlTable, text)?;
+    let (columns, is_named) = Columns::of(&records)?;
+    let first = records.rows.first().filter(|_| is_named);
+    let named = columns.position.iter().enumerate().filter_map(|(axis, column)| {
+        let column = first?.1.get(*column)?;
+        match named(column).1? {
+            Unit::Length(unit) => Some(StatedUnit { column: shorten(column), unit, is_height: axis == 2 }),
+            Unit::Degrees => None,
         }
-        let meanings = meanings(record);
-        let rank = |column: usize| record.get(column).and_then(meaning_of).map_or(usize::MAX, |(_, rank)| rank);
-        let place =
-            |wanted: Column| (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (rank(*column), *column));
-        let needed = |column: Column, name: &str| {
-            let names = record.iter().collect::<Vec<_>>().join(",");
-            place(column).ok_or_else(|| Refusal::ControlColumn { column: name.into(), names: shorten(&names) }.into_error())
-        };
-        let apart = place(Column::ErrorX).zip(place(Column::ErrorY)).map(|(x, y)| [x, y]);
-        let of_all = place(Column::ErrorAll);
-        let across = place(Column::ErrorAcross).map(|column| [column; 2]).or(apart).or(of_all.map(|column| [column; 2]));
-        let standard_errors = across.zip(place(Column::ErrorUp).or(of_all));
-        let errors = [Column::ErrorAcross, Column::ErrorX, Column::ErrorY, Column::ErrorUp];
-        if let (None, Some(one)) = (standard_errors, errors.into_iter().find_map(place)) {
-            let name = record.get(one).unwrap_or("");
-            return refuse(Refusal::ControlErrorColumn { column: shorten(name) });
-        }
-        Ok(Some(Self {
-            name: needed(Column::Name, "name")?,
-            position: [needed(Column::X, "x")?, needed(Column::Y, "y")?, needed(Column::Z, "z")?],
-            standard_errors,
-            role: place(Column::Use),
-            sigma_px: place(Column::ErrorPx),
-        }))
-    }
-
-    /// The columns that are read.
-    fn read(&self) -> BTreeSet<usize> {
-        let errors = self.standard_errors.into_iter().flat_map(|([x, y], z)| [x, y, z]);
-        self.position.into_iter().chain([self.name]).chain(errors).chain(self.role).chain(self.sigma_px).collect()
-    }
-
-    /// The column that is read where another one holds this too.
-    fn instead_of(&self, meaning: Column) -> Option<usize> {
-        match meaning {
-            Column::Name => Some(self.name),
-            Column::X => Some(self.position[0]),
-            Column::Y => Some(self.position[1]),
-            Column::Z => Some(self.position[2]),
-            Column::ErrorAcross | Column::ErrorX | Column::ErrorAll => self.standard_errors.map(|([x, _], _)| x),
-            Column::ErrorY => self.standard_errors.map(|([_, y], _)| y),
-            Column::ErrorUp => self.standard_errors.map(|(_, z)| z),
-            Column::ErrorPx => self.sigma_px,
-            Column::Use => self.role,
-        }
-    }
+    });
+    Ok(named.collect())
 }
 
-fn read_point(record: &StringRecord, columns: &Columns, line: usize, names: &mut BTreeSet<String>) -> Result<GroundControlRow, Error> {
+fn read_point(
+    records: &Records,
+    record: &StringRecord,
+    columns: &Columns,
+    line: usize,
+    names: &mut BTreeSet<String>,
+) -> Result<GroundControlRow, Error> {
     let field = |column: usize| record.get(column).unwrap_or("");
     let number = |column: usize, what: &str| {
-        let value = field(column).parse().ok().filter(|value: &f64| value.is_finite());
+        let value = records.number(field(column));
         value.ok_or_else(|| Refusal::ControlNumber { word: shorten(field(column)), column: what.into(), line }.into_error())
     };
     let name = field(columns.name).to_string();
@@ -336,7 +204,7 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_named_by_line() {
-        assert!(message("A,1,2\n").contains("neither a column 'name' nor a point"));
+        assert!(message("A,1,2\n").contains("neither a column 'name' (or label, point, pointname,"));
         assert!(message("A,1,2,3\nB,1,x,3\n").contains("'x' for y in line 2"));
         assert!(message("A,1,2,3\nB,1,2,inf\n").contains("'inf' for z in line 2"));
         assert!(message("A,1,2,3\nA,1,2,3\n").contains("the name 'A' in line 2"));
@@ -375,6 +243,68 @@ mod tests {
         assert_eq!(unread_columns("").unwrap(), UnreadColumns::default());
         assert!(message("name,x,y,z,sigma_z\nA1,1,2,3,0.03\n").contains("the column 'sigma_z' without the other standard errors"));
         assert!(message("name,x,y,z,sigma_x,sigma_z\nA1,1,2,3,0.03,0.03\n").contains("'sigma_x' without"));
+    }
+
+    #[test]
+    fn decimal_commas_are_read_between_semicolons_and_tabs() {
+        let wanted = parse_ground_control_points("GCP 1,428217.609,5539031.141,100.363,0.02,0.03\n").unwrap();
+        for text in [
+            "GCP 1;428217,609;5539031,141;100,363;0,02;0,03\n",
+            "GCP 1\t428217,609\t5539031,141\t100,363\t0,02\t0,03\n",
+            "Punktnummer;Hochwert;Rechtswert;Höhe;std_x;std_y;std_z\nGCP 1;5539031,141;428217,609;100,363;0,02;0,01;0,03\n",
+        ] {
+            assert_eq!(parse_ground_control_points(text).unwrap(), wanted, "{text}");
+        }
+        let refused = message("GCP 1;428,217,609;5,539,031,141;100,363\n");
+        assert!(refused.contains("'GCP 1;428,217,609;5,539,031,141;100,363'"), "{refused}");
+    }
+
+    #[test]
+    fn names_of_surveyors_are_known_and_a_name_that_is_not_meets_those_that_are() {
+        for head in [
+            "Point No.,E,N,H",
+            "Name,Easting,Northing,Ellipsoidal height",
+            "Pt ID,Eastings,Northings,Elev.",
+            "NR,OST,NORD,HÖHE",
+            "Punkt,Rechts,Hoch,Hoehe",
+            "id,Longitude [deg],Latitude (°),Altitude",
+        ] {
+            let text = format!("{head}\nA1,1,2,3\n");
+            let read = parse_ground_control_points(&text).unwrap();
+            assert_eq!((read[0].name.as_str(), read[0].position), ("A1", [1.0, 2.0, 3.0]), "{head}");
+            assert_eq!(stated_units(&text).unwrap(), [], "{head}");
+        }
+        // Of two heights that above the geoid is read, which is the second one of many receivers.
+        assert_eq!(parse_ground_control_points("name,e,n,ellipsoidal height,elevation\nA1,1,2,9,3\n").unwrap()[0].position[2], 3.0);
+        let refused = message("Number,Abszisse,Ordinate,Z\nA1,1,2,3\n");
+        assert!(
+            refused.contains("neither a column 'x' (or e, east, easting, longitude, lon, rechtswert, ost, xeasting, long")
+                && refused.contains("'Number,Abszisse,Ordinate,Z'"),
+            "{refused}"
+        );
+    }
+
+    #[test]
+    fn a_unit_in_a_name_is_stated_and_not_taken_for_metres() {
+        let feet = "name,Easting (ft),Northing [US ft],Ellipsoidal height [m]\nA1,1,2,3\n";
+        let unit = |column: &str, unit, is_height| StatedUnit { column: column.into(), unit, is_height };
+        let stated = [("Easting (ft)", "ft"), ("Northing [US ft]", "us-ft")].map(|(column, name)| unit(column, name, false)).to_vec();
+        assert_eq!(stated_units(feet).unwrap(), [stated, vec![unit("Ellipsoidal height [m]", "m", true)]].concat());
+        assert_eq!(parse_ground_control_points(feet).unwrap()[0].position, [1.0, 2.0, 3.0]);
+        assert_eq!(stated_units("name,x,y,z_cm\nA1,1,2,3\n").unwrap(), [unit("z_cm", "cm", true)]);
+        assert!(message("name,x,y,z (deg)\nA1,1,2,3\n").contains("neither a column 'z'"));
+        // Errors in another unit are not read.
+        assert_eq!(unread_columns("name,x,y,z,sigma_xy (ft),sigma_z\nA1,1,2,3,4,5\n").unwrap_err().code(), "invalid-input");
+    }
+
+    #[test]
+    fn a_code_behind_the_coordinates_is_no_standard_error() {
+        let coded = "GCP 1,5539031.141,428217.609,100.363,TARGET\nGCP 2,5539031.141,428217.609,100.363,\n";
+        assert_eq!(parse_ground_control_points(coded).unwrap().iter().map(|point| point.standard_errors).collect::<Vec<_>>(), [None; 2]);
+        assert_eq!(unread_columns(coded).unwrap().unknown, ["#5"]);
+        // A slip is none.
+        assert!(message("A,1,2,3,0.O2,0.03\n").contains("'0.O2' for sigma_xy in line 1"));
+        assert!(message("A,1,2,3,x,0.03\nB,1,2,3,0.02,0.03\n").contains("'x' for sigma_xy in line 1"));
     }
 
     #[test]

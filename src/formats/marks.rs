@@ -1,8 +1,10 @@
 //! Reading where images show surveyed points.
 
+use super::columns::{letters, others, without_unit};
 use crate::error::refuse;
-use crate::text::{Row, records, shorten, table};
+use crate::text::{Records, Row, records, shorten, table};
 use crate::{Error, Input, Refusal};
+use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -19,26 +21,27 @@ pub struct ImageMeasurementRow {
     pub y_px: f64,
 }
 
-/// Reads marks: lines of image, point, x, y in px, between commas, semicolons or tabs. A first line of column names, without figures where places
-/// stand, is skipped, and so are blank lines and those that begin with `#`.
+/// Reads marks: lines of image, point, x, y in px, between commas, semicolons or tabs; between the latter two numbers may have a decimal comma. A first line
+/// of column names, without figures where places stand, may come before them: where it names image, point, x (or column) and y (or row), each by one of
+/// many names, with `[px]` behind it or not, these stand as it says, among others or not. Blank lines are skipped, and so are those that begin with `#`.
 ///
 /// # Errors
-/// [`Error::InvalidInput`], naming the line: for a name that is missing, a number that is none, and a point twice in an image.
+/// [`Error::InvalidInput`], naming the line: for a name that is missing, a number that is none, and a point twice in an image; for a first line that
+/// names some columns elsewhere than in that order and not all.
 ///
 /// # Source
 /// The columns of the table of marks of Pix4D.
 pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, Error> {
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
-    for (index, (line, record)) in records(Input::MarkTable, text)?.into_iter().enumerate() {
-        let field = |column: usize| record.get(column).unwrap_or("");
-        let number = |column: usize| field(column).parse().ok().filter(|v: &f64| v.is_finite());
-        if index == 0 && [2, 3].iter().all(|column| is_word(field(*column))) {
-            continue;
-        }
-        let (image, point) = (field(0).to_string(), field(1).to_string());
-        let (Some(x_px), Some(y_px)) = (number(2), number(3)) else {
-            return refuse(Refusal::MeasuredNumbers { x: shorten(field(2)), y: shorten(field(3)), line });
+    let records = records(Input::MarkTable, text)?;
+    let named = records.rows.first().map(|(_, first)| columns_of(&records, first)).transpose()?.flatten();
+    let [of_image, of_point, of_x, of_y] = named.unwrap_or(IN_ORDER);
+    for (line, record) in records.rows.iter().skip(usize::from(named.is_some())) {
+        let (field, line) = (|column: usize| record.get(column).unwrap_or(""), *line);
+        let (image, point) = (field(of_image).to_string(), field(of_point).to_string());
+        let (Some(x_px), Some(y_px)) = (records.number(field(of_x)), records.number(field(of_y))) else {
+            return refuse(Refusal::MeasuredNumbers { x: shorten(field(of_x)), y: shorten(field(of_y)), line });
         };
         if image.is_empty() || point.is_empty() {
             return refuse(Refusal::MeasuredNames { line });
@@ -51,15 +54,45 @@ pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, 
     Ok(marks)
 }
 
+/// Where image, point, x and y stand without names.
+const IN_ORDER: [usize; 4] = [0, 1, 2, 3];
+
+/// The names of these columns here and in other programs, in letters alone. The first of them that a table has is read.
+const NAMES: [&str; 4] = [
+    "image photo picture filename imagename file photoname imagefile imagelabel img bild bildname foto",
+    "point label marker name gcp id pointname pointid gcpname gcpid gcplabel markername pointnumber pointno target nr punkt punktname \
+     punktnummer punktnr",
+    "x col column u px pixelx xpixel imagex ximage sample samp spalte",
+    "y row line v py pixely ypixel imagey yimage zeile",
+];
+
+/// Where a first line says that image, point, x and y stand; none where it has a measurement.
+fn columns_of(records: &Records, first: &StringRecord) -> Result<Option<[usize; 4]>, Error> {
+    let letters: Vec<String> = first.iter().map(|name| letters(&without_unit(name, &["px", "pix", "pixel", "pixels"]).0)).collect();
+    let find = |names: &str| names.split(' ').find_map(|name| letters.iter().position(|column| column == name));
+    let found = NAMES.map(find);
+    if let [Some(image), Some(point), Some(x), Some(y)] = found {
+        return Ok(Some([image, point, x, y]));
+    }
+    // Images and points may have names of columns; a number with a slip is no name.
+    let is_word = |column: usize| first.get(column).is_some_and(|field| !field.is_empty() && !field.contains(|c: char| c.is_ascii_digit()));
+    if ![2, 3].into_iter().all(is_word) {
+        return Ok(None);
+    }
+    let is_in_order = found.iter().zip(IN_ORDER).all(|(found, place)| found.is_none_or(|column| column == place));
+    match found.iter().position(Option::is_none).filter(|_| !is_in_order) {
+        Some(missing) => {
+            let column = NAMES[missing].split(' ').next().unwrap_or("").into();
+            refuse(Refusal::MeasuredColumn { column, known: others(NAMES[missing]), names: records.shown(first) })
+        }
+        None => Ok(Some(IN_ORDER)),
+    }
+}
+
 /// The table of some measurements, which reads back as they are.
 pub(crate) fn image_measurement_table(measurements: &[ImageMeasurementRow]) -> String {
     let row = |is: &ImageMeasurementRow| Row::default().text(&is.image).text(&is.point).number(is.x_px).number(is.y_px);
     table(&["image", "point", "x_px", "y_px"], measurements.iter().map(row))
-}
-
-/// Whether a field names a column; a number with a slip is no name.
-fn is_word(field: &str) -> bool {
-    !field.is_empty() && field.chars().all(|c| !c.is_ascii_digit())
 }
 
 #[cfg(test)]
@@ -74,6 +107,31 @@ mod tests {
         assert_eq!(parse_image_measurements("a.jpg;P1;10.5;20").unwrap(), with[..1]);
         assert!(parse_image_measurements("").unwrap().is_empty());
         assert_eq!(parse_image_measurements(&image_measurement_table(&with)).unwrap(), with);
+    }
+
+    #[test]
+    fn columns_of_marks_stand_where_the_first_line_names_them() {
+        let wanted = parse_image_measurements("a.jpg,P1,10.5,20\n").unwrap();
+        for text in [
+            "Label,Image,x_px,y_px\nP1,a.jpg,10.5,20\n",
+            "image,point,row,col\na.jpg,P1,20,10.5\n",
+            "Photo;Marker;X [px];Y [px]\na.jpg;P1;10,5;20,0\n",
+            "Bild\tPunkt\tNotiz\tSpalte\tZeile\na.jpg\tP1\tTor\t10,5\t20\n",
+            "id,x,y,GCP,file name\n7,10.5,20,P1,a.jpg\n",
+            // Names that say nothing here: the columns stand in order.
+            "Aufnahme,Ziel,rechts,unten\na.jpg,P1,10.5,20\n",
+            "image,Ziel,x,y\na.jpg,P1,10.5,20\n",
+        ] {
+            let read = parse_image_measurements(text);
+            if text.starts_with("id") {
+                // Of two names of points the first in the list is read.
+                assert_eq!(read.unwrap()[0].point, "P1");
+            } else {
+                assert_eq!(read.unwrap(), wanted, "{text}");
+            }
+        }
+        let refused = parse_image_measurements("Ziel,Image,x_px,y_px\nP1,a.jpg,10.5,20\n").unwrap_err().to_string();
+        assert!(refused.contains("no column 'point' (or label, marker,") && refused.contains("'Ziel,Image,x_px,y_px'"), "{refused}");
     }
 
     #[test]

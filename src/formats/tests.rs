@@ -126,9 +126,13 @@ fn patb() {
 fn agisoft() {
     let mut model = tiny_block();
     model.images[2].name = "c & \"d\".jpg".into();
+    model.points[0].name = Some("GCP <1>".into());
+    model.points[2].name = Some("church".into());
     let text = files(&model, ExportFormat::Agisoft).unwrap().remove("markers.xml").unwrap();
     assert!(text.contains("<camera id=\"2\" label=\"c &amp; &quot;d&quot;.jpg\" sensor_id=\"0\" enabled=\"1\"/>"));
     assert!(text.contains("<marker id=\"1\" label=\"point 2\">\n        <reference x=\"5\" y=\"10\" z=\"0\" enabled=\"0\"/>\n"));
+    // Surveyed points keep their names.
+    assert!(text.contains("<marker id=\"0\" label=\"GCP &lt;1&gt;\">\n") && text.contains("<marker id=\"2\" label=\"church\"/>\n"));
     assert!(text.contains("<marker marker_id=\"2\">\n            <location camera_id=\"1\" pinned=\"1\" x=\"10\" y=\"20\"/>\n"));
     // Every element that is opened is closed.
     let closed = text.matches("</").count() + text.matches("/>").count();

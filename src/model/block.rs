@@ -47,6 +47,9 @@ pub struct ObjectPoint {
     /// Probability, 0..1, that its observations belong together.
     #[serde(default = "one")]
     pub confidence: f64,
+    /// Of a ground control or check point.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     pub rays: Vec<ImageObservation>,
 }
 
@@ -107,6 +110,7 @@ pub(crate) fn tiny_block() -> BlockModel {
         colour: [10, 20, 30],
         rmse_px: Some(0.25),
         confidence: 1.0,
+        name: None,
         rays: rays.into(),
     };
     BlockModel {

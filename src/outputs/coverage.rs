@@ -37,6 +37,7 @@ mod tests {
             colour: [0; 3],
             rmse_px: None,
             confidence: 1.0,
+            name: None,
             rays: rays
                 .iter()
                 .map(|(image, x_px, y_px)| ImageObservation { image: *image, x_px: *x_px, y_px: *y_px, confidence: 1.0 })

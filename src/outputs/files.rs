@@ -3,6 +3,7 @@
 use super::given_points::absent_points;
 use super::images::image_rows;
 use super::in_system::{InSystem, ResultSystem};
+use super::inspection::surveyed_numbers;
 use super::pairs::pair_rows;
 use super::report::block_report;
 use super::summary::{ExportOutcome, Summary, summary};
@@ -104,7 +105,7 @@ fn write_tables(run: &BlockRun, emit: Emit<'_>) -> Result<(), Error> {
     let absent = absent_points(run, &surveyed);
     if !surveyed.is_empty() || !absent.is_empty() {
         let by_hand: Option<BTreeSet<String>> = run.edited.as_ref().map(|_| run.added_control().map(|row| row.name).collect());
-        emit("surveyed.csv", &tables::control(&surveyed, &absent, by_hand.as_ref()))?;
+        emit("surveyed.csv", &tables::control(&surveyed, &surveyed_numbers(run), &absent, by_hand.as_ref()))?;
     }
     emit("pairs.csv", &tables::pairs(run, &pair_rows(run)?.0))
 }

@@ -72,7 +72,7 @@ pub(super) fn absent_points(run: &BlockRun, surveyed: &[SurveyedPoint]) -> Vec<A
     measured.extend(by_hand.filter_map(|point| Some(added.get(point.checked_sub(given)?)?.name.clone())));
     rows.extend(added);
     let has_figures: BTreeSet<&str> = surveyed.iter().map(|point| point.name.as_str()).collect();
-    let is_placed = model.in_system && model.adjusted.datum.uses_control();
+    let is_placed = model.in_system && (model.adjusted.datum.uses_control() || run.has_known_zero());
     // Edits count the points that the table does not switch off.
     let mut number = 0;
     let mut absent = Vec::new();

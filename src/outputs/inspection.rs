@@ -224,6 +224,13 @@ pub(super) fn surveyed(model: &ReconstructedModel, place: usize) -> Option<&crat
     model.surveyed.get(surveyed_index(model, place)?)
 }
 
+/// The numbers of the surveyed points of the model that is written, in its points and in `points.csv`.
+pub(super) fn surveyed_numbers(run: &BlockRun) -> Vec<usize> {
+    let Some((model, written)) = written(run) else { return Vec::new() };
+    let numbered = written.iter().enumerate().filter(|(_, place)| matches!(model.points[**place], PointSource::GroundControl(_)));
+    numbered.map(|(number, _)| number).collect()
+}
+
 /// The index of a point of the model among the surveyed ones; absent for a tie point.
 pub(super) fn surveyed_index(model: &ReconstructedModel, place: usize) -> Option<usize> {
     // Surveyed points stand in the order of the model's, without those that are lost.

@@ -29,7 +29,7 @@ const OF_IMAGES: [&str; 14] = [
 const OF_POINTS: [&str; 3] = ["sigma_x", "sigma_y", "sigma_z"];
 const OF_RAYS: [&str; 3] = ["refinement", "standard_error_px", "correlation"];
 const EDITED: [&str; 1] = ["by_hand"];
-const CONTROL: [&str; 22] = [
+const CONTROL: [&str; 23] = [
     "name",
     "use",
     "rays",
@@ -51,6 +51,7 @@ const CONTROL: [&str; 22] = [
     "detectable_dx",
     "detectable_dy",
     "detectable_dz",
+    "point",
     "state",
 ];
 const PAIRS: [&str; 13] = [
@@ -148,19 +149,20 @@ pub(super) fn pairs(run: &BlockRun, rows: &[PairRow]) -> String {
 
 /// `surveyed.csv`: surveyed points beside their adjusted places, and those that the block has no place of.
 ///
-/// `by_hand`: names of those that were added by hand; absent of a block that was not edited.
-pub(super) fn control(points: &[SurveyedPoint], absent: &[AbsentPoint], by_hand: Option<&BTreeSet<String>>) -> String {
+/// `numbers`: those that the points have in `points.csv`. `by_hand`: names of those that were added by hand; absent of a block that was not edited.
+pub(super) fn control(points: &[SurveyedPoint], numbers: &[usize], absent: &[AbsentPoint], by_hand: Option<&BTreeSet<String>>) -> String {
     let marked = |row: Row, name: &String| match by_hand {
         Some(by_hand) => row.number(u8::from(by_hand.contains(name))),
         None => row,
     };
-    let rows = points.iter().map(|point| {
+    let rows = points.iter().enumerate().map(|(index, point)| {
         let row = Row::default().text(&point.name).number(word(&point.role)).number(point.rays);
         let row = point.position.iter().chain(&point.difference_m).fold(row, |row, value| row.number(value));
         let row = point.standard_errors_m.iter().fold(row, |row, error| row.known(*error));
         let left_out = [point.left_out.map(|left| left.difference), point.left_out.map(|left| left.standard_errors)];
         let row = left_out.iter().fold(row, |row, values| (0..3).fold(row, |row, k| row.known(values.map(|values| values[k]))));
-        let row = point.detectable_m.iter().fold(row, |row, error| row.known(*error)).number(point.state());
+        let row = point.detectable_m.iter().fold(row, |row, error| row.known(*error));
+        let row = row.known(numbers.get(index)).number(point.state());
         marked(row, &point.name)
     });
     let without_figures = absent.iter().map(|point| {

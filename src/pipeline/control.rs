@@ -1,9 +1,10 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
-use super::system::{system_of, with_unit};
+use super::named_images::NamedImages;
+use super::system::{check_stated_units, system_of, with_unit};
 use crate::crs::{CoordinateSystem, HeightZero};
 use crate::error::refuse;
-use crate::formats::{UnreadColumns, unread_columns};
+use crate::formats::{StatedUnit, UnreadColumns, stated_units, unread_columns};
 use crate::{
     BlockDescription, ControlRole, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
     ImageObservation, KnownCamera, KnownImage, ObservedPosition, Refusal, RtkSolution, parse_ground_control_points,
@@ -11,8 +12,8 @@ use crate::{
 };
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Ground control points that two images each show, without which they do not georeference a block.
-const LEAST_CONTROL: usize = 3;
+/// Ground control points that two images each show, without which they do not georeference a block; GNSS positions of so many images do as well.
+pub(super) const LEAST_CONTROL: usize = 3;
 
 /// No photo has a longer side in px.
 const MOST_PX: u32 = 10_000_000;
@@ -24,6 +25,8 @@ pub struct ControlTables {
     marks: Vec<ImageMeasurementRow>,
     /// Columns of the points that are not read.
     pub(super) unread_columns: UnreadColumns,
+    /// Units that columns of coordinates have in their names.
+    stated_units: Vec<StatedUnit>,
 }
 
 impl ControlTables {
@@ -32,12 +35,12 @@ impl ControlTables {
     /// # Errors
     /// As [`parse_ground_control_points`] and [`parse_image_measurements`].
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
-        let unread_columns = unread_columns(points)?;
-        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)?, unread_columns })
+        let (unread_columns, stated_units) = (unread_columns(points)?, stated_units(points)?);
+        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)?, unread_columns, stated_units })
     }
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
-    /// measurements name stand for its own.
+    /// measurements name stand for its own. Whether GNSS positions make up for control points in their coordinate system only the run knows.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for a measurement of an unknown point, where fewer than three points are measured in two images or more, and for points
@@ -45,7 +48,8 @@ impl ControlTables {
     pub fn check(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(), Error> {
         let named: BTreeSet<&String> = self.marks.iter().map(|mark| &mark.image).collect();
         let named: Vec<String> = if images.len() < 2 { named.into_iter().cloned().collect() } else { images.to_vec() };
-        let joined = self.join(&named, placing, &HeightZero::Unknown);
+        let least = if placing.crs.is_some() { 0 } else { LEAST_CONTROL };
+        let joined = self.join(&named, placing, &HeightZero::Unknown, least);
         let (control, _) = joined.map_err(|error| with_unit(error, placing, &self.plane(), &[]))?;
         // How large an image is, and with it whether a measurement is outside it, only the run knows, which names the size.
         for (point, seen) in control.iter().flat_map(|point| point.measurements.iter().map(move |seen| (point, seen))) {
@@ -60,7 +64,7 @@ impl ControlTables {
     }
 
     /// The ground control points with the images, by index, that show them; and the names of images that are not among these, ascending. `zero`: where
-    /// their heights count from.
+    /// their heights count from. `least`: so many control points are needed.
     ///
     /// # Errors
     /// As [`check`](Self::check).
@@ -69,7 +73,9 @@ impl ControlTables {
         images: &[String],
         placing: &GeoreferencingOptions,
         zero: &HeightZero,
+        least: usize,
     ) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
+        check_stated_units(&self.stated_units, placing)?;
         self.check_metres(placing)?;
         let system = system_of(placing, zero, &self.plane(), &[])?;
         let used = || self.used();
@@ -77,15 +83,15 @@ impl ControlTables {
         let mut joined = joined.collect::<Result<Vec<GroundControlPoint>, Error>>()?;
         let index_of: BTreeMap<&str, usize> = used().enumerate().map(|(index, (point, _))| (point.name.as_str(), index)).collect();
         let off: BTreeSet<&str> = self.points.iter().filter(|point| point.role.is_none()).map(|point| point.name.as_str()).collect();
-        let image_of: BTreeMap<&str, usize> = images.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
+        let named = NamedImages::new(images);
         let mut unknown = BTreeSet::new();
         for mark in self.marks.iter().filter(|mark| !off.contains(mark.point.as_str())) {
             let Some(point) = index_of.get(mark.point.as_str()) else {
                 return refuse(Refusal::MeasuredUnknown { point: mark.point.clone() });
             };
-            match image_of.get(mark.image.as_str()) {
+            match named.find(&mark.image) {
                 Some(image) => {
-                    joined[*point].measurements.push(ImageObservation { image: *image, x_px: mark.x_px, y_px: mark.y_px, confidence: 1.0 })
+                    joined[*point].measurements.push(ImageObservation { image, x_px: mark.x_px, y_px: mark.y_px, confidence: 1.0 })
                 }
                 // An image that was skipped, or is of another block.
                 None => drop(unknown.insert(mark.image.clone())),
@@ -97,10 +103,10 @@ impl ControlTables {
         }
         let placing = || joined.iter().filter(|point| point.role == ControlRole::Control);
         let seen = placing().filter(|point| point.measurements.len() >= 2).count();
-        if seen < LEAST_CONTROL {
+        if seen < least {
             let placing = placing().count();
             let checks = placing < joined.len();
-            return refuse(Refusal::FewControlPoints { seen, placing, checks, images: unknown, needed: LEAST_CONTROL });
+            return refuse(Refusal::FewControlPoints { seen, placing, checks, images: unknown, needed: least });
         }
         Ok((joined, unknown))
     }
@@ -201,8 +207,10 @@ mod tests {
     fn measurements_are_joined_to_points_and_images() {
         let marks = "1.png,a,10,20\n2.png,a,11,21\n1.png,b,30,40\n2.png,b,31,41\n1.png,c,50,60\n2.png,c,51,61\nx.png,c,1,1\n";
         let images = ["2.png", "1.png"].map(String::from);
-        let (joined, unknown) =
-            ControlTables::read(POINTS, marks).unwrap().join(&images, &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap();
+        let (joined, unknown) = ControlTables::read(POINTS, marks)
+            .unwrap()
+            .join(&images, &GeoreferencingOptions::default(), &HeightZero::Unknown, LEAST_CONTROL)
+            .unwrap();
         assert_eq!(unknown, ["x.png"]);
         assert_eq!(
             joined[0].measurements,
@@ -213,6 +221,42 @@ mod tests {
         );
         assert!(matches!(joined[0].position, ObservedPosition::Local { sigma: [0.02, 0.02, 0.03], .. }));
         assert!(matches!(joined[1].position, ObservedPosition::Local { sigma: [0.5, 0.5, 0.7], .. }));
+    }
+
+    #[test]
+    fn images_are_known_whatever_their_folder_ending_and_capitals_are_in_the_table() {
+        let marks = "IMG_1.JPG,a,1,2\nIMG_2,a,1,2\nC:\\flight\\img_1.jpg,b,3,4\nimg_2.jpg,b,3,4\nimg_1,c,5,6\nsub/IMG_2.jpg,c,5,6\n";
+        let images = ["img_1.jpg", "img_2.jpg"].map(String::from);
+        let tables = ControlTables::read(POINTS, marks).unwrap();
+        let (joined, unknown) = tables.join(&images, &GeoreferencingOptions::default(), &HeightZero::Unknown, LEAST_CONTROL).unwrap();
+        assert!(unknown.is_empty());
+        assert!(joined.iter().all(|point| point.measurements.iter().map(|seen| seen.image).eq([0, 1])), "{joined:?}");
+        // Two names of one image.
+        let twice = format!("{marks}img_1.jpg,a,9,9\n");
+        let told = ControlTables::read(POINTS, &twice).unwrap().check(&images, &GeoreferencingOptions::default()).unwrap_err().to_string();
+        assert!(told.contains("got two for a in img_1.jpg"), "{told}");
+    }
+
+    #[test]
+    fn a_unit_that_a_column_states_is_that_of_the_coordinate_system_or_refused() {
+        let refused = |head: &str, crs: &str| {
+            let rows = format!("{head}\na,1404913.4,18172674.3,1\nb,1404923.4,18172674.3,1\nc,1404913.4,18172684.3,1\n");
+            let marks = "1.png,a,1,2\n2.png,a,1,2\n1.png,b,3,4\n2.png,b,3,4\n1.png,c,5,6\n2.png,c,5,6\n";
+            let placing =
+                GeoreferencingOptions { crs: Some(crs.to_string()).filter(|crs| !crs.is_empty()), ..GeoreferencingOptions::default() };
+            let images = ["1.png", "2.png"].map(String::from);
+            ControlTables::read(&rows, marks).unwrap().check(&images, &placing).err().map(|error| error.to_string()).unwrap_or_default()
+        };
+        let feet = "name,Easting (ft),Northing (ft),Height (ft)";
+        assert!(refused(feet, "").contains("the column 'Easting (ft)' in ft; allowed: coordinates in m, or"), "{}", refused(feet, ""));
+        assert!(refused(feet, "EPSG:25832").contains("'Easting (ft)' in ft; allowed: coordinates in m"));
+        // The plane of this system is in feet, its heights are in metres.
+        let in_feet = "+proj=utm +zone=32 +datum=WGS84 +units=us-ft";
+        assert!(refused(feet, in_feet).contains("'Height (ft)' in ft; allowed: coordinates in m"));
+        assert_eq!(refused(feet, &format!("{in_feet} +vunits=us-ft")), "");
+        assert_eq!(refused("name,x,y,z (m)", in_feet), "");
+        assert!(refused("name,x,y,z (m)", &format!("{in_feet} +vunits=us-ft")).contains("'z (m)' in m; allowed: coordinates in ft"));
+        assert!(refused("name,x_ft,y_ft,z", "EPSG:4326").contains("'x_ft' in ft; allowed: coordinates in °"));
     }
 
     #[test]
@@ -235,27 +279,45 @@ mod tests {
     fn unknown_points_and_too_few_measurements_are_refused() {
         let refused = |marks: &str| {
             let tables = ControlTables::read(POINTS, marks).unwrap();
-            tables.join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap_err().to_string()
+            tables
+                .join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown, LEAST_CONTROL)
+                .unwrap_err()
+                .to_string()
         };
         assert!(refused("1.png,z,1,1\n").contains("the point z"));
         let few = refused("1.png,a,1,1\n9.png,a,1,1\n");
         let rows = "name,x,y,z,use\na,0,0,0,control\nb,100,0,0,check\nc,0,100,0,off\n";
         assert_eq!(ControlTables::read(rows, "1.png,a,1,1\n").unwrap().unmeasured(), ["b"]);
         let checked = ControlTables::read(rows, "1.png,a,1,1\n1.png,c,2,2\n").unwrap();
-        let checked =
-            checked.join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap_err().to_string();
+        let checked = checked
+            .join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown, LEAST_CONTROL)
+            .unwrap_err()
+            .to_string();
         assert!(checked.contains("0 of 1 (check points do not count) measured in two images"), "{checked}");
         let alone = ControlTables::read(&rows.replace("control", "check"), "1.png,a,1,1\n").unwrap();
-        let alone = alone.join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap_err().to_string();
+        let alone = alone
+            .join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown, LEAST_CONTROL)
+            .unwrap_err()
+            .to_string();
         assert!(
             alone.contains(
                 "got check points alone, which do not georeference the block; allowed: 3 or more measured in two images or more, or neither"
             ),
             "{alone}"
         );
+        // GNSS positions in their system may place the block: the run knows.
+        let in_crs = GeoreferencingOptions { crs: Some("EPSG:25832".into()), ..GeoreferencingOptions::default() };
+        let on_earth = "name,x,y,z,use\na,428217,5539031,100,check\nb,428459,5539032,95,control\n";
+        let beside = ControlTables::read(on_earth, "1.png,a,1,1\n2.png,a,1,1\n1.png,b,2,2\n2.png,b,2,2\n").unwrap();
+        let images = ["1.png", "2.png"].map(String::from);
+        beside.check(&images, &in_crs).unwrap();
+        assert_eq!(beside.join(&images, &in_crs, &HeightZero::Unknown, 0).unwrap().0.len(), 2);
+        assert!(
+            beside.join(&images, &in_crs, &HeightZero::Unknown, LEAST_CONTROL).unwrap_err().to_string().contains("1 of 1 (check points")
+        );
         let off = ControlTables::read(&rows.replace("control", "off").replace("check", "off"), "1.png,a,1,1\n").unwrap();
         assert_eq!(
-            off.join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown).unwrap(),
+            off.join(&["1.png".to_string()], &GeoreferencingOptions::default(), &HeightZero::Unknown, LEAST_CONTROL).unwrap(),
             (Vec::new(), Vec::new())
         );
         assert!(few.contains("0 of 3 measured in two images or more; the block does not have the images 9.png;"), "{few}");

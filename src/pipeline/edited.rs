@@ -86,6 +86,10 @@ impl BlockRun {
             }
         }
         let mut model = edited.model;
+        if !model.adjusted.datum.uses_control() && !found.has_known_zero() {
+            // Their heights count from elsewhere than those of the block.
+            model.surveyed.clear();
+        }
         explain_control(&mut model, assembly.origin, &input, options.adjustment.limit());
         let by_hand = if is_linked { None } else { placed_by_hand(&model, edits, as_found.control.len(), in_crs) };
         assembly.models[0] = model;

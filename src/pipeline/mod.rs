@@ -26,6 +26,7 @@ mod likeness;
 mod mask_file;
 mod masks;
 mod mistakes;
+mod named_images;
 mod on_orthophoto;
 mod pairs;
 mod place_factors;

@@ -1,7 +1,7 @@
 //! What a run knows, from stage to stage.
 
 use super::cameras::{contradicted, doubtful};
-use super::control::{control_point, gnss_observation};
+use super::control::{LEAST_CONTROL, control_point, gnss_observation};
 use super::input::{Checked, RunInput};
 use super::system::{check_near, system_of, with_unit};
 use super::{BlockRun, ControlTables, InitialCamera, JoinedPoints, RefinementTable, RunImage, SkippedImage};
@@ -231,7 +231,10 @@ pub(super) fn describe_with(
     let named = |error: Error| with_unit(error, placing, &plane, &places);
     let system = system_of(placing, &input.zero, &plane, &places).map_err(named)?;
     let names: Vec<String> = images.iter().map(|image| image.name.clone()).collect();
-    let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero)).transpose().map_err(named)?;
+    // GNSS positions in the system of the points, and heights that count from where theirs do, place the block by themselves.
+    let has_places = places.len() >= LEAST_CONTROL && system.as_ref().is_some_and(|system| system.zero().is_known());
+    let least = if has_places { 0 } else { LEAST_CONTROL };
+    let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero, least)).transpose().map_err(named)?;
     let (mut control, unknown_images) = joined.unwrap_or_default();
     for row in further {
         control.push(control_point(row, row.role.unwrap_or_default(), placing, system.as_ref()).map_err(named)?);
@@ -263,6 +266,11 @@ impl BlockRun {
     /// The GNSS positions of its images, where it uses them.
     pub(crate) fn gnss_positions(&self) -> impl Iterator<Item = &ExifPosition> {
         self.images.iter().filter(|_| self.input.use_gnss).filter_map(|image| image.exif.position.as_ref())
+    }
+
+    /// Whether GNSS positions place it in the system of its ground control points: in that which was chosen, with heights that count from where theirs do.
+    pub(crate) fn has_known_zero(&self) -> bool {
+        self.system().is_some_and(|system| system.zero().is_known())
     }
 
     /// The coordinate reference system that was chosen, at the place of the block; absent where none was, and where the block has no place on the earth.

@@ -2,6 +2,7 @@
 
 use crate::crs::{CoordinateSystem, Definition, HeightZero, beside_in_utm, middle};
 use crate::error::refuse;
+use crate::formats::StatedUnit;
 use crate::math::{dot3, median, turn};
 use crate::reconstruction::Doubted;
 use crate::{
@@ -64,6 +65,33 @@ const ALIKE: f64 = 1e-5;
 /// No map of a transverse Mercator projection reaches farther from its central meridian.
 const MOST_FROM_MERIDIAN_DEG: f64 = 4.0;
 
+/// Whether two units of length are one, as far as tables tell them apart.
+fn is_unit(length_m: f64, other_m: f64) -> bool {
+    (length_m / other_m - 1.0).abs() < ALIKE
+}
+
+/// What a unit of length is called.
+fn unit_name(unit_m: f64) -> String {
+    let named = LENGTHS.iter().find(|(_, own_m)| is_unit(*own_m, unit_m)).map(|(name, _)| (*name).to_string());
+    named.unwrap_or_else(|| format!("{unit_m} m"))
+}
+
+/// Refuses a column of coordinates whose name has another unit than its coordinate system, or than the metres of those without one.
+pub(super) fn check_stated_units(stated: &[StatedUnit], placing: &GeoreferencingOptions) -> Result<(), Error> {
+    if stated.is_empty() {
+        return Ok(());
+    }
+    let definition = placing.definition()?;
+    let (plane_m, height_m) = definition.map_or((Some(1.0), 1.0), |definition| (definition.unit_m(), definition.height_unit_m()));
+    let other = stated.iter().find_map(|StatedUnit { column, unit, is_height }| {
+        let own_m = if *is_height { Some(height_m) } else { plane_m };
+        let given_m = LENGTHS.iter().find(|(name, _)| name == unit).map(|(_, given_m)| *given_m);
+        let is_own = own_m.zip(given_m).is_some_and(|(own_m, given_m)| is_unit(own_m, given_m));
+        (!is_own).then(|| (column.clone(), *unit, own_m.map_or_else(|| "°".into(), unit_name)))
+    });
+    other.map_or(Ok(()), |(column, unit, own)| refuse(Refusal::ControlHeadUnit { column, given_in: unit.into(), own }))
+}
+
 /// An error of control points that lie elsewhere than they can, or that unit in which they would not.
 pub(super) fn with_unit(error: Error, placing: &GeoreferencingOptions, control: &[[f64; 2]], gnss: &[[f64; 2]]) -> Error {
     let Error::InvalidInput { refusal } = &error else { return error };
@@ -106,14 +134,12 @@ fn unit_beside(definition: &Definition, [x, y]: [f64; 2], images: Option<([f64; 
     if is_there(1.0) {
         return None;
     }
-    let is = |length_m: f64, other_m: f64| (length_m / other_m - 1.0).abs() < ALIKE;
-    let mut found = LENGTHS.iter().filter(|(_, own_m)| !is(*own_m, unit_m) && is_there(own_m / unit_m));
+    let mut found = LENGTHS.iter().filter(|(_, own_m)| !is_unit(*own_m, unit_m) && is_there(own_m / unit_m));
     let (unit, own_m) = found.next()?;
-    if found.any(|(_, other_m)| !is(*other_m, *own_m)) {
+    if found.any(|(_, other_m)| !is_unit(*other_m, *own_m)) {
         return None;
     }
-    let named = LENGTHS.iter().find(|(_, own_m)| is(*own_m, unit_m)).map(|(name, _)| (*name).to_string());
-    Some((*unit, named.unwrap_or_else(|| format!("{unit_m} m"))))
+    Some((*unit, unit_name(unit_m)))
 }
 
 /// How a control point that lies elsewhere may have come there.

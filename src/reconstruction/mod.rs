@@ -7,6 +7,7 @@
 mod adjusting;
 mod choosing;
 mod control_course;
+mod control_lost;
 mod control_shape;
 mod control_spread;
 mod control_telling;

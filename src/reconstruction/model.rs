@@ -39,12 +39,13 @@ impl Reconstruction {
         }
         for (point, rays) in rays.into_iter().enumerate() {
             let Some(statistics) = &own.adjusted.points[point] else { continue };
-            let confidence = match own.points[point] {
-                PointSource::TiePoint(index) => confidence(index),
-                PointSource::GroundControl(_) | PointSource::Manual(_) => 1.0,
+            let (confidence, name) = match own.points[point] {
+                PointSource::TiePoint(index) => (confidence(index), None),
+                PointSource::GroundControl(index) => (1.0, description.control.get(index).map(|known| known.name.clone())),
+                PointSource::Manual(_) => (1.0, None),
             };
             let (position, rmse_px) = (Some(block.points[point]), Some(statistics.rmse_px));
-            whole.points.push(ObjectPoint { position, colour: [128; 3], rmse_px, confidence, rays });
+            whole.points.push(ObjectPoint { position, colour: [128; 3], rmse_px, confidence, name, rays });
         }
         Ok(whole)
     }

@@ -1,6 +1,7 @@
 //! What of a model deserves a warning.
 
 use super::control_course::{ControlTests, Refused};
+use super::control_lost::{of_lost, of_unplaced};
 use super::control_shape::of_shape;
 use super::control_spread::of_spread;
 use super::frame::Frame;
@@ -13,7 +14,7 @@ use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
 use crate::adjustment::{ObservationVerdict, PriorStatistics, SystematicError, SystematicVerdict};
 use crate::math::{NORMAL_MEDIAN, median};
-use crate::model::BlockDescription;
+use crate::model::{BlockDescription, ControlRole};
 use crate::pair::LARGEST_SIGMA0_PX;
 
 /// An image with fewer accepted rays is weak.
@@ -47,6 +48,8 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
         }
         Placing::Free { cause } => Some(BlockWarning::Free { cause }),
     });
+    let own_control = known.options.tested_control.unwrap_or(usize::MAX);
+    found.extend(of_lost(model, description, own_control));
     found.extend(of_sigma(model));
     found.extend(of_weights(model));
     found.extend(of_positions(model, description, frame));
@@ -55,6 +58,7 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     found.extend(of_units(model, description, frame));
     found.extend(of_control(model, known, tests));
     found.extend(of_shape(model, description));
+    found.extend(of_unplaced(model, description, own_control, &found));
     found.extend(of_spread(model));
     found.extend(of_measurements(model, description));
     found.extend(of_cameras(model, description));
@@ -230,8 +234,9 @@ fn of_measurements(model: &ReconstructedModel, description: &BlockDescription) -
         if measurements == 0 {
             continue;
         }
+        let check = control.role == ControlRole::Check;
         let Some(place) = place(index) else {
-            found.push(BlockWarning::PointRejected { point: control.name.clone(), measurements });
+            found.push(BlockWarning::PointRejected { point: control.name.clone(), measurements, check });
             continue;
         };
         let of_rays = model.adjusted.block.rays.iter().zip(&model.adjusted.rays);
@@ -241,7 +246,7 @@ fn of_measurements(model: &ReconstructedModel, description: &BlockDescription) -
         images.sort_unstable();
         if !images.is_empty() {
             let images = images.into_iter().map(name).collect();
-            found.push(BlockWarning::MeasurementsRejected { point: control.name.clone(), measurements, images });
+            found.push(BlockWarning::MeasurementsRejected { point: control.name.clone(), measurements, images, check });
         }
     }
     found

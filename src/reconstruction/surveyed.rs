@@ -4,11 +4,15 @@ use super::control_course::ControlTests;
 use super::material::Known;
 use super::result::{PointSource, ReconstructedModel, RefusedControl, SurveyedPoint};
 use crate::adjustment::{LeftOut, ObservationVerdict};
+use crate::{GroundControlPoint, ObservedPosition};
 
-/// The surveyed points of a model that lies in their system, in the order of its points.
+/// The surveyed points of a model that lies in their system, in the order of its points: by control points, or by GNSS positions of the same system.
 pub(super) fn surveyed_points(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTests) -> Vec<SurveyedPoint> {
     let Known { description, frame, .. } = known;
-    if !model.in_system || !model.adjusted.datum.uses_control() {
+    let datum = model.adjusted.datum;
+    let is_in_frame = |point: &GroundControlPoint| matches!(point.position, ObservedPosition::Geographic { .. }) == frame.origin.is_some();
+    let is_by_gnss = || datum.uses_gnss() && description.control.iter().all(is_in_frame);
+    if !model.in_system || !(datum.uses_control() || is_by_gnss()) {
         return Vec::new();
     }
     let adjusted = &model.adjusted;

@@ -67,6 +67,12 @@ messages! {
         ControlTestsStopped { left_out: usize, points: usize },
         /// The block has no adjustment with these GCPs, which lie far from where the others have them: they take no part, and the others do not place it.
         ControlUnadjusted { names: Vec<String> },
+        /// So many of the GCPs that are measured in two of its images or more are lost, since their image measurements do not meet. `from_bottom`: those of most
+        /// of them would, if rows were counted from the bottom of the images.
+        ControlLost { lost: usize, points: usize, from_bottom: bool },
+        /// GCPs were given, and nothing places the block: so many of them are `measured` in two of its images or more, and the measurements of so many meet
+        /// (`taken`).
+        ControlWithoutPlace { given: usize, measured: usize, taken: usize },
         /// The distances of these GCPs from each other make the block `ratio` times as large between two of them (`longest`) as between two others
         /// (`shortest`): they do not place it. `point`: without this one the others fit.
         ControlShape { names: Vec<String>, ratio: f64, longest: String, shortest: String, point: Option<String> },
@@ -86,10 +92,21 @@ messages! {
         Scale { ratio: f64, unit: Option<LengthUnit> },
         /// The GCPs seem to be in degrees.
         Degrees,
-        /// A GCP whose image measurements in oriented images do not meet, or that has one alone.
-        PointRejected { point: String, measurements: usize },
-        /// The images of image measurements of a GCP that do not fit.
-        MeasurementsRejected { point: String, measurements: usize, images: Vec<String> },
+        /// A GCP or check point (`check`) whose image measurements in oriented images do not meet, or that has one alone.
+        PointRejected {
+            point: String,
+            measurements: usize,
+            #[serde(default)]
+            check: bool,
+        },
+        /// The images of image measurements of a GCP or check point that do not fit.
+        MeasurementsRejected {
+            point: String,
+            measurements: usize,
+            images: Vec<String>,
+            #[serde(default)]
+            check: bool,
+        },
         /// A focal length that was not known.
         FocalEstimated { camera: NamedCamera, error_px: f64 },
         /// A focal length that was not known and stays so.
@@ -129,6 +146,8 @@ impl BlockWarning {
             | Self::ControlContradicts { .. }
             | Self::ControlTestsStopped { .. }
             | Self::ControlUnadjusted { .. }
+            | Self::ControlLost { .. }
+            | Self::ControlWithoutPlace { .. }
             | Self::ControlShape { .. }
             | Self::Scale { .. }
             | Self::Degrees

@@ -31,7 +31,14 @@ impl BlockModel {
                 return refuse(Refusal::NoTiePoint { point: index, points: points.len() });
             }
             let rays = points.rays(index).iter().map(ray).collect::<Result<_, _>>()?;
-            Ok(ObjectPoint { position: None, colour: [128; 3], rmse_px: None, confidence: f64::from(points.confidence(index)), rays })
+            Ok(ObjectPoint {
+                position: None,
+                colour: [128; 3],
+                rmse_px: None,
+                confidence: f64::from(points.confidence(index)),
+                name: None,
+                rays,
+            })
         };
         let added = chosen.iter().map(point).collect::<Result<Vec<_>, _>>()?;
         self.points.extend(added);

@@ -1,4 +1,6 @@
 import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { file, folder, json, tiepoint } from './command.js';
 
@@ -35,6 +37,19 @@ test('exact marks give the transformation back', () => {
   assert.equal(result.residuals_mm.length, 8);
   assert.equal(result.degrees_of_freedom, 10);
   assert.ok(result.sigma0_mm < 1e-10);
+});
+
+test('a table that a spreadsheet saved as Unicode text is read', () => {
+  const plain = json('interior', file(at, 'plain.csv', marks()));
+  const text = Buffer.from(`\ufeff${marks().replaceAll(',', '\t').replaceAll('.', ',')}`, 'utf16le');
+  for (const [name, bytes] of /** @type {[string, Buffer][]} */ ([
+    ['little.txt', text],
+    ['big.txt', Buffer.from(text).swap16()],
+  ])) {
+    const path = join(at, name);
+    writeFileSync(path, bytes);
+    assert.deepEqual(json('interior', path), plain, name);
+  }
 });
 
 test('sigma0 and the standard errors follow from the residuals', () => {

@@ -208,6 +208,8 @@ test('a block becomes an orthomosaic, on which its photos are placed again', () 
   assert.ok(readFileSync(picture).equals(bytes));
   assert.deepEqual(readdirSync(block).sort(), ['mosaic.tif', 'out', 'photos', 'truth.json']);
   assert.match(tiepoint('mosaic', project, coloured, '--out', block).stderr, /it is a folder/);
+  const named = tiepoint('mosaic', project, coloured, '--out', join(block, 'mosaic.jpg'));
+  assert.match(`${named.code} ${named.stderr}`, /^2 .*mosaic\.jpg: it is no name of a GeoTIFF.* \.tif or \.tiff/);
   // Faults of the project are not those of the heights.
   const heights = join(OWN.at, 'heights.tif');
   assert.match(tiepoint('mosaic', join(OWN.at, 'truth.json'), OWN.at, '--out', picture, '--heights', heights).stderr, /: .*truth\.json: /);

@@ -79,7 +79,7 @@ fn truth(score: &BlockScore) -> Markup {
         dt { "Against the truth" }
         dd {
             (count(score.right_points)) " of " (count(score.points)) " points are right"
-            @if let Some([x, y, z]) = score.position_rmse_m { "; RMSE of positions " (significant(x)) ", " (significant(y)) ", " (significant(z)) " m" }
+            @if let Some([x, y, z]) = score.position_rmse_m { "; after a similarity that brings it onto the truth, RMSE of positions " (significant(x)) ", " (significant(y)) ", " (significant(z)) " m" }
             @if let Some(angle) = score.angle_rmse_deg { ", of angles " (significant(angle)) "°" }
         }
     }

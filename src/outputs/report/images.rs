@@ -103,14 +103,14 @@ fn worst_points(subject: &Subject<'_>, errors: &[Option<CoordinateErrors>]) -> M
                 tbody {
                     @for (point, known) in listed {
                         tr {
-                            th { (point) } td { (subject.run.model.points[point].rays.len()) }
+                            th { (subject.point(point)) } td { (subject.run.model.points[point].rays.len()) }
                             @for error in known.errors { td { (with_interval(Some(error), factors)) } }
                             td { (semi_axes(ellipsoid(known, factors))) }
                         }
                     }
                 }
             }
-            p.note { "Points are numbered as in points.csv. Ellipsoid: its semi-axes, the longest first." }
+            p.note { "Points are numbered as in points.csv, ground control and check points with their names. Ellipsoid: its semi-axes, the longest first." }
         }
     }
 }

@@ -130,7 +130,7 @@ fn listed(subject: &Subject<'_>, model: &ReconstructedModel, caption: &str, rows
                 @for (ray, statistics) in rows {
                     tr {
                         th { (subject.name(model.images[ray.image])) }
-                        td { (points[ray.point].map_or_else(|| "–".into(), |point| point.to_string())) }
+                        td { (points[ray.point].map_or_else(|| "–".into(), |point| subject.point(point))) }
                         td { (fixed(ray.x_px, 1)) } td { (fixed(ray.y_px, 1)) }
                         @for value in statistics.residual_px { td { (fixed(value, 3)) } }
                         @for k in 0..2 { td { (fixed(statistics.w.map(|w| w[k]), 2)) } }
@@ -141,6 +141,6 @@ fn listed(subject: &Subject<'_>, model: &ReconstructedModel, caption: &str, rows
                 }
             }
         }
-        p.note { "Points are numbered as in points.csv." }
+        p.note { "Points are numbered as in points.csv, ground control and check points with their names." }
     }
 }

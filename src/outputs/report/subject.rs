@@ -39,6 +39,14 @@ impl<'a> Subject<'a> {
         self.run.images.get(image).map_or_else(String::new, |image| shorten(&image.name))
     }
 
+    /// The number of a point in `points.csv`, with its name where it was surveyed.
+    pub fn point(&self, number: usize) -> String {
+        match self.run.model.points.get(number).and_then(|point| point.name.as_ref()) {
+            Some(name) => format!("{number} ({})", shorten(name)),
+            None => number.to_string(),
+        }
+    }
+
     /// The unit of lengths of the model that is written.
     pub fn unit(&self) -> &'static str {
         if self.model.is_some_and(|model| model.in_system) { "m" } else { "model units" }

@@ -1,0 +1,48 @@
+//! Names of columns in tables of other programs: in capitals or not, with their words joined in many ways and a unit behind them.
+
+/// A name in small letters, and the unit behind it as it is written there: `easting` and `ft` of `Easting (ft)`, of `easting [ft]` and of `easting_ft`.
+/// `units`: those that are known, in small letters.
+pub(super) fn without_unit<'a>(name: &str, units: &[&'a str]) -> (String, Option<&'a str>) {
+    let small = name.trim().to_lowercase();
+    let cut = |unit: &'a str| {
+        let bare = match small.strip_suffix([')', ']']) {
+            Some(inner) => inner.trim_end().strip_suffix(unit)?.trim_end().strip_suffix(['(', '['])?,
+            None => small.strip_suffix(unit)?.strip_suffix(['_', ' '])?,
+        };
+        Some((bare.trim_end().to_string(), Some(unit)))
+    };
+    units.iter().find_map(|unit| cut(unit)).unwrap_or_else(|| (small.clone(), None))
+}
+
+/// A name of letters alone.
+pub(super) fn letters(name: &str) -> String {
+    name.chars().filter(|letter| !matches!(letter, '_' | '-' | ' ' | '.' | '/')).collect()
+}
+
+/// Some further names of a column than the first of these, which blanks separate, for a message.
+pub(super) fn others(names: &str) -> String {
+    const MOST: usize = 10;
+    names.split(' ').skip(1).take(MOST).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_behind_a_name_is_told_from_its_letters() {
+        let units = ["us-ft", "ft", "m"];
+        for (name, bare, unit) in [
+            ("Easting (ft)", "easting", Some("ft")),
+            (" X [ us-ft ]", "x", Some("us-ft")),
+            ("height_m", "height", Some("m")),
+            ("Z m", "z", Some("m")),
+            ("rmsem", "rmsem", None),
+            ("m", "m", None),
+            ("Height (cm)", "height (cm)", None),
+        ] {
+            assert_eq!(without_unit(name, &units), (bare.to_string(), unit), "{name}");
+        }
+        assert_eq!(letters("point no./id"), "pointnoid");
+    }
+}

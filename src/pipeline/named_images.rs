@@ -1,0 +1,71 @@
+//! Which image of a block a table means: tables of other programs name images with their folders, in other capitals or without the ending.
+
+use std::collections::BTreeMap;
+
+/// The images of a block by what tables call them.
+pub(super) struct NamedImages<'a> {
+    exact: BTreeMap<&'a str, usize>,
+    /// By file name in small letters, without folder; none where several have it.
+    by_file: BTreeMap<String, Option<usize>>,
+    /// The same without the ending.
+    by_stem: BTreeMap<String, Option<usize>>,
+}
+
+impl<'a> NamedImages<'a> {
+    pub(super) fn new(names: &'a [String]) -> Self {
+        let exact = names.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
+        let unique = |key: fn(&str) -> String| {
+            let mut found = BTreeMap::new();
+            for (index, name) in names.iter().enumerate() {
+                found.entry(key(name)).and_modify(|image| *image = None).or_insert(Some(index));
+            }
+            found
+        };
+        Self { exact, by_file: unique(file_of), by_stem: unique(|name| stem_of(&file_of(name)).to_string()) }
+    }
+
+    /// The image that a name means: the one of this name, else the only one of this file name, else, where the name has no ending of its own, the only one
+    /// of this name without its ending; none where there is none, or several.
+    pub(super) fn find(&self, name: &str) -> Option<usize> {
+        let file = file_of(name);
+        let found = self.exact.get(name).copied().or_else(|| self.by_file.get(&file).copied().flatten());
+        found.or_else(|| self.by_stem.get(&file).copied().flatten())
+    }
+}
+
+fn file_of(name: &str) -> String {
+    name.rsplit(['/', '\\']).next().unwrap_or(name).to_lowercase()
+}
+
+fn stem_of(file: &str) -> &str {
+    file.rsplit_once('.').map_or(file, |(stem, _)| stem)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn images_are_found_by_other_capitals_folders_and_without_endings_where_one_alone_is_meant() {
+        let names = ["a/IMG_1.jpg", "b/IMG_1.jpg", "IMG_2.JPG", "IMG_2.png", "scan.1.tif", "Img_3.jpg", "img_3.jpg"].map(String::from);
+        let images = NamedImages::new(&names);
+        for (name, wanted) in [
+            ("a/IMG_1.jpg", Some(0)),
+            ("IMG_1.jpg", None),
+            ("img_2.jpg", Some(2)),
+            ("C:\\flight\\IMG_2.png", Some(3)),
+            ("/home/flight/img_2.PNG", Some(3)),
+            ("IMG_2", None),
+            ("IMG_2.tif", None),
+            ("scan.1", Some(4)),
+            ("Scan.1.TIF", Some(4)),
+            ("scan", None),
+            ("Img_3.jpg", Some(5)),
+            ("img_3.jpg", Some(6)),
+            ("IMG_3.jpg", None),
+            ("", None),
+        ] {
+            assert_eq!(images.find(name), wanted, "{name}");
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Control points that are lost by their image measurements, and that were given and place nothing.
+
+use super::result::{PointSource, ReconstructedModel};
+use super::warning::BlockWarning;
+use crate::math::{dot3, minus};
+use crate::model::{BlockDescription, ControlRole, GroundControlPoint};
+use nalgebra::{Matrix3, Vector3};
+
+/// Of the measured control points, by which share more are lost than single slips explain.
+const FEW: f64 = 0.2;
+/// Rays that miss a common place by less than this many px meet there.
+const MEETING_PX: f64 = 5.0;
+
+/// Control points of which two images of a model or more have measurements.
+struct Measured<'a> {
+    /// Each with whether it is in the model.
+    points: Vec<(&'a GroundControlPoint, bool)>,
+}
+
+impl<'a> Measured<'a> {
+    /// `own`: of the points so many, the first, were given; places of an orthophoto behind them are judged otherwise.
+    fn of(model: &ReconstructedModel, description: &'a BlockDescription, own: usize) -> Self {
+        let control = description.control.iter().take(own).enumerate().filter(|(_, point)| point.role == ControlRole::Control);
+        let is_measured = |point: &GroundControlPoint| {
+            point.measurements.iter().filter(|seen| model.images.binary_search(&seen.image).is_ok()).count() >= 2
+        };
+        let is_taken = |index: usize| model.points.contains(&PointSource::GroundControl(index));
+        Self { points: control.filter(|(_, point)| is_measured(point)).map(|(index, point)| (point, is_taken(index))).collect() }
+    }
+}
+
+/// Where more control points are lost than a few, since their image measurements do not meet.
+pub(super) fn of_lost(model: &ReconstructedModel, description: &BlockDescription, own: usize) -> Option<BlockWarning> {
+    let measured = Measured::of(model, description, own).points;
+    let lost: Vec<&GroundControlPoint> = measured.iter().filter(|(_, is_taken)| !is_taken).map(|(point, _)| *point).collect();
+    if lost.len() < 2 || lost.len() as f64 <= FEW * measured.len() as f64 {
+        return None;
+    }
+    let meeting = lost.iter().filter(|point| meet_from_bottom(model, description, point)).count();
+    Some(BlockWarning::ControlLost { lost: lost.len(), points: measured.len(), from_bottom: 2 * meeting > lost.len() })
+}
+
+/// Where control points were given, and nothing places the model. `told`: what else is said of that.
+pub(super) fn of_unplaced(
+    model: &ReconstructedModel,
+    description: &BlockDescription,
+    own: usize,
+    told: &[BlockWarning],
+) -> Option<BlockWarning> {
+    let given = description.control.iter().take(own).filter(|point| point.role == ControlRole::Control).count();
+    let is_told = told.iter().any(|warning| match warning {
+        BlockWarning::Free { cause } => cause.is_some(),
+        BlockWarning::ControlShape { .. } | BlockWarning::ControlUnadjusted { .. } | BlockWarning::Degrees => true,
+        _ => false,
+    });
+    if model.in_system || given == 0 || is_told {
+        return None;
+    }
+    let measured = Measured::of(model, description, own).points;
+    let taken = measured.iter().filter(|(_, is_taken)| *is_taken).count();
+    Some(BlockWarning::ControlWithoutPlace { given, measured: measured.len(), taken })
+}
+
+/// Whether the image measurements of a point would meet if their rows were counted from the bottom.
+fn meet_from_bottom(model: &ReconstructedModel, description: &BlockDescription, point: &GroundControlPoint) -> bool {
+    let block = &model.adjusted.block;
+    let rays = point.measurements.iter().filter_map(|seen| {
+        let image = &block.images[model.images.binary_search(&seen.image).ok()?];
+        let camera = &block.cameras[image.camera];
+        let height_px = f64::from(description.cameras[description.images[seen.image].camera].height_px);
+        let at = [seen.x_px, height_px - seen.y_px];
+        let [x, y] = camera.direction(at).ok()?;
+        let m = image.pose.rotation;
+        let along = Vector3::from([0, 1, 2].map(|k| m[0][k] * x - m[1][k] * y - m[2][k])).normalize();
+        Some((image.pose, camera, at, along))
+    });
+    let rays: Vec<_> = rays.collect();
+    // The place with the least sum of squared distances from the rays.
+    let (mut normal, mut right) = (Matrix3::<f64>::zeros(), Vector3::<f64>::zeros());
+    for (pose, _, _, along) in &rays {
+        let across = Matrix3::identity() - along * along.transpose();
+        normal += across;
+        right += across * Vector3::from(pose.position);
+    }
+    let Some(place) = normal.cholesky().map(|normal| normal.solve(&right)) else { return false };
+    rays.len() >= 2
+        && rays.iter().all(|(pose, camera, at, _)| {
+            let [u, v, w] = pose.to_photo(&place.into());
+            let [x, y] = camera.project(-u / w, v / w);
+            let off = minus(&[x, y, 0.0], &[at[0], at[1], 0.0]);
+            w < 0.0 && dot3(&off, &off) < MEETING_PX * MEETING_PX
+        })
+}
