@@ -50,22 +50,13 @@ export function hasFiducials(text: string): boolean {
 /** `images`: the names of those of the block, which are told from points by them. */
 export function kindOfTable(text: string, images: ReadonlySet<string>): TableKind {
   if (hasFiducials(text)) return { kind: 'fiducials' };
-<<<<<<< HEAD
   if (hasNumbers(text) && !/[,;\t]/u.test(text)) return { kind: 'neither', why: say('its-values-stand-between-spaces') };
-  const areImages = (names: readonly string[]) => names.length > 0 && names.every((name) => images.has(name) || IMAGE_FILE.test(name));
-  const marks = measurementsOf(text);
-  if ('rows' in marks && areImages(marks.rows.map(({ image }) => image))) return { kind: 'marks' };
-=======
   // A run knows images by their names without the ending, too.
   const stems = new Set([...images].map((name) => name.replace(/\.[^.]*$/u, '').toLowerCase()));
   const isImage = (name: string) => images.has(name) || IMAGE_FILE.test(name) || stems.has(name.toLowerCase());
   const areImages = (names: readonly string[]) => names.length > 0 && names.every(isImage);
-  try {
-    if (areImages(parse_image_measurements(text).map(({ image }) => image))) return { kind: 'marks' };
-  } catch {
-    // It says no image measurements: see below what else.
-  }
->>>>>>> survey2
+  const marks = measurementsOf(text);
+  if ('rows' in marks && areImages(marks.rows.map(({ image }) => image))) return { kind: 'marks' };
   try {
     const names = parse_ground_control_points(text).map(({ name }) => name);
     if (names.length === 0) return { kind: 'neither', why: say('it-has-no-rows') };
