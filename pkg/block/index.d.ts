@@ -1,3 +1,4 @@
+/// <reference path="../libs.d.ts" />
 import type { FinishedBlock } from '../wasm/tiepoint.js';
 import type { RunOptions, Source, Surroundings } from './types.js';
 

@@ -25,7 +25,7 @@ export interface Pool {
   run(name: 'block', input: BlockJob, transfer: ArrayBuffer[]): Promise<Uint8Array>;
 }
 
-/** Keeps records by key; `put` keeps a record whole or not at all. */
+/** Keeps records by key, a text of letters, digits and slashes; `put` keeps a record whole or not at all. */
 export interface Store {
   get(key: string): Promise<Uint8Array | null>;
   put(key: string, record: Uint8Array): Promise<void>;
